@@ -1,0 +1,7 @@
+// Where the program starts.
+#include <fmt/core.h>
+
+int main() {
+    fmt::print("glint {}\n", GLINT_VERSION);
+    return 0;
+}

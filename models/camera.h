@@ -1,0 +1,63 @@
+#pragma once
+// The camera: where the eye stands, and how the view volume is projected (lecture: "Viewing", "Perspective
+// Derivation"). Right-handed; in its own coordinates the camera looks down -z, x right, y up.
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <variant>
+
+namespace glint {
+
+struct Perspective {
+    float fov_y_deg = 45;  // whole vertical angle, above 0 and below 180
+    float near = 0.1f, far = 100;
+    bool operator==(const Perspective&) const = default;
+};
+struct Orthographic {
+    float height = 4;  // of the view, in scene units
+    float near = 0.1f, far = 100;
+    bool operator==(const Orthographic&) const = default;
+};
+/// Asymmetric perspective: the window on the near plane. Stretched to the picture, as OpenGL does.
+struct Frustum {
+    float left = -0.05f, right = 0.05f, bottom = -0.05f, top = 0.05f;
+    float near = 0.1f, far = 100;
+    bool operator==(const Frustum&) const = default;
+};
+using Projection = std::variant<Perspective, Orthographic, Frustum>;
+
+struct Camera {
+    glm::vec3 eye{0, 0, 5}, target{0}, up{0, 1, 0};  // world coordinates
+    Projection projection;
+    bool operator==(const Camera&) const = default;
+};
+
+/// Width and height of a picture in pixels, 1 to 16384 each.
+struct PictureSize {
+    int width = 1280, height = 720;
+    bool operator==(const PictureSize&) const = default;
+};
+
+/// Camera coordinates from world coordinates: rows (u, -u.eye), (v, -v.eye), (w, -w.eye), (0 0 0 1), with
+/// w = (eye - target)/|eye - target|, u = up x w / |up x w|, v = w x u. (The slide "Correction: W2V vs. V2W"
+/// writes M_V2W on this matrix; it takes the eye to the origin.) In double, so that an eye and an object that
+/// are both far away do not lose the difference.
+/// Precondition: eye != target and up not parallel to the view direction (the scene file checks it).
+[[nodiscard]] glm::dmat4 view_from_world(const Camera& camera);
+[[nodiscard]] glm::dmat4 world_from_view(const Camera& camera);
+
+/// Clip coordinates from camera coordinates, OpenGL's: rows (E 0 A 0) (0 F B 0) (0 0 C D) (0 0 -1 0); visible is
+/// -w <= x, y, z <= w. Source: lecture, "Perspective Derivation"; OpenGL 2.1, section 2.11.
+[[nodiscard]] glm::dmat4 clip_from_view(const Projection& projection, PictureSize size);
+
+[[nodiscard]] inline float near_of(const Projection& projection) {
+    return std::visit([](const auto& p) { return p.near; }, projection);
+}
+[[nodiscard]] inline float far_of(const Projection& projection) {
+    return std::visit([](const auto& p) { return p.far; }, projection);
+}
+[[nodiscard]] inline bool is_orthographic(const Projection& projection) {
+    return std::holds_alternative<Orthographic>(projection);
+}
+
+}  // namespace glint

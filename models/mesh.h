@@ -1,0 +1,75 @@
+#pragma once
+// A polygon mesh as it was given: polygons of any size are kept as polygons (for flat shading and silhouettes)
+// and cut into triangles for rasterising. Nothing is merged, dropped or reordered, so that a face number means
+// the same here, in the file and in `glint explain`. Immutable once made; shared by pointer-to-const.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "models/problem.h"
+
+namespace glint {
+
+inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
+
+/// Where the normals that a mesh carries come from.
+enum class GivenNormals { None, File, Analytic };
+
+/// Three corners of one polygon, counter-clockwise seen from outside as the file gives them.
+/// Within a fan the triangle is (first, i, i + 1): its last corner is OpenGL's provoking one.
+struct Triangle {
+    std::array<std::uint32_t, 3> corner;  // indices into Mesh::corner_position
+    std::uint32_t face;
+    bool operator==(const Triangle&) const = default;
+};
+
+struct Bounds {
+    glm::vec3 min{0}, max{0};
+    bool operator==(const Bounds&) const = default;
+};
+
+struct Mesh {
+    std::vector<glm::vec3> positions;            // #V, object coordinates, scene units; unused ones are kept
+    std::vector<std::uint32_t> first_corner;     // #F + 1: polygon f has the corners first_corner[f] .. [f + 1)
+    std::vector<std::uint32_t> corner_position;  // #C, indices into positions, in the file's order
+    GivenNormals given_normals = GivenNormals::None;
+    std::vector<glm::vec3> normals;            // as given (a file's may not be unit), object coordinates
+    std::vector<std::uint32_t> corner_normal;  // #C, indices into normals or no_index; empty when none are given
+    std::vector<glm::vec3> colors;             // #V, linear RGB; empty when the file has none
+    std::vector<Triangle> triangles;           // in order of faces; degenerate polygons give none
+    Bounds bounds;                             // of the positions that faces use
+    Warnings warnings;                         // what was tolerated while reading and cutting
+    double load_ms = 0;                        // time to read or make it
+
+    [[nodiscard]] std::size_t face_count() const { return first_corner.empty() ? 0 : first_corner.size() - 1; }
+    /// The positions' indices around polygon f.
+    [[nodiscard]] std::span<const std::uint32_t> corners_of(std::size_t f) const {
+        return std::span(corner_position).subspan(first_corner[f], first_corner[f + 1] - first_corner[f]);
+    }
+};
+
+using MeshPtr = std::shared_ptr<const Mesh>;
+
+/// Fills in triangles and bounds from the polygon list: convex polygons as a fan from the first corner, others
+/// by ear clipping (above 1000 corners as a fan, with a warning). Polygons with fewer than three distinct corners
+/// or no area give no triangle and a warning with their count.
+void finish_mesh(Mesh& mesh);
+
+/// What `glint info` says of a mesh. Counts are of what the file holds, before any repair.
+struct MeshInfo {
+    std::size_t vertices = 0, faces = 0, triangles = 0, quads = 0, polygons = 0;  // polygons: 5 corners and more
+    std::size_t edges = 0, boundary_edges = 0, non_manifold_edges = 0;
+    std::size_t degenerate_faces = 0, duplicate_faces = 0;
+    Bounds bounds;
+    std::string normals;  // "file", "analytic" or "vertex": what the source `auto` takes
+    Warnings warnings;
+    double load_ms = 0;
+};
+[[nodiscard]] MeshInfo mesh_info(const Mesh& mesh);
+
+}  // namespace glint

@@ -1,0 +1,71 @@
+#pragma once
+// Every number behind one pixel, as a value: what `glint explain` prints and the inspector shows.
+// Filled by the same functions that make the picture; the JSON's fields are documented in docs/explain.md.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "models/scene.h"
+
+namespace glint {
+
+/// A vector or place in both frames (illumination is computed in the first).
+struct InBothFrames {
+    glm::vec3 camera{0}, world{0};
+};
+
+/// What one light (or one sample of an area light) does at one point, as it enters the sum.
+struct ExplainedLight {
+    std::string name;
+    int index = 0;            // in Scene::lights
+    InBothFrames l, r, h;     // unit: towards the light; l mirrored at n; halfway between l and v
+    float n_dot_l = 0;        // not clamped: negative means the light is behind the surface
+    float r_dot_v = 0, n_dot_h = 0;
+    float distance = 0;       // scene units; 0 for a directional light
+    float falloff = 1, spot = 1;
+    float spot_angle_deg = 0;  // between the cone's axis and the direction to the point; 0 without a cone
+    float diffuse_factor = 0;  // what multiplies light.diffuse * k_d: <n.l> for Lambert
+    glm::vec3 specular_factor{0};  // S of docs/interface.md, per channel; 0 where n.l <= 0
+    glm::vec3 ambient{0}, diffuse{0}, specular{0};  // what reaches the eye
+    std::vector<ExplainedLight> samples;            // of an area light; then the fields above are their sums
+};
+
+/// The lighting equation at one point.
+struct ExplainedPoint {
+    InBothFrames point, normal, view;
+    std::vector<ExplainedLight> lights;  // enabled ones, in the scene's order
+    glm::vec3 emission{0}, global_ambient{0};
+    glm::vec3 sum{0};
+};
+
+/// One corner of the interpolation under Gouraud, or the flat point (weight 1).
+struct ExplainedCorner {
+    float weight = 0;
+    ExplainedPoint at;
+};
+
+struct Explanation {
+    int x = 0, y = 0;
+    bool hit = false;  // false: background
+    std::string object;
+    int object_index = -1;
+    std::uint32_t face = 0;      // polygon, in the file's order from 0
+    std::uint32_t triangle = 0;  // of that polygon's triangles, from 0
+    bool front_facing = true;
+    ShadingMode mode = ShadingMode::Phong;
+    Reflection reflection = Reflection::Phong;
+    Material material;
+    std::array<std::uint32_t, 3> corner{};  // the drawn triangle's corners: indices into Mesh::positions
+    glm::vec3 weights{0};  // perspective-correct weights of those corners at the pixel
+    ExplainedPoint at;     // phong and facet: the pixel's own point, lit. Others: its place and normal, unlit
+    std::vector<ExplainedCorner> corners;  // gouraud and flat: what was lit, and its weight
+    bool lit_per_corner = false;           // true when `corners` makes the sum
+    glm::vec3 sum{0};        // linear, before exposure: the pixel of the PFM / exposure
+    glm::vec3 displayed{0};  // after exposure, transfer and clamp, 0 to 1
+    std::array<int, 3> byte{};
+};
+
+}  // namespace glint

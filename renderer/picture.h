@@ -1,0 +1,28 @@
+#pragma once
+// What comes out: the framebuffer, as plain arrays.
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "models/camera.h"
+
+namespace glint {
+
+struct Picture {
+    PictureSize size;
+    std::vector<std::uint8_t> rgba;  // 4 bytes a pixel, first row at the top, alpha 255; what is displayed
+    std::vector<float> linear;       // 3 floats a pixel, same order: linear colour before exposure, unclamped;
+                                     // empty unless asked for
+
+    [[nodiscard]] std::size_t pixel(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
+    }
+    [[nodiscard]] glm::vec3 linear_at(int x, int y) const {
+        const float* p = &linear[3 * pixel(x, y)];
+        return {p[0], p[1], p[2]};
+    }
+};
+
+}  // namespace glint

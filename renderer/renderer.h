@@ -1,0 +1,67 @@
+#pragma once
+// Scene -> pixels, and why. Four stages, each a function of its inputs alone and kept until they differ:
+// geometry -> visibility -> surface -> lighting (docs/architecture.md). Nobody ever says "dirty": the renderer
+// compares the scene with the one it was given last.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "models/problem.h"
+#include "models/scene.h"
+#include "renderer/inspect/explanation.h"
+#include "renderer/picture.h"
+
+namespace glint {
+
+enum class Stage { Geometry, Visibility, Surface, Lighting };
+inline constexpr int stage_count = 4;
+
+/// What one frame took and did.
+struct FrameStats {
+    std::array<double, stage_count> ms{};  // wall time of each stage; 0 when it was kept
+    std::array<bool, stage_count> redone{};
+    double total_ms = 0;
+    std::uint64_t triangles = 0;      // of all objects
+    std::uint64_t shaded_pixels = 0;  // pixels that show a surface
+    std::uint64_t evaluations = 0;    // of the lighting equation: points lit x enabled lights
+    int threads = 0;
+    const char* instruction_set = "";  // "sse2", "avx2", "avx512"
+};
+
+/// Something the engine cannot draw yet, as the one-line problem to report; nothing when it can draw the scene.
+[[nodiscard]] std::optional<Problem> unsupported(const Scene& scene);
+
+class Renderer {
+  public:
+    explicit Renderer(int threads = 0);  // 0: all cores. The picture is the same, bit for bit, for every number
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Draws the scene; meshes must be loaded and `unsupported` must be empty. The picture stays valid and
+    /// unchanged until the next call. `linear` asks for Picture::linear too.
+    const Picture& render(const Scene& scene, PictureSize size, bool linear = false);
+
+    [[nodiscard]] const FrameStats& stats() const;
+
+    /// Why pixel (x, y) of the last rendered picture has its colour. Its sum equals the pixel to the last bit.
+    /// Precondition: render() was called and the pixel is inside the picture.
+    [[nodiscard]] Explanation explain(int x, int y) const;
+
+    /// Object index at a pixel of the last picture, or -1.
+    [[nodiscard]] int object_at(int x, int y) const;
+
+    /// Distance in front of the camera (-z in camera coordinates) of what shows at a pixel, or 0 for background.
+    [[nodiscard]] float depth_at(int x, int y) const;
+
+    /// Warnings of the last frame (normals that were missing, ...), one a kind.
+    [[nodiscard]] const Warnings& warnings() const;
+
+  private:
+    struct Kept;
+    std::unique_ptr<Kept> kept_;
+};
+
+}  // namespace glint
