@@ -1,0 +1,21 @@
+#pragma once
+// The window: GLFW, a GL texture and the frame loop around ui/. The command line starts it.
+
+#include <string>
+#include <vector>
+
+#include "models/scene_file.h"
+
+namespace glint {
+
+struct WindowOptions {
+    std::string file;                     // what open_document() takes; empty: the default scene
+    std::vector<Assignment> assignments;  // applied to the file as it is opened
+    int threads = 0;                      // 0: all cores
+};
+
+/// Opens the window and stays until it is closed. Returns the exit status: 0, or 1 with one line on standard
+/// error when the file cannot be opened, there is no display, or the display has no OpenGL 3.0.
+[[nodiscard]] int run_window(const WindowOptions& options);
+
+}  // namespace glint
