@@ -1,0 +1,88 @@
+# shellcheck shell=bash
+# Sourced by run.sh, test.sh and .ci/run: installs what is missing, configures and builds. Says nothing when nothing
+# is to do. Expects `set -eu`.
+
+# Where the project is, whatever the caller's directory.
+glint_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+fail() {
+    echo "glint: error: $1" >&2
+    exit 1
+}
+
+# The names of the packages in the given lists that are not installed. One question to dpkg for all of them.
+missing_packages() {
+    local wanted
+    wanted=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$@" | sort -u)
+    # shellcheck disable=SC2086,SC2016  # one argument a package; dpkg-query expands the ${}
+    { dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' $wanted 2>/dev/null || true; } |
+        sed -n 's/^installed //p' | sort -u | comm -23 <(echo "$wanted") -
+}
+
+# Installs what the given lists name and the machine lacks. Asks the network only then.
+install_packages() {
+    command -v dpkg-query >/dev/null || return 0 # no Debian: CMake says what it does not find
+    local missing as_root="" log
+    missing=$(missing_packages "$@" | tr '\n' ' ')
+    missing=${missing% }
+    [ -n "$missing" ] || return 0
+    local by_hand="apt-get install --no-install-recommends $missing"
+    if [ "$(id -u)" -ne 0 ]; then
+        by_hand="sudo $by_hand"
+        as_root="sudo"
+        [ -t 0 ] || as_root="sudo -n" # nobody there to type a password
+        command -v sudo >/dev/null && $as_root true 2>/dev/null ||
+            fail "packages are missing and only root can install them; run: $by_hand"
+    fi
+    echo "glint: installing $missing" >&2
+    log=$(mktemp)
+    # shellcheck disable=SC2086  # one argument a package
+    if ! { { $as_root apt-get update -qq || true; } &&
+        $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing; } \
+        >"$log" 2>&1 </dev/null; then
+        local reason
+        reason=$(sed -n 's/^E: //p' "$log" | tail -n 1)
+        rm -f "$log"
+        fail "packages could not be installed (${reason:-apt-get failed}); run: $by_hand"
+    fi
+    rm -f "$log"
+}
+
+# quietly LOG COMMAND...: its output is shown as it comes on a terminal, else only when it fails.
+quietly() {
+    local log=$1
+    shift
+    if [ -t 2 ]; then
+        { "$@" 2>&1 | sed -u -e '/no work to do/d' -e '/Re-checking globbed/d' >&2; } && return 0
+    else
+        "$@" >"$log" 2>&1 && return 0
+        cat "$log" >&2
+    fi
+    return 1
+}
+
+# build PRESET TESTS [TARGET...]: configures build/PRESET where that was not done and builds the targets (or all).
+# TESTS is ON or OFF; once ON a build tree stays so. Two that build at once wait for each other.
+build() {
+    local preset=$1 tests=$2 tree cache target targets=()
+    shift 2
+    tree=$glint_root/build/$preset
+    cache=$tree/CMakeCache.txt
+    for target; do targets+=(--target "$target"); done
+    mkdir -p "$tree"
+    (
+        set -o pipefail
+        cd "$glint_root"
+        flock 9
+        # A tree that was copied from elsewhere would build elsewhere.
+        if [ -e "$cache" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$glint_root" "$cache"; then
+            find "$tree" -mindepth 1 ! -name lock -delete
+        fi
+        if [ ! -e "$tree/build.ninja" ] || { [ "$tests" = ON ] && grep -qx GLINT_TESTS:BOOL=OFF "$cache"; }; then
+            quietly "$tree/log" cmake --preset "$preset" -DGLINT_TESTS="$tests" ||
+                fail "the build could not be configured; see above"
+        fi
+        quietly "$tree/log" cmake --build "$tree" -j"$(nproc)" ${targets[@]+"${targets[@]}"} 9>&- ||
+            fail "the build failed; see above"
+    ) 9>"$tree/lock"
+}

@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Builds Glint and runs every test, or with ./test.sh NAME those whose name contains NAME (in any case).
+# Installs missing packages first. GLINT_PRESET picks another preset of CMakePresets.json than `release`.
+set -eu
+. "$(dirname "${BASH_SOURCE[0]}")/cmake/prepare.sh"
+
+if [ $# -gt 1 ]; then
+    echo "glint: error: test.sh: $# names; expected one, or none for all tests" >&2
+    exit 2
+fi
+preset=${GLINT_PRESET:-release}
+filter=()
+if [ -n "${1:-}" ]; then
+    # CTest takes a regular expression; ours finds NAME as it is written, in any case.
+    filter=(-R "$(printf %s "$1" | sed -e 's/[][\\.^$*+?(){}|]/\\&/g' -e 's/[a-zA-Z]/[\L&\U&]/g')")
+fi
+
+install_packages "$glint_root/cmake/packages.txt" "$glint_root/cmake/packages-test.txt"
+build "$preset" ON
+cd "$glint_root/build/$preset"
+exec ctest --output-on-failure --no-tests=error --timeout 300 -j"$(nproc)" ${filter[@]+"${filter[@]}"}

@@ -1,0 +1,64 @@
+#include "tests/architecture/includes.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <regex>
+#include <sstream>
+
+namespace {
+
+using std::string_view;
+
+/// From the top of the house to the ground.
+constexpr std::array<string_view, 4> floors{"app", "ui", "renderer", "models"};
+
+std::optional<std::size_t> floor_of(string_view path) {
+    const string_view folder = path.substr(0, path.find('/'));
+    const auto* at = std::find(floors.begin(), floors.end(), folder);
+    if (folder.size() == path.size() || at == floors.end()) return std::nullopt;
+    return static_cast<std::size_t>(at - floors.begin());
+}
+
+bool begins_with_one_of(string_view name, std::initializer_list<string_view> prefixes) {
+    return std::any_of(prefixes.begin(), prefixes.end(), [&](string_view p) { return name.starts_with(p); });
+}
+
+bool is_gl_or_window(string_view name) {
+    return begins_with_one_of(
+        name, {"GL/", "GLES", "EGL/", "KHR/", "GLFW/", "epoxy/", "glad/", "X11/", "imgui_impl"});
+}
+
+/// Why `path` may not include `name`; empty when it may.
+std::string complaint(string_view path, string_view name, bool quoted) {
+    const auto from = floor_of(path), to = floor_of(name);
+    if (!from) return {};
+    if (quoted && !to) return "is not written from the root of the project";
+    if (to && *to < *from) return "points up; expected app -> ui -> renderer -> models";
+    if (*from > 0 && is_gl_or_window(name)) return "brings GL, GLFW or a window below app";
+    if (*from > 1 && name.starts_with("imgui")) return "brings ImGui below ui";
+    if (name.starts_with("OpenMesh/") && !(path.starts_with("models/") && path.ends_with(".cpp"))) {
+        return "brings OpenMesh out of models/*.cpp";
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<std::string> forbidden_includes(string_view path, string_view text) {
+    static const std::regex include(R"(^\s*#\s*include\s*(["<])([^">]*)[">].*)");
+    std::vector<std::string> found;
+    std::istringstream lines{std::string(text)};
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        std::smatch match;
+        if (!std::regex_match(line, match, include)) continue;
+        const std::string name = match[2];
+        const std::string why = complaint(path, name, match[1] == "\"");
+        if (!why.empty()) {
+            found.push_back(std::string(path) + ":" + std::to_string(number) + ": includes " + name +
+                            ", which " + why);
+        }
+    }
+    return found;
+}

@@ -1,0 +1,11 @@
+#pragma once
+// Which file may include what: includes point down only, app -> ui -> renderer -> models, and the window's
+// libraries stay in the rooms that own them (docs/architecture.md).
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What is wrong with the includes of one source file, one line each: "ui/x.cpp:3: includes app/y.h; ...".
+/// `path` is relative to the project's root, with forward slashes; `text` is the file's content.
+[[nodiscard]] std::vector<std::string> forbidden_includes(std::string_view path, std::string_view text);

@@ -1,0 +1,59 @@
+#include "tests/architecture/includes.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/catch.h"
+
+namespace fs = std::filesystem;
+
+TEST_CASE("includes point down only, and GL, GLFW, ImGui and OpenMesh stay where they belong",
+          "[architecture]") {
+    const fs::path root = GLINT_SOURCE_DIR;
+    std::vector<std::string> found;
+    int files = 0;
+    for (const char* folder : {"app", "ui", "renderer", "models"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+            const auto extension = entry.path().extension();
+            if (extension != ".h" && extension != ".cpp") continue;
+            std::ostringstream text;
+            text << std::ifstream(entry.path()).rdbuf();
+            const auto more =
+                forbidden_includes(fs::relative(entry.path(), root).generic_string(), text.str());
+            found.insert(found.end(), more.begin(), more.end());
+            ++files;
+        }
+    }
+    CHECK(files > 10);
+    for (const auto& line : found) FAIL_CHECK(line);
+}
+
+TEST_CASE("an upward include is reported with its file and line", "[architecture]") {
+    CHECK(forbidden_includes("ui/panel.cpp", "#include <string>\n#include \"app/window.h\"\n") ==
+          std::vector<std::string>{"ui/panel.cpp:2: includes app/window.h, which points up; expected app -> "
+                                   "ui -> renderer -> models"});
+    CHECK(forbidden_includes("models/a.h", "#include \"renderer/picture.h\"").size() == 1);
+    CHECK(forbidden_includes("models/a.h", "  #  include <ui/theme.h>  // why").size() == 1);
+    CHECK(forbidden_includes("renderer/a/b.cpp", "#include \"ui/theme.h\"").size() == 1);
+    CHECK(forbidden_includes("renderer/a/b.cpp", "#include \"../../app/main.h\"").size() == 1);
+}
+
+TEST_CASE("libraries of the window are reported below their floor", "[architecture]") {
+    CHECK(forbidden_includes("renderer/a.cpp", "#include <imgui.h>").size() == 1);
+    CHECK(forbidden_includes("models/a.cpp", "#include <GL/gl.h>").size() == 1);
+    CHECK(forbidden_includes("ui/a.cpp", "#include <GLFW/glfw3.h>").size() == 1);
+    CHECK(forbidden_includes("ui/a.cpp", "#include <imgui_impl_opengl3.h>").size() == 1);
+    CHECK(forbidden_includes("models/mesh.h", "#include <OpenMesh/Core/IO/MeshIO.hh>").size() == 1);
+    CHECK(forbidden_includes("renderer/a.cpp", "#include <OpenMesh/Core/IO/MeshIO.hh>").size() == 1);
+}
+
+TEST_CASE("includes that the house allows are not reported", "[architecture]") {
+    CHECK(forbidden_includes("app/window.cpp",
+                             "#include <GLFW/glfw3.h>\n#include <imgui_impl_glfw.h>\n"
+                             "#include \"ui/theme.h\"\n#include \"models/mesh.h\"")
+              .empty());
+    CHECK(forbidden_includes("ui/a.cpp", "#include <imgui.h>\n#include \"renderer/renderer.h\"").empty());
+    CHECK(forbidden_includes("models/a.cpp", "#include <OpenMesh/Core/IO/MeshIO.hh>").empty());
+    CHECK(forbidden_includes("models/a.cpp", "// #include \"app/window.h\"\nint x;").empty());
+}

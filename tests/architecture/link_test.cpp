@@ -1,0 +1,88 @@
+// What the linker made of it: the program needs no libGL, and the lighting kernels of two instruction sets
+// share no code that the linker could merge (an older CPU would then run into instructions that it does not
+// have).
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/catch.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The lines that a shell command prints; the test fails when it cannot be run.
+std::vector<std::string> lines_of(const std::string& command) {
+    std::FILE* pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    std::string text;
+    std::array<char, 4096> block{};
+    for (std::size_t n = 0; (n = std::fread(block.data(), 1, block.size(), pipe)) > 0;)
+        text.append(block.data(), n);
+    INFO(command);
+    REQUIRE(pclose(pipe) == 0);
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+/// Names of an object file that the linker may take from any other object instead.
+std::set<std::string> weak_names(const fs::path& object) {
+    std::set<std::string> names;
+    for (const auto& line : lines_of("nm --defined-only '" + object.string() + "'")) {
+        std::istringstream words(line);
+        std::string address, kind, name;
+        words >> address >> kind >> name;
+        // DW.ref.* only point at the runtime's own handler; they hold no code.
+        if ((kind == "W" || kind == "V" || kind == "u") && !name.starts_with("DW.ref.")) names.insert(name);
+    }
+    return names;
+}
+
+/// One line a weak name that objects of two instruction sets define.
+std::vector<std::string> shared_names(const std::map<std::string, std::set<std::string>>& of_set) {
+    std::map<std::string, std::string> owner;
+    std::vector<std::string> shared;
+    for (const auto& [set, names] : of_set) {
+        for (const auto& name : names) {
+            const auto [at, is_new] = owner.emplace(name, set);
+            if (!is_new) shared.push_back(name + " is in " + at->second + " and " + set);
+        }
+    }
+    return shared;
+}
+
+}  // namespace
+
+TEST_CASE("the program links no libGL, not even through another library", "[architecture]") {
+    const auto libraries = lines_of("ldd '" GLINT_PROGRAM "'");
+    CHECK(libraries.size() > 3);
+    for (const auto& line : libraries) {
+        INFO(line);
+        for (const char* gl : {"libGL", "libOpenGL", "libEGL", "libOSMesa"})
+            CHECK(line.find(gl) == std::string::npos);
+    }
+}
+
+TEST_CASE("no weak name is defined by the lighting kernels of two instruction sets", "[architecture]") {
+    std::map<std::string, std::set<std::string>> of_set;
+    for (const auto& entry : fs::recursive_directory_iterator(GLINT_BINARY_DIR)) {
+        if (entry.path().extension() != ".o") continue;
+        for (const auto& folder : entry.path()) {  // .../lighting_avx2.dir/....o
+            if (folder.string().starts_with("lighting_"))
+                of_set[folder.string()].merge(weak_names(entry.path()));
+        }
+    }
+    for (const auto& line : shared_names(of_set)) FAIL_CHECK(line);
+}
+
+TEST_CASE("a weak name in two instruction sets is reported", "[architecture]") {
+    CHECK(shared_names({{"avx2", {"power<float>", "a"}}, {"sse2", {"power<float>", "b"}}}) ==
+          std::vector<std::string>{"power<float> is in avx2 and sse2"});
+}
