@@ -12,6 +12,7 @@
 #include "models/mesh.h"
 #include "models/normals.h"
 #include "models/primitives.h"
+#include "models/shading.h"
 #include "models/transform.h"
 
 namespace glint {
@@ -38,31 +39,6 @@ struct Object {
         return name == o.name && source == o.source && transform == o.transform && normals == o.normals &&
                material == o.material;
     }
-};
-
-enum class ShadingMode { Flat, Facet, Gouraud, Phong };
-enum class Reflection { None, Lambert, Phong, BlinnPhong, Retro, OrenNayar, CookTorrance };
-enum class Interpolation { Perspective, Screen, Scanline };
-enum class FlatPoint { Centroid, Provoking };
-enum class Cull { None, Back, Front };
-enum class Rules { Lecture, OpenGL2 };
-
-struct Terms {
-    bool emission = true, ambient = true, diffuse = true, specular = true;
-    bool operator==(const Terms&) const = default;
-};
-
-struct Shading {
-    ShadingMode mode = ShadingMode::Phong;
-    Reflection reflection = Reflection::Phong;
-    Interpolation interpolation = Interpolation::Perspective;
-    FlatPoint flat_point = FlatPoint::Centroid;
-    bool two_sided = false;
-    bool local_viewer = true;
-    Cull cull = Cull::None;
-    Rules rules = Rules::Lecture;
-    Terms terms;
-    bool operator==(const Shading&) const = default;
 };
 
 /// Non-photorealistic: cool-to-warm shading and strokes.

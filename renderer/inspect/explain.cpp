@@ -1,0 +1,178 @@
+#include "renderer/inspect/explain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "renderer/lighting/display.h"
+#include "renderer/lighting/shade_point.h"
+#include "renderer/pipeline/light_sources.h"
+#include "renderer/shading/interpolate.h"
+
+namespace glint {
+namespace {
+
+using Vec = Vec3<float>;
+
+Vec to_vec(glm::vec3 v) { return {v.x, v.y, v.z}; }
+glm::vec3 to_glm(Vec v) { return {v.x, v.y, v.z}; }
+
+/// Camera and world coordinates of the same vector or place.
+class Frames {
+  public:
+    explicit Frames(const Camera& camera) : world_from_view_(world_from_view(camera)) {}
+    [[nodiscard]] InBothFrames direction(Vec v) const { return both_frames(to_glm(v), 0); }
+    [[nodiscard]] InBothFrames place(Vec v) const { return both_frames(to_glm(v), 1); }
+
+  private:
+    [[nodiscard]] InBothFrames both_frames(glm::vec3 v, double w) const {
+        return {v, glm::vec3(world_from_view_ * glm::dvec4(glm::dvec3(v), w))};
+    }
+    glm::dmat4 world_from_view_;
+};
+
+ExplainedLight explain_light(const LightTerms<float>& t, const LightSource& source, const PointAt<float>& at,
+                             const Frames& frames) {
+    ExplainedLight e;
+    e.index = source.light;
+    e.l = frames.direction(t.directions.l);
+    e.r = frames.direction(t.directions.r);
+    e.h = frames.direction(t.directions.h);
+    e.n_dot_l = t.directions.n_dot_l;
+    e.r_dot_v = dot(t.directions.r, at.v);
+    e.n_dot_h = dot(at.n, t.directions.h);
+    e.distance = source.w > 0 ? t.distance : 0;
+    e.falloff = t.falloff;
+    e.spot = t.spot;
+    if (source.has_cone) {
+        const Vec axis = same<float>(source.axis);
+        e.spot_angle_deg = glm::degrees(std::acos(std::clamp(-dot(t.directions.l, axis), -1.0f, 1.0f)));
+    }
+    e.diffuse_factor = t.response.diffuse;
+    e.specular_factor = to_glm(t.response.specular);
+    e.ambient = to_glm(t.ambient);
+    e.diffuse = to_glm(t.diffuse);
+    e.specular = to_glm(t.specular);
+    return e;
+}
+
+/// Puts the samples of an area light under one entry that holds their sums and means.
+void join_samples(ExplainedLight& joined, const ExplainedLight& sample) {
+    if (joined.samples.empty()) {
+        joined.name = sample.name;
+        joined.index = sample.index;
+        joined.falloff = 0;
+    }
+    joined.samples.push_back(sample);
+    joined.falloff += sample.falloff;
+    joined.ambient += sample.ambient;
+    joined.diffuse += sample.diffuse;
+    joined.specular += sample.specular;
+}
+
+/// The equation at one point, step by step; the sum is added in the picture's own order.
+ExplainedPoint explain_point(const KeptStages& stages, const LightJob& job, const PlacedNormal& place,
+                             const Frames& frames, bool lit) {
+    const PointAt<float> at = seen_from_eye(to_vec(place.p), to_vec(place.n), job.infinite_viewer);
+    ExplainedPoint e;
+    e.point = frames.place(at.p);
+    e.normal = frames.direction(at.n);
+    e.view = frames.direction(at.v);
+    if (!lit) return e;
+    if (job.terms.emission) e.emission = to_glm(same<float>(job.material.emission));
+    if (job.terms.ambient) e.global_ambient = to_glm(same<float>(job.material.global_ambient));
+    Vec sum = unlit<float>(job.material, job.terms);
+    const MaterialAt<float> material = material_at<float>(job.material);
+    for (std::size_t i = 0; i < job.light_count; ++i) {
+        const LightSource& source = job.lights[i];
+        const LightTerms<float> t = illuminate({job.model, job.terms}, light_at<float>(source), material, at);
+        sum = sum + sum_of(t);
+        ExplainedLight light = explain_light(t, source, at, frames);
+        light.name = stages.lighting.lights[static_cast<std::size_t>(source.light)].name;
+        if (!source.is_patch) {
+            e.lights.push_back(light);
+            continue;
+        }
+        if (e.lights.empty() || e.lights.back().index != source.light || e.lights.back().samples.empty())
+            e.lights.emplace_back();
+        join_samples(e.lights.back(), light);
+    }
+    e.sum = to_glm(job.clamp ? clamped(sum) : sum);
+    return e;
+}
+
+void explain_corners(Explanation& e, const KeptStages& stages, const SampleFace& face, const LightJob& job,
+                     const Frames& frames) {
+    const Surface& surface = stages.surface;
+    const SampleSources sample = sample_sources(surface, stages.geometry, face, e.x, e.y);
+    Vec colors[3];
+    const bool lit = stages.lighting.shading.reflection != Reflection::None;
+    for (int i = 0; i < sample.count; ++i) {
+        ExplainedCorner corner;
+        corner.weight = sample.weight[i];
+        const PlacedNormal place = lit_point(surface, stages.geometry, sample.source[i]);
+        corner.at = explain_point(stages, job, place, frames, lit);
+        if (!lit) corner.at.sum = vertex_color(surface, stages.geometry, sample.source[i]);
+        colors[i] = to_vec(corner.at.sum);
+        e.corners.push_back(corner);
+    }
+    e.lit_per_corner = true;
+    if (surface.choice.kind == SurfaceKind::Faces)
+        e.sum = to_glm(colors[0]);
+    else
+        e.sum = to_glm(blend<float>({sample.weight[0], sample.weight[1], sample.weight[2]}, colors[0], colors[1],
+                                    colors[2]));
+}
+
+void explain_display(Explanation& e, const Display& display) {
+    const DisplayJob job = display_job(display);
+    for (int i = 0; i < 3; ++i) {
+        e.displayed[i] = displayed(job, e.sum[i]);
+        e.byte[static_cast<std::size_t>(i)] = static_cast<int>(byte_value(e.displayed[i]));
+    }
+}
+
+}  // namespace
+
+Explanation explain_pixel(const KeptStages& stages, int x, int y) {
+    const Geometry& g = stages.geometry;
+    const Shading& shading = stages.lighting.shading;
+    Explanation e;
+    e.x = x;
+    e.y = y;
+    e.mode = shading.mode;
+    e.reflection = shading.reflection;
+    const std::size_t pixel = stages.lighting.picture.pixel(x, y);
+    const std::uint32_t triangle = stages.visibility.triangle_at(pixel);
+    if (triangle == no_triangle) {
+        e.sum = stages.lighting.display.background;
+        explain_display(e, stages.lighting.display);
+        return e;
+    }
+    const SampleFace face = sample_face(stages.surface.choice, g, stages.visibility, x, y);
+    const Triangle& t = g.triangle(face.object, triangle);
+    const std::vector<Triangle>& all = g.objects[face.object].mesh->triangles;
+    const auto first_of_face = std::lower_bound(all.begin(), all.end(), t.face,
+                                                [](const Triangle& a, std::uint32_t f) { return a.face < f; });
+    e.hit = true;
+    e.object_index = static_cast<int>(face.object);
+    e.object = stages.scene.objects[face.object].name;
+    e.material = stages.lighting.materials[face.object];
+    e.face = t.face;
+    e.triangle = static_cast<std::uint32_t>(&t - &*first_of_face);
+    e.front_facing = stages.visibility.back[pixel] == 0;
+    e.corner = g.position_indices(face.object, t);
+    e.weights = face.weights;
+    const LightJob& job = stages.lighting.jobs[face.object];
+    const Frames frames(stages.scene.camera);
+    const PlacedNormal place = pixel_point(stages.surface, g, face, x, y);
+    const bool lit_here = stages.surface.choice.kind == SurfaceKind::Pixels;
+    e.at = explain_point(stages, job, place, frames, lit_here);
+    e.sum = e.at.sum;
+    if (!lit_here) explain_corners(e, stages, face, job, frames);
+    explain_display(e, stages.lighting.display);
+    return e;
+}
+
+}  // namespace glint

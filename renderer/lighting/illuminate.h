@@ -1,0 +1,65 @@
+#pragma once
+// The lighting equation, once. Camera coordinates, linear RGB. Lecture: "Phong Lighting Model".
+//
+//   I = k_e + k_a I_a + sum over lights of falloff spot (k_a A + k_d D <n.l> + k_s S spec)
+//
+// Every step is a named member, so that the picture can add what the inspector prints.
+
+#include "models/shading.h"
+#include "renderer/lighting/light_source.h"
+#include "renderer/lighting/reflection.h"
+
+namespace glint::inline GLINT_ISA {
+
+/// All that one light does at one point.
+template <Number F>
+struct LightTerms {
+    Directions<F> directions;
+    F distance{};                        // scene units; without meaning for a directional light
+    F falloff{}, spot{};                 // 1 where the light has none
+    Response<F> response;                // its specular is 0 where n.l <= 0
+    Vec3<F> ambient, diffuse, specular;  // what reaches the eye; 0 where the term is switched off
+};
+
+/// What kind of equation is asked for; the same for all points of a picture.
+struct Equation {
+    Reflection model = Reflection::Phong;
+    Terms terms;
+};
+
+/// Degenerate input: a light at the point has l = 0, so only its ambient share is left; n = 0 likewise;
+/// l = -v gives h = 0. No result is NaN while products of light, material and falloff stay finite.
+template <Number F>
+LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, const MaterialAt<F>& m,
+                         const PointAt<F>& at) {
+    LightTerms<F> t;
+    const Vec3<F> to_light = light.xyz - light.w * at.p;  // w = 0 is a direction already
+    t.distance = length(to_light);
+    t.directions.l = inverse_or_zero(t.distance) * to_light;
+    t.directions.n_dot_l = dot(at.n, t.directions.l);
+    t.directions.r = (t.directions.n_dot_l + t.directions.n_dot_l) * at.n - t.directions.l;  // 2 n (n.l) - l
+    t.directions.h = unit(t.directions.l + at.v);
+
+    t.falloff = F(1);
+    if (light.has_falloff) t.falloff = falloff(light, t.distance);
+    if (light.is_patch) t.falloff = patch_factor(light, t.directions.l, t.distance);
+    t.spot = light.has_cone ? spot_factor(light, t.directions.l) : F(1);
+    const F share = t.falloff * t.spot;  // of all three terms, as in OpenGL 2.1, section 2.14.1
+
+    t.response = respond(equation.model, t.directions, m, at);
+    const auto lit_side = t.directions.n_dot_l > F(0);  // no highlight from behind
+    t.response.specular = select(lit_side, t.response.specular, Vec3<F>{});
+
+    if (equation.terms.ambient) t.ambient = share * (m.k_a * light.ambient);
+    if (equation.terms.diffuse) t.diffuse = (share * t.response.diffuse) * (m.k_d * light.diffuse);
+    if (equation.terms.specular) t.specular = share * (m.k_s * light.specular * t.response.specular);
+    return t;
+}
+
+/// One light's share of the sum, in the order in which the picture adds it.
+template <Number F>
+Vec3<F> sum_of(const LightTerms<F>& t) {
+    return t.ambient + t.diffuse + t.specular;
+}
+
+}  // namespace glint::inline GLINT_ISA

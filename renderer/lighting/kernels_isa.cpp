@@ -1,0 +1,45 @@
+// The lighting kernels, compiled once for each instruction set (renderer/CMakeLists.txt, add_lighting). No
+// standard library inside: a function with one name in two instruction sets would be merged by the linker.
+
+#include "renderer/lighting/display.h"
+#include "renderer/lighting/shade_point.h"
+
+namespace glint::inline GLINT_ISA {
+
+using Wide = Lanes<GLINT_LANES>;
+
+static void light(const LightJob& job, const PointBlock* points, ColorBlock* colors, std::size_t blocks) {
+    for (std::size_t i = 0; i < blocks; ++i) {
+        const PointBlock& in = points[i];
+        ColorBlock& out = colors[i];
+        for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
+            const Vec3<Wide> p{load<Wide>(in.x + k), load<Wide>(in.y + k), load<Wide>(in.z + k)};
+            const Vec3<Wide> n{load<Wide>(in.nx + k), load<Wide>(in.ny + k), load<Wide>(in.nz + k)};
+            const Vec3<Wide> sum = shade_point(job, seen_from_eye(p, n, job.infinite_viewer));
+            store(out.r + k, sum.x);
+            store(out.g + k, sum.y);
+            store(out.b + k, sum.z);
+        }
+    }
+}
+
+static void encode(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba, std::size_t blocks) {
+    for (std::size_t i = 0; i < blocks; ++i) {
+        for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
+            const Wide r = byte_value(displayed(job, load<Wide>(colors[i].r + k)));
+            const Wide g = byte_value(displayed(job, load<Wide>(colors[i].g + k)));
+            const Wide b = byte_value(displayed(job, load<Wide>(colors[i].b + k)));
+            for (int j = 0; j < GLINT_LANES; ++j)
+                rgba[i * block_size + k + static_cast<std::size_t>(j)] =
+                    static_cast<std::uint32_t>(lane(r, j)) | static_cast<std::uint32_t>(lane(g, j)) << 8 |
+                    static_cast<std::uint32_t>(lane(b, j)) << 16 | 0xFF000000u;
+        }
+    }
+}
+
+#define GLINT_TEXT_(name) #name
+#define GLINT_TEXT(name) GLINT_TEXT_(name)
+extern const LightingKernels kernels;
+const LightingKernels kernels{GLINT_TEXT(GLINT_ISA), light, encode};
+
+}  // namespace glint::inline GLINT_ISA

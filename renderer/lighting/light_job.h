@@ -1,0 +1,74 @@
+#pragma once
+// What goes into and comes out of the lighting kernels: plain numbers, shared by all instruction sets.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "models/shading.h"
+
+namespace glint {
+
+inline constexpr std::size_t block_size = 16;  // points side by side; a multiple of every SIMD width
+
+/// One light, or one sample of an area light: camera coordinates, colours times intensity.
+/// Members as in LightAt (renderer/lighting/light_source.h).
+struct LightSource {
+    struct Rgb {
+        float x = 0, y = 0, z = 0;
+    };
+    Rgb xyz;
+    float w = 0;
+    Rgb ambient, diffuse, specular;
+    float constant = 1, linear = 0, quadratic = 0;
+    Rgb axis;
+    float cos_cutoff = -1, exponent = 0;
+    float patch = 0;
+    bool has_falloff = false, has_cone = false, is_patch = false;
+    int light = 0;  // index in Scene::lights
+};
+
+/// One object's material as the equation sees it.
+struct SurfaceMaterial {
+    LightSource::Rgb k_a, k_d, k_s, f0;
+    float shininess = 0, roughness = 0;
+    LightSource::Rgb emission, global_ambient;  // k_e and k_a I_a: what is there without any light
+};
+
+/// Points to light, components side by side; those past the last are zeros.
+struct alignas(64) PointBlock {
+    float x[block_size], y[block_size], z[block_size];     // place, camera coordinates
+    float nx[block_size], ny[block_size], nz[block_size];  // normal, unit or zero
+};
+/// Their colours: linear RGB, not clamped.
+struct alignas(64) ColorBlock {
+    float r[block_size], g[block_size], b[block_size];
+};
+
+struct LightJob {
+    const LightSource* lights = nullptr;
+    std::size_t light_count = 0;
+    SurfaceMaterial material;
+    Reflection model = Reflection::Phong;
+    Terms terms;
+    bool infinite_viewer = false;  // v = (0, 0, 1) instead of from the point to the eye
+    bool clamp = false;            // to 0..1 after the sum (OpenGL's rule for colours at vertices)
+};
+
+/// How linear colours become bytes.
+struct DisplayJob {
+    float exposure = 1;
+    bool srgb = false;
+};
+
+/// The kernels of one instruction set.
+struct LightingKernels {
+    const char* name;
+    void (*light)(const LightJob& job, const PointBlock* points, ColorBlock* colors, std::size_t blocks);
+    /// 16 pixels a block as bytes r, g, b, 255 in memory order.
+    void (*encode)(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba, std::size_t blocks);
+};
+
+/// The widest set that this processor runs (or that the environment variable GLINT_ISA names: sse2, avx2, avx512).
+const LightingKernels& lighting_kernels();
+
+}  // namespace glint

@@ -1,0 +1,152 @@
+#pragma once
+// The number type of the equation: `float`, or N floats side by side (`Lanes<N>`), with the same operations and,
+// bit for bit, the same results. Only this header knows the compiler's vector types and the processor's
+// intrinsics. Everything here lives in a namespace of its own instruction set, so that the linker can never take
+// AVX code for the baseline's (docs/architecture.md, "Same bytes everywhere").
+//
+// Allowed in the equation: + - * / square_root, comparisons, select, and the bit moves of power.h. Nothing else,
+// and -ffp-contract=off: then every width and every optimisation level gives the same bits.
+
+#ifndef GLINT_ISA
+#define GLINT_ISA baseline
+#endif
+
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
+
+namespace glint::inline GLINT_ISA {
+
+template <int N>
+struct LanesOf {  // N floats and N ints as the compiler's vector types
+    typedef float Floats __attribute__((vector_size(N * sizeof(float))));
+    typedef int Ints __attribute__((vector_size(N * sizeof(int))));
+};
+
+/// N integers; as a mask, a lane is 0 (false) or -1 (true), as comparisons give it.
+template <int N>
+struct IntLanes {
+    typename LanesOf<N>::Ints v;
+};
+
+template <int N>
+struct Lanes {
+    typename LanesOf<N>::Floats v;
+    Lanes() : v{} {}
+    Lanes(float a) : v(a - typename LanesOf<N>::Floats{}) {}  // NOLINT: a number stands for itself in all lanes
+    explicit Lanes(typename LanesOf<N>::Floats a) : v(a) {}
+};
+
+// What belongs to a number type: its mask and its integers.
+template <class F>
+struct NumberTraits;
+template <>
+struct NumberTraits<float> {
+    using Mask = bool;
+    using Int = int;
+    static constexpr int width = 1;
+};
+template <int N>
+struct NumberTraits<Lanes<N>> {
+    using Mask = IntLanes<N>;
+    using Int = IntLanes<N>;
+    static constexpr int width = N;
+};
+template <class F>
+concept Number = requires { typename NumberTraits<F>::Mask; };
+template <Number F>
+using MaskOf = typename NumberTraits<F>::Mask;
+template <Number F>
+using IntOf = typename NumberTraits<F>::Int;
+
+// Arithmetic.
+template <int N> Lanes<N> operator+(Lanes<N> a, Lanes<N> b) { return Lanes<N>(a.v + b.v); }
+template <int N> Lanes<N> operator-(Lanes<N> a, Lanes<N> b) { return Lanes<N>(a.v - b.v); }
+template <int N> Lanes<N> operator*(Lanes<N> a, Lanes<N> b) { return Lanes<N>(a.v * b.v); }
+template <int N> Lanes<N> operator/(Lanes<N> a, Lanes<N> b) { return Lanes<N>(a.v / b.v); }
+template <int N> Lanes<N> operator-(Lanes<N> a) { return Lanes<N>(-a.v); }
+
+// Comparisons give masks.
+template <int N> IntLanes<N> operator<(Lanes<N> a, Lanes<N> b) { return {a.v < b.v}; }
+template <int N> IntLanes<N> operator>(Lanes<N> a, Lanes<N> b) { return {a.v > b.v}; }
+template <int N> IntLanes<N> operator<=(Lanes<N> a, Lanes<N> b) { return {a.v <= b.v}; }
+template <int N> IntLanes<N> operator>=(Lanes<N> a, Lanes<N> b) { return {a.v >= b.v}; }
+template <int N> IntLanes<N> both(IntLanes<N> a, IntLanes<N> b) { return {a.v & b.v}; }
+inline bool both(bool a, bool b) { return a && b; }
+
+/// a where the mask holds, else b; neither side is skipped.
+template <int N> Lanes<N> select(IntLanes<N> m, Lanes<N> a, Lanes<N> b) { return Lanes<N>(m.v ? a.v : b.v); }
+inline float select(bool m, float a, float b) { return m ? a : b; }
+
+/// True when the mask holds in some lane.
+template <int N> bool any(IntLanes<N> m) {
+    int seen = 0;
+    for (int i = 0; i < N; ++i) seen |= m.v[i];
+    return seen != 0;
+}
+inline bool any(bool m) { return m; }
+
+// Integers, for the bit moves of power.h.
+template <int N> IntLanes<N> operator+(IntLanes<N> a, int b) { return {a.v + b}; }
+template <int N> IntLanes<N> operator-(IntLanes<N> a, int b) { return {a.v - b}; }
+template <int N> IntLanes<N> operator&(IntLanes<N> a, int b) { return {a.v & b}; }
+template <int N> IntLanes<N> operator<<(IntLanes<N> a, int b) { return {a.v << b}; }
+template <int N> IntLanes<N> operator>>(IntLanes<N> a, int b) { return {a.v >> b}; }
+template <int N> IntLanes<N> bits_of(Lanes<N> a) { return {(typename LanesOf<N>::Ints)a.v}; }
+inline int bits_of(float a) { return __builtin_bit_cast(int, a); }
+template <int N> Lanes<N> number_of_bits(IntLanes<N> a) {
+    return Lanes<N>((typename LanesOf<N>::Floats)a.v);
+}
+inline float number_of_bits(int a) { return __builtin_bit_cast(float, a); }
+template <int N> Lanes<N> to_number(IntLanes<N> a) {
+    return Lanes<N>(__builtin_convertvector(a.v, typename LanesOf<N>::Floats));
+}
+inline float to_number(int a) { return static_cast<float>(a); }
+
+/// Correctly rounded, as IEEE 754 demands, in every width.
+inline float square_root(float a) { return __builtin_sqrtf(a); }
+template <int N> Lanes<N> square_root(Lanes<N> a) {
+#ifdef __AVX512F__
+    // maskz: g++ 12 warns about the undefined register inside _mm512_sqrt_ps; the code is the same.
+    if constexpr (N == 16)
+        return Lanes<N>((typename LanesOf<N>::Floats)_mm512_maskz_sqrt_ps(0xFFFF, (__m512)a.v));
+#endif
+#ifdef __AVX__
+    if constexpr (N == 8) return Lanes<N>((typename LanesOf<N>::Floats)_mm256_sqrt_ps((__m256)a.v));
+#endif
+#ifdef __SSE2__
+    if constexpr (N == 4) return Lanes<N>((typename LanesOf<N>::Floats)_mm_sqrt_ps((__m128)a.v));
+#endif
+    Lanes<N> root;
+    for (int i = 0; i < N; ++i) root.v[i] = __builtin_sqrtf(a.v[i]);
+    return root;
+}
+
+// Small helpers that read like the lecture.
+inline constexpr float smallest_normal = 0x1p-126f;  // below it the mantissa is not normalised
+template <Number F> F larger(F a, F b) { return select(a > b, a, b); }
+template <Number F> F smaller(F a, F b) { return select(a < b, a, b); }
+template <Number F> F positive(F a) { return select(a > F(0), a, F(0)); }  // <a> = max(a, 0); NaN gives 0
+template <Number F> F magnitude(F a) { return select(a < F(0), -a, a); }
+/// 1 / a, or 0 where a is 0, negative, or so small that 1 / a could overflow.
+template <Number F> F inverse_or_zero(F a) {
+    const auto usable = a >= F(smallest_normal);
+    return select(usable, F(1) / select(usable, a, F(1)), F(0));
+}
+
+// Lanes in and out of memory; the pointer need not be aligned.
+template <Number F> F load(const float* from) {
+    if constexpr (NumberTraits<F>::width == 1) {
+        return *from;
+    } else {
+        F a;
+        __builtin_memcpy(&a.v, from, sizeof(a.v));
+        return a;
+    }
+}
+inline void store(float* to, float a) { *to = a; }
+template <int N> void store(float* to, Lanes<N> a) { __builtin_memcpy(to, &a.v, sizeof(a.v)); }
+inline float lane(float a, int) { return a; }
+template <int N> float lane(Lanes<N> a, int i) { return a.v[i]; }
+
+}  // namespace glint::inline GLINT_ISA

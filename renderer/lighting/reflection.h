@@ -1,0 +1,28 @@
+#pragma once
+// The closed list of reflection models. A new one is one small file and one line here.
+
+#include "models/shading.h"
+#include "renderer/lighting/blinn_phong.h"
+#include "renderer/lighting/cook_torrance.h"
+#include "renderer/lighting/lambert.h"
+#include "renderer/lighting/oren_nayar.h"
+#include "renderer/lighting/phong.h"
+#include "renderer/lighting/retro.h"
+
+namespace glint::inline GLINT_ISA {
+
+template <Number F>
+Response<F> respond(Reflection model, const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
+    switch (model) {
+    case Reflection::None: return {};
+    case Reflection::Lambert: return lambert(d);
+    case Reflection::Phong: return phong(d, m, at);
+    case Reflection::BlinnPhong: return blinn_phong(d, m, at);
+    case Reflection::Retro: return retro(d, m, at);
+    case Reflection::OrenNayar: return oren_nayar(d, m, at);
+    case Reflection::CookTorrance: return cook_torrance(d, m, at);
+    }
+    return {};  // not reached
+}
+
+}  // namespace glint::inline GLINT_ISA

@@ -1,0 +1,16 @@
+#pragma once
+// Retro-reflection: light goes back towards where it came from, (l.v)^shininess.
+// Lecture: "Types of Reflection".
+
+#include "renderer/lighting/lambert.h"
+#include "renderer/lighting/power.h"
+
+namespace glint::inline GLINT_ISA {
+
+template <Number F>
+Response<F> retro(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
+    const F highlight = power(positive(dot(d.l, at.v)), m.shininess);
+    return {lambert_cosine(d), {highlight, highlight, highlight}};
+}
+
+}  // namespace glint::inline GLINT_ISA

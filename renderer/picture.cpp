@@ -1,1 +1,0 @@
-#include "renderer/picture.h"

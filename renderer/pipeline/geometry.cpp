@@ -1,0 +1,137 @@
+#include "renderer/pipeline/geometry.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
+
+#include "renderer/pipeline/binning.h"
+#include "renderer/pipeline/clip.h"
+
+namespace glint {
+namespace {
+
+/// From clip coordinates to the rasteriser's grid.
+struct ToScreen {
+    PictureSize size;
+    bool orthographic;
+
+    [[nodiscard]] ScreenVertex operator()(const glm::dvec4& clip) const {
+        const double x = (clip.x / clip.w + 1) * 0.5 * size.width * subpixels;
+        const double y = (1 - clip.y / clip.w) * 0.5 * size.height * subpixels;
+        const double nearness = orthographic ? 0.5 * (1 - clip.z / clip.w) : 1 / clip.w;
+        return {static_cast<std::int32_t>(std::lround(x)), static_cast<std::int32_t>(std::lround(y)),
+                static_cast<float>(nearness)};
+    }
+};
+
+void transform_vertices(ObjectGeometry& object, const glm::dmat4& clip_from_view, const ToScreen& to_screen) {
+    const std::vector<glm::vec3>& from = object.mesh->positions;
+    object.positions.resize(from.size());
+    object.vertices.resize(from.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from.size(), 4096), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            const glm::dvec4 view = object.view_from_object * glm::dvec4(glm::dvec3(from[i]), 1.0);
+            const glm::dvec4 clip = clip_from_view * view;
+            ClipVertex& v = object.vertices[i];
+            object.positions[i] = glm::vec3(view);
+            v.x = static_cast<float>(clip.x);
+            v.y = static_cast<float>(clip.y);
+            v.w = static_cast<float>(clip.w);
+            v.outside = outside_bits(clip);
+            if (!(v.outside & needs_clipping)) v.screen = to_screen(clip);
+        }
+    });
+}
+
+void place_objects(Geometry& g, const Scene& scene) {
+    const glm::dmat4 view = view_from_world(scene.camera);
+    const glm::dmat4 projection = clip_from_view(scene.camera.projection, g.size);
+    const ToScreen to_screen{g.size, is_orthographic(scene.camera.projection)};
+    g.objects.resize(scene.objects.size());
+    g.triangle_count = 0;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        ObjectGeometry& o = g.objects[i];
+        o.mesh = scene.objects[i].mesh;
+        o.transform = scene.objects[i].transform;
+        o.view_from_object = view * world_from_object(o.transform);
+        const glm::dmat3 linear(o.view_from_object);
+        o.mirrored = glm::determinant(linear) < 0;
+        o.normal_matrix = glm::transpose(glm::inverse(linear));
+        o.first_triangle = g.triangle_count;
+        g.triangle_count += static_cast<std::uint32_t>(o.mesh->triangles.size());
+        transform_vertices(o, projection, to_screen);
+    }
+}
+
+/// Cuts the triangles that cross the near or far plane or leave the guard band into pieces that do not.
+void clip_triangles(Geometry& g) {
+    const glm::dmat4 projection = clip_from_view(g.camera.projection, g.size);
+    const ToScreen to_screen{g.size, is_orthographic(g.camera.projection)};
+    g.clipped.clear();
+    std::vector<glm::dvec4> polygon;
+    for (std::uint32_t o = 0; o < g.objects.size(); ++o) {
+        const ObjectGeometry& object = g.objects[o];
+        for (std::uint32_t t = 0; t < object.mesh->triangles.size(); ++t) {
+            const auto corner = g.position_indices(o, object.mesh->triangles[t]);
+            std::uint32_t some = 0, all = ~std::uint32_t{OutsideGuard};
+            for (const std::uint32_t c : corner) {
+                some |= object.vertices[c].outside;
+                all &= object.vertices[c].outside;
+            }
+            if (!(some & needs_clipping) || all) continue;
+            polygon.clear();
+            for (const std::uint32_t c : corner)
+                polygon.push_back(projection * (object.view_from_object *
+                                                glm::dvec4(glm::dvec3(object.mesh->positions[c]), 1.0)));
+            clip_polygon(polygon);
+            for (std::size_t i = 2; i < polygon.size(); ++i)
+                g.clipped.push_back({{to_screen(polygon[0]), to_screen(polygon[i - 1]), to_screen(polygon[i])},
+                                     object.first_triangle + t});
+        }
+    }
+}
+
+bool same_inputs(const Geometry& kept, const Scene& scene, PictureSize size) {
+    if (kept.size != size || kept.camera != scene.camera || kept.objects.size() != scene.objects.size())
+        return false;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        if (kept.objects[i].mesh != scene.objects[i].mesh ||
+            kept.objects[i].transform != scene.objects[i].transform)
+            return false;
+    return true;
+}
+
+}  // namespace
+
+std::uint32_t Geometry::object_of(std::uint32_t triangle) const {
+    const auto after =
+        std::upper_bound(objects.begin(), objects.end(), triangle,
+                         [](std::uint32_t t, const ObjectGeometry& o) { return t < o.first_triangle; });
+    return static_cast<std::uint32_t>(after - objects.begin()) - 1;
+}
+
+ScreenTriangle screen_triangle(const Geometry& g, std::uint32_t number) {
+    if (number >= g.triangle_count) {
+        const ClippedTriangle& piece = g.clipped[number - g.triangle_count];
+        return {piece.corner, piece.triangle, g.objects[g.object_of(piece.triangle)].mirrored};
+    }
+    const std::uint32_t o = g.object_of(number);
+    const std::vector<ClipVertex>& v = g.objects[o].vertices;
+    const auto position = g.position_indices(o, g.triangle(o, number));
+    return {{v[position[0]].screen, v[position[1]].screen, v[position[2]].screen}, number, g.objects[o].mirrored};
+}
+
+bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size) {
+    if (same_inputs(kept, scene, size)) return false;
+    kept.size = size;
+    kept.camera = scene.camera;
+    place_objects(kept, scene);
+    clip_triangles(kept);
+    sort_into_tiles(kept);
+    return true;
+}
+
+}  // namespace glint

@@ -1,0 +1,82 @@
+#pragma once
+// Stage 1. Vertex positions in camera and clip coordinates and on the screen; triangles clipped where they must be
+// and sorted into tiles. Inputs: mesh, transform, camera, size.
+
+#include <array>
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <vector>
+
+#include "models/scene.h"
+
+namespace glint {
+
+inline constexpr int tile_size = 64;   // pixels a side
+inline constexpr int subpixels = 256;  // the rasteriser's grid, per pixel
+inline constexpr std::uint32_t no_triangle = 0xFFFFFFFFu;
+
+/// A vertex on the rasteriser's grid, y down, (0, 0) the picture's upper left corner.
+struct ScreenVertex {
+    std::int32_t x = 0, y = 0;  // 1/256 pixel
+    float nearness = 0;         // linear on the screen, larger is nearer: 1/w, or (1 - z_ndc)/2 when orthographic
+};
+
+/// Clip coordinates as shading needs them, and the vertex on the screen where it has one.
+struct ClipVertex {
+    float x = 0, y = 0, w = 0;
+    ScreenVertex screen;  // valid when `outside` has no bit of `needs_clipping` (clip.h)
+    std::uint32_t outside = 0;
+};
+
+/// A piece of a triangle that had to be clipped.
+struct ClippedTriangle {
+    std::array<ScreenVertex, 3> corner;
+    std::uint32_t triangle = 0;  // global number of the triangle it came from
+};
+
+struct ObjectGeometry {
+    MeshPtr mesh;
+    Transform transform;
+    bool mirrored = false;             // the transform turns the winding over; facets stay outward all the same
+    std::uint32_t first_triangle = 0;  // its triangles have the global numbers first_triangle + 0, 1, 2, ...
+    glm::dmat4 view_from_object{1.0};
+    glm::dmat3 normal_matrix{1.0};     // inverse transpose of its upper 3 x 3
+    std::vector<glm::vec3> positions;  // #V, camera coordinates
+    std::vector<ClipVertex> vertices;  // #V
+};
+
+struct Geometry {
+    Camera camera;
+    PictureSize size{0, 0};
+    std::vector<ObjectGeometry> objects;
+    std::uint32_t triangle_count = 0;
+    std::vector<ClippedTriangle> clipped;  // numbered triangle_count, triangle_count + 1, ... in the tiles
+    int tiles_x = 0, tiles_y = 0;
+    std::vector<std::uint32_t> tile_first;      // #tiles + 1, into tile_triangles
+    std::vector<std::uint32_t> tile_triangles;  // global numbers
+
+    /// The object that a global triangle number belongs to.
+    [[nodiscard]] std::uint32_t object_of(std::uint32_t triangle) const;
+    [[nodiscard]] const Triangle& triangle(std::uint32_t object, std::uint32_t global) const {
+        return objects[object].mesh->triangles[global - objects[object].first_triangle];
+    }
+    /// Indices into positions and vertices of a triangle's corners, in the file's order.
+    [[nodiscard]] std::array<std::uint32_t, 3> position_indices(std::uint32_t object, const Triangle& t) const {
+        const std::vector<std::uint32_t>& position = objects[object].mesh->corner_position;
+        return {position[t.corner[0]], position[t.corner[1]], position[t.corner[2]]};
+    }
+};
+
+/// Does again what differs from what `kept` was made of; true when anything did.
+bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size);
+
+/// What the rasteriser sees of number `number` of a tile: a triangle, or a clipped piece of one.
+struct ScreenTriangle {
+    std::array<ScreenVertex, 3> corner;
+    std::uint32_t triangle = 0;  // global number
+    bool mirrored = false;
+};
+[[nodiscard]] ScreenTriangle screen_triangle(const Geometry& geometry, std::uint32_t number);
+
+}  // namespace glint

@@ -1,0 +1,110 @@
+#include "renderer/pipeline/light_sources.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <numbers>
+
+namespace glint {
+namespace {
+
+glm::dvec3 unit_or_zero(glm::dvec3 v) {
+    const double length = glm::length(v);
+    return length > 0 ? v / length : glm::dvec3(0);
+}
+
+LightSource::Rgb rgb(glm::dvec3 v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+/// Camera coordinates of a light's places and directions.
+struct Frame {
+    glm::dmat4 to_camera;
+    [[nodiscard]] glm::dvec3 place(glm::dvec3 p) const { return glm::dvec3(to_camera * glm::dvec4(p, 1)); }
+    [[nodiscard]] glm::dvec3 direction(glm::dvec3 d) const { return glm::dvec3(to_camera * glm::dvec4(d, 0)); }
+};
+
+void add_area(std::vector<LightSource>& sources, LightSource source, const Light& light, const Frame& frame,
+              const glm::dvec3& centre) {
+    const glm::dvec3 u = frame.direction(light.area.edge_u), v = frame.direction(light.area.edge_v);
+    const glm::dvec3 across = glm::cross(u, v);
+    const int n = static_cast<int>(std::lround(std::sqrt(light.area.samples)));
+    source.is_patch = true;
+    source.axis = rgb(unit_or_zero(across));
+    source.patch = static_cast<float>(4 * glm::length(across) / (std::numbers::pi * n * n));
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            const double s = (2.0 * i + 1) / n - 1, t = (2.0 * j + 1) / n - 1;
+            source.xyz = rgb(centre + s * u + t * v);
+            sources.push_back(source);
+        }
+}
+
+void add_light(std::vector<LightSource>& sources, const Light& light, int index, const glm::dmat4& view) {
+    const Frame frame{light.space == LightSpace::World ? view : glm::dmat4(1.0)};
+    LightSource s;
+    s.light = index;
+    s.ambient = rgb(light.ambient * light.intensity);
+    s.diffuse = rgb(light.diffuse * light.intensity);
+    s.specular = rgb(light.specular * light.intensity);
+    const glm::dvec3 xyz(light.position);
+    if (light.kind == LightKind::Directional) {
+        s.xyz = rgb(unit_or_zero(frame.direction(xyz)));
+        sources.push_back(s);
+        return;
+    }
+    const glm::dvec3 place = frame.place(xyz / static_cast<double>(light.position.w));
+    s.xyz = rgb(place);
+    s.w = 1;
+    if (light.kind == LightKind::Area) {
+        add_area(sources, s, light, frame, place);
+        return;
+    }
+    s.has_falloff = light.falloff != Falloff{};
+    s.constant = light.falloff.constant;
+    s.linear = light.falloff.linear;
+    s.quadratic = light.falloff.quadratic;
+    s.has_cone = light.kind == LightKind::Spot && light.spot.cutoff_deg < 180;
+    if (s.has_cone) {
+        s.axis = rgb(unit_or_zero(frame.direction(light.spot.direction)));
+        // cos 90 degrees is not quite 0 in floating point, and the edge belongs to the cone.
+        s.cos_cutoff = light.spot.cutoff_deg == 90
+                           ? 0.0f
+                           : static_cast<float>(std::cos(glm::radians(static_cast<double>(light.spot.cutoff_deg))));
+        s.exponent = light.spot.exponent;
+    }
+    sources.push_back(s);
+}
+
+}  // namespace
+
+std::vector<LightSource> light_sources(const Scene& scene) {
+    const glm::dmat4 view = view_from_world(scene.camera);
+    std::vector<LightSource> sources;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        if (scene.lights[i].enabled) add_light(sources, scene.lights[i], static_cast<int>(i), view);
+    return sources;
+}
+
+LightJob light_job(const Scene& scene, const Material& m, const std::vector<LightSource>& lights, bool at_corners) {
+    const bool opengl = scene.shading.rules == Rules::OpenGL2;
+    LightJob job;
+    job.lights = lights.data();
+    job.light_count = lights.size();
+    job.material.k_a = rgb(m.ambient);
+    job.material.k_d = rgb(m.diffuse);
+    job.material.k_s = rgb(m.specular);
+    job.material.f0 = rgb(m.f0);
+    job.material.shininess = opengl ? std::min(m.shininess, opengl_max_shininess) : m.shininess;
+    job.material.roughness = m.roughness;
+    job.material.emission = rgb(m.emission);
+    job.material.global_ambient = rgb(m.ambient * scene.global_ambient);
+    job.model = scene.shading.reflection;
+    job.terms = scene.shading.terms;
+    job.infinite_viewer = !scene.shading.local_viewer || is_orthographic(scene.camera.projection);
+    job.clamp = opengl && at_corners;
+    return job;
+}
+
+}  // namespace glint

@@ -1,0 +1,174 @@
+#include "renderer/pipeline/lighting.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "renderer/pipeline/light_sources.h"
+#include "renderer/shading/interpolate.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t batch = 16;  // runs whose colours stay in the first-level cache between the steps
+
+void light_points(Lighting& l, const Surface& s, std::size_t first, std::size_t count, ColorBlock* colors) {
+    for (std::size_t i = 0; i < count;) {  // neighbouring blocks of one object go in one call
+        const std::uint32_t object = s.point_object[first + i];
+        std::size_t same = 1;
+        while (i + same < count && s.point_object[first + i + same] == object) ++same;
+        lighting_kernels().light(l.jobs[object], &s.points[first + i], colors + i, same);
+        i += same;
+    }
+}
+
+void color_points(Lighting& l, const Surface& s, const Geometry& g) {
+    l.point_colors.resize(s.points.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.points.size(), 64), [&](const auto& range) {
+        if (l.shading.reflection != Reflection::None) {
+            light_points(l, s, range.begin(), range.size(), &l.point_colors[range.begin()]);
+            return;
+        }
+        for (std::size_t b = range.begin(); b != range.end(); ++b) {
+            for (std::size_t i = 0; i < block_size; ++i) {
+                const PointSource& source = s.sources[b * block_size + i];
+                const glm::vec3 c = source.item == no_index ? glm::vec3(0) : vertex_color(s, g, source);
+                l.point_colors[b].r[i] = c.x;
+                l.point_colors[b].g[i] = c.y;
+                l.point_colors[b].b[i] = c.z;
+            }
+        }
+    });
+}
+
+Vec3<float> point_color(const Lighting& l, std::uint32_t point) {
+    const ColorBlock& block = l.point_colors[point / block_size];
+    const std::size_t i = point % block_size;
+    return {block.r[i], block.g[i], block.b[i]};
+}
+
+/// Colours of one run of pixels from its lit corners or faces.
+ColorBlock run_colors(const Lighting& l, const Surface& s, std::size_t run) {
+    ColorBlock out{};
+    for (std::size_t i = 0; i < block_size; ++i) {
+        if (!(s.runs[run].mask >> i & 1u)) continue;
+        Vec3<float> c;
+        if (s.choice.kind == SurfaceKind::Faces) {
+            c = point_color(l, s.face_refs[run].point[i]);
+        } else {
+            const CornerRefs& refs = s.corner_refs[run];
+            c = blend<float>({refs.weight[0][i], refs.weight[1][i], refs.weight[2][i]},
+                             point_color(l, refs.point[0][i]), point_color(l, refs.point[1][i]),
+                             point_color(l, refs.point[2][i]));
+        }
+        out.r[i] = c.x;
+        out.g[i] = c.y;
+        out.b[i] = c.z;
+    }
+    return out;
+}
+
+void write_run(Lighting& l, const PixelRun& run, const ColorBlock& color, const std::uint32_t* rgba) {
+    for (std::size_t i = 0; i < block_size; ++i) {
+        if (!(run.mask >> i & 1u)) continue;
+        std::memcpy(&l.picture.rgba[4 * (run.first_pixel + i)], &rgba[i], 4);
+        if (!l.linear) continue;
+        float* to = &l.picture.linear[3 * (run.first_pixel + i)];
+        to[0] = color.r[i];
+        to[1] = color.g[i];
+        to[2] = color.b[i];
+    }
+}
+
+void color_pixels(Lighting& l, const Surface& s, const DisplayJob& display) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 8 * batch), [&](const auto& range) {
+        std::array<ColorBlock, batch> colors;
+        std::array<std::uint32_t, batch * block_size> rgba;
+        for (std::size_t first = range.begin(); first < range.end(); first += batch) {
+            const std::size_t count = std::min(batch, range.end() - first);
+            if (s.choice.kind == SurfaceKind::Pixels)
+                light_points(l, s, first, count, colors.data());
+            else
+                for (std::size_t i = 0; i < count; ++i) colors[i] = run_colors(l, s, first + i);
+            lighting_kernels().encode(display, colors.data(), rgba.data(), count);
+            for (std::size_t i = 0; i < count; ++i)
+                write_run(l, s.runs[first + i], colors[i], &rgba[i * block_size]);
+        }
+    });
+}
+
+/// Everything the background's colour, as it is displayed.
+void clear_picture(Lighting& l, PictureSize size, const DisplayJob& display) {
+    const glm::vec3 c = l.display.background;
+    ColorBlock color{};
+    std::fill_n(color.r, block_size, c.x);
+    std::fill_n(color.g, block_size, c.y);
+    std::fill_n(color.b, block_size, c.z);
+    std::array<std::uint32_t, block_size> rgba{};
+    lighting_kernels().encode(display, &color, rgba.data(), 1);
+    l.picture.size = size;
+    const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    l.picture.rgba.resize(4 * pixels);
+    l.picture.linear.resize(l.linear ? 3 * pixels : 0);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels, 16384), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            std::memcpy(&l.picture.rgba[4 * i], rgba.data(), 4);
+            if (l.linear) std::memcpy(&l.picture.linear[3 * i], &c.x, sizeof(float) * 3);
+        }
+    });
+}
+
+bool same_materials(const std::vector<Material>& kept, const Scene& scene) {
+    return std::equal(kept.begin(), kept.end(), scene.objects.begin(), scene.objects.end(),
+                      [](const Material& m, const Object& o) { return m == o.material; });
+}
+
+}  // namespace
+
+DisplayJob display_job(const Display& display) { return {display.exposure, display.transfer == Transfer::Srgb}; }
+
+glm::vec3 vertex_color(const Surface& s, const Geometry& g, const PointSource& source) {
+    const Mesh& mesh = *g.objects[source.object].mesh;
+    if (mesh.colors.empty()) return glm::vec3(1);
+    if (s.choice.kind == SurfaceKind::Corners) {
+        const bool split = !s.normals[source.object].of_mesh.corner.empty();
+        return mesh.colors[split ? mesh.corner_position[source.item] : source.item];
+    }
+    if (s.choice.provoking) return mesh.colors[mesh.corner_position[mesh.triangles[source.item].corner[2]]];
+    const auto around = mesh.corners_of(source.item);
+    glm::vec3 sum(0);
+    for (const std::uint32_t p : around) sum += mesh.colors[p];
+    return sum / static_cast<float>(around.size());
+}
+
+bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, const Surface& surface, bool linear,
+                     bool surface_redone, bool visibility_redone) {
+    const bool same_display = kept.display == scene.display && kept.linear == linear && !visibility_redone;
+    const bool same = same_display && !surface_redone && kept.lights == scene.lights &&
+                      kept.global_ambient == scene.global_ambient && kept.shading == scene.shading &&
+                      same_materials(kept.materials, scene);
+    if (same) return false;
+    kept.lights = scene.lights;
+    kept.global_ambient = scene.global_ambient;
+    kept.shading = scene.shading;
+    kept.display = scene.display;
+    kept.linear = linear;
+    kept.sources = light_sources(scene);
+    kept.materials.clear();
+    kept.jobs.clear();
+    const bool at_corners = surface.choice.kind != SurfaceKind::Pixels;
+    for (const Object& object : scene.objects) {
+        kept.materials.push_back(object.material);
+        kept.jobs.push_back(light_job(scene, object.material, kept.sources, at_corners));
+    }
+    const DisplayJob display = display_job(scene.display);
+    if (!same_display) clear_picture(kept, g.size, display);
+    if (at_corners) color_points(kept, surface, g);
+    color_pixels(kept, surface, display);
+    return true;
+}
+
+}  // namespace glint

@@ -1,0 +1,139 @@
+#include "renderer/pipeline/surface.h"
+
+#include <tbb/parallel_for.h>
+
+#include <bit>
+#include <glm/geometric.hpp>
+
+#include "renderer/pipeline/lit_points.h"
+
+namespace glint {
+namespace {
+
+/// Calls visit(run) for the runs of one row, left to right; a group of 16 pixels gives one run an object.
+template <class Visit>
+void visit_row(const Geometry& g, const Visibility& visibility, int y, const Visit& visit) {
+    const auto width = static_cast<std::uint32_t>(g.size.width);
+    const std::uint32_t row = static_cast<std::uint32_t>(y) * width;
+    for (std::uint32_t x0 = 0; x0 < width; x0 += block_size) {
+        const std::uint32_t end = std::min<std::uint32_t>(block_size, width - x0);
+        std::uint32_t left = 0;  // pixels of this group that no run has yet
+        for (std::uint32_t i = 0; i < end; ++i) left |= (visibility.keys[row + x0 + i] != 0 ? 1u : 0u) << i;
+        while (left) {
+            const auto first = static_cast<std::uint32_t>(std::countr_zero(left));
+            const std::uint32_t o = g.object_of(visibility.triangle_at(row + x0 + first));
+            const std::uint32_t low = g.objects[o].first_triangle;
+            const auto count = static_cast<std::uint32_t>(g.objects[o].mesh->triangles.size());
+            PixelRun run{row + x0, o, 0};
+            for (std::uint32_t i = first; i < end; ++i)
+                if ((left >> i & 1u) && visibility.triangle_at(row + x0 + i) - low < count)
+                    run.mask = static_cast<std::uint16_t>(run.mask | 1u << i);
+            left &= ~static_cast<std::uint32_t>(run.mask);
+            visit(run);
+        }
+    }
+}
+
+/// All runs of the picture, in reading order whatever the number of threads.
+void find_runs(Surface& s, const Geometry& g, const Visibility& visibility) {
+    std::vector<std::size_t> first(static_cast<std::size_t>(g.size.height) + 1, 0);
+    tbb::parallel_for(0, g.size.height, [&](int y) {
+        std::size_t count = 0;
+        visit_row(g, visibility, y, [&count](const PixelRun&) { ++count; });
+        first[static_cast<std::size_t>(y) + 1] = count;
+    });
+    for (std::size_t y = 1; y < first.size(); ++y) first[y] += first[y - 1];
+    s.runs.resize(first.back());
+    tbb::parallel_for(0, g.size.height, [&](int y) {
+        std::size_t next = first[static_cast<std::size_t>(y)];
+        visit_row(g, visibility, y, [&s, &next](const PixelRun& run) { s.runs[next++] = run; });
+    });
+    s.pixel_count = 0;
+    for (const PixelRun& run : s.runs) s.pixel_count += static_cast<std::uint64_t>(std::popcount(run.mask));
+}
+
+void place_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
+    s.points.resize(s.runs.size());
+    s.point_object.resize(s.runs.size());
+    s.point_count = s.pixel_count;
+    tbb::parallel_for(std::size_t{0}, s.runs.size(), [&](std::size_t r) {
+        PointBlock block{};
+        s.point_object[r] = s.runs[r].object;
+        const auto width = static_cast<std::uint32_t>(g.size.width);
+        const int y = static_cast<int>(s.runs[r].first_pixel / width);
+        for (unsigned i = 0; i < block_size; ++i) {
+            if (!(s.runs[r].mask >> i & 1u)) continue;
+            const int x = static_cast<int>(s.runs[r].first_pixel % width + i);
+            const SampleFace face = sample_face(s.choice, g, visibility, x, y);
+            const PlacedNormal at = pixel_point(s, g, face, x, y);
+            block.x[i] = at.p.x;
+            block.y[i] = at.p.y;
+            block.z[i] = at.p.z;
+            block.nx[i] = at.n.x;
+            block.ny[i] = at.n.y;
+            block.nz[i] = at.n.z;
+        }
+        s.points[r] = block;
+    });
+}
+
+/// Normals in camera coordinates; those of the mesh are kept while mesh and options stay.
+void update_normals(Surface& s, const Scene& scene, const Geometry& g) {
+    s.normals.resize(scene.objects.size());
+    for (std::size_t o = 0; o < scene.objects.size(); ++o) {
+        ObjectNormals& kept = s.normals[o];
+        if (kept.mesh != scene.objects[o].mesh || kept.options != scene.objects[o].normals) {
+            kept.mesh = scene.objects[o].mesh;
+            kept.options = scene.objects[o].normals;
+            kept.of_mesh = corner_normals(*kept.mesh, kept.options);
+        }
+        const glm::dmat3& matrix = g.objects[o].normal_matrix;
+        kept.normals.resize(kept.of_mesh.normals.size());
+        tbb::parallel_for(std::size_t{0}, kept.normals.size(), [&](std::size_t i) {
+            const glm::dvec3 n = matrix * glm::dvec3(kept.of_mesh.normals[i]);
+            const double length = glm::length(n);
+            kept.normals[i] = length > 0 ? glm::vec3(n / length) : glm::vec3(0);
+        });
+    }
+}
+
+bool same_normals(const Surface& s, const Scene& scene) {
+    if (s.normals.size() != scene.objects.size()) return false;
+    for (std::size_t o = 0; o < scene.objects.size(); ++o)
+        if (s.normals[o].mesh != scene.objects[o].mesh || s.normals[o].options != scene.objects[o].normals)
+            return false;
+    return true;
+}
+
+}  // namespace
+
+SurfaceChoice surface_choice(const Shading& shading) {
+    SurfaceChoice c;
+    const bool blends_colors =
+        shading.mode == ShadingMode::Gouraud || shading.reflection == Reflection::None;
+    c.kind = shading.mode == ShadingMode::Flat ? SurfaceKind::Faces
+             : blends_colors                   ? SurfaceKind::Corners
+                                               : SurfaceKind::Pixels;
+    c.facet_normals = c.kind == SurfaceKind::Pixels && shading.mode == ShadingMode::Facet;
+    c.screen_weights = shading.interpolation == Interpolation::Screen && c.kind != SurfaceKind::Faces;
+    c.provoking = c.kind == SurfaceKind::Faces &&
+                  (shading.flat_point == FlatPoint::Provoking || shading.rules == Rules::OpenGL2);
+    c.two_sided = shading.two_sided;
+    return c;
+}
+
+bool update_surface(Surface& kept, const Scene& scene, const Geometry& g, const Visibility& visibility,
+                    bool visibility_redone) {
+    const SurfaceChoice choice = surface_choice(scene.shading);
+    if (!visibility_redone && kept.choice == choice && same_normals(kept, scene)) return false;
+    kept.choice = choice;
+    update_normals(kept, scene, g);
+    find_runs(kept, g, visibility);
+    if (choice.kind == SurfaceKind::Pixels)
+        place_pixels(kept, g, visibility);
+    else
+        place_lit_points(kept, g, visibility);
+    return true;
+}
+
+}  // namespace glint

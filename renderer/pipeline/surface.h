@@ -1,0 +1,108 @@
+#pragma once
+// Stage 3. For each visible sample what lighting needs: its place and unit normal in camera coordinates, in blocks
+// of 16 (phong, facet), or which lit corners it blends (gouraud) or shows (flat). Inputs: geometry, visibility,
+// `normals`, `mode`, `interpolation`, `two_sided`, `flat_point` (and `rules`, which may choose it).
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/lighting/light_job.h"
+#include "renderer/pipeline/visibility.h"
+
+namespace glint {
+
+/// Where the equation is evaluated, and how pixels come by their colour.
+enum class SurfaceKind {
+    Pixels,   // one lit point a pixel
+    Corners,  // lit points are vertices; a pixel blends three
+    Faces     // lit points are polygons (or triangles, with a provoking corner); a pixel shows one
+};
+
+/// Everything of `shading` that this stage reads.
+struct SurfaceChoice {
+    SurfaceKind kind = SurfaceKind::Pixels;
+    bool facet_normals = false;     // Pixels: the facet's normal instead of the interpolated one
+    bool screen_weights = false;    // linear on the screen instead of perspective-correct
+    bool provoking = false;         // Faces: each triangle at its last corner instead of each polygon at its centroid
+    bool two_sided = false;         // a face seen from behind has its normals turned round
+    bool operator==(const SurfaceChoice&) const = default;
+};
+[[nodiscard]] SurfaceChoice surface_choice(const Shading& shading);
+
+/// Normals of one object, camera coordinates, unit.
+struct ObjectNormals {
+    MeshPtr mesh;
+    NormalOptions options;
+    CornerNormals of_mesh;            // object coordinates
+    std::vector<glm::vec3> normals;   // of_mesh.normals in camera coordinates
+};
+
+/// Up to 16 neighbouring pixels of one row that show the same object.
+struct PixelRun {
+    std::uint32_t first_pixel = 0;  // a multiple of 16 in x
+    std::uint32_t object = 0;
+    std::uint16_t mask = 0;         // bit i: pixel first_pixel + i
+};
+
+struct CornerRefs {
+    std::uint32_t point[3][block_size];  // numbers of lit points
+    float weight[3][block_size];
+};
+struct FaceRefs {
+    std::uint32_t point[block_size];
+};
+
+/// What a lit point is, for those that are no pixels: its object and a number within it.
+struct PointSource {
+    std::uint32_t object = 0;
+    std::uint32_t item = 0;  // Corners: normal slot; Faces: polygon, or triangle when provoking
+    bool turned = false;     // its normal is turned round (two_sided, seen from behind)
+    bool operator==(const PointSource&) const = default;
+};
+
+struct Surface {
+    SurfaceChoice choice;
+    std::vector<ObjectNormals> normals;
+    std::vector<PixelRun> runs;
+    std::vector<PointBlock> points;          // lit points; Pixels: points[i] belongs to runs[i]
+    std::vector<std::uint32_t> point_object;  // #points: the object whose material each block has
+    std::vector<PointSource> sources;        // Corners, Faces: 16 a block of points; unused ones have no_index
+    std::vector<CornerRefs> corner_refs;     // Corners: one a run
+    std::vector<FaceRefs> face_refs;         // Faces: one a run
+    std::uint64_t pixel_count = 0;           // that show a surface
+    std::uint64_t point_count = 0;           // lit
+};
+
+/// Does the stage again when anything it reads differs; true when it did.
+bool update_surface(Surface& kept, const Scene& scene, const Geometry& geometry, const Visibility& visibility,
+                    bool visibility_redone);
+
+/// One visible sample: the face it shows and the weights of its drawn triangle's corners.
+struct SampleFace {
+    std::uint32_t object = 0, triangle = 0;  // triangle: global number
+    bool turned = false;                     // two_sided and seen from behind
+    glm::vec3 weights{0};                    // perspective-correct
+};
+[[nodiscard]] SampleFace sample_face(const SurfaceChoice& choice, const Geometry& geometry,
+                                     const Visibility& visibility, int x, int y);
+
+/// A place and its unit normal, camera coordinates.
+struct PlacedNormal {
+    glm::vec3 p{0}, n{0};
+};
+/// The pixel's own point under Pixels (and, for information, under the other kinds).
+[[nodiscard]] PlacedNormal pixel_point(const Surface& surface, const Geometry& geometry, const SampleFace& face,
+                                       int x, int y);
+/// A lit point that is no pixel.
+[[nodiscard]] PlacedNormal lit_point(const Surface& surface, const Geometry& geometry, const PointSource& source);
+
+/// The sources that a sample blends under Corners (weights in the same order), or shows under Faces (one).
+struct SampleSources {
+    int count = 0;
+    PointSource source[3];
+    float weight[3] = {0, 0, 0};
+};
+[[nodiscard]] SampleSources sample_sources(const Surface& surface, const Geometry& geometry, const SampleFace& face,
+                                           int x, int y);
+
+}  // namespace glint

@@ -1,0 +1,118 @@
+#include "renderer/renderer.h"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "renderer/inspect/explain.h"
+#include "renderer/kept_stages.h"
+#include "renderer/pipeline/light_sources.h"
+
+namespace glint {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double ms_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+struct Renderer::Kept {
+    explicit Kept(int threads) : arena(threads) {}
+    tbb::task_arena arena;
+    KeptStages stages;
+    FrameStats stats;
+    Warnings warnings;
+    bool drawn = false;
+
+    template <class Update>
+    bool run(Stage stage, const Update& update) {
+        const auto i = static_cast<std::size_t>(stage);
+        const Clock::time_point start = Clock::now();
+        stats.redone[i] = update();
+        stats.ms[i] = stats.redone[i] ? ms_since(start) : 0;
+        return stats.redone[i];
+    }
+
+    void collect_warnings(const Scene& scene) {
+        warnings.clear();
+        const auto add = [this](const std::string& w) {
+            if (std::find(warnings.begin(), warnings.end(), w) == warnings.end()) warnings.push_back(w);
+        };
+        for (const ObjectNormals& n : stages.surface.normals)
+            for (const std::string& w : n.of_mesh.warnings) add(w);
+        if (scene.shading.rules != Rules::OpenGL2) return;
+        for (const Object& o : scene.objects)
+            if (o.material.shininess > opengl_max_shininess)
+                add("a shininess above 128 is used as 128 under the rules opengl2");
+    }
+};
+
+std::optional<Problem> unsupported(const Scene& scene) {
+    const auto refuse = [](const char* pointer, const char* what, const char* expected) {
+        return Problem{"", pointer, std::string(what) + " is not drawn yet", expected, 0};
+    };
+    if (scene.shading.interpolation == Interpolation::Scanline)
+        return refuse("/shading/interpolation", "\"scanline\"", "\"perspective\" or \"screen\"");
+    if (scene.npr.cool_to_warm) return refuse("/npr/cool_to_warm", "cool-to-warm shading", "false");
+    if (scene.npr.silhouettes) return refuse("/npr/silhouettes", "silhouette strokes", "false");
+    if (scene.npr.creases) return refuse("/npr/creases", "crease strokes", "false");
+    return std::nullopt;
+}
+
+Renderer::Renderer(int threads)
+    : kept_(std::make_unique<Kept>(threads > 0 ? threads : tbb::info::default_concurrency())) {}
+Renderer::~Renderer() = default;
+
+const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linear) {
+    Kept& k = *kept_;
+    KeptStages& s = k.stages;
+    const Clock::time_point start = Clock::now();
+    k.arena.execute([&] {
+        const bool geometry = k.run(Stage::Geometry, [&] { return update_geometry(s.geometry, scene, size); });
+        const bool visibility = k.run(Stage::Visibility, [&] {
+            return update_visibility(s.visibility, s.geometry, scene.shading.cull, geometry);
+        });
+        const bool surface = k.run(Stage::Surface, [&] {
+            return update_surface(s.surface, scene, s.geometry, s.visibility, visibility);
+        });
+        const bool lighting = k.run(Stage::Lighting, [&] {
+            return update_lighting(s.lighting, scene, s.geometry, s.surface, linear, surface, visibility);
+        });
+        if (surface || lighting) k.collect_warnings(scene);
+    });
+    if (!k.drawn || s.scene != scene) s.scene = scene;
+    k.drawn = true;
+    k.stats.total_ms = ms_since(start);
+    k.stats.triangles = s.geometry.triangle_count;
+    k.stats.shaded_pixels = s.surface.pixel_count;
+    k.stats.evaluations =
+        scene.shading.reflection == Reflection::None ? 0 : s.surface.point_count * s.lighting.sources.size();
+    k.stats.threads = k.arena.max_concurrency();
+    k.stats.instruction_set = lighting_kernels().name;
+    return s.lighting.picture;
+}
+
+const FrameStats& Renderer::stats() const { return kept_->stats; }
+const Warnings& Renderer::warnings() const { return kept_->warnings; }
+Explanation Renderer::explain(int x, int y) const { return explain_pixel(kept_->stages, x, y); }
+
+int Renderer::object_at(int x, int y) const {
+    const KeptStages& s = kept_->stages;
+    const std::uint32_t triangle = s.visibility.triangle_at(s.lighting.picture.pixel(x, y));
+    return triangle == no_triangle ? -1 : static_cast<int>(s.geometry.object_of(triangle));
+}
+
+float Renderer::depth_at(int x, int y) const {
+    if (object_at(x, y) < 0) return 0;
+    const KeptStages& s = kept_->stages;
+    const SampleFace face = sample_face(s.surface.choice, s.geometry, s.visibility, x, y);
+    return -pixel_point(s.surface, s.geometry, face, x, y).p.z;
+}
+
+}  // namespace glint
