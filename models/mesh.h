@@ -1,7 +1,8 @@
 #pragma once
-// A polygon mesh as it was given: polygons of any size are kept as polygons (for flat shading and silhouettes)
-// and cut into triangles for rasterising. Nothing is merged, dropped or reordered, so that a face number means
-// the same here, in the file and in `glint explain`. Immutable once made; shared by pointer-to-const.
+// A polygon mesh as it was given: polygons of any size are kept as polygons (for flat shading and
+// silhouettes) and cut into triangles for rasterising. Nothing is merged, dropped or reordered, so that a
+// face number means the same here, in the file and in `glint explain`. Immutable once made; shared by
+// pointer-to-const.
 
 #include <array>
 #include <cstdint>
@@ -34,19 +35,22 @@ struct Bounds {
 };
 
 struct Mesh {
-    std::vector<glm::vec3> positions;            // #V, object coordinates, scene units; unused ones are kept
-    std::vector<std::uint32_t> first_corner;     // #F + 1: polygon f has the corners first_corner[f] .. [f + 1)
+    std::vector<glm::vec3> positions;         // #V, object coordinates, scene units; unused ones are kept
+    std::vector<std::uint32_t> first_corner;  // #F + 1: polygon f has the corners first_corner[f] .. [f + 1)
     std::vector<std::uint32_t> corner_position;  // #C, indices into positions, in the file's order
     GivenNormals given_normals = GivenNormals::None;
     std::vector<glm::vec3> normals;            // as given (a file's may not be unit), object coordinates
-    std::vector<std::uint32_t> corner_normal;  // #C, indices into normals or no_index; empty when none are given
+    std::vector<std::uint32_t> corner_normal;  // #C, indices into normals or no_index; empty: corner c has
+                                               // (when normals are given) normals[corner_position[c]]
     std::vector<glm::vec3> colors;             // #V, linear RGB; empty when the file has none
     std::vector<Triangle> triangles;           // in order of faces; degenerate polygons give none
     Bounds bounds;                             // of the positions that faces use
     Warnings warnings;                         // what was tolerated while reading and cutting
     double load_ms = 0;                        // time to read or make it
 
-    [[nodiscard]] std::size_t face_count() const { return first_corner.empty() ? 0 : first_corner.size() - 1; }
+    [[nodiscard]] std::size_t face_count() const {
+        return first_corner.empty() ? 0 : first_corner.size() - 1;
+    }
     /// The positions' indices around polygon f.
     [[nodiscard]] std::span<const std::uint32_t> corners_of(std::size_t f) const {
         return std::span(corner_position).subspan(first_corner[f], first_corner[f + 1] - first_corner[f]);
@@ -55,16 +59,22 @@ struct Mesh {
 
 using MeshPtr = std::shared_ptr<const Mesh>;
 
-/// Fills in triangles and bounds from the polygon list: convex polygons as a fan from the first corner, others
-/// by ear clipping (above 1000 corners as a fan, with a warning). Polygons with fewer than three distinct corners
-/// or no area give no triangle and a warning with their count.
+/// Fills in triangles and bounds from the polygon list: convex polygons as a fan from the first corner,
+/// others by ear clipping (above 1000 corners as a fan, with a warning). A corner that repeats the one before
+/// it is skipped, with a warning. Polygons with fewer than three distinct corners or no area keep their
+/// number, give no triangle and a warning with their count. No triangle without an area is made.
 void finish_mesh(Mesh& mesh);
 
 /// What `glint info` says of a mesh. Counts are of what the file holds, before any repair.
 struct MeshInfo {
-    std::size_t vertices = 0, faces = 0, triangles = 0, quads = 0, polygons = 0;  // polygons: 5 corners and more
-    std::size_t edges = 0, boundary_edges = 0, non_manifold_edges = 0;
-    std::size_t degenerate_faces = 0, duplicate_faces = 0;
+    std::size_t vertices = 0, faces = 0, triangles = 0, quads = 0,
+                polygons = 0;            // polygons: 5 corners and more
+    std::size_t edges = 0;               // pairs of different vertices that follow one another in a polygon
+    std::size_t boundary_edges = 0;      // one polygon runs along it, once
+    std::size_t non_manifold_edges = 0;  // more than two do
+    std::size_t inconsistent_edges = 0;  // two do, in the same direction: one of them is wound the wrong way
+    std::size_t degenerate_faces = 0;    // fewer than three distinct corners, or no area
+    std::size_t duplicate_faces = 0;     // the same vertices as an earlier face, whatever their order
     Bounds bounds;
     std::string normals;  // "file", "analytic" or "vertex": what the source `auto` takes
     Warnings warnings;

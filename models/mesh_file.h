@@ -12,9 +12,9 @@ namespace glint {
 [[nodiscard]] bool is_mesh_path(const std::string& path);
 
 /// Reads and finishes a mesh. Problems carry the path as given and, for text formats, the line.
-/// Errors: cannot be read, a directory or a device, no faces, an index out of range, a number that is none or not
-/// within +-1e30, more than 2^31 - 1 corners. Tolerated with one warning a kind and its count: repeated corners,
-/// weights after an OBJ vertex, lines and points, corners without a normal, ...
+/// Errors: cannot be read, a directory or a device, no faces, an index out of range, a number that is none or
+/// not within +-1e30, more than 2^31 - 1 corners. Tolerated with one warning a kind and its count: repeated
+/// corners, weights after an OBJ vertex, lines and points, corners without a normal, ...
 [[nodiscard]] Result<Mesh> read_mesh(const std::string& path);
 
 }  // namespace glint

@@ -32,8 +32,9 @@ struct NormalOptions {
 /// Normals of all corners, object coordinates, unit (or zero where nothing defines one).
 struct CornerNormals {
     std::vector<glm::vec3> normals;
-    std::vector<std::uint32_t> corner;  // #C, indices into normals; empty: corner c has normals[corner_position[c]]
-    Warnings warnings;                  // source fallen back, corners without a normal
+    std::vector<std::uint32_t>
+        corner;         // #C, indices into normals; empty: corner c has normals[corner_position[c]]
+    Warnings warnings;  // source fallen back, corners without a normal
 };
 [[nodiscard]] CornerNormals corner_normals(const Mesh& mesh, const NormalOptions& options);
 

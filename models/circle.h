@@ -1,0 +1,23 @@
+#pragma once
+// Cosine and sine for making meshes: only + - x and integers, so that a mesh has the same bytes on every
+// machine (a C library may pick another routine for another CPU, and its last bit with it).
+
+#include <cstdint>
+
+namespace glint {
+
+struct CosSin {
+    double c, s;
+};
+
+/// Of the angle 2 pi k / n, n >= 1, |k| and n below 2^59. Exactly symmetric: eighths of a turn are
+/// reflections of one another, and the four axes are hit exactly. Error below 1e-15.
+[[nodiscard]] CosSin on_circle(std::int64_t k, std::int64_t n);
+
+/// Of an angle in radians, |angle| below 1000. Error below 1e-13.
+[[nodiscard]] CosSin cos_sin(double angle);
+
+/// The angle in radians, 0 to pi, of the direction (x, y) with y >= 0; 0 for (0, 0). Error below 1e-9.
+[[nodiscard]] double angle_of(double x, double y);
+
+}  // namespace glint
