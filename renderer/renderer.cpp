@@ -30,8 +30,7 @@ struct Renderer::Kept {
     Warnings warnings;
     bool drawn = false;
 
-    template <class Update>
-    bool run(Stage stage, const Update& update) {
+    template <class Update> bool run(Stage stage, const Update& update) {
         const auto i = static_cast<std::size_t>(stage);
         const Clock::time_point start = Clock::now();
         stats.redone[i] = update();
@@ -57,8 +56,6 @@ std::optional<Problem> unsupported(const Scene& scene) {
     const auto refuse = [](const char* pointer, const char* what, const char* expected) {
         return Problem{"", pointer, std::string(what) + " is not drawn yet", expected, 0};
     };
-    if (scene.shading.interpolation == Interpolation::Scanline)
-        return refuse("/shading/interpolation", "\"scanline\"", "\"perspective\" or \"screen\"");
     if (scene.npr.cool_to_warm) return refuse("/npr/cool_to_warm", "cool-to-warm shading", "false");
     if (scene.npr.silhouettes) return refuse("/npr/silhouettes", "silhouette strokes", "false");
     if (scene.npr.creases) return refuse("/npr/creases", "crease strokes", "false");
@@ -74,7 +71,8 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
     KeptStages& s = k.stages;
     const Clock::time_point start = Clock::now();
     k.arena.execute([&] {
-        const bool geometry = k.run(Stage::Geometry, [&] { return update_geometry(s.geometry, scene, size); });
+        const bool geometry =
+            k.run(Stage::Geometry, [&] { return update_geometry(s.geometry, scene, size); });
         const bool visibility = k.run(Stage::Visibility, [&] {
             return update_visibility(s.visibility, s.geometry, scene.shading.cull, geometry);
         });

@@ -106,23 +106,21 @@ void explain_corners(Explanation& e, const KeptStages& stages, const SampleFace&
                      const Frames& frames) {
     const Surface& surface = stages.surface;
     const SampleSources sample = sample_sources(surface, stages.geometry, face, e.x, e.y);
-    Vec colors[3];
     const bool lit = stages.lighting.shading.reflection != Reflection::None;
-    for (int i = 0; i < sample.count; ++i) {
+    Vec sum;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(sample.count); ++i) {
         ExplainedCorner corner;
         corner.weight = sample.weight[i];
         const PlacedNormal place = lit_point(surface, stages.geometry, sample.source[i]);
         corner.at = explain_point(stages, job, place, frames, lit);
         if (!lit) corner.at.sum = vertex_color(surface, stages.geometry, sample.source[i]);
-        colors[i] = to_vec(corner.at.sum);
+        sum = surface.choice.kind == SurfaceKind::Faces
+                  ? to_vec(corner.at.sum)
+                  : add_weighted(sum, corner.weight, to_vec(corner.at.sum));
         e.corners.push_back(corner);
     }
     e.lit_per_corner = true;
-    if (surface.choice.kind == SurfaceKind::Faces)
-        e.sum = to_glm(colors[0]);
-    else
-        e.sum = to_glm(blend<float>({sample.weight[0], sample.weight[1], sample.weight[2]}, colors[0], colors[1],
-                                    colors[2]));
+    e.sum = to_glm(sum);
 }
 
 void explain_display(Explanation& e, const Display& display) {
@@ -153,8 +151,8 @@ Explanation explain_pixel(const KeptStages& stages, int x, int y) {
     const SampleFace face = sample_face(stages.surface.choice, g, stages.visibility, x, y);
     const Triangle& t = g.triangle(face.object, triangle);
     const std::vector<Triangle>& all = g.objects[face.object].mesh->triangles;
-    const auto first_of_face = std::lower_bound(all.begin(), all.end(), t.face,
-                                                [](const Triangle& a, std::uint32_t f) { return a.face < f; });
+    const auto first_of_face = std::lower_bound(
+        all.begin(), all.end(), t.face, [](const Triangle& a, std::uint32_t f) { return a.face < f; });
     e.hit = true;
     e.object_index = static_cast<int>(face.object);
     e.object = stages.scene.objects[face.object].name;

@@ -20,14 +20,14 @@ struct InBothFrames {
 /// What one light (or one sample of an area light) does at one point, as it enters the sum.
 struct ExplainedLight {
     std::string name;
-    int index = 0;            // in Scene::lights
-    InBothFrames l, r, h;     // unit: towards the light; l mirrored at n; halfway between l and v
-    float n_dot_l = 0;        // not clamped: negative means the light is behind the surface
+    int index = 0;         // in Scene::lights
+    InBothFrames l, r, h;  // unit: towards the light; l mirrored at n; halfway between l and v
+    float n_dot_l = 0;     // not clamped: negative means the light is behind the surface
     float r_dot_v = 0, n_dot_h = 0;
-    float distance = 0;       // scene units; 0 for a directional light
+    float distance = 0;  // scene units; 0 for a directional light
     float falloff = 1, spot = 1;
-    float spot_angle_deg = 0;  // between the cone's axis and the direction to the point; 0 without a cone
-    float diffuse_factor = 0;  // what multiplies light.diffuse * k_d: <n.l> for Lambert
+    float spot_angle_deg = 0;      // between the cone's axis and the direction to the point; 0 without a cone
+    float diffuse_factor = 0;      // what multiplies light.diffuse * k_d: <n.l> for Lambert
     glm::vec3 specular_factor{0};  // S of docs/interface.md, per channel; 0 where n.l <= 0
     glm::vec3 ambient{0}, diffuse{0}, specular{0};  // what reaches the eye
     std::vector<ExplainedLight> samples;            // of an area light; then the fields above are their sums
@@ -59,12 +59,12 @@ struct Explanation {
     Reflection reflection = Reflection::Phong;
     Material material;
     std::array<std::uint32_t, 3> corner{};  // the drawn triangle's corners: indices into Mesh::positions
-    glm::vec3 weights{0};  // perspective-correct weights of those corners at the pixel
-    ExplainedPoint at;     // phong and facet: the pixel's own point, lit. Others: its place and normal, unlit
+    glm::vec3 weights{0};                   // perspective-correct weights of those corners at the pixel
+    ExplainedPoint at;  // phong and facet: the pixel's own point, lit. Others: its place and normal, unlit
     std::vector<ExplainedCorner> corners;  // gouraud and flat: what was lit, and its weight
     bool lit_per_corner = false;           // true when `corners` makes the sum
-    glm::vec3 sum{0};        // linear, before exposure: the pixel of the PFM / exposure
-    glm::vec3 displayed{0};  // after exposure, transfer and clamp, 0 to 1
+    glm::vec3 sum{0};                      // linear, before exposure: the pixel of the PFM / exposure
+    glm::vec3 displayed{0};                // after exposure, transfer and clamp, 0 to 1
     std::array<int, 3> byte{};
 };
 

@@ -1,17 +1,17 @@
 #pragma once
 // Cook-Torrance: a microfacet highlight, D G F / (4 n.l n.v). R. Cook, K. Torrance 1982, with today's terms:
 // D and G of Trowbridge-Reitz (GGX), G height-correlated (E. Heitz, JCGT 2014), F by C. Schlick 1994.
-// a = roughness^2 (B. Burley 2012), not below 0.001. As a factor of this equation: f pi n.l = pi D G F / (4 n.v),
-// because its Lambert term carries no 1/pi.
+// a = roughness^2 (B. Burley 2012), not below 0.001. As a factor of this equation: f pi n.l = pi D G F / (4
+// n.v), because its Lambert term carries no 1/pi.
 
 #include "renderer/lighting/lambert.h"
 
 namespace glint::inline GLINT_ISA {
 
-/// Density of facets with normal h, per unit solid angle; integrates to 1 with the cosine n.h. The denominator is
-/// written with the sine, |n x h|, because 1 - (n.h)^2 would lose the narrow peak of a smooth surface to rounding.
-template <Number F>
-F d_ggx(Vec3<F> n, Vec3<F> h, F a) {
+/// Density of facets with normal h, per unit solid angle; integrates to 1 with the cosine n.h. The
+/// denominator is written with the sine, |n x h|, because 1 - (n.h)^2 would lose the narrow peak of a smooth
+/// surface to rounding.
+template <Number F> F d_ggx(Vec3<F> n, Vec3<F> h, F a) {
     const F cosine = positive(dot(n, h));
     const Vec3<F> sine = cross(n, h);
     const F t = cosine * cosine * (a * a) + dot(sine, sine);
@@ -19,15 +19,13 @@ F d_ggx(Vec3<F> n, Vec3<F> h, F a) {
 }
 
 /// Smith's Lambda for the cosine c > 0 of a direction with n.
-template <Number F>
-F lambda_ggx(F c, F a) {
+template <Number F> F lambda_ggx(F c, F a) {
     const F tan2 = F(1) / (c * c) - F(1);
     return F(0.5f) * (square_root(F(1) + a * a * positive(tan2)) - F(1));
 }
 
 /// Schlick's Fresnel factor for the cosine c of h with v.
-template <Number F>
-F f_schlick(F f0, F c) {
+template <Number F> F f_schlick(F f0, F c) {
     const F grazing = F(1) - c, squared = grazing * grazing;
     return f0 + (F(1) - f0) * (squared * squared * grazing);
 }

@@ -9,22 +9,19 @@
 namespace glint::inline GLINT_ISA {
 
 /// sRGB encoding of linear x in 0..1.
-template <Number F>
-F srgb_encoded(F x) {
+template <Number F> F srgb_encoded(F x) {
     const F curve = F(1.055f) * power(x, F(1 / 2.4f)) - F(0.055f);
     return select(x <= F(0.0031308f), F(12.92f) * x, curve);
 }
 
 /// 0 to 1; NaN gives 0. The transfer keeps the order and the ends, so clamping first gives the same result.
-template <Number F>
-F displayed(const DisplayJob& job, F linear) {
+template <Number F> F displayed(const DisplayJob& job, F linear) {
     const F exposed = smaller(positive(linear * F(job.exposure)), F(1));
     return job.srgb ? srgb_encoded(exposed) : exposed;
 }
 
 /// 0 to 255 as a number, from a displayed value in 0..1.
-template <Number F>
-F byte_value(F shown) {
+template <Number F> F byte_value(F shown) {
     const F scaled = shown * F(255) + F(0.5f);
     const F magic = F(8388608.0f);  // 2^23: adding it leaves whole numbers, rounded to nearest
     const F nearest = (scaled + magic) - magic;

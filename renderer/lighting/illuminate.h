@@ -12,8 +12,7 @@
 namespace glint::inline GLINT_ISA {
 
 /// All that one light does at one point.
-template <Number F>
-struct LightTerms {
+template <Number F> struct LightTerms {
     Directions<F> directions;
     F distance{};                        // scene units; without meaning for a directional light
     F falloff{}, spot{};                 // 1 where the light has none
@@ -57,9 +56,6 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
 }
 
 /// One light's share of the sum, in the order in which the picture adds it.
-template <Number F>
-Vec3<F> sum_of(const LightTerms<F>& t) {
-    return t.ambient + t.diffuse + t.specular;
-}
+template <Number F> Vec3<F> sum_of(const LightTerms<F>& t) { return t.ambient + t.diffuse + t.specular; }
 
 }  // namespace glint::inline GLINT_ISA

@@ -1,20 +1,14 @@
 #pragma once
-// Lambert: reflected intensity follows the cosine of the angle of incidence and does not depend on the viewer.
-// Lecture: "Lambert's Cosine Law", "Computing Diffuse Reflection".
+// Lambert: reflected intensity follows the cosine of the angle of incidence and does not depend on the
+// viewer. Lecture: "Lambert's Cosine Law", "Computing Diffuse Reflection".
 
 #include "renderer/lighting/surface_point.h"
 
 namespace glint::inline GLINT_ISA {
 
 /// <n.l>: 0 from 90 degrees on.
-template <Number F>
-F lambert_cosine(const Directions<F>& d) {
-    return positive(d.n_dot_l);
-}
+template <Number F> F lambert_cosine(const Directions<F>& d) { return positive(d.n_dot_l); }
 
-template <Number F>
-Response<F> lambert(const Directions<F>& d) {
-    return {lambert_cosine(d), {}};
-}
+template <Number F> Response<F> lambert(const Directions<F>& d) { return {lambert_cosine(d), {}}; }
 
 }  // namespace glint::inline GLINT_ISA

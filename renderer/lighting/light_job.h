@@ -68,7 +68,8 @@ struct LightingKernels {
     void (*encode)(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba, std::size_t blocks);
 };
 
-/// The widest set that this processor runs (or that the environment variable GLINT_ISA names: sse2, avx2, avx512).
+/// The widest set that this processor runs (or that the environment variable GLINT_ISA names: sse2, avx2,
+/// avx512).
 const LightingKernels& lighting_kernels();
 
 }  // namespace glint

@@ -7,37 +7,34 @@
 
 namespace glint::inline GLINT_ISA {
 
-template <Number F>
-struct LightAt {
-    Vec3<F> xyz;                          // w = 0: unit direction towards the light; w = 1: its place
-    F w{};                                // 0 or 1, the same in all lanes
-    Vec3<F> ambient, diffuse, specular;   // linear RGB times intensity
+template <Number F> struct LightAt {
+    Vec3<F> xyz;                           // w = 0: unit direction towards the light; w = 1: its place
+    F w{};                                 // 0 or 1, the same in all lanes
+    Vec3<F> ambient, diffuse, specular;    // linear RGB times intensity
     F constant{1}, linear{}, quadratic{};  // falloff 1 / (constant + linear r + quadratic r^2)
-    Vec3<F> axis;                         // unit: where a spot points, or the normal of an area light's patch
-    F cos_cutoff{-1}, exponent{};         // of a spot
-    F patch{};                            // of an area light's sample: area / (pi * samples)
+    Vec3<F> axis;                  // unit: where a spot points, or the normal of an area light's patch
+    F cos_cutoff{-1}, exponent{};  // of a spot
+    F patch{};                     // of an area light's sample: area / (pi * samples)
     bool has_falloff = false, has_cone = false, is_patch = false;
 };
 
 /// 1 / (constant + linear r + quadratic r^2) at the distance r >= 0; 0 where that would divide by zero.
 /// Lecture: "Light Source Falloff" (its a, b, c are quadratic, linear, constant).
-template <Number F>
-F falloff(const LightAt<F>& light, F r) {
+template <Number F> F falloff(const LightAt<F>& light, F r) {
     return inverse_or_zero(light.constant + r * (light.linear + r * light.quadratic));
 }
 
-/// cos(angle)^exponent between the spot's axis and the ray to the point, 0 outside the cone; the edge is inside.
-/// l: unit, towards the light. Source: OpenGL 2.1, section 2.14.1; lecture: "point + direction + cutoff angle".
-template <Number F>
-F spot_factor(const LightAt<F>& light, Vec3<F> l) {
+/// cos(angle)^exponent between the spot's axis and the ray to the point, 0 outside the cone; the edge is
+/// inside. l: unit, towards the light. Source: OpenGL 2.1, section 2.14.1; lecture: "point + direction +
+/// cutoff angle".
+template <Number F> F spot_factor(const LightAt<F>& light, Vec3<F> l) {
     const F cos_angle = -dot(l, light.axis);
     return select(cos_angle >= light.cos_cutoff, power(positive(cos_angle), light.exponent), F(0));
 }
 
 /// What one sample of an area light puts in place of falloff: A |cos theta'| / (pi n^2 r^2), theta' at the
 /// emitter; 0 at r = 0. With all samples it tends to Lambert's polygon formula.
-template <Number F>
-F patch_factor(const LightAt<F>& light, Vec3<F> l, F r) {
+template <Number F> F patch_factor(const LightAt<F>& light, Vec3<F> l, F r) {
     return light.patch * magnitude(dot(l, light.axis)) * inverse_or_zero(r * r);
 }
 

@@ -1,11 +1,11 @@
 #pragma once
-// The number type of the equation: `float`, or N floats side by side (`Lanes<N>`), with the same operations and,
-// bit for bit, the same results. Only this header knows the compiler's vector types and the processor's
-// intrinsics. Everything here lives in a namespace of its own instruction set, so that the linker can never take
-// AVX code for the baseline's (docs/architecture.md, "Same bytes everywhere").
+// The number type of the equation: `float`, or N floats side by side (`Lanes<N>`), with the same operations
+// and, bit for bit, the same results. Only this header knows the compiler's vector types and the processor's
+// intrinsics. Everything here lives in a namespace of its own instruction set, so that the linker can never
+// take AVX code for the baseline's (docs/architecture.md, "Same bytes everywhere").
 //
-// Allowed in the equation: + - * / square_root, comparisons, select, and the bit moves of power.h. Nothing else,
-// and -ffp-contract=off: then every width and every optimisation level gives the same bits.
+// Allowed in the equation: + - * / square_root, comparisons, select, and the bit moves of power.h. Nothing
+// else, and -ffp-contract=off: then every width and every optimisation level gives the same bits.
 
 #ifndef GLINT_ISA
 #define GLINT_ISA baseline
@@ -17,47 +17,47 @@
 
 namespace glint::inline GLINT_ISA {
 
-template <int N>
-struct LanesOf {  // N floats and N ints as the compiler's vector types
+template <int N> struct LanesOf {  // N floats and N ints as the compiler's vector types
     typedef float Floats __attribute__((vector_size(N * sizeof(float))));
     typedef int Ints __attribute__((vector_size(N * sizeof(int))));
 };
 
 /// N integers; as a mask, a lane is 0 (false) or -1 (true), as comparisons give it.
-template <int N>
-struct IntLanes {
-    typename LanesOf<N>::Ints v;
-};
+template <int N> struct IntLanes { typename LanesOf<N>::Ints v; };
 
-template <int N>
-struct Lanes {
+template <int N> struct Lanes {
     typename LanesOf<N>::Floats v;
     Lanes() : v{} {}
-    Lanes(float a) : v(a - typename LanesOf<N>::Floats{}) {}  // NOLINT: a number stands for itself in all lanes
+    Lanes(float a)
+        : v(a - typename LanesOf<N>::Floats{}) {}  // NOLINT: a number stands for itself in all lanes
     explicit Lanes(typename LanesOf<N>::Floats a) : v(a) {}
 };
 
 // What belongs to a number type: its mask and its integers.
-template <class F>
-struct NumberTraits;
-template <>
-struct NumberTraits<float> {
+template <class F> struct NumberTraits;
+template <> struct NumberTraits<float> {
     using Mask = bool;
     using Int = int;
     static constexpr int width = 1;
 };
-template <int N>
-struct NumberTraits<Lanes<N>> {
+template <>
+struct NumberTraits<double> {  // for places on faces so large that float would lose them; never in the
+                               // equation
+    using Mask = bool;
+    using Int = long long;
+    static constexpr int width = 1;
+};
+template <int N> struct NumberTraits<Lanes<N>> {
     using Mask = IntLanes<N>;
     using Int = IntLanes<N>;
     static constexpr int width = N;
 };
 template <class F>
-concept Number = requires { typename NumberTraits<F>::Mask; };
-template <Number F>
-using MaskOf = typename NumberTraits<F>::Mask;
-template <Number F>
-using IntOf = typename NumberTraits<F>::Int;
+concept Number = requires {
+    typename NumberTraits<F>::Mask;
+};
+template <Number F> using MaskOf = typename NumberTraits<F>::Mask;
+template <Number F> using IntOf = typename NumberTraits<F>::Int;
 
 // Arithmetic.
 template <int N> Lanes<N> operator+(Lanes<N> a, Lanes<N> b) { return Lanes<N>(a.v + b.v); }
@@ -77,6 +77,7 @@ inline bool both(bool a, bool b) { return a && b; }
 /// a where the mask holds, else b; neither side is skipped.
 template <int N> Lanes<N> select(IntLanes<N> m, Lanes<N> a, Lanes<N> b) { return Lanes<N>(m.v ? a.v : b.v); }
 inline float select(bool m, float a, float b) { return m ? a : b; }
+inline double select(bool m, double a, double b) { return m ? a : b; }
 
 /// True when the mask holds in some lane.
 template <int N> bool any(IntLanes<N> m) {
@@ -94,9 +95,7 @@ template <int N> IntLanes<N> operator<<(IntLanes<N> a, int b) { return {a.v << b
 template <int N> IntLanes<N> operator>>(IntLanes<N> a, int b) { return {a.v >> b}; }
 template <int N> IntLanes<N> bits_of(Lanes<N> a) { return {(typename LanesOf<N>::Ints)a.v}; }
 inline int bits_of(float a) { return __builtin_bit_cast(int, a); }
-template <int N> Lanes<N> number_of_bits(IntLanes<N> a) {
-    return Lanes<N>((typename LanesOf<N>::Floats)a.v);
-}
+template <int N> Lanes<N> number_of_bits(IntLanes<N> a) { return Lanes<N>((typename LanesOf<N>::Floats)a.v); }
 inline float number_of_bits(int a) { return __builtin_bit_cast(float, a); }
 template <int N> Lanes<N> to_number(IntLanes<N> a) {
     return Lanes<N>(__builtin_convertvector(a.v, typename LanesOf<N>::Floats));

@@ -1,7 +1,7 @@
 #pragma once
 // Oren-Nayar: Lambert for rough surfaces (chalk, the moon), flatter towards the edge.
-// M. Oren, S. Nayar 1994, the qualitative model: A + B max(cos dphi, 0) sin alpha tan beta, alpha the larger and
-// beta the smaller of the angles of l and v with n, dphi the angle between them around n.
+// M. Oren, S. Nayar 1994, the qualitative model: A + B max(cos dphi, 0) sin alpha tan beta, alpha the larger
+// and beta the smaller of the angles of l and v with n, dphi the angle between them around n.
 
 #include "renderer/lighting/lambert.h"
 
@@ -15,8 +15,8 @@ Response<F> oren_nayar(const Directions<F>& d, const MaterialAt<F>& m, const Poi
     const F a = F(1) - F(0.5f) * variance / (variance + F(0.33f));
     const F b = F(0.45f) * variance / (variance + F(0.09f));
     const F n_dot_v = dot(at.n, at.v);
-    // sin theta_l sin theta_v cos dphi is what l.v has beyond (n.l)(n.v); sin alpha tan beta is the product of the
-    // sines over cos beta, the larger cosine.
+    // sin theta_l sin theta_v cos dphi is what l.v has beyond (n.l)(n.v); sin alpha tan beta is the product
+    // of the sines over cos beta, the larger cosine.
     const F azimuth = dot(d.l, at.v) - d.n_dot_l * n_dot_v;
     const F larger_cosine = larger(d.n_dot_l, n_dot_v);
     const F rough = positive(azimuth) * inverse_or_zero(larger_cosine);

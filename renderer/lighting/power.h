@@ -2,8 +2,9 @@
 // x^s for highlights, cones and sRGB: log2 and exp2 by polynomials, the same bits in every width.
 //
 // log2(m) = (m - 1) P(m - 1) for m in [sqrt(1/2), sqrt(2)): no cancellation near 1, where highlights live.
-// exp2(f) = 1 + f Q(f) for f in [-1/2, 1/2]. Coefficients: Chebyshev interpolation in 30 digits; relative error
-// below 4e-8 for P and 1e-8 for Q; 2.5e-6 for powers above 1e-6, the product s log2(x) being what rounds.
+// exp2(f) = 1 + f Q(f) for f in [-1/2, 1/2]. Coefficients: Chebyshev interpolation in 30 digits; relative
+// error below 4e-8 for P and 1e-8 for Q; 2.5e-6 for powers above 1e-6, the product s log2(x) being what
+// rounds.
 
 #include "renderer/lighting/number.h"
 
@@ -12,8 +13,7 @@ namespace glint::inline GLINT_ISA {
 inline constexpr int sqrt_half_bits = 0x3f3504f3;  // of the float nearest sqrt(1/2)
 
 /// log2(x) for normal x > 0; anything else gives a finite number without meaning.
-template <Number F>
-F log2_of(F x) {
+template <Number F> F log2_of(F x) {
     const IntOf<F> shifted = bits_of(x) - sqrt_half_bits;
     const F exponent = to_number(shifted >> 23);
     const F f = number_of_bits((shifted & 0x007fffff) + sqrt_half_bits) - F(1);
@@ -30,8 +30,7 @@ F log2_of(F x) {
 }
 
 /// 2^y; 0 below y = -126 (no denormals), held at 2^127 above.
-template <Number F>
-F exp2_of(F y) {
+template <Number F> F exp2_of(F y) {
     const F held = larger(smaller(y, F(127)), F(-126));
     const F magic = F(12582912.0f);  // 1.5 * 2^23: adding it leaves the nearest whole number in the low bits
     const F shifted = held + magic;
@@ -46,10 +45,9 @@ F exp2_of(F y) {
     return select(y < F(-126), F(0), scale * (F(1) + f * q));
 }
 
-/// x^s for x >= 0, s >= 0. Anything to the power 0 is 1 (0^0 too), 0 to any other power is 0. Negative or NaN x
-/// counts as 0.
-template <Number F>
-F power(F x, F s) {
+/// x^s for x >= 0, s >= 0. Anything to the power 0 is 1 (0^0 too), 0 to any other power is 0. Negative or NaN
+/// x counts as 0.
+template <Number F> F power(F x, F s) {
     const F usable = select(x >= F(smallest_normal), x, F(1));
     const F value = exp2_of(s * log2_of(usable));
     return select(x >= F(smallest_normal), value, select(s > F(0), F(0), F(1)));

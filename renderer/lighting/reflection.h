@@ -14,13 +14,20 @@ namespace glint::inline GLINT_ISA {
 template <Number F>
 Response<F> respond(Reflection model, const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
     switch (model) {
-    case Reflection::None: return {};
-    case Reflection::Lambert: return lambert(d);
-    case Reflection::Phong: return phong(d, m, at);
-    case Reflection::BlinnPhong: return blinn_phong(d, m, at);
-    case Reflection::Retro: return retro(d, m, at);
-    case Reflection::OrenNayar: return oren_nayar(d, m, at);
-    case Reflection::CookTorrance: return cook_torrance(d, m, at);
+    case Reflection::None:
+        return {};
+    case Reflection::Lambert:
+        return lambert(d);
+    case Reflection::Phong:
+        return phong(d, m, at);
+    case Reflection::BlinnPhong:
+        return blinn_phong(d, m, at);
+    case Reflection::Retro:
+        return retro(d, m, at);
+    case Reflection::OrenNayar:
+        return oren_nayar(d, m, at);
+    case Reflection::CookTorrance:
+        return cook_torrance(d, m, at);
     }
     return {};  // not reached
 }

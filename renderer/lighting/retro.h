@@ -7,8 +7,7 @@
 
 namespace glint::inline GLINT_ISA {
 
-template <Number F>
-Response<F> retro(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
+template <Number F> Response<F> retro(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
     const F highlight = power(positive(dot(d.l, at.v)), m.shininess);
     return {lambert_cosine(d), {highlight, highlight, highlight}};
 }

@@ -6,8 +6,7 @@
 
 namespace glint::inline GLINT_ISA {
 
-template <Number F>
-LightAt<F> light_at(const LightSource& s) {
+template <Number F> LightAt<F> light_at(const LightSource& s) {
     LightAt<F> light;
     light.xyz = same<F>(s.xyz);
     light.w = F(s.w);
@@ -27,35 +26,30 @@ LightAt<F> light_at(const LightSource& s) {
     return light;
 }
 
-template <Number F>
-MaterialAt<F> material_at(const SurfaceMaterial& s) {
+template <Number F> MaterialAt<F> material_at(const SurfaceMaterial& s) {
     return {same<F>(s.k_a), same<F>(s.k_d), same<F>(s.k_s), F(s.shininess), F(s.roughness), same<F>(s.f0)};
 }
 
 /// A point with its direction to the eye: from p to the origin, or (0, 0, 1) for a viewer at infinity.
-template <Number F>
-PointAt<F> seen_from_eye(Vec3<F> p, Vec3<F> n, bool infinite_viewer) {
+template <Number F> PointAt<F> seen_from_eye(Vec3<F> p, Vec3<F> n, bool infinite_viewer) {
     const Vec3<F> toward_z{F(0), F(0), F(1)};
     return {p, n, infinite_viewer ? toward_z : unit(-p)};
 }
 
 /// What is there without any light: emission + k_a I_a.
-template <Number F>
-Vec3<F> unlit(const SurfaceMaterial& material, const Terms& terms) {
+template <Number F> Vec3<F> unlit(const SurfaceMaterial& material, const Terms& terms) {
     Vec3<F> sum;
     if (terms.emission) sum = same<F>(material.emission);
     if (terms.ambient) sum = sum + same<F>(material.global_ambient);
     return sum;
 }
 
-template <Number F>
-Vec3<F> clamped(Vec3<F> c) {
+template <Number F> Vec3<F> clamped(Vec3<F> c) {
     return {smaller(positive(c.x), F(1)), smaller(positive(c.y), F(1)), smaller(positive(c.z), F(1))};
 }
 
 /// The whole equation at one point.
-template <Number F>
-Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at) {
+template <Number F> Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at) {
     const MaterialAt<F> material = material_at<F>(job.material);
     Vec3<F> sum = unlit<F>(job.material, job.terms);
     for (std::size_t i = 0; i < job.light_count; ++i)

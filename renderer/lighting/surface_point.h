@@ -6,29 +6,23 @@
 namespace glint::inline GLINT_ISA {
 
 /// Camera coordinates. n and v unit (n may be zero where nothing defines it); v points towards the eye.
-template <Number F>
-struct PointAt {
-    Vec3<F> p, n, v;
-};
+template <Number F> struct PointAt { Vec3<F> p, n, v; };
 
-template <Number F>
-struct MaterialAt {
+template <Number F> struct MaterialAt {
     Vec3<F> k_a, k_d, k_s;  // linear RGB
     F shininess{};
-    F roughness{};          // 0 to 1
-    Vec3<F> f0;             // reflectance at normal incidence
+    F roughness{};  // 0 to 1
+    Vec3<F> f0;     // reflectance at normal incidence
 };
 
 /// What a reflection model makes of one light: the factors of the diffuse and of the specular term.
-template <Number F>
-struct Response {
+template <Number F> struct Response {
     F diffuse{};
     Vec3<F> specular;  // S, per channel; the caller drops it where the light is behind the surface
 };
 
 /// The vectors and cosines that every model is written in. l, r, h unit, camera coordinates.
-template <Number F>
-struct Directions {
+template <Number F> struct Directions {
     Vec3<F> l, r, h;  // towards the light; l mirrored at n; halfway between l and v (0 when l = -v)
     F n_dot_l{};      // not clamped
 };

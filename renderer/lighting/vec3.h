@@ -1,15 +1,12 @@
 #pragma once
-// Three numbers of any width: a vector or a linear RGB colour. Ours, because GLM's dot and normalize take scalars
-// only.
+// Three numbers of any width: a vector or a linear RGB colour. Ours, because GLM's dot and normalize take
+// scalars only.
 
 #include "renderer/lighting/number.h"
 
 namespace glint::inline GLINT_ISA {
 
-template <Number F>
-struct Vec3 {
-    F x{}, y{}, z{};
-};
+template <Number F> struct Vec3 { F x{}, y{}, z{}; };
 
 template <Number F> Vec3<F> operator+(Vec3<F> a, Vec3<F> b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 template <Number F> Vec3<F> operator-(Vec3<F> a, Vec3<F> b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }

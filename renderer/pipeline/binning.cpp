@@ -23,8 +23,7 @@ bool is_left_out(const Geometry& g, std::uint32_t number) {
 }
 
 /// Calls visit(tile, number) for every triangle of one chunk and every tile it may touch.
-template <class Visit>
-void visit_chunk(const Geometry& g, std::uint32_t chunk, const Visit& visit) {
+template <class Visit> void visit_chunk(const Geometry& g, std::uint32_t chunk, const Visit& visit) {
     const PixelBox picture{0, 0, g.size.width - 1, g.size.height - 1};
     const std::uint32_t total = g.triangle_count + static_cast<std::uint32_t>(g.clipped.size());
     const std::uint32_t begin = chunk * chunk_size, end = std::min(begin + chunk_size, total);
@@ -57,7 +56,8 @@ void sort_into_tiles(Geometry& g) {
     const std::uint32_t total = g.triangle_count + static_cast<std::uint32_t>(g.clipped.size());
     const std::uint32_t chunks = (total + chunk_size - 1) / chunk_size;
 
-    // Count, then fill: each chunk has a slot of its own in each tile, so that the order never depends on threads.
+    // Count, then fill: each chunk has a slot of its own in each tile, so that the order never depends on
+    // threads.
     std::vector<std::uint32_t> slot(std::size_t{chunks} * tiles, 0);
     tbb::parallel_for(0u, chunks, [&](std::uint32_t chunk) {
         std::uint32_t* count = &slot[std::size_t{chunk} * tiles];

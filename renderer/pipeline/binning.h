@@ -16,11 +16,13 @@ struct PixelBox {
 
 /// Twice the area on the grid; positive when the corners run clockwise as seen (y runs down).
 [[nodiscard]] inline std::int64_t doubled_area(const std::array<ScreenVertex, 3>& c) {
-    return std::int64_t{c[1].x - c[0].x} * (c[2].y - c[0].y) - std::int64_t{c[1].y - c[0].y} * (c[2].x - c[0].x);
+    return std::int64_t{c[1].x - c[0].x} * (c[2].y - c[0].y) -
+           std::int64_t{c[1].y - c[0].y} * (c[2].x - c[0].x);
 }
 
-/// Fills tiles_x, tiles_y, tile_first and tile_triangles: for each tile the numbers of the triangles (and clipped
-/// pieces) whose bounding box meets it, in rising order. Triangles out of view or without area are left out.
+/// Fills tiles_x, tiles_y, tile_first and tile_triangles: for each tile the numbers of the triangles (and
+/// clipped pieces) whose bounding box meets it, in rising order. Triangles out of view or without area are
+/// left out.
 void sort_into_tiles(Geometry& geometry);
 
 }  // namespace glint

@@ -8,9 +8,9 @@ namespace {
 
 // A plane as the row to multiply: inside where dot(plane, corner) >= 0.
 using Plane = glm::dvec4;
-constexpr std::array<Plane, 6> planes{Plane{0, 0, 1, 1},           Plane{0, 0, -1, 1},
-                                      Plane{1, 0, 0, guard_band},  Plane{-1, 0, 0, guard_band},
-                                      Plane{0, 1, 0, guard_band},  Plane{0, -1, 0, guard_band}};
+constexpr std::array<Plane, 6> planes{Plane{0, 0, 1, 1},          Plane{0, 0, -1, 1},
+                                      Plane{1, 0, 0, guard_band}, Plane{-1, 0, 0, guard_band},
+                                      Plane{0, 1, 0, guard_band}, Plane{0, -1, 0, guard_band}};
 
 void clip_to_plane(std::vector<glm::dvec4>& polygon, const Plane& plane) {
     std::vector<glm::dvec4> kept;

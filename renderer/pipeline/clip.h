@@ -7,8 +7,8 @@
 
 namespace glint {
 
-// Which planes a vertex lies outside of: the six of the view volume, and a guard band around the picture, beyond
-// which screen coordinates would not fit the rasteriser's integers.
+// Which planes a vertex lies outside of: the six of the view volume, and a guard band around the picture,
+// beyond which screen coordinates would not fit the rasteriser's integers.
 enum OutsideBits : std::uint32_t {
     OutsideLeft = 1,
     OutsideRight = 2,
@@ -20,8 +20,8 @@ enum OutsideBits : std::uint32_t {
 };
 inline constexpr std::uint32_t needs_clipping = OutsideNear | OutsideFar | OutsideGuard;
 
-/// How far the guard band reaches, in half picture widths: |x|, |y| <= guard_band w. The largest picture, 16384,
-/// times 32, times 256 subpixels, is 2^27: edge functions then fit 64 bits with room to spare.
+/// How far the guard band reaches, in half picture widths: |x|, |y| <= guard_band w. The largest picture,
+/// 16384, times 32, times 256 subpixels, is 2^27: edge functions then fit 64 bits with room to spare.
 inline constexpr double guard_band = 64;
 
 [[nodiscard]] inline std::uint32_t outside_bits(const glm::dvec4& c) {
@@ -38,8 +38,8 @@ inline constexpr double guard_band = 64;
 }
 
 /// The part of a convex polygon (clip coordinates) inside near, far and guard band, in the same order around;
-/// empty when nothing is left. A cut edge gives the same new corner whichever of its two faces is clipped, so that
-/// no crack opens. Source: I. Sutherland, G. Hodgman 1974.
+/// empty when nothing is left. A cut edge gives the same new corner whichever of its two faces is clipped, so
+/// that no crack opens. Source: I. Sutherland, G. Hodgman 1974.
 void clip_polygon(std::vector<glm::dvec4>& polygon);
 
 }  // namespace glint

@@ -88,8 +88,9 @@ void clip_triangles(Geometry& g) {
                                                 glm::dvec4(glm::dvec3(object.mesh->positions[c]), 1.0)));
             clip_polygon(polygon);
             for (std::size_t i = 2; i < polygon.size(); ++i)
-                g.clipped.push_back({{to_screen(polygon[0]), to_screen(polygon[i - 1]), to_screen(polygon[i])},
-                                     object.first_triangle + t});
+                g.clipped.push_back(
+                    {{to_screen(polygon[0]), to_screen(polygon[i - 1]), to_screen(polygon[i])},
+                     object.first_triangle + t});
         }
     }
 }
@@ -121,7 +122,8 @@ ScreenTriangle screen_triangle(const Geometry& g, std::uint32_t number) {
     const std::uint32_t o = g.object_of(number);
     const std::vector<ClipVertex>& v = g.objects[o].vertices;
     const auto position = g.position_indices(o, g.triangle(o, number));
-    return {{v[position[0]].screen, v[position[1]].screen, v[position[2]].screen}, number, g.objects[o].mirrored};
+    return {
+        {v[position[0]].screen, v[position[1]].screen, v[position[2]].screen}, number, g.objects[o].mirrored};
 }
 
 bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size) {

@@ -1,6 +1,6 @@
 #pragma once
-// Stage 1. Vertex positions in camera and clip coordinates and on the screen; triangles clipped where they must be
-// and sorted into tiles. Inputs: mesh, transform, camera, size.
+// Stage 1. Vertex positions in camera and clip coordinates and on the screen; triangles clipped where they
+// must be and sorted into tiles. Inputs: mesh, transform, camera, size.
 
 #include <array>
 #include <cstdint>
@@ -19,7 +19,7 @@ inline constexpr std::uint32_t no_triangle = 0xFFFFFFFFu;
 /// A vertex on the rasteriser's grid, y down, (0, 0) the picture's upper left corner.
 struct ScreenVertex {
     std::int32_t x = 0, y = 0;  // 1/256 pixel
-    float nearness = 0;         // linear on the screen, larger is nearer: 1/w, or (1 - z_ndc)/2 when orthographic
+    float nearness = 0;  // linear on the screen, larger is nearer: 1/w, or (1 - z_ndc)/2 when orthographic
 };
 
 /// Clip coordinates as shading needs them, and the vertex on the screen where it has one.
@@ -38,7 +38,7 @@ struct ClippedTriangle {
 struct ObjectGeometry {
     MeshPtr mesh;
     Transform transform;
-    bool mirrored = false;             // the transform turns the winding over; facets stay outward all the same
+    bool mirrored = false;  // the transform turns the winding over; facets stay outward all the same
     std::uint32_t first_triangle = 0;  // its triangles have the global numbers first_triangle + 0, 1, 2, ...
     glm::dmat4 view_from_object{1.0};
     glm::dmat3 normal_matrix{1.0};     // inverse transpose of its upper 3 x 3
@@ -62,7 +62,8 @@ struct Geometry {
         return objects[object].mesh->triangles[global - objects[object].first_triangle];
     }
     /// Indices into positions and vertices of a triangle's corners, in the file's order.
-    [[nodiscard]] std::array<std::uint32_t, 3> position_indices(std::uint32_t object, const Triangle& t) const {
+    [[nodiscard]] std::array<std::uint32_t, 3> position_indices(std::uint32_t object,
+                                                                const Triangle& t) const {
         const std::vector<std::uint32_t>& position = objects[object].mesh->corner_position;
         return {position[t.corner[0]], position[t.corner[1]], position[t.corner[2]]};
     }

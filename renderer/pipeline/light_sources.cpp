@@ -22,7 +22,9 @@ LightSource::Rgb rgb(glm::dvec3 v) {
 struct Frame {
     glm::dmat4 to_camera;
     [[nodiscard]] glm::dvec3 place(glm::dvec3 p) const { return glm::dvec3(to_camera * glm::dvec4(p, 1)); }
-    [[nodiscard]] glm::dvec3 direction(glm::dvec3 d) const { return glm::dvec3(to_camera * glm::dvec4(d, 0)); }
+    [[nodiscard]] glm::dvec3 direction(glm::dvec3 d) const {
+        return glm::dvec3(to_camera * glm::dvec4(d, 0));
+    }
 };
 
 void add_area(std::vector<LightSource>& sources, LightSource source, const Light& light, const Frame& frame,
@@ -69,9 +71,10 @@ void add_light(std::vector<LightSource>& sources, const Light& light, int index,
     if (s.has_cone) {
         s.axis = rgb(unit_or_zero(frame.direction(light.spot.direction)));
         // cos 90 degrees is not quite 0 in floating point, and the edge belongs to the cone.
-        s.cos_cutoff = light.spot.cutoff_deg == 90
-                           ? 0.0f
-                           : static_cast<float>(std::cos(glm::radians(static_cast<double>(light.spot.cutoff_deg))));
+        s.cos_cutoff =
+            light.spot.cutoff_deg == 90
+                ? 0.0f
+                : static_cast<float>(std::cos(glm::radians(static_cast<double>(light.spot.cutoff_deg))));
         s.exponent = light.spot.exponent;
     }
     sources.push_back(s);
@@ -87,7 +90,8 @@ std::vector<LightSource> light_sources(const Scene& scene) {
     return sources;
 }
 
-LightJob light_job(const Scene& scene, const Material& m, const std::vector<LightSource>& lights, bool at_corners) {
+LightJob light_job(const Scene& scene, const Material& m, const std::vector<LightSource>& lights,
+                   bool at_corners) {
     const bool opengl = scene.shading.rules == Rules::OpenGL2;
     LightJob job;
     job.lights = lights.data();

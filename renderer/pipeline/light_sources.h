@@ -1,6 +1,7 @@
 #pragma once
-// From the scene's lights and materials to what the kernels take: camera coordinates, colours times intensity.
-// Lecture: "Light Sources": standard: world coordinates; alternative: camera coordinates (car headlights).
+// From the scene's lights and materials to what the kernels take: camera coordinates, colours times
+// intensity. Lecture: "Light Sources": standard: world coordinates; alternative: camera coordinates (car
+// headlights).
 
 #include <vector>
 
@@ -12,8 +13,8 @@ namespace glint {
 /// The enabled lights in the scene's order; an area light gives one source a sample.
 [[nodiscard]] std::vector<LightSource> light_sources(const Scene& scene);
 
-/// One object's part of the equation. `lights` must outlive the job. `at_corners`: the colours will be blended over
-/// faces, which OpenGL's rules clamp before.
+/// One object's part of the equation. `lights` must outlive the job. `at_corners`: the colours will be
+/// blended over faces, which OpenGL's rules clamp before.
 [[nodiscard]] LightJob light_job(const Scene& scene, const Material& material,
                                  const std::vector<LightSource>& lights, bool at_corners);
 

@@ -59,10 +59,10 @@ ColorBlock run_colors(const Lighting& l, const Surface& s, std::size_t run) {
         if (s.choice.kind == SurfaceKind::Faces) {
             c = point_color(l, s.face_refs[run].point[i]);
         } else {
-            const CornerRefs& refs = s.corner_refs[run];
-            c = blend<float>({refs.weight[0][i], refs.weight[1][i], refs.weight[2][i]},
-                             point_color(l, refs.point[0][i]), point_color(l, refs.point[1][i]),
-                             point_color(l, refs.point[2][i]));
+            for (int k = 0; k < s.refs_per_pixel; ++k) {
+                const std::size_t ref = s.corner_ref(run, k) + i;
+                c = add_weighted(c, s.ref_weight[ref], point_color(l, s.ref_point[ref]));
+            }
         }
         out.r[i] = c.x;
         out.g[i] = c.y;
@@ -128,7 +128,9 @@ bool same_materials(const std::vector<Material>& kept, const Scene& scene) {
 
 }  // namespace
 
-DisplayJob display_job(const Display& display) { return {display.exposure, display.transfer == Transfer::Srgb}; }
+DisplayJob display_job(const Display& display) {
+    return {display.exposure, display.transfer == Transfer::Srgb};
+}
 
 glm::vec3 vertex_color(const Surface& s, const Geometry& g, const PointSource& source) {
     const Mesh& mesh = *g.objects[source.object].mesh;
@@ -144,8 +146,8 @@ glm::vec3 vertex_color(const Surface& s, const Geometry& g, const PointSource& s
     return sum / static_cast<float>(around.size());
 }
 
-bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, const Surface& surface, bool linear,
-                     bool surface_redone, bool visibility_redone) {
+bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, const Surface& surface,
+                     bool linear, bool surface_redone, bool visibility_redone) {
     const bool same_display = kept.display == scene.display && kept.linear == linear && !visibility_redone;
     const bool same = same_display && !surface_redone && kept.lights == scene.lights &&
                       kept.global_ambient == scene.global_ambient && kept.shading == scene.shading &&

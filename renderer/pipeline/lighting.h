@@ -1,6 +1,6 @@
 #pragma once
-// Stage 4. Colours: lights every point that the surface stage kept, gives every pixel its colour and its bytes.
-// Inputs: the surface, lights, materials, the rest of `shading`, and `display`.
+// Stage 4. Colours: lights every point that the surface stage kept, gives every pixel its colour and its
+// bytes. Inputs: the surface, lights, materials, the rest of `shading`, and `display`.
 
 #include <vector>
 
@@ -11,10 +11,10 @@ namespace glint {
 
 struct Lighting {
     std::vector<LightSource> sources;
-    std::vector<LightJob> jobs;             // one an object
-    std::vector<ColorBlock> point_colors;   // Corners, Faces: of the lit points
+    std::vector<LightJob> jobs;            // one an object
+    std::vector<ColorBlock> point_colors;  // Corners, Faces: of the lit points
     Picture picture;
-    bool linear = false;                    // picture.linear is kept up too
+    bool linear = false;  // picture.linear is kept up too
     // What the kept picture was made of, beside the surface.
     std::vector<Light> lights;
     std::vector<Material> materials;
@@ -23,14 +23,15 @@ struct Lighting {
     Display display;
 };
 
-/// Does the stage again when anything it reads differs; true when it did. `surface_redone`, `visibility_redone`:
-/// whether those stages were.
+/// Does the stage again when anything it reads differs; true when it did. `surface_redone`,
+/// `visibility_redone`: whether those stages were.
 bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& geometry, const Surface& surface,
                      bool linear, bool surface_redone, bool visibility_redone);
 
-/// Colour of a lit point under reflection `none`: the mesh's vertex colour (white where it has none); for a polygon
-/// the mean of its corners.
-[[nodiscard]] glm::vec3 vertex_color(const Surface& surface, const Geometry& geometry, const PointSource& source);
+/// Colour of a lit point under reflection `none`: the mesh's vertex colour (white where it has none); for a
+/// polygon the mean of its corners.
+[[nodiscard]] glm::vec3 vertex_color(const Surface& surface, const Geometry& geometry,
+                                     const PointSource& source);
 
 [[nodiscard]] DisplayJob display_job(const Display& display);
 

@@ -2,12 +2,14 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <atomic>
 
 namespace glint {
 namespace {
 
-/// A number for every possible lit point of the scene: objects one after the other, twice each item (turned or not).
+/// A number for every possible lit point of the scene: objects one after the other, twice each item (turned
+/// or not).
 struct Numbering {
     std::vector<std::size_t> first;  // #objects + 1
 
@@ -44,8 +46,8 @@ void visit_pixels(const Surface& s, const Geometry& g, const Visibility& visibil
     });
 }
 
-/// Gives the seen items of each object consecutive numbers, each object beginning a new block. Returns, for every
-/// possible item, its point's number (or no_index).
+/// Gives the seen items of each object consecutive numbers, each object beginning a new block. Returns, for
+/// every possible item, its point's number (or no_index).
 std::vector<std::uint32_t> number_seen(Surface& s, const Numbering& numbering,
                                        const std::vector<std::uint8_t>& seen) {
     std::vector<std::uint32_t> point(seen.size(), no_index);
@@ -88,16 +90,20 @@ void place_points(Surface& s, const Geometry& g) {
 void refer_pixels(Surface& s, const Geometry& g, const Visibility& visibility, const Numbering& numbering,
                   const std::vector<std::uint32_t>& point) {
     const bool corners = s.choice.kind == SurfaceKind::Corners;
-    s.corner_refs.assign(corners ? s.runs.size() : 0, CornerRefs{});
+    s.refs_per_pixel = s.choice.interpolation == Interpolation::Scanline ? CornerWeights::most : 3;
+    const std::size_t refs = corners ? s.corner_ref(s.runs.size(), 0) : 0;
+    s.ref_point.assign(refs, 0);
+    s.ref_weight.assign(refs, 0);
     s.face_refs.assign(corners ? 0 : s.runs.size(), FaceRefs{});
     visit_pixels(s, g, visibility, [&](std::size_t r, unsigned i, const SampleSources& sample) {
         if (!corners) {
             s.face_refs[r].point[i] = point[numbering(sample.source[0])];
             return;
         }
-        for (int k = 0; k < 3; ++k) {
-            s.corner_refs[r].point[k][i] = point[numbering(sample.source[k])];
-            s.corner_refs[r].weight[k][i] = sample.weight[k];
+        for (int k = 0; k < std::min(sample.count, s.refs_per_pixel); ++k) {
+            s.ref_point[s.corner_ref(r, k) + i] =
+                point[numbering(sample.source[static_cast<std::size_t>(k)])];
+            s.ref_weight[s.corner_ref(r, k) + i] = sample.weight[static_cast<std::size_t>(k)];
         }
     });
 }
@@ -108,7 +114,8 @@ void place_lit_points(Surface& s, const Geometry& g, const Visibility& visibilit
     const Numbering numbering = number_items(s, g);
     std::vector<std::uint8_t> seen(numbering.first.back(), 0);
     visit_pixels(s, g, visibility, [&](std::size_t, unsigned, const SampleSources& sample) {
-        for (int k = 0; k < sample.count; ++k)  // several threads may write the same 1
+        for (std::size_t k = 0; k < static_cast<std::size_t>(sample.count);
+             ++k)  // several threads may write the same 1
             std::atomic_ref(seen[numbering(sample.source[k])]).store(1, std::memory_order_relaxed);
     });
     const std::vector<std::uint32_t> point = number_seen(s, numbering, seen);

@@ -10,8 +10,8 @@
 namespace glint {
 namespace {
 
-/// One edge as a function of the sample: not negative inside. Moved down by one where a sample exactly on the edge
-/// belongs to the neighbour. Steps are for a whole pixel.
+/// One edge as a function of the sample: not negative inside. Moved down by one where a sample exactly on the
+/// edge belongs to the neighbour. Steps are for a whole pixel.
 struct Edge {
     std::int64_t value = 0, step_x = 0, step_y = 0;
 };
@@ -28,13 +28,16 @@ struct Plane {
     float value = 0, step_x = 0, step_y = 0;
 };
 
-Plane nearness_plane(const std::array<ScreenVertex, 3>& c, std::int64_t area, std::int64_t x, std::int64_t y) {
+Plane nearness_plane(const std::array<ScreenVertex, 3>& c, std::int64_t area, std::int64_t x,
+                     std::int64_t y) {
     const double x1 = c[1].x - c[0].x, y1 = c[1].y - c[0].y, x2 = c[2].x - c[0].x, y2 = c[2].y - c[0].y;
     const double q0 = c[0].nearness, q1 = c[1].nearness - q0, q2 = c[2].nearness - q0;
     const double inverse = 1.0 / static_cast<double>(area);
     const double per_x = (q1 * y2 - q2 * y1) * inverse, per_y = (q2 * x1 - q1 * x2) * inverse;
-    const double value = q0 + per_x * static_cast<double>(x - c[0].x) + per_y * static_cast<double>(y - c[0].y);
-    return {static_cast<float>(value), static_cast<float>(per_x * subpixels), static_cast<float>(per_y * subpixels)};
+    const double value =
+        q0 + per_x * static_cast<double>(x - c[0].x) + per_y * static_cast<double>(y - c[0].y);
+    return {static_cast<float>(value), static_cast<float>(per_x * subpixels),
+            static_cast<float>(per_y * subpixels)};
 }
 
 /// A triangle ready to be filled: clockwise as seen, its first sample at the box's upper left pixel.

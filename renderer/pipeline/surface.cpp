@@ -109,13 +109,13 @@ bool same_normals(const Surface& s, const Scene& scene) {
 
 SurfaceChoice surface_choice(const Shading& shading) {
     SurfaceChoice c;
-    const bool blends_colors =
-        shading.mode == ShadingMode::Gouraud || shading.reflection == Reflection::None;
+    const bool blends_colors = shading.mode == ShadingMode::Gouraud || shading.reflection == Reflection::None;
     c.kind = shading.mode == ShadingMode::Flat ? SurfaceKind::Faces
              : blends_colors                   ? SurfaceKind::Corners
                                                : SurfaceKind::Pixels;
     c.facet_normals = c.kind == SurfaceKind::Pixels && shading.mode == ShadingMode::Facet;
-    c.screen_weights = shading.interpolation == Interpolation::Screen && c.kind != SurfaceKind::Faces;
+    if (c.kind == SurfaceKind::Corners || (c.kind == SurfaceKind::Pixels && !c.facet_normals))
+        c.interpolation = shading.interpolation;
     c.provoking = c.kind == SurfaceKind::Faces &&
                   (shading.flat_point == FlatPoint::Provoking || shading.rules == Rules::OpenGL2);
     c.two_sided = shading.two_sided;

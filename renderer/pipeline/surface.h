@@ -1,12 +1,15 @@
 #pragma once
-// Stage 3. For each visible sample what lighting needs: its place and unit normal in camera coordinates, in blocks
-// of 16 (phong, facet), or which lit corners it blends (gouraud) or shows (flat). Inputs: geometry, visibility,
-// `normals`, `mode`, `interpolation`, `two_sided`, `flat_point` (and `rules`, which may choose it).
+// Stage 3. For each visible sample what lighting needs: its place and unit normal in camera coordinates, in
+// blocks of 16 (phong, facet), or which lit corners it blends (gouraud) or shows (flat). Inputs: geometry,
+// visibility, `normals`, `mode`, `interpolation`, `two_sided`, `flat_point` (and `rules`, which may choose
+// it).
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "renderer/lighting/light_job.h"
+#include "renderer/pipeline/corner_weights.h"
 #include "renderer/pipeline/visibility.h"
 
 namespace glint {
@@ -21,10 +24,11 @@ enum class SurfaceKind {
 /// Everything of `shading` that this stage reads.
 struct SurfaceChoice {
     SurfaceKind kind = SurfaceKind::Pixels;
-    bool facet_normals = false;     // Pixels: the facet's normal instead of the interpolated one
-    bool screen_weights = false;    // linear on the screen instead of perspective-correct
-    bool provoking = false;         // Faces: each triangle at its last corner instead of each polygon at its centroid
-    bool two_sided = false;         // a face seen from behind has its normals turned round
+    bool facet_normals = false;  // Pixels: the facet's normal instead of the interpolated one
+    Interpolation interpolation = Interpolation::Perspective;
+    bool provoking =
+        false;  // Faces: each triangle at its last corner instead of each polygon at its centroid
+    bool two_sided = false;  // a face seen from behind has its normals turned round
     bool operator==(const SurfaceChoice&) const = default;
 };
 [[nodiscard]] SurfaceChoice surface_choice(const Shading& shading);
@@ -33,21 +37,17 @@ struct SurfaceChoice {
 struct ObjectNormals {
     MeshPtr mesh;
     NormalOptions options;
-    CornerNormals of_mesh;            // object coordinates
-    std::vector<glm::vec3> normals;   // of_mesh.normals in camera coordinates
+    CornerNormals of_mesh;           // object coordinates
+    std::vector<glm::vec3> normals;  // of_mesh.normals in camera coordinates
 };
 
 /// Up to 16 neighbouring pixels of one row that show the same object.
 struct PixelRun {
     std::uint32_t first_pixel = 0;  // a multiple of 16 in x
     std::uint32_t object = 0;
-    std::uint16_t mask = 0;         // bit i: pixel first_pixel + i
+    std::uint16_t mask = 0;  // bit i: pixel first_pixel + i
 };
 
-struct CornerRefs {
-    std::uint32_t point[3][block_size];  // numbers of lit points
-    float weight[3][block_size];
-};
 struct FaceRefs {
     std::uint32_t point[block_size];
 };
@@ -64,25 +64,26 @@ struct Surface {
     SurfaceChoice choice;
     std::vector<ObjectNormals> normals;
     std::vector<PixelRun> runs;
-    std::vector<PointBlock> points;          // lit points; Pixels: points[i] belongs to runs[i]
+    std::vector<PointBlock> points;           // lit points; Pixels: points[i] belongs to runs[i]
     std::vector<std::uint32_t> point_object;  // #points: the object whose material each block has
-    std::vector<PointSource> sources;        // Corners, Faces: 16 a block of points; unused ones have no_index
-    std::vector<CornerRefs> corner_refs;     // Corners: one a run
-    std::vector<FaceRefs> face_refs;         // Faces: one a run
-    std::uint64_t pixel_count = 0;           // that show a surface
-    std::uint64_t point_count = 0;           // lit
+    std::vector<PointSource> sources;  // Corners, Faces: 16 a block of points; unused ones have no_index
+    std::vector<FaceRefs> face_refs;   // Faces: one a run
+    // Corners: what each pixel blends; entry k of lane i of a run is at corner_ref(run, k) + i.
+    int refs_per_pixel = 3;                // 8 under scanline interpolation
+    std::vector<std::uint32_t> ref_point;  // numbers of lit points
+    std::vector<float> ref_weight;         // 0: nothing to blend
+    std::uint64_t pixel_count = 0;         // that show a surface
+    std::uint64_t point_count = 0;         // lit
+
+    [[nodiscard]] std::size_t corner_ref(std::size_t run, int k) const {
+        return (run * static_cast<std::size_t>(refs_per_pixel) + static_cast<std::size_t>(k)) * block_size;
+    }
 };
 
 /// Does the stage again when anything it reads differs; true when it did.
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& geometry, const Visibility& visibility,
                     bool visibility_redone);
 
-/// One visible sample: the face it shows and the weights of its drawn triangle's corners.
-struct SampleFace {
-    std::uint32_t object = 0, triangle = 0;  // triangle: global number
-    bool turned = false;                     // two_sided and seen from behind
-    glm::vec3 weights{0};                    // perspective-correct
-};
 [[nodiscard]] SampleFace sample_face(const SurfaceChoice& choice, const Geometry& geometry,
                                      const Visibility& visibility, int x, int y);
 
@@ -91,18 +92,19 @@ struct PlacedNormal {
     glm::vec3 p{0}, n{0};
 };
 /// The pixel's own point under Pixels (and, for information, under the other kinds).
-[[nodiscard]] PlacedNormal pixel_point(const Surface& surface, const Geometry& geometry, const SampleFace& face,
-                                       int x, int y);
+[[nodiscard]] PlacedNormal pixel_point(const Surface& surface, const Geometry& geometry,
+                                       const SampleFace& face, int x, int y);
 /// A lit point that is no pixel.
-[[nodiscard]] PlacedNormal lit_point(const Surface& surface, const Geometry& geometry, const PointSource& source);
+[[nodiscard]] PlacedNormal lit_point(const Surface& surface, const Geometry& geometry,
+                                     const PointSource& source);
 
 /// The sources that a sample blends under Corners (weights in the same order), or shows under Faces (one).
 struct SampleSources {
     int count = 0;
-    PointSource source[3];
-    float weight[3] = {0, 0, 0};
+    std::array<PointSource, CornerWeights::most> source;
+    std::array<float, CornerWeights::most> weight{};
 };
-[[nodiscard]] SampleSources sample_sources(const Surface& surface, const Geometry& geometry, const SampleFace& face,
-                                           int x, int y);
+[[nodiscard]] SampleSources sample_sources(const Surface& surface, const Geometry& geometry,
+                                           const SampleFace& face, int x, int y);
 
 }  // namespace glint
