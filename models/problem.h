@@ -14,13 +14,14 @@ struct Problem {
     std::string file;      // the file as the user named it, an option such as "--pixel", or empty
     std::string pointer;   // JSON pointer (RFC 6901) into a scene, or empty
     std::string what;      // what is wrong
-    std::string expected;  // what was expected, or empty
+    std::string expected;  // what was expected, without that word; or empty
     int line = 0;          // from 1; 0 when not known
     bool operator==(const Problem&) const = default;
 
-    /// `FILE[:LINE][: POINTER]: what is wrong; what was expected`, without the leading `glint: error: `.
-    /// Always one line of at most 4096 bytes of valid UTF-8: control characters are escaped (\n, \t, \x1b),
-    /// what is too long is cut with an ellipsis.
+    /// `FILE[:LINE][: POINTER]: what is wrong; expected what was expected`, without the leading `glint:
+    /// error: `. Always one line of valid UTF-8, at most 4096 bytes with that and a newline: control
+    /// characters and invalid bytes are escaped (\n, \t, \x1b); what is too long is cut with an ellipsis,
+    /// `what` before the others.
     [[nodiscard]] std::string text() const;
 };
 
@@ -35,7 +36,8 @@ template <class T> [[nodiscard]] const Problem* problem_of(const Result<T>& resu
 /// Things that were tolerated, one line a kind with its count, in the order in which they were met.
 using Warnings = std::vector<std::string>;
 
-/// The candidate nearest to `word` by edit distance, for "did you mean"; empty when there are no candidates.
+/// The candidate nearest to `word` by edit distance, capitals or not, for "did you mean"; of equals the one
+/// whose capitals agree, then the first. Empty when there are no candidates.
 [[nodiscard]] std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace glint

@@ -1,0 +1,118 @@
+#include "models/problem.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "models/utf8.h"
+
+namespace glint {
+namespace {
+
+// A line on standard error is at most 4096 bytes with `glint: warning: ` before it and a newline after it.
+constexpr std::size_t text_limit = 4096 - 32;
+// No part is cut below this, so that a hostile file name cannot push out what was expected.
+constexpr std::size_t part_minimum = text_limit / 4 - 8;
+constexpr std::string_view ellipsis = "…";
+
+/// True for what would move the cursor or break the line: C0, DEL, C1, and the line and paragraph separators.
+bool is_control(std::string_view character) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+    if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7F;
+    if (character.size() == 2) return byte(0) == 0xC2 && byte(1) < 0xA0;
+    return character == "\xE2\x80\xA8" || character == "\xE2\x80\xA9";
+}
+
+std::string escaped(std::string_view bytes) {
+    if (bytes == "\n") return "\\n";
+    if (bytes == "\t") return "\\t";
+    if (bytes == "\r") return "\\r";
+    std::string text;
+    for (const char c : bytes) text += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    return text;
+}
+
+/// `raw` as valid UTF-8 without control characters, in at most `limit` bytes; an ellipsis marks a cut.
+std::string printable(std::string_view raw, std::size_t limit) {
+    std::string text;
+    std::size_t safe = 0;  // bytes of `text` that leave room for the ellipsis
+    for (std::size_t i = 0; i < raw.size();) {
+        const std::size_t length = utf8_length(raw.substr(i, 4));
+        const std::string_view character = raw.substr(i, std::max<std::size_t>(length, 1));
+        text += length == 0 || is_control(character) ? escaped(character) : std::string(character);
+        if (text.size() > limit) return text.substr(0, safe).append(ellipsis);
+        if (text.size() + ellipsis.size() <= limit) safe = text.size();
+        i += character.size();
+    }
+    return text;
+}
+
+/// The parts, each printable, together at most `limit` bytes: the first are cut first.
+template <std::size_t N> void shorten(std::array<std::string*, N> parts, std::size_t limit) {
+    std::size_t total = 0;
+    for (std::string* part : parts) total += (*part = printable(*part, text_limit)).size();
+    for (std::string* part : parts) {
+        if (total <= limit) return;
+        const std::size_t over = total - limit, size = part->size();
+        *part = printable(*part, std::max(part_minimum, size - std::min(size, over)));
+        total -= size - std::min(size, part->size());
+    }
+}
+
+/// Edits (insert, drop, replace, swap two neighbours) that make b of a; a character costs what `differ` says.
+/// Source: optimal string alignment, after F. Damerau, CACM 7(3), 1964.
+template <class Differ> std::size_t edits(std::string_view a, std::string_view b, Differ differ) {
+    std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::swap(before, above);
+        std::swap(above, row);
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replace = above[j - 1] + (differ(a[i - 1], b[j - 1]) ? 1 : 0);
+            row[j] = std::min({above[j] + 1, row[j - 1] + 1, replace});
+            const bool swapped = i > 1 && j > 1 && !differ(a[i - 1], b[j - 2]) && !differ(a[i - 2], b[j - 1]);
+            if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+    }
+    return row[b.size()];
+}
+
+int lower(char c) { return std::tolower(static_cast<unsigned char>(c)); }
+
+}  // namespace
+
+std::string Problem::text() const {
+    std::string place = file, at = pointer, wrong = what, wanted = expected;
+    const std::string line_text = line > 0 ? fmt::format(":{}", line) : "";
+    shorten<4>({&wrong, &at, &place, &wanted}, text_limit - line_text.size() - 8);
+    std::string text = place + line_text;
+    const auto append = [&text](std::string_view separator, const std::string& part) {
+        if (part.empty()) return;
+        if (!text.empty()) text += separator;
+        text += part;
+    };
+    append(": ", at);
+    append(": ", wrong);
+    if (!wanted.empty()) append("; ", "expected " + wanted);
+    return text;
+}
+
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+    word = word.substr(0, 64);  // longer than any name of ours: the rest only costs time
+    std::string best;
+    auto least = std::pair(std::string::npos, std::string::npos);
+    for (const std::string& candidate : candidates) {
+        const std::pair distance(edits(word, candidate, [](char a, char b) { return lower(a) != lower(b); }),
+                                 edits(word, candidate, [](char a, char b) { return a != b; }));
+        if (distance < least) {
+            least = distance;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+}  // namespace glint
