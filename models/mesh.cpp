@@ -1,12 +1,11 @@
 #include "models/mesh.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <glm/common.hpp>
 
 #include "models/polygon.h"
 #include "models/triangulate.h"
+#include "models/warn.h"
 
 namespace glint {
 namespace {
@@ -19,10 +18,6 @@ Bounds bounds_of_faces(const Mesh& mesh) {
         bounds.max = glm::max(bounds.max, mesh.positions[p]);
     }
     return bounds;
-}
-
-void warn(Mesh& mesh, std::size_t count, const char* one, const char* many) {
-    if (count > 0) mesh.warnings.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
 }
 
 }  // namespace
@@ -49,11 +44,11 @@ void finish_mesh(Mesh& mesh) {
         }
     }
     mesh.bounds = bounds_of_faces(mesh);
-    warn(mesh, without_area, "degenerate face has no area and is not drawn",
+    warn(mesh.warnings, without_area, "degenerate face has no area and is not drawn",
          "degenerate faces have no area and are not drawn");
-    warn(mesh, repeating, "face has a repeated corner, which was skipped",
+    warn(mesh.warnings, repeating, "face has a repeated corner, which was skipped",
          "faces have a repeated corner, which was skipped");
-    warn(mesh, long_fans, "face is not convex and has more than 1000 corners: drawn as a fan",
+    warn(mesh.warnings, long_fans, "face is not convex and has more than 1000 corners: drawn as a fan",
          "faces are not convex and have more than 1000 corners: drawn as fans");
 }
 

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "models/mesh.h"
+#include "models/normals.h"
 #include "models/polygon.h"
 #include "models/topology.h"
 
@@ -91,6 +92,7 @@ MeshInfo mesh_info(const Mesh& mesh) {
     info.bounds = mesh.bounds;
     info.normals = normals_by_default(mesh.given_normals);
     info.warnings = mesh.warnings;
+    warn_of_missing_normals(mesh, info.warnings);
     info.load_ms = mesh.load_ms;
     return info;
 }

@@ -7,9 +7,15 @@
 
 #include "models/polygon.h"
 #include "models/vertex_normals.h"
+#include "models/warn.h"
 
 namespace glint {
 namespace {
+
+void warn_of_missing(std::size_t corners, Warnings& warnings) {
+    warn(warnings, corners, "corner has no normal; its vertex normal is used",
+         "corners have no normal; their vertex normals are used");
+}
 
 glm::vec3 unit_or_zero(const glm::vec3& v) {
     const glm::dvec3 d(v);
@@ -28,29 +34,31 @@ CornerNormals facet_normals(const Mesh& mesh) {
     return result;
 }
 
+/// The corners without a normal of the mesh's own, or with a zero one.
+std::vector<std::size_t> corners_without_normal(const Mesh& mesh) {
+    const auto& index = mesh.corner_normal.empty() ? mesh.corner_position : mesh.corner_normal;
+    std::vector<std::size_t> without;
+    for (std::size_t c = 0; c < index.size(); ++c)
+        if (index[c] == no_index || mesh.normals[index[c]] == glm::vec3(0)) without.push_back(c);
+    return without;
+}
+
 /// The mesh's own normals, made unit; corners without one take their vertex normal.
 CornerNormals given_normals(const Mesh& mesh, const NormalOptions& options) {
     CornerNormals result;
     result.normals.reserve(mesh.normals.size());
     for (const glm::vec3& n : mesh.normals) result.normals.push_back(unit_or_zero(n));
     result.corner = mesh.corner_normal;
-    const auto& index = mesh.corner_normal.empty() ? mesh.corner_position : mesh.corner_normal;
-    const auto missing = [&](std::uint32_t i) { return i == no_index || result.normals[i] == glm::vec3(0); };
-    std::vector<std::size_t> without;
-    for (std::size_t c = 0; c < index.size(); ++c)
-        if (missing(index[c])) without.push_back(c);
+    const std::vector<std::size_t> without = corners_without_normal(mesh);
     if (without.empty()) return result;
 
     const CornerNormals vertex = vertex_normals(mesh, options.weighting, options.crease_deg);
     const auto& vertex_index = vertex.corner.empty() ? mesh.corner_position : vertex.corner;
     const auto first = static_cast<std::uint32_t>(result.normals.size());
-    result.corner = index;
     result.normals.insert(result.normals.end(), vertex.normals.begin(), vertex.normals.end());
+    if (result.corner.empty()) result.corner = mesh.corner_position;
     for (const std::size_t c : without) result.corner[c] = first + vertex_index[c];
-    result.warnings.push_back(
-        without.size() == 1
-            ? std::string("1 corner has no normal; its vertex normal is used")
-            : fmt::format("{} corners have no normal; their vertex normals are used", without.size()));
+    warn_of_missing(without.size(), result.warnings);
     return result;
 }
 
@@ -90,6 +98,11 @@ glm::vec3 facet_normal(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
 
 glm::vec3 facet_normal(const Mesh& mesh, std::size_t face) {
     return glm::vec3(polygon_plane(mesh, face).normal);
+}
+
+void warn_of_missing_normals(const Mesh& mesh, Warnings& warnings) {
+    if (mesh.given_normals != GivenNormals::None)
+        warn_of_missing(corners_without_normal(mesh).size(), warnings);
 }
 
 CornerNormals corner_normals(const Mesh& mesh, const NormalOptions& options) {

@@ -1,0 +1,28 @@
+#pragma once
+// What the readers of the mesh formats share. Each turns the bytes of a whole file into an unfinished mesh
+// (no triangles, no bounds) or throws Unreadable. Inside models/ only.
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "models/mesh.h"
+#include "models/problem.h"
+#include "models/text_cursor.h"
+#include "models/warn.h"
+
+namespace glint {
+
+[[nodiscard]] Mesh read_obj(std::string_view bytes, const std::string& file);
+[[nodiscard]] Mesh read_ply(std::string_view bytes, const std::string& file);
+[[nodiscard]] Mesh read_off(std::string_view bytes, const std::string& file);
+[[nodiscard]] Mesh read_stl(std::string_view bytes, const std::string& file);
+[[nodiscard]] Mesh read_om(std::string_view bytes, const std::string& file);
+
+inline constexpr std::size_t most_corners = std::numeric_limits<std::int32_t>::max();
+
+/// Ends the polygon that the corners appended last make up.
+void close_face(Mesh& mesh, const std::string& file, int line = 0);
+
+}  // namespace glint

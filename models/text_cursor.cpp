@@ -1,0 +1,79 @@
+#include "models/text_cursor.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace glint {
+
+void TextCursor::fail_at(int line, std::string what, std::string expected) const {
+    throw Unreadable{{file_, "", std::move(what), std::move(expected), line}};
+}
+
+void TextCursor::fail_missing(std::string_view name, const char* expected) const {
+    fail(fmt::format("{} is missing", name), expected);
+}
+
+void TextCursor::fail_integer() {
+    const std::string_view text = word();
+    const bool digits = text.find_first_not_of("-0123456789") == std::string_view::npos;
+    fail(fmt::format("{} is {}", quoted(text), digits ? "out of range" : "no whole number"),
+         "a whole number");
+}
+
+/// Past the end of this line and of those that a backslash joins to it.
+void TextCursor::skip_rest() {
+    while (at_ < end_) {
+        const void* found = std::memchr(at_, '\n', static_cast<std::size_t>(end_ - at_));
+        if (found == nullptr) {
+            at_ = end_;
+            return;
+        }
+        const char* newline = static_cast<const char*>(found);
+        const char* last = newline;  // one past the last character that is no carriage return
+        while (last > at_ && last[-1] == '\r') --last;
+        const bool joined = continued_ && last > at_ && last[-1] == '\\';
+        at_ = newline + 1;
+        ++line_;
+        if (!joined) return;
+    }
+}
+
+/// At a backslash: onto the newline that it takes away; false when something else follows.
+bool TextCursor::skip_continuation() {
+    const char* next = at_ + 1;
+    while (next < end_ && *next == '\r') ++next;
+    if (next < end_ && *next != '\n') return false;
+    if (next < end_) ++line_;
+    at_ = next < end_ ? next : end_ - 1;
+    return true;
+}
+
+/// Called where from_chars() alone did not do: says what is wrong, or takes what is too small for a float as
+/// 0.
+float TextCursor::unusual_number() {
+    const std::string_view text = word();
+    const std::string_view digits = text.substr(text.substr(0, 1) == "+" ? 1 : 0);
+    double value = 0;
+    const auto [last, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const bool whole = last == digits.data() + digits.size() && error != std::errc::invalid_argument;
+    if (!whole || std::isnan(value)) fail(fmt::format("{} is no number", quoted(text)), "a number");
+    if (error == std::errc() && std::abs(value) <= static_cast<double>(largest_number))
+        return static_cast<float>(value);
+    const std::size_t exponent = std::min(digits.find_first_of("eE"), digits.size());
+    const bool tiny = digits.size() < 64 && digits.substr(exponent, 2).find('-') != std::string_view::npos;
+    if (error == std::errc::result_out_of_range && tiny) return 0;
+    fail(fmt::format("{} is out of range", quoted(text)), "-1e30 to 1e30");
+}
+
+std::string quoted(std::string_view word) {
+    constexpr std::size_t longest = 40;
+    if (word.size() <= longest) return fmt::format("\"{}\"", word);
+    std::size_t cut = longest;
+    while (cut > 0 && (static_cast<unsigned char>(word[cut]) & 0xC0) == 0x80)
+        --cut;  // not inside a UTF-8 character
+    return fmt::format("\"{}…\"", word.substr(0, cut));
+}
+
+}  // namespace glint
