@@ -25,36 +25,39 @@ struct SceneDocument {
     Warnings warnings;
 };
 
-/// Splits "POINTER=JSON"; a problem (file "--set") when there is no '=' or the pointer does not begin with '/'.
+/// Splits "POINTER=JSON"; a problem (file "--set") when there is no '=' or the pointer does not begin with
+/// '/'.
 [[nodiscard]] Result<Assignment> parse_assignment(std::string_view text);
 
 /// Text -> scene, without its meshes (Object::mesh stays null). `file` is only for messages. Assignments are
-/// applied to the JSON as written, in order, making missing parents; the whole is checked once, after the last.
-/// What is wrong in an assignment has the file "--set".
+/// applied to the JSON as written, in order, making missing parents; the whole is checked once, after the
+/// last. What is wrong in an assignment has the file "--set".
 [[nodiscard]] Result<Scene> parse_scene(std::string_view text, const std::string& file,
                                         const std::vector<Assignment>& assignments = {});
 
 /// JSON text of a scene: every key, floats in the shortest form that reads back equal, ends with a newline.
 [[nodiscard]] std::string scene_text(const Scene& scene);
 
-/// Loads the mesh of every object whose `mesh` is null. A mesh named twice is loaded once. Paths are relative to
-/// `mesh_dir`. `file` and the object's pointer stand in messages about paths that cannot be read.
-[[nodiscard]] Result<Warnings> load_meshes(Scene& scene, const std::string& file, const std::string& mesh_dir);
+/// Loads the mesh of every object whose `mesh` is null. A mesh named twice is loaded once. Paths are relative
+/// to `mesh_dir`. `file` and the object's pointer stand in messages about paths that cannot be read.
+[[nodiscard]] Result<Warnings> load_meshes(Scene& scene, const std::string& file,
+                                           const std::string& mesh_dir);
 
-/// Anything `glint FILE` takes: a scene (.json), a picture that Glint wrote (.png), a mesh (.obj .ply .off .stl
-/// .om; framed, with two default lights, one in world, one in camera coordinates), or "-" (a scene on standard
-/// input). Meshes are loaded.
+/// Anything `glint FILE` takes: a scene (.json), a picture that Glint wrote (.png), a mesh (.obj .ply .off
+/// .stl .om; framed, with two default lights, one in world, one in camera coordinates), or "-" (a scene on
+/// standard input). Meshes are loaded.
 [[nodiscard]] Result<SceneDocument> open_document(const std::string& path,
                                                   const std::vector<Assignment>& assignments = {});
 
-/// Writes the scene beside its target and renames it into place. Mesh paths are made relative to the new place.
+/// Writes the scene beside its target and renames it into place. Mesh paths are made relative to the new
+/// place.
 [[nodiscard]] Result<SceneDocument> save_document(const SceneDocument& document, const std::string& path);
 
 /// A scene of one mesh, framed, with two default lights. Precondition: the mesh has a face.
 [[nodiscard]] Scene scene_of_mesh(MeshPtr mesh, const std::string& path);
 
-/// Moves the camera, direction kept, so that the bounds of all objects (or of one, when `object` >= 0) fill the
-/// view; near and far follow.
+/// Moves the camera, direction kept, so that the bounds of all objects (or of one, when `object` >= 0) fill
+/// the view; near and far follow.
 void frame_camera(Scene& scene, int object = -1);
 
 }  // namespace glint

@@ -1,0 +1,39 @@
+#pragma once
+// JSON text -> nlohmann::json, strictly: comments, repeated keys, invalid UTF-8 and hostile sizes are
+// problems with the line they stand in, said in our words. Source: RFC 8259; docs/interface.md, "Scene file".
+// For the .cpp files of models only: nothing else needs to know which JSON library we use.
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "models/problem.h"
+
+namespace glint {
+
+using Json = nlohmann::json;
+
+/// Thrown while a document is read, and caught before any public function of models returns.
+struct ProblemFound {
+    Problem problem;
+};
+
+inline constexpr std::size_t max_json_bytes = std::size_t{64} << 20;
+inline constexpr std::size_t max_json_depth = 64;  // objects and arrays inside each other
+/// No valid scene comes near it (10,000 objects of 40 values, 4096 lights of 50), and a text of nothing but
+/// `[]` would take twenty times its size in memory.
+inline constexpr std::size_t max_json_values = 2'000'000;
+
+/// The document; a leading byte-order mark is passed over. Throws ProblemFound with `file`, the line and,
+/// where there is one, the pointer.
+[[nodiscard]] Json read_json(std::string_view text, const std::string& file);
+
+/// A reference token as it stands in a JSON pointer: ~ as ~0, / as ~1 (RFC 6901, section 3).
+[[nodiscard]] std::string escaped_token(std::string_view token);
+
+/// `text`, cut to 40 characters: a value inside a message.
+[[nodiscard]] std::string shortened(std::string_view text);
+/// The same in double quotes.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+}  // namespace glint

@@ -1,0 +1,73 @@
+#include "models/scene_read.h"
+
+namespace glint {
+namespace {
+
+constexpr Range crease_range{0, 180, "0 to 180"};
+
+Terms read_terms(const Node& node) {
+    Terms t;
+    node.allow_keys({"emission", "ambient", "diffuse", "specular"});
+    read(node, "emission", t.emission);
+    read(node, "ambient", t.ambient);
+    read(node, "diffuse", t.diffuse);
+    read(node, "specular", t.specular);
+    return t;
+}
+
+/// The switches of `shading.mistakes`. This version knows none, so every name in it is an unknown key.
+void check_mistakes(const Node& node) {
+    static const std::vector<std::string> known;
+    node.allow_keys(known);
+    for (const std::string& name : known) {
+        bool made = false;
+        read(node, name, made);
+    }
+}
+
+}  // namespace
+
+Shading read_shading(const Node& node) {
+    Shading s;
+    node.allow_keys({"mode", "reflection", "interpolation", "flat_point", "two_sided", "local_viewer", "cull",
+                     "rules", "terms", "mistakes"});
+    read_enum(node, "mode", s.mode);
+    read_enum(node, "reflection", s.reflection);
+    read_enum(node, "interpolation", s.interpolation);
+    read_enum(node, "flat_point", s.flat_point);
+    read(node, "two_sided", s.two_sided);
+    read(node, "local_viewer", s.local_viewer);
+    read_enum(node, "cull", s.cull);
+    read_enum(node, "rules", s.rules);
+    node.with("terms", [&](const Node& at) { s.terms = read_terms(at); });
+    node.with("mistakes", check_mistakes);
+    return s;
+}
+
+Npr read_npr(const Node& node) {
+    Npr n;
+    node.allow_keys({"cool_to_warm", "cool", "warm", "alpha", "beta", "silhouettes", "creases", "crease_deg",
+                     "stroke", "stroke_width_px"});
+    read(node, "cool_to_warm", n.cool_to_warm);
+    read(node, "cool", n.cool, at_least_zero);
+    read(node, "warm", n.warm, at_least_zero);
+    read(node, "alpha", n.alpha);
+    read(node, "beta", n.beta);
+    read(node, "silhouettes", n.silhouettes);
+    read(node, "creases", n.creases);
+    read(node, "crease_deg", n.crease_deg, crease_range);
+    read(node, "stroke", n.stroke, at_least_zero);
+    read(node, "stroke_width_px", n.stroke_width_px, at_least_zero);
+    return n;
+}
+
+Display read_display(const Node& node) {
+    Display d;
+    node.allow_keys({"background", "transfer", "exposure"});
+    read(node, "background", d.background, at_least_zero);
+    read_enum(node, "transfer", d.transfer);
+    read(node, "exposure", d.exposure, above_zero);
+    return d;
+}
+
+}  // namespace glint
