@@ -74,7 +74,7 @@ void join_samples(ExplainedLight& joined, const ExplainedLight& sample) {
 /// The equation at one point, step by step; the sum is added in the picture's own order.
 ExplainedPoint explain_point(const KeptStages& stages, const LightJob& job, const PlacedNormal& place,
                              const Frames& frames, bool lit) {
-    const PointAt<float> at = seen_from_eye(to_vec(place.p), to_vec(place.n), job.infinite_viewer);
+    const PointAt<float> at = seen_from_eye(job, to_vec(place.p), to_vec(place.n));
     ExplainedPoint e;
     e.point = frames.place(at.p);
     e.normal = frames.direction(at.n);
@@ -83,11 +83,12 @@ ExplainedPoint explain_point(const KeptStages& stages, const LightJob& job, cons
     if (job.terms.emission) e.emission = to_glm(same<float>(job.material.emission));
     if (job.terms.ambient) e.global_ambient = to_glm(same<float>(job.material.global_ambient));
     Vec sum = unlit<float>(job.material, job.terms);
+    const Equation equation = equation_of(job);
     const MaterialAt<float> material = material_at<float>(job.material);
     for (std::size_t i = 0; i < job.light_count; ++i) {
         const LightSource& source = job.lights[i];
-        const LightTerms<float> t = illuminate({job.model, job.terms}, light_at<float>(source), material, at);
-        sum = sum + sum_of(t);
+        const LightTerms<float> t = illuminate(equation, light_at<float>(source), material, at);
+        sum = sum + share_of(equation, t);
         ExplainedLight light = explain_light(t, source, at, frames);
         light.name = stages.lighting.lights[static_cast<std::size_t>(source.light)].name;
         if (!source.is_patch) {

@@ -7,9 +7,11 @@
 
 namespace glint::inline GLINT_ISA {
 
+template <Number F> F blinn_cosine(const Directions<F>& d, const PointAt<F>& at) { return dot(at.n, d.h); }
+
 template <Number F>
 Response<F> blinn_phong(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
-    const F highlight = power(positive(dot(at.n, d.h)), m.shininess);
+    const F highlight = power(positive(blinn_cosine(d, at)), m.shininess);
     return {lambert_cosine(d), {highlight, highlight, highlight}};
 }
 

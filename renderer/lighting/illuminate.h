@@ -7,6 +7,7 @@
 
 #include "models/shading.h"
 #include "renderer/lighting/light_source.h"
+#include "renderer/lighting/mistakes.h"
 #include "renderer/lighting/reflection.h"
 
 namespace glint::inline GLINT_ISA {
@@ -24,6 +25,7 @@ template <Number F> struct LightTerms {
 struct Equation {
     Reflection model = Reflection::Phong;
     Terms terms;
+    const Mistakes* mistakes = nullptr;  // null: none is made
 };
 
 /// Degenerate input: a light at the point has l = 0, so only its ambient share is left; n = 0 likewise;
@@ -34,10 +36,8 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
     LightTerms<F> t;
     const Vec3<F> to_light = light.xyz - light.w * at.p;  // w = 0 is a direction already
     t.distance = length(to_light);
-    t.directions.l = inverse_or_zero(t.distance) * to_light;
-    t.directions.n_dot_l = dot(at.n, t.directions.l);
-    t.directions.r = (t.directions.n_dot_l + t.directions.n_dot_l) * at.n - t.directions.l;  // 2 n (n.l) - l
-    t.directions.h = unit(t.directions.l + at.v);
+    t.directions = directions_for(inverse_or_zero(t.distance) * to_light, at);
+    if (equation.mistakes) spoil_directions(*equation.mistakes, t.directions, to_light, at);
 
     t.falloff = F(1);
     if (light.has_falloff) t.falloff = falloff(light, t.distance);
@@ -45,17 +45,27 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
     t.spot = light.has_cone ? spot_factor(light, t.directions.l) : F(1);
     const F share = t.falloff * t.spot;  // of all three terms, as in OpenGL 2.1, section 2.14.1
 
-    t.response = respond(equation.model, t.directions, m, at);
+    const Response<F> seen = respond(equation.model, t.directions, m, at);
     const auto lit_side = t.directions.n_dot_l > F(0);  // no highlight from behind
-    t.response.specular = select(lit_side, t.response.specular, Vec3<F>{});
+    t.response = {seen.diffuse, select<F>(lit_side, seen.specular, Vec3<F>{})};
+    if (equation.mistakes)
+        spoil_response(*equation.mistakes, equation.model, t.response, seen, t.directions, m, at);
 
     if (equation.terms.ambient) t.ambient = share * (m.k_a * light.ambient);
+    if (equation.mistakes && equation.mistakes->ambient_per_light_added_twice) t.ambient = F(2) * t.ambient;
     if (equation.terms.diffuse) t.diffuse = (share * t.response.diffuse) * (m.k_d * light.diffuse);
     if (equation.terms.specular) t.specular = share * (m.k_s * light.specular * t.response.specular);
     return t;
 }
 
+template <Number F> Vec3<F> clamped(Vec3<F> c) {
+    return {smaller(positive(c.x), F(1)), smaller(positive(c.y), F(1)), smaller(positive(c.z), F(1))};
+}
+
 /// One light's share of the sum, in the order in which the picture adds it.
-template <Number F> Vec3<F> sum_of(const LightTerms<F>& t) { return t.ambient + t.diffuse + t.specular; }
+template <Number F> Vec3<F> share_of(const Equation& equation, const LightTerms<F>& t) {
+    const Vec3<F> share = t.ambient + t.diffuse + t.specular;
+    return equation.mistakes && equation.mistakes->clamp_each_light ? clamped(share) : share;
+}
 
 }  // namespace glint::inline GLINT_ISA

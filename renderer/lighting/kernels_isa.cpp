@@ -15,7 +15,7 @@ static void light(const LightJob& job, const PointBlock* points, ColorBlock* col
         for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
             const Vec3<Wide> p{load<Wide>(in.x + k), load<Wide>(in.y + k), load<Wide>(in.z + k)};
             const Vec3<Wide> n{load<Wide>(in.nx + k), load<Wide>(in.ny + k), load<Wide>(in.nz + k)};
-            const Vec3<Wide> sum = shade_point(job, seen_from_eye(p, n, job.infinite_viewer));
+            const Vec3<Wide> sum = shade_point(job, seen_from_eye(job, p, n));
             store(out.r + k, sum.x);
             store(out.g + k, sum.y);
             store(out.b + k, sum.z);

@@ -50,8 +50,17 @@ struct LightJob {
     SurfaceMaterial material;
     Reflection model = Reflection::Phong;
     Terms terms;
+    LightSource::Rgb eye;          // where v points to: the origin of camera coordinates
     bool infinite_viewer = false;  // v = (0, 0, 1) instead of from the point to the eye
     bool clamp = false;            // to 0..1 after the sum (OpenGL's rule for colours at vertices)
+    bool any_mistake = false;
+    Mistakes mistakes;
+    /// Clip coordinates of camera coordinates, for the mistake of lighting after projection.
+    struct Projection {
+        float x = 1, x_per_z = 0, x_plus = 0, y = 1, y_per_z = 0, y_plus = 0;
+        float z = 1, z_plus = 0, w_per_z = -1, w = 0;
+    };
+    Projection projection;
 };
 
 /// How linear colours become bytes.

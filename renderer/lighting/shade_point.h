@@ -30,10 +30,11 @@ template <Number F> MaterialAt<F> material_at(const SurfaceMaterial& s) {
     return {same<F>(s.k_a), same<F>(s.k_d), same<F>(s.k_s), F(s.shininess), F(s.roughness), same<F>(s.f0)};
 }
 
-/// A point with its direction to the eye: from p to the origin, or (0, 0, 1) for a viewer at infinity.
-template <Number F> PointAt<F> seen_from_eye(Vec3<F> p, Vec3<F> n, bool infinite_viewer) {
+/// A point with its direction to the eye: from p to the eye, or (0, 0, 1) for a viewer at infinity.
+template <Number F> PointAt<F> seen_from_eye(const LightJob& job, Vec3<F> p, Vec3<F> n) {
+    if (job.mistakes.lit_after_projection) p = projected(job.projection, p);
     const Vec3<F> toward_z{F(0), F(0), F(1)};
-    return {p, n, infinite_viewer ? toward_z : unit(-p)};
+    return {p, n, job.infinite_viewer ? toward_z : unit(same<F>(job.eye) - p)};
 }
 
 /// What is there without any light: emission + k_a I_a.
@@ -44,16 +45,18 @@ template <Number F> Vec3<F> unlit(const SurfaceMaterial& material, const Terms& 
     return sum;
 }
 
-template <Number F> Vec3<F> clamped(Vec3<F> c) {
-    return {smaller(positive(c.x), F(1)), smaller(positive(c.y), F(1)), smaller(positive(c.z), F(1))};
+/// The part of a job that is the same for every point.
+inline Equation equation_of(const LightJob& job) {
+    return {job.model, job.terms, job.any_mistake ? &job.mistakes : nullptr};
 }
 
 /// The whole equation at one point.
 template <Number F> Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at) {
+    const Equation equation = equation_of(job);
     const MaterialAt<F> material = material_at<F>(job.material);
     Vec3<F> sum = unlit<F>(job.material, job.terms);
     for (std::size_t i = 0; i < job.light_count; ++i)
-        sum = sum + sum_of(illuminate({job.model, job.terms}, light_at<F>(job.lights[i]), material, at));
+        sum = sum + share_of(equation, illuminate(equation, light_at<F>(job.lights[i]), material, at));
     return job.clamp ? clamped(sum) : sum;
 }
 

@@ -27,4 +27,14 @@ template <Number F> struct Directions {
     F n_dot_l{};      // not clamped
 };
 
+/// r and h for a light in direction l. Lecture: "Calculating R Vector", "Blinn-Phong Model".
+template <Number F> Directions<F> directions_for(Vec3<F> l, const PointAt<F>& at) {
+    Directions<F> d;
+    d.l = l;
+    d.n_dot_l = dot(at.n, l);
+    d.r = (d.n_dot_l + d.n_dot_l) * at.n - l;  // 2 n (n.l) - l
+    d.h = unit(l + at.v);
+    return d;
+}
+
 }  // namespace glint::inline GLINT_ISA

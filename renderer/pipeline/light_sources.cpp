@@ -6,6 +6,8 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
+#include "renderer/pipeline/mistaken_lights.h"
+
 namespace glint {
 namespace {
 
@@ -43,8 +45,9 @@ void add_area(std::vector<LightSource>& sources, LightSource source, const Light
         }
 }
 
-void add_light(std::vector<LightSource>& sources, const Light& light, int index, const glm::dmat4& view) {
-    const Frame frame{light.space == LightSpace::World ? view : glm::dmat4(1.0)};
+void add_light(std::vector<LightSource>& sources, const Light& light, int index, const glm::dmat4& view,
+               const Mistakes& mistakes) {
+    const Frame frame{mistaken_frame(mistakes, light.space, view)};
     LightSource s;
     s.light = index;
     s.ambient = rgb(light.ambient * light.intensity);
@@ -52,7 +55,9 @@ void add_light(std::vector<LightSource>& sources, const Light& light, int index,
     s.specular = rgb(light.specular * light.intensity);
     const glm::dvec3 xyz(light.position);
     if (light.kind == LightKind::Directional) {
-        s.xyz = rgb(unit_or_zero(frame.direction(xyz)));
+        const glm::dvec3 towards = frame.direction(xyz);
+        s.xyz = rgb(mistakes.unnormalized_light ? towards : unit_or_zero(towards));
+        spoil_source(mistakes, light, s);
         sources.push_back(s);
         return;
     }
@@ -77,6 +82,7 @@ void add_light(std::vector<LightSource>& sources, const Light& light, int index,
                 : static_cast<float>(std::cos(glm::radians(static_cast<double>(light.spot.cutoff_deg))));
         s.exponent = light.spot.exponent;
     }
+    spoil_source(mistakes, light, s);
     sources.push_back(s);
 }
 
@@ -86,12 +92,13 @@ std::vector<LightSource> light_sources(const Scene& scene) {
     const glm::dmat4 view = view_from_world(scene.camera);
     std::vector<LightSource> sources;
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
-        if (scene.lights[i].enabled) add_light(sources, scene.lights[i], static_cast<int>(i), view);
+        if (scene.lights[i].enabled)
+            add_light(sources, scene.lights[i], static_cast<int>(i), view, scene.shading.mistakes);
     return sources;
 }
 
-LightJob light_job(const Scene& scene, const Material& m, const std::vector<LightSource>& lights,
-                   bool at_corners) {
+LightJob light_job(const Scene& scene, PictureSize size, const Material& m,
+                   const std::vector<LightSource>& lights, bool at_corners) {
     const bool opengl = scene.shading.rules == Rules::OpenGL2;
     LightJob job;
     job.lights = lights.data();
@@ -108,6 +115,7 @@ LightJob light_job(const Scene& scene, const Material& m, const std::vector<Ligh
     job.terms = scene.shading.terms;
     job.infinite_viewer = !scene.shading.local_viewer || is_orthographic(scene.camera.projection);
     job.clamp = opengl && at_corners;
+    spoil_job(scene, size, job);
     return job;
 }
 

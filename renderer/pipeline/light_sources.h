@@ -15,7 +15,7 @@ namespace glint {
 
 /// One object's part of the equation. `lights` must outlive the job. `at_corners`: the colours will be
 /// blended over faces, which OpenGL's rules clamp before.
-[[nodiscard]] LightJob light_job(const Scene& scene, const Material& material,
+[[nodiscard]] LightJob light_job(const Scene& scene, PictureSize size, const Material& material,
                                  const std::vector<LightSource>& lights, bool at_corners);
 
 /// OpenGL 2.1 knows no shininess above 128.

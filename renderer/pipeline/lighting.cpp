@@ -136,8 +136,7 @@ glm::vec3 vertex_color(const Surface& s, const Geometry& g, const PointSource& s
     const Mesh& mesh = *g.objects[source.object].mesh;
     if (mesh.colors.empty()) return glm::vec3(1);
     if (s.choice.kind == SurfaceKind::Corners) {
-        const bool split = !s.normals[source.object].of_mesh.corner.empty();
-        return mesh.colors[split ? mesh.corner_position[source.item] : source.item];
+        return mesh.colors[s.normals[source.object].position_of_slot(source.item)];
     }
     if (s.choice.provoking) return mesh.colors[mesh.corner_position[mesh.triangles[source.item].corner[2]]];
     const auto around = mesh.corners_of(source.item);
@@ -164,7 +163,7 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, cons
     const bool at_corners = surface.choice.kind != SurfaceKind::Pixels;
     for (const Object& object : scene.objects) {
         kept.materials.push_back(object.material);
-        kept.jobs.push_back(light_job(scene, object.material, kept.sources, at_corners));
+        kept.jobs.push_back(light_job(scene, g.size, object.material, kept.sources, at_corners));
     }
     const DisplayJob display = display_job(scene.display);
     if (!same_display) clear_picture(kept, g.size, display);

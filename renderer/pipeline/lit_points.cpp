@@ -25,8 +25,7 @@ Numbering number_items(const Surface& s, const Geometry& g) {
         const Mesh& mesh = *g.objects[o].mesh;
         std::size_t items = mesh.face_count();
         if (s.choice.provoking) items = mesh.triangles.size();
-        if (s.choice.kind == SurfaceKind::Corners)
-            items = s.normals[o].of_mesh.corner.empty() ? mesh.positions.size() : mesh.corner_position.size();
+        if (s.choice.kind == SurfaceKind::Corners) items = s.normals[o].slot_count();
         n.first.push_back(n.first.back() + 2 * items);
     }
     return n;

@@ -13,29 +13,13 @@ using Vec = Vec3<float>;
 Vec to_vec(glm::vec3 v) { return {v.x, v.y, v.z}; }
 glm::vec3 to_glm(Vec v) { return {v.x, v.y, v.z}; }
 
-/// The slot of a corner's normal: what tells lit vertices of one object apart.
-std::uint32_t normal_slot(const ObjectNormals& normals, const Mesh& mesh, std::uint32_t corner) {
-    return normals.of_mesh.corner.empty() ? mesh.corner_position[corner] : corner;
-}
-
-glm::vec3 corner_normal(const ObjectNormals& normals, const Mesh& mesh, std::uint32_t corner) {
-    return normals.normals[normals.of_mesh.corner.empty() ? mesh.corner_position[corner]
-                                                          : normals.of_mesh.corner[corner]];
-}
-
-glm::vec3 camera_facet_normal(const ObjectGeometry& object, std::uint32_t face) {
-    const glm::vec3 n = facet_normal(*object.mesh, face);
-    return to_glm(unit(to_vec(glm::vec3(object.normal_matrix * glm::dvec3(n)))));
-}
-
 /// The interpolated normal, not yet unit.
 Vec blended_normal(const Surface& surface, const Geometry& g, const SampleFace& face, int x, int y) {
     const CornerWeights weights = corner_weights(surface.choice.interpolation, g, face, x, y);
     const ObjectNormals& normals = surface.normals[face.object];
-    const Mesh& mesh = *g.objects[face.object].mesh;
     Vec sum;
     for (std::size_t i = 0; i < static_cast<std::size_t>(weights.count); ++i)
-        sum = sum + weights.weight[i] * to_vec(corner_normal(normals, mesh, weights.corner[i]));
+        sum = sum + weights.weight[i] * to_vec(normals.at_corner(weights.corner[i]));
     return sum;
 }
 
@@ -59,10 +43,10 @@ PlacedNormal pixel_point(const Surface& surface, const Geometry& g, const Sample
     Vec n;
     if (!surface.choice.facet_normals) {
         const Vec sum = blended_normal(surface, g, face, x, y);
-        if (length(sum) > 1e-6f) n = unit(sum);
+        if (length(sum) > 1e-6f) n = surface.choice.mistakes.unnormalized_at_pixel ? sum : unit(sum);
     }
     // Opposite corner normals can cancel: then, too, the facet's own is the best there is.
-    if (dot(n, n) == 0) n = to_vec(camera_facet_normal(object, t.face));
+    if (dot(n, n) == 0) n = to_vec(camera_facet_normal(object, t.face, surface.choice.mistakes));
     return {face.p, face.turned ? -to_glm(n) : to_glm(n)};
 }
 
@@ -75,15 +59,13 @@ PlacedNormal lit_point(const Surface& surface, const Geometry& g, const PointSou
         const auto around = mesh.corners_of(source.item);
         glm::dvec3 sum(0);
         for (const std::uint32_t p : around) sum += glm::dvec3(object.positions[p]);
-        at = {glm::vec3(sum / static_cast<double>(around.size())), camera_facet_normal(object, source.item)};
+        at = {glm::vec3(sum / static_cast<double>(around.size())),
+              camera_facet_normal(object, source.item, surface.choice.mistakes)};
     } else if (surface.choice.kind == SurfaceKind::Faces) {
         const std::uint32_t corner = mesh.triangles[source.item].corner[2];
-        at = {object.positions[mesh.corner_position[corner]], corner_normal(normals, mesh, corner)};
-    } else if (normals.of_mesh.corner.empty()) {
-        at = {object.positions[source.item], normals.normals[source.item]};
+        at = {object.positions[mesh.corner_position[corner]], normals.at_corner(corner)};
     } else {
-        at = {object.positions[mesh.corner_position[source.item]],
-              normals.normals[normals.of_mesh.corner[source.item]]};
+        at = {object.positions[normals.position_of_slot(source.item)], normals.normal_of_slot(source.item)};
     }
     if (source.turned) at.n = -at.n;
     return at;
@@ -105,8 +87,7 @@ SampleSources sample_sources(const Surface& surface, const Geometry& g, const Sa
     s.count = weights.count;
     s.weight = weights.weight;
     for (std::size_t i = 0; i < static_cast<std::size_t>(s.count); ++i)
-        s.source[i] = {face.object, normal_slot(normals, *g.objects[face.object].mesh, weights.corner[i]),
-                       face.turned};
+        s.source[i] = {face.object, normals.slot_of(weights.corner[i]), face.turned};
     return s;
 }
 

@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 
 #include <bit>
-#include <glm/geometric.hpp>
 
 #include "renderer/pipeline/lit_points.h"
 
@@ -77,34 +76,6 @@ void place_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
     });
 }
 
-/// Normals in camera coordinates; those of the mesh are kept while mesh and options stay.
-void update_normals(Surface& s, const Scene& scene, const Geometry& g) {
-    s.normals.resize(scene.objects.size());
-    for (std::size_t o = 0; o < scene.objects.size(); ++o) {
-        ObjectNormals& kept = s.normals[o];
-        if (kept.mesh != scene.objects[o].mesh || kept.options != scene.objects[o].normals) {
-            kept.mesh = scene.objects[o].mesh;
-            kept.options = scene.objects[o].normals;
-            kept.of_mesh = corner_normals(*kept.mesh, kept.options);
-        }
-        const glm::dmat3& matrix = g.objects[o].normal_matrix;
-        kept.normals.resize(kept.of_mesh.normals.size());
-        tbb::parallel_for(std::size_t{0}, kept.normals.size(), [&](std::size_t i) {
-            const glm::dvec3 n = matrix * glm::dvec3(kept.of_mesh.normals[i]);
-            const double length = glm::length(n);
-            kept.normals[i] = length > 0 ? glm::vec3(n / length) : glm::vec3(0);
-        });
-    }
-}
-
-bool same_normals(const Surface& s, const Scene& scene) {
-    if (s.normals.size() != scene.objects.size()) return false;
-    for (std::size_t o = 0; o < scene.objects.size(); ++o)
-        if (s.normals[o].mesh != scene.objects[o].mesh || s.normals[o].options != scene.objects[o].normals)
-            return false;
-    return true;
-}
-
 }  // namespace
 
 SurfaceChoice surface_choice(const Shading& shading) {
@@ -119,15 +90,16 @@ SurfaceChoice surface_choice(const Shading& shading) {
     c.provoking = c.kind == SurfaceKind::Faces &&
                   (shading.flat_point == FlatPoint::Provoking || shading.rules == Rules::OpenGL2);
     c.two_sided = shading.two_sided;
+    c.mistakes = normal_mistakes(shading.mistakes);
     return c;
 }
 
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& g, const Visibility& visibility,
                     bool visibility_redone) {
     const SurfaceChoice choice = surface_choice(scene.shading);
-    if (!visibility_redone && kept.choice == choice && same_normals(kept, scene)) return false;
+    if (!visibility_redone && kept.choice == choice && same_normals(kept.normals, scene)) return false;
     kept.choice = choice;
-    update_normals(kept, scene, g);
+    update_normals(kept.normals, scene, g, choice.mistakes);
     find_runs(kept, g, visibility);
     if (choice.kind == SurfaceKind::Pixels)
         place_pixels(kept, g, visibility);

@@ -10,6 +10,7 @@
 
 #include "renderer/lighting/light_job.h"
 #include "renderer/pipeline/corner_weights.h"
+#include "renderer/pipeline/object_normals.h"
 #include "renderer/pipeline/visibility.h"
 
 namespace glint {
@@ -29,17 +30,10 @@ struct SurfaceChoice {
     bool provoking =
         false;  // Faces: each triangle at its last corner instead of each polygon at its centroid
     bool two_sided = false;  // a face seen from behind has its normals turned round
+    NormalMistakes mistakes;
     bool operator==(const SurfaceChoice&) const = default;
 };
 [[nodiscard]] SurfaceChoice surface_choice(const Shading& shading);
-
-/// Normals of one object, camera coordinates, unit.
-struct ObjectNormals {
-    MeshPtr mesh;
-    NormalOptions options;
-    CornerNormals of_mesh;           // object coordinates
-    std::vector<glm::vec3> normals;  // of_mesh.normals in camera coordinates
-};
 
 /// Up to 16 neighbouring pixels of one row that show the same object.
 struct PixelRun {

@@ -1,0 +1,69 @@
+#pragma once
+// What students do to the equation by mistake (models/mistakes.h), kept apart from its own text: each step of
+// illuminate() hands its result here only while some mistake is switched on.
+
+#include "models/shading.h"
+#include "renderer/lighting/light_job.h"
+#include "renderer/lighting/reflection.h"
+
+namespace glint::inline GLINT_ISA {
+
+/// l keeps its length, or h is not made unit; r and n.l follow.
+template <Number F>
+void spoil_directions(const Mistakes& wrong, Directions<F>& d, Vec3<F> to_light, const PointAt<F>& at) {
+    if (wrong.unnormalized_light) d = directions_for(to_light, at);
+    if (wrong.unnormalized_half) d.h = F(0.5f) * (d.l + at.v);
+}
+
+/// x^s for any sign of x, as code without the clamp gives it: even for an even s, odd for an odd one; a
+/// fraction counts as even.
+template <Number F> F unclamped_power(F x, F s) {
+    const F half = s * F(0.5f), magic = F(8388608.0f);
+    const F nearest = (half + magic) - magic, rest = magnitude(s - (nearest + nearest));
+    const F value = power(magnitude(x), s);
+    return select(both(x < F(0), rest >= F(1)), -value, value);
+}
+
+/// `seen`: the response before highlights behind the surface are dropped.
+template <Number F>
+void spoil_response(const Mistakes& wrong, Reflection model, Response<F>& used, Response<F> seen,
+                    const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
+    const auto keep_side = [&](Vec3<F> specular) {
+        return wrong.specular_behind_surface ? specular : select<F>(d.n_dot_l > F(0), specular, Vec3<F>{});
+    };
+    used.specular = keep_side(seen.specular);
+    Reflection measured = model;
+    if (wrong.half_angle_with_phong_shininess && model == Reflection::Phong) {
+        measured = Reflection::BlinnPhong;
+        used.specular = keep_side(blinn_phong(d, m, at).specular);
+    }
+    if (!wrong.no_clamp_of_cosine) return;
+    if (model != Reflection::None && model != Reflection::OrenNayar) used.diffuse = d.n_dot_l;
+    F cosine;
+    switch (measured) {
+    case Reflection::Phong:
+        cosine = phong_cosine(d, at);
+        break;
+    case Reflection::BlinnPhong:
+        cosine = blinn_cosine(d, at);
+        break;
+    case Reflection::Retro:
+        cosine = retro_cosine(d, at);
+        break;
+    default:
+        return;  // no power of a cosine in the others
+    }
+    const F highlight = unclamped_power(cosine, m.shininess);
+    used.specular = {highlight, highlight, highlight};
+}
+
+/// The point as the projection leaves it, in place of the point in camera coordinates.
+template <Number F> Vec3<F> projected(const LightJob::Projection& m, Vec3<F> p) {
+    const F w = F(m.w_per_z) * p.z + F(m.w);
+    const F inverse = select(magnitude(w) > F(0), F(1) / w, F(0));
+    return {(F(m.x) * p.x + F(m.x_per_z) * p.z + F(m.x_plus)) * inverse,
+            (F(m.y) * p.y + F(m.y_per_z) * p.z + F(m.y_plus)) * inverse,
+            (F(m.z) * p.z + F(m.z_plus)) * inverse};
+}
+
+}  // namespace glint::inline GLINT_ISA
