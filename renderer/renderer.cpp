@@ -16,6 +16,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr int most_threads = 256;
+
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
@@ -23,7 +25,10 @@ double ms_since(Clock::time_point start) {
 }  // namespace
 
 struct Renderer::Kept {
-    explicit Kept(int threads) : arena(threads) {}
+    explicit Kept(int threads)
+        : allowed(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)),
+          arena(threads) {}
+    tbb::global_control allowed;  // more threads than cores, when asked for
     tbb::task_arena arena;
     KeptStages stages;
     FrameStats stats;
@@ -63,7 +68,8 @@ std::optional<Problem> unsupported(const Scene& scene) {
 }
 
 Renderer::Renderer(int threads)
-    : kept_(std::make_unique<Kept>(threads > 0 ? threads : tbb::info::default_concurrency())) {}
+    : kept_(std::make_unique<Kept>(threads > 0 ? std::min(threads, most_threads)
+                                               : tbb::info::default_concurrency())) {}
 Renderer::~Renderer() = default;
 
 const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linear) {

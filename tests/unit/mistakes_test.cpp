@@ -81,7 +81,9 @@ const std::vector<Row>& rows() {
              camera_at_origin(s);
          }},
         {"unnormalized_half", anywhere, reflection(Reflection::Phong)},
-        {"specular_behind_surface", anywhere, without_highlights},
+        {"specular_behind_surface",
+         [](Scene& s) { s.objects[0].material.shininess = s.objects[1].material.shininess = 2; },
+         without_highlights},
         {"no_clamp_of_cosine", anywhere,
          [](Scene& s) {  // nothing faces away from the light
              one_plane(s);
