@@ -32,7 +32,9 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-/// Width and height of a picture in pixels, 1 to 16384 each.
+inline constexpr int max_picture_side = 16384;
+
+/// Width and height of a picture in pixels, 1 to max_picture_side each.
 struct PictureSize {
     int width = 1280, height = 720;
     bool operator==(const PictureSize&) const = default;

@@ -1,5 +1,6 @@
 #pragma once
-// Pictures to and from bytes (models/file.h writes them): PNG (8 bit, carrying its scene in a text chunk), PFM (linear float).
+// Pictures to and from bytes (models/file.h writes them): PNG (8 bit, carrying its scene in a text chunk) and
+// PFM (linear float).
 
 #include <string>
 
@@ -8,17 +9,20 @@
 
 namespace glint {
 
-/// The keyword of the PNG text chunk (iTXt, UTF-8) that holds the scene's JSON.
+/// The keyword of the PNG text chunk (iTXt, UTF-8, not compressed) that holds the scene's JSON.
 inline constexpr const char* scene_chunk_keyword = "glint-scene";
 
-/// PNG bytes of `rgba`; `scene_json` goes into a text chunk unless empty. Same input, same bytes.
+/// PNG bytes of the red, green and blue of `rgba`; `scene_json` goes into a text chunk unless empty. Same
+/// input, same bytes. Precondition: the size is 1x1 to 16384x16384. Source: PNG specification (W3C, second
+/// edition), sections 5.3 and 11.3.4.5.
 [[nodiscard]] std::string png_bytes(const Picture& picture, const std::string& scene_json);
 
 /// PFM bytes: "PF", little-endian (scale -1.0), bottom row first, `linear` times `exposure`.
-/// Precondition: picture.linear is filled. Source: formulas, "Colour and files"; Debevec's PFM.
+/// Precondition: picture.linear is filled. Source: Debevec's PFM, as Netpbm's manual describes it.
 [[nodiscard]] std::string pfm_bytes(const Picture& picture, float exposure);
 
-/// Reads an 8-bit or 16-bit PNG of any colour type as 8-bit RGBA.
+/// Reads a PNG of any colour type and depth, up to 16384x16384, as 8-bit RGBA; `linear` stays empty. Sample
+/// values are taken as sRGB, as Glint writes them, whatever the depth. "-" is standard input.
 [[nodiscard]] Result<Picture> read_png(const std::string& path);
 
 }  // namespace glint

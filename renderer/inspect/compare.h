@@ -1,0 +1,36 @@
+#pragma once
+// How far two pictures are apart: numbers for tests and for `glint compare`, and a picture of the
+// differences.
+
+#include <array>
+#include <cstdint>
+
+#include "models/problem.h"
+#include "renderer/picture.h"
+
+namespace glint {
+
+/// All in bytes, 0 to 255, of what is displayed; three numbers are red, green, blue.
+struct Comparison {
+    PictureSize size;
+    std::array<int, 3> max{};            // largest difference of a pixel
+    std::array<double, 3> mean{};        // of the differences' absolute values
+    std::array<double, 3> rmse{};        // root of the mean of their squares
+    int alpha_max = 0;                   // largest difference in opacity; 0 between pictures of Glint
+    int max_error = 0;                   // the largest of the above
+    std::uint64_t differing_pixels = 0;  // in any channel, opacity included
+};
+
+/// Compares two pictures pixel by pixel. Sizes that differ are a problem, without a file.
+[[nodiscard]] Result<Comparison> compare(const Picture& a, const Picture& b);
+
+/// What a byte of difference is multiplied by in difference_picture(): the largest whole number that keeps
+/// all within 255, so that the smallest difference can be seen and every one read off exactly. 1 when there
+/// is none.
+[[nodiscard]] int difference_gain(const Comparison& comparison);
+
+/// The absolute difference of every channel times `gain`; a difference in opacity raises all three.
+/// Precondition: equal sizes, gain = difference_gain(compare(a, b)).
+[[nodiscard]] Picture difference_picture(const Picture& a, const Picture& b, int gain);
+
+}  // namespace glint
