@@ -18,6 +18,12 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int most_threads = 256;
 
+/// Lets the library start more threads than there are cores, when asked for. One for the whole process,
+/// because of several the smallest would count.
+void allow_threads() {
+    static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, most_threads);
+}
+
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
@@ -25,10 +31,7 @@ double ms_since(Clock::time_point start) {
 }  // namespace
 
 struct Renderer::Kept {
-    explicit Kept(int threads)
-        : allowed(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)),
-          arena(threads) {}
-    tbb::global_control allowed;  // more threads than cores, when asked for
+    explicit Kept(int threads) : arena(threads) {}
     tbb::task_arena arena;
     KeptStages stages;
     FrameStats stats;
@@ -69,7 +72,9 @@ std::optional<Problem> unsupported(const Scene& scene) {
 
 Renderer::Renderer(int threads)
     : kept_(std::make_unique<Kept>(threads > 0 ? std::min(threads, most_threads)
-                                               : tbb::info::default_concurrency())) {}
+                                               : tbb::info::default_concurrency())) {
+    allow_threads();
+}
 Renderer::~Renderer() = default;
 
 const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linear) {
