@@ -1,3 +1,4 @@
+#include "models/mistakes.h"
 #include "models/scene_read.h"
 
 namespace glint {
@@ -15,14 +16,13 @@ Terms read_terms(const Node& node) {
     return t;
 }
 
-/// The switches of `shading.mistakes`. This version knows none, so every name in it is an unknown key.
-void check_mistakes(const Node& node) {
-    static const std::vector<std::string> known;
+Mistakes read_mistakes(const Node& node) {
+    std::vector<std::string> known;
+    for (const MistakeName& m : mistake_names()) known.emplace_back(m.name);
     node.allow_keys(known);
-    for (const std::string& name : known) {
-        bool made = false;
-        read(node, name, made);
-    }
+    Mistakes mistakes;
+    for (const MistakeName& m : mistake_names()) read(node, m.name, mistakes.*m.flag);
+    return mistakes;
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ Shading read_shading(const Node& node) {
     read_enum(node, "cull", s.cull);
     read_enum(node, "rules", s.rules);
     node.with("terms", [&](const Node& at) { s.terms = read_terms(at); });
-    node.with("mistakes", check_mistakes);
+    node.with("mistakes", [&](const Node& at) { s.mistakes = read_mistakes(at); });
     return s;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "models/mistakes.h"
 #include "models/scene_file.h"
 #include "models/scene_names.h"
 #include "models/utf8.h"
@@ -138,16 +139,26 @@ std::string list_text(std::string_view key, const std::vector<T>& elements,
     return fmt::format("  \"{}\": [{}{}]", key, text, elements.empty() ? "" : "\n  ");
 }
 
+/// Only those that are made: the rest is the default, and a list of 21 times false helps nobody.
+std::string mistakes_text(const Mistakes& mistakes) {
+    std::string text;
+    for (const MistakeName& m : mistake_names())
+        if (mistakes.*m.flag) text += fmt::format("{}\"{}\": true", text.empty() ? "" : ", ", m.name);
+    return text;
+}
+
 std::string shading_text(const Shading& s) {
     const std::string terms =
         object(member("emission", s.terms.emission), member("ambient", s.terms.ambient),
                member("diffuse", s.terms.diffuse), member("specular", s.terms.specular));
     return fmt::format(
-        "  \"shading\": {{\n    {}, {}, {},\n    {}, {}, {}, {}, {},\n    {},\n    \"mistakes\": {{}}\n  }}",
+        "  \"shading\": {{\n    {}, {}, {},\n    {}, {}, {}, {}, {},\n    {},\n    \"mistakes\": {{{}}}\n  "
+        "}}",
         member("mode", name_of(s.mode)), member("reflection", name_of(s.reflection)),
         member("interpolation", name_of(s.interpolation)), member("flat_point", name_of(s.flat_point)),
         member("two_sided", s.two_sided), member("local_viewer", s.local_viewer),
-        member("cull", name_of(s.cull)), member("rules", name_of(s.rules)), named("terms", terms));
+        member("cull", name_of(s.cull)), member("rules", name_of(s.rules)), named("terms", terms),
+        mistakes_text(s.mistakes));
 }
 
 std::string npr_text(const Npr& n) {

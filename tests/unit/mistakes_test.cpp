@@ -6,6 +6,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 
+#include "models/scene_file.h"
 #include "renderer/lighting/illuminate.h"
 #include "renderer/renderer.h"
 #include "tests/catch.h"
@@ -228,4 +229,22 @@ TEST_CASE("an unnormalised l makes the diffuse term grow with the distance", "[m
     const PointAt<float> at{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
     CHECK(illuminate({Reflection::Lambert, {}, &wrong}, light, m, at).diffuse.x == Approx(0.5 * 4));
     CHECK(illuminate({Reflection::Lambert, {}, nullptr}, light, m, at).diffuse.x == Approx(0.5));
+}
+
+TEST_CASE("a scene file names the mistakes it makes, and one that it does not know is an error",
+          "[mistakes][scene]") {
+    for (const MistakeName& mistake : mistake_names()) {
+        const std::string text =
+            "{\"glint\": 1, \"shading\": {\"mistakes\": {\"" + std::string(mistake.name) + "\": true}}}";
+        const Result<Scene> read = parse_scene(text, "s.json");
+        REQUIRE(std::holds_alternative<Scene>(read));
+        const Scene& scene = std::get<Scene>(read);
+        CHECK(scene.shading.mistakes.*mistake.flag);
+        CHECK(std::get<Scene>(parse_scene(scene_text(scene), "s.json")) == scene);
+    }
+    const Result<Scene> wrong =
+        parse_scene(R"({"glint": 1, "shading": {"mistakes": {"normals_fliped": true}}})", "s.json");
+    REQUIRE(problem_of(wrong));
+    CHECK(problem_of(wrong)->pointer == "/shading/mistakes/normals_fliped");
+    CHECK(problem_of(wrong)->text().find("normals_flipped") != std::string::npos);
 }
