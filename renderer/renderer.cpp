@@ -64,7 +64,6 @@ std::optional<Problem> unsupported(const Scene& scene) {
     const auto refuse = [](const char* pointer, const char* what, const char* expected) {
         return Problem{"", pointer, std::string(what) + " is not drawn yet", expected, 0};
     };
-    if (scene.npr.cool_to_warm) return refuse("/npr/cool_to_warm", "cool-to-warm shading", "false");
     if (scene.npr.silhouettes) return refuse("/npr/silhouettes", "silhouette strokes", "false");
     if (scene.npr.creases) return refuse("/npr/creases", "crease strokes", "false");
     return std::nullopt;

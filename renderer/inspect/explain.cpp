@@ -71,6 +71,11 @@ void join_samples(ExplainedLight& joined, const ExplainedLight& sample) {
     joined.specular += sample.specular;
 }
 
+ExplainedTone explain_tone(const LightJob& job, const PointAt<float>& at) {
+    const CoolToWarmTerms<float> t = cool_to_warm(job.tone, same<float>(job.material.k_d), at);
+    return {true, t.n_dot_l, t.k_w, to_glm(t.cool), to_glm(t.warm), to_glm(t.color)};
+}
+
 /// The equation at one point, step by step; the sum is added in the picture's own order.
 ExplainedPoint explain_point(const KeptStages& stages, const LightJob& job, const PlacedNormal& place,
                              const Frames& frames, bool lit) {
@@ -82,7 +87,8 @@ ExplainedPoint explain_point(const KeptStages& stages, const LightJob& job, cons
     if (!lit) return e;
     if (job.terms.emission) e.emission = to_glm(same<float>(job.material.emission));
     if (job.terms.ambient) e.global_ambient = to_glm(same<float>(job.material.global_ambient));
-    Vec sum = unlit<float>(job.material, job.terms);
+    if (job.tone.on) e.cool_to_warm = explain_tone(job, at);
+    Vec sum = before_lights(job, at);
     const Equation equation = equation_of(job);
     const MaterialAt<float> material = material_at<float>(job.material);
     for (std::size_t i = 0; i < job.light_count; ++i) {

@@ -33,11 +33,21 @@ struct ExplainedLight {
     std::vector<ExplainedLight> samples;            // of an area light; then the fields above are their sums
 };
 
+/// Cool-to-warm shading: what the sum begins with in place of emission, ambient and diffuse terms.
+struct ExplainedTone {
+    bool used = false;
+    float n_dot_l = 0;           // for the first enabled light; 0 without one
+    float k_w = 0.5f;            // share of the warm tone: (1 + n.l) / 2
+    glm::vec3 cool{0}, warm{0};  // cool + alpha k_d, warm + beta k_d
+    glm::vec3 color{0};          // k_w warm + (1 - k_w) cool
+};
+
 /// The lighting equation at one point.
 struct ExplainedPoint {
     InBothFrames point, normal, view;
     std::vector<ExplainedLight> lights;  // enabled ones, in the scene's order
     glm::vec3 emission{0}, global_ambient{0};
+    ExplainedTone cool_to_warm;
     glm::vec3 sum{0};
 };
 

@@ -44,12 +44,23 @@ struct alignas(64) ColorBlock {
     float r[block_size], g[block_size], b[block_size];
 };
 
+/// Cool-to-warm shading (renderer/shading/cool_to_warm.h) in place of emission, ambient and diffuse.
+struct CoolToWarm {
+    bool on = false;
+    LightSource::Rgb cool, warm;
+    float alpha = 0, beta = 0;
+    LightSource::Rgb
+        light;          // camera coordinates: place (w = 1) or unit direction (w = 0) of the first enabled
+    float light_w = 0;  // light; zeros, which give n.l = 0, when there is none
+};
+
 struct LightJob {
     const LightSource* lights = nullptr;
     std::size_t light_count = 0;
     SurfaceMaterial material;
     Reflection model = Reflection::Phong;
     Terms terms;
+    CoolToWarm tone;
     LightSource::Rgb eye;          // where v points to: the origin of camera coordinates
     bool infinite_viewer = false;  // v = (0, 0, 1) instead of from the point to the eye
     bool clamp = false;            // to 0..1 after the sum (OpenGL's rule for colours at vertices)

@@ -3,6 +3,7 @@
 
 #include "renderer/lighting/illuminate.h"
 #include "renderer/lighting/light_job.h"
+#include "renderer/shading/cool_to_warm.h"
 
 namespace glint::inline GLINT_ISA {
 
@@ -50,11 +51,17 @@ inline Equation equation_of(const LightJob& job) {
     return {job.model, job.terms, job.any_mistake ? &job.mistakes : nullptr};
 }
 
+/// What the sum begins with: emission and global ambient light, or the tone that stands in their place.
+template <Number F> Vec3<F> before_lights(const LightJob& job, const PointAt<F>& at) {
+    if (job.tone.on) return cool_to_warm(job.tone, same<F>(job.material.k_d), at).color;
+    return unlit<F>(job.material, job.terms);
+}
+
 /// The whole equation at one point.
 template <Number F> Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at) {
     const Equation equation = equation_of(job);
     const MaterialAt<F> material = material_at<F>(job.material);
-    Vec3<F> sum = unlit<F>(job.material, job.terms);
+    Vec3<F> sum = before_lights(job, at);
     for (std::size_t i = 0; i < job.light_count; ++i)
         sum = sum + share_of(equation, illuminate(equation, light_at<F>(job.lights[i]), material, at));
     return job.clamp ? clamped(sum) : sum;

@@ -86,6 +86,24 @@ void add_light(std::vector<LightSource>& sources, const Light& light, int index,
     sources.push_back(s);
 }
 
+/// Towards which the tone warms: the first enabled light; of an area light, the mean of its samples.
+CoolToWarm tone_of(const Npr& npr, const std::vector<LightSource>& lights) {
+    CoolToWarm tone;
+    tone.on = npr.cool_to_warm;
+    tone.cool = rgb(npr.cool);
+    tone.warm = rgb(npr.warm);
+    tone.alpha = npr.alpha;
+    tone.beta = npr.beta;
+    if (lights.empty()) return tone;
+    tone.light_w = lights[0].w;
+    glm::dvec3 sum(0);
+    std::size_t count = 0;
+    for (; count < lights.size() && lights[count].light == lights[0].light; ++count)
+        sum += glm::dvec3(lights[count].xyz.x, lights[count].xyz.y, lights[count].xyz.z);
+    tone.light = rgb(sum / static_cast<double>(count));
+    return tone;
+}
+
 }  // namespace
 
 std::vector<LightSource> light_sources(const Scene& scene) {
@@ -113,6 +131,8 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& m,
     job.material.global_ambient = rgb(m.ambient * scene.global_ambient);
     job.model = scene.shading.reflection;
     job.terms = scene.shading.terms;
+    job.tone = tone_of(scene.npr, lights);
+    if (job.tone.on) job.terms.emission = job.terms.ambient = job.terms.diffuse = false;
     job.infinite_viewer = !scene.shading.local_viewer || is_orthographic(scene.camera.projection);
     job.clamp = opengl && at_corners;
     spoil_job(scene, size, job);

@@ -126,6 +126,11 @@ bool same_materials(const std::vector<Material>& kept, const Scene& scene) {
                       [](const Material& m, const Object& o) { return m == o.material; });
 }
 
+bool same_tone(const Npr& a, const Npr& b) {
+    return a.cool_to_warm == b.cool_to_warm && a.cool == b.cool && a.warm == b.warm && a.alpha == b.alpha &&
+           a.beta == b.beta;
+}
+
 }  // namespace
 
 DisplayJob display_job(const Display& display) {
@@ -150,11 +155,12 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, cons
     const bool same_display = kept.display == scene.display && kept.linear == linear && !visibility_redone;
     const bool same = same_display && !surface_redone && kept.lights == scene.lights &&
                       kept.global_ambient == scene.global_ambient && kept.shading == scene.shading &&
-                      same_materials(kept.materials, scene);
+                      same_tone(kept.npr, scene.npr) && same_materials(kept.materials, scene);
     if (same) return false;
     kept.lights = scene.lights;
     kept.global_ambient = scene.global_ambient;
     kept.shading = scene.shading;
+    kept.npr = scene.npr;
     kept.display = scene.display;
     kept.linear = linear;
     kept.sources = light_sources(scene);

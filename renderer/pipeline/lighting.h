@@ -20,6 +20,7 @@ struct Lighting {
     std::vector<Material> materials;
     glm::vec3 global_ambient{0};
     Shading shading;
+    Npr npr;
     Display display;
 };
 

@@ -1,0 +1,32 @@
+#pragma once
+// Cool-to-warm shading: the side towards the light is warm, the side away from it cool, and nothing is black,
+// so that strokes and highlights stand out. Lecture: "Non-photorealistic shading: cool to warm"; A. Gooch,
+// B. Gooch, P. Shirley, E. Cohen 1998 (whose printed equation has the two weights the other way round; the
+// lecture's are used).
+
+#include "renderer/lighting/light_job.h"
+#include "renderer/lighting/surface_point.h"
+
+namespace glint::inline GLINT_ISA {
+
+/// The steps of the tone at one point; linear RGB, not clamped.
+template <Number F> struct CoolToWarmTerms {
+    F n_dot_l{};         // not clamped; 0 without a light, at the light itself and where n is zero
+    F k_w{};             // share of the warm tone, 0 to 1: (1 + n.l) / 2
+    Vec3<F> cool, warm;  // cool + alpha k_d, warm + beta k_d
+    Vec3<F> color;       // k_w warm + (1 - k_w) cool
+};
+
+template <Number F>
+CoolToWarmTerms<F> cool_to_warm(const CoolToWarm& tone, Vec3<F> k_d, const PointAt<F>& at) {
+    CoolToWarmTerms<F> t;
+    const Vec3<F> l = unit(same<F>(tone.light) - F(tone.light_w) * at.p);  // w = 0 is a direction already
+    t.n_dot_l = dot(at.n, l);
+    t.k_w = F(0.5f) * (F(1) + t.n_dot_l);
+    t.cool = same<F>(tone.cool) + F(tone.alpha) * k_d;
+    t.warm = same<F>(tone.warm) + F(tone.beta) * k_d;
+    t.color = t.k_w * t.warm + (F(1) - t.k_w) * t.cool;
+    return t;
+}
+
+}  // namespace glint::inline GLINT_ISA
