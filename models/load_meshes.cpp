@@ -1,0 +1,111 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <map>
+#include <new>
+#include <system_error>
+
+#include "models/mesh_file.h"
+#include "models/scene_file.h"
+#include "models/scene_names.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string resolved(const std::string& path, const std::string& mesh_dir) {
+    return (fs::path(mesh_dir) / fs::path(path)).string();  // an absolute path stands alone
+}
+
+/// Why the path of a mesh leads to no file, in the words of the scene that names it.
+std::string why_no_file(const std::string& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::not_found) return "no such file";
+    if (!fs::exists(status)) return error.message();
+    if (fs::is_directory(status)) return "it is a directory";
+    return fs::is_regular_file(status) ? "" : "it is a device or a pipe";
+}
+
+Result<Mesh> load(const MeshSource& source, const std::string& mesh_dir) {
+    try {
+        if (const auto* mesh = std::get_if<PrimitiveMesh>(&source))
+            return make_primitive(mesh->primitive, mesh->detail);
+        return read_mesh(resolved(std::get<MeshFile>(source).path, mesh_dir));
+    } catch (const std::bad_alloc&) {
+        return Problem{"", "", "the mesh does not fit in memory", "a smaller detail"};
+    }
+}
+
+/// Meshes by what they come from, so that each is loaded once.
+class Loader {
+  public:
+    Loader(const std::string& file, const std::string& mesh_dir) : file_(file), mesh_dir_(mesh_dir) {}
+
+    /// The object's mesh; a problem is about its place in the scene, or in the mesh file.
+    Result<MeshPtr> mesh_of(const Object& object, std::size_t index) {
+        const std::string pointer = fmt::format("/objects/{}/mesh", index);
+        const auto* named = std::get_if<MeshFile>(&object.source);
+        MeshPtr& known = known_[key_of(object.source)];
+        if (known) return known;
+        if (named != nullptr) {
+            const std::string why = why_no_file(resolved(named->path, mesh_dir_));
+            if (!why.empty())
+                return Problem{file_, pointer + "/file",
+                               fmt::format("cannot read \"{}\": {}", named->path, why), "a mesh file"};
+            if (!is_mesh_path(named->path))
+                return Problem{file_, pointer + "/file",
+                               fmt::format("\"{}\" has another extension", named->path),
+                               ".obj, .ply, .off, .stl or .om"};
+        }
+        Result<Mesh> loaded = load(object.source, mesh_dir_);
+        if (const Problem* problem = problem_of(loaded)) {
+            if (!problem->file.empty()) return *problem;
+            return Problem{file_, pointer, problem->what, problem->expected};
+        }
+        known = std::make_shared<const Mesh>(std::get<Mesh>(std::move(loaded)));
+        for (const std::string& warning : known->warnings)
+            warnings_.push_back(named != nullptr ? named->path + ": " + warning : warning);
+        return known;
+    }
+
+    /// A mesh that the scene holds already need not be loaded again.
+    void remember(const Object& object) {
+        if (object.mesh) known_[key_of(object.source)] = object.mesh;
+    }
+    Warnings take_warnings() { return std::move(warnings_); }
+
+  private:
+    static std::pair<std::string, int> key_of(const MeshSource& source) {
+        if (const auto* mesh = std::get_if<PrimitiveMesh>(&source))
+            return {std::string(name_of(mesh->primitive)), mesh->detail};
+        return {std::get<MeshFile>(source).path, 0};  // details begin at 1
+    }
+
+    const std::string& file_;
+    const std::string& mesh_dir_;
+    std::map<std::pair<std::string, int>, MeshPtr> known_;
+    Warnings warnings_;
+};
+
+}  // namespace
+
+Result<Warnings> load_meshes(Scene& scene, const std::string& file, const std::string& mesh_dir) {
+    Loader loader(file, mesh_dir);
+    std::vector<MeshPtr> meshes;  // given to the scene when all are there
+    for (const Object& object : scene.objects) loader.remember(object);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        if (scene.objects[i].mesh) {
+            meshes.push_back(scene.objects[i].mesh);
+            continue;
+        }
+        Result<MeshPtr> mesh = loader.mesh_of(scene.objects[i], i);
+        if (const Problem* problem = problem_of(mesh)) return *problem;
+        meshes.push_back(std::get<MeshPtr>(std::move(mesh)));
+    }
+    for (std::size_t i = 0; i < meshes.size(); ++i) scene.objects[i].mesh = std::move(meshes[i]);
+    return loader.take_warnings();
+}
+
+}  // namespace glint

@@ -1,0 +1,18 @@
+#pragma once
+// The text that a PNG picture carries: Glint writes the scene of a picture into it (docs/interface.md).
+// Source: PNG Specification (Second Edition), sections 5 "Datastream structure" and 11.3.4.5 "iTXt".
+
+#include <string>
+#include <string_view>
+
+#include "models/problem.h"
+
+namespace glint {
+
+/// Text of the first iTXt chunk with that keyword, compressed or not, wherever it stands. Problems, with
+/// `file`: no PNG, a chunk that is cut off or whose checksum is wrong, no such chunk, more than `max_bytes`
+/// of text.
+[[nodiscard]] Result<std::string> png_text(std::string_view bytes, std::string_view keyword,
+                                           std::size_t max_bytes, const std::string& file);
+
+}  // namespace glint
