@@ -1,7 +1,77 @@
-// Where the program starts.
-#include <fmt/core.h>
+// Where the program starts: prepares the process, runs the command line, says in one line what went wrong.
 
-int main() {
-    fmt::print("glint {}\n", GLINT_VERSION);
-    return 0;
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/command_line.h"
+#include "models/file.h"
+
+namespace {
+
+using namespace glint;
+
+/// A closed descriptor 0, 1 or 2 would be given to the next file that is opened, and our output would go
+/// there. What we put in its place cannot be used either way, so that writing to a closed output still is an
+/// error.
+void occupy_closed_descriptors() {
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(descriptor, F_GETFD) != -1) continue;
+        const int wrong_way = descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY;
+        (void)!open("/dev/null", wrong_way);  // the lowest free descriptor is this one
+    }
+}
+
+/// One line of at most 4096 bytes, with control characters escaped. When standard error is gone nobody is
+/// told.
+void say(const char* kind, Problem problem) {
+    const std::string head = fmt::format("glint: {}: ", kind);
+    // The whole line has the limit, so what is too long is cut with its beginning in place.
+    problem.file.empty() ? problem.what.insert(0, head) : problem.file.insert(0, head);
+    std::fputs((problem.text() + "\n").c_str(), stderr);
+}
+
+void print(const std::string& output) {
+    auto written = write_file("-", output);
+    if (Problem* problem = std::get_if<Problem>(&written)) problem->file = "standard output";
+    (void)take(std::move(written));
+}
+
+int run(const std::vector<std::string>& arguments) {
+    const Outcome outcome = run_command_line(arguments);
+    if (!outcome.output.empty()) print(outcome.output);
+    std::set<std::string> said;  // the same mesh may stand in a scene twice
+    for (const std::string& warning : outcome.warnings) {
+        if (said.insert(warning).second)
+            say("warning", {.file = {}, .pointer = {}, .what = warning, .expected = {}});
+    }
+    return static_cast<int>(outcome.status);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    occupy_closed_descriptors();
+    std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is an error that we can name
+    try {
+        return run({argv + 1, argv + argc});
+    } catch (const Failure& failure) {
+        say("error", failure.problem);
+        return static_cast<int>(failure.status);
+    } catch (const std::bad_alloc&) {
+        say("error",
+            {.file = {}, .pointer = {}, .what = "there is not enough memory for this", .expected = {}});
+    } catch (const std::exception& error) {
+        say("error", {.file = {}, .pointer = {}, .what = error.what(), .expected = {}});
+    }
+    return static_cast<int>(ExitStatus::Impossible);
 }

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "models/file.h"
+#include "models/scene_file.h"
 
 namespace glint {
 namespace {
@@ -34,7 +35,7 @@ std::string chunk(std::string_view type, std::string_view data) {
 /// Keyword, then four fields that are empty or zero (compression flag and method, language, translated
 /// keyword).
 std::string scene_chunk(const std::string& scene_json) {
-    std::string data = scene_chunk_keyword;
+    std::string data(png_scene_keyword);
     data.append(5, '\0').append(scene_json);
     return chunk("iTXt", data);
 }

@@ -9,12 +9,9 @@
 
 namespace glint {
 
-/// The keyword of the PNG text chunk (iTXt, UTF-8, not compressed) that holds the scene's JSON.
-inline constexpr const char* scene_chunk_keyword = "glint-scene";
-
-/// PNG bytes of the red, green and blue of `rgba`; `scene_json` goes into a text chunk unless empty. Same
-/// input, same bytes. Precondition: the size is 1x1 to 16384x16384. Source: PNG specification (W3C, second
-/// edition), sections 5.3 and 11.3.4.5.
+/// PNG bytes of the red, green and blue of `rgba`; `scene_json` goes into a text chunk (iTXt, not compressed,
+/// keyword png_scene_keyword of models/scene_file.h) unless empty. Same input, same bytes. Precondition: the
+/// size is 1x1 to 16384x16384. Source: PNG specification (W3C, second edition), sections 5.3 and 11.3.4.5.
 [[nodiscard]] std::string png_bytes(const Picture& picture, const std::string& scene_json);
 
 /// PFM bytes: "PF", little-endian (scale -1.0), bottom row first, `linear` times `exposure`.

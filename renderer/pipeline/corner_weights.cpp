@@ -10,9 +10,9 @@
 namespace glint {
 namespace {
 
-template <Number F> ScreenPoint<F> screen_point(PictureSize size, SamplePlace at) {
-    return {F(2) * F(at.x) / static_cast<F>(size.width) - F(1),
-            F(1) - F(2) * F(at.y) / static_cast<F>(size.height)};
+template <Number F> ScreenPoint<F> screen_point(PictureSize size, int x, int y) {
+    return {(F(2) * static_cast<F>(x) + F(1)) / static_cast<F>(size.width) - F(1),
+            F(1) - (F(2) * static_cast<F>(y) + F(1)) / static_cast<F>(size.height)};
 }
 
 /// Weights, and the place that they give, of corners in clip and in camera coordinates.
@@ -41,10 +41,11 @@ void add_cut(CornerWeights& weights, const CutCorner& corner, double weight) {
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 /// Linear on the screen over the fan of a triangle that the near plane cuts.
-CornerWeights cut_screen_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
+CornerWeights cut_screen_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle, int x,
+                                 int y) {
     CutMemory memory;
     const auto cut = cut_at_near(g, face.object, triangle.corner, memory);
-    const glm::dvec2 at(face.at.x, face.at.y);
+    const glm::dvec2 at(x + 0.5, y + 0.5);
     CornerWeights best;
     double best_inside =
         -HUGE_VAL;  // the smallest weight: largest in the fan's triangle that holds the sample
@@ -95,7 +96,8 @@ double height_within(const std::pmr::vector<CutCorner>& polygon, double y) {
     return std::clamp(y, low->pixel.y, std::nextafter(high->pixel.y, low->pixel.y));
 }
 
-CornerWeights scanline_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
+CornerWeights scanline_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle, int x,
+                               int y) {
     const Vec3<float> perspective{face.weights.x, face.weights.y, face.weights.z};
     const Mesh& mesh = *g.objects[face.object].mesh;
     CutMemory memory;
@@ -105,9 +107,9 @@ CornerWeights scanline_weights(const Geometry& g, const SampleFace& face, const 
     const auto polygon = cut_at_near(g, face.object, corners, memory);
     CornerWeights weights;
     if (polygon.empty()) return of_triangle(triangle, perspective);
-    const auto crossing = crossings_at(polygon, height_within(polygon, face.at.y), memory);
+    const auto crossing = crossings_at(polygon, height_within(polygon, y + 0.5), memory);
     // The pair of crossings around the sample; of a polygon that is not convex there may be several pairs.
-    const double at = face.at.x;
+    const double at = x + 0.5;
     const Crossing *left = nullptr, *right = nullptr;
     double best = HUGE_VAL;
     for (std::size_t i = 1; i < crossing.size(); i += 2) {
@@ -140,7 +142,7 @@ void CornerWeights::add(std::uint32_t which, float w) {
     weight[i] += w;
 }
 
-void place_on_face(SampleFace& face, const Geometry& g) {
+void place_on_face(SampleFace& face, const Geometry& g, int x, int y) {
     const ObjectGeometry& object = g.objects[face.object];
     const auto corner = g.position_indices(face.object, g.triangle(face.object, face.triangle));
     std::uint32_t outside = 0;
@@ -154,7 +156,7 @@ void place_on_face(SampleFace& face, const Geometry& g) {
             clip[i] = {v.x, v.y, v.w};
             camera[i] = {p.x, p.y, p.z};
         }
-        place(face, clip, camera, screen_point<float>(g.size, face.at));
+        place(face, clip, camera, screen_point<float>(g.size, x, y));
         return;
     }
     // A face that had to be clipped may reach far beyond the picture: its corners in double, or float would
@@ -169,22 +171,23 @@ void place_on_face(SampleFace& face, const Geometry& g) {
         clip[i] = {c.x, c.y, c.w};
         camera[i] = {p.x, p.y, p.z};
     }
-    place(face, clip, camera, screen_point<double>(g.size, face.at));
+    place(face, clip, camera, screen_point<double>(g.size, x, y));
 }
 
-CornerWeights corner_weights(Interpolation interpolation, const Geometry& g, const SampleFace& face) {
+CornerWeights corner_weights(Interpolation interpolation, const Geometry& g, const SampleFace& face, int x,
+                             int y) {
     const Triangle& triangle = g.triangle(face.object, face.triangle);
     const Vec3<float> perspective{face.weights.x, face.weights.y, face.weights.z};
     switch (interpolation) {
     case Interpolation::Perspective:
         break;
     case Interpolation::Scanline:
-        return scanline_weights(g, face, triangle);
+        return scanline_weights(g, face, triangle, x, y);
     case Interpolation::Screen: {
         const std::vector<ClipVertex>& v = g.objects[face.object].vertices;
         const auto p = g.position_indices(face.object, triangle);
         if ((v[p[0]].outside | v[p[1]].outside | v[p[2]].outside) & OutsideNear)
-            return cut_screen_weights(g, face, triangle);
+            return cut_screen_weights(g, face, triangle, x, y);
         return of_triangle(triangle, screen_weights(perspective, v[p[0]].w, v[p[1]].w, v[p[2]].w));
     }
     }

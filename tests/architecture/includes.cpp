@@ -55,10 +55,10 @@ std::vector<std::string> forbidden_includes(string_view path, string_view text) 
         if (!std::regex_match(line, match, include)) continue;
         const std::string name = match[2];
         const std::string why = complaint(path, name, match[1] == "\"");
-        if (!why.empty()) {
-            found.push_back(std::string(path) + ":" + std::to_string(number) + ": includes " + name +
-                            ", which " + why);
-        }
+        if (why.empty()) continue;
+        std::ostringstream text_of_line;
+        text_of_line << path << ":" << number << ": includes " << name << ", which " << why;
+        found.push_back(text_of_line.str());
     }
     return found;
 }

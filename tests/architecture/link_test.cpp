@@ -52,7 +52,10 @@ std::vector<std::string> shared_names(const std::map<std::string, std::set<std::
     for (const auto& [set, names] : of_set) {
         for (const auto& name : names) {
             const auto [at, is_new] = owner.emplace(name, set);
-            if (!is_new) shared.push_back(name + " is in " + at->second + " and " + set);
+            if (is_new) continue;
+            std::ostringstream line;
+            line << name << " is in " << at->second << " and " << set;
+            shared.push_back(line.str());
         }
     }
     return shared;

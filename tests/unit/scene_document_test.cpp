@@ -123,7 +123,6 @@ TEST_CASE("a mesh opens framed, with a light in the world and one at the camera"
 
 TEST_CASE("a picture that carries its scene opens as that scene", "[scene_document]") {
     const Place place;
-    CHECK(std::string(scene_chunk_keyword) == png_scene_keyword);
     place.write("deep/a.png", picture_with(two_triangles));
     CHECK(opened(place / "deep/a.png").scene.objects[0].mesh->face_count() == 1);
     place.write("plain.png", picture_with(""));

@@ -1,0 +1,162 @@
+#include "app/arguments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "app/failure.h"
+#include "renderer/renderer.h"
+
+namespace glint {
+namespace {
+
+constexpr int max_threads = 1024;
+
+/// All of `text` as a whole number: digits, with a minus before them or not; nothing otherwise.
+std::optional<int> whole_number(std::string_view text) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+struct Pair {
+    std::optional<int> first, second;
+};
+Pair pair_of(std::string_view text, char separator) {
+    const auto at = text.find(separator);
+    if (at == std::string_view::npos) return {};
+    return {whole_number(text.substr(0, at)), whole_number(text.substr(at + 1))};
+}
+
+}  // namespace
+
+PictureSize read_size(const std::string& option, std::string_view text) {
+    const auto [width, height] = pair_of(text, 'x');
+    const auto fits = [](const std::optional<int>& side) {
+        return side && *side >= 1 && *side <= max_picture_side;
+    };
+    if (fits(width) && fits(height)) return {*width, *height};
+    throw wrong_usage(option, fmt::format("{} is no size of a picture", text),
+                      fmt::format("WIDTHxHEIGHT as in 1280x720, 1x1 to {0}x{0}", max_picture_side));
+}
+
+Pixel read_pixel(const std::string& option, std::string_view text) {
+    const auto [x, y] = pair_of(text, ',');
+    if (x && y) return {*x, *y};
+    throw wrong_usage(option, fmt::format("{} is no pixel", text), "X,Y as in 640,360");
+}
+
+void require_inside(const std::string& option, Pixel pixel, PictureSize size) {
+    if (pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.width && pixel.y < size.height) return;
+    throw wrong_usage(option, fmt::format("{},{} is outside the picture", pixel.x, pixel.y),
+                      fmt::format("0 to {}, 0 to {}", size.width - 1, size.height - 1));
+}
+
+int read_count(const std::string& option, std::string_view text, int least, int most) {
+    const auto value = whole_number(text);
+    if (value && *value >= least && *value <= most) return *value;
+    throw wrong_usage(option, fmt::format("{} is {}", text, value ? "out of range" : "no whole number"),
+                      fmt::format("{} to {}", least, most));
+}
+
+double read_amount(const std::string& option, std::string_view text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = error == std::errc{} && end == text.data() + text.size();
+    if (whole && std::isfinite(value) && value >= 0) return value;
+    throw wrong_usage(option, fmt::format("{} is {}", text, whole ? "out of range" : "no number"),
+                      "0 or more");
+}
+
+std::size_t read_word(const std::string& option, std::string_view text,
+                      const std::vector<std::string>& words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == text) return i;
+    }
+    throw wrong_usage(option, fmt::format("{} is not known", text),
+                      fmt::format("{}", fmt::join(words, ", ")));
+}
+
+CLI::Option* add_value(CLI::App& app, const std::string& names, const std::string& value_name,
+                       const std::string& help, ReadValue read) {
+    const std::string option = names.substr(names.rfind(',') + 1);
+    const auto on_given = [option, read = std::move(read)](const CLI::results_t& given) {
+        if (given.size() > 1) throw wrong_usage(option, "is given twice", "it once");
+        read(given.front());
+        return true;
+    };
+    // Every value is kept, for CLI11 would have words of its own for the second.
+    return app.add_option(names, on_given, help)
+        ->type_name(value_name)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+CLI::Option* add_text(CLI::App& app, const std::string& names, const std::string& value_name,
+                      const std::string& help, std::string& value) {
+    return add_value(app, names, value_name, help, [&value](const std::string& text) { value = text; });
+}
+
+void add_threads(CLI::App& app, int& threads) {
+    add_value(
+        app, "-j,--threads", "N", "threads to draw with; 0, the default, is all cores",
+        [&threads](const std::string& text) { threads = read_count("--threads", text, 0, max_threads); });
+}
+
+void add_size(CLI::App& app, PictureSize& size) {
+    add_value(app, "--size", "WxH", "size of the picture in pixels; 1280x720 when not given",
+              [&size](const std::string& text) { size = read_size("--size", text); });
+}
+
+void add_scene(CLI::App& app, SceneArguments& arguments) {
+    add_text(
+        app, "FILE", "",
+        "a scene (.json, or a .png that Glint wrote), a mesh (.obj .ply .off .stl .om), or - for a scene on "
+        "standard input",
+        arguments.file);
+    const auto on_set = [&arguments](const CLI::results_t& given) {
+        for (const std::string& text : given) arguments.assignments.push_back(take(parse_assignment(text)));
+        return true;
+    };
+    app.add_option("--set", on_set,
+                   "change the scene, as in --set /lights/0/position=[1,2,3]; may be repeated")
+        ->type_name("POINTER=JSON")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_threads(app, arguments.threads);
+}
+
+void require_given(const std::string& value, const std::string& option, const std::string& expected) {
+    if (value.empty()) throw wrong_usage(option, "is missing", expected);
+}
+
+void require_file(const SceneArguments& arguments) {
+    require_given(arguments.file, "FILE", "a scene, a mesh, or - for a scene on standard input");
+}
+
+bool has_extension(const std::string& path, const std::string& extension) {
+    std::string has = std::filesystem::path(path).extension().string();
+    std::transform(has.begin(), has.end(), has.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return has == extension;
+}
+
+SceneDocument open_scene(const SceneArguments& arguments) {
+    require_file(arguments);
+    return take(open_document(arguments.file, arguments.assignments));
+}
+
+SceneDocument open_drawable_scene(const SceneArguments& arguments) {
+    SceneDocument document = open_scene(arguments);
+    if (auto problem = unsupported(document.scene)) {
+        if (problem->file.empty()) problem->file = arguments.file;
+        throw Failure{ExitStatus::Impossible, *problem};
+    }
+    return document;
+}
+
+}  // namespace glint

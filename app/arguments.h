@@ -1,0 +1,66 @@
+#pragma once
+// What commands have in common on the command line: their scene, sizes, pixels, counts. CLI11 splits the
+// line; what a value means is read here, strictly, so that "640x" or "0x5" is never guessed at.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "models/camera.h"
+#include "models/scene_file.h"
+
+namespace glint {
+
+struct Pixel {
+    int x = 0, y = 0;  // from the top left
+};
+
+/// "640x480", each side 1 to 16384. All of these throw Failure with `option` in place of a file.
+[[nodiscard]] PictureSize read_size(const std::string& option, std::string_view text);
+/// "900,20", both whole numbers; whether it is inside a picture is require_inside()'s to say.
+[[nodiscard]] Pixel read_pixel(const std::string& option, std::string_view text);
+void require_inside(const std::string& option, Pixel pixel, PictureSize size);
+/// A whole number of decimal digits within [least, most].
+[[nodiscard]] int read_count(const std::string& option, std::string_view text, int least, int most);
+/// A finite number of at least 0.
+[[nodiscard]] double read_amount(const std::string& option, std::string_view text);
+/// One of `words`, as it stands there; its index.
+[[nodiscard]] std::size_t read_word(const std::string& option, std::string_view text,
+                                    const std::vector<std::string>& words);
+
+/// What every command that draws is given.
+struct SceneArguments {
+    std::string file;  // a scene, a picture that carries one, a mesh, or "-"
+    std::vector<Assignment> assignments;
+    int threads = 0;  // 0: all cores
+};
+
+using ReadValue = std::function<void(const std::string& text)>;
+
+/// An option (or a positional, when its names have no dash) with one value, at most once.
+/// `names` as CLI11 takes them: "-j,--threads".
+CLI::Option* add_value(CLI::App& app, const std::string& names, const std::string& value_name,
+                       const std::string& help, ReadValue read);
+/// The same where the text is the value.
+CLI::Option* add_text(CLI::App& app, const std::string& names, const std::string& value_name,
+                      const std::string& help, std::string& value);
+/// FILE, --set and --threads. `arguments` must live as long as the app.
+void add_scene(CLI::App& app, SceneArguments& arguments);
+void add_threads(CLI::App& app, int& threads);
+void add_size(CLI::App& app, PictureSize& size);
+
+/// The scene with its meshes, everything checked. Throws Failure.
+[[nodiscard]] SceneDocument open_scene(const SceneArguments& arguments);
+/// The same, and the engine can draw it.
+[[nodiscard]] SceneDocument open_drawable_scene(const SceneArguments& arguments);
+
+/// Throws the Failure of a command that was given no OUT, FILE or the like.
+void require_given(const std::string& value, const std::string& option, const std::string& expected);
+void require_file(const SceneArguments& arguments);
+
+/// True when the last part of a path ends in `extension` (".png"), in any case.
+[[nodiscard]] bool has_extension(const std::string& path, const std::string& extension);
+
+}  // namespace glint

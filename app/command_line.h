@@ -1,0 +1,15 @@
+#pragma once
+// From argv to what the program does: finds the command, lets CLI11 split the line, and says what is wrong
+// with it in the one-line form of docs/interface.md instead of CLI11's own.
+
+#include <string>
+#include <vector>
+
+#include "app/commands/command.h"
+
+namespace glint {
+
+/// Runs the command that `arguments` (argv without its first) name. Throws Failure.
+[[nodiscard]] Outcome run_command_line(const std::vector<std::string>& arguments);
+
+}  // namespace glint

@@ -1,0 +1,164 @@
+// glint bench: how long frames take while something is dragged.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/arguments.h"
+#include "app/commands/command.h"
+#include "renderer/inspect/json_text.h"
+#include "renderer/renderer.h"
+
+namespace glint {
+namespace {
+
+enum class Drag { Light, Material, Camera, Object };
+const std::vector<std::string> drag_names{"light", "material", "camera", "object"};
+constexpr int warm_up_frames = 3;
+
+struct BenchArguments {
+    SceneArguments scene;
+    PictureSize size;
+    int frames = 100;
+    std::optional<Drag> drag;
+    bool relight = false;
+};
+
+/// What is dragged when nobody says: a light, else (a scene may have none) the camera.
+Drag drag_of(const BenchArguments& arguments, const Scene& scene) {
+    if (!arguments.drag) return scene.lights.empty() ? Drag::Camera : Drag::Light;
+    if (*arguments.drag == Drag::Light && scene.lights.empty()) {
+        throw wrong_usage("--drag", "the scene has no light",
+                          "material, camera or object, or a scene with a light");
+    }
+    const bool needs_object = *arguments.drag == Drag::Material || *arguments.drag == Drag::Object;
+    if (needs_object && scene.objects.empty()) {
+        throw wrong_usage("--drag", "the scene has no object", "light or camera, or a scene with an object");
+    }
+    return *arguments.drag;
+}
+
+/// Puts into `scene` what a hand has dragged by `frame`; every frame differs from the one before.
+void drag_to(Scene& scene, const Scene& start, Drag drag, int frame) {
+    const auto turn = 0.1f * static_cast<float>(frame);
+    const glm::vec3 circle{std::cos(turn), std::sin(turn), 0};
+    switch (drag) {
+    case Drag::Light: {
+        const glm::vec4 at = start.lights.front().position;
+        const float reach = 0.1f * (glm::length(glm::vec3(at)) + at.w);
+        scene.lights.front().position = at + glm::vec4(reach * circle, 0);
+        break;
+    }
+    case Drag::Material:
+        scene.objects.front().material.diffuse = glm::vec3(0.5f + 0.4f * circle.x);
+        break;
+    case Drag::Camera: {
+        const Camera& camera = start.camera;
+        const glm::dmat4 turned = glm::rotate(glm::dmat4(1), 0.1 * frame, glm::dvec3(camera.up));
+        const glm::dvec4 arm{glm::dvec3(camera.eye) - glm::dvec3(camera.target), 0};
+        scene.camera.eye = glm::vec3(glm::dvec3(camera.target) + glm::dvec3(turned * arm));
+        break;
+    }
+    case Drag::Object: {
+        const glm::vec3 at = start.objects.front().transform.translate;
+        const float reach = 0.02f * glm::distance(start.camera.eye, start.camera.target);
+        scene.objects.front().transform.translate = at + reach * circle;
+        break;
+    }
+    }
+}
+
+/// The value that a share of all is not above: 0.5 is the median. Precondition: not empty.
+double quantile(std::vector<double> values, double share) {
+    const auto last = static_cast<double>(values.size() - 1);
+    const auto at = static_cast<std::ptrdiff_t>(std::lround(share * last));
+    std::nth_element(values.begin(), values.begin() + at, values.end());
+    return values[static_cast<std::size_t>(at)];
+}
+
+struct Times {
+    std::vector<double> frame;
+    std::array<std::vector<double>, stage_count> stage;
+};
+
+Times measure(Renderer& renderer, const Scene& start, const BenchArguments& arguments, Drag drag) {
+    using Clock = std::chrono::steady_clock;
+    Times times;
+    Scene scene = start;
+    for (int frame = -warm_up_frames; frame < arguments.frames; ++frame) {
+        drag_to(scene, start, drag, frame);
+        const auto before = Clock::now();
+        (void)renderer.render(scene, arguments.size);
+        const std::chrono::duration<double, std::milli> took = Clock::now() - before;
+        if (frame < 0) continue;
+        times.frame.push_back(took.count());
+        for (std::size_t i = 0; i < stage_count; ++i) times.stage[i].push_back(renderer.stats().ms[i]);
+    }
+    return times;
+}
+
+std::uint64_t peak_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+Outcome bench(const BenchArguments& arguments) {
+    const SceneDocument document = open_drawable_scene(arguments.scene);
+    const Drag drag = drag_of(arguments, document.scene);
+    Renderer renderer(arguments.scene.threads);
+    const Times times = measure(renderer, document.scene, arguments, drag);
+    const FrameStats& stats = renderer.stats();
+    const auto of = [&times](double share) { return quantile(times.frame, share); };
+    const auto stage = [&times](Stage s) { return quantile(times.stage[static_cast<std::size_t>(s)], 0.5); };
+    const nlohmann::ordered_json json{
+        {"frames", arguments.frames},
+        {"ms", {{"median", of(0.5)}, {"p90", of(0.9)}, {"p99", of(0.99)}, {"max", of(1)}}},
+        {"stages",
+         {{"geometry", stage(Stage::Geometry)},
+          {"visibility", stage(Stage::Visibility)},
+          {"surface", stage(Stage::Surface)},
+          {"lighting", stage(Stage::Lighting)}}},
+        {"threads", stats.threads},
+        {"instruction_set", stats.instruction_set},
+        {"triangles", stats.triangles},
+        {"shaded_pixels", stats.shaded_pixels},
+        {"width", arguments.size.width},
+        {"height", arguments.size.height},
+        {"drag", drag_names[static_cast<std::size_t>(drag)]},
+        {"peak_bytes", peak_bytes()}};
+    Outcome outcome{json_text(json), document.warnings, ExitStatus::Done};
+    outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());
+    return outcome;
+}
+
+Run declare(CLI::App& app) {
+    auto arguments = std::make_shared<BenchArguments>();
+    add_scene(app, arguments->scene);
+    add_size(app, arguments->size);
+    add_value(app, "--frames", "N", "frames to measure, 1 to 100000; 100 when not given",
+              [&frames = arguments->frames](const std::string& text) {
+                  frames = read_count("--frames", text, 1, 100000);
+              });
+    add_value(app, "--drag", "WHAT", "what moves from frame to frame: light, material, camera or object",
+              [&drag = arguments->drag](const std::string& text) {
+                  drag = static_cast<Drag>(read_word("--drag", text, drag_names));
+              });
+    app.add_flag("--relight", arguments->relight, "light every light again on each frame, as is done anyway");
+    return [arguments] { return bench(*arguments); };
+}
+
+}  // namespace
+
+Command bench_command() {
+    return {"bench", "FILE", "measures frames while something is dragged, as JSON",
+            "glint bench teapot.json --frames 200 --drag camera", declare};
+}
+
+}  // namespace glint

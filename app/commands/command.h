@@ -1,0 +1,43 @@
+#pragma once
+// A command of the program: what its line looks like, and what it does once the line has been read.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/failure.h"
+#include "models/problem.h"
+
+namespace glint {
+
+/// What is left of a command that has done its work.
+struct Outcome {
+    std::string output;  // for standard output
+    Warnings warnings;   // what was tolerated
+    ExitStatus status = ExitStatus::Done;
+};
+
+/// Throws Failure. All output is in the outcome, so that a failure leaves standard output empty.
+using Run = std::function<Outcome()>;
+
+struct Command {
+    std::string name;     // "render"; empty for the window
+    std::string usage;    // what follows the name: "FILE -o OUT"
+    std::string summary;  // one line
+    std::string example;  // a whole line to copy
+    Run (*declare)(
+        CLI::App& app);  // adds the command's options to `app` and returns what to do once they are read
+};
+
+[[nodiscard]] Command window_command();
+[[nodiscard]] Command render_command();
+[[nodiscard]] Command explain_command();
+[[nodiscard]] Command info_command();
+[[nodiscard]] Command compare_command();
+[[nodiscard]] Command bench_command();
+
+/// Those that have a name, in the order of --help.
+[[nodiscard]] std::vector<Command> named_commands();
+
+}  // namespace glint

@@ -1,0 +1,82 @@
+// glint compare: how far two pictures are apart.
+#include "renderer/inspect/compare.h"
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/arguments.h"
+#include "app/commands/command.h"
+#include "models/file.h"
+#include "renderer/image_file.h"
+#include "renderer/inspect/json_text.h"
+
+namespace glint {
+namespace {
+
+struct CompareArguments {
+    std::string a, b, out;
+    std::optional<double> max_error;
+    int threads = 0;  // taken on every line; nothing here is worth a second one
+};
+
+std::string json_of(const Comparison& c, int gain) {
+    nlohmann::ordered_json json;
+    json["width"] = c.size.width;
+    json["height"] = c.size.height;
+    json["differing_pixels"] = c.differing_pixels;
+    json["unit"] = "byte";
+    json["max_error"] = c.max_error;
+    json["max"] = c.max;
+    json["mean"] = c.mean;
+    json["rmse"] = c.rmse;
+    json["alpha_max"] = c.alpha_max;
+    json["gain"] = gain;
+    return json_text(json);
+}
+
+/// Standard output is the JSON's, so a picture of the differences needs a file.
+void require_png_file(const std::string& out) {
+    if (out.empty() || has_extension(out, ".png")) return;
+    throw wrong_usage("-o", out + " cannot be written", "a name that ends in .png");
+}
+
+Outcome compare(const CompareArguments& arguments) {
+    require_given(arguments.a, "A.png", "two pictures to compare");
+    require_given(arguments.b, "B.png", "a second picture to compare with");
+    require_png_file(arguments.out);
+    const Picture a = take(read_png(arguments.a)), b = take(read_png(arguments.b));
+    Result<Comparison> compared = glint::compare(a, b);
+    if (Problem* problem = std::get_if<Problem>(&compared)) problem->file = arguments.b;
+    const Comparison result = take(std::move(compared));
+    const int gain = difference_gain(result);
+    if (!arguments.out.empty())
+        (void)take(write_file(arguments.out, png_bytes(difference_picture(a, b, gain), {})));
+    // More than was allowed is an answer, not an error: it is told by the status alone.
+    const bool too_far = arguments.max_error && result.max_error > *arguments.max_error;
+    return {json_of(result, gain), {}, too_far ? ExitStatus::Impossible : ExitStatus::Done};
+}
+
+Run declare(CLI::App& app) {
+    auto arguments = std::make_shared<CompareArguments>();
+    add_text(app, "A.png", "", "a picture", arguments->a);
+    add_text(app, "B.png", "", "another of the same size", arguments->b);
+    add_text(app, "-o", "DIFF.png", "write the absolute differences, times the `gain` of the answer",
+             arguments->out);
+    add_value(app, "--max-error", "E",
+              "end with status 1 when any channel of any pixel differs by more, 0 to 255",
+              [&max_error = arguments->max_error](const std::string& text) {
+                  max_error = read_amount("--max-error", text);
+              });
+    add_threads(app, arguments->threads);
+    return [arguments] { return compare(*arguments); };
+}
+
+}  // namespace
+
+Command compare_command() {
+    return {"compare", "A.png B.png", "tells how far two pictures are apart, as JSON",
+            "glint compare before.png after.png -o difference.png --max-error 1", declare};
+}
+
+}  // namespace glint

@@ -1,0 +1,57 @@
+// glint explain: every number behind one pixel.
+#include <memory>
+#include <optional>
+
+#include "app/arguments.h"
+#include "app/commands/command.h"
+#include "renderer/inspect/explain_json.h"
+#include "renderer/inspect/explain_text.h"
+#include "renderer/renderer.h"
+
+namespace glint {
+namespace {
+
+struct ExplainArguments {
+    SceneArguments scene;
+    PictureSize size;
+    std::optional<Pixel> pixel;
+    bool as_json = false;
+};
+
+Outcome explain(const ExplainArguments& arguments) {
+    require_file(arguments.scene);
+    if (!arguments.pixel) throw wrong_usage("--pixel", "is missing", "X,Y as in --pixel 640,360");
+    const Pixel pixel = *arguments.pixel;
+    require_inside("--pixel", pixel, arguments.size);
+    const SceneDocument document = open_drawable_scene(arguments.scene);
+
+    Renderer renderer(arguments.scene.threads);
+    (void)renderer.render(document.scene, arguments.size);
+    const Explanation explanation = renderer.explain(pixel.x, pixel.y);
+    Outcome outcome{arguments.as_json ? explain_json(explanation) : explain_text(explanation, document.scene),
+                    document.warnings, ExitStatus::Done};
+    outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());
+    return outcome;
+}
+
+Run declare(CLI::App& app) {
+    auto arguments = std::make_shared<ExplainArguments>();
+    add_scene(app, arguments->scene);
+    add_value(app, "--pixel", "X,Y", "the pixel; 0,0 is the top left",
+              [&pixel = arguments->pixel](const std::string& text) { pixel = read_pixel("--pixel", text); });
+    add_size(app, arguments->size);
+    add_value(app, "--format", "FORMAT", "text, the default, or json (docs/explain.md)",
+              [&as_json = arguments->as_json](const std::string& text) {
+                  as_json = read_word("--format", text, {"text", "json"}) == 1;
+              });
+    return [arguments] { return explain(*arguments); };
+}
+
+}  // namespace
+
+Command explain_command() {
+    return {"explain", "FILE --pixel X,Y", "tells every number behind one pixel",
+            "glint explain teapot.json --pixel 640,360 --format json", declare};
+}
+
+}  // namespace glint

@@ -1,0 +1,79 @@
+// glint render: one picture.
+#include <filesystem>
+#include <memory>
+
+#include "app/arguments.h"
+#include "app/commands/command.h"
+#include "models/file.h"
+#include "renderer/image_file.h"
+#include "renderer/renderer.h"
+
+namespace glint {
+namespace {
+
+enum class PictureFormat { Png, Pfm };
+
+struct RenderArguments {
+    SceneArguments scene;
+    PictureSize size;
+    std::string out;
+};
+
+/// By the extension. "-", and a device or pipe whose name has none, take PNG.
+PictureFormat format_of(const std::string& out) {
+    if (has_extension(out, ".pfm")) return PictureFormat::Pfm;
+    if (out == "-" || has_extension(out, ".png")) return PictureFormat::Png;
+    const std::filesystem::path path = out;
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path, ignored);
+    const bool is_channel = std::filesystem::is_character_file(status) || std::filesystem::is_fifo(status);
+    if (is_channel && !path.has_extension()) return PictureFormat::Png;
+    throw wrong_usage("-o", out + " cannot be written",
+                      "a name that ends in .png or .pfm, or - for standard output");
+}
+
+/// The scene that the picture carries; its mesh paths lead to the meshes from where the picture is.
+std::string scene_for(const SceneDocument& document, const std::string& out) {
+    return scene_text(with_mesh_paths_from(document.scene, document.mesh_dir, directory_of(out)));
+}
+
+Outcome render(const RenderArguments& arguments) {
+    require_file(arguments.scene);
+    require_given(arguments.out, "-o", "a file to write, .png or .pfm, or - for a PNG on standard output");
+    const PictureFormat format = format_of(arguments.out);
+    const SceneDocument document = open_drawable_scene(arguments.scene);
+    Outcome outcome{{}, document.warnings, ExitStatus::Done};
+
+    Renderer renderer(arguments.scene.threads);
+    const Picture& picture = renderer.render(document.scene, arguments.size, format == PictureFormat::Pfm);
+    outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());
+    std::string bytes = format == PictureFormat::Pfm ? pfm_bytes(picture, document.scene.display.exposure)
+                                                     : png_bytes(picture, scene_for(document, arguments.out));
+    if (arguments.out == "-") {
+        outcome.output = std::move(bytes);
+    } else {
+        (void)take(write_file(arguments.out, bytes));
+    }
+    return outcome;
+}
+
+Run declare(CLI::App& app) {
+    auto arguments = std::make_shared<RenderArguments>();
+    add_scene(app, arguments->scene);
+    add_text(app, "-o", "OUT",
+             "where the picture goes: .png (8 bit, carrying its scene), .pfm (linear float), or - for a PNG "
+             "on standard "
+             "output",
+             arguments->out);
+    add_size(app, arguments->size);
+    return [arguments] { return render(*arguments); };
+}
+
+}  // namespace
+
+Command render_command() {
+    return {"render", "FILE -o OUT", "draws one picture",
+            "glint render teapot.json -o teapot.png --size 640x480 --set /display/exposure=2", declare};
+}
+
+}  // namespace glint

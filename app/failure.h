@@ -1,0 +1,39 @@
+#pragma once
+// How a command ends early: with the one line that says why, and the exit status. Thrown and caught inside
+// app only.
+
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "models/problem.h"
+
+namespace glint {
+
+/// docs/interface.md: 0 done; 1 the input or the machine made it impossible; 2 wrong usage.
+enum class ExitStatus { Done = 0, Impossible = 1, WrongUsage = 2 };
+
+struct Failure {
+    ExitStatus status;
+    Problem problem;
+};
+
+/// Wrong usage of an option (or of FILE, or of a command), which stands in place of a file.
+[[nodiscard]] inline Failure wrong_usage(std::string option, std::string what, std::string expected = {}) {
+    Problem problem;
+    problem.file = std::move(option);
+    problem.what = std::move(what);
+    problem.expected = std::move(expected);
+    return {ExitStatus::WrongUsage, std::move(problem)};
+}
+
+/// The value of a result, or its problem thrown. A problem of --set is wrong usage, any other is the input's.
+template <class T> [[nodiscard]] T take(Result<T> result) {
+    if (Problem* problem = std::get_if<Problem>(&result)) {
+        const bool usage = problem->file == "--set";
+        throw Failure{usage ? ExitStatus::WrongUsage : ExitStatus::Impossible, std::move(*problem)};
+    }
+    return std::get<T>(std::move(result));
+}
+
+}  // namespace glint

@@ -1,0 +1,202 @@
+#include "renderer/inspect/explain_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "models/scene_names.h"
+
+namespace glint {
+namespace {
+
+/// Ten columns wide, the points below each other where a plain number will do.
+std::string number(float x) {
+    const float size = std::abs(x);
+    return x == 0 || (size >= 1e-4f && size < 1e4f) ? fmt::format("{:10.4f}", x) : fmt::format("{:10.2e}", x);
+}
+std::string numbers(glm::vec3 v) { return number(v.x) + number(v.y) + number(v.z); }
+
+/// Inside an equation: as short as it can be.
+std::string brief(float x) { return fmt::format("{:.4g}", x); }
+std::string brief(glm::vec3 v) {
+    if (v.x == v.y && v.y == v.z) return brief(v.x);
+    return fmt::format("({:.4g} {:.4g} {:.4g})", v.x, v.y, v.z);
+}
+
+/// A term: its name, the product that makes it, and its red, green and blue.
+std::string term(std::string_view name, std::string_view product, glm::vec3 value) {
+    return fmt::format("  {:<9} {:<56}{}\n", name, product, numbers(value));
+}
+
+std::string vector(std::string_view symbol, const InBothFrames& v, std::string_view meaning) {
+    return fmt::format("  {:<3}{}   {}    {}\n", symbol, numbers(v.camera), numbers(v.world), meaning);
+}
+
+/// What the highlight is made of, as the equation writes it.
+std::string highlight(Reflection reflection, const Material& material, glm::vec3 factor) {
+    const auto power = [&](std::string_view cosine) {
+        return fmt::format("{}^{} = {}", cosine, brief(material.shininess), brief(factor));
+    };
+    switch (reflection) {
+    case Reflection::Phong:
+        return power("(r·v)");
+    case Reflection::BlinnPhong:
+        return power("(n·h)");
+    case Reflection::Retro:
+        return power("(l·v)");
+    case Reflection::None:
+    case Reflection::Lambert:
+    case Reflection::OrenNayar:
+    case Reflection::CookTorrance:
+        break;
+    }
+    return "S = " + brief(factor);
+}
+
+/// One light (or one sample of an area light) in words, where its numbers alone would not say why.
+std::string remark(const ExplainedLight& e, const Light& light) {
+    if (light.kind == LightKind::Spot && e.spot == 0 && e.spot_angle_deg > light.spot.cutoff_deg) {
+        return fmt::format("outside the cone by {:.1f}°", e.spot_angle_deg - light.spot.cutoff_deg);
+    }
+    if (e.n_dot_l < 0) return "behind the surface";
+    if (e.n_dot_l == 0) return "along the surface";
+    return {};
+}
+
+std::string_view off_or(bool on, std::string_view product) { return on ? product : "switched off"; }
+
+class Writer {
+  public:
+    Writer(const Explanation& e, const Scene& scene) : e_(e), scene_(scene) {}
+
+    [[nodiscard]] std::string text() const {
+        std::string text = fmt::format("Pixel {}, {}: ", e_.x, e_.y);
+        text += e_.hit ? hit() : "background\n\n";
+        return text + result();
+    }
+
+  private:
+    [[nodiscard]] std::string hit() const {
+        std::string text =
+            fmt::format("{}, face {}, {} side; {} shading, {} reflection\n\n", e_.object, e_.face,
+                        e_.front_facing ? "front" : "back", name_of(e_.mode), name_of(e_.reflection));
+        text += "     camera coordinates               world coordinates\n" + place(e_.at) + "\n";
+        if (!e_.lit_per_corner) return text + equation(e_.at);
+        for (std::size_t i = 0; i < e_.corners.size(); ++i) {
+            const ExplainedCorner& corner = e_.corners[i];
+            text += e_.mode == ShadingMode::Flat ? "Lit at one point for the whole polygon\n"
+                                                 : fmt::format("Corner {} of {}, weight {}\n", i + 1,
+                                                               e_.corners.size(), brief(corner.weight));
+            text += place(corner.at) + "\n" + equation(corner.at);
+            text += term("sum", "of this point", corner.at.sum) + "\n";
+        }
+        return text;
+    }
+
+    static std::string place(const ExplainedPoint& at) {
+        return vector("p", at.point, "the point") + vector("n", at.normal, "its normal") +
+               vector("v", at.view, "to the eye");
+    }
+
+    /// The terms of one point, without their sum.
+    [[nodiscard]] std::string equation(const ExplainedPoint& at) const {
+        if (e_.reflection == Reflection::None) return "  no lighting: the mesh's own colour\n\n";
+        const Material& m = e_.material;
+        const Terms& on = scene_.shading.terms;
+        std::string text = fmt::format("  {:<66}{:>10}{:>10}{:>10}\n", "", "red", "green", "blue");
+        text += term("emission", off_or(on.emission, "of the material"), at.emission);
+        const std::string global =
+            fmt::format("k_a {} · global {}", brief(m.ambient), brief(scene_.global_ambient));
+        text += term("ambient", off_or(on.ambient, global), at.global_ambient) + "\n";
+        for (const ExplainedLight& light : at.lights) text += one_light(light) + "\n";
+        return text;
+    }
+
+    [[nodiscard]] std::string one_light(const ExplainedLight& e) const {
+        const Light& light = scene_.lights[static_cast<std::size_t>(e.index)];
+        std::string text = fmt::format("{}, {} light", e.name, name_of(light.kind));
+        if (!e.samples.empty()) return text + samples(e, light);
+        const std::string why = remark(e, light);
+        text += (why.empty() ? "" : ": " + why) + "\n";
+        text += vector("l", e.l, "to the light") + vector("r", e.r, "l mirrored at n") +
+                vector("h", e.h, "halfway from l to v");
+        text +=
+            fmt::format("  n·l {}   r·v {}   n·h {}", brief(e.n_dot_l), brief(e.r_dot_v), brief(e.n_dot_h));
+        if (light.kind != LightKind::Directional) text += "   distance " + brief(e.distance);
+        if (light.kind == LightKind::Spot) text += fmt::format("   angle {:.4g}°", e.spot_angle_deg);
+        return text + "\n" + terms(e, light);
+    }
+
+    /// What all three terms of a light are multiplied by.
+    static std::string share(const ExplainedLight& e, const Light& light) {
+        std::string text;
+        if (e.falloff != 1) text += " · falloff " + brief(e.falloff);
+        if (e.spot != 1) text += " · spot " + brief(e.spot);
+        if (light.intensity != 1) text += " · intensity " + brief(light.intensity);
+        return text;
+    }
+
+    [[nodiscard]] std::string terms(const ExplainedLight& e, const Light& light) const {
+        const Material& m = e_.material;
+        const Terms& on = scene_.shading.terms;
+        const std::string rest = share(e, light);
+        const std::string ambient =
+            fmt::format("k_a {} · {}{}", brief(m.ambient), brief(light.ambient), rest);
+        const std::string diffuse = fmt::format("k_d {} · {} · {}{}", brief(m.diffuse), brief(light.diffuse),
+                                                brief(e.diffuse_factor), rest);
+        const std::string specular =
+            fmt::format("k_s {} · {} · {}{}", brief(m.specular), brief(light.specular),
+                        highlight(e_.reflection, m, e.specular_factor), rest);
+        return term("ambient", off_or(on.ambient, ambient), e.ambient) +
+               term("diffuse", off_or(on.diffuse, diffuse), e.diffuse) +
+               term("specular", off_or(on.specular, specular), e.specular);
+    }
+
+    static std::string samples(const ExplainedLight& e, const Light& light) {
+        std::string text = fmt::format(", {} samples\n", e.samples.size());
+        for (std::size_t i = 0; i < e.samples.size(); ++i) {
+            const ExplainedLight& s = e.samples[i];
+            const std::string why = remark(s, light);
+            const std::string line =
+                fmt::format("n·l {:>8}   falloff {:>9}   {}", brief(s.n_dot_l), brief(s.falloff), why);
+            text += term(fmt::format("{:>9}", i + 1), line, s.ambient + s.diffuse + s.specular);
+        }
+        return text + term("ambient", "of all samples", e.ambient) +
+               term("diffuse", "of all samples", e.diffuse) + term("specular", "of all samples", e.specular);
+    }
+
+    [[nodiscard]] std::string result() const {
+        const Display& display = scene_.display;
+        const std::string exposed = display.exposure == 1 ? "" : " · exposure " + brief(display.exposure);
+        const std::string encoded = display.transfer == Transfer::Srgb ? ", sRGB encoded" : "";
+        const std::string how = e_.corners.size() > 1 ? "of weight · corner" : "of all terms";
+        std::string text = term("sum", e_.hit ? how : "the background", e_.sum);
+        text += clips() + term("displayed", "sum" + exposed + encoded, e_.displayed);
+        return text + fmt::format("  {:<66}{:>10}{:>10}{:>10}\n", "byte", e_.byte[0], e_.byte[1], e_.byte[2]);
+    }
+
+    /// The channels that the display cannot show, each with what it would have been.
+    [[nodiscard]] std::string clips() const {
+        std::string text;
+        for (int i = 0; i < 3; ++i) {
+            const float shown = e_.sum[i] * scene_.display.exposure;
+            if (shown >= 0 && shown <= 1) continue;
+            const bool grey = e_.sum.x == e_.sum.y && e_.sum.y == e_.sum.z;
+            const char* channel = grey ? "" : i == 0 ? "red " : i == 1 ? "green " : "blue ";
+            text += fmt::format("            {}clips: {} → {}\n", channel, brief(shown), shown > 1 ? 1 : 0);
+            if (grey) break;
+        }
+        return text;
+    }
+
+    const Explanation& e_;
+    const Scene& scene_;
+};
+
+}  // namespace
+
+std::string explain_text(const Explanation& explanation, const Scene& scene) {
+    return Writer(explanation, scene).text();
+}
+
+}  // namespace glint

@@ -1,0 +1,40 @@
+#pragma once
+// Runs the real program as a user's shell would.
+
+#include <string>
+#include <vector>
+
+namespace glint {
+
+struct Ended {
+    int status = -1;  // of the exit; 128 and the signal when one ended it
+    std::string out, err;
+};
+
+/// glint ARGUMENTS, in an empty display and with `input` on standard input. `redirect` is shell text behind
+/// the command, such as ">/dev/full" or "| head -c 1"; standard output is captured where it leaves it alone.
+[[nodiscard]] Ended run_glint(const std::vector<std::string>& arguments, const std::string& input = {},
+                              const std::string& redirect = {});
+
+/// A directory that is gone at the end of the test.
+class TemporaryDirectory {
+  public:
+    TemporaryDirectory();
+    ~TemporaryDirectory();
+    TemporaryDirectory(const TemporaryDirectory&) = delete;
+    TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+
+    /// The path of a file in it; the second form writes `bytes` there.
+    [[nodiscard]] std::string path(const std::string& name) const { return path_ + "/" + name; }
+    [[nodiscard]] std::string file(const std::string& name, const std::string& bytes) const;
+    /// Names of what it holds, sorted.
+    [[nodiscard]] std::vector<std::string> names() const;
+
+  private:
+    std::string path_;
+};
+
+/// All bytes of a file; empty when there is none.
+[[nodiscard]] std::string bytes_of(const std::string& path);
+
+}  // namespace glint
