@@ -1,0 +1,87 @@
+// One of a closed set: as a drop-down, or as joined buttons.
+#include "ui/choices.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include "renderer/renderer.h"
+#include "ui/theme.h"
+
+namespace glint {
+namespace {
+
+void option_tooltip(const Option& option, const Help& help) {
+    const std::string key = help.pointer.empty() ? "" : fmt::format("{} = \"{}\"", help.pointer, option.word);
+    tooltip(option.label, option.what, option.refused, key);
+}
+
+float segment_width(const Option& option) { return ImGui::CalcTextSize(option.label).x + px(16); }
+
+/// One of the joined buttons; its outer corners are round. True when it was pressed.
+bool segment(const Option& option, bool on, ImDrawFlags corners) {
+    const bool refused = !option.refused.empty();
+    ImGui::BeginDisabled(refused);
+    const bool pressed =
+        ImGui::InvisibleButton(option.word, {segment_width(option), ImGui::GetFrameHeight()}) && !refused;
+    ImGui::EndDisabled();
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const Theme& t = theme();
+    const ImVec4& fill = on ? t.accent : ImGui::IsItemHovered() ? t.field_hovered : t.field;
+    const ImVec4& ink = refused ? t.disabled_text : on ? t.accent_text : t.text;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, high, packed(fill), ImGui::GetStyle().FrameRounding, corners);
+    list.AddText({low.x + px(8), low.y + ImGui::GetStyle().FramePadding.y}, packed(ink), option.label);
+    return pressed;
+}
+
+}  // namespace
+
+std::string refusal(const Scene& trial) {
+    const auto problem = unsupported(trial);
+    return problem ? problem->text() : std::string();
+}
+
+int choose(const char* label, int chosen, std::span<const Option> options, const Help& help) {
+    ImGui::PushID(label);
+    ImGui::SetNextItemWidth(row(label));
+    int result = chosen;
+    const bool open = ImGui::BeginCombo("##choice", options[static_cast<std::size_t>(chosen)].label);
+    if (!open) tooltip(label, help.what, options[static_cast<std::size_t>(chosen)].what, help.pointer);
+    if (open) {
+        for (int i = 0; i < static_cast<int>(options.size()); ++i) {
+            const Option& option = options[static_cast<std::size_t>(i)];
+            const auto flags =
+                option.refused.empty() ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
+            if (ImGui::Selectable(option.label, i == chosen, flags)) result = i;
+            option_tooltip(option, help);
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::PopID();
+    return result;
+}
+
+float segments_width(std::span<const Option> options) {
+    float width = 0;
+    for (const Option& option : options) width += segment_width(option) + px(1);
+    return width;
+}
+
+int segments(const char* id, int chosen, std::span<const Option> options, const Help& help) {
+    ImGui::PushID(id);
+    int result = chosen;
+    for (int i = 0; i < static_cast<int>(options.size()); ++i) {
+        const Option& option = options[static_cast<std::size_t>(i)];
+        const bool first = i == 0, last = i + 1 == static_cast<int>(options.size());
+        if (!first) ImGui::SameLine(0, px(1));
+        const ImDrawFlags corners = first  ? ImDrawFlags_RoundCornersLeft
+                                    : last ? ImDrawFlags_RoundCornersRight
+                                           : ImDrawFlags_RoundCornersNone;
+        if (segment(option, i == chosen, corners)) result = i;
+        option_tooltip(option, help);
+    }
+    ImGui::PopID();
+    return result;
+}
+
+}  // namespace glint

@@ -1,0 +1,32 @@
+#pragma once
+// Type: one family in three sizes, and figures of equal width so that numbers do not dance while dragged.
+// Found at run time among the system's fonts; ImGui's own where there is none.
+
+#include <imgui.h>
+
+#include <string>
+
+namespace glint {
+
+struct Fonts {
+    ImFont* body = nullptr;
+    ImFont* small = nullptr;
+    ImFont* title = nullptr;
+    ImFont* figures = nullptr;  // every character as wide as every other
+};
+
+/// Paths of the fonts to use; empty when none was found.
+struct FontFiles {
+    std::string text, bold, figures;
+};
+[[nodiscard]] FontFiles find_fonts();
+
+/// Fills the atlas of the current ImGui context. `scale`: dots per unit of the design; `dots_per_unit` of
+/// ImGui (2 on a display that counts in points). Call before the first frame, or between frames to change the
+/// scale.
+void load_fonts(const FontFiles& files, float scale, float dots_per_unit);
+
+/// The fonts loaded last.
+[[nodiscard]] const Fonts& fonts();
+
+}  // namespace glint

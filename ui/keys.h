@@ -1,0 +1,51 @@
+#pragma once
+// Keys as the window hands them over: no library's codes. Letters are those of the user's keyboard layout.
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+enum class Key {
+    A,
+    D,
+    E,
+    F,
+    L,
+    N,
+    O,
+    Q,
+    S,
+    X,
+    Y,
+    Z,
+    Digit1,
+    Digit2,
+    Digit3,
+    Digit4,
+    Delete,
+    Escape,
+    Enter,
+    F1,
+    F11,
+    F12,
+    Question,
+    Other
+};
+
+struct KeyPress {
+    Key key = Key::Other;
+    bool ctrl = false, shift = false, alt = false;
+    bool operator==(const KeyPress&) const = default;
+};
+
+/// What arrived since the last frame, beside what ImGui's io holds.
+struct UiInput {
+    std::vector<KeyPress> presses;
+    std::array<bool, 3> axis_held{};   // X, Y, Z are down
+    std::vector<std::string> dropped;  // paths of files
+    bool close_asked = false;          // the window's own close button
+};
+
+}  // namespace glint

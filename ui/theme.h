@@ -1,0 +1,43 @@
+#pragma once
+// Colours of the window. One colour per symbol, everywhere: in the equation, on handles, in plots. The
+// symbols' colours are those of Okabe and Ito (2008), which stay apart for colour-blind eyes; where one is
+// too dark or too light to be read on the background it is shifted in lightness only. A letter always stands
+// beside the colour.
+
+#include <imgui.h>
+
+namespace glint {
+
+enum class Symbol { N, L, V, R, H, Ambient, Diffuse, Specular, Emission };
+inline constexpr int symbol_count = 9;
+
+struct Theme {
+    bool dark = true;
+    ImVec4 window, panel, field, field_hovered, field_active, line;  // from the back to the front
+    ImVec4 text, dim_text, disabled_text;
+    ImVec4 accent, accent_text;  // what is chosen, and text upon it
+    ImVec4 warning, error;
+    ImVec4 surround;  // of the picture: neutral, of middle lightness, so that shades are seen as they are
+    ImVec4 symbols[symbol_count];
+
+    [[nodiscard]] const ImVec4& operator[](Symbol symbol) const { return symbols[static_cast<int>(symbol)]; }
+};
+
+[[nodiscard]] const Theme& dark_theme();
+[[nodiscard]] const Theme& light_theme();
+
+/// The theme applied last.
+[[nodiscard]] const Theme& theme();
+
+/// Sets ImGui's style: colours of `chosen`, sizes times `scale` (1 on a display of 96 dots per inch).
+void apply_theme(const Theme& chosen, float scale);
+
+/// A length of the design in the units of ImGui: `length` times the scale applied last.
+[[nodiscard]] float px(float length);
+
+/// Contrast of two opaque colours, 1 to 21. Source: WCAG 2.1, "contrast ratio".
+[[nodiscard]] double contrast(const ImVec4& a, const ImVec4& b);
+
+[[nodiscard]] ImU32 packed(const ImVec4& colour, float opacity = 1);
+
+}  // namespace glint

@@ -1,0 +1,250 @@
+#include "ui/widgets.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+
+#include "ui/fonts.h"
+#include "ui/theme.h"
+
+namespace glint {
+namespace {
+
+constexpr double rest_before_tooltip = 0.45;  // seconds
+
+double& wished() {
+    static double seconds = std::numeric_limits<double>::infinity();
+    return seconds;
+}
+
+std::string range_text(const Number& n) {
+    const auto shown = [&n](float v) {
+        return fmt::format("{:.6g}{}{}", v, *n.unit != 0 ? " " : "", n.unit);
+    };
+    std::string text;
+    if (n.min > -1e29f && n.max < 1e29f)
+        text = fmt::format("{:.6g} to {}", n.min, shown(n.max));
+    else if (n.min > -1e29f)
+        text = fmt::format("{:.6g} and above", n.min);
+    else if (*n.unit != 0)
+        text = n.unit;
+    return text.empty() ? fmt::format("default {}", shown(n.initial))
+                        : fmt::format("{}, default {}", text, shown(n.initial));
+}
+
+/// The bar behind a number that says how much of its usual range it takes.
+void share_bar(float value, const Number& n, ImVec2 low, float width) {
+    const float range = n.shown_max - n.min;
+    if (range <= 0) return;
+    float share = (value - n.min) / range;
+    if (n.logarithmic && n.shown_max > 1) share = std::log1p(value - n.min) / std::log1p(range);
+    share = std::clamp(share, 0.0f, 1.0f);
+    if (share * width < 1) return;
+    const float height = ImGui::GetFrameHeight();
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + share * width, low.y + height},
+                                              packed(theme().accent, 0.32f), ImGui::GetStyle().FrameRounding);
+}
+
+/// The bare draggable number, `width` wide. Double-click and right-click return to the default.
+bool drag_number(const char* id, float& value, const Number& n, float initial, float width) {
+    ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + width, low.y + ImGui::GetFrameHeight()};
+    const bool inside = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high);
+    const bool reset = inside && (io.MouseDoubleClicked[0] || io.MouseClicked[1]) && !io.KeyCtrl &&
+                       !(GImGui->CurrentItemFlags & ImGuiItemFlags_Disabled);
+    const bool double_clicked = io.MouseDoubleClicked[0];
+    if (reset) io.MouseDoubleClicked[0] = false;  // ImGui would open its text entry
+    float edited = value;
+    const float magnitude = n.logarithmic ? std::max(std::abs(value), n.speed * 10) : 1;
+    // ImGui makes drags with Shift ten times faster; here they are ten times finer.
+    const float speed = n.speed * magnitude * (io.KeyShift ? 0.01f : 1.0f);
+    ImGui::PushFont(fonts().figures);
+    ImGui::SetNextItemWidth(width);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(4), ImGui::GetStyle().FramePadding.y});
+    bool changed = ImGui::DragFloat(id, &edited, speed, n.min, n.max, n.format, ImGuiSliderFlags_AlwaysClamp);
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    io.MouseDoubleClicked[0] = double_clicked;
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (reset) {
+        ImGui::ClearActiveID();
+        changed = value != initial;
+        edited = initial;
+    }
+    if (changed && std::isfinite(edited)) value = std::clamp(edited, n.min, n.max);
+    return changed;
+}
+
+void number_tooltip(const char* label, const Number& number, const Help& help) {
+    tooltip(label, help.what,
+            range_text(number) + "\nDrag · Shift: fine · Ctrl+click: type · double-click: default",
+            help.pointer);
+}
+
+}  // namespace
+
+void wish_frame_in(double seconds) { wished() = std::min(wished(), seconds); }
+void frame_wish_reset() { wished() = std::numeric_limits<double>::infinity(); }
+double frame_wish() { return wished(); }
+
+void tooltip(const char* title, const char* what, const std::string& range, const std::string& key) {
+    static ImVec2 resting_on;
+    static double since = 0;
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
+    const ImVec2 item = ImGui::GetItemRectMin();
+    if (item.x != resting_on.x || item.y != resting_on.y) {
+        resting_on = item;
+        since = ImGui::GetTime();
+    }
+    const double rested = ImGui::GetTime() - since;
+    if (rested < rest_before_tooltip) return wish_frame_in(rest_before_tooltip - rested + 0.01);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10), px(8)});
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(px(320));
+    ImGui::PushFont(fonts().title);
+    ImGui::TextUnformatted(title, ImGui::FindRenderedTextEnd(title));
+    ImGui::PopFont();
+    if (*what != 0) ImGui::TextUnformatted(what);
+    ImGui::PushFont(fonts().small);
+    if (!range.empty()) dim_text(range.c_str());
+    if (!key.empty()) dim_text(key.c_str());
+    ImGui::PopFont();
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+float row(const char* label) {
+    const float label_width = px(78);
+    const float left = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme().dim_text);
+    ImGui::TextUnformatted(label, ImGui::FindRenderedTextEnd(label));
+    ImGui::PopStyleColor();
+    ImGui::SameLine(left + label_width, 0);
+    return ImGui::GetContentRegionAvail().x;
+}
+
+bool number_field(const char* label, float& value, const Number& number, const Help& help) {
+    ImGui::PushID(label);
+    const float width = row(label);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const bool changed = drag_number("##number", value, number, number.initial, width);
+    share_bar(value, number, low, width);
+    number_tooltip(label, number, help);
+    ImGui::PopID();
+    return changed;
+}
+
+bool integer_field(const char* label, int& value, int low, int high, int initial, const Help& help) {
+    // A drag over 300 pixels goes from the default to four times the default, whatever the limit is.
+    Number number{float(low), float(high), float(initial), std::max(0.03f, float(initial) / 100), "%.0f"};
+    number.shown_max = high <= 64 ? float(high) : 0;
+    float real = float(value);
+    if (!number_field(label, real, number, help)) return false;
+    const int whole = std::clamp(int(std::lround(real)), low, high);
+    const bool changed = whole != value;
+    value = whole;
+    return changed;
+}
+
+bool vector_field(const char* label, glm::vec3& value, const Number& number, glm::vec3 initial,
+                  const Help& help) {
+    ImGui::PushID(label);
+    const float gap = px(3), width = (row(label) - 2 * gap) / 3;
+    bool changed = false;
+    for (int i = 0; i < 3; ++i) {
+        ImGui::PushID(i);
+        if (i > 0) ImGui::SameLine(0, gap);
+        changed |= drag_number("##part", value[i], number, initial[i], width);
+        Number part = number;
+        part.initial = initial[i];
+        const char* const names[] = {"x", "y", "z"};
+        number_tooltip(fmt::format("{} {}", label, names[i]).c_str(), part,
+                       {help.what, help.pointer + "/" + std::to_string(i)});
+        ImGui::PopID();
+    }
+    ImGui::PopID();
+    return changed;
+}
+
+bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const Help& help) {
+    ImGui::PushID(label);
+    const float gap = px(3), swatch = ImGui::GetFrameHeight();
+    const float width = (row(label) - swatch - 3 * gap) / 3;
+    const Number share{0, 1e30f, 0, 0.004f, "%.2f"};
+    bool changed = false;
+    for (int i = 0; i < 3; ++i) {
+        ImGui::PushID(i);
+        Number part = share;
+        part.initial = initial[i];
+        const char* const names[] = {"red", "green", "blue"};
+        changed |= drag_number("##part", value[i], part, initial[i], width);
+        number_tooltip(fmt::format("{}: {}", label, names[i]).c_str(), part,
+                       {help.what, help.pointer + "/" + std::to_string(i)});
+        ImGui::PopID();
+        ImGui::SameLine(0, gap);
+    }
+    ImGui::PushFont(fonts().figures);
+    glm::vec3 picked = value;
+    changed |=
+        ImGui::ColorEdit3("##picker", &picked.x,
+                          ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
+                              ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoLabel);
+    ImGui::PopFont();
+    tooltip(label, help.what, "Linear red, green, blue; 1 is full, above 1 is allowed. Click: picker",
+            help.pointer);
+    if (picked != value) value = glm::clamp(picked, glm::vec3(0), glm::vec3(1e30f));
+    ImGui::PopID();
+    return changed;
+}
+
+bool switch_field(const char* label, bool& value, const Help& help) {
+    ImGui::PushID(label);
+    row(label);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(2), px(2)});
+    const bool changed = ImGui::Checkbox("##switch", &value);
+    ImGui::PopStyleVar();
+    tooltip(label, help.what, "", help.pointer);
+    ImGui::PopID();
+    return changed;
+}
+
+bool name_field(const char* label, std::string& name, const Help& help) {
+    ImGui::PushID(label);
+    ImGui::SetNextItemWidth(row(label));
+    const bool changed = ImGui::InputText("##name", &name);
+    tooltip(label, help.what, "", help.pointer);
+    ImGui::PopID();
+    return changed;
+}
+
+void section(const char* title) {
+    ImGui::Dummy({0, px(3)});
+    ImGui::PushFont(fonts().small);
+    dim_text(title);
+    ImGui::PopFont();
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const float y = (low.y + high.y) / 2, right = low.x + ImGui::GetContentRegionAvail().x;
+    ImGui::GetWindowDrawList()->AddLine({high.x + px(6), y}, {right, y}, packed(theme().line));
+}
+
+void dim_text(const char* text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme().dim_text);
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
+void figures(const std::string& text) {
+    ImGui::PushFont(fonts().figures);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopFont();
+}
+
+}  // namespace glint

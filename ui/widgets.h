@@ -1,0 +1,71 @@
+#pragma once
+// The controls that every panel is made of: a label and a field in a row, with a tooltip that says what it
+// is, its unit, range and default, and its key in the scene file. Each edits a value and says whether it did.
+
+#include <array>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+
+namespace glint {
+
+/// What a control is. `pointer` is the JSON pointer of its value in the scene file.
+struct Help {
+    const char* what = "";
+    std::string pointer;
+};
+
+/// A number's range and habits. Values never leave min .. max, however they are entered.
+struct Number {
+    float min = -1e30f, max = 1e30f;
+    float initial = 0;    // what double-click returns to
+    float speed = 0.01f;  // per pixel of drag; Shift: a tenth
+    const char* format = "%.3f";
+    const char* unit = "";
+    float shown_max = 0;       // > min: the field shows the value's share of this as a bar
+    bool logarithmic = false;  // drags multiply instead of adding
+};
+
+/// Label and draggable number. Ctrl+click types, double-click or right-click returns to the default.
+[[nodiscard]] bool number_field(const char* label, float& value, const Number& number, const Help& help);
+[[nodiscard]] bool integer_field(const char* label, int& value, int low, int high, int initial,
+                                 const Help& help);
+[[nodiscard]] bool vector_field(const char* label, glm::vec3& value, const Number& number, glm::vec3 initial,
+                                const Help& help);
+/// Linear RGB, each >= 0, with a swatch that opens a picker.
+[[nodiscard]] bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const Help& help);
+[[nodiscard]] bool switch_field(const char* label, bool& value, const Help& help);
+[[nodiscard]] bool name_field(const char* label, std::string& name, const Help& help);
+
+/// One of a closed set.
+struct Option {
+    const char* label;
+    const char* word;  // in the scene file
+    const char* what;
+    std::string refused;  // why it cannot be chosen; empty when it can
+};
+/// The index chosen, `chosen` when nothing changed. As a drop-down in a row, or as joined buttons.
+[[nodiscard]] int choose(const char* label, int chosen, std::span<const Option> options, const Help& help);
+[[nodiscard]] int segments(const char* id, int chosen, std::span<const Option> options, const Help& help);
+/// Width that segments() takes.
+[[nodiscard]] float segments_width(std::span<const Option> options);
+
+/// A tooltip for the item drawn last, after the pointer rested on it: title, explanation, and two lower lines
+/// (range and default; the key). Empty ones are left out.
+void tooltip(const char* title, const char* what, const std::string& range = "", const std::string& key = "");
+
+/// The frame after which the window need not sleep: seconds until something that waits (a tooltip) is due.
+/// Reset by frame_wish_reset(); infinity when nothing waits.
+void wish_frame_in(double seconds);
+void frame_wish_reset();
+[[nodiscard]] double frame_wish();
+
+/// Starts a row: the label in its column, the field after it. Returns the width left for the field.
+float row(const char* label);
+void section(const char* title);
+void dim_text(const char* text);
+/// Text in figures of equal width.
+void figures(const std::string& text);
+
+}  // namespace glint
