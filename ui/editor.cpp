@@ -1,0 +1,112 @@
+#include "ui/editor.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "renderer/renderer.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool ends_with_json(const std::string& path) {
+    std::string extension = fs::path(path).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return extension == ".json";
+}
+
+}  // namespace
+
+std::string Editor::title() const {
+    return document.path.empty() ? "New scene" : fs::path(document.path).filename().string();
+}
+
+bool Editor::has_scene_file() const { return ends_with_json(document.path); }
+
+void take_document(Editor& editor, SceneDocument document) {
+    editor.document = std::move(document);
+    editor.saved = editor.document.scene;
+    editor.history.reset(editor.document.scene);
+    editor.selection = {};
+    if (!editor.scene().lights.empty()) editor.selection = {Selection::Kind::Light, 0};
+}
+
+std::optional<Problem> open_file(Editor& editor, const std::string& path) {
+    Result<SceneDocument> opened = open_document(path);
+    if (const Problem* problem = problem_of(opened)) return *problem;
+    auto& document = std::get<SceneDocument>(opened);
+    if (std::optional<Problem> refused = unsupported(document.scene)) {
+        refused->file = path;
+        return refused;
+    }
+    take_document(editor, std::move(document));
+    return {};
+}
+
+std::optional<Problem> save_file(Editor& editor, std::string path) {
+    if (!ends_with_json(path)) path += ".json";
+    // The copy in hand keeps its mesh paths: they and the history's stay relative to where it was opened.
+    Result<SceneDocument> written = save_document(editor.document, path);
+    if (const Problem* problem = problem_of(written)) return *problem;
+    editor.document.path = path;
+    editor.saved = editor.document.scene;
+    return {};
+}
+
+std::optional<Problem> settle(Editor& editor) {
+    Scene& scene = editor.scene();
+    const auto back = [&editor](Problem problem) {
+        editor.document.scene = editor.history.present();
+        editor.selection = valid_selection(editor.selection, editor.scene());
+        return problem;
+    };
+    const bool missing =
+        std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& o) { return !o.mesh; });
+    if (missing) {
+        Result<Warnings> loaded = load_meshes(scene, editor.document.path, editor.document.mesh_dir);
+        if (const Problem* problem = problem_of(loaded)) return back(*problem);
+    }
+    if (const auto refused = unsupported(scene)) return back(*refused);
+    return {};
+}
+
+bool undo(Editor& editor) {
+    if (!editor.history.can_undo()) return false;
+    editor.document.scene = editor.history.undo();
+    editor.selection = valid_selection(editor.selection, editor.scene());
+    return true;
+}
+
+bool redo(Editor& editor) {
+    if (!editor.history.can_redo()) return false;
+    editor.document.scene = editor.history.redo();
+    editor.selection = valid_selection(editor.selection, editor.scene());
+    return true;
+}
+
+SceneDocument first_scene() {
+    SceneDocument document;
+    Scene& scene = document.scene;
+    scene.camera.eye = {0, 0.8f, 4};
+    Light sun, bulb;
+    sun.name = "Sun";
+    sun.kind = LightKind::Directional;
+    sun.position = {1, 1.2f, 1, 0};
+    sun.diffuse = sun.specular = {1, 0.95f, 0.85f};
+    bulb.name = "Bulb";
+    bulb.position = {-1.6f, 0.4f, 1.2f, 1};
+    bulb.diffuse = bulb.specular = {0.35f, 0.55f, 1};
+    scene.lights = {sun, bulb};
+    Object ball;
+    ball.name = "Ball";
+    ball.source = PrimitiveMesh{Primitive::Sphere, default_detail(Primitive::Sphere)};
+    ball.mesh =
+        std::make_shared<const Mesh>(make_primitive(Primitive::Sphere, default_detail(Primitive::Sphere)));
+    ball.material.diffuse = {0.8f, 0.35f, 0.25f};
+    scene.objects = {ball};
+    return document;
+}
+
+}  // namespace glint

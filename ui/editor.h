@@ -1,0 +1,49 @@
+#pragma once
+// The document in hand: a scene, where it came from, whether it was saved, and how it came to be. No drawing.
+
+#include <optional>
+#include <string>
+
+#include "models/problem.h"
+#include "models/scene_file.h"
+#include "ui/history.h"
+#include "ui/scene_edit.h"
+
+namespace glint {
+
+struct Editor {
+    SceneDocument document;  // `document.scene` is what panels edit
+    Scene saved;             // as it was opened or saved last
+    History history;
+    Selection selection;
+
+    [[nodiscard]] Scene& scene() { return document.scene; }
+    [[nodiscard]] const Scene& scene() const { return document.scene; }
+    [[nodiscard]] bool unsaved() const { return document.scene != saved; }
+    /// File name for titles; "New scene" when there is none.
+    [[nodiscard]] std::string title() const;
+    /// True when saving needs no question: the document is a scene file already.
+    [[nodiscard]] bool has_scene_file() const;
+};
+
+/// Puts a document in hand, with a fresh history.
+void take_document(Editor& editor, SceneDocument document);
+
+/// Opens anything that open_document() takes and the engine can draw. On a problem all stays as it was.
+[[nodiscard]] std::optional<Problem> open_file(Editor& editor, const std::string& path);
+
+/// Saves as a scene file. ".json" is added to a name without it.
+[[nodiscard]] std::optional<Problem> save_file(Editor& editor, std::string path);
+
+/// Loads meshes that an edit left unloaded and checks that the engine can draw the scene. On a problem the
+/// scene goes back to the newest step of the history.
+[[nodiscard]] std::optional<Problem> settle(Editor& editor);
+
+/// One step back or forward; false when there is none.
+bool undo(Editor& editor);
+bool redo(Editor& editor);
+
+/// A scene for a window that was given no file: a ball, a sun in the world and a bulb at the viewer's side.
+[[nodiscard]] SceneDocument first_scene();
+
+}  // namespace glint

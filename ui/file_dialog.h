@@ -1,0 +1,35 @@
+#pragma once
+// A small file browser of our own: a path to type, a folder to click through.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+enum class FilePurpose { OpenScene, OpenMesh, SaveScene, SavePicture };
+
+/// An entry of a folder; folders first, then by name without regard to case. Hidden ones are left out.
+struct FolderEntry {
+    std::string name;
+    bool folder = false;
+};
+/// Entries of `folder` that serve the purpose (its extensions). Nothing when it cannot be read.
+[[nodiscard]] std::vector<FolderEntry> list_folder(const std::string& folder, FilePurpose purpose);
+
+struct FileDialog {
+    bool open = false;
+    FilePurpose purpose = FilePurpose::OpenScene;
+    std::string folder, name;
+    std::vector<FolderEntry> entries;
+    bool asks_overwrite = false;
+
+    /// Opens the dialog in the folder of `path` (the working directory's, when empty) with its name filled
+    /// in.
+    void ask(FilePurpose why, const std::string& path);
+};
+
+/// Draws it, if it is open. The chosen path, once, when the user decides. `enter`: the key was pressed.
+[[nodiscard]] std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter);
+
+}  // namespace glint

@@ -1,0 +1,29 @@
+#include "ui/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+
+Layout lay_out(ImVec2 window, const LayoutState& state, float scale) {
+    const float width = std::max(window.x, 1.0f), height = std::max(window.y, 1.0f);
+    Layout layout;
+    layout.why_in_left = width < three_column_width * scale;
+    layout.has_left = !state.folded && (state.left || (layout.why_in_left && state.right));
+    layout.has_right = !state.folded && state.right && !layout.why_in_left;
+    const float top = std::round(std::min(top_height * scale, height / 3));
+    const float bottom = std::round(height - std::min(status_height * scale, height / 3));
+    // Columns take at most two thirds of the width together.
+    const float wanted_left = layout.has_left ? state.left_width * scale : 0;
+    const float wanted_right = layout.has_right ? state.right_width * scale : 0;
+    const float shrink = std::min(1.0f, width * 2 / 3 / std::max(wanted_left + wanted_right, 1.0f));
+    const float left = std::round(wanted_left * shrink), right = std::round(width - wanted_right * shrink);
+    layout.top = {{0, 0}, {width, top}};
+    layout.left = {{0, top}, {std::max(left, 1.0f), bottom}};
+    layout.centre = {{left, top}, {std::max(right, left + 1), std::max(bottom, top + 1)}};
+    layout.right = {{std::min(right, width - 1), top}, {width, bottom}};
+    layout.status = {{0, bottom}, {width, height}};
+    return layout;
+}
+
+}  // namespace glint

@@ -1,0 +1,34 @@
+#pragma once
+// Where the columns are. Three columns for three questions: what is in the scene, what do I see, why that
+// colour.
+
+#include <imgui.h>
+
+namespace glint {
+
+struct Rect {
+    ImVec2 low, high;
+    [[nodiscard]] ImVec2 size() const { return {high.x - low.x, high.y - low.y}; }
+};
+
+struct LayoutState {
+    bool left = true, right = true;             // columns shown
+    bool folded = false;                        // F11: the picture alone
+    float left_width = 280, right_width = 340;  // units of the design
+};
+
+struct Layout {
+    Rect top, left, centre, right, status;
+    bool has_left = false, has_right = false;
+    bool why_in_left = false;  // too narrow for three: WHY is a tab of the left column
+};
+
+/// Divides a window. `scale`: as given to apply_theme(). All rectangles have positive size, however small the
+/// window is; columns give way before the picture does.
+[[nodiscard]] Layout lay_out(ImVec2 window, const LayoutState& state, float scale);
+
+/// Below this width, in units of the design, the right column becomes a tab of the left.
+inline constexpr float three_column_width = 1100;
+inline constexpr float top_height = 38, status_height = 26;
+
+}  // namespace glint

@@ -1,0 +1,15 @@
+#pragma once
+// What a surface does with light.
+
+#include <string>
+
+#include "models/material.h"
+#include "models/scene.h"
+
+namespace glint {
+
+/// Edits the material and says whether it did. `pointer`: "/objects/0/material". Numbers that `reflection`
+/// does not use are dimmed.
+[[nodiscard]] bool material_panel(Material& material, const std::string& pointer, Reflection reflection);
+
+}  // namespace glint

@@ -1,0 +1,33 @@
+#pragma once
+// Short messages over the picture. Errors have the words that the command line would print, and stay until
+// closed.
+
+#include <imgui.h>
+
+#include <string>
+#include <vector>
+
+#include "models/problem.h"
+
+namespace glint {
+
+enum class Tone { Done, Warning, Error };
+
+struct Notification {
+    Tone tone = Tone::Done;
+    std::string text;
+    double until = 0;  // ImGui's time; infinity: until closed
+};
+
+struct Notifications {
+    std::vector<Notification> list;
+
+    void add(Tone tone, const std::string& text);
+    void add(const Problem& problem) { add(Tone::Error, problem.text()); }
+    void add(const Warnings& warnings);
+};
+
+/// Draws them upwards from the corner `low_right`, newest at the bottom, and drops those whose time is over.
+void draw_notifications(Notifications& notifications, ImVec2 low_right, float max_width);
+
+}  // namespace glint

@@ -1,0 +1,26 @@
+#pragma once
+// One object: its mesh, where it stands, its normals, its material.
+
+#include <string>
+
+#include "models/scene.h"
+
+namespace glint {
+
+/// What a panel asks of its caller beside an edit.
+struct ObjectWishes {
+    bool browse_mesh = false;  // choose a mesh file
+};
+
+/// Edits the object and says whether it did; `pointer`: "/objects/0". A changed mesh source leaves
+/// Object::mesh null: the caller loads it, or takes the edit back.
+[[nodiscard]] bool object_panel(Object& object, const std::string& pointer, Reflection reflection,
+                                ObjectWishes& wishes);
+
+inline constexpr std::array all_primitives{
+    Primitive::Sphere,   Primitive::BumpySphere,     Primitive::Icosphere, Primitive::Cube,
+    Primitive::Plane,    Primitive::TessellatedQuad, Primitive::Torus,     Primitive::Cylinder,
+    Primitive::Cone,     Primitive::Teapot,          Primitive::Knot,      Primitive::SkewQuad,
+    Primitive::TJunction};
+
+}  // namespace glint

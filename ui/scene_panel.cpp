@@ -1,0 +1,175 @@
+#include "ui/scene_panel.h"
+
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/choices.h"
+#include "ui/icons.h"
+#include "ui/light_panel.h"
+#include "ui/light_place.h"
+#include "ui/limits.h"
+#include "ui/object_panel.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+/// A row: icon, name; true when it was clicked. The row leaves `reserve` at its right end free.
+bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float indent, float reserve) {
+    const float height = ImGui::GetFrameHeight();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::PushID(name);
+    const bool clicked = ImGui::InvisibleButton("##row", {width - reserve, height});
+    ImGui::PopID();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool hovered = ImGui::IsItemHovered();
+    if (selected || hovered)
+        list.AddRectFilled(low, {low.x + width, low.y + height},
+                           packed(selected ? theme().accent : theme().field_hovered, selected ? 0.3f : 0.6f),
+                           ImGui::GetStyle().FrameRounding);
+    draw_icon(list, icon, {low.x + indent + 0.5f * height, low.y + 0.5f * height}, 0.58f * height, colour);
+    const ImVec4 clip{low.x, low.y, low.x + width - reserve, low.y + height};
+    list.AddText(nullptr, 0, {low.x + indent + 1.15f * height, low.y + ImGui::GetStyle().FramePadding.y},
+                 ImGui::GetColorU32(ImGuiCol_Text), name, nullptr, 0, &clip);
+    return clicked;
+}
+
+bool plain_row(Icon icon, const char* name, Selection::Kind kind, Selection& selection) {
+    const bool clicked = item_row(icon, packed(theme().dim_text), name, selection.kind == kind, 0, 0);
+    if (clicked) selection = {kind, 0};
+    return clicked;
+}
+
+/// Right-click on a row: copy it or take it away.
+bool row_menu(Scene& scene, Selection& selection, Selection row) {
+    bool edited = false;
+    if (!ImGui::BeginPopupContextItem("##menu")) return false;
+    selection = row;
+    if (ImGui::MenuItem("Duplicate", "Ctrl+D")) duplicate(scene, selection), edited = true;
+    if (ImGui::MenuItem("Delete", "Del")) remove(scene, selection), edited = true;
+    ImGui::EndPopup();
+    return edited;
+}
+
+bool space_button(Light& light, const Camera& camera) {
+    const bool world = light.space == LightSpace::World;
+    const float size = ImGui::GetFrameHeight();
+    const bool pressed = ImGui::InvisibleButton("##space", {size, size});
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const char* letter = world ? "W" : "C";
+    const ImVec2 text = ImGui::CalcTextSize(letter);
+    ImGui::GetWindowDrawList()->AddText({low.x + (size - text.x) / 2, low.y + (size - text.y) / 2},
+                                        packed(ImGui::IsItemHovered() ? theme().text : theme().dim_text),
+                                        letter);
+    tooltip(world ? "World light" : "Camera light",
+            world ? "Stays with the scene. Click: let it ride along with the camera, from where it is now"
+                  : "Rides along with the camera. Click: leave it in the world where it is now");
+    if (pressed) light = in_space(light, world ? LightSpace::Camera : LightSpace::World, camera);
+    return pressed;
+}
+
+/// What one row asks for; applied after the list is drawn, since it may change the list.
+bool light_row(Scene& scene, int index, Selection& selection) {
+    Light& light = scene.lights[static_cast<std::size_t>(index)];
+    const Selection row{Selection::Kind::Light, index};
+    const float size = ImGui::GetFrameHeight();
+    ImGui::PushID(index);
+    bool edited = false;
+    if (item_row(icon_of(light.kind), packed(legible(colour_of(light)), light.enabled ? 1 : 0.4f),
+                 light.name.c_str(), selection == row, px(8), 2 * size))
+        selection = row;
+    const bool structural = row_menu(scene, selection, row);
+    if (!structural) {
+        ImGui::SameLine(0, 0);
+        edited |= space_button(light, scene.camera);
+        ImGui::SameLine(0, 0);
+        if (icon_button("##on", light.enabled ? Icon::Eye : Icon::EyeOff)) {
+            light.enabled = !light.enabled;
+            edited = true;
+        }
+        tooltip(light.enabled ? "On" : "Off", "Whether this light shines", "",
+                "/lights/" + std::to_string(index) + "/enabled");
+    }
+    ImGui::PopID();
+    return edited || structural;
+}
+
+bool add_light_menu(Scene& scene, Selection& selection) {
+    bool edited = false;
+    if (!ImGui::BeginPopup("##add-light")) return false;
+    for (const auto& choice : light_kind_choices) {
+        const std::string refused = refused_kind(choice.value);
+        if (ImGui::MenuItem(choice.label, choice.value == LightKind::Point ? "L" : nullptr, false,
+                            refused.empty()))
+            if (const auto index = add_light(scene, choice.value)) {
+                selection = {Selection::Kind::Light, *index};
+                edited = true;
+            }
+        tooltip(choice.label, choice.what, refused);
+    }
+    ImGui::EndPopup();
+    return edited;
+}
+
+bool add_object_menu(Scene& scene, Selection& selection, SceneWishes& wishes) {
+    bool edited = false;
+    if (!ImGui::BeginPopup("##add-object")) return false;
+    if (ImGui::MenuItem("Mesh file…")) wishes.browse_mesh = true;
+    ImGui::Separator();
+    for (const Primitive primitive : all_primitives) {
+        const std::string name(primitive_name(primitive));
+        if (!ImGui::MenuItem(name.c_str())) continue;
+        if (const auto index = add_object(scene, PrimitiveMesh{primitive, default_detail(primitive)})) {
+            selection = {Selection::Kind::Object, *index};
+            edited = true;
+        }
+    }
+    ImGui::EndPopup();
+    return edited;
+}
+
+/// A heading with a plus at its right end.
+void list_heading(const char* title, const char* popup, bool full) {
+    const float size = ImGui::GetFrameHeight();
+    ImGui::AlignTextToFramePadding();
+    dim_text(title);
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - size);
+    ImGui::BeginDisabled(full);
+    if (icon_button(popup, Icon::Plus)) ImGui::OpenPopup(popup);
+    ImGui::EndDisabled();
+    tooltip("Add", full ? "There are as many as a scene may hold" : "Add one to the scene");
+}
+
+}  // namespace
+
+bool scene_panel(Scene& scene, Selection& selection, SceneWishes& wishes) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, px(1)});
+    bool edited = false;
+    plain_row(Icon::Camera, "Camera", Selection::Kind::Camera, selection);
+    plain_row(Icon::Shading, "Shading", Selection::Kind::Shading, selection);
+    plain_row(Icon::Display, "Display", Selection::Kind::Display, selection);
+    list_heading("Lights", "##add-light", scene.lights.size() >= max_lights);
+    edited |= add_light_menu(scene, selection);
+    for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) edited |= light_row(scene, i, selection);
+    if (scene.lights.empty()) dim_text("   No light yet: press + or L");
+    list_heading("Objects", "##add-object", scene.objects.size() >= max_objects);
+    edited |= add_object_menu(scene, selection, wishes);
+    for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
+        const Selection row{Selection::Kind::Object, i};
+        ImGui::PushID(1'000'000 + i);
+        if (item_row(Icon::Object, packed(theme().dim_text),
+                     scene.objects[static_cast<std::size_t>(i)].name.c_str(), selection == row, px(8), 0))
+            selection = row;
+        edited |= row_menu(scene, selection, row);
+        ImGui::PopID();
+    }
+    if (scene.objects.empty()) dim_text("   Nothing to light yet: press +");
+    ImGui::PopStyleVar();
+    selection = valid_selection(selection, scene);
+    return edited;
+}
+
+}  // namespace glint

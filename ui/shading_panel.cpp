@@ -1,0 +1,81 @@
+#include "ui/shading_panel.h"
+
+#include "ui/choices.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+/// A drop-down whose choices are each tried on the engine.
+template <class E, std::size_t N>
+bool tried_field(const char* label, Shading& shading, E Shading::*member,
+                 const std::array<Choice<E>, N>& choices, const Help& help) {
+    return choice_field(label, shading.*member, choices, help, [&](E value) {
+        Shading trial = shading;
+        trial.*member = value;
+        return refused_shading(trial);
+    });
+}
+
+bool term_fields(Terms& terms) {
+    section("Terms of the equation");
+    bool edited = false;
+    edited |= switch_field("Emission", terms.emission,
+                           {"What the surface shines by itself (key E)", "/shading/terms/emission"});
+    edited |= switch_field("Ambient", terms.ambient,
+                           {"Light from everywhere, the lights' own too (key A)", "/shading/terms/ambient"});
+    edited |=
+        switch_field("Diffuse", terms.diffuse, {"Light reflected evenly (key D)", "/shading/terms/diffuse"});
+    edited |= switch_field("Specular", terms.specular, {"The highlight (key S)", "/shading/terms/specular"});
+    return edited;
+}
+
+}  // namespace
+
+std::string refused_shading(const Shading& shading) {
+    Scene trial;
+    trial.shading = shading;
+    return refusal(trial);
+}
+
+bool shading_panel(Shading& shading, glm::vec3& global_ambient) {
+    bool edited = false;
+    edited |= tried_field("Mode", shading, &Shading::mode, mode_choices,
+                          {"Where the lighting equation is evaluated (keys 1 to 4)", "/shading/mode"});
+    edited |= tried_field("Reflection", shading, &Shading::reflection, reflection_choices,
+                          {"The lighting equation's highlight", "/shading/reflection"});
+    edited |= tried_field("Between", shading, &Shading::interpolation, interpolation_choices,
+                          {"How values between corners are found", "/shading/interpolation"});
+    edited |= tried_field("Flat point", shading, &Shading::flat_point, flat_point_choices,
+                          {"Which point of a polygon is lit under flat", "/shading/flat_point"});
+    edited |=
+        tried_field("Rules", shading, &Shading::rules, rules_choices, {"Whose rules", "/shading/rules"});
+    section("Sides and viewer");
+    edited |= tried_field("Cull", shading, &Shading::cull, cull_choices,
+                          {"Which side is left out", "/shading/cull"});
+    edited |= switch_field("Two-sided", shading.two_sided,
+                           {"Seen from behind, the normal is turned round", "/shading/two_sided"});
+    edited |= switch_field("Local view", shading.local_viewer,
+                           {"v points to the eye; off: the same v everywhere, as if seen from far away",
+                            "/shading/local_viewer"});
+    edited |= term_fields(shading.terms);
+    section("Scene");
+    edited |= colour_field("Ambient", global_ambient, glm::vec3(0.1f),
+                           {"Light from everywhere, apart from all lights", "/global_ambient"});
+    return edited;
+}
+
+bool display_panel(Display& display) {
+    bool edited = false;
+    edited |= number_field(
+        "Exposure", display.exposure,
+        {.min = 1e-4f, .max = 1e6f, .initial = 1, .speed = 0.01f, .shown_max = 0, .logarithmic = true},
+        {"Multiplies the linear colour before it is shown", "/display/exposure"});
+    edited |= choice_field("Transfer", display.transfer, transfer_choices,
+                           {"How linear light becomes the numbers of the display", "/display/transfer"});
+    edited |= colour_field("Background", display.background, {0.1f, 0.1f, 0.12f},
+                           {"Colour where no object shows", "/display/background"});
+    return edited;
+}
+
+}  // namespace glint

@@ -1,0 +1,197 @@
+#include "ui/viewport.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "ui/orbit.h"
+#include "ui/theme.h"
+
+namespace glint {
+namespace {
+
+constexpr double drag_threshold = 3;  // units of the design before a press becomes a drag
+constexpr double wheel_step = 0.88;   // of the distance, per notch
+constexpr double wheel_pause = 0.6;   // seconds: notches closer than this are one step
+
+glm::dvec2 cursor_px(const ViewportFrame& frame) { return frame.view.to_pixel(ImGui::GetIO().MousePos); }
+
+/// Depth of what shows under the cursor; of the target over the background.
+double depth_under(const ViewportFrame& frame, glm::dvec2 pixel) {
+    const PictureSize size = frame.view.map.size;
+    const bool inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.width && pixel.y < size.height;
+    const float depth =
+        inside && frame.renderer != nullptr ? frame.renderer->depth_at(int(pixel.x), int(pixel.y)) : 0;
+    return depth > 0 ? double(depth) : target_depth(frame.scene.camera);
+}
+
+DragAlong drag_along(const UiInput& input) {
+    if (input.axis_held[0]) return DragAlong::X;
+    if (input.axis_held[1]) return DragAlong::Y;
+    if (input.axis_held[2]) return DragAlong::Z;
+    return ImGui::GetIO().KeyShift ? DragAlong::Depth : DragAlong::ViewPlane;
+}
+
+void begin(ViewportState& state, const ViewportFrame& frame, Gesture gesture, int button) {
+    state.gesture = gesture;
+    state.button = button;
+    state.before = frame.scene;
+    state.pressed_px = state.last_px = cursor_px(frame);
+    state.grip_depth = depth_under(frame, state.pressed_px);
+}
+
+void begin_light(ViewportState& state, const ViewportFrame& frame, const UiInput& input) {
+    state.gesture = Gesture::Light;
+    state.drag_view = {frame.view.map, frame.view.dome, snap_step_for(frame.view.bounds)};
+    state.drag = {frame.scene.lights[static_cast<std::size_t>(state.dragged_light)], drag_along(input),
+                  state.pressed_px};
+}
+
+void press(ViewportState& state, ViewportFrame& frame, const std::vector<Handle>& handles) {
+    if (!state.hovered) return;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        begin(state, frame, Gesture::Press, ImGuiMouseButton_Left);
+        state.dragged_light = state.hovered_light;
+        if (state.hovered_light >= 0) {
+            frame.selection = {Selection::Kind::Light, state.hovered_light};
+            if (!handles[static_cast<std::size_t>(state.hovered_light)].in_picture)
+                state.gesture = Gesture::None;
+        }
+    } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle) ||
+               ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+        const bool middle = ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
+        begin(state, frame, ImGui::GetIO().KeyCtrl ? Gesture::Dolly : Gesture::Pan,
+              middle ? ImGuiMouseButton_Middle : ImGuiMouseButton_Right);
+    }
+}
+
+/// A press that moved far enough becomes a drag.
+void decide(ViewportState& state, const ViewportFrame& frame, const UiInput& input) {
+    const double moved = glm::length(cursor_px(frame) - state.pressed_px) * frame.view.units_per_pixel;
+    if (moved < double(px(float(drag_threshold)))) return;
+    if (state.dragged_light >= 0) return begin_light(state, frame, input);
+    const ImGuiIO& io = ImGui::GetIO();
+    state.gesture = io.KeyShift ? Gesture::Pan : io.KeyCtrl ? Gesture::Dolly : Gesture::Orbit;
+}
+
+void drag_light(ViewportState& state, ViewportFrame& frame, const UiInput& input) {
+    Light& light = frame.scene.lights[static_cast<std::size_t>(state.dragged_light)];
+    const glm::dvec2 cursor = cursor_px(frame);
+    // Another key: go on from here, so that nothing jumps.
+    if (const DragAlong along = drag_along(input); along != state.drag.along)
+        state.drag = {light, along, state.last_px};
+    light = dragged(state.drag, state.drag_view, cursor, ImGui::GetIO().KeyCtrl);
+}
+
+void move(ViewportState& state, ViewportFrame& frame, const UiInput& input) {
+    if (state.gesture == Gesture::Press) decide(state, frame, input);
+    const glm::dvec2 cursor = cursor_px(frame), motion = cursor - state.last_px;
+    const PictureSize size = frame.view.map.size;
+    Camera& camera = frame.scene.camera;
+    switch (state.gesture) {
+    case Gesture::None:
+    case Gesture::Press:
+        return;
+    case Gesture::Light:
+        drag_light(state, frame, input);
+        break;
+    case Gesture::Orbit:
+        orbit(camera, motion, size);
+        break;
+    case Gesture::Pan:
+        pan(camera, state.last_px, cursor, state.grip_depth, size);
+        break;
+    case Gesture::Dolly:
+        dolly(camera, state.pressed_px, depth_under(frame, state.pressed_px),
+              std::exp(motion.y / size.height * 3), size);
+        break;
+    }
+    if (state.gesture != Gesture::Light) keep_depth_range(camera, state.before.camera, frame.view.bounds);
+    state.touched = true;
+    state.last_px = cursor;
+}
+
+void click(ViewportState& state, ViewportFrame& frame) {
+    const PictureSize size = frame.view.map.size;
+    state.touched = true;
+    if (state.dragged_light >= 0) return;  // it was selected when pressed
+    state.asked = true;
+    state.probe = glm::dvec2(state.pressed_px.x / size.width, state.pressed_px.y / size.height);
+}
+
+void release(ViewportState& state, ViewportFrame& frame) {
+    if (state.gesture == Gesture::Press) click(state, frame);
+    state.gesture = Gesture::None;
+    state.dragged_light = -1;
+    state.before = {};
+}
+
+void select_object_under(ViewportFrame& frame, glm::dvec2 pixel) {
+    if (frame.renderer == nullptr) return;
+    const PictureSize size = frame.view.map.size;
+    const int x = std::clamp(int(pixel.x), 0, size.width - 1),
+              y = std::clamp(int(pixel.y), 0, size.height - 1);
+    if (const int object = frame.renderer->object_at(x, y); object >= 0)
+        frame.selection = {Selection::Kind::Object, object};
+}
+
+void wheel(ViewportState& state, ViewportFrame& frame) {
+    const ImGuiIO& io = ImGui::GetIO();
+    state.wheel_goes_on = false;
+    if (!state.hovered || state.gesture != Gesture::None || io.MouseWheel == 0) return;
+    const Camera before = frame.scene.camera;
+    const glm::dvec2 cursor = cursor_px(frame);
+    dolly(frame.scene.camera, cursor, depth_under(frame, cursor), std::pow(wheel_step, double(io.MouseWheel)),
+          frame.view.map.size);
+    keep_depth_range(frame.scene.camera, before, frame.view.bounds);
+    state.wheel_goes_on = ImGui::GetTime() - state.last_wheel < wheel_pause;
+    state.last_wheel = ImGui::GetTime();
+    state.touched = true;
+}
+
+void set_cursor(const ViewportState& state) {
+    if (state.gesture == Gesture::Orbit || state.gesture == Gesture::Pan || state.gesture == Gesture::Dolly)
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+    else if (state.gesture == Gesture::Light || (state.hovered && state.hovered_light >= 0))
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+}
+
+}  // namespace
+
+bool viewport_gestures(ViewportState& state, ViewportFrame frame, const UiInput& input) {
+    const std::vector<Handle> handles = light_handles(frame.scene, frame.view);
+    state.asked = false;
+    state.hovered = ImGui::IsItemHovered() && ImGui::IsMousePosValid();
+    if (state.gesture == Gesture::None) {
+        state.hovered_light = state.hovered ? handle_under(handles, cursor_px(frame), frame.view) : -1;
+        press(state, frame, handles);
+        if (state.hovered && state.hovered_light < 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+            select_object_under(frame, cursor_px(frame));
+    }
+    if (state.gesture != Gesture::None) {
+        if (ImGui::IsMousePosValid()) move(state, frame, input);
+        if (!ImGui::IsMouseDown(state.button)) release(state, frame);
+    }
+    wheel(state, frame);
+    set_cursor(state);
+    return state.gesture != Gesture::None;
+}
+
+bool cancel_gesture(ViewportState& state, Scene& scene) {
+    if (state.gesture == Gesture::None) return false;
+    scene = state.before;
+    state.gesture = Gesture::None;
+    state.dragged_light = -1;
+    state.before = {};
+    return true;
+}
+
+std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size) {
+    if (!state.probe) return {};
+    return glm::ivec2(std::clamp(int(state.probe->x * size.width), 0, size.width - 1),
+                      std::clamp(int(state.probe->y * size.height), 0, size.height - 1));
+}
+
+}  // namespace glint
