@@ -1,30 +1,220 @@
 #include "app/window.h"
 
+#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
 #include <fmt/core.h>
+#include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
+
+#include "app/texture.h"
+#include "app/window_input.h"
+#include "ui/fonts.h"
+#include "ui/theme.h"
+#include "ui/ui.h"
 
 namespace glint {
 namespace {
 
-/// GLFW's own words would be a second line; what matters is said once, by us.
-void stay_quiet(int /*code*/, const char* /*words*/) {}
+namespace fs = std::filesystem;
 
-int no_display() {
-    fmt::print(
-        stderr,
-        "glint: error: no display to open a window on; use \"glint render FILE -o OUT.png\" for a picture\n");
+constexpr const char* use_instead = "use \"glint render FILE -o OUT.png\" for a picture without a window";
+
+int fail(const std::string& words) {
+    fmt::print(stderr, "glint: error: {}\n", words);
     return 1;
 }
+
+/// The scene that a newcomer meets: beside an installed program, or in the source it was built from.
+std::string default_scene_path() {
+    std::error_code failed;
+    const fs::path program = fs::read_symlink("/proc/self/exe", failed);
+    const fs::path asset = fs::path("assets") / "scenes" / "default.json";
+    for (const fs::path& root : {program.parent_path(), program.parent_path() / ".." / "share" / "glint",
+                                 fs::path(GLINT_SOURCE_DIR)})
+        if (fs::is_regular_file(root / asset, failed)) return (root / asset).string();
+    return {};
+}
+
+Result<SceneDocument> first_document(const WindowOptions& options) {
+    if (!options.file.empty()) return open_document(options.file, options.assignments);
+    const std::string path = default_scene_path();
+    if (path.empty()) return first_scene();
+    Result<SceneDocument> opened = open_document(path, options.assignments);
+    // Ctrl+S must not write over the program's own scene: it is a new one, its meshes found where they are.
+    if (auto* document = std::get_if<SceneDocument>(&opened)) document->path.clear();
+    return opened;
+}
+
+/// Ends GLFW on every way out.
+struct Glfw {
+    bool ready;
+    Glfw() {
+        // GLFW's own words would be a second line; what matters is said once, by us.
+        glfwSetErrorCallback([](int, const char*) {});
+        ready = glfwInit() == GLFW_TRUE;
+    }
+    ~Glfw() { glfwTerminate(); }
+    Glfw(const Glfw&) = delete;
+    Glfw& operator=(const Glfw&) = delete;
+};
+
+GLFWwindow* make_window() {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 0);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    int x = 0, y = 0, width = 1440, height = 900;
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+        int free_width = 0, free_height = 0;
+        glfwGetMonitorWorkarea(monitor, &x, &y, &free_width, &free_height);
+        // All of a small display; most of a large one.
+        width = free_width <= 1440 ? free_width : free_width * 9 / 10;
+        height = free_height <= 900 ? free_height : free_height * 9 / 10;
+    }
+    return glfwCreateWindow(std::max(width, 320), std::max(height, 240), "Glint", nullptr, nullptr);
+}
+
+/// The window with all that draws in it.
+class Window {
+  public:
+    Window(GLFWwindow* window, UiState& state) : window_(window), state_(state) {
+        glfwMakeContextCurrent(window);
+        glfwSwapInterval(1);
+        IMGUI_CHECKVERSION();
+        ImGui::CreateContext();
+        ImGui::GetIO().IniFilename = nullptr;
+        collect_input(window, input_);
+        ready_ = ImGui_ImplGlfw_InitForOpenGL(window, true) && ImGui_ImplOpenGL3_Init("#version 130");
+        if (ready_) texture_ = std::make_unique<Texture>();
+        files_ = find_fonts();
+    }
+    ~Window() {
+        texture_.reset();
+        if (ready_) ImGui_ImplOpenGL3_Shutdown();
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+        glfwDestroyWindow(window_);
+    }
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    [[nodiscard]] bool ready() const { return ready_ && texture_->ready(); }
+
+    void run() {
+        bool shown = false;
+        while (true) {
+            const UiRequests wants = frame();
+            if (wants.quit) return;
+            if (!shown) glfwShowWindow(window_);
+            shown = true;
+            wait(wants.sleep_s);
+        }
+    }
+
+  private:
+    /// ImGui needs a frame or two after an event until all that follows from it is drawn.
+    static constexpr int frames_after_event = 3;
+
+    void wait(double seconds) {
+        if (frames_due_ > 0) {
+            --frames_due_;
+            return glfwPollEvents();
+        }
+        const double start = glfwGetTime();
+        if (std::isinf(seconds))
+            glfwWaitEvents();
+        else
+            glfwWaitEventsTimeout(std::max(seconds, 0.001));
+        // A tooltip is measured in its first frame and seen in its second.
+        frames_due_ = glfwGetTime() - start < seconds ? frames_after_event - 1 : 1;
+    }
+
+    /// Type and theme follow the display's scale and the user's choice.
+    void follow_scale() {
+        float scale = 1, across = 1;
+        glfwGetWindowContentScale(window_, &scale, &across);
+        int width = 0, height = 0, dots = 0, lines = 0;
+        glfwGetWindowSize(window_, &width, &height);
+        glfwGetFramebufferSize(window_, &dots, &lines);
+        const float per_unit = width > 0 ? std::max(float(dots) / float(width), 0.5f) : 1;
+        scale = std::clamp(scale / per_unit, 0.75f, 4.0f);
+        if (scale != scale_ || per_unit != per_unit_) {
+            load_fonts(files_, scale, per_unit);
+            ImGui_ImplOpenGL3_DestroyFontsTexture();
+            ImGui_ImplOpenGL3_CreateFontsTexture();
+        }
+        if (scale != scale_ || state_.dark != theme().dark || per_unit_ == 0)
+            apply_theme(state_.dark ? dark_theme() : light_theme(), scale);
+        scale_ = scale;
+        per_unit_ = per_unit;
+    }
+
+    UiRequests frame() {
+        follow_scale();
+        read_held_axes(window_, input_.ui);
+        ImGui_ImplOpenGL3_NewFrame();
+        ImGui_ImplGlfw_NewFrame();
+        if (feed_button(input_)) frames_due_ = frames_after_event;
+        ImGui::NewFrame();
+        UiRequests wants = ui_frame(state_, input_.ui, texture_->id());
+        ImGui::Render();
+        input_.ui = {};
+        if (state_.picture_serial != uploaded_ && state_.picture != nullptr)
+            texture_->upload(*state_.picture);
+        uploaded_ = state_.picture_serial;
+        draw();
+        if (wants.title != title_) glfwSetWindowTitle(window_, wants.title.c_str());
+        title_ = wants.title;
+        return wants;
+    }
+
+    void draw() {
+        int width = 0, height = 0;
+        glfwGetFramebufferSize(window_, &width, &height);
+        const ImVec4& back = theme().window;
+        clear_framebuffer(width, height, back.x, back.y, back.z);
+        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        glfwSwapBuffers(window_);
+    }
+
+    GLFWwindow* window_;
+    UiState& state_;
+    WindowInput input_;
+    std::unique_ptr<Texture> texture_;
+    FontFiles files_;
+    std::string title_;
+    float scale_ = 0, per_unit_ = 0;
+    std::uint64_t uploaded_ = 0;
+    int frames_due_ = frames_after_event;
+    bool ready_ = false;
+};
 
 }  // namespace
 
 int run_window(const WindowOptions& options) {
-    (void)options;
-    glfwSetErrorCallback(stay_quiet);
-    if (glfwInit() == GLFW_FALSE) return no_display();
-    glfwTerminate();
+    Result<SceneDocument> opened = first_document(options);
+    if (const Problem* problem = problem_of(opened)) return fail(problem->text());
+    UiState state(options.threads);
+    take_document(state.editor, std::get<SceneDocument>(std::move(opened)));
+    if (auto refused = unsupported(state.editor.scene())) {
+        refused->file = options.file;
+        return fail(refused->text());
+    }
+    for (const std::string& warning : state.editor.document.warnings)
+        fmt::print(stderr, "glint: warning: {}\n", warning);
+    const Glfw glfw;
+    if (!glfw.ready) return fail(fmt::format("no display to open a window on; {}", use_instead));
+    GLFWwindow* handle = make_window();
+    if (handle == nullptr) return fail(fmt::format("the display has no OpenGL 3.0; {}", use_instead));
+    Window window(handle, state);
+    if (!window.ready()) return fail(fmt::format("the display has no OpenGL 3.0; {}", use_instead));
+    window.run();
     return 0;
 }
 

@@ -1,0 +1,144 @@
+#include "app/window_input.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <cctype>
+
+namespace glint {
+namespace {
+
+Key key_of_letter(char letter) {
+    switch (letter) {
+    case 'a':
+        return Key::A;
+    case 'd':
+        return Key::D;
+    case 'e':
+        return Key::E;
+    case 'f':
+        return Key::F;
+    case 'l':
+        return Key::L;
+    case 'n':
+        return Key::N;
+    case 'o':
+        return Key::O;
+    case 'q':
+        return Key::Q;
+    case 's':
+        return Key::S;
+    case 'x':
+        return Key::X;
+    case 'y':
+        return Key::Y;
+    case 'z':
+        return Key::Z;
+    default:
+        return Key::Other;
+    }
+}
+
+/// The letter that the user's layout prints on the key, so that Ctrl+Z is where Z is; 0 for keys without one.
+char letter_of(int key, int scancode) {
+    const char* name = glfwGetKeyName(key, scancode);
+    if (name != nullptr && name[0] != 0 && name[1] == 0)
+        return static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+    return key >= GLFW_KEY_A && key <= GLFW_KEY_Z ? static_cast<char>('a' + key - GLFW_KEY_A) : '\0';
+}
+
+Key key_of(int key, int scancode, int mods) {
+    switch (key) {
+    case GLFW_KEY_DELETE:
+        return Key::Delete;
+    case GLFW_KEY_ESCAPE:
+        return Key::Escape;
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+        return Key::Enter;
+    case GLFW_KEY_F1:
+        return Key::F1;
+    case GLFW_KEY_F11:
+        return Key::F11;
+    case GLFW_KEY_F12:
+        return Key::F12;
+    default:
+        break;
+    }
+    const char letter = letter_of(key, scancode);
+    if ((letter == '/' || letter == '?') && (mods & GLFW_MOD_SHIFT) != 0) return Key::Question;
+    // Digits by place: some layouts print them only with Shift.
+    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_4)
+        return static_cast<Key>(static_cast<int>(Key::Digit1) + key - GLFW_KEY_1);
+    return key_of_letter(letter);
+}
+
+WindowInput& input_of(GLFWwindow* window) {
+    return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window));
+}
+
+void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
+    if (action == GLFW_RELEASE) return;
+    const Key ours = key_of(key, scancode, mods);
+    const bool repeats = ours == Key::Z || ours == Key::Y;  // undo goes on while it is held
+    if (action == GLFW_REPEAT && !repeats) return;
+    const bool ctrl = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
+    input_of(window).ui.presses.push_back(
+        {ours, ctrl, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0});
+}
+
+void on_button(GLFWwindow* window, int button, int action, int /*mods*/) {
+    if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+    // Not glfwGetCursorPos: it asks the display where the cursor is by now.
+    WindowInput& input = input_of(window);
+    input.buttons.push_back({button, action == GLFW_PRESS, input.cursor});
+}
+
+void on_cursor(GLFWwindow* window, double x, double y) { input_of(window).cursor = {float(x), float(y)}; }
+
+void on_drop(GLFWwindow* window, int count, const char** paths) {
+    for (int i = 0; i < count; ++i) input_of(window).ui.dropped.emplace_back(paths[i]);
+}
+
+void on_close(GLFWwindow* window) {
+    glfwSetWindowShouldClose(window, GLFW_FALSE);  // the question about unsaved changes comes first
+    input_of(window).ui.close_asked = true;
+}
+
+}  // namespace
+
+void collect_input(GLFWwindow* window, WindowInput& input) {
+    glfwSetWindowUserPointer(window, &input);
+    glfwSetKeyCallback(window, on_key);
+    glfwSetCursorPosCallback(window, on_cursor);
+    glfwSetMouseButtonCallback(window, on_button);
+    glfwSetDropCallback(window, on_drop);
+    glfwSetWindowCloseCallback(window, on_close);
+}
+
+void read_held_axes(GLFWwindow* window, UiInput& input) {
+    // By the layout's letters; the three keys whose letter is X, Y or Z.
+    input.axis_held = {};
+    for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) {
+        if (glfwGetKey(window, key) != GLFW_PRESS) continue;
+        const char letter = letter_of(key, glfwGetKeyScancode(key));
+        if (letter >= 'x' && letter <= 'z') input.axis_held[static_cast<std::size_t>(letter - 'x')] = true;
+    }
+}
+
+bool feed_button(WindowInput& input) {
+    // Three buttons as the queue says; the backend has put their latest state there, which may be too new.
+    ImGuiIO& io = ImGui::GetIO();
+    const bool fed = !input.buttons.empty();
+    if (fed) {
+        const ButtonEvent event = input.buttons.front();
+        input.buttons.pop_front();
+        input.down[static_cast<std::size_t>(event.button)] = event.down;
+        io.MousePos = {event.at.x, event.at.y};
+    }
+    for (std::size_t i = 0; i < input.down.size(); ++i) io.MouseDown[i] = input.down[i];
+    return fed;
+}
+
+}  // namespace glint

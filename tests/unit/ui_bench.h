@@ -1,0 +1,84 @@
+#pragma once
+// A window without a window: ImGui with no backend, fed with a mouse and keys, run frame by frame.
+
+#include <imgui.h>
+
+#include "ui/fonts.h"
+#include "ui/theme.h"
+#include "ui/ui.h"
+
+namespace glint::test {
+
+class Bench {
+  public:
+    explicit Bench(ImVec2 size = {1280, 800}) : state(1) {
+        context_ = ImGui::CreateContext();
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = size;
+        io.DeltaTime = 1.0f / 60;
+        apply_theme(dark_theme(), 1);
+        load_fonts({}, 1, 1);  // ImGui's own font: the same on every machine
+        unsigned char* pixels = nullptr;
+        int width = 0, height = 0;
+        io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+        take_document(state.editor, first_scene());
+    }
+    ~Bench() { ImGui::DestroyContext(context_); }
+    Bench(const Bench&) = delete;
+    Bench& operator=(const Bench&) = delete;
+
+    UiRequests frame(const UiInput& input = {}) {
+        ImGui::NewFrame();
+        UiRequests wants = ui_frame(state, input, nullptr);
+        ImGui::Render();
+        return wants;
+    }
+    void frames(int count) {
+        for (int i = 0; i < count; ++i) (void)frame();
+    }
+    void move(ImVec2 to) {
+        ImGui::GetIO().MousePos = to;
+        (void)frame();
+    }
+    void button(bool down, int which = 0) {
+        ImGui::GetIO().MouseDown[which] = down;
+        (void)frame();
+    }
+    void click(ImVec2 at) {
+        move(at);
+        button(true);
+        button(false);
+    }
+    void drag(ImVec2 from, ImVec2 to, int which = 0) {
+        move(from);
+        button(true, which);
+        for (int i = 1; i <= 5; ++i)
+            move({from.x + (to.x - from.x) * float(i) / 5, from.y + (to.y - from.y) * float(i) / 5});
+        button(false, which);
+    }
+    UiRequests key(Key key, bool ctrl = false, bool shift = false) {
+        UiInput input;
+        input.presses.push_back({key, ctrl, shift, false});
+        return frame(input);
+    }
+
+    [[nodiscard]] Scene& scene() { return state.editor.scene(); }
+    /// The picture's place in the window, as a pixel of it shows.
+    [[nodiscard]] ImVec2 at_pixel(glm::dvec2 pixel) const {
+        const Layout layout = lay_out(ImGui::GetIO().DisplaySize, state.layout, 1);
+        return {layout.centre.low.x + 10 + float(pixel.x), layout.centre.low.y + 10 + float(pixel.y)};
+    }
+    [[nodiscard]] glm::dvec2 handle_pixel(int light) {
+        const ScreenMap map = screen_map(scene().camera, state.picture->size);
+        const Dome dome = sun_dome(scene_bounds(scene()), map);
+        return project(map, handle_of(scene().lights[static_cast<std::size_t>(light)], dome, map)).pixel;
+    }
+
+    UiState state;
+
+  private:
+    ImGuiContext* context_ = nullptr;
+};
+
+}  // namespace glint::test

@@ -1,0 +1,83 @@
+// The row at the bottom.
+#include <fmt/core.h>
+
+#include <string>
+
+#include "ui/fonts.h"
+#include "ui/theme.h"
+#include "ui/toolbar.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+std::string with_thousands(std::uint64_t n) {
+    std::string digits = std::to_string(n);
+    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), 1, ' ');
+    return digits;
+}
+
+std::string redone_stages(const FrameStats& stats) {
+    static constexpr const char* names[] = {"geometry", "visibility", "surface", "lighting"};
+    std::string text;
+    for (std::size_t i = 0; i < stage_count; ++i)
+        if (stats.redone[i]) text.append(text.empty() ? "" : " ").append(names[i]);
+    return text.empty() ? "nothing" : text;
+}
+
+std::string stats_text(const UiState& state, bool roomy) {
+    const FrameStats& stats = state.renderer->stats();
+    std::string text =
+        fmt::format("{} triangles  ·  {} lights  ·  {:5.1f} ms", with_thousands(stats.triangles),
+                    state.drawn.lights.size(), stats.total_ms);
+    if (roomy)
+        text += fmt::format(" ({})  ·  {} × {}", redone_stages(stats), stats.instruction_set, stats.threads);
+    return text;
+}
+
+void stats_tooltip(const FrameStats& stats) {
+    static constexpr const char* names[] = {"geometry", "visibility", "surface", "lighting"};
+    std::string lines;
+    for (std::size_t i = 0; i < stage_count; ++i)
+        lines += stats.redone[i] ? fmt::format("{}: {:.2f} ms\n", names[i], stats.ms[i])
+                                 : fmt::format("{}: kept\n", names[i]);
+    lines += fmt::format("{} pixels show a surface\n{} evaluations of the equation\n{} × {} threads",
+                         with_thousands(stats.shaded_pixels), with_thousands(stats.evaluations),
+                         stats.instruction_set, stats.threads);
+    tooltip("Last picture", "What was done again, and how long it took", lines);
+}
+
+}  // namespace
+
+void status_line(const UiState& state, const Rect& area) {
+    ImGui::SetNextWindowPos(area.low);
+    ImGui::SetNextWindowSize(area.size());
+    ImGui::PushFont(fonts().small);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                        {px(10), (area.size().y - ImGui::GetTextLineHeight()) / 2});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme().window);
+    ImGui::Begin("##status", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar();
+    if (state.picture != nullptr) {
+        const std::string stats = stats_text(state, area.size().x > px(1240));
+        const float width = ImGui::CalcTextSize(stats.c_str()).x;
+        const ImVec2 left = ImGui::GetCursorScreenPos();
+        const std::string hint = gesture_hint(state.viewport, state.editor.scene());
+        const ImVec4 room{left.x, area.low.y, area.high.x - width - px(26), area.high.y};
+        ImGui::GetWindowDrawList()->AddText(nullptr, 0, left, packed(theme().text), hint.c_str(), nullptr, 0,
+                                            &room);
+        ImGui::SetCursorScreenPos({area.high.x - width - px(10), left.y});
+        dim_text(stats.c_str());
+        ImGui::PopFont();
+        stats_tooltip(state.renderer->stats());
+        ImGui::PushFont(fonts().small);
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+}  // namespace glint

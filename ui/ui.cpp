@@ -1,0 +1,271 @@
+#include "ui/ui.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/actions.h"
+#include "ui/camera_panel.h"
+#include "ui/dialogs.h"
+#include "ui/fonts.h"
+#include "ui/light_panel.h"
+#include "ui/object_panel.h"
+#include "ui/scene_panel.h"
+#include "ui/shading_panel.h"
+#include "ui/theme.h"
+#include "ui/toolbar.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr float picture_margin = 10;  // of neutral grey
+
+/// Where the picture goes and how large it is in real pixels.
+PictureView picture_view(const Rect& centre, const Scene& scene) {
+    const float dots = std::max(ImGui::GetIO().DisplayFramebufferScale.x, 0.1f);
+    const float margin = std::min({px(picture_margin), centre.size().x / 4, centre.size().y / 4});
+    const ImVec2 room{centre.size().x - 2 * margin, centre.size().y - 2 * margin};
+    const auto pixels = [dots](float units) { return std::clamp(static_cast<int>(units * dots), 1, 16384); };
+    PictureView view;
+    view.origin = {std::round(centre.low.x + margin), std::round(centre.low.y + margin)};
+    view.units_per_pixel = 1 / dots;
+    view.map = screen_map(scene.camera, {pixels(room.x), pixels(room.y)});
+    view.bounds = scene_bounds(scene);
+    view.dome = sun_dome(view.bounds, view.map);
+    return view;
+}
+
+void begin_column(const char* id, const Rect& area) {
+    ImGui::SetNextWindowPos(area.low);
+    ImGui::SetNextWindowSize(area.size());
+    ImGui::Begin(id, nullptr, fixed);
+}
+
+/// The picture and what a hand does on it. True while a gesture has the scene in hand.
+bool viewport(UiState& state, const Layout& layout, const UiInput& input, ImTextureID texture) {
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme().surround);
+    begin_column("##view", layout.centre);
+    ImGui::PopStyleColor();
+    const PictureView view = picture_view(layout.centre, state.editor.scene());
+    const ImVec2 high = view.to_window({view.map.size.width, view.map.size.height});
+    ImGui::GetWindowDrawList()->AddImage(texture, view.origin, high);
+    ImGui::SetCursorScreenPos(view.origin);
+    ImGui::InvisibleButton("##picture", {high.x - view.origin.x, high.y - view.origin.y},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    const Renderer* renderer =
+        state.picture != nullptr && state.picture->size == view.map.size ? state.renderer.get() : nullptr;
+    const bool busy = viewport_gestures(
+        state.viewport, {state.editor.scene(), state.editor.selection, renderer, view}, input);
+    ImGui::End();
+    return busy;
+}
+
+/// Puts the selected item's panel on the screen.
+void selected_panel(UiState& state, const PictureView& view) {
+    Scene& scene = state.editor.scene();
+    const Selection& selection = state.editor.selection;
+    const auto index = static_cast<std::size_t>(selection.index);
+    const std::string number = std::to_string(selection.index);
+    ObjectWishes wishes;
+    switch (selection.kind) {
+    case Selection::Kind::Camera:
+        (void)camera_panel(scene.camera, view.map.size);
+        break;
+    case Selection::Kind::Light:
+        (void)light_panel(scene.lights[index], "/lights/" + number, scene.camera, view.dome, view.map);
+        break;
+    case Selection::Kind::Object:
+        (void)object_panel(scene.objects[index], "/objects/" + number, scene.shading.reflection, wishes);
+        break;
+    case Selection::Kind::Shading:
+        (void)shading_panel(scene.shading, scene.global_ambient);
+        break;
+    case Selection::Kind::Display:
+        (void)display_panel(scene.display);
+        break;
+    }
+    if (wishes.browse_mesh) {
+        state.mesh_for_object = selection.index;
+        state.files.ask(FilePurpose::OpenMesh, state.editor.document.path);
+    }
+}
+
+std::string selected_title(const Scene& scene, const Selection& selection) {
+    const auto index = static_cast<std::size_t>(selection.index);
+    switch (selection.kind) {
+    case Selection::Kind::Camera:
+        return "Camera";
+    case Selection::Kind::Light:
+        return scene.lights[index].name;
+    case Selection::Kind::Object:
+        return scene.objects[index].name;
+    case Selection::Kind::Shading:
+        return "Shading";
+    case Selection::Kind::Display:
+        return "Display";
+    }
+    return {};  // not reached
+}
+
+void column_heading(const char* name) {
+    ImGui::PushFont(fonts().small);
+    dim_text(name);
+    ImGui::PopFont();
+}
+
+void scene_column(UiState& state, const PictureView& view) {
+    SceneWishes wishes;
+    Scene& scene = state.editor.scene();
+    const auto rows = static_cast<float>(5 + std::max<std::size_t>(scene.lights.size(), 1) +
+                                         std::max<std::size_t>(scene.objects.size(), 1));
+    const float all = rows * (ImGui::GetFrameHeight() + px(1)) + px(4);
+    const float room = ImGui::GetContentRegionAvail().y;
+    ImGui::BeginChild("##list", {0, std::min(all, 0.45f * room)});
+    (void)scene_panel(scene, state.editor.selection, wishes);
+    ImGui::EndChild();
+    if (wishes.browse_mesh) {
+        state.mesh_for_object = -1;
+        state.files.ask(FilePurpose::OpenMesh, state.editor.document.path);
+    }
+    ImGui::Separator();
+    ImGui::PushFont(fonts().title);
+    ImGui::TextUnformatted(selected_title(scene, state.editor.selection).c_str());
+    ImGui::PopFont();
+    ImGui::BeginChild("##panel");
+    // What is edited is told apart by the selection, so that no field keeps its focus for another item.
+    ImGui::PushID(static_cast<int>(state.editor.selection.kind) * 100'000 + state.editor.selection.index);
+    selected_panel(state, view);
+    ImGui::PopID();
+    ImGui::EndChild();
+}
+
+void why_column(UiState& state) {
+    const InspectorWishes wishes =
+        inspector(state.inspector, state.why ? &*state.why : nullptr, state.editor.scene());
+    if (wishes.forget) state.viewport.probe.reset();
+    if (wishes.select_light >= 0) state.editor.selection = {Selection::Kind::Light, wishes.select_light};
+    if (wishes.select_object >= 0) state.editor.selection = {Selection::Kind::Object, wishes.select_object};
+    state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
+}
+
+void column_tab(const char* name, bool chosen, bool& wanted) {
+    ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().field_active : theme().panel);
+    if (ImGui::Button(name, {px(84), 0})) wanted = true;
+    ImGui::PopStyleColor();
+}
+
+void left_column(UiState& state, const Layout& layout, const PictureView& view) {
+    if (!layout.has_left) return;
+    begin_column("##left", layout.left);
+    if (layout.why_in_left) {
+        bool scene = false, why = false;
+        column_tab("Scene", !state.left_shows_why, scene);
+        ImGui::SameLine(0, px(2));
+        column_tab("Why", state.left_shows_why, why);
+        if (scene || why) state.left_shows_why = why;
+    }
+    if (!layout.why_in_left) column_heading("SCENE");
+    if (!layout.why_in_left || !state.left_shows_why) scene_column(state, view);
+    ImGui::End();
+}
+
+/// WHY is drawn after the picture, so that its numbers are of the picture on the screen.
+void why_columns(UiState& state, const Layout& layout) {
+    const bool in_left = layout.why_in_left && layout.has_left && state.left_shows_why;
+    if (!layout.has_right && !in_left) return;
+    if (in_left)
+        ImGui::Begin("##left", nullptr, fixed);
+    else {
+        begin_column("##right", layout.right);
+        column_heading("WHY");
+    }
+    why_column(state);
+    ImGui::End();
+}
+
+/// Draws the scene if it, or the size, is not that of the last picture; then asks it about the probe.
+void draw_picture(UiState& state, PictureSize size) {
+    const bool same_size = state.picture != nullptr && state.picture->size == size;
+    if (!same_size || !(state.drawn == state.editor.scene())) {
+        if (const auto problem = settle(state.editor)) state.notifications.add(*problem);
+        state.picture = &state.renderer->render(state.editor.scene(), size);
+        state.drawn = state.editor.scene();
+        ++state.picture_serial;
+    }
+    const auto pixel = probe_pixel(state.viewport, size);
+    state.why.reset();
+    if (pixel) state.why = state.renderer->explain(pixel->x, pixel->y);
+}
+
+void first_hints(const UiState& state, const PictureView& view) {
+    if (state.viewport.touched) return;
+    const char* text = "Drag a light   ·   Click a pixel to ask why   ·   Drag elsewhere to orbit";
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    const float middle = view.origin.x + float(view.map.size.width) * view.units_per_pixel / 2;
+    const float bottom = view.origin.y + float(view.map.size.height) * view.units_per_pixel - px(18);
+    const ImVec2 low{middle - size.x / 2 - px(14), bottom - size.y - px(12)};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, {middle + size.x / 2 + px(14), bottom}, packed(theme().window, 0.85f), px(14));
+    list.AddText({low.x + px(14), low.y + px(6)}, packed(theme().text), text);
+}
+
+void overlay(UiState& state, const Layout& layout, const PictureView& view) {
+    ImGui::Begin("##view", nullptr, fixed);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 high = view.to_window({view.map.size.width, view.map.size.height});
+    list.PushClipRect(view.origin, high, true);
+    draw_overlay(list, state.viewport,
+                 {state.editor.scene(), state.editor.selection, state.renderer.get(), view});
+    first_hints(state, view);
+    list.PopClipRect();
+    ImGui::End();
+    draw_notifications(state.notifications, {layout.centre.high.x - px(18), layout.centre.high.y - px(18)},
+                       layout.centre.size().x - px(36));
+}
+
+/// One undo step when nothing has the scene in hand any more.
+void remember(UiState& state, bool in_hand) {
+    if (in_hand || ImGui::IsAnyItemActive()) return;
+    state.editor.history.commit(state.editor.scene(), state.viewport.wheel_goes_on);
+}
+
+UiRequests requests(UiState& state) {
+    UiRequests wants;
+    wants.quit = state.quits;
+    state.quits = false;
+    wants.title = fmt::format("{}{} – Glint", state.editor.unsaved() ? "● " : "", state.editor.title());
+    wants.sleep_s = frame_wish();
+    if (ImGui::GetIO().WantTextInput) wants.sleep_s = std::min(wants.sleep_s, 0.3);  // the text cursor blinks
+    return wants;
+}
+
+}  // namespace
+
+UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
+    frame_wish_reset();
+    if (input.close_asked) run_action(state, Action::Quit);
+    take_dropped(state, input);
+    run_keys(state, input);
+    ImGui::PushFont(fonts().body);
+    const Layout layout = lay_out(ImGui::GetIO().DisplaySize, state.layout, px(1));
+    toolbar(state, layout.top);
+    const bool in_hand = viewport(state, layout, input, texture);
+    state.left_shows_why |= state.viewport.asked;
+    left_column(state, layout, picture_view(layout.centre, state.editor.scene()));
+    dialogs(state, input);
+    const PictureView view = picture_view(layout.centre, state.editor.scene());
+    draw_picture(state, view.map.size);
+    overlay(state, layout, picture_view(layout.centre, state.editor.scene()));
+    why_columns(state, layout);
+    status_line(state, layout.status);
+    remember(state, in_hand);
+    ImGui::PopFont();
+    return requests(state);
+}
+
+}  // namespace glint

@@ -1,0 +1,63 @@
+#pragma once
+// One frame of the window's inside: input in, scene edited, picture drawn, requests out. Draws with ImGui
+// alone; knows neither GLFW nor GL, so that tests run it without a window.
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "renderer/renderer.h"
+#include "ui/editor.h"
+#include "ui/file_dialog.h"
+#include "ui/inspector.h"
+#include "ui/keys.h"
+#include "ui/layout.h"
+#include "ui/notifications.h"
+#include "ui/viewport.h"
+
+namespace glint {
+
+/// What waits for the answer to "save changes?".
+struct Pending {
+    enum class What { Nothing, New, Open, Quit };
+    What what = What::Nothing;
+    std::string path;     // to open
+    bool asking = false;  // the question is on the screen; else the changes are being saved
+};
+
+struct UiState {
+    explicit UiState(int threads) : renderer(std::make_unique<Renderer>(threads)) {}
+
+    Editor editor;
+    ViewportState viewport;
+    LayoutState layout;
+    InspectorState inspector;
+    Notifications notifications;
+    FileDialog files;
+    Pending pending;
+    int mesh_for_object = -1;  // whose mesh the file dialog chooses; -1: a new object's
+    bool dark = true, shows_shortcuts = false, left_shows_why = false;
+    bool quits = false;
+
+    std::unique_ptr<Renderer> renderer;
+    const Picture* picture = nullptr;  // the last one drawn
+    std::uint64_t picture_serial = 0;  // counts pictures: the texture follows it
+    Scene drawn;                       // what `picture` shows
+    std::optional<Explanation> why;    // of the probe in `picture`
+};
+
+struct UiRequests {
+    bool quit = false;
+    std::string title;
+    double sleep_s = std::numeric_limits<double>::infinity();  // until the next frame, if no event comes
+};
+
+/// Between ImGui::NewFrame() and ImGui::Render(). `texture` shows UiState::picture: upload it when
+/// picture_serial has changed, after this call and before ImGui's draw data are drawn.
+[[nodiscard]] UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture);
+
+}  // namespace glint
