@@ -21,7 +21,8 @@ struct Format {
     std::string_view extension;
     Reader read;
 };
-constexpr std::array<Format, 1> formats{{{".obj", read_obj}}};
+constexpr std::array<Format, 5> formats{
+    {{".obj", read_obj}, {".ply", read_ply}, {".off", read_off}, {".stl", read_stl}, {".om", read_om}}};
 
 /// The reader for a path's extension, in any case; null when there is none.
 Reader reader_for(const std::string& path) {

@@ -13,11 +13,12 @@ namespace glint {
 struct Picture {
     PictureSize size;
     std::vector<std::uint8_t> rgba;  // 4 bytes a pixel, first row at the top, alpha 255; what is displayed
-    std::vector<float> linear;       // 3 floats a pixel, same order: linear colour before exposure, unclamped;
-                                     // empty unless asked for
+    std::vector<float> linear;  // 3 floats a pixel, same order: linear colour before exposure, unclamped;
+                                // empty unless asked for
 
     [[nodiscard]] std::size_t pixel(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+               static_cast<std::size_t>(x);
     }
     [[nodiscard]] glm::vec3 linear_at(int x, int y) const {
         const float* p = &linear[3 * pixel(x, y)];

@@ -76,15 +76,15 @@ Renderer::Renderer(int threads)
 }
 Renderer::~Renderer() = default;
 
-const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linear) {
+const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linear, int samples) {
     Kept& k = *kept_;
     KeptStages& s = k.stages;
     const Clock::time_point start = Clock::now();
     k.arena.execute([&] {
         const bool geometry =
-            k.run(Stage::Geometry, [&] { return update_geometry(s.geometry, scene, size); });
+            k.run(Stage::Geometry, [&] { return update_geometry(s.geometry, scene, size, samples > 1); });
         const bool visibility = k.run(Stage::Visibility, [&] {
-            return update_visibility(s.visibility, s.geometry, scene.shading.cull, geometry);
+            return update_visibility(s.visibility, s.geometry, scene.shading.cull, samples, geometry);
         });
         const bool surface = k.run(Stage::Surface, [&] {
             return update_surface(s.surface, scene, s.geometry, s.visibility, visibility);
@@ -120,7 +120,7 @@ float Renderer::depth_at(int x, int y) const {
     if (object_at(x, y) < 0) return 0;
     const KeptStages& s = kept_->stages;
     const SampleFace face = sample_face(s.surface.choice, s.geometry, s.visibility, x, y);
-    return -pixel_point(s.surface, s.geometry, face, x, y).p.z;
+    return -pixel_point(s.surface, s.geometry, face).p.z;
 }
 
 }  // namespace glint

@@ -1,7 +1,7 @@
 #pragma once
 // Scene -> pixels, and why. Four stages, each a function of its inputs alone and kept until they differ:
-// geometry -> visibility -> surface -> lighting (docs/architecture.md). Nobody ever says "dirty": the renderer
-// compares the scene with the one it was given last.
+// geometry -> visibility -> surface -> lighting (docs/architecture.md). Nobody ever says "dirty": the
+// renderer compares the scene with the one it was given last.
 
 #include <array>
 #include <cstdint>
@@ -30,30 +30,35 @@ struct FrameStats {
     const char* instruction_set = "";  // "sse2", "avx2", "avx512"
 };
 
-/// Something the engine cannot draw yet, as the one-line problem to report; nothing when it can draw the scene.
+/// Something the engine cannot draw yet, as the one-line problem to report; nothing when it can draw the
+/// scene.
 [[nodiscard]] std::optional<Problem> unsupported(const Scene& scene);
 
 class Renderer {
   public:
-    explicit Renderer(int threads = 0);  // 0: all cores. The picture is the same, bit for bit, for every number
+    explicit Renderer(
+        int threads = 0);  // 0: all cores. The picture is the same, bit for bit, for every number
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
     /// Draws the scene; meshes must be loaded and `unsupported` must be empty. The picture stays valid and
     /// unchanged until the next call. `linear` asks for Picture::linear too.
-    const Picture& render(const Scene& scene, PictureSize size, bool linear = false);
+    /// `samples`: 1, 2, 4 or 8 a pixel; each face seen in a pixel is lit once, at the mean of its covered
+    /// samples, and weighted by their count, in linear light.
+    const Picture& render(const Scene& scene, PictureSize size, bool linear = false, int samples = 1);
 
     [[nodiscard]] const FrameStats& stats() const;
 
-    /// Why pixel (x, y) of the last rendered picture has its colour. Its sum equals the pixel to the last bit.
-    /// Precondition: render() was called and the pixel is inside the picture.
+    /// Why pixel (x, y) of the last rendered picture has its colour. Its sum equals the pixel to the last
+    /// bit. Precondition: render() was called with one sample a pixel, and the pixel is inside the picture.
     [[nodiscard]] Explanation explain(int x, int y) const;
 
     /// Object index at a pixel of the last picture, or -1.
     [[nodiscard]] int object_at(int x, int y) const;
 
-    /// Distance in front of the camera (-z in camera coordinates) of what shows at a pixel, or 0 for background.
+    /// Distance in front of the camera (-z in camera coordinates) of what shows at a pixel, or 0 for
+    /// background.
     [[nodiscard]] float depth_at(int x, int y) const;
 
     /// Warnings of the last frame (normals that were missing, ...), one a kind.

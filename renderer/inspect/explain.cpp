@@ -112,7 +112,7 @@ ExplainedPoint explain_point(const KeptStages& stages, const LightJob& job, cons
 void explain_corners(Explanation& e, const KeptStages& stages, const SampleFace& face, const LightJob& job,
                      const Frames& frames) {
     const Surface& surface = stages.surface;
-    const SampleSources sample = sample_sources(surface, stages.geometry, face, e.x, e.y);
+    const SampleSources sample = sample_sources(surface, stages.geometry, face);
     const bool lit = stages.lighting.shading.reflection != Reflection::None;
     Vec sum;
     for (std::size_t i = 0; i < static_cast<std::size_t>(sample.count); ++i) {
@@ -171,7 +171,7 @@ Explanation explain_pixel(const KeptStages& stages, int x, int y) {
     e.weights = face.weights;
     const LightJob& job = stages.lighting.jobs[face.object];
     const Frames frames(stages.scene.camera);
-    const PlacedNormal place = pixel_point(stages.surface, g, face, x, y);
+    const PlacedNormal place = pixel_point(stages.surface, g, face);
     const bool lit_here = stages.surface.choice.kind == SurfaceKind::Pixels;
     e.at = explain_point(stages, job, place, frames, lit_here);
     e.sum = e.at.sum;

@@ -25,12 +25,13 @@ bool is_left_out(const Geometry& g, std::uint32_t number) {
 /// Calls visit(tile, number) for every triangle of one chunk and every tile it may touch.
 template <class Visit> void visit_chunk(const Geometry& g, std::uint32_t chunk, const Visit& visit) {
     const PixelBox picture{0, 0, g.size.width - 1, g.size.height - 1};
+    const int margin = g.multisampled ? subpixels / 2 : 0;
     const std::uint32_t total = g.triangle_count + static_cast<std::uint32_t>(g.clipped.size());
     const std::uint32_t begin = chunk * chunk_size, end = std::min(begin + chunk_size, total);
     for (std::uint32_t number = begin; number < end; ++number) {
         if (number < g.triangle_count && is_left_out(g, number)) continue;
         const ScreenTriangle s = screen_triangle(g, number);
-        const PixelBox box = pixels_of(s.corner, picture);
+        const PixelBox box = pixels_of(s.corner, picture, margin);
         if (box.empty() || doubled_area(s.corner) == 0) continue;
         for (int y = box.y0 / tile_size; y <= box.y1 / tile_size; ++y)
             for (int x = box.x0 / tile_size; x <= box.x1 / tile_size; ++x)
@@ -40,13 +41,15 @@ template <class Visit> void visit_chunk(const Geometry& g, std::uint32_t chunk, 
 
 }  // namespace
 
-PixelBox pixels_of(const std::array<ScreenVertex, 3>& c, const PixelBox& limits) {
+PixelBox pixels_of(const std::array<ScreenVertex, 3>& c, const PixelBox& limits, int margin) {
     const auto [min_x, max_x] = std::minmax({c[0].x, c[1].x, c[2].x});
     const auto [min_y, max_y] = std::minmax({c[0].y, c[1].y, c[2].y});
     // A centre lies at 256 k + 128: the first at or after min, the last at or before max.
     constexpr int half = subpixels / 2;
-    return {std::max((min_x + half - 1) >> 8, limits.x0), std::max((min_y + half - 1) >> 8, limits.y0),
-            std::min((max_x - half) >> 8, limits.x1), std::min((max_y - half) >> 8, limits.y1)};
+    return {std::max((min_x - margin + half - 1) >> 8, limits.x0),
+            std::max((min_y - margin + half - 1) >> 8, limits.y0),
+            std::min((max_x + margin - half) >> 8, limits.x1),
+            std::min((max_y + margin - half) >> 8, limits.y1)};
 }
 
 void sort_into_tiles(Geometry& g) {

@@ -11,8 +11,10 @@ struct PixelBox {
     [[nodiscard]] bool empty() const { return x1 < x0 || y1 < y0; }
 };
 
-/// The pixels within `limits` whose centres lie in the bounding box of a triangle.
-[[nodiscard]] PixelBox pixels_of(const std::array<ScreenVertex, 3>& corner, const PixelBox& limits);
+/// The pixels within `limits` whose centres lie in the bounding box of a triangle, made larger by `margin`
+/// (1/256 pixel) on every side.
+[[nodiscard]] PixelBox pixels_of(const std::array<ScreenVertex, 3>& corner, const PixelBox& limits,
+                                 int margin = 0);
 
 /// Twice the area on the grid; positive when the corners run clockwise as seen (y runs down).
 [[nodiscard]] inline std::int64_t doubled_area(const std::array<ScreenVertex, 3>& c) {

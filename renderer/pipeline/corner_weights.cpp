@@ -10,9 +10,9 @@
 namespace glint {
 namespace {
 
-template <Number F> ScreenPoint<F> screen_point(PictureSize size, int x, int y) {
-    return {(F(2) * static_cast<F>(x) + F(1)) / static_cast<F>(size.width) - F(1),
-            F(1) - (F(2) * static_cast<F>(y) + F(1)) / static_cast<F>(size.height)};
+template <Number F> ScreenPoint<F> screen_point(PictureSize size, SamplePlace at) {
+    return {F(2) * F(at.x) / static_cast<F>(size.width) - F(1),
+            F(1) - F(2) * F(at.y) / static_cast<F>(size.height)};
 }
 
 /// Weights, and the place that they give, of corners in clip and in camera coordinates.
@@ -41,11 +41,10 @@ void add_cut(CornerWeights& weights, const CutCorner& corner, double weight) {
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 /// Linear on the screen over the fan of a triangle that the near plane cuts.
-CornerWeights cut_screen_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle, int x,
-                                 int y) {
+CornerWeights cut_screen_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
     CutMemory memory;
     const auto cut = cut_at_near(g, face.object, triangle.corner, memory);
-    const glm::dvec2 at(x + 0.5, y + 0.5);
+    const glm::dvec2 at(face.at.x, face.at.y);
     CornerWeights best;
     double best_inside =
         -HUGE_VAL;  // the smallest weight: largest in the fan's triangle that holds the sample
@@ -96,8 +95,7 @@ double height_within(const std::pmr::vector<CutCorner>& polygon, double y) {
     return std::clamp(y, low->pixel.y, std::nextafter(high->pixel.y, low->pixel.y));
 }
 
-CornerWeights scanline_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle, int x,
-                               int y) {
+CornerWeights scanline_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
     const Vec3<float> perspective{face.weights.x, face.weights.y, face.weights.z};
     const Mesh& mesh = *g.objects[face.object].mesh;
     CutMemory memory;
@@ -107,9 +105,9 @@ CornerWeights scanline_weights(const Geometry& g, const SampleFace& face, const 
     const auto polygon = cut_at_near(g, face.object, corners, memory);
     CornerWeights weights;
     if (polygon.empty()) return of_triangle(triangle, perspective);
-    const auto crossing = crossings_at(polygon, height_within(polygon, y + 0.5), memory);
+    const auto crossing = crossings_at(polygon, height_within(polygon, face.at.y), memory);
     // The pair of crossings around the sample; of a polygon that is not convex there may be several pairs.
-    const double at = x + 0.5;
+    const double at = face.at.x;
     const Crossing *left = nullptr, *right = nullptr;
     double best = HUGE_VAL;
     for (std::size_t i = 1; i < crossing.size(); i += 2) {
@@ -142,7 +140,7 @@ void CornerWeights::add(std::uint32_t which, float w) {
     weight[i] += w;
 }
 
-void place_on_face(SampleFace& face, const Geometry& g, int x, int y) {
+void place_on_face(SampleFace& face, const Geometry& g) {
     const ObjectGeometry& object = g.objects[face.object];
     const auto corner = g.position_indices(face.object, g.triangle(face.object, face.triangle));
     std::uint32_t outside = 0;
@@ -156,7 +154,7 @@ void place_on_face(SampleFace& face, const Geometry& g, int x, int y) {
             clip[i] = {v.x, v.y, v.w};
             camera[i] = {p.x, p.y, p.z};
         }
-        place(face, clip, camera, screen_point<float>(g.size, x, y));
+        place(face, clip, camera, screen_point<float>(g.size, face.at));
         return;
     }
     // A face that had to be clipped may reach far beyond the picture: its corners in double, or float would
@@ -171,23 +169,22 @@ void place_on_face(SampleFace& face, const Geometry& g, int x, int y) {
         clip[i] = {c.x, c.y, c.w};
         camera[i] = {p.x, p.y, p.z};
     }
-    place(face, clip, camera, screen_point<double>(g.size, x, y));
+    place(face, clip, camera, screen_point<double>(g.size, face.at));
 }
 
-CornerWeights corner_weights(Interpolation interpolation, const Geometry& g, const SampleFace& face, int x,
-                             int y) {
+CornerWeights corner_weights(Interpolation interpolation, const Geometry& g, const SampleFace& face) {
     const Triangle& triangle = g.triangle(face.object, face.triangle);
     const Vec3<float> perspective{face.weights.x, face.weights.y, face.weights.z};
     switch (interpolation) {
     case Interpolation::Perspective:
         break;
     case Interpolation::Scanline:
-        return scanline_weights(g, face, triangle, x, y);
+        return scanline_weights(g, face, triangle);
     case Interpolation::Screen: {
         const std::vector<ClipVertex>& v = g.objects[face.object].vertices;
         const auto p = g.position_indices(face.object, triangle);
         if ((v[p[0]].outside | v[p[1]].outside | v[p[2]].outside) & OutsideNear)
-            return cut_screen_weights(g, face, triangle, x, y);
+            return cut_screen_weights(g, face, triangle);
         return of_triangle(triangle, screen_weights(perspective, v[p[0]].w, v[p[1]].w, v[p[2]].w));
     }
     }

@@ -95,7 +95,8 @@ void clip_triangles(Geometry& g) {
     }
 }
 
-bool same_inputs(const Geometry& kept, const Scene& scene, PictureSize size) {
+bool same_inputs(const Geometry& kept, const Scene& scene, PictureSize size, bool multisampled) {
+    if (kept.multisampled != multisampled) return false;
     if (kept.size != size || kept.camera != scene.camera || kept.objects.size() != scene.objects.size())
         return false;
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
@@ -126,8 +127,9 @@ ScreenTriangle screen_triangle(const Geometry& g, std::uint32_t number) {
         {v[position[0]].screen, v[position[1]].screen, v[position[2]].screen}, number, g.objects[o].mirrored};
 }
 
-bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size) {
-    if (same_inputs(kept, scene, size)) return false;
+bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size, bool multisampled) {
+    if (same_inputs(kept, scene, size, multisampled)) return false;
+    kept.multisampled = multisampled;
     kept.size = size;
     kept.camera = scene.camera;
     place_objects(kept, scene);

@@ -49,6 +49,7 @@ struct ObjectGeometry {
 struct Geometry {
     Camera camera;
     PictureSize size{0, 0};
+    bool multisampled = false;  // tiles then hold what any sample of their pixels may see
     std::vector<ObjectGeometry> objects;
     std::uint32_t triangle_count = 0;
     std::vector<ClippedTriangle> clipped;  // numbered triangle_count, triangle_count + 1, ... in the tiles
@@ -70,7 +71,7 @@ struct Geometry {
 };
 
 /// Does again what differs from what `kept` was made of; true when anything did.
-bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size);
+bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size, bool multisampled);
 
 /// What the rasteriser sees of number `number` of a tile: a triangle, or a clipped piece of one.
 struct ScreenTriangle {

@@ -15,6 +15,14 @@ namespace {
 
 constexpr std::size_t batch = 16;  // runs whose colours stay in the first-level cache between the steps
 
+ColorBlock uniform_block(const glm::vec3& c) {
+    ColorBlock block;
+    std::fill_n(block.r, block_size, c.x);
+    std::fill_n(block.g, block_size, c.y);
+    std::fill_n(block.b, block_size, c.z);
+    return block;
+}
+
 void light_points(Lighting& l, const Surface& s, std::size_t first, std::size_t count, ColorBlock* colors) {
     for (std::size_t i = 0; i < count;) {  // neighbouring blocks of one object go in one call
         const std::uint32_t object = s.point_object[first + i];
@@ -83,16 +91,21 @@ void write_run(Lighting& l, const PixelRun& run, const ColorBlock& color, const 
     }
 }
 
+/// Colours of `count` runs from `first` on.
+void color_runs(Lighting& l, const Surface& s, std::size_t first, std::size_t count, ColorBlock* colors) {
+    if (s.choice.kind == SurfaceKind::Pixels)
+        light_points(l, s, first, count, colors);
+    else
+        for (std::size_t i = 0; i < count; ++i) colors[i] = run_colors(l, s, first + i);
+}
+
 void color_pixels(Lighting& l, const Surface& s, const DisplayJob& display) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 8 * batch), [&](const auto& range) {
         std::array<ColorBlock, batch> colors;
         std::array<std::uint32_t, batch * block_size> rgba;
         for (std::size_t first = range.begin(); first < range.end(); first += batch) {
             const std::size_t count = std::min(batch, range.end() - first);
-            if (s.choice.kind == SurfaceKind::Pixels)
-                light_points(l, s, first, count, colors.data());
-            else
-                for (std::size_t i = 0; i < count; ++i) colors[i] = run_colors(l, s, first + i);
+            color_runs(l, s, first, count, colors.data());
             lighting_kernels().encode(display, colors.data(), rgba.data(), count);
             for (std::size_t i = 0; i < count; ++i)
                 write_run(l, s.runs[first + i], colors[i], &rgba[i * block_size]);
@@ -100,13 +113,56 @@ void color_pixels(Lighting& l, const Surface& s, const DisplayJob& display) {
     });
 }
 
+/// Adds one run's share to the pixels of its group.
+void add_share(ColorBlock& sum, std::array<float, block_size>& covered, const PixelRun& run,
+               const RunSamples& samples, const ColorBlock& color) {
+    for (std::size_t i = 0; i < block_size; ++i) {
+        if (!(run.mask >> i & 1u)) continue;
+        const float w = samples.weight[i];
+        covered[i] += w;
+        sum.r[i] += w * color.r[i];
+        sum.g[i] += w * color.g[i];
+        sum.b[i] += w * color.b[i];
+    }
+}
+
+/// What the faces leave of a pixel shows the background.
+void add_background(ColorBlock& sum, const std::array<float, block_size>& covered,
+                    const glm::vec3& background) {
+    for (std::size_t i = 0; i < block_size; ++i) {
+        const float left = 1 - covered[i];  // exact: shares are whole eighths
+        if (left <= 0) continue;
+        sum.r[i] += left * background.x;
+        sum.g[i] += left * background.y;
+        sum.b[i] += left * background.z;
+    }
+}
+
+/// The same with several samples a pixel: shares are added in linear light, group by group.
+void color_sampled_pixels(Lighting& l, const Surface& s, const DisplayJob& display) {
+    std::vector<std::size_t> group{0};
+    for (std::size_t r = 1; r <= s.runs.size(); ++r)
+        if (r == s.runs.size() || s.runs[r].first_pixel != s.runs[r - 1].first_pixel) group.push_back(r);
+    tbb::parallel_for(std::size_t{1}, group.size(), [&](std::size_t n) {
+        ColorBlock sum{}, color;
+        std::array<float, block_size> covered{};
+        PixelRun all = s.runs[group[n - 1]];
+        for (std::size_t r = group[n - 1]; r < group[n]; ++r) {
+            color_runs(l, s, r, 1, &color);
+            add_share(sum, covered, s.runs[r], s.run_samples[r], color);
+            all.mask = static_cast<std::uint16_t>(all.mask | s.runs[r].mask);
+        }
+        add_background(sum, covered, l.display.background);
+        std::array<std::uint32_t, block_size> rgba;
+        lighting_kernels().encode(display, &sum, rgba.data(), 1);
+        write_run(l, all, sum, rgba.data());
+    });
+}
+
 /// Everything the background's colour, as it is displayed.
 void clear_picture(Lighting& l, PictureSize size, const DisplayJob& display) {
     const glm::vec3 c = l.display.background;
-    ColorBlock color{};
-    std::fill_n(color.r, block_size, c.x);
-    std::fill_n(color.g, block_size, c.y);
-    std::fill_n(color.b, block_size, c.z);
+    const ColorBlock color = uniform_block(c);
     std::array<std::uint32_t, block_size> rgba{};
     lighting_kernels().encode(display, &color, rgba.data(), 1);
     l.picture.size = size;
@@ -174,7 +230,10 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, cons
     const DisplayJob display = display_job(scene.display);
     if (!same_display) clear_picture(kept, g.size, display);
     if (at_corners) color_points(kept, surface, g);
-    color_pixels(kept, surface, display);
+    if (surface.run_samples.empty())
+        color_pixels(kept, surface, display);
+    else
+        color_sampled_pixels(kept, surface, display);
     return true;
 }
 

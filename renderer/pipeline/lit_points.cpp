@@ -34,14 +34,10 @@ Numbering number_items(const Surface& s, const Geometry& g) {
 /// Calls visit(run number, lane, sources) for every pixel that shows a surface.
 template <class Visit>
 void visit_pixels(const Surface& s, const Geometry& g, const Visibility& visibility, const Visit& visit) {
-    const auto width = static_cast<std::uint32_t>(g.size.width);
     tbb::parallel_for(std::size_t{0}, s.runs.size(), [&](std::size_t r) {
-        const int y = static_cast<int>(s.runs[r].first_pixel / width);
-        for (unsigned i = 0; i < block_size; ++i) {
-            if (!(s.runs[r].mask >> i & 1u)) continue;
-            const int x = static_cast<int>(s.runs[r].first_pixel % width + i);
-            visit(r, i, sample_sources(s, g, sample_face(s.choice, g, visibility, x, y), x, y));
-        }
+        for (unsigned i = 0; i < block_size; ++i)
+            if (s.runs[r].mask >> i & 1u)
+                visit(r, i, sample_sources(s, g, face_of_lane(s, g, visibility, r, i)));
     });
 }
 

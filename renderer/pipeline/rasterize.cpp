@@ -49,9 +49,10 @@ struct Setup {
     bool back = false;
 };
 
-void fill(const Setup& s, int width, Visibility& out) {
+void fill(const Setup& s, int width, Visibility& out, std::size_t plane) {
     for (int row = 0; row <= s.box.y1 - s.box.y0; ++row) {
-        const std::size_t first = static_cast<std::size_t>(s.box.y0 + row) * static_cast<std::size_t>(width) +
+        const std::size_t first = plane +
+                                  static_cast<std::size_t>(s.box.y0 + row) * static_cast<std::size_t>(width) +
                                   static_cast<std::size_t>(s.box.x0);
         const std::int64_t r0 = s.edge[0].value + row * s.edge[0].step_y;
         const std::int64_t r1 = s.edge[1].value + row * s.edge[1].step_y;
@@ -71,8 +72,15 @@ void fill(const Setup& s, int width, Visibility& out) {
     }
 }
 
-void rasterize_triangle(const Geometry& g, const ScreenTriangle& t, const PixelBox& tile, Visibility& out) {
+/// One of a pixel's samples: moving the triangle by the sample's offset the other way puts it on the centres.
+void rasterize_triangle(const Geometry& g, const ScreenTriangle& t, int sample, const PixelBox& tile,
+                        Visibility& out) {
     std::array<ScreenVertex, 3> c = t.corner;
+    const SampleOffset offset = sample_offset(out.samples, sample);
+    for (ScreenVertex& v : c) {
+        v.x -= offset.x;
+        v.y -= offset.y;
+    }
     std::int64_t area = doubled_area(c);
     Setup s;
     s.back = (area > 0) != t.mirrored;  // clockwise as seen is the back, unless the transform turned it over
@@ -88,7 +96,7 @@ void rasterize_triangle(const Geometry& g, const ScreenTriangle& t, const PixelB
     s.edge = {edge_at(c[0], c[1], x, y), edge_at(c[1], c[2], x, y), edge_at(c[2], c[0], x, y)};
     s.nearness = nearness_plane(c, area, x, y);
     s.id = static_cast<std::uint32_t>(~t.triangle);
-    fill(s, g.size.width, out);
+    fill(s, g.size.width, out, static_cast<std::size_t>(sample) * out.plane);
 }
 
 }  // namespace
@@ -100,7 +108,8 @@ void rasterize_tiles(const Geometry& g, Visibility& out) {
                            std::min(y0 + tile_size, g.size.height) - 1};
         const auto number = static_cast<std::size_t>(tile);
         for (std::uint32_t i = g.tile_first[number]; i < g.tile_first[number + 1]; ++i)
-            rasterize_triangle(g, screen_triangle(g, g.tile_triangles[i]), box, out);
+            for (int sample = 0; sample < out.samples; ++sample)
+                rasterize_triangle(g, screen_triangle(g, g.tile_triangles[i]), sample, box, out);
     });
 }
 

@@ -14,8 +14,8 @@ Vec to_vec(glm::vec3 v) { return {v.x, v.y, v.z}; }
 glm::vec3 to_glm(Vec v) { return {v.x, v.y, v.z}; }
 
 /// The interpolated normal, not yet unit.
-Vec blended_normal(const Surface& surface, const Geometry& g, const SampleFace& face, int x, int y) {
-    const CornerWeights weights = corner_weights(surface.choice.interpolation, g, face, x, y);
+Vec blended_normal(const Surface& surface, const Geometry& g, const SampleFace& face) {
+    const CornerWeights weights = corner_weights(surface.choice.interpolation, g, face);
     const ObjectNormals& normals = surface.normals[face.object];
     Vec sum;
     for (std::size_t i = 0; i < static_cast<std::size_t>(weights.count); ++i)
@@ -30,19 +30,38 @@ SampleFace sample_face(const SurfaceChoice& choice, const Geometry& g, const Vis
     const std::size_t pixel =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(g.size.width) + static_cast<std::size_t>(x);
     SampleFace face;
+    face.at = {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
     face.triangle = visibility.triangle_at(pixel);
     face.object = g.object_of(face.triangle);
     face.turned = choice.two_sided && visibility.back[pixel];
-    place_on_face(face, g, x, y);
+    place_on_face(face, g);
     return face;
 }
 
-PlacedNormal pixel_point(const Surface& surface, const Geometry& g, const SampleFace& face, int x, int y) {
+SampleFace face_of_lane(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t run,
+                        unsigned lane) {
+    if (s.run_samples.empty()) {
+        const auto width = static_cast<std::uint32_t>(g.size.width);
+        const std::uint32_t pixel = s.runs[run].first_pixel + lane;
+        return sample_face(s.choice, g, visibility, static_cast<int>(pixel % width),
+                           static_cast<int>(pixel / width));
+    }
+    const RunSamples& samples = s.run_samples[run];
+    SampleFace face;
+    face.at = samples.at[lane];
+    face.object = s.runs[run].object;
+    face.triangle = samples.triangle[lane];
+    face.turned = s.choice.two_sided && (samples.back >> lane & 1u);
+    place_on_face(face, g);
+    return face;
+}
+
+PlacedNormal pixel_point(const Surface& surface, const Geometry& g, const SampleFace& face) {
     const ObjectGeometry& object = g.objects[face.object];
     const Triangle& t = g.triangle(face.object, face.triangle);
     Vec n;
     if (!surface.choice.facet_normals) {
-        const Vec sum = blended_normal(surface, g, face, x, y);
+        const Vec sum = blended_normal(surface, g, face);
         if (length(sum) > 1e-6f) n = surface.choice.mistakes.unnormalized_at_pixel ? sum : unit(sum);
     }
     // Opposite corner normals can cancel: then, too, the facet's own is the best there is.
@@ -71,8 +90,7 @@ PlacedNormal lit_point(const Surface& surface, const Geometry& g, const PointSou
     return at;
 }
 
-SampleSources sample_sources(const Surface& surface, const Geometry& g, const SampleFace& face, int x,
-                             int y) {
+SampleSources sample_sources(const Surface& surface, const Geometry& g, const SampleFace& face) {
     const Triangle& t = g.triangle(face.object, face.triangle);
     SampleSources s;
     if (surface.choice.kind == SurfaceKind::Faces) {
@@ -82,7 +100,7 @@ SampleSources sample_sources(const Surface& surface, const Geometry& g, const Sa
         s.weight[0] = 1;
         return s;
     }
-    const CornerWeights weights = corner_weights(surface.choice.interpolation, g, face, x, y);
+    const CornerWeights weights = corner_weights(surface.choice.interpolation, g, face);
     const ObjectNormals& normals = surface.normals[face.object];
     s.count = weights.count;
     s.weight = weights.weight;

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "renderer/pipeline/lit_points.h"
+#include "renderer/pipeline/multisample.h"
 
 namespace glint {
 namespace {
@@ -47,6 +48,7 @@ void find_runs(Surface& s, const Geometry& g, const Visibility& visibility) {
         std::size_t next = first[static_cast<std::size_t>(y)];
         visit_row(g, visibility, y, [&s, &next](const PixelRun& run) { s.runs[next++] = run; });
     });
+    s.run_samples.clear();
     s.pixel_count = 0;
     for (const PixelRun& run : s.runs) s.pixel_count += static_cast<std::uint64_t>(std::popcount(run.mask));
 }
@@ -54,17 +56,14 @@ void find_runs(Surface& s, const Geometry& g, const Visibility& visibility) {
 void place_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
     s.points.resize(s.runs.size());
     s.point_object.resize(s.runs.size());
-    s.point_count = s.pixel_count;
+    s.point_count = 0;
+    for (const PixelRun& run : s.runs) s.point_count += static_cast<std::uint64_t>(std::popcount(run.mask));
     tbb::parallel_for(std::size_t{0}, s.runs.size(), [&](std::size_t r) {
         PointBlock block{};
         s.point_object[r] = s.runs[r].object;
-        const auto width = static_cast<std::uint32_t>(g.size.width);
-        const int y = static_cast<int>(s.runs[r].first_pixel / width);
         for (unsigned i = 0; i < block_size; ++i) {
             if (!(s.runs[r].mask >> i & 1u)) continue;
-            const int x = static_cast<int>(s.runs[r].first_pixel % width + i);
-            const SampleFace face = sample_face(s.choice, g, visibility, x, y);
-            const PlacedNormal at = pixel_point(s, g, face, x, y);
+            const PlacedNormal at = pixel_point(s, g, face_of_lane(s, g, visibility, r, i));
             block.x[i] = at.p.x;
             block.y[i] = at.p.y;
             block.z[i] = at.p.z;
@@ -100,7 +99,10 @@ bool update_surface(Surface& kept, const Scene& scene, const Geometry& g, const 
     if (!visibility_redone && kept.choice == choice && same_normals(kept.normals, scene)) return false;
     kept.choice = choice;
     update_normals(kept.normals, scene, g, choice.mistakes);
-    find_runs(kept, g, visibility);
+    if (visibility.samples > 1)
+        find_sampled_runs(kept, g, visibility);
+    else
+        find_runs(kept, g, visibility);
     if (choice.kind == SurfaceKind::Pixels)
         place_pixels(kept, g, visibility);
     else

@@ -42,6 +42,15 @@ struct PixelRun {
     std::uint16_t mask = 0;  // bit i: pixel first_pixel + i
 };
 
+/// With several samples a pixel: what each lane of a run shows. A pixel then has a run for each face seen in
+/// it.
+struct RunSamples {
+    std::uint32_t triangle[block_size];  // global number
+    float weight[block_size];            // share of the pixel's samples
+    SamplePlace at[block_size];          // mean of the samples that show it
+    std::uint16_t back = 0;              // bit i: wound clockwise on the screen
+};
+
 struct FaceRefs {
     std::uint32_t point[block_size];
 };
@@ -57,7 +66,8 @@ struct PointSource {
 struct Surface {
     SurfaceChoice choice;
     std::vector<ObjectNormals> normals;
-    std::vector<PixelRun> runs;
+    std::vector<PixelRun> runs;               // those of one group of 16 pixels lie together
+    std::vector<RunSamples> run_samples;      // one a run; empty with one sample a pixel
     std::vector<PointBlock> points;           // lit points; Pixels: points[i] belongs to runs[i]
     std::vector<std::uint32_t> point_object;  // #points: the object whose material each block has
     std::vector<PointSource> sources;  // Corners, Faces: 16 a block of points; unused ones have no_index
@@ -78,6 +88,10 @@ struct Surface {
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& geometry, const Visibility& visibility,
                     bool visibility_redone);
 
+/// What lane `lane` of run `run` shows.
+[[nodiscard]] SampleFace face_of_lane(const Surface& surface, const Geometry& geometry,
+                                      const Visibility& visibility, std::size_t run, unsigned lane);
+/// What pixel (x, y) shows at its centre; the picture must have one sample a pixel.
 [[nodiscard]] SampleFace sample_face(const SurfaceChoice& choice, const Geometry& geometry,
                                      const Visibility& visibility, int x, int y);
 
@@ -87,7 +101,7 @@ struct PlacedNormal {
 };
 /// The pixel's own point under Pixels (and, for information, under the other kinds).
 [[nodiscard]] PlacedNormal pixel_point(const Surface& surface, const Geometry& geometry,
-                                       const SampleFace& face, int x, int y);
+                                       const SampleFace& face);
 /// A lit point that is no pixel.
 [[nodiscard]] PlacedNormal lit_point(const Surface& surface, const Geometry& geometry,
                                      const PointSource& source);
@@ -99,6 +113,6 @@ struct SampleSources {
     std::array<float, CornerWeights::most> weight{};
 };
 [[nodiscard]] SampleSources sample_sources(const Surface& surface, const Geometry& geometry,
-                                           const SampleFace& face, int x, int y);
+                                           const SampleFace& face);
 
 }  // namespace glint

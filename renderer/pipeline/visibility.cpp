@@ -4,13 +4,32 @@
 
 namespace glint {
 
-bool update_visibility(Visibility& kept, const Geometry& g, Cull cull, bool geometry_redone) {
-    if (!geometry_redone && kept.cull == cull) return false;
+SampleOffset sample_offset(int samples, int which) {
+    // In sixteenths of a pixel: Direct3D 11's standard patterns, which OpenGL drivers use as well.
+    constexpr int two[2][2] = {{4, 4}, {-4, -4}};
+    constexpr int four[4][2] = {{-2, -6}, {6, -2}, {-6, 2}, {2, 6}};
+    constexpr int eight[8][2] = {{1, -3}, {-1, 3}, {5, 1}, {-3, -5}, {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
+    constexpr int sixteenth = subpixels / 16;
+    const auto at = [](const int* p) { return SampleOffset{p[0] * sixteenth, p[1] * sixteenth}; };
+    switch (samples) {
+    case 2:
+        return at(two[which]);
+    case 4:
+        return at(four[which]);
+    case 8:
+        return at(eight[which]);
+    default:
+        return {};
+    }
+}
+
+bool update_visibility(Visibility& kept, const Geometry& g, Cull cull, int samples, bool geometry_redone) {
+    if (!geometry_redone && kept.cull == cull && kept.samples == samples) return false;
     kept.cull = cull;
-    const std::size_t pixels =
-        static_cast<std::size_t>(g.size.width) * static_cast<std::size_t>(g.size.height);
-    kept.keys.assign(pixels, 0);
-    kept.back.assign(pixels, 0);
+    kept.samples = samples;
+    kept.plane = static_cast<std::size_t>(g.size.width) * static_cast<std::size_t>(g.size.height);
+    kept.keys.assign(kept.plane * static_cast<std::size_t>(samples), 0);
+    kept.back.assign(kept.plane * static_cast<std::size_t>(samples), 0);
     rasterize_tiles(g, kept);
     return true;
 }

@@ -11,17 +11,27 @@ namespace glint {
 
 struct Visibility {
     Cull cull = Cull::None;
+    int samples = 1;        // a pixel: 1, 2, 4 or 8; each has a plane of width x height of its own
+    std::size_t plane = 0;  // width x height
     std::vector<std::uint64_t>
-        keys;  // width x height: nearness bits above, inverted triangle number below; 0: none
-    std::vector<std::uint8_t>
-        back;  // width x height: 1 where the triangle seen is wound clockwise on the screen
+        keys;  // samples planes: nearness bits above, inverted triangle number below; 0: none
+    std::vector<std::uint8_t> back;  // samples planes: 1 where the triangle seen is wound clockwise
 
     [[nodiscard]] std::uint32_t triangle_at(std::size_t pixel) const {
         return keys[pixel] ? ~static_cast<std::uint32_t>(keys[pixel]) : no_triangle;
     }
 };
 
-/// Does the stage again when the geometry was redone or `cull` differs; true when it did.
-bool update_visibility(Visibility& kept, const Geometry& geometry, Cull cull, bool geometry_redone);
+/// Where sample `which` of `samples` lies in its pixel, in 1/256 pixel from the centre. One sample is the
+/// centre; the others are the usual rotated grids, so that nearly horizontal and vertical edges get as many
+/// steps as samples.
+struct SampleOffset {
+    int x = 0, y = 0;
+};
+[[nodiscard]] SampleOffset sample_offset(int samples, int which);
+
+/// Does the stage again when the geometry was redone or `cull` or `samples` differ; true when it did.
+bool update_visibility(Visibility& kept, const Geometry& geometry, Cull cull, int samples,
+                       bool geometry_redone);
 
 }  // namespace glint

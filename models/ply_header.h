@@ -1,0 +1,48 @@
+#pragma once
+// The header of a .ply file: which elements follow, and of what. Inside models/ only.
+// Source: G. Turk, "The PLY Polygon File Format", 1994.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "models/text_cursor.h"
+
+namespace glint {
+
+enum class PlyType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
+enum class PlyFormat { Ascii, LittleEndian, BigEndian };
+
+/// What a property means to us.
+enum class PlyRole { Other, X, Y, Z, Nx, Ny, Nz, Red, Green, Blue, Indices };
+
+struct PlyProperty {
+    std::string name;
+    PlyType type = PlyType::Float32;
+    bool is_list = false;
+    PlyType count_type = PlyType::Uint8;  // lists only
+    PlyRole role = PlyRole::Other;
+};
+
+struct PlyElement {
+    std::string name;
+    std::size_t count = 0;
+    std::vector<PlyProperty> properties;
+    int line = 0;
+
+    [[nodiscard]] const PlyProperty* with(PlyRole role) const;
+    /// Whether all three of the roles that begin with `first` are there, as single values.
+    [[nodiscard]] bool has_three(PlyRole first) const;
+};
+
+struct PlyHeader {
+    PlyFormat format = PlyFormat::Ascii;
+    std::vector<PlyElement> elements;
+};
+
+[[nodiscard]] bool is_integer(PlyType type);
+
+/// Reads up to and including the word "end_header"; throws Unreadable.
+[[nodiscard]] PlyHeader read_ply_header(TextCursor& cursor);
+
+}  // namespace glint
