@@ -9,8 +9,7 @@ namespace glint {
 namespace {
 
 /// Compared in the precision of x.
-template <class Real>
-bool contains(const Range& range, Real x) {
+template <class Real> bool contains(const Range& range, Real x) {
     const auto low = static_cast<Real>(range.low), high = static_cast<Real>(range.high);
     const bool above = range.low_open ? x > low : x >= low;
     const bool below = range.high_open ? x < high : x <= high;
@@ -92,7 +91,8 @@ std::vector<double> numbers(const Node& node, std::size_t least, std::size_t mos
 
 int whole_number(const Node& node, int low, int high) {
     const Range range{static_cast<double>(low), static_cast<double>(high), ""};
-    const std::string expected = fmt::format("a whole number from {} to {}", low, high);
+    const std::string expected =
+        low == high ? fmt::format("{}", low) : fmt::format("a whole number from {} to {}", low, high);
     if (!node.value().is_number()) node.wrong_type(expected);
     const double x = node.value().get<double>();
     if (x != std::floor(x)) node.fail(fmt::format("{} is not whole", x), expected);

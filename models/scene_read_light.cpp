@@ -25,9 +25,11 @@ glm::vec4 position_of(LightKind kind, const Node& node) {
     const std::vector<double> p = numbers(node, 3, 4);
     const bool direction = kind == LightKind::Directional;
     const double w = p.size() == 4 ? p[3] : (direction ? 0 : 1);
-    if (direction ? w != 0 : !(w > 0))
+    if (direction ? w != 0 : !(w > 0)) {
+        const char* const article = kind == LightKind::Area ? "an" : "a";
         node.fail(fmt::format("w is {}", w),
-                  fmt::format("{} for a {} light", direction ? "w = 0" : "w > 0", name_of(kind)));
+                  fmt::format("w {} 0 for {} {} light", direction ? '=' : '>', article, name_of(kind)));
+    }
     if (!direction) return divided(p, w, node);
     const glm::vec3 towards(p[0], p[1], p[2]);
     if (towards == glm::vec3(0)) node.fail("a zero direction", "the direction towards the light");

@@ -46,7 +46,7 @@ Transform read_transform(const Node& node) {
         t.scale = glm::vec3(s[0], s[1], s[2]);
         for (std::size_t i = 0; i < 3; ++i)
             if (t.scale[static_cast<int>(i)] == 0)
-                Node(at.value()[i], at, i).fail("a scale of 0", "a number other than 0; less than 0 mirrors");
+                Node(at.value()[i], at, i).fail("a scale of 0", "a number other than 0 (below 0 mirrors)");
     });
     return t;
 }
