@@ -116,6 +116,16 @@ int Renderer::object_at(int x, int y) const {
     return triangle == no_triangle ? -1 : static_cast<int>(s.geometry.object_of(triangle));
 }
 
+std::optional<SeenPoint> Renderer::seen_at(int x, int y) const {
+    const KeptStages& s = kept_->stages;
+    const std::uint32_t triangle = s.visibility.triangle_at(s.lighting.picture.pixel(x, y));
+    if (triangle == no_triangle) return std::nullopt;
+    const SampleFace face = sample_face(s.surface.choice, s.geometry, s.visibility, x, y);
+    const PlacedNormal at = pixel_point(s.surface, s.geometry, face);
+    return SeenPoint{static_cast<int>(face.object), s.geometry.triangle(face.object, triangle).face, at.p,
+                     at.n};
+}
+
 float Renderer::depth_at(int x, int y) const {
     if (object_at(x, y) < 0) return 0;
     const KeptStages& s = kept_->stages;

@@ -34,6 +34,14 @@ struct FrameStats {
 /// scene.
 [[nodiscard]] std::optional<Problem> unsupported(const Scene& scene);
 
+/// What shows at a pixel. Camera coordinates, scene units.
+struct SeenPoint {
+    int object = 0;          // in Scene::objects
+    std::uint32_t face = 0;  // polygon, in the file's order from 0
+    glm::vec3 place{0};
+    glm::vec3 normal{0};  // unit; the facet's under the mode `facet`, else the interpolated one
+};
+
 class Renderer {
   public:
     explicit Renderer(
@@ -56,6 +64,9 @@ class Renderer {
 
     /// Object index at a pixel of the last picture, or -1.
     [[nodiscard]] int object_at(int x, int y) const;
+
+    /// What shows at a pixel of the last picture; nothing for background.
+    [[nodiscard]] std::optional<SeenPoint> seen_at(int x, int y) const;
 
     /// Distance in front of the camera (-z in camera coordinates) of what shows at a pixel, or 0 for
     /// background.

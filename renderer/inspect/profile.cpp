@@ -1,0 +1,61 @@
+#include "renderer/inspect/profile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace glint {
+namespace {
+
+/// Number i of `steps` from a to b, to the nearest whole one.
+int on_the_way(int a, int b, int i, int steps) {
+    return steps == 0 ? a : a + static_cast<int>(std::lround(static_cast<double>(b - a) * i / steps));
+}
+
+void difference(std::vector<ProfileSample>& s) {
+    for (std::size_t i = 1; i < s.size(); ++i) s[i].first_difference = s[i].intensity - s[i - 1].intensity;
+    for (std::size_t i = 1; i + 1 < s.size(); ++i)
+        s[i].second_difference = *s[i + 1].first_difference - *s[i].first_difference;
+}
+
+std::string field(const std::optional<double>& number) { return number ? fmt::format("{}", *number) : ""; }
+
+}  // namespace
+
+double intensity_of(glm::vec3 c) {
+    // Differences from green, so that the weights of a grey sum to 1 exactly.
+    const double r = c.x, g = c.y, b = c.z;
+    return g + 0.2126 * (r - g) + 0.0722 * (b - g);
+}
+
+std::vector<ProfileSample> profile(const Renderer& renderer, const Picture& picture, glm::ivec2 from,
+                                   glm::ivec2 to) {
+    const int steps = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    std::vector<ProfileSample> samples(static_cast<std::size_t>(steps) + 1);
+    for (int i = 0; i <= steps; ++i) {
+        ProfileSample& s = samples[static_cast<std::size_t>(i)];
+        s.pixel = {on_the_way(from.x, to.x, i, steps), on_the_way(from.y, to.y, i, steps)};
+        s.position = steps == 0 ? 0 : length * i / steps;
+        s.color = picture.linear_at(s.pixel.x, s.pixel.y);
+        s.intensity = intensity_of(s.color);
+        s.seen = renderer.seen_at(s.pixel.x, s.pixel.y);
+    }
+    difference(samples);
+    return samples;
+}
+
+std::string profile_csv(const std::vector<ProfileSample>& samples) {
+    std::string csv = "position,r,g,b,intensity,first_difference,second_difference,face,object,x,y\n";
+    for (const ProfileSample& s : samples) {
+        const std::string face = s.seen ? fmt::format("{},{}", s.seen->face, s.seen->object) : ",";
+        fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{}\n", s.position, s.color.x,
+                       s.color.y, s.color.z, s.intensity, field(s.first_difference),
+                       field(s.second_difference), face, s.pixel.x, s.pixel.y);
+    }
+    return csv;
+}
+
+}  // namespace glint
