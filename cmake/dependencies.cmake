@@ -21,6 +21,12 @@ pkg_check_modules(imgui QUIET IMPORTED_TARGET imgui)
 if(NOT imgui_FOUND)
   message(FATAL_ERROR "glint: Dear ImGui was not found; on Debian or Ubuntu: apt-get install libimgui-dev")
 endif()
+# Debian's archive was built with FreeType and does not say so: a target of its own puts the one behind the other.
+list(POP_FRONT imgui_LINK_LIBRARIES imgui_archive)
+add_library(imgui_archive STATIC IMPORTED)
+set_target_properties(imgui_archive PROPERTIES IMPORTED_LOCATION "${imgui_archive}")
+target_link_libraries(imgui_archive INTERFACE ${imgui_LINK_LIBRARIES} Freetype::Freetype)
+set_target_properties(PkgConfig::imgui PROPERTIES INTERFACE_LINK_LIBRARIES imgui_archive)
 if(NOT TARGET glm::glm)  # glm 0.9.9.8 of Debian 12 names its target without a namespace
   add_library(glm::glm ALIAS glm)
 endif()
