@@ -45,11 +45,14 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
     t.spot = light.has_cone ? spot_factor(light, t.directions.l) : F(1);
     const F share = t.falloff * t.spot;  // of all three terms, as in OpenGL 2.1, section 2.14.1
 
-    const Response<F> seen = respond(equation.model, t.directions, m, at);
-    const auto lit_side = t.directions.n_dot_l > F(0);  // no highlight from behind
-    t.response = {seen.diffuse, select<F>(lit_side, seen.specular, Vec3<F>{})};
+    const auto lit_side = t.directions.n_dot_l > F(0);
+    if (any(lit_side)) {
+        t.response = respond(equation.model, t.directions, m, at);
+        t.response.specular =
+            select<F>(lit_side, t.response.specular, Vec3<F>{});  // no highlight from behind
+    }
     if (equation.mistakes)
-        spoil_response(*equation.mistakes, equation.model, t.response, seen, t.directions, m, at);
+        spoil_response(*equation.mistakes, equation.model, t.response, t.directions, m, at);
 
     if (equation.terms.ambient) t.ambient = share * (m.k_a * light.ambient);
     if (equation.mistakes && equation.mistakes->ambient_per_light_added_twice) t.ambient = F(2) * t.ambient;

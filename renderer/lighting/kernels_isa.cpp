@@ -7,8 +7,11 @@
 namespace glint::inline GLINT_ISA {
 
 using Wide = Lanes<GLINT_LANES>;
+constexpr int opaque = static_cast<int>(0xFF000000u);
 
-static void light(const LightJob& job, const PointBlock* points, ColorBlock* colors, std::size_t blocks) {
+/// flatten: the equation is many small functions; each call would pass its vectors through memory.
+[[gnu::flatten]] static void light(const LightJob& job, const PointBlock* points, ColorBlock* colors,
+                                   std::size_t blocks) {
     for (std::size_t i = 0; i < blocks; ++i) {
         const PointBlock& in = points[i];
         ColorBlock& out = colors[i];
@@ -23,16 +26,15 @@ static void light(const LightJob& job, const PointBlock* points, ColorBlock* col
     }
 }
 
-static void encode(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba, std::size_t blocks) {
+[[gnu::flatten]] static void encode(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba,
+                                    std::size_t blocks) {
     for (std::size_t i = 0; i < blocks; ++i) {
         for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
-            const Wide r = byte_value(displayed(job, load<Wide>(colors[i].r + k)));
-            const Wide g = byte_value(displayed(job, load<Wide>(colors[i].g + k)));
-            const Wide b = byte_value(displayed(job, load<Wide>(colors[i].b + k)));
-            for (int j = 0; j < GLINT_LANES; ++j)
-                rgba[i * block_size + k + static_cast<std::size_t>(j)] =
-                    static_cast<std::uint32_t>(lane(r, j)) | static_cast<std::uint32_t>(lane(g, j)) << 8 |
-                    static_cast<std::uint32_t>(lane(b, j)) << 16 | 0xFF000000u;
+            const auto byte = [&job](const float* linear) {
+                return to_int(byte_value(displayed(job, load<Wide>(linear))));
+            };
+            const auto r = byte(colors[i].r + k), g = byte(colors[i].g + k), b = byte(colors[i].b + k);
+            store_ints(rgba + i * block_size + k, r | g << 8 | b << 16 | opaque);
         }
     }
 }

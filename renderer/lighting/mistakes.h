@@ -24,14 +24,13 @@ template <Number F> F unclamped_power(F x, F s) {
     return select(both(x < F(0), rest >= F(1)), -value, value);
 }
 
-/// `seen`: the response before highlights behind the surface are dropped.
 template <Number F>
-void spoil_response(const Mistakes& wrong, Reflection model, Response<F>& used, Response<F> seen,
-                    const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
+void spoil_response(const Mistakes& wrong, Reflection model, Response<F>& used, const Directions<F>& d,
+                    const MaterialAt<F>& m, const PointAt<F>& at) {
     const auto keep_side = [&](Vec3<F> specular) {
         return wrong.specular_behind_surface ? specular : select<F>(d.n_dot_l > F(0), specular, Vec3<F>{});
     };
-    used.specular = keep_side(seen.specular);
+    if (wrong.specular_behind_surface) used.specular = respond(model, d, m, at).specular;
     Reflection measured = model;
     if (wrong.half_angle_with_phong_shininess && model == Reflection::Phong) {
         measured = Reflection::BlinnPhong;

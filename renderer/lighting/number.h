@@ -81,6 +81,15 @@ inline double select(bool m, double a, double b) { return m ? a : b; }
 
 /// True when the mask holds in some lane.
 template <int N> bool any(IntLanes<N> m) {
+#ifdef __AVX512F__
+    if constexpr (N == 16) return _mm512_test_epi32_mask((__m512i)m.v, (__m512i)m.v) != 0;
+#endif
+#ifdef __AVX__
+    if constexpr (N == 8) return _mm256_movemask_ps((__m256)m.v) != 0;
+#endif
+#ifdef __SSE2__
+    if constexpr (N == 4) return _mm_movemask_ps((__m128)m.v) != 0;
+#endif
     int seen = 0;
     for (int i = 0; i < N; ++i) seen |= m.v[i];
     return seen != 0;
@@ -101,6 +110,14 @@ template <int N> Lanes<N> to_number(IntLanes<N> a) {
     return Lanes<N>(__builtin_convertvector(a.v, typename LanesOf<N>::Floats));
 }
 inline float to_number(int a) { return static_cast<float>(a); }
+/// Towards zero; the number must fit.
+template <int N> IntLanes<N> to_int(Lanes<N> a) {
+    return {__builtin_convertvector(a.v, typename LanesOf<N>::Ints)};
+}
+inline int to_int(float a) { return static_cast<int>(a); }
+template <int N> IntLanes<N> operator|(IntLanes<N> a, IntLanes<N> b) { return {a.v | b.v}; }
+template <int N> IntLanes<N> operator|(IntLanes<N> a, int b) { return {a.v | b}; }
+template <int N> void store_ints(void* to, IntLanes<N> a) { __builtin_memcpy(to, &a.v, sizeof(a.v)); }
 
 /// Correctly rounded, as IEEE 754 demands, in every width.
 inline float square_root(float a) { return __builtin_sqrtf(a); }

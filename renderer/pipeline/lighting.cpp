@@ -80,6 +80,10 @@ ColorBlock run_colors(const Lighting& l, const Surface& s, std::size_t run) {
 }
 
 void write_run(Lighting& l, const PixelRun& run, const ColorBlock& color, const std::uint32_t* rgba) {
+    if (run.mask == 0xFFFF && !l.linear) {  // the usual case
+        std::memcpy(&l.picture.rgba[4 * std::size_t{run.first_pixel}], rgba, 4 * block_size);
+        return;
+    }
     for (std::size_t i = 0; i < block_size; ++i) {
         if (!(run.mask >> i & 1u)) continue;
         std::memcpy(&l.picture.rgba[4 * (run.first_pixel + i)], &rgba[i], 4);
