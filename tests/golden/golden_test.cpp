@@ -1,0 +1,73 @@
+// Every sheet is the picture that was looked at when it was committed, byte for byte: the engine is
+// deterministic over threads and instruction sets. GLINT_UPDATE_GOLDENS=1 writes the pictures anew.
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <set>
+#include <string>
+
+#include "models/file.h"
+#include "renderer/image_file.h"
+#include "renderer/inspect/compare.h"
+#include "tests/catch.h"
+#include "tests/golden/sheet.h"
+
+using namespace glint;
+using namespace glint::golden;
+
+namespace {
+
+std::string golden_path(const std::string& name) { return fmt::format("{}/{}.png", GLINT_GOLDEN_DIR, name); }
+
+void write_picture(const std::string& path, const Picture& picture) {
+    const auto written = write_file(path, png_bytes(picture, ""));
+    if (const Problem* problem = problem_of(written)) FAIL(problem->text());
+}
+
+/// Nothing when the two are equal; else what differs and where the new picture and the difference lie.
+std::string difference(const std::string& name, const Picture& golden, const Picture& now) {
+    const auto compared = compare(golden, now);
+    if (const Problem* problem = problem_of(compared)) return problem->text();
+    const auto& c = std::get<Comparison>(compared);
+    if (c.differing_pixels == 0) return {};
+    const std::string new_path = fmt::format("{}/{}.png", GLINT_DIFFERENCES_DIR, name);
+    const std::string difference_path = fmt::format("{}/{}-difference.png", GLINT_DIFFERENCES_DIR, name);
+    write_picture(new_path, now);
+    write_picture(difference_path, difference_picture(golden, now, difference_gain(c)));
+    return fmt::format("{} pixels differ by up to {} of 255; now: {}; the difference: {}", c.differing_pixels,
+                       c.max_error, new_path, difference_path);
+}
+
+}  // namespace
+
+TEST_CASE("every way of shading and every reflection model gives the golden picture", "[golden]") {
+    const char* update = std::getenv("GLINT_UPDATE_GOLDENS");
+    for (const Subject& subject : subjects()) {
+        CAPTURE(subject.name);
+        const Picture now = make_sheet(subject);
+        if (update != nullptr && *update != '\0') write_picture(golden_path(subject.name), now);
+        const auto golden = read_png(golden_path(subject.name));
+        if (const Problem* problem = problem_of(golden)) {
+            FAIL_CHECK(problem->text());
+            continue;
+        }
+        CHECK(difference(subject.name, std::get<Picture>(golden), now) == "");
+    }
+}
+
+TEST_CASE(
+    "a golden sheet shows a surface in every cell, and no two cells alike where lighting tells them apart",
+    "[golden]") {
+    const Picture sheet = make_sheet(subjects()[0]);
+    std::set<std::string> cells;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 1; column < 7; ++column) {  // column 0 is unlit: one white silhouette in every mode
+            std::string bytes;
+            for (int y = 0; y < cell.height; ++y) {
+                const auto* first = &sheet.rgba[4 * sheet.pixel(column * cell.width, row * cell.height + y)];
+                bytes.append(first, first + std::size_t{4} * cell.width);
+            }
+            cells.insert(bytes);
+        }
+    CHECK(cells.size() == 4 * 6);
+}
