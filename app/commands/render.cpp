@@ -17,6 +17,7 @@ struct RenderArguments {
     SceneArguments scene;
     PictureSize size;
     std::string out;
+    int samples = 1;
 };
 
 /// By the extension. "-", and a device or pipe whose name has none, take PNG.
@@ -45,7 +46,8 @@ Outcome render(const RenderArguments& arguments) {
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 
     Renderer renderer(arguments.scene.threads);
-    const Picture& picture = renderer.render(document.scene, arguments.size, format == PictureFormat::Pfm);
+    const bool linear = format == PictureFormat::Pfm;
+    const Picture& picture = renderer.render(document.scene, arguments.size, linear, arguments.samples);
     outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());
     std::string bytes = format == PictureFormat::Pfm ? pfm_bytes(picture, document.scene.display.exposure)
                                                      : png_bytes(picture, scene_for(document, arguments.out));
@@ -66,6 +68,10 @@ Run declare(CLI::App& app) {
              "output",
              arguments->out);
     add_size(app, arguments->size);
+    add_value(app, "--samples", "N", "samples a pixel for smooth edges: 1, 2, 4 or 8; 1 when not given",
+              [&samples = arguments->samples](const std::string& text) {
+                  samples = 1 << read_word("--samples", text, {"1", "2", "4", "8"});
+              });
     return [arguments] { return render(*arguments); };
 }
 

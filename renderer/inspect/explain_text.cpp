@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "models/scene_names.h"
@@ -23,9 +24,16 @@ std::string brief(glm::vec3 v) {
     return fmt::format("({:.4g} {:.4g} {:.4g})", v.x, v.y, v.z);
 }
 
-/// A term: its name, the product that makes it, and its red, green and blue.
+constexpr std::size_t product_width = 62;
+
+/// A term: its name, the product that makes it, and its red, green and blue (on the next line where it is
+/// long).
 std::string term(std::string_view name, std::string_view product, glm::vec3 value) {
-    return fmt::format("  {:<9} {:<56}{}\n", name, product, numbers(value));
+    const auto is_start = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80; };  // of UTF-8
+    const auto width = static_cast<std::size_t>(std::count_if(product.begin(), product.end(), is_start));
+    if (width <= product_width)
+        return fmt::format("  {:<9} {:<{}}{}\n", name, product, product_width, numbers(value));
+    return fmt::format("  {:<9} {}\n", name, product) + term("", "", value);
 }
 
 std::string vector(std::string_view symbol, const InBothFrames& v, std::string_view meaning) {
@@ -103,7 +111,8 @@ class Writer {
         if (e_.reflection == Reflection::None) return "  no lighting: the mesh's own colour\n\n";
         const Material& m = e_.material;
         const Terms& on = scene_.shading.terms;
-        std::string text = fmt::format("  {:<66}{:>10}{:>10}{:>10}\n", "", "red", "green", "blue");
+        std::string text =
+            fmt::format("  {:<{}}{:>10}{:>10}{:>10}\n", "", product_width + 10, "red", "green", "blue");
         text += term("emission", off_or(on.emission, "of the material"), at.emission);
         const std::string global =
             fmt::format("k_a {} · global {}", brief(m.ambient), brief(scene_.global_ambient));
@@ -127,27 +136,33 @@ class Writer {
         return text + "\n" + terms(e, light);
     }
 
-    /// What all three terms of a light are multiplied by.
+    /// What all three terms of a light are multiplied by; empty when that is 1.
     static std::string share(const ExplainedLight& e, const Light& light) {
         std::string text;
-        if (e.falloff != 1) text += " · falloff " + brief(e.falloff);
-        if (e.spot != 1) text += " · spot " + brief(e.spot);
-        if (light.intensity != 1) text += " · intensity " + brief(light.intensity);
+        const auto add = [&text](std::string_view name, float factor) {
+            if (factor != 1) text += fmt::format("{}{} {}", text.empty() ? "" : " · ", name, brief(factor));
+        };
+        add("falloff", e.falloff);
+        add("spot", e.spot);
+        add("intensity", light.intensity);
         return text;
     }
 
     [[nodiscard]] std::string terms(const ExplainedLight& e, const Light& light) const {
         const Material& m = e_.material;
         const Terms& on = scene_.shading.terms;
-        const std::string rest = share(e, light);
+        const std::string factors = share(e, light);
+        const std::string times = factors.empty() ? "" : " · f";
         const std::string ambient =
-            fmt::format("k_a {} · {}{}", brief(m.ambient), brief(light.ambient), rest);
+            fmt::format("k_a {} · {}{}", brief(m.ambient), brief(light.ambient), times);
         const std::string diffuse = fmt::format("k_d {} · {} · {}{}", brief(m.diffuse), brief(light.diffuse),
-                                                brief(e.diffuse_factor), rest);
+                                                brief(e.diffuse_factor), times);
         const std::string specular =
             fmt::format("k_s {} · {} · {}{}", brief(m.specular), brief(light.specular),
-                        highlight(e_.reflection, m, e.specular_factor), rest);
-        return term("ambient", off_or(on.ambient, ambient), e.ambient) +
+                        highlight(e_.reflection, m, e.specular_factor), times);
+        const float f = e.falloff * e.spot * light.intensity;
+        const std::string meaning = factors.empty() ? "" : fmt::format("  f = {} = {}\n", factors, brief(f));
+        return meaning + term("ambient", off_or(on.ambient, ambient), e.ambient) +
                term("diffuse", off_or(on.diffuse, diffuse), e.diffuse) +
                term("specular", off_or(on.specular, specular), e.specular);
     }
@@ -172,7 +187,8 @@ class Writer {
         const std::string how = e_.corners.size() > 1 ? "of weight · corner" : "of all terms";
         std::string text = term("sum", e_.hit ? how : "the background", e_.sum);
         text += clips() + term("displayed", "sum" + exposed + encoded, e_.displayed);
-        return text + fmt::format("  {:<66}{:>10}{:>10}{:>10}\n", "byte", e_.byte[0], e_.byte[1], e_.byte[2]);
+        return text + fmt::format("  {:<{}}{:>10}{:>10}{:>10}\n", "byte", product_width + 10, e_.byte[0],
+                                  e_.byte[1], e_.byte[2]);
     }
 
     /// The channels that the display cannot show, each with what it would have been.

@@ -113,6 +113,30 @@ TEST_CASE("the picture has the same bytes for every number of threads, given any
     CHECK(bytes_of(c).substr(0, 11) == "PF\n2 2\n-1.0");
 }
 
+TEST_CASE("eight samples a pixel leave the inside of a plain picture alone and soften its edge",
+          "[cli][render]") {
+    const TemporaryDirectory directory;
+    // White on black without a light; the edge of the turned square runs through pixels.
+    const std::string scene =
+        directory.file("scene.json", R"({"glint": 1, "display": {"background": [0, 0, 0]},
+        "objects": [{"mesh": {"primitive": "plane"}, "transform": {"rotate_deg": [90, 0, 20]}}],
+        "shading": {"reflection": "none"}})");
+    const auto in_between = [&](const std::string& samples) {
+        const std::string pfm = directory.path("a.pfm");
+        must({"render", scene, "-o", pfm, "--size", "32x32", "--samples", samples});
+        const std::string bytes = bytes_of(pfm);
+        int count = 0;
+        for (int i = 0; i < 32 * 32; ++i) {
+            const float red = pfm_pixel(bytes, 32, 32, i % 32, i / 32)[0];
+            count += red > 0.01f && red < 0.99f ? 1 : 0;
+        }
+        CHECK(pfm_pixel(bytes, 32, 32, 16, 16)[0] == Approx(1));
+        return count;
+    };
+    CHECK(in_between("1") == 0);
+    CHECK(in_between("8") > 20);
+}
+
 TEST_CASE("standard input and output stand for files", "[cli][render]") {
     const TemporaryDirectory directory;
     const std::string out = directory.path("a.png");

@@ -63,6 +63,7 @@ TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-i
         {{"-j", "2", "render", scene, "-o", out, "-j", "3"}, "--threads: is given twice; expected it once"},
         {{"render", scene, "-o", out, "-j", "two"}, "--threads: two is no whole number; expected 0 to 1024"},
         {{"render", scene, "-o", out, "-j-1"}, "--threads: -1 is out of range; expected 0 to 1024"},
+        {{"render", scene, "-o", out, "--samples", "3"}, "--samples: 3 is not known; expected 1, 2, 4, 8"},
         {{"explain", scene}, "--pixel: is missing; expected X,Y as in --pixel 640,360"},
         {{"explain", scene, "--pixel", "900,20", "--size", "640x480"},
          "--pixel: 900,20 is outside the picture; expected 0 to 639, 0 to 479"},
