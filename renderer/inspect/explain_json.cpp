@@ -53,6 +53,13 @@ void add_terms(Json& json, const ExplainedPoint& at) {
     for (const ExplainedLight& light : at.lights) json["lights"].push_back(json_of(light));
     json["emission"] = json_of(at.emission);
     json["global_ambient"] = json_of(at.global_ambient);
+    if (!at.cool_to_warm.used) return;
+    const ExplainedTone& tone = at.cool_to_warm;
+    json["cool_to_warm"] = {{"n_dot_l", tone.n_dot_l},
+                            {"k_w", tone.k_w},
+                            {"cool", json_of(tone.cool)},
+                            {"warm", json_of(tone.warm)},
+                            {"color", json_of(tone.color)}};
 }
 
 Json json_of(const ExplainedCorner& corner) {

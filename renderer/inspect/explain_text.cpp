@@ -109,16 +109,28 @@ class Writer {
     /// The terms of one point, without their sum.
     [[nodiscard]] std::string equation(const ExplainedPoint& at) const {
         if (e_.reflection == Reflection::None) return "  no lighting: the mesh's own colour\n\n";
-        const Material& m = e_.material;
-        const Terms& on = scene_.shading.terms;
         std::string text =
             fmt::format("  {:<{}}{:>10}{:>10}{:>10}\n", "", product_width + 10, "red", "green", "blue");
-        text += term("emission", off_or(on.emission, "of the material"), at.emission);
-        const std::string global =
-            fmt::format("k_a {} · global {}", brief(m.ambient), brief(scene_.global_ambient));
-        text += term("ambient", off_or(on.ambient, global), at.global_ambient) + "\n";
+        text += at.cool_to_warm.used ? tone(at.cool_to_warm) : unlit(at);
         for (const ExplainedLight& light : at.lights) text += one_light(light) + "\n";
         return text;
+    }
+
+    /// What there is without a light.
+    [[nodiscard]] std::string unlit(const ExplainedPoint& at) const {
+        const Terms& on = scene_.shading.terms;
+        const std::string global =
+            fmt::format("k_a {} · global {}", brief(e_.material.ambient), brief(scene_.global_ambient));
+        return term("emission", off_or(on.emission, "of the material"), at.emission) +
+               term("ambient", off_or(on.ambient, global), at.global_ambient) + "\n";
+    }
+
+    /// Cool-to-warm shading, which stands in place of emission, ambient and diffuse terms.
+    static std::string tone(const ExplainedTone& t) {
+        const std::string product = fmt::format("k_w {} · warm {} + {} · cool {}", brief(t.k_w),
+                                                brief(t.warm), brief(1 - t.k_w), brief(t.cool));
+        return fmt::format("  n·l {} of the first light: k_w = (1 + n·l) / 2\n", brief(t.n_dot_l)) +
+               term("tone", product, t.color) + "\n";
     }
 
     [[nodiscard]] std::string one_light(const ExplainedLight& e) const {
@@ -162,9 +174,10 @@ class Writer {
                         highlight(e_.reflection, m, e.specular_factor), times);
         const float f = e.falloff * e.spot * light.intensity;
         const std::string meaning = factors.empty() ? "" : fmt::format("  f = {} = {}\n", factors, brief(f));
+        const std::string last = term("specular", off_or(on.specular, specular), e.specular);
+        if (scene_.npr.cool_to_warm) return meaning + last;
         return meaning + term("ambient", off_or(on.ambient, ambient), e.ambient) +
-               term("diffuse", off_or(on.diffuse, diffuse), e.diffuse) +
-               term("specular", off_or(on.specular, specular), e.specular);
+               term("diffuse", off_or(on.diffuse, diffuse), e.diffuse) + last;
     }
 
     static std::string samples(const ExplainedLight& e, const Light& light) {

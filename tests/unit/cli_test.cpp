@@ -54,6 +54,7 @@ void add(std::array<float, 3>& sum, const std::array<float, 3>& more) {
 std::array<float, 3> sum_of_terms(const json& point) {
     std::array<float, 3> sum = rgb_of(point["emission"]);
     add(sum, rgb_of(point["global_ambient"]));
+    if (point.contains("cool_to_warm")) add(sum, rgb_of(point["cool_to_warm"]["color"]));
     const auto add_light = [&sum](const json& light) {
         std::array<float, 3> share = rgb_of(light["ambient"]);
         add(share, rgb_of(light["diffuse"]));
@@ -72,8 +73,14 @@ std::array<float, 3> sum_of_terms(const json& point) {
 TEST_CASE("an explanation's terms add up to the pixel of the picture, to the last bit", "[cli][explain]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights), pfm = directory.path("out.pfm");
-    for (const std::string mode : {"phong", "facet", "gouraud", "flat"}) {
-        const std::vector<std::string> how{"--size", "96x64", "--set", "/shading/mode=" + mode};
+    for (const auto& [mode, more] :
+         std::vector<std::pair<std::string, std::string>>{{"phong", "/display/exposure=1"},
+                                                          {"facet", "/shading/reflection=cook-torrance"},
+                                                          {"gouraud", "/shading/reflection=oren-nayar"},
+                                                          {"flat", "/shading/flat_point=provoking"},
+                                                          {"phong", "/npr/cool_to_warm=true"}}) {
+        const std::vector<std::string> how{"--size", "96x64", "--set", "/shading/mode=" + mode,
+                                           "--set",  more};
         std::vector<std::string> render{"render", scene, "-o", pfm};
         render.insert(render.end(), how.begin(), how.end());
         must(render);
@@ -86,7 +93,7 @@ TEST_CASE("an explanation's terms add up to the pixel of the picture, to the las
                 "explain", scene, "--format", "json", "--pixel", std::to_string(x) + "," + std::to_string(y)};
             explain.insert(explain.end(), how.begin(), how.end());
             const json e = json::parse(must(explain).out);
-            INFO(mode << " at " << x << ", " << y);
+            INFO(mode << " with " << more << " at " << x << ", " << y);
             CHECK(e["pixel"] == json({x, y}));
             CHECK(rgb_of(e["sum"]) == pfm_pixel(bytes, 96, 64, x, y));
             if (!e["hit"].get<bool>()) continue;
