@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "app/failure.h"
 #include "app/texture.h"
 #include "app/window_input.h"
 #include "ui/fonts.h"
@@ -23,11 +24,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* use_instead = "use \"glint render FILE -o OUT.png\" for a picture without a window";
-
-int fail(const std::string& words) {
-    fmt::print(stderr, "glint: error: {}\n", words);
-    return 1;
+/// What keeps the window from opening, with the way to do without it.
+Failure impossible(const std::string& what) {
+    Problem problem;
+    problem.what = what + "; use \"glint render FILE -o OUT.png\" for a picture without a window";
+    return {ExitStatus::Impossible, problem};
 }
 
 /// The scene that a newcomer meets: beside an installed program, or in the source it was built from.
@@ -197,25 +198,22 @@ class Window {
 
 }  // namespace
 
-int run_window(const WindowOptions& options) {
-    Result<SceneDocument> opened = first_document(options);
-    if (const Problem* problem = problem_of(opened)) return fail(problem->text());
+void run_window(const WindowOptions& options) {
     UiState state(options.threads);
-    take_document(state.editor, std::get<SceneDocument>(std::move(opened)));
+    take_document(state.editor, take(first_document(options)));
     if (auto refused = unsupported(state.editor.scene())) {
         refused->file = options.file;
-        return fail(refused->text());
+        throw Failure{ExitStatus::Impossible, *refused};
     }
     for (const std::string& warning : state.editor.document.warnings)
         fmt::print(stderr, "glint: warning: {}\n", warning);
     const Glfw glfw;
-    if (!glfw.ready) return fail(fmt::format("no display to open a window on; {}", use_instead));
+    if (!glfw.ready) throw impossible("no display to open a window on");
     GLFWwindow* handle = make_window();
-    if (handle == nullptr) return fail(fmt::format("the display has no OpenGL 3.0; {}", use_instead));
+    if (handle == nullptr) throw impossible("the display has no OpenGL 3.0");
     Window window(handle, state);
-    if (!window.ready()) return fail(fmt::format("the display has no OpenGL 3.0; {}", use_instead));
+    if (!window.ready()) throw impossible("the display has no OpenGL 3.0");
     window.run();
-    return 0;
 }
 
 }  // namespace glint

@@ -14,8 +14,9 @@ struct WindowOptions {
     int threads = 0;                      // 0: all cores
 };
 
-/// Opens the window and stays until it is closed. Returns the exit status: 0, or 1 with one line on standard
-/// error when the file cannot be opened, there is no display, or the display has no OpenGL 3.0.
-[[nodiscard]] int run_window(const WindowOptions& options);
+/// Opens the window and stays until it is closed. Throws Failure (app/failure.h), for the one line on
+/// standard error, when the file cannot be opened or drawn, there is no display, or the display has no
+/// OpenGL 3.0.
+void run_window(const WindowOptions& options);
 
 }  // namespace glint

@@ -26,4 +26,14 @@ Layout lay_out(ImVec2 window, const LayoutState& state, float scale) {
     return layout;
 }
 
+Rect picture_area(const Rect& centre, float scale) {
+    constexpr float margin_wanted = 10, narrowest = 4.0f / 3;
+    const ImVec2 all = centre.size();
+    const float margin = std::min({margin_wanted * scale, all.x / 4, all.y / 4});
+    const float width = std::max(std::floor(all.x - 2 * margin), 1.0f);
+    const float height = std::max(std::floor(std::min(all.y - 2 * margin, width / narrowest)), 1.0f);
+    const ImVec2 low{std::round(centre.low.x + margin), std::round(centre.low.y + (all.y - height) / 2)};
+    return {low, {low.x + width, low.y + height}};
+}
+
 }  // namespace glint

@@ -27,6 +27,10 @@ struct Layout {
 /// window is; columns give way before the picture does.
 [[nodiscard]] Layout lay_out(ImVec2 window, const LayoutState& state, float scale);
 
+/// Where the picture lies in the centre: a margin of surround all round, and never narrower than 4:3, since a
+/// scene's field of view is vertical and a tall picture would cut off what was composed for a wide one.
+[[nodiscard]] Rect picture_area(const Rect& centre, float scale);
+
 /// Below this width, in units of the design, the right column becomes a tab of the left.
 inline constexpr float three_column_width = 1100;
 inline constexpr float top_height = 38, status_height = 26;

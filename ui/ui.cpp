@@ -22,16 +22,15 @@ namespace {
 
 constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
-constexpr float picture_margin = 10;  // of neutral grey
 
 /// Where the picture goes and how large it is in real pixels.
 PictureView picture_view(const Rect& centre, const Scene& scene) {
     const float dots = std::max(ImGui::GetIO().DisplayFramebufferScale.x, 0.1f);
-    const float margin = std::min({px(picture_margin), centre.size().x / 4, centre.size().y / 4});
-    const ImVec2 room{centre.size().x - 2 * margin, centre.size().y - 2 * margin};
+    const Rect area = picture_area(centre, px(1));
+    const ImVec2 room = area.size();
     const auto pixels = [dots](float units) { return std::clamp(static_cast<int>(units * dots), 1, 16384); };
     PictureView view;
-    view.origin = {std::round(centre.low.x + margin), std::round(centre.low.y + margin)};
+    view.origin = area.low;
     view.units_per_pixel = 1 / dots;
     view.map = screen_map(scene.camera, {pixels(room.x), pixels(room.y)});
     view.bounds = scene_bounds(scene);

@@ -13,9 +13,8 @@ Run declare(CLI::App& app) {
     auto arguments = std::make_shared<SceneArguments>();
     add_scene(app, *arguments);
     return [arguments]() -> Outcome {
-        // The window has said what went wrong, if anything did.
-        const int status = run_window({arguments->file, arguments->assignments, arguments->threads});
-        return {{}, {}, static_cast<ExitStatus>(status)};
+        run_window({arguments->file, arguments->assignments, arguments->threads});
+        return {};
     };
 }
 

@@ -67,7 +67,8 @@ class Bench {
     /// The picture's place in the window, as a pixel of it shows.
     [[nodiscard]] ImVec2 at_pixel(glm::dvec2 pixel) const {
         const Layout layout = lay_out(ImGui::GetIO().DisplaySize, state.layout, 1);
-        return {layout.centre.low.x + 10 + float(pixel.x), layout.centre.low.y + 10 + float(pixel.y)};
+        const ImVec2 low = picture_area(layout.centre, 1).low;
+        return {low.x + float(pixel.x), low.y + float(pixel.y)};
     }
     [[nodiscard]] glm::dvec2 handle_pixel(int light) {
         const ScreenMap map = screen_map(scene().camera, state.picture->size);

@@ -27,9 +27,10 @@ TEST_CASE("the first frame shows the scene at the picture's real size", "[ui][wi
     Bench bench;
     const UiRequests wants = bench.frame();
     REQUIRE(bench.state.picture != nullptr);
-    const Rect centre = lay_out({1280, 800}, bench.state.layout, 1).centre;
-    CHECK(bench.state.picture->size.width == int(centre.size().x) - 20);
-    CHECK(bench.state.picture->size.height == int(centre.size().y) - 20);
+    const Layout layout = lay_out({1280, 800}, bench.state.layout, 1);
+    const ImVec2 area = picture_area(layout.centre, 1).size();
+    CHECK(bench.state.picture->size == PictureSize{int(area.x), int(area.y)});
+    CHECK(area.x == layout.centre.size().x - 20);
     CHECK(wants.title == "New scene – Glint");
     CHECK_FALSE(wants.quit);
 }
@@ -146,7 +147,7 @@ TEST_CASE("orbiting leaves lights and objects as they are, and is one step", "[u
     Bench bench;
     with_bulb(bench);
     const Scene before = bench.scene();
-    bench.drag(bench.at_pixel({40, 500}), bench.at_pixel({240, 440}));
+    bench.drag(bench.at_pixel({40, 400}), bench.at_pixel({240, 340}));
     CHECK(bench.scene().lights == before.lights);
     CHECK(bench.scene().objects == before.objects);
     CHECK_FALSE(bench.scene().camera == before.camera);

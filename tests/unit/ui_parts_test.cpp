@@ -52,6 +52,12 @@ TEST_CASE("columns tile the window without overlap, at any size and scale", "[ui
                 CHECK(l.centre.high.y <= l.status.low.y + 1);
                 CHECK(l.centre.size().x >= window.x / 3 - 1);
                 CHECK(l.why_in_left == (window.x < 1100 * scale));
+                const Rect picture = picture_area(l.centre, scale);
+                CHECK(picture.size().x >= 1);
+                CHECK(picture.size().x >= 1.3f * picture.size().y - 2);
+                CHECK(picture.low.x >= l.centre.low.x);
+                CHECK(picture.high.x <= l.centre.high.x + 1);
+                CHECK(picture.high.y <= l.centre.high.y + 1);
             }
 }
 

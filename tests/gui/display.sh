@@ -1,0 +1,82 @@
+# shellcheck shell=bash disable=SC2154
+# A display, a window on it and a hand, for the scripts beside this one. Source it; needs $program.
+
+for tool in Xvfb xdotool import compare convert; do
+    command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
+done
+
+work=$(mktemp -d)
+glint_pid=
+finish() {
+    [ -z "$glint_pid" ] || kill "$glint_pid" 2>/dev/null
+    [ -z "${xvfb_pid:-}" ] || kill "$xvfb_pid" 2>/dev/null
+    rm -rf "$work"
+}
+trap finish EXIT
+
+fail() {
+    echo "failed: $1"
+    [ ! -s "$work/glint.err" ] || cat "$work/glint.err"
+    exit 1
+}
+
+# within SECONDS COMMAND...: waits until the command succeeds.
+within() {
+    local tries=$(($1 * 10))
+    shift
+    for ((i = 0; i < tries; i++)); do
+        "$@" && return 0
+        sleep 0.1
+    done
+    return 1
+}
+
+display_answers() { xdotool getdisplaygeometry >/dev/null 2>&1; }
+
+start_display() { # WxH. Two servers that start at once may want the same number: then once more.
+    unset WAYLAND_DISPLAY
+    local number try
+    for try in 1 2 3; do
+        rm -f "$work/display"
+        mkfifo "$work/display"
+        Xvfb -displayfd 3 -screen 0 "$1x24" -nolisten tcp 3>"$work/display" 2>/dev/null &
+        xvfb_pid=$!
+        number=
+        read -r -t 20 number <"$work/display"
+        export DISPLAY=:$number
+        [ -n "$number" ] && within 5 display_answers && return
+        kill "$xvfb_pid" 2>/dev/null
+    done
+    fail "no display came up in $try tries"
+}
+
+find_window() {
+    window=$(xdotool search --onlyvisible --name Glint 2>/dev/null | tail -1)
+    [ -n "$window" ]
+}
+
+start_glint() { # FILE
+    "$program" "$1" 2>"$work/glint.err" &
+    glint_pid=$!
+    within 30 find_window || fail "no window came up"
+    xdotool windowfocus "$window"
+    sleep 0.5
+}
+
+# Moves the cursor out of the picture and takes its middle rows, without bars and hints, into $work/$1.png.
+look() {
+    xdotool mousemove 2 2
+    sleep 0.3
+    import -window root -crop 1280x600+0+50 +repage "$work/$1.png"
+}
+
+# Prints the middle of what has exactly the colour $2 in $work/$1.png, in the display's coordinates.
+middle_of() {
+    local box w h x y
+    box=$(convert "$work/$1.png" -fill black +opaque "$2" -format '%@' info: | tr 'x+' '  ')
+    read -r w h x y <<<"$box"
+    [ -n "$y" ] && [ "$w" -lt 100 ] && echo $((x + w / 2)) $((y + h / 2 + 50))
+}
+
+# How many pixels differ between two looks.
+difference() { compare -metric AE "$work/$1.png" "$work/$2.png" null: 2>&1 | sed 's/[^0-9.e+].*//'; }

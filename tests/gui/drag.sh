@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# A light is dragged with the real mouse: its handle follows the hand, the picture changes, undo brings both back,
+# and what is saved is what is seen.
+set -u
+# shellcheck disable=SC2034  # display.sh uses it
+program=$1
+# shellcheck source=tests/gui/display.sh
+. "$(dirname "$0")/display.sh"
+
+# The handle alone is pure magenta: the ball reflects no more than a third of it.
+cat >"$work/scene.json" <<'JSON'
+{"glint": 1, "camera": {"eye": [0, 0, 5]},
+ "lights": [{"name": "Bulb", "position": [-1.2, 1.1, 1], "diffuse": [1, 0, 1], "specular": [0, 0, 0]}],
+ "objects": [{"name": "Ball", "material": {"ambient": [0, 0, 0], "diffuse": [0.3, 0.3, 0.3]}}]}
+JSON
+
+start_display 1280x800
+start_glint "$work/scene.json"
+xdotool key F11 # the picture alone: the list of lights shows the colour too
+handle_seen() { # in look $1
+    look "$1"
+    read -r x_seen y_seen <<<"$(middle_of "$1" '#ff00ff')"
+    [ -n "$y_seen" ]
+}
+within 10 handle_seen before || fail "the light's handle is not to be seen"
+sleep 1
+handle_seen before
+x=$x_seen y=$y_seen
+
+# Saves, and keeps what was written as $1.
+save_as() {
+    rm -f "$work/scene.json"
+    xdotool key ctrl+s
+    within 10 test -s "$work/scene.json" || fail "Ctrl+S wrote nothing"
+    sleep 0.2
+    cp "$work/scene.json" "$work/$1"
+}
+save_as first
+
+drag_by() { # RIGHT DOWN, from where the handle is
+    xdotool mousemove "$x" "$y"
+    sleep 0.2
+    xdotool mousedown 1
+    for step in 1 2 3 4 5 6 7 8 9 10; do
+        xdotool mousemove $((x + $1 * step / 10)) $((y + $2 * step / 10))
+        sleep 0.03
+    done
+    xdotool mouseup 1
+}
+drag_by 180 90
+handle_followed() {
+    handle_seen dragged || return 1
+    local right=$((x_seen - x - 180)) down=$((y_seen - y - 90))
+    [ "${right#-}" -le 1 ] && [ "${down#-}" -le 1 ]
+}
+within 10 handle_followed ||
+    fail "the handle went from $x $y to $x_seen $y_seen; expected $((x + 180)) $((y + 90))"
+changed=$(difference before dragged)
+[ "$changed" -gt 10000 ] || fail "the picture changed in only $changed pixels"
+save_as second
+cmp -s "$work/first" "$work/second" && fail "the drag is not in the saved scene"
+
+looks_like() { # LOOK PIXELS: what is seen now differs in fewer
+    look now
+    [ "$(difference "$1" now)" -lt "$2" ]
+}
+xdotool key ctrl+z
+within 10 looks_like before 1500 || fail "after undo $(difference before now) pixels differ from the beginning"
+save_as third
+cmp -s "$work/first" "$work/third" || fail "after undo the saved scene is not the first one"
+
+xdotool key ctrl+shift+z
+within 10 looks_like dragged 200 || fail "redo does not bring the drag back"
+xdotool key ctrl+s
+sleep 0.5
+xdotool key ctrl+q
+gone() { ! kill -0 "$glint_pid" 2>/dev/null; }
+within 10 gone || fail "Ctrl+Q did not close the window"
+wait "$glint_pid"
+status=$?
+glint_pid=
+[ "$status" -eq 0 ] || fail "exit status $status"
+echo "passed: $changed pixels changed under the drag"
