@@ -145,6 +145,15 @@ bool has_extension(const std::string& path, const std::string& extension) {
     return has == extension;
 }
 
+bool takes_png(const std::string& out) {
+    if (out == "-" || has_extension(out, ".png")) return true;
+    const std::filesystem::path path = out;
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path, ignored);
+    const bool is_channel = std::filesystem::is_character_file(status) || std::filesystem::is_fifo(status);
+    return is_channel && !path.has_extension();
+}
+
 SceneDocument open_scene(const SceneArguments& arguments) {
     require_file(arguments);
     return take(open_document(arguments.file, arguments.assignments));

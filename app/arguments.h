@@ -63,4 +63,8 @@ void require_file(const SceneArguments& arguments);
 /// True when the last part of a path ends in `extension` (".png"), in any case.
 [[nodiscard]] bool has_extension(const std::string& path, const std::string& extension);
 
+/// True for an output that is written as PNG: "-", a name that ends in .png, and a device or pipe whose name
+/// has no extension.
+[[nodiscard]] bool takes_png(const std::string& out);
+
 }  // namespace glint

@@ -32,7 +32,9 @@ std::string general_help() {
         "Glint: light a scene, see the picture, ask for every number behind a pixel.\n\n"
         "  glint [FILE]                    opens the window\n";
     for (const Command& command : named_commands()) {
-        text += fmt::format("  glint {:<26}{}\n", command.name + " " + command.usage, command.summary);
+        const std::string line = command.name + " " + command.usage;
+        text += fmt::format("  glint {:<26}{}{}\n", line, line.size() < 26 ? "" : "\n" + std::string(34, ' '),
+                            command.summary);
     }
     text +=
         "\n  --set POINTER=JSON              changes the scene; may be repeated\n"
@@ -132,7 +134,8 @@ Outcome run(const Command& command, Arguments arguments) {
 }  // namespace
 
 std::vector<Command> named_commands() {
-    return {render_command(), explain_command(), info_command(), compare_command(), bench_command()};
+    return {render_command(), explain_command(), profile_command(), sheet_command(),
+            info_command(),   compare_command(), bench_command()};
 }
 
 Outcome run_command_line(const Arguments& arguments) {

@@ -33,6 +33,8 @@ struct Command {
 [[nodiscard]] Command window_command();
 [[nodiscard]] Command render_command();
 [[nodiscard]] Command explain_command();
+[[nodiscard]] Command profile_command();
+[[nodiscard]] Command sheet_command();
 [[nodiscard]] Command info_command();
 [[nodiscard]] Command compare_command();
 [[nodiscard]] Command bench_command();

@@ -1,5 +1,4 @@
 // glint render: one picture.
-#include <filesystem>
 #include <memory>
 
 #include "app/arguments.h"
@@ -23,12 +22,7 @@ struct RenderArguments {
 /// By the extension. "-", and a device or pipe whose name has none, take PNG.
 PictureFormat format_of(const std::string& out) {
     if (has_extension(out, ".pfm")) return PictureFormat::Pfm;
-    if (out == "-" || has_extension(out, ".png")) return PictureFormat::Png;
-    const std::filesystem::path path = out;
-    std::error_code ignored;
-    const auto status = std::filesystem::status(path, ignored);
-    const bool is_channel = std::filesystem::is_character_file(status) || std::filesystem::is_fifo(status);
-    if (is_channel && !path.has_extension()) return PictureFormat::Png;
+    if (takes_png(out)) return PictureFormat::Png;
     throw wrong_usage("-o", out + " cannot be written",
                       "a name that ends in .png or .pfm, or - for standard output");
 }

@@ -1,0 +1,111 @@
+// glint sheet: a labelled grid of pictures over two parameters.
+#include "renderer/inspect/sheet.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/arguments.h"
+#include "app/commands/command.h"
+#include "models/file.h"
+#include "models/scene_variant.h"
+#include "renderer/image_file.h"
+#include "renderer/renderer.h"
+
+namespace glint {
+namespace {
+
+struct SheetArguments {
+    SceneArguments scene;
+    std::string rows, columns, out;
+    PictureSize cell{256, 256};
+};
+
+SheetAxis axis_of(const std::string& option, const std::string& text) {
+    require_given(text, option, "POINTER=A,B,C, such as /objects/0/material/shininess=8,32,128");
+    Result<SheetAxis> axis = parse_axis(option, text);
+    if (const Problem* problem = problem_of(axis)) throw Failure{ExitStatus::WrongUsage, *problem};
+    return std::get<SheetAxis>(std::move(axis));
+}
+
+/// The scene of one cell. What is wrong with a value is the fault of the axis that it is on.
+Scene scene_of_cell(const SceneDocument& document, const SheetAxis& rows, const std::string& row,
+                    const SheetAxis& columns, const std::string& column) {
+    Result<Scene> made = scene_variant(document, {{rows.pointer, row}, {columns.pointer, column}});
+    if (const Problem* found = problem_of(made)) {
+        Problem problem = *found;
+        if (problem.file != "--set") throw Failure{ExitStatus::Impossible, problem};
+        problem.file = problem.pointer.starts_with(columns.pointer) ? "--cols" : "--rows";
+        throw Failure{ExitStatus::WrongUsage, problem};
+    }
+    Scene scene = std::get<Scene>(std::move(made));
+    if (auto problem = unsupported(scene)) throw Failure{ExitStatus::Impossible, *problem};
+    return scene;
+}
+
+void require_fitting(const SheetAxis& rows, const SheetAxis& columns, PictureSize cell, const Font& font) {
+    const std::size_t cells = rows.values.size() * columns.values.size();
+    if (cells > max_sheet_cells)
+        throw wrong_usage("--cols", fmt::format("the sheet would have {} pictures", cells),
+                          fmt::format("at most {}", max_sheet_cells));
+    const PictureSize size = sheet_size(rows, columns, cell, font);
+    if (size.width > max_picture_side || size.height > max_picture_side)
+        throw wrong_usage("--cell",
+                          fmt::format("the sheet would be {}x{} pixels large", size.width, size.height),
+                          fmt::format("at most {0}x{0}", max_picture_side));
+}
+
+Outcome sheet(const SheetArguments& arguments) {
+    require_file(arguments.scene);
+    const SheetAxis rows = axis_of("--rows", arguments.rows);
+    const SheetAxis columns = axis_of("--cols", arguments.columns);
+    require_given(arguments.out, "-o", "a file to write, .png, or - for standard output");
+    if (!takes_png(arguments.out))
+        throw wrong_usage("-o", arguments.out + " cannot be written",
+                          "a name that ends in .png, or - for standard output");
+    const Font font = take(Font::find());
+    require_fitting(rows, columns, arguments.cell, font);
+    const SceneDocument document = open_drawable_scene(arguments.scene);
+    Outcome outcome{{}, document.warnings, ExitStatus::Done};
+
+    Renderer renderer(arguments.scene.threads);
+    const Picture picture =
+        make_sheet(rows, columns, arguments.cell, font, [&](std::size_t r, std::size_t c) -> const Picture& {
+            return renderer.render(scene_of_cell(document, rows, rows.values[r], columns, columns.values[c]),
+                                   arguments.cell);
+        });
+    std::string bytes = png_bytes(picture, {});
+    if (arguments.out == "-") {
+        outcome.output = std::move(bytes);
+    } else {
+        (void)take(write_file(arguments.out, bytes));
+    }
+    return outcome;
+}
+
+Run declare(CLI::App& app) {
+    auto arguments = std::make_shared<SheetArguments>();
+    add_scene(app, arguments->scene);
+    const std::string values =
+        "=A,B,C, each value JSON or a word; commas inside [] {} \"\" belong to a value";
+    add_text(app, "--rows", "POINTER=A,B,C", "what varies from row to row: POINTER" + values,
+             arguments->rows);
+    add_text(app, "--cols", "POINTER=A,B,C", "what varies from column to column, likewise",
+             arguments->columns);
+    add_text(app, "-o", "OUT.png", "where the sheet goes; - for standard output", arguments->out);
+    add_value(app, "--cell", "WxH", "size of each picture in pixels; 256x256 when not given",
+              [&cell = arguments->cell](const std::string& text) { cell = read_size("--cell", text); });
+    return [arguments] { return sheet(*arguments); };
+}
+
+}  // namespace
+
+Command sheet_command() {
+    return {"sheet", "FILE --rows P=A,B --cols P=A,B -o OUT.png",
+            "draws a labelled grid of pictures over two parameters",
+            "glint sheet sun.json --rows /shading/mode=flat,gouraud,phong "
+            "--cols /objects/0/material/shininess=8,32,128 -o sheet.png",
+            declare};
+}
+
+}  // namespace glint

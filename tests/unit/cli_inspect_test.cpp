@@ -1,0 +1,126 @@
+// The commands that look into pictures, as a user runs them: profile, sheet.
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+#include "renderer/image_file.h"
+#include "tests/catch.h"
+#include "tests/unit/program.h"
+
+using namespace glint;
+
+namespace {
+
+const char* const ball = R"({"glint": 1, "objects": [{"mesh": {"primitive": "sphere", "detail": 12}}],
+                            "lights": [{"name": "Bulb", "position": [2, 3, 4]}]})";
+
+void check_wrong(const std::vector<std::string>& arguments, const std::string& line) {
+    const Ended ended = run_glint(arguments, ball);
+    CHECK(ended.status == 2);
+    CHECK(ended.out.empty());
+    CHECK(ended.err == "glint: error: " + line + "\n");
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream in(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+std::vector<std::string> fields_of(const std::string& line) {
+    std::vector<std::string> fields(1);
+    for (const char c : line) {
+        if (c == ',')
+            fields.emplace_back();
+        else
+            fields.back() += c;
+    }
+    return fields;
+}
+
+Picture opened(const std::string& path) {
+    auto picture = read_png(path);
+    REQUIRE(problem_of(picture) == nullptr);
+    return std::get<Picture>(std::move(picture));
+}
+
+}  // namespace
+
+TEST_CASE("glint profile lists a line's pixels as CSV, with the values that explain gives",
+          "[cli][profile]") {
+    const Ended ended =
+        run_glint({"profile", "-", "--from", "0,24", "--to", "63,24", "--size", "64x48"}, ball);
+    REQUIRE(ended.status == 0);
+    const auto lines = lines_of(ended.out);
+    REQUIRE(lines.size() == 65);
+    CHECK(lines[0] == "position,r,g,b,intensity,first_difference,second_difference,face,object,x,y");
+    for (const std::string& line : lines) CHECK(fields_of(line).size() == 11);
+    CHECK(fields_of(lines[1])[7].empty());  // background
+    const auto middle = fields_of(lines[33]);
+    CHECK(middle[0] == "32");
+    const Ended explained =
+        run_glint({"explain", "-", "--pixel", "32,24", "--size", "64x48", "--format", "json"}, ball);
+    CHECK(explained.out.find("\"face\": " + middle[7] + ",") != std::string::npos);
+    const double before = std::stod(fields_of(lines[32])[4]), here = std::stod(middle[4]);
+    CHECK(std::stod(middle[5]) == Approx(here - before));
+}
+
+TEST_CASE("glint profile says what is wrong with its ends", "[cli][profile][bad-input]") {
+    check_wrong({"profile", "-", "--to", "1,1"}, "--from: is missing; expected X,Y as in --from 0,360");
+    check_wrong({"profile", "-", "--from", "1,1", "--to", "64,1", "--size", "64x48"},
+                "--to: 64,1 is outside the picture; expected 0 to 63, 0 to 47");
+    check_wrong({"profile", "-", "--from", "a", "--to", "1,1"},
+                "--from: a is no pixel; expected X,Y as in 640,360");
+}
+
+TEST_CASE("glint sheet draws each cell as glint render draws it", "[cli][sheet]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("ball.json", ball), out = directory.path("sheet.png");
+    const Ended ended = run_glint({"sheet", scene, "--rows", "/shading/mode=flat,phong", "--cols",
+                                   "/lights/0/position=[2,3,4],[-2,0,4]", "--cell", "40x30", "-o", out});
+    CHECK(ended.err.empty());
+    REQUIRE(ended.status == 0);
+    const Picture sheet = opened(out);
+    const std::string one = directory.path("one.png");
+    REQUIRE(run_glint({"render", scene, "--size", "40x30", "-o", one, "--set", "/shading/mode=phong", "--set",
+                       "/lights/0/position=[-2,0,4]"})
+                .status == 0);
+    const Picture cell = opened(one);
+    const int left = sheet.size.width - 14 - 40, top = sheet.size.height - 14 - 30;  // the last cell
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 40; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                REQUIRE(sheet.rgba[4 * sheet.pixel(left + x, top + y) + c] ==
+                        cell.rgba[4 * cell.pixel(x, y) + c]);
+}
+
+TEST_CASE("glint sheet names the axis whose value is wrong", "[cli][sheet][bad-input]") {
+    const std::string rows = "/shading/mode=flat", out = "/dev/null";
+    check_wrong({"sheet", "-", "--cols", "/a=1", "-o", "a.png"},
+                "--rows: is missing; expected POINTER=A,B,C, such as /objects/0/material/shininess=8,32,128");
+    check_wrong({"sheet", "-", "--rows", rows, "--cols", "/objects/0/material/shininess=8,-1", "-o", out},
+                "--cols: /objects/0/material/shininess: -1 is out of range; expected 0 to 10000");
+    check_wrong({"sheet", "-", "--rows", "/shading/mode=flt", "--cols", "/display/exposure=1", "-o", out},
+                "--rows: /shading/mode: \"flt\" is not known; expected flat, facet, gouraud or phong");
+    check_wrong({"sheet", "-", "--rows", rows, "--cols", "/display/exposure=1", "-o", "a.pfm"},
+                "-o: a.pfm cannot be written; expected a name that ends in .png, or - for standard output");
+    const Ended large = run_glint(
+        {"sheet", "-", "--rows", rows, "--cols", "/display/exposure=1,2", "-o", out, "--cell", "9000x9"},
+        ball);
+    CHECK(large.status == 2);
+    CHECK(large.err.starts_with("glint: error: --cell: the sheet would be 180"));
+    CHECK(large.err.ends_with(" pixels large; expected at most 16384x16384\n"));
+}
+
+TEST_CASE("glint sheet without a font says in one line what to install", "[cli][sheet][bad-input]") {
+    setenv("GLINT_FONT", "/nonexistent.ttf", 1);
+    const Ended ended = run_glint(
+        {"sheet", "-", "--rows", "/shading/mode=flat", "--cols", "/display/exposure=1", "-o", "/dev/null"},
+        ball);
+    unsetenv("GLINT_FONT");
+    CHECK(ended.status == 1);
+    CHECK(ended.err ==
+          "glint: error: /nonexistent.ttf: cannot be read as a scalable font; expected a TrueType font, "
+          "as of the package fonts-dejavu-core, or its path in GLINT_FONT\n");
+}
