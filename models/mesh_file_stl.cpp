@@ -109,8 +109,8 @@ Mesh read_binary(std::string_view bytes, const std::string& file) {
     for (std::size_t f = 0; f < count; ++f) {
         const char* at = bytes.data() + binary_header + f * binary_facet;
         std::array<glm::vec3, 4> v;  // normal, three corners
-        for (int i = 0; i < 12; ++i) {
-            const float x = little_endian_float(at + 4 * i);
+        for (int i = 0; i < 12; ++i, at += 4) {
+            const float x = little_endian_float(at);
             if (i >= 3 && !(std::abs(x) <= largest_number))
                 throw Unreadable{
                     {file, "", fmt::format("facet {}: a coordinate is {}", f, x), "-1e30 to 1e30", 0}};

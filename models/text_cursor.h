@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "models/problem.h"
 
@@ -80,7 +81,9 @@ class TextCursor {
     /// What is left of the text, from here on.
     [[nodiscard]] std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
 
-    [[noreturn]] void fail(std::string what, std::string expected) const { fail_at(line_, what, expected); }
+    [[noreturn]] void fail(std::string what, std::string expected) const {
+        fail_at(line_, std::move(what), std::move(expected));
+    }
     [[noreturn]] void fail_at(int line, std::string what, std::string expected) const;
 
   private:
