@@ -67,7 +67,7 @@ inline std::string binary_stl(std::uint32_t count = 2, float first_x = 0) {
         .u32({count})
         .f32({0, 0, 1, first_x, 0, 0, 1, 0, 0, 1, 1, 0})
         .u16({0})
-        .f32({0, 0, 1, 0, 0, 0, 1, 1, 0, -0.f, 1, 0})
+        .f32({0, 0, 1, -0.f, 0, 0, 1, 1, 0, 0, 1, 0})
         .u16({0})
         .str();
 }

@@ -184,7 +184,7 @@ TEST_CASE("an STL shares positions that are exactly equal, and its facet normals
     const std::string ascii =
         "solid a square # of two facets\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex "
         "1 1 0\n"
-        "endloop\nendfacet\n  FACET NORMAL 0 0 1\n OUTER LOOP\nvertex 0 0 0\nvertex 1 1 0\nvertex -0 1 "
+        "endloop\nendfacet\n  FACET NORMAL 0 0 1\n OUTER LOOP\nvertex 0 -0 0\nvertex 1 1 0\nvertex -0 1 "
         "0\nENDLOOP\n"
         "ENDFACET\nendsolid a square\n";
     std::string named_solid = test::binary_stl();

@@ -19,8 +19,8 @@ const std::vector<glm::vec3> cube_corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1
 const std::vector<std::vector<std::uint32_t>> cube_quads{{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3},
                                                          {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}};
 
-/// The cube with its three faces at (1, 1, 1) cut into triangles so that x, y, z have this many there.
-Mesh cut_cube(int x, int y, int z) {
+/// The box with its three faces at its far corner cut into triangles so that x, y, z have this many there.
+Mesh cut_box(int x, int y, int z, glm::vec3 size = glm::vec3(1)) {
     std::vector<std::vector<std::uint32_t>> faces;
     const auto cut = [&faces](std::vector<std::uint32_t> q, int at_7) {  // q[2] is vertex 7
         if (at_7 == 2) {
@@ -35,7 +35,9 @@ Mesh cut_cube(int x, int y, int z) {
     cut(cube_quads[2], y);
     cut(cube_quads[4], z);
     for (const std::size_t f : {1u, 3u, 5u}) faces.push_back(cube_quads[f]);
-    return make_mesh(cube_corners, faces);
+    std::vector<glm::vec3> corners = cube_corners;
+    for (glm::vec3& p : corners) p *= size;
+    return make_mesh(corners, faces);
 }
 
 glm::vec3 at_position(const Mesh& mesh, const CornerNormals& normals, std::uint32_t position) {
@@ -75,10 +77,10 @@ TEST_CASE("the facet normal of a polygon is Newell's", "[normals]") {
 TEST_CASE("at the corner of a triangulated cube only the angle does not see the cut", "[normals]") {
     const float third = 0.57735027f;
     for (const auto weighting : {NormalWeighting::Uniform, NormalWeighting::Area, NormalWeighting::Angle}) {
-        const Mesh even = cut_cube(2, 2, 2);
+        const Mesh even = cut_box(2, 2, 2);
         check_near(at_position(even, corner_normals(even, vertex(weighting)), 7), glm::vec3(third));
     }
-    const Mesh one = cut_cube(2, 1, 1), two = cut_cube(2, 2, 1);
+    const Mesh one = cut_box(2, 1, 1), two = cut_box(2, 2, 1);
     for (const auto weighting : {NormalWeighting::Uniform, NormalWeighting::Area}) {
         check_near(at_position(one, corner_normals(one, vertex(weighting)), 7),
                    {0.816497f, 0.408248f, 0.408248f});
@@ -88,14 +90,17 @@ TEST_CASE("at the corner of a triangulated cube only the angle does not see the 
     check_near(at_position(two, corner_normals(two, vertex(NormalWeighting::Angle)), 7), glm::vec3(third));
 }
 
-TEST_CASE("area weighs the faces of a box of 1 x 2 x 3", "[normals]") {
+TEST_CASE("area weighs the faces of a box of 1 x 2 x 3, of quads or of triangles", "[normals]") {
     std::vector<glm::vec3> corners = cube_corners;
     for (glm::vec3& p : corners) p *= glm::vec3(1, 2, 3);
-    const Mesh box = make_mesh(corners, cube_quads);
-    check_near(at_position(box, corner_normals(box, vertex(NormalWeighting::Area)), 7),
-               glm::vec3(6, 3, 2) / 7.f);
-    check_near(at_position(box, corner_normals(box, vertex(NormalWeighting::Angle)), 7),
-               glm::vec3(0.57735027f));
+    for (const Mesh& box : {make_mesh(corners, cube_quads), cut_box(2, 2, 2, {1, 2, 3})}) {
+        check_near(at_position(box, corner_normals(box, vertex(NormalWeighting::Area)), 7),
+                   glm::vec3(6, 3, 2) / 7.f);
+        check_near(at_position(box, corner_normals(box, vertex(NormalWeighting::Angle)), 7),
+                   glm::vec3(0.57735027f));
+        check_near(at_position(box, corner_normals(box, vertex(NormalWeighting::Uniform)), 7),
+                   glm::vec3(0.57735027f));
+    }
 }
 
 TEST_CASE("a reflex corner weighs its whole interior angle", "[normals]") {
