@@ -22,11 +22,12 @@ TEST_CASE("an OM that OpenMesh wrote keeps polygons, normals and colours", "[mes
         VertexAttributes(OpenMesh::Attributes::Normal | OpenMesh::Attributes::Color |
                          OpenMesh::Attributes::Status);
     };
-    OpenMesh::PolyMesh_ArrayKernelT<Traits>
-        pillar;  // a ring of 200 quads with a cap of 200 corners: 2-byte indices
+    // A ring of 200 quads with a cap of 200 corners: indices of 2 bytes.
+    OpenMesh::PolyMesh_ArrayKernelT<Traits> pillar;
     std::vector<OpenMesh::VertexHandle> v;
     for (int i = 0; i < 400; ++i) {
-        const double angle = 0.0314159265358979 * (i / 2);
+        const int side = i / 2;
+        const double angle = 0.0314159265358979 * side;
         v.push_back(pillar.add_vertex({static_cast<float>(std::cos(angle)),
                                        static_cast<float>(std::sin(angle)), static_cast<float>(i % 2)}));
         pillar.set_normal(v.back(), {0, 0, 3});

@@ -95,16 +95,16 @@ TEST_CASE("primitives have the sizes and faces that the contract names", "[primi
     CHECK(bounds(Primitive::Cone) == Bounds{{-1, -1, -1}, {1, 1, 1}});
     CHECK(bounds(Primitive::Torus) == Bounds{{-1.4f, -0.4f, -1.4f}, {1.4f, 0.4f, 1.4f}});
     CHECK(bounds(Primitive::Plane) == Bounds{{-1, 0, -1}, {1, 0, 1}});
-    CHECK(info(Primitive::Sphere, 48).quads == 48 * 22);
-    CHECK(info(Primitive::Sphere, 48).triangles == 48 * 2);
-    CHECK(info(Primitive::Sphere, 7).quads == 7 * 2);  // 4 stacks
+    CHECK(info(Primitive::Sphere, 48).quads == 1056u);    // 48 x (24 - 2)
+    CHECK(info(Primitive::Sphere, 48).triangles == 96u);  // two caps of 48
+    CHECK(info(Primitive::Sphere, 7).quads == 14u);       // 4 stacks
     CHECK(info(Primitive::Icosphere, 3).triangles == 1280);
     CHECK(info(Primitive::Cube, 1).vertices == 8);
     CHECK(info(Primitive::Cube, 5).quads == 150);
-    CHECK(info(Primitive::Cube, 5).vertices == 6 * 25 + 2);
-    CHECK(info(Primitive::Torus, 48).quads == 48 * 24);
-    CHECK(info(Primitive::Knot, 256).quads == 256 * 32);
-    CHECK(info(Primitive::Knot, 100).quads == 100 * 13);
+    CHECK(info(Primitive::Cube, 5).vertices == 152u);  // 6 n^2 + 2
+    CHECK(info(Primitive::Torus, 48).quads == 1152u);  // 48 x 24
+    CHECK(info(Primitive::Knot, 256).quads == 8192u);  // 256 x 32
+    CHECK(info(Primitive::Knot, 100).quads == 1300u);  // 100 x 13
     CHECK(info(Primitive::TessellatedQuad, 8).quads == 64);
     CHECK(info(Primitive::Cylinder, 48).quads == 48);
     CHECK(info(Primitive::Cylinder, 48).polygons == 2);

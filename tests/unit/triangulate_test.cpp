@@ -80,6 +80,27 @@ TEST_CASE("corners on a straight side leave no triangle without an area", "[tria
                                 {0, 2, 0}}));
 }
 
+TEST_CASE("what is not convex is no fan, even where a fan would do or all turns are left", "[triangulate]") {
+    const auto is_fan = [](const Mesh& mesh) {
+        for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
+            if (mesh.triangles[i] != Triangle{{0, i + 1, i + 2}, 0}) return false;
+        return true;
+    };
+    // All of it can be seen from its first corner, but (3, 2) is reflex.
+    const Mesh star = make_polygon({{0, 0, 0}, {4, 0, 0}, {3, 2, 0}, {4, 4, 0}, {0, 4, 0}});
+    CHECK_FALSE(is_fan(star));
+    check_covered(star);
+    // A curve with a loop inside: r = 1 + 2 cos t turns left all the way, and lies on the left of its first
+    // edge.
+    std::vector<glm::vec3> loop;
+    loop.reserve(16);
+    for (int i = 0; i < 16; ++i) {
+        const double t = 6.283185307179586 * (i - 0.5) / 16, r = 1 + 2 * std::cos(t);
+        loop.emplace_back(r * std::cos(t), r * std::sin(t), 0);
+    }
+    CHECK_FALSE(is_fan(make_polygon(loop)));
+}
+
 TEST_CASE("polygons that cross themselves are cut as well as it goes", "[triangulate][degenerate]") {
     std::vector<glm::vec3> pentagram, noise;
     for (int i = 0; i < 5; ++i) {
