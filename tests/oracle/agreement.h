@@ -1,0 +1,44 @@
+#pragma once
+// Our picture against OpenGL's, pixel by pixel.
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "renderer/renderer.h"
+#include "tests/oracle/gl_canvas.h"
+#include "tests/oracle/gl_scene.h"
+#include "tests/oracle/jumps.h"
+
+namespace glint::oracle {
+
+struct Figure {
+    int scenes = 0, by_fixed_function = 0;
+    std::size_t pixels = 0;                          // of surfaces, compared
+    std::size_t background = 0;                      // pixels that show none in both
+    std::size_t edges = 0;                           // left out: another triangle within one pixel
+    std::array<std::size_t, jump_count> at_jumps{};  // left out by that rule
+    double largest = 0, sum = 0;                     // differences of channels, float
+    double largest_share = 0;                        // of the bound
+    int largest_bytes = 0;                           // difference of a channel, 8 bits
+    std::vector<std::string> disagreements;          // the worst pixel of each scene that has one
+    [[nodiscard]] std::string text() const;
+};
+
+/// Draws scenes both ways and adds what comes out to a figure.
+class Comparison {
+  public:
+    /// `name` is for messages. Precondition: the route can draw the scene.
+    void add(const std::string& name, const Scene& scene, PictureSize size, Route route);
+    [[nodiscard]] const Figure& figure() const { return figure_; }
+    [[nodiscard]] GlCanvas& canvas() { return canvas_; }
+
+  private:
+    GlCanvas canvas_;
+    GlPainter painter_;
+    Renderer renderer_, faces_;
+    Figure figure_;
+};
+
+}  // namespace glint::oracle

@@ -1,0 +1,5 @@
+// Shows what the corners made.
+uniform bool two_sided;
+INTERPOLATED in vec3 front, back;
+
+void main() { gl_FragColor = vec4(two_sided && !gl_FrontFacing ? back : front, 1); }

@@ -1,0 +1,32 @@
+#pragma once
+// The parts of drawing a scene by OpenGL.
+
+#include <glm/mat4x4.hpp>
+
+#include "models/scene.h"
+
+namespace glint::oracle {
+
+/// Camera coordinates from world coordinates, and the projection: as the OpenGL utility library makes them.
+[[nodiscard]] glm::dmat4 look_at(const Camera& camera);
+void load_projection(const Projection& projection, PictureSize size);
+
+/// Multiplies the current matrix by T Rz Ry Rx S.
+void multiply_transform(const Transform& t);
+
+/// The material with the terms that are switched off as zero.
+[[nodiscard]] Material seen_material(const Material& material, const Shading& shading);
+
+/// All triangles of an object, in our order, each corner with the normal and the place that lights it.
+void emit_triangles(const Object& object, const Shading& shading);
+
+/// OpenGL's own lighting. The model-view matrix is `view` when the lights are set.
+void set_fixed_lights(const Scene& scene, const glm::dmat4& view);
+void set_fixed_material(const Material& material, const Shading& shading);
+
+/// The uniforms of equation.glsl in the current program.
+void set_shader_lights(unsigned program, const Scene& scene, const glm::dmat4& view);
+void set_shader_material(unsigned program, const Scene& scene, const Material& material);
+[[nodiscard]] unsigned make_program(const char* stage, const char* interpolated);
+
+}  // namespace glint::oracle

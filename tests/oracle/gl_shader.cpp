@@ -1,0 +1,116 @@
+#include <GL/gl.h>
+
+#include <cmath>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/trigonometric.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "tests/oracle/gl_parts.h"
+
+namespace glint::oracle {
+namespace {
+
+std::string text_of(const std::string& name) {
+    const std::ifstream file(std::string(GLINT_SOURCE_DIR) + "/tests/oracle/" + name);
+    if (!file) throw std::runtime_error("the shader " + name + " cannot be read");
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+GLuint compile(GLenum kind, const std::string& name, const char* interpolated) {
+    const std::string text = std::string("#version 450 compatibility\n#define INTERPOLATED ") + interpolated +
+                             "\n" + text_of("equation.glsl") + text_of(name);
+    const char* source = text.c_str();
+    const GLuint shader = glCreateShader(kind);
+    glShaderSource(shader, 1, &source, nullptr);
+    glCompileShader(shader);
+    GLint compiled = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    std::string log(4096, '\0');
+    if (compiled) return shader;
+    glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    throw std::runtime_error(name + ": " + log.c_str());
+}
+
+/// Sets uniforms of the current program by name; one that the program does not use is passed over.
+struct Uniforms {
+    GLuint program;
+    std::string prefix;
+
+    [[nodiscard]] GLint at(const char* name) const {
+        return glGetUniformLocation(program, (prefix + name).c_str());
+    }
+    void set(const char* name, const glm::vec3& v) const { glUniform3f(at(name), v.x, v.y, v.z); }
+    void set(const char* name, float v) const { glUniform1f(at(name), v); }
+    void set(const char* name, int v) const { glUniform1i(at(name), v); }
+};
+
+void set_light(const Uniforms& u, const Light& light, const glm::dmat4& to_camera) {
+    const bool directional = light.kind == LightKind::Directional;
+    const glm::dvec4 p = to_camera * glm::dvec4(light.position);
+    const glm::dmat3 turn(to_camera);
+    const double cutoff = glm::radians(static_cast<double>(light.spot.cutoff_deg));
+    u.set("kind", static_cast<int>(light.kind));
+    u.set("position", glm::vec3(directional ? glm::dvec3(p) : glm::dvec3(p) / p.w));
+    u.set("ambient", light.intensity * light.ambient);
+    u.set("diffuse", light.intensity * light.diffuse);
+    u.set("specular", light.intensity * light.specular);
+    u.set("falloff", glm::vec3(light.falloff.constant, light.falloff.linear, light.falloff.quadratic));
+    u.set("axis", glm::vec3(glm::normalize(turn * glm::dvec3(light.spot.direction))));
+    u.set("cos_cutoff", static_cast<float>(std::cos(cutoff)));
+    u.set("exponent", light.spot.exponent);
+    u.set("has_cone", light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90 ? 1 : 0);
+    u.set("edge_u", glm::vec3(turn * glm::dvec3(light.area.edge_u)));
+    u.set("edge_v", glm::vec3(turn * glm::dvec3(light.area.edge_v)));
+    u.set("cells", static_cast<int>(std::lround(std::sqrt(light.area.samples))));
+}
+
+}  // namespace
+
+unsigned make_program(const char* stage, const char* interpolated) {
+    const std::string name = stage;
+    const GLuint program = glCreateProgram();
+    glAttachShader(program, compile(GL_VERTEX_SHADER, name + ".vert.glsl", interpolated));
+    glAttachShader(program, compile(GL_FRAGMENT_SHADER, name + ".frag.glsl", interpolated));
+    glLinkProgram(program);
+    GLint linked = 0;
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (linked) return program;
+    std::string log(4096, '\0');
+    glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    throw std::runtime_error(name + ": " + log.c_str());
+}
+
+void set_shader_lights(unsigned program, const Scene& scene, const glm::dmat4& view) {
+    int count = 0;
+    for (const Light& light : scene.lights) {
+        if (!light.enabled) continue;
+        const bool world = light.space == LightSpace::World;
+        set_light({program, "lights[" + std::to_string(count++) + "]."}, light, world ? view : glm::dmat4(1));
+    }
+    const Uniforms u{program, ""};
+    u.set("light_count", count);
+    u.set("global_ambient", scene.global_ambient);
+    u.set("model", static_cast<int>(scene.shading.reflection));
+    u.set("local_viewer", scene.shading.local_viewer && !is_orthographic(scene.camera.projection));
+    u.set("two_sided", scene.shading.two_sided);
+    u.set("clamped", scene.shading.rules == Rules::OpenGL2);
+}
+
+void set_shader_material(unsigned program, const Scene& scene, const Material& m) {
+    const Uniforms u{program, ""};
+    u.set("k_e", m.emission);
+    u.set("k_a", m.ambient);
+    u.set("k_d", m.diffuse);
+    u.set("k_s", m.specular);
+    u.set("f0", m.f0);
+    u.set("roughness", m.roughness);
+    u.set("shininess", scene.shading.rules == Rules::OpenGL2 ? std::min(m.shininess, 128.0f) : m.shininess);
+}
+
+}  // namespace glint::oracle

@@ -1,0 +1,74 @@
+#include "tests/oracle/jumps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace glint::oracle {
+namespace {
+
+// A cosine of unit vectors that two float computations can have apart: some roundings of 2^-24 in places and
+// normals of a few units.
+constexpr double cosine_rounding = 2e-6;
+// h = (l + v)/|l + v| magnifies rounding by 1/|l + v|. The steepest highlight, (n.h)^128, turns an angle into
+// 6.9 times as much, so a rounding of 1e-7 stays below the bound's 1.5e-5 from |l + v| = 0.05 on.
+constexpr double shortest_half = 0.05;
+
+Jump jump_of(const Scene& scene, const ExplainedLight& light, const ExplainedPoint& at) {
+    const Reflection model = scene.shading.reflection;
+    const bool shines = scene.shading.terms.specular && model != Reflection::Lambert &&
+                        model != Reflection::OrenNayar && light.falloff * light.spot > 0;
+    if (shines && std::abs(light.n_dot_l) < cosine_rounding) return Jump::GrazingLight;
+    const bool by_half = model == Reflection::BlinnPhong || model == Reflection::CookTorrance;
+    if (shines && by_half && light.n_dot_l > 0 &&
+        glm::length(light.l.camera + at.view.camera) < shortest_half)
+        return Jump::LightBehind;
+    const double n_dot_v = glm::dot(at.normal.camera, at.view.camera);
+    if (shines && model == Reflection::CookTorrance && std::abs(n_dot_v) < cosine_rounding)
+        return Jump::GrazingView;
+    const Light& source = scene.lights[static_cast<std::size_t>(light.index)];
+    if (source.kind == LightKind::Spot && source.spot.cutoff_deg <= 90) {
+        const double edge = std::cos(glm::radians(double{source.spot.cutoff_deg}));
+        if (std::abs(std::cos(glm::radians(double{light.spot_angle_deg})) - edge) < cosine_rounding)
+            return Jump::SpotEdge;
+    }
+    return Jump::None;
+}
+
+Jump jump_of(const Scene& scene, const ExplainedPoint& at) {
+    for (const ExplainedLight& light : at.lights) {
+        if (light.samples.empty())
+            if (const Jump jump = jump_of(scene, light, at); jump != Jump::None) return jump;
+        for (const ExplainedLight& sample : light.samples)
+            if (const Jump jump = jump_of(scene, sample, at); jump != Jump::None) return jump;
+    }
+    return Jump::None;
+}
+
+bool leaves_view(const Scene& scene, PictureSize size, const Explanation& e) {
+    const Object& object = scene.objects[static_cast<std::size_t>(e.object_index)];
+    const glm::dmat4 clip_from_object = clip_from_view(scene.camera.projection, size) *
+                                        view_from_world(scene.camera) * world_from_object(object.transform);
+    return std::any_of(e.corner.begin(), e.corner.end(), [&](std::uint32_t position) {
+        const glm::dvec4 c = clip_from_object * glm::dvec4(glm::dvec3(object.mesh->positions[position]), 1);
+        return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}) > c.w;
+    });
+}
+
+}  // namespace
+
+Jump jump_at(const Scene& scene, PictureSize size, const Explanation& e) {
+    const bool on_screen = scene.shading.interpolation == Interpolation::Screen &&
+                           scene.shading.mode != ShadingMode::Flat &&
+                           scene.shading.mode != ShadingMode::Facet;
+    if (on_screen && leaves_view(scene, size, e)) return Jump::CutOnScreen;
+    if (scene.shading.reflection == Reflection::None) return Jump::None;
+    if (!e.lit_per_corner) return jump_of(scene, e.at);
+    for (const ExplainedCorner& corner : e.corners)
+        if (const Jump jump = jump_of(scene, corner.at); jump != Jump::None) return jump;
+    return Jump::None;
+}
+
+}  // namespace glint::oracle

@@ -1,0 +1,9 @@
+// Hands place and normal on to the pixel. The place is always perspective-correct: it is the surface's own.
+smooth out vec3 place;
+INTERPOLATED out vec3 normal;
+
+void main() {
+    gl_Position = ftransform();
+    place = (gl_ModelViewMatrix * gl_Vertex).xyz;
+    normal = normalize(gl_NormalMatrix * gl_Normal);
+}

@@ -1,0 +1,17 @@
+#pragma once
+// Scenes from a seed: the same on every machine.
+
+#include "models/scene.h"
+
+namespace glint::oracle {
+
+/// Scene number `number`. Among 42 that follow one another every mode (flat at the centroid and at the
+/// provoking corner, facet, gouraud, phong, and gouraud under the rules of OpenGL) meets every reflection
+/// model; the rest (camera, objects, lights, switches) is random. Lights stay off the surfaces, exponents at
+/// or below 128, so that the equation is well conditioned.
+[[nodiscard]] Scene random_scene(unsigned number);
+
+/// Likewise for fixed-function OpenGL, with up to 8 lights.
+[[nodiscard]] Scene random_fixed_function_scene(unsigned number);
+
+}  // namespace glint::oracle
