@@ -25,6 +25,8 @@ uniform float shininess, roughness;
 uniform vec3 global_ambient;
 uniform int model;
 uniform bool local_viewer;
+uniform bool cool_to_warm;
+uniform vec3 cool, warm;  // the tones of this material
 
 float raised(float x, float s) { return s == 0.0 ? 1.0 : x <= 0.0 ? 0.0 : pow(x, s); }
 
@@ -82,7 +84,9 @@ vec3 share_of(Light light, vec3 l, float strength, vec3 n, vec3 v) {
     float n_l = dot(n, l);
     float diffuse = model == oren_nayar ? rough_diffuse(n, l, v) : max(n_l, 0.0);
     vec3 S = n_l > 0.0 ? highlight(n, l, v) : vec3(0);
-    return strength * (light.ambient * k_a + diffuse * light.diffuse * k_d + light.specular * k_s * S);
+    vec3 shine = light.specular * k_s * S;
+    if (cool_to_warm) return strength * shine;
+    return strength * (light.ambient * k_a + diffuse * light.diffuse * k_d + shine);
 }
 
 // OpenGL 2.1, section 2.14.1: attenuation and the spot's cone.
@@ -117,9 +121,17 @@ vec3 from_area(Light light, vec3 p, vec3 n, vec3 v) {
     return sum;
 }
 
+// What is there before any light is added. Cool to warm as the lecture has it: warm toward the first light.
+vec3 begun(vec3 p, vec3 n) {
+    if (!cool_to_warm) return k_e + k_a * global_ambient;
+    if (light_count == 0) return 0.5 * (cool + warm);
+    vec3 l = normalize(lights[0].kind == directional ? lights[0].position : lights[0].position - p);
+    return mix(cool, warm, (1.0 + dot(n, l)) / 2.0);
+}
+
 vec3 lit(vec3 p, vec3 n) {
     vec3 v = local_viewer ? normalize(-p) : vec3(0, 0, 1);
-    vec3 sum = k_e + k_a * global_ambient;
+    vec3 sum = begun(p, n);
     for (int i = 0; i < light_count; ++i) {
         Light light = lights[i];
         if (light.kind == directional)

@@ -80,8 +80,8 @@ Material seen_material(const Material& material, const Shading& shading) {
 bool can_draw(const Scene& scene) {
     const Shading& s = scene.shading;
     const Npr& npr = scene.npr;
-    return s.mistakes == Mistakes{} && s.interpolation != Interpolation::Scanline && !npr.cool_to_warm &&
-           !npr.silhouettes && !npr.creases && enabled_lights(scene) <= most_lights;
+    return s.mistakes == Mistakes{} && s.interpolation != Interpolation::Scanline && !npr.silhouettes &&
+           !npr.creases && enabled_lights(scene) <= most_lights;
 }
 
 bool fixed_function_can_draw(const Scene& scene) {
@@ -98,7 +98,8 @@ bool fixed_function_can_draw(const Scene& scene) {
             o.material.shininess > 0 && (o.material.shininess <= 128 || s.rules == Rules::OpenGL2);
         return usable || s.reflection == Reflection::Lambert;
     };
-    return can_draw(scene) && model && mode && std::all_of(scene.lights.begin(), scene.lights.end(), holds) &&
+    return can_draw(scene) && !scene.npr.cool_to_warm && model && mode &&
+           std::all_of(scene.lights.begin(), scene.lights.end(), holds) &&
            std::all_of(scene.objects.begin(), scene.objects.end(), shines);
 }
 

@@ -9,8 +9,8 @@ namespace glint::oracle {
 
 enum class Route { FixedFunction, Shader };
 
-/// Whether OpenGL can draw the scene at all: no mistakes, no npr, no scanline interpolation, no more than 8
-/// lights.
+/// Whether OpenGL can draw the scene at all: no mistakes, no strokes, no scanline interpolation, no more than
+/// 8 lights.
 [[nodiscard]] bool can_draw(const Scene& scene);
 
 /// Whether fixed function can: lambert or blinn-phong under gouraud or provoking flat, colours interpolated

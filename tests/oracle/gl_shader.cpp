@@ -110,6 +110,9 @@ void set_shader_material(unsigned program, const Scene& scene, const Material& m
     u.set("k_s", m.specular);
     u.set("f0", m.f0);
     u.set("roughness", m.roughness);
+    u.set("cool_to_warm", scene.npr.cool_to_warm);
+    u.set("cool", scene.npr.cool + scene.npr.alpha * m.diffuse);
+    u.set("warm", scene.npr.warm + scene.npr.beta * m.diffuse);
     u.set("shininess", scene.shading.rules == Rules::OpenGL2 ? std::min(m.shininess, 128.0f) : m.shininess);
 }
 

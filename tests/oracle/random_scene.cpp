@@ -162,6 +162,7 @@ Scene random_scene(unsigned number) {
     s.shading.flat_point = mode.point;
     s.shading.rules = mode.rules;
     s.shading.reflection = static_cast<Reflection>(number / modes.size() % 7);
+    s.npr.cool_to_warm = number % 11 == 0;
     return s;
 }
 
