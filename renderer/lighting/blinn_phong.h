@@ -3,7 +3,6 @@
 // Lecture: "Blinn-Phong Model"; J. Blinn 1977.
 
 #include "renderer/lighting/lambert.h"
-#include "renderer/lighting/power.h"
 
 namespace glint::inline GLINT_ISA {
 
@@ -11,8 +10,8 @@ template <Number F> F blinn_cosine(const Directions<F>& d, const PointAt<F>& at)
 
 template <Number F>
 Response<F> blinn_phong(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
-    const F highlight = power(positive(blinn_cosine(d, at)), m.shininess);
-    return {lambert_cosine(d), {highlight, highlight, highlight}};
+    const F s = highlight(blinn_cosine(d, at), m);
+    return {lambert_cosine(d), {s, s, s}};
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -9,21 +9,50 @@ namespace glint::inline GLINT_ISA {
 using Wide = Lanes<GLINT_LANES>;
 constexpr int opaque = static_cast<int>(0xFF000000u);
 
-/// flatten: the equation is many small functions; each call would pass its vectors through memory.
-[[gnu::flatten]] static void light(const LightJob& job, const PointBlock* points, ColorBlock* colors,
-                                   std::size_t blocks) {
+/// One reflection model, so that the compiler leaves out what the others need; the text of the equation is
+/// one. flatten: it is many small functions, and each call would pass its vectors through memory.
+template <Reflection model, bool any_mistake>
+[[gnu::flatten]] static void light_as(const LightJob& job, const PointBlock* points, ColorBlock* colors,
+                                      std::size_t blocks) {
+    const Equation equation{model, job.terms, any_mistake ? &job.mistakes : nullptr};
     for (std::size_t i = 0; i < blocks; ++i) {
         const PointBlock& in = points[i];
         ColorBlock& out = colors[i];
         for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
             const Vec3<Wide> p{load<Wide>(in.x + k), load<Wide>(in.y + k), load<Wide>(in.z + k)};
             const Vec3<Wide> n{load<Wide>(in.nx + k), load<Wide>(in.ny + k), load<Wide>(in.nz + k)};
-            const Vec3<Wide> sum = shade_point(job, seen_from_eye(job, p, n));
+            const Vec3<Wide> sum = shade_point(job, equation, seen_from_eye(job, p, n));
             store(out.r + k, sum.x);
             store(out.g + k, sum.y);
             store(out.b + k, sum.z);
         }
     }
+}
+
+template <bool any_mistake>
+static void light_with(const LightJob& job, const PointBlock* points, ColorBlock* colors,
+                       std::size_t blocks) {
+    switch (job.model) {
+    case Reflection::None:
+        return light_as<Reflection::None, any_mistake>(job, points, colors, blocks);
+    case Reflection::Lambert:
+        return light_as<Reflection::Lambert, any_mistake>(job, points, colors, blocks);
+    case Reflection::Phong:
+        return light_as<Reflection::Phong, any_mistake>(job, points, colors, blocks);
+    case Reflection::BlinnPhong:
+        return light_as<Reflection::BlinnPhong, any_mistake>(job, points, colors, blocks);
+    case Reflection::Retro:
+        return light_as<Reflection::Retro, any_mistake>(job, points, colors, blocks);
+    case Reflection::OrenNayar:
+        return light_as<Reflection::OrenNayar, any_mistake>(job, points, colors, blocks);
+    case Reflection::CookTorrance:
+        return light_as<Reflection::CookTorrance, any_mistake>(job, points, colors, blocks);
+    }
+}
+
+static void light(const LightJob& job, const PointBlock* points, ColorBlock* colors, std::size_t blocks) {
+    if (job.any_mistake) return light_with<true>(job, points, colors, blocks);
+    light_with<false>(job, points, colors, blocks);
 }
 
 [[gnu::flatten]] static void encode(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba,

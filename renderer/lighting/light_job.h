@@ -31,6 +31,7 @@ struct LightSource {
 struct SurfaceMaterial {
     LightSource::Rgb k_a, k_d, k_s, f0;
     float shininess = 0, roughness = 0;
+    float faintest = -1;                        // see MaterialAt; the same in all modes
     LightSource::Rgb emission, global_ambient;  // k_e and k_a I_a: what is there without any light
 };
 

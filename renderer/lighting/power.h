@@ -17,15 +17,11 @@ template <Number F> F log2_of(F x) {
     const IntOf<F> shifted = bits_of(x) - sqrt_half_bits;
     const F exponent = to_number(shifted >> 23);
     const F f = number_of_bits((shifted & 0x007fffff) + sqrt_half_bits) - F(1);
-    F p = F(0.12310968f);
-    p = p * f + F(-0.20586188f);
-    p = p * f + F(0.21607822f);
-    p = p * f + F(-0.23916988f);
-    p = p * f + F(0.28790325f);
-    p = p * f + F(-0.36069328f);
-    p = p * f + F(0.48091075f);
-    p = p * f + F(-0.72134745f);
-    p = p * f + F(1.44269502f);
+    // Pairs first (Estrin): one long chain of dependent products would leave the processor waiting.
+    const F f2 = f * f, f4 = f2 * f2;
+    const F low = (F(1.44269502f) + F(-0.72134745f) * f) + (F(0.48091075f) + F(-0.36069328f) * f) * f2;
+    const F high = (F(0.28790325f) + F(-0.23916988f) * f) + (F(0.21607822f) + F(-0.20586188f) * f) * f2;
+    const F p = low + f4 * (high + F(0.12310968f) * f4);
     return exponent + f * p;
 }
 
@@ -35,12 +31,10 @@ template <Number F> F exp2_of(F y) {
     const F magic = F(12582912.0f);  // 1.5 * 2^23: adding it leaves the nearest whole number in the low bits
     const F shifted = held + magic;
     const F f = held - (shifted - magic);
-    F q = F(0.00015453163f);
-    q = q * f + F(0.0013390863f);
-    q = q * f + F(0.009618083f);
-    q = q * f + F(0.05550357f);
-    q = q * f + F(0.24022651f);
-    q = q * f + F(0.69314718f);
+    const F f2 = f * f;
+    const F q =
+        (F(0.69314718f) + F(0.24022651f) * f) +
+        f2 * ((F(0.05550357f) + F(0.009618083f) * f) + f2 * (F(0.0013390863f) + F(0.00015453163f) * f));
     const F scale = number_of_bits((bits_of(shifted) - 0x4b400000 + 127) << 23);
     return select(y < F(-126), F(0), scale * (F(1) + f * q));
 }

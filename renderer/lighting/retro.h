@@ -3,15 +3,14 @@
 // Lecture: "Types of Reflection".
 
 #include "renderer/lighting/lambert.h"
-#include "renderer/lighting/power.h"
 
 namespace glint::inline GLINT_ISA {
 
 template <Number F> F retro_cosine(const Directions<F>& d, const PointAt<F>& at) { return dot(d.l, at.v); }
 
 template <Number F> Response<F> retro(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
-    const F highlight = power(positive(retro_cosine(d, at)), m.shininess);
-    return {lambert_cosine(d), {highlight, highlight, highlight}};
+    const F s = highlight(retro_cosine(d, at), m);
+    return {lambert_cosine(d), {s, s, s}};
 }
 
 }  // namespace glint::inline GLINT_ISA

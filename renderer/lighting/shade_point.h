@@ -28,7 +28,8 @@ template <Number F> LightAt<F> light_at(const LightSource& s) {
 }
 
 template <Number F> MaterialAt<F> material_at(const SurfaceMaterial& s) {
-    return {same<F>(s.k_a), same<F>(s.k_d), same<F>(s.k_s), F(s.shininess), F(s.roughness), same<F>(s.f0)};
+    return {same<F>(s.k_a), same<F>(s.k_d), same<F>(s.k_s), F(s.shininess),
+            F(s.faintest),  F(s.roughness), same<F>(s.f0)};
 }
 
 /// A point with its direction to the eye: from p to the eye, or (0, 0, 1) for a viewer at infinity.
@@ -58,8 +59,7 @@ template <Number F> Vec3<F> before_lights(const LightJob& job, const PointAt<F>&
 }
 
 /// The whole equation at one point.
-template <Number F> Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at) {
-    const Equation equation = equation_of(job);
+template <Number F> Vec3<F> shade_point(const LightJob& job, const Equation& equation, const PointAt<F>& at) {
     const MaterialAt<F> material = material_at<F>(job.material);
     Vec3<F> sum = before_lights(job, at);
     for (std::size_t i = 0; i < job.light_count; ++i)

@@ -1,6 +1,7 @@
 #pragma once
 // A point to be lit, and what its surface is made of.
 
+#include "renderer/lighting/power.h"
 #include "renderer/lighting/vec3.h"
 
 namespace glint::inline GLINT_ISA {
@@ -11,8 +12,9 @@ template <Number F> struct PointAt { Vec3<F> p, n, v; };
 template <Number F> struct MaterialAt {
     Vec3<F> k_a, k_d, k_s;  // linear RGB
     F shininess{};
-    F roughness{};  // 0 to 1
-    Vec3<F> f0;     // reflectance at normal incidence
+    F faintest{-1};  // cosines up to this one give a highlight below 2^-24, which counts as none
+    F roughness{};   // 0 to 1
+    Vec3<F> f0;      // reflectance at normal incidence
 };
 
 /// What a reflection model makes of one light: the factors of the diffuse and of the specular term.
@@ -35,6 +37,13 @@ template <Number F> Directions<F> directions_for(Vec3<F> l, const PointAt<F>& at
     d.r = (d.n_dot_l + d.n_dot_l) * at.n - l;  // 2 n (n.l) - l
     d.h = unit(l + at.v);
     return d;
+}
+
+/// cosine^shininess for a cosine of any sign; 0 where it is not above `faintest`, which most of a picture is.
+template <Number F> F highlight(F cosine, const MaterialAt<F>& m) {
+    const auto seen = cosine > m.faintest;
+    if (!any(seen)) return F(0);
+    return select(seen, power(positive(cosine), m.shininess), F(0));
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -104,6 +104,12 @@ CoolToWarm tone_of(const Npr& npr, const std::vector<LightSource>& lights) {
     return tone;
 }
 
+/// The cosine whose power is 2^-24, the last bit of a highlight of 1; -1 where every cosine counts (0^0 is
+/// 1).
+float faintest_cosine(float shininess) {
+    return shininess > 0 ? static_cast<float>(std::exp2(-24.0 / static_cast<double>(shininess))) : -1.0f;
+}
+
 }  // namespace
 
 std::vector<LightSource> light_sources(const Scene& scene) {
@@ -136,6 +142,7 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& m,
     job.infinite_viewer = !scene.shading.local_viewer || is_orthographic(scene.camera.projection);
     job.clamp = opengl && at_corners;
     spoil_job(scene, size, job);
+    job.material.faintest = faintest_cosine(job.material.shininess);
     return job;
 }
 
