@@ -1,9 +1,10 @@
 #pragma once
-// The four stages as the renderer keeps them between frames.
+// The stages as the renderer keeps them between frames.
 
 #include "models/scene.h"
 #include "renderer/pipeline/geometry.h"
 #include "renderer/pipeline/lighting.h"
+#include "renderer/pipeline/strokes.h"
 #include "renderer/pipeline/surface.h"
 #include "renderer/pipeline/visibility.h"
 
@@ -14,6 +15,7 @@ struct KeptStages {
     Geometry geometry;
     Visibility visibility;
     Surface surface;
+    Strokes strokes;
     Lighting lighting;
 };
 

@@ -53,6 +53,8 @@ struct Renderer::Kept {
         };
         for (const ObjectNormals& n : stages.surface.normals)
             for (const std::string& w : n.of_mesh.warnings) add(w);
+        if ((scene.npr.silhouettes || scene.npr.creases) && scene.npr.stroke_width_px > most_stroke_width_px)
+            add("a stroke wider than 100 pixels is drawn 100 pixels wide");
         if (scene.shading.rules != Rules::OpenGL2) return;
         for (const Object& o : scene.objects)
             if (o.material.shininess > opengl_max_shininess)
@@ -60,14 +62,7 @@ struct Renderer::Kept {
     }
 };
 
-std::optional<Problem> unsupported(const Scene& scene) {
-    const auto refuse = [](const char* pointer, const char* what, const char* expected) {
-        return Problem{"", pointer, std::string(what) + " is not drawn yet", expected, 0};
-    };
-    if (scene.npr.silhouettes) return refuse("/npr/silhouettes", "silhouette strokes", "false");
-    if (scene.npr.creases) return refuse("/npr/creases", "crease strokes", "false");
-    return std::nullopt;
-}
+std::optional<Problem> unsupported(const Scene&) { return std::nullopt; }
 
 Renderer::Renderer(int threads)
     : kept_(std::make_unique<Kept>(threads > 0 ? std::min(threads, most_threads)
@@ -89,8 +84,13 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
         const bool surface = k.run(Stage::Surface, [&] {
             return update_surface(s.surface, scene, s.geometry, s.visibility, visibility);
         });
+        const Clock::time_point strokes_start = Clock::now();
+        const bool strokes = update_strokes(s.strokes, scene, s.geometry, s.visibility, visibility);
+        k.stats.strokes_redone = strokes;
+        k.stats.strokes_ms = strokes ? ms_since(strokes_start) : 0;
         const bool lighting = k.run(Stage::Lighting, [&] {
-            return update_lighting(s.lighting, scene, s.geometry, s.surface, linear, surface, visibility);
+            return update_lighting(s.lighting, scene, s.geometry, s.surface, s.strokes, linear,
+                                   {visibility, surface, strokes});
         });
         if (surface || lighting) k.collect_warnings(scene);
     });

@@ -22,6 +22,8 @@ inline constexpr int stage_count = 4;
 struct FrameStats {
     std::array<double, stage_count> ms{};  // wall time of each stage; 0 when it was kept
     std::array<bool, stage_count> redone{};
+    double strokes_ms = 0;  // of silhouettes and creases, a small stage beside surface and lighting
+    bool strokes_redone = false;
     double total_ms = 0;
     std::uint64_t triangles = 0;      // of all objects
     std::uint64_t shaded_pixels = 0;  // pixels that show a surface
@@ -31,7 +33,7 @@ struct FrameStats {
 };
 
 /// Something the engine cannot draw yet, as the one-line problem to report; nothing when it can draw the
-/// scene.
+/// scene, which is always so today.
 [[nodiscard]] std::optional<Problem> unsupported(const Scene& scene);
 
 /// What shows at a pixel. Camera coordinates, scene units.

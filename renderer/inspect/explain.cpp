@@ -9,6 +9,7 @@
 #include "renderer/lighting/shade_point.h"
 #include "renderer/pipeline/light_sources.h"
 #include "renderer/shading/interpolate.h"
+#include "renderer/shading/stroke.h"
 
 namespace glint {
 namespace {
@@ -130,8 +131,18 @@ void explain_corners(Explanation& e, const KeptStages& stages, const SampleFace&
     e.sum = to_glm(sum);
 }
 
-void explain_display(Explanation& e, const Display& display) {
-    const DisplayJob job = display_job(display);
+void explain_stroke(Explanation& e, const KeptStages& stages, std::size_t pixel) {
+    e.stroke.coverage = stages.strokes.coverage_at(pixel);
+    e.stroke.color = stages.lighting.npr.stroke;
+    e.stroke.shaded = e.sum;
+    if (e.stroke.coverage > 0)
+        e.sum = to_glm(drawn_over(to_vec(e.sum), e.stroke.coverage, to_vec(e.stroke.color)));
+}
+
+/// From the shaded sum to what is seen.
+void explain_display(Explanation& e, const KeptStages& stages, std::size_t pixel) {
+    explain_stroke(e, stages, pixel);
+    const DisplayJob job = display_job(stages.lighting.display);
     for (int i = 0; i < 3; ++i) {
         e.displayed[i] = displayed(job, e.sum[i]);
         e.byte[static_cast<std::size_t>(i)] = static_cast<int>(byte_value(e.displayed[i]));
@@ -152,7 +163,7 @@ Explanation explain_pixel(const KeptStages& stages, int x, int y) {
     const std::uint32_t triangle = stages.visibility.triangle_at(pixel);
     if (triangle == no_triangle) {
         e.sum = stages.lighting.display.background;
-        explain_display(e, stages.lighting.display);
+        explain_display(e, stages, pixel);
         return e;
     }
     const SampleFace face = sample_face(stages.surface.choice, g, stages.visibility, x, y);
@@ -176,7 +187,7 @@ Explanation explain_pixel(const KeptStages& stages, int x, int y) {
     e.at = explain_point(stages, job, place, frames, lit_here);
     e.sum = e.at.sum;
     if (!lit_here) explain_corners(e, stages, face, job, frames);
-    explain_display(e, stages.lighting.display);
+    explain_display(e, stages, pixel);
     return e;
 }
 

@@ -57,6 +57,14 @@ struct ExplainedCorner {
     ExplainedPoint at;
 };
 
+/// The last step of a pixel's sum: (1 - coverage) shaded + coverage color.
+struct ExplainedStroke {
+    float coverage =
+        0;  // share of the pixel under silhouette and crease strokes; 0: no stroke, nothing to add
+    glm::vec3 color{0};
+    glm::vec3 shaded{0};  // the sum before
+};
+
 struct Explanation {
     int x = 0, y = 0;
     bool hit = false;  // false: background
@@ -73,6 +81,7 @@ struct Explanation {
     ExplainedPoint at;  // phong and facet: the pixel's own point, lit. Others: its place and normal, unlit
     std::vector<ExplainedCorner> corners;  // gouraud and flat: what was lit, and its weight
     bool lit_per_corner = false;           // true when `corners` makes the sum
+    ExplainedStroke stroke;                // over surface or background
     glm::vec3 sum{0};                      // linear, before exposure: the pixel of the PFM / exposure
     glm::vec3 displayed{0};                // after exposure, transfer and clamp, 0 to 1
     std::array<int, 3> byte{};

@@ -103,13 +103,17 @@ void color_runs(Lighting& l, const Surface& s, std::size_t first, std::size_t co
         for (std::size_t i = 0; i < count; ++i) colors[i] = run_colors(l, s, first + i);
 }
 
-void color_pixels(Lighting& l, const Surface& s, const DisplayJob& display) {
+void color_pixels(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 8 * batch), [&](const auto& range) {
         std::array<ColorBlock, batch> colors;
         std::array<std::uint32_t, batch * block_size> rgba;
         for (std::size_t first = range.begin(); first < range.end(); first += batch) {
             const std::size_t count = std::min(batch, range.end() - first);
             color_runs(l, s, first, count, colors.data());
+            for (std::size_t i = 0; i < count; ++i) {
+                const PixelRun& run = s.runs[first + i];
+                draw_over(strokes, l.npr.stroke, run.first_pixel, run.mask, colors[i]);
+            }
             lighting_kernels().encode(display, colors.data(), rgba.data(), count);
             for (std::size_t i = 0; i < count; ++i)
                 write_run(l, s.runs[first + i], colors[i], &rgba[i * block_size]);
@@ -143,7 +147,7 @@ void add_background(ColorBlock& sum, const std::array<float, block_size>& covere
 }
 
 /// The same with several samples a pixel: shares are added in linear light, group by group.
-void color_sampled_pixels(Lighting& l, const Surface& s, const DisplayJob& display) {
+void color_sampled_pixels(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display) {
     std::vector<std::size_t> group{0};
     for (std::size_t r = 1; r <= s.runs.size(); ++r)
         if (r == s.runs.size() || s.runs[r].first_pixel != s.runs[r - 1].first_pixel) group.push_back(r);
@@ -157,26 +161,36 @@ void color_sampled_pixels(Lighting& l, const Surface& s, const DisplayJob& displ
             all.mask = static_cast<std::uint16_t>(all.mask | s.runs[r].mask);
         }
         add_background(sum, covered, l.display.background);
+        draw_over(strokes, l.npr.stroke, all.first_pixel, all.mask, sum);
         std::array<std::uint32_t, block_size> rgba;
         lighting_kernels().encode(display, &sum, rgba.data(), 1);
         write_run(l, all, sum, rgba.data());
     });
 }
 
-/// Everything the background's colour, as it is displayed.
-void clear_picture(Lighting& l, PictureSize size, const DisplayJob& display) {
-    const glm::vec3 c = l.display.background;
-    const ColorBlock color = uniform_block(c);
+/// Everything the background's colour with the strokes over it, as it is displayed.
+void clear_picture(Lighting& l, PictureSize size, const Strokes& strokes, const DisplayJob& display) {
+    const ColorBlock color = uniform_block(l.display.background);
     std::array<std::uint32_t, block_size> rgba{};
     lighting_kernels().encode(display, &color, rgba.data(), 1);
     l.picture.size = size;
     const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     l.picture.rgba.resize(4 * pixels);
     l.picture.linear.resize(l.linear ? 3 * pixels : 0);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels, 16384), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            std::memcpy(&l.picture.rgba[4 * i], rgba.data(), 4);
-            if (l.linear) std::memcpy(&l.picture.linear[3 * i], &c.x, sizeof(float) * 3);
+    const std::size_t blocks = (pixels + block_size - 1) / block_size;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 1024), [&](const auto& range) {
+        for (std::size_t b = range.begin(); b != range.end(); ++b) {
+            const std::size_t left = std::min(block_size, pixels - b * block_size);
+            const PixelRun run{static_cast<std::uint32_t>(b * block_size), 0,
+                               static_cast<std::uint16_t>(0xFFFFu >> (block_size - left))};
+            ColorBlock drawn = color;
+            if (!draw_over(strokes, l.npr.stroke, run.first_pixel, run.mask, drawn)) {
+                write_run(l, run, color, rgba.data());
+                continue;
+            }
+            std::array<std::uint32_t, block_size> drawn_rgba{};
+            lighting_kernels().encode(display, &drawn, drawn_rgba.data(), 1);
+            write_run(l, run, drawn, drawn_rgba.data());
         }
     });
 }
@@ -211,9 +225,12 @@ glm::vec3 vertex_color(const Surface& s, const Geometry& g, const PointSource& s
 }
 
 bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, const Surface& surface,
-                     bool linear, bool surface_redone, bool visibility_redone) {
-    const bool same_display = kept.display == scene.display && kept.linear == linear && !visibility_redone;
-    const bool same = same_display && !surface_redone && kept.lights == scene.lights &&
+                     const Strokes& strokes, bool linear, RedoneStages redone) {
+    const bool same_strokes =
+        !redone.strokes && (strokes.coverage.empty() || kept.npr.stroke == scene.npr.stroke);
+    const bool same_display =
+        kept.display == scene.display && kept.linear == linear && !redone.visibility && same_strokes;
+    const bool same = same_display && !redone.surface && kept.lights == scene.lights &&
                       kept.global_ambient == scene.global_ambient && kept.shading == scene.shading &&
                       same_tone(kept.npr, scene.npr) && same_materials(kept.materials, scene);
     if (same) return false;
@@ -232,12 +249,12 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, cons
         kept.jobs.push_back(light_job(scene, g.size, object.material, kept.sources, at_corners));
     }
     const DisplayJob display = display_job(scene.display);
-    if (!same_display) clear_picture(kept, g.size, display);
+    if (!same_display) clear_picture(kept, g.size, strokes, display);
     if (at_corners) color_points(kept, surface, g);
     if (surface.run_samples.empty())
-        color_pixels(kept, surface, display);
+        color_pixels(kept, surface, strokes, display);
     else
-        color_sampled_pixels(kept, surface, display);
+        color_sampled_pixels(kept, surface, strokes, display);
     return true;
 }
 

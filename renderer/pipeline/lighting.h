@@ -1,10 +1,12 @@
 #pragma once
 // Stage 4. Colours: lights every point that the surface stage kept, gives every pixel its colour and its
-// bytes. Inputs: the surface, lights, materials, the rest of `shading`, and `display`.
+// bytes, and draws the strokes over them. Inputs: the surface, the strokes, lights, materials, the rest of
+// `shading` and of `npr`, and `display`.
 
 #include <vector>
 
 #include "renderer/picture.h"
+#include "renderer/pipeline/strokes.h"
 #include "renderer/pipeline/surface.h"
 
 namespace glint {
@@ -15,7 +17,7 @@ struct Lighting {
     std::vector<ColorBlock> point_colors;  // Corners, Faces: of the lit points
     Picture picture;
     bool linear = false;  // picture.linear is kept up too
-    // What the kept picture was made of, beside the surface.
+    // What the kept picture was made of, beside the surface and the strokes.
     std::vector<Light> lights;
     std::vector<Material> materials;
     glm::vec3 global_ambient{0};
@@ -24,10 +26,14 @@ struct Lighting {
     Display display;
 };
 
-/// Does the stage again when anything it reads differs; true when it did. `surface_redone`,
-/// `visibility_redone`: whether those stages were.
+/// Which of the stages before were done again.
+struct RedoneStages {
+    bool visibility = false, surface = false, strokes = false;
+};
+
+/// Does the stage again when anything it reads differs; true when it did.
 bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& geometry, const Surface& surface,
-                     bool linear, bool surface_redone, bool visibility_redone);
+                     const Strokes& strokes, bool linear, RedoneStages redone);
 
 /// Colour of a lit point under reflection `none`: the mesh's vertex colour (white where it has none); for a
 /// polygon the mean of its corners.
