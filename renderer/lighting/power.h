@@ -18,10 +18,12 @@ template <Number F> F log2_of(F x) {
     const F exponent = to_number(shifted >> 23);
     const F f = number_of_bits((shifted & 0x007fffff) + sqrt_half_bits) - F(1);
     // Pairs first (Estrin): one long chain of dependent products would leave the processor waiting.
-    const F f2 = f * f, f4 = f2 * f2;
-    const F low = (F(1.44269502f) + F(-0.72134745f) * f) + (F(0.48091075f) + F(-0.36069328f) * f) * f2;
-    const F high = (F(0.28790325f) + F(-0.23916988f) * f) + (F(0.21607822f) + F(-0.20586188f) * f) * f2;
-    const F p = low + f4 * (high + F(0.12310968f) * f4);
+    // Pairs first (Estrin): one long chain of dependent products would leave the processor waiting. The two
+    // largest terms last, so that their rounding is the only one that counts.
+    const F f2 = f * f;
+    const F a = (F(0.48091075f) + F(-0.36069328f) * f) + (F(0.28790325f) + F(-0.23916988f) * f) * f2;
+    const F b = (F(0.21607822f) + F(-0.20586188f) * f) + F(0.12310968f) * f2;
+    const F p = F(1.44269502f) + f * (F(-0.72134745f) + f * (a + b * (f2 * f2)));
     return exponent + f * p;
 }
 
