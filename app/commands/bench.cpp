@@ -85,6 +85,7 @@ double quantile(std::vector<double> values, double share) {
 struct Times {
     std::vector<double> frame;
     std::array<std::vector<double>, stage_count> stage;
+    std::vector<double> strokes;
 };
 
 Times measure(Renderer& renderer, const Scene& start, const BenchArguments& arguments, Drag drag) {
@@ -99,6 +100,7 @@ Times measure(Renderer& renderer, const Scene& start, const BenchArguments& argu
         if (frame < 0) continue;
         times.frame.push_back(took.count());
         for (std::size_t i = 0; i < stage_count; ++i) times.stage[i].push_back(renderer.stats().ms[i]);
+        times.strokes.push_back(renderer.stats().strokes_ms);
     }
     return times;
 }
@@ -117,7 +119,7 @@ Outcome bench(const BenchArguments& arguments) {
     const FrameStats& stats = renderer.stats();
     const auto of = [&times](double share) { return quantile(times.frame, share); };
     const auto stage = [&times](Stage s) { return quantile(times.stage[static_cast<std::size_t>(s)], 0.5); };
-    const nlohmann::ordered_json json{
+    nlohmann::ordered_json json{
         {"frames", arguments.frames},
         {"ms", {{"median", of(0.5)}, {"p90", of(0.9)}, {"p99", of(0.99)}, {"max", of(1)}}},
         {"stages",
@@ -133,6 +135,8 @@ Outcome bench(const BenchArguments& arguments) {
         {"height", arguments.size.height},
         {"drag", drag_names[static_cast<std::size_t>(drag)]},
         {"peak_bytes", peak_bytes()}};
+    const Npr& npr = document.scene.npr;
+    if (npr.silhouettes || npr.creases) json["stages"]["strokes"] = quantile(times.strokes, 0.5);
     Outcome outcome{json_text(json), document.warnings, ExitStatus::Done};
     outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());
     return outcome;
