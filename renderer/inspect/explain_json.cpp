@@ -97,6 +97,10 @@ std::string explain_json(const Explanation& e) {
     json["pixel"] = {e.x, e.y};
     json["hit"] = e.hit;
     if (e.hit) add_hit(json, e);
+    if (e.stroke.coverage > 0)
+        json["stroke"] = {{"coverage", e.stroke.coverage},
+                          {"color", json_of(e.stroke.color)},
+                          {"shaded", json_of(e.stroke.shaded)}};
     json["sum"] = json_of(e.sum);
     json["displayed"] = json_of(e.displayed);
     json["byte"] = e.byte;

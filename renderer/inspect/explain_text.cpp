@@ -198,10 +198,18 @@ class Writer {
         const std::string exposed = display.exposure == 1 ? "" : " · exposure " + brief(display.exposure);
         const std::string encoded = display.transfer == Transfer::Srgb ? ", sRGB encoded" : "";
         const std::string how = e_.corners.size() > 1 ? "of weight · corner" : "of all terms";
-        std::string text = term("sum", e_.hit ? how : "the background", e_.sum);
+        const std::string what = e_.hit ? how : "the background";
+        const ExplainedStroke& s = e_.stroke;
+        std::string text = s.coverage > 0 ? stroked(s, what) : term("sum", what, e_.sum);
         text += clips() + term("displayed", "sum" + exposed + encoded, e_.displayed);
         return text + fmt::format("  {:<{}}{:>10}{:>10}{:>10}\n", "byte", product_width + 10, e_.byte[0],
                                   e_.byte[1], e_.byte[2]);
+    }
+
+    [[nodiscard]] std::string stroked(const ExplainedStroke& s, std::string_view what) const {
+        const std::string blend = fmt::format("{} · shaded + {} · stroke {}", brief(1 - s.coverage),
+                                              brief(s.coverage), brief(s.color));
+        return term("shaded", what, s.shaded) + term("sum", blend, e_.sum);
     }
 
     /// The channels that the display cannot show, each with what it would have been.

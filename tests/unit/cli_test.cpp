@@ -68,17 +68,28 @@ std::array<float, 3> sum_of_terms(const json& point) {
     return sum;
 }
 
+std::array<float, 3> drawn_over(const std::array<float, 3>& shaded, const json& stroke) {
+    const float coverage = stroke["coverage"];
+    const std::array<float, 3> color = rgb_of(stroke["color"]);
+    std::array<float, 3> sum{};
+    for (std::size_t c = 0; c < 3; ++c) sum[c] = (1 - coverage) * shaded[c] + coverage * color[c];
+    return sum;
+}
+
 }  // namespace
 
 TEST_CASE("an explanation's terms add up to the pixel of the picture, to the last bit", "[cli][explain]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights), pfm = directory.path("out.pfm");
+    const std::string wide_strokes =
+        R"(/npr={"silhouettes": true, "stroke_width_px": 25.5, "stroke": [1, 0.3, 0.1]})";
     for (const auto& [mode, more] :
          std::vector<std::pair<std::string, std::string>>{{"phong", "/display/exposure=1"},
                                                           {"facet", "/shading/reflection=cook-torrance"},
                                                           {"gouraud", "/shading/reflection=oren-nayar"},
                                                           {"flat", "/shading/flat_point=provoking"},
-                                                          {"phong", "/npr/cool_to_warm=true"}}) {
+                                                          {"phong", "/npr/cool_to_warm=true"},
+                                                          {"phong", wide_strokes}}) {
         const std::vector<std::string> how{"--size", "96x64", "--set", "/shading/mode=" + mode,
                                            "--set",  more};
         std::vector<std::string> render{"render", scene, "-o", pfm};
@@ -86,7 +97,7 @@ TEST_CASE("an explanation's terms add up to the pixel of the picture, to the las
         must(render);
         const std::string bytes = bytes_of(pfm);
         std::mt19937 random(11);
-        int hits = 0;
+        int hits = 0, stroked = 0;
         for (int i = 0; i < 12; ++i) {
             const int x = static_cast<int>(random() % 96), y = static_cast<int>(random() % 64);
             std::vector<std::string> explain{
@@ -96,15 +107,22 @@ TEST_CASE("an explanation's terms add up to the pixel of the picture, to the las
             INFO(mode << " with " << more << " at " << x << ", " << y);
             CHECK(e["pixel"] == json({x, y}));
             CHECK(rgb_of(e["sum"]) == pfm_pixel(bytes, 96, 64, x, y));
+            std::array<float, 3> shaded = rgb_of(e["sum"]);
+            if (e.contains("stroke")) {
+                ++stroked;
+                shaded = rgb_of(e["stroke"]["shaded"]);
+                CHECK(drawn_over(shaded, e["stroke"]) == rgb_of(e["sum"]));
+            }
             if (!e["hit"].get<bool>()) continue;
             ++hits;
             CHECK(e["mode"] == mode);
-            if (!e.contains("corners")) CHECK(sum_of_terms(e) == rgb_of(e["sum"]));
+            if (!e.contains("corners")) CHECK(sum_of_terms(e) == shaded);
             for (const json& corner : e.value("corners", json::array())) {
                 CHECK(sum_of_terms(corner) == rgb_of(corner["sum"]));
             }
         }
         CHECK(hits > 2);
+        CHECK((stroked > 0) == (more == wide_strokes));
     }
 }
 
@@ -201,6 +219,18 @@ TEST_CASE("an output that cannot take the picture is an error of one line", "[cl
         CHECK(ended.err.rfind("glint: error: ", 0) == 0);
         CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
     }
+    CHECK(directory.names() == std::vector<std::string>{"scene.json"});
+}
+
+TEST_CASE("a file that may not grow any more is an error, and no part of it stays", "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", three_lights), out = directory.path("a.pfm");
+    // 64 KiB at most; the picture has 900 KiB. The limit holds for the shell's children that come after it.
+    const Ended ended = run_glint({"--version"}, {},
+                                  "; (ulimit -f 64; '" GLINT_PROGRAM "' render '" + scene + "' -o '" + out +
+                                      "' --size 320x240; exit $?) 2>&1");
+    CHECK(ended.status == 1);
+    CHECK(ended.out.find("glint: error: " + out + ": cannot write: File too large") != std::string::npos);
     CHECK(directory.names() == std::vector<std::string>{"scene.json"});
 }
 
