@@ -61,9 +61,7 @@ int run(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
     occupy_closed_descriptors();
-    // A reader that went away and a file grown too large are errors that we can name.
-    std::signal(SIGPIPE, SIG_IGN);
-    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is an error that we can name
     try {
         return run({argv + 1, argv + argc});
     } catch (const Failure& failure) {

@@ -5,18 +5,33 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "renderer/inspect/explain_json.h"
+#include "renderer/inspect/explain_latex.h"
 #include "renderer/inspect/explain_text.h"
 #include "renderer/renderer.h"
 
 namespace glint {
 namespace {
 
+enum class Format { Text, Json, Latex };
+
 struct ExplainArguments {
     SceneArguments scene;
     PictureSize size;
     std::optional<Pixel> pixel;
-    bool as_json = false;
+    Format format = Format::Text;
 };
+
+std::string formatted(const Explanation& explanation, const Scene& scene, Format format) {
+    switch (format) {
+    case Format::Text:
+        return explain_text(explanation, scene);
+    case Format::Json:
+        return explain_json(explanation);
+    case Format::Latex:
+        return explain_latex(explanation, scene);
+    }
+    return {};  // not reached
+}
 
 Outcome explain(const ExplainArguments& arguments) {
     require_file(arguments.scene);
@@ -28,8 +43,8 @@ Outcome explain(const ExplainArguments& arguments) {
     Renderer renderer(arguments.scene.threads);
     (void)renderer.render(document.scene, arguments.size);
     const Explanation explanation = renderer.explain(pixel.x, pixel.y);
-    Outcome outcome{arguments.as_json ? explain_json(explanation) : explain_text(explanation, document.scene),
-                    document.warnings, ExitStatus::Done};
+    Outcome outcome{formatted(explanation, document.scene, arguments.format), document.warnings,
+                    ExitStatus::Done};
     outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());
     return outcome;
 }
@@ -40,9 +55,9 @@ Run declare(CLI::App& app) {
     add_value(app, "--pixel", "X,Y", "the pixel; 0,0 is the top left",
               [&pixel = arguments->pixel](const std::string& text) { pixel = read_pixel("--pixel", text); });
     add_size(app, arguments->size);
-    add_value(app, "--format", "FORMAT", "text, the default, or json (docs/explain.md)",
-              [&as_json = arguments->as_json](const std::string& text) {
-                  as_json = read_word("--format", text, {"text", "json"}) == 1;
+    add_value(app, "--format", "FORMAT", "text, the default, json (docs/explain.md) or latex (needs amsmath)",
+              [&format = arguments->format](const std::string& text) {
+                  format = static_cast<Format>(read_word("--format", text, {"text", "json", "latex"}));
               });
     return [arguments] { return explain(*arguments); };
 }

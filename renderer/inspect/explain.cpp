@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "renderer/lighting/display.h"
@@ -140,6 +141,20 @@ void explain_stroke(Explanation& e, const KeptStages& stages, std::size_t pixel)
 }
 
 /// From the shaded sum to what is seen.
+ExplainedSpaces explain_spaces(const Geometry& g, const SampleFace& face) {
+    const glm::dvec4 camera(glm::dvec3(face.p), 1);
+    const glm::dvec4 clip = clip_from_view(g.camera.projection, g.size) * camera;
+    ExplainedSpaces s;
+    s.object = glm::vec3(glm::inverse(g.objects[face.object].view_from_object) * camera);
+    s.world = glm::vec3(world_from_view(g.camera) * camera);
+    s.camera = face.p;
+    s.clip = glm::vec4(clip);
+    s.ndc = glm::vec3(clip / clip.w);
+    s.pixel = {static_cast<float>((clip.x / clip.w + 1) * 0.5 * g.size.width),
+               static_cast<float>((1 - clip.y / clip.w) * 0.5 * g.size.height)};
+    return s;
+}
+
 void explain_display(Explanation& e, const KeptStages& stages, std::size_t pixel) {
     explain_stroke(e, stages, pixel);
     const DisplayJob job = display_job(stages.lighting.display);
@@ -180,6 +195,7 @@ Explanation explain_pixel(const KeptStages& stages, int x, int y) {
     e.front_facing = stages.visibility.back[pixel] == 0;
     e.corner = g.position_indices(face.object, t);
     e.weights = face.weights;
+    e.spaces = explain_spaces(g, face);
     const LightJob& job = stages.lighting.jobs[face.object];
     const Frames frames(stages.scene.camera);
     const PlacedNormal place = pixel_point(stages.surface, g, face);

@@ -79,6 +79,10 @@ void add_hit(Json& json, const Explanation& e) {
     json["front_facing"] = e.front_facing;
     json["vertices"] = e.corner;
     json["weights"] = json_of(e.weights);
+    const ExplainedSpaces& in = e.spaces;
+    json["spaces"] = {{"object", json_of(in.object)}, {"world", json_of(in.world)},
+                      {"camera", json_of(in.camera)}, {"clip", {in.clip.x, in.clip.y, in.clip.z, in.clip.w}},
+                      {"ndc", json_of(in.ndc)},       {"pixel", {in.pixel.x, in.pixel.y}}};
     json["mode"] = name_of(e.mode);
     json["reflection"] = name_of(e.reflection);
     add_place(json, e.at);

@@ -88,6 +88,7 @@ class Writer {
         std::string text =
             fmt::format("{}, face {}, {} side; {} shading, {} reflection\n\n", e_.object, e_.face,
                         e_.front_facing ? "front" : "back", name_of(e_.mode), name_of(e_.reflection));
+        text += spaces() + "\n";
         text += "     camera coordinates               world coordinates\n" + place(e_.at) + "\n";
         if (!e_.lit_per_corner) return text + equation(e_.at);
         for (std::size_t i = 0; i < e_.corners.size(); ++i) {
@@ -99,6 +100,18 @@ class Writer {
             text += term("sum", "of this point", corner.at.sum) + "\n";
         }
         return text;
+    }
+
+    /// The point on its way from the mesh to the screen.
+    [[nodiscard]] std::string spaces() const {
+        const ExplainedSpaces& in = e_.spaces;
+        const auto line = [](std::string_view name, const std::string& values, std::string_view note) {
+            return fmt::format("  {:<8}{}{}\n", name, values, note);
+        };
+        return line("object", numbers(in.object), "") + line("world", numbers(in.world), "") +
+               line("camera", numbers(in.camera), "              here it is lit") +
+               line("clip", numbers(glm::vec3(in.clip)) + number(in.clip.w), "    w last") +
+               line("ndc", numbers(in.ndc), "") + line("pixel", number(in.pixel.x) + number(in.pixel.y), "");
     }
 
     static std::string place(const ExplainedPoint& at) {

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <string>
 #include <vector>
 
@@ -57,6 +59,15 @@ struct ExplainedCorner {
     ExplainedPoint at;
 };
 
+/// The picked point carried through every space of the pipeline (lecture: "Projective Rendering Pipeline").
+/// Lighting stands between camera and clip coordinates.
+struct ExplainedSpaces {
+    glm::vec3 object{0}, world{0}, camera{0};
+    glm::vec4 clip{0};
+    glm::vec3 ndc{0};    // -1 to 1
+    glm::vec2 pixel{0};  // y down, (0, 0) the picture's upper left corner
+};
+
 /// The last step of a pixel's sum: (1 - coverage) shaded + coverage color.
 struct ExplainedStroke {
     float coverage =
@@ -78,6 +89,7 @@ struct Explanation {
     Material material;
     std::array<std::uint32_t, 3> corner{};  // the drawn triangle's corners: indices into Mesh::positions
     glm::vec3 weights{0};                   // perspective-correct weights of those corners at the pixel
+    ExplainedSpaces spaces;
     ExplainedPoint at;  // phong and facet: the pixel's own point, lit. Others: its place and normal, unlit
     std::vector<ExplainedCorner> corners;  // gouraud and flat: what was lit, and its weight
     bool lit_per_corner = false;           // true when `corners` makes the sum

@@ -72,7 +72,7 @@ TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-i
         {{"explain", scene, "--pixel", "1.5,2"}, "--pixel: 1.5,2 is no pixel; expected X,Y as in 640,360"},
         {{"explain", scene, "--pixel", "1,2,3"}, "--pixel: 1,2,3 is no pixel; expected X,Y as in 640,360"},
         {{"explain", scene, "--pixel", "1,1", "--format", "xml"},
-         "--format: xml is not known; expected text, json"},
+         "--format: xml is not known; expected text, json, latex"},
         {{"bench", scene, "--frames", "0"}, "--frames: 0 is out of range; expected 1 to 100000"},
         {{"bench", scene, "--drag", "mouse"},
          "--drag: mouse is not known; expected light, material, camera, object"},
