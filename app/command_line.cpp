@@ -135,7 +135,7 @@ Outcome run(const Command& command, Arguments arguments) {
 
 std::vector<Command> named_commands() {
     return {render_command(), explain_command(), profile_command(), sheet_command(),
-            info_command(),   compare_command(), bench_command()};
+            lobe_command(),   info_command(),    compare_command(), bench_command()};
 }
 
 Outcome run_command_line(const Arguments& arguments) {

@@ -61,7 +61,9 @@ int run(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
     occupy_closed_descriptors();
-    std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is an error that we can name
+    // A reader that went away and a file grown too large are errors that we can name.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         return run({argv + 1, argv + argc});
     } catch (const Failure& failure) {

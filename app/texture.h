@@ -1,6 +1,7 @@
 #pragma once
 // The picture on the graphics card: one texture, shown pixel for pixel.
 
+#include <bit>
 #include <cstdint>
 
 #include "renderer/picture.h"
@@ -19,7 +20,7 @@ class Texture {
     [[nodiscard]] bool ready() const { return name_ != 0; }
     void upload(const Picture& picture);
     /// The name by which ImGui's backend draws it.
-    [[nodiscard]] void* id() const { return reinterpret_cast<void*>(static_cast<std::uintptr_t>(name_)); }
+    [[nodiscard]] void* id() const { return std::bit_cast<void*>(std::uintptr_t{name_}); }
 
   private:
     unsigned name_ = 0;

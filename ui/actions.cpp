@@ -239,6 +239,7 @@ void begin_pending(UiState& state, Pending pending) {
 void finish_pending(UiState& state) {
     const Pending now = std::move(state.pending);
     state.pending = {};
+    (void)cancel_gesture(state.viewport, state.editor.scene());
     if (now.what == Pending::What::Quit) state.quits = true;
     if (now.what == Pending::What::New) take_document(state.editor, first_scene());
     if (now.what == Pending::What::Open) {

@@ -49,7 +49,7 @@ struct WorldPen {
         line(a, b, colour, px(1.3f));
     }
     void circle(glm::dvec3 centre, glm::dvec3 u, glm::dvec3 v, ImU32 colour, float opacity) const {
-        constexpr int sides = 48;
+        constexpr int sides = 32;
         const auto point = [&](int i) {
             const double a = 2 * pi * i / sides;
             return centre + std::cos(a) * u + std::sin(a) * v;
@@ -157,12 +157,14 @@ void draw_grip(ImDrawList& list, ImVec2 at, const Light& light, HandleLook look,
 
 }  // namespace
 
-std::vector<Handle> light_handles(const Scene& scene, const PictureView& view) {
+std::vector<Handle> light_handles(const Scene& scene, const PictureView& view, int selected) {
+    constexpr int most = 300;
     std::vector<Handle> handles;
-    handles.reserve(scene.lights.size());
     const PictureSize size = view.map.size;
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        Handle handle{static_cast<int>(i), handle_of(scene.lights[i], view.dome, view.map), {}, false};
+    for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
+        if (i >= most && i != selected) continue;
+        Handle handle{
+            i, handle_of(scene.lights[static_cast<std::size_t>(i)], view.dome, view.map), {}, false};
         handle.at = project(view.map, handle.place);
         const glm::dvec2 p = handle.at.pixel;
         handle.in_picture =
@@ -176,14 +178,15 @@ std::vector<Handle> light_handles(const Scene& scene, const PictureView& view) {
     return handles;
 }
 
-int handle_under(const std::vector<Handle>& handles, glm::dvec2 cursor_px, const PictureView& view) {
-    int best = -1;
+const Handle* handle_under(const std::vector<Handle>& handles, glm::dvec2 cursor_px,
+                           const PictureView& view) {
+    const Handle* best = nullptr;
     double nearest = px(grip_radius) / view.units_per_pixel;
-    for (std::size_t i = 0; i < handles.size(); ++i) {
-        const double distance = glm::length(handles[i].at.pixel - cursor_px);
+    for (const Handle& handle : handles) {
+        const double distance = glm::length(handle.at.pixel - cursor_px);
         if (distance <= nearest) {
             nearest = distance;
-            best = static_cast<int>(i);
+            best = &handle;
         }
     }
     return best;
@@ -197,8 +200,9 @@ void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, 
     const WorldPen pen{list, view};
     const ImU32 colour = packed(colour_of(light), opacity);
     if (handle.in_picture) {
-        const bool rides = light.space == LightSpace::Camera && !look.selected && !look.hovered;
-        if (light.kind != LightKind::Directional && !rides)
+        const bool in_hand = look.selected || look.hovered;
+        const bool stem = in_hand || (look.stem && light.space == LightSpace::World);
+        if (light.kind != LightKind::Directional && stem)
             draw_stem(pen, handle.place, packed(colour_of(light), 0.55f * opacity), opacity);
         if (look.selected || look.hovered || light.kind == LightKind::Area)
             draw_shape(pen, light, handle, colour, opacity);

@@ -35,16 +35,19 @@ struct Handle {
     bool in_picture = false;  // else `at.pixel` is on the picture's border, towards where the light is
 };
 
-/// Handles of all lights of the scene, in their order.
-[[nodiscard]] std::vector<Handle> light_handles(const Scene& scene, const PictureView& view);
+/// Handles of the scene's lights, in their order: of the first 300, which is more than an eye tells apart,
+/// and of `selected` (-1: none).
+[[nodiscard]] std::vector<Handle> light_handles(const Scene& scene, const PictureView& view, int selected);
 
-/// Index into `handles` of the one under the cursor (in the picture's pixels), or -1; the nearest wins.
-[[nodiscard]] int handle_under(const std::vector<Handle>& handles, glm::dvec2 cursor_px,
-                               const PictureView& view);
+/// The handle under the cursor (in the picture's pixels), or null; the nearest wins.
+[[nodiscard]] const Handle* handle_under(const std::vector<Handle>& handles, glm::dvec2 cursor_px,
+                                         const PictureView& view);
 
 /// How a handle is to be drawn.
 struct HandleLook {
-    bool selected = false, hovered = false, hidden = false;  // hidden: behind an object
+    bool selected = false, hovered = false;
+    bool hidden = false;  // behind an object
+    bool stem = true;     // down to the ground; among many lights only the one in hand has it
 };
 void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, const Handle& handle,
                  HandleLook look);

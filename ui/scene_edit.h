@@ -16,6 +16,11 @@ struct Selection {
     bool operator==(const Selection&) const = default;
 };
 
+/// Index of the selected light, or -1.
+[[nodiscard]] inline int selected_light(const Selection& selection) {
+    return selection.kind == Selection::Kind::Light ? selection.index : -1;
+}
+
 /// `selection`, or the nearest that exists in `scene`.
 [[nodiscard]] Selection valid_selection(const Selection& selection, const Scene& scene);
 

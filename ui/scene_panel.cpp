@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <string>
+#include <vector>
 
 #include "ui/choices.h"
 #include "ui/icons.h"
@@ -143,6 +144,29 @@ void list_heading(const char* title, const char* popup, bool full) {
     tooltip("Add", full ? "There are as many as a scene may hold" : "Add one to the scene");
 }
 
+bool object_row(Scene& scene, int index, Selection& selection) {
+    const Selection row{Selection::Kind::Object, index};
+    const std::string& name = scene.objects[static_cast<std::size_t>(index)].name;
+    ImGui::PushID(static_cast<int>(max_lights) + index);
+    if (item_row(Icon::Object, packed(theme().dim_text), name.c_str(), selection == row, px(8), 0))
+        selection = row;
+    const bool edited = row_menu(scene, selection, row);
+    ImGui::PopID();
+    return edited;
+}
+
+/// Draws the rows that are in sight. A row that changes the list is the last one drawn in this frame.
+template <class Item, class DrawRow> bool rows(const std::vector<Item>& items, DrawRow draw_row) {
+    const std::size_t count = items.size();
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(count), ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y);
+    bool edited = false;
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd && items.size() == count; ++i)
+            edited |= draw_row(i);
+    return edited;
+}
+
 }  // namespace
 
 bool scene_panel(Scene& scene, Selection& selection, SceneWishes& wishes) {
@@ -153,19 +177,11 @@ bool scene_panel(Scene& scene, Selection& selection, SceneWishes& wishes) {
     plain_row(Icon::Display, "Display", Selection::Kind::Display, selection);
     list_heading("Lights", "##add-light", scene.lights.size() >= max_lights);
     edited |= add_light_menu(scene, selection);
-    for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) edited |= light_row(scene, i, selection);
+    edited |= rows(scene.lights, [&](int i) { return light_row(scene, i, selection); });
     if (scene.lights.empty()) dim_text("   No light yet: press + or L");
     list_heading("Objects", "##add-object", scene.objects.size() >= max_objects);
     edited |= add_object_menu(scene, selection, wishes);
-    for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
-        const Selection row{Selection::Kind::Object, i};
-        ImGui::PushID(1'000'000 + i);
-        if (item_row(Icon::Object, packed(theme().dim_text),
-                     scene.objects[static_cast<std::size_t>(i)].name.c_str(), selection == row, px(8), 0))
-            selection = row;
-        edited |= row_menu(scene, selection, row);
-        ImGui::PopID();
-    }
+    edited |= rows(scene.objects, [&](int i) { return object_row(scene, i, selection); });
     if (scene.objects.empty()) dim_text("   Nothing to light yet: press +");
     ImGui::PopStyleVar();
     selection = valid_selection(selection, scene);

@@ -49,15 +49,14 @@ void begin_light(ViewportState& state, const ViewportFrame& frame, const UiInput
                   state.pressed_px};
 }
 
-void press(ViewportState& state, ViewportFrame& frame, const std::vector<Handle>& handles) {
+void press(ViewportState& state, ViewportFrame& frame) {
     if (!state.hovered) return;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         begin(state, frame, Gesture::Press, ImGuiMouseButton_Left);
         state.dragged_light = state.hovered_light;
         if (state.hovered_light >= 0) {
             frame.selection = {Selection::Kind::Light, state.hovered_light};
-            if (!handles[static_cast<std::size_t>(state.hovered_light)].in_picture)
-                state.gesture = Gesture::None;
+            if (!state.hovered_in_picture) state.gesture = Gesture::None;
         }
     } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle) ||
                ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
@@ -65,6 +64,17 @@ void press(ViewportState& state, ViewportFrame& frame, const std::vector<Handle>
         begin(state, frame, ImGui::GetIO().KeyCtrl ? Gesture::Dolly : Gesture::Pan,
               middle ? ImGuiMouseButton_Middle : ImGuiMouseButton_Right);
     }
+}
+
+void hover(ViewportState& state, const ViewportFrame& frame) {
+    state.hovered_light = -1;
+    if (!state.hovered) return;
+    const std::vector<Handle> handles =
+        light_handles(frame.scene, frame.view, selected_light(frame.selection));
+    const Handle* under = handle_under(handles, cursor_px(frame), frame.view);
+    if (under == nullptr) return;
+    state.hovered_light = under->light;
+    state.hovered_in_picture = under->in_picture;
 }
 
 /// A press that moved far enough becomes a drag.
@@ -161,12 +171,11 @@ void set_cursor(const ViewportState& state) {
 }  // namespace
 
 bool viewport_gestures(ViewportState& state, ViewportFrame frame, const UiInput& input) {
-    const std::vector<Handle> handles = light_handles(frame.scene, frame.view);
     state.asked = false;
     state.hovered = ImGui::IsItemHovered() && ImGui::IsMousePosValid();
     if (state.gesture == Gesture::None) {
-        state.hovered_light = state.hovered ? handle_under(handles, cursor_px(frame), frame.view) : -1;
-        press(state, frame, handles);
+        hover(state, frame);
+        press(state, frame);
         if (state.hovered && state.hovered_light < 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
             select_object_under(frame, cursor_px(frame));
     }

@@ -21,6 +21,7 @@ struct ViewportState {
     glm::dvec2 pressed_px{0}, last_px{0};
     double grip_depth = 1;  // of what the camera gesture holds on to
     int hovered_light = -1, dragged_light = -1;
+    bool hovered_in_picture = false;  // the hovered light is where its handle is, not outside
     LightDrag drag;
     DragView drag_view;
     Scene before;                     // as it was when the gesture began: Esc brings it back

@@ -66,11 +66,13 @@ void draw_readout(ImDrawList& list, const ViewportState& state, const ViewportFr
 }  // namespace
 
 void draw_overlay(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame) {
-    const std::vector<Handle> handles = light_handles(frame.scene, frame.view);
+    const std::vector<Handle> handles =
+        light_handles(frame.scene, frame.view, selected_light(frame.selection));
+    const bool few = handles.size() <= 24;
     for (const Handle& handle : handles) {
         const bool dragged = handle.light == state.dragged_light && state.gesture == Gesture::Light;
         const HandleLook look{frame.selection == Selection{Selection::Kind::Light, handle.light},
-                              dragged || handle.light == state.hovered_light, is_hidden(handle, frame)};
+                              dragged || handle.light == state.hovered_light, is_hidden(handle, frame), few};
         draw_handle(list, frame.view, frame.scene.lights[static_cast<std::size_t>(handle.light)], handle,
                     look);
     }
@@ -81,9 +83,9 @@ void draw_overlay(ImDrawList& list, const ViewportState& state, const ViewportFr
         static_cast<std::size_t>(state.hovered_light) < frame.scene.lights.size()) {
         const auto index = static_cast<std::size_t>(state.hovered_light);
         const Light& light = frame.scene.lights[index];
-        const char* what = !handles[index].in_picture ? "Outside the picture"
-                           : light.enabled            ? "Drag to move"
-                                                      : "Off; drag to move";
+        const char* what = !state.hovered_in_picture ? "Outside the picture"
+                           : light.enabled           ? "Drag to move"
+                                                     : "Off; drag to move";
         draw_note(list, frame.view, ImGui::GetIO().MousePos, what, light.name);
     }
 }

@@ -35,6 +35,7 @@ struct Command {
 [[nodiscard]] Command explain_command();
 [[nodiscard]] Command profile_command();
 [[nodiscard]] Command sheet_command();
+[[nodiscard]] Command lobe_command();
 [[nodiscard]] Command info_command();
 [[nodiscard]] Command compare_command();
 [[nodiscard]] Command bench_command();

@@ -1,6 +1,7 @@
-// The commands that look into pictures, as a user runs them: profile, sheet.
+// The commands that look into pictures and surfaces, as a user runs them: profile, sheet, lobe.
 #include <algorithm>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "renderer/image_file.h"
@@ -123,4 +124,28 @@ TEST_CASE("glint sheet without a font says in one line what to install", "[cli][
     CHECK(ended.err ==
           "glint: error: /nonexistent.ttf: cannot be read as a scalable font; expected a TrueType font, "
           "as of the package fonts-dejavu-core, or its path in GLINT_FONT\n");
+}
+
+TEST_CASE("glint lobe tells how an object's surface reflects", "[cli][lobes]") {
+    const std::vector<std::string> arguments{"lobe",    "-",  "--angle", "25",
+                                             "--steps", "36", "--set",   "/objects/0/material/shininess=20"};
+    const Ended csv = run_glint(arguments, ball);
+    REQUIRE(csv.status == 0);
+    CHECK(lines_of(csv.out).size() == 1 + 37);
+    std::vector<std::string> with_format = arguments;
+    with_format.insert(with_format.end(), {"--format", "json"});
+    const auto json = nlohmann::json::parse(run_glint(with_format, ball).out);
+    const auto along_r = json["slice"][(90 + 25) / 5];
+    CHECK(along_r["view_deg"] == 25);
+    CHECK(along_r["specular"][0].get<double>() == Approx(1));
+    CHECK(along_r["diffuse"][0].get<double>() == Approx(0.8 * 0.906308));
+    CHECK(json["reflection"] == "phong");
+    CHECK(json["specular_energy"][0].get<double>() == Approx(2 * 3.14159265 / 22 * 0.906308).epsilon(1e-3));
+}
+
+TEST_CASE("glint lobe says what is wrong with its options", "[cli][lobes][bad-input]") {
+    check_wrong({"lobe", "-", "--object", "1"}, "--object: 1 is out of range; expected 0 to 0");
+    check_wrong({"lobe", "-", "--angle", "90"}, "--angle: 90 is out of range; expected 0 to 89.9");
+    check_wrong({"lobe", "-", "--steps", "0"}, "--steps: 0 is out of range; expected 1 to 100000");
+    check_wrong({"lobe", "-", "--format", "xml"}, "--format: xml is not known; expected csv, json");
 }

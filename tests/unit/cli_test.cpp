@@ -222,6 +222,18 @@ TEST_CASE("an output that cannot take the picture is an error of one line", "[cl
     CHECK(directory.names() == std::vector<std::string>{"scene.json"});
 }
 
+TEST_CASE("a file that may not grow any more is an error, and no part of it stays", "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", three_lights), out = directory.path("a.pfm");
+    // 64 KiB at most; the picture has 900 KiB. The limit holds for the shell's children that come after it.
+    const Ended ended = run_glint({"--version"}, {},
+                                  "; (ulimit -f 64; '" GLINT_PROGRAM "' render '" + scene + "' -o '" + out +
+                                      "' --size 320x240; exit $?) 2>&1");
+    CHECK(ended.status == 1);
+    CHECK(ended.out.find("glint: error: " + out + ": cannot write: File too large") != std::string::npos);
+    CHECK(directory.names() == std::vector<std::string>{"scene.json"});
+}
+
 TEST_CASE("a failure leaves the old picture as it was", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string out = directory.file("a.png", "old");

@@ -87,7 +87,7 @@ TEST_CASE("a float is written with as few digits as read back equal", "[scene_ro
 TEST_CASE("names and paths keep every character, and bytes that are no UTF-8 are replaced",
           "[scene_round_trip]") {
     Scene scene;
-    scene.objects.emplace_back().name = std::string("\0\x1f\"\\/ \xe2\x80\xa8 é😀", 18);
+    scene.objects.emplace_back().name = std::string("\0\x1f\"\\/ \xe2\x80\xa8 é😀", 16);
     CHECK(std::get<Scene>(parse_scene(scene_text(scene), "s")) == scene);
     scene.objects[0].name = "a\xff\xc3z";
     CHECK(std::get<Scene>(parse_scene(scene_text(scene), "s")).objects[0].name == "a\uFFFD\uFFFDz");
@@ -96,7 +96,7 @@ TEST_CASE("names and paths keep every character, and bytes that are no UTF-8 are
 TEST_CASE("a damaged scene is a scene or a problem of one line", "[scene_round_trip][fuzz]") {
     std::mt19937 random(11);
     int scenes = 0, problems = 0;
-    for (unsigned i = 0; i < 6000; ++i) {
+    for (unsigned i = 0; i < 3000; ++i) {
         const std::string text = wounded(scene_text(RandomScene(i % 40).scene()), random);
         const Result<Scene> result = parse_scene(text, "s");
         ++(problem_of(result) != nullptr ? problems : scenes);
@@ -106,8 +106,8 @@ TEST_CASE("a damaged scene is a scene or a problem of one line", "[scene_round_t
             CHECK(std::get<Scene>(parse_scene(scene_text(scene), "s")) == scene);
         }
     }
-    CHECK(problems > 1000);
-    CHECK(scenes > 100);
+    CHECK(problems > 500);
+    CHECK(scenes > 50);
 }
 
 TEST_CASE("an assignment of anything to anything gives a scene or a problem of one line",
@@ -143,7 +143,7 @@ TEST_CASE("an assignment of anything to anything gives a scene or a problem of o
                                         "/objects/0/material/diffuse/1"};
     std::mt19937 random(12);
     int scenes = 0;
-    for (unsigned i = 0; i < 6000; ++i) {
+    for (unsigned i = 0; i < 3000; ++i) {
         std::vector<Assignment> assignments;
         for (std::size_t n = 1 + random() % 3; n > 0; --n)
             assignments.push_back(
@@ -157,5 +157,5 @@ TEST_CASE("an assignment of anything to anything gives a scene or a problem of o
             ++scenes;
         }
     }
-    CHECK(scenes > 100);
+    CHECK(scenes > 50);
 }

@@ -128,7 +128,7 @@ TEST_CASE("a click asks why, and the numbers follow what is dragged", "[ui][wind
     Bench bench;
     with_bulb(bench);
     const PictureSize size = bench.state.picture->size;
-    const glm::dvec2 pixel{size.width / 2 + 0.5, size.height * 2 / 5 + 0.5};
+    const glm::dvec2 pixel = glm::dvec2(glm::ivec2(size.width / 2, size.height * 2 / 5)) + 0.5;
     bench.click(bench.at_pixel(pixel));
     REQUIRE(bench.state.why);
     CHECK(bench.state.why->x == int(pixel.x));

@@ -1,0 +1,96 @@
+// glint lobe: how a surface of the scene reflects light from one direction.
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/arguments.h"
+#include "app/commands/command.h"
+#include "models/scene_names.h"
+#include "renderer/inspect/json_text.h"
+#include "renderer/inspect/lobes.h"
+
+namespace glint {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct LobeArguments {
+    SceneArguments scene;
+    int object = 0, steps = 180;
+    double light_deg = 45;
+    bool as_json = false;
+};
+
+template <class V> Json json_of(V v) { return {v.x, v.y, v.z}; }
+
+Json json_of(const LobeSample& s) {
+    return {{"view_deg", s.view_deg},
+            {"ambient", json_of(s.reflected.ambient)},
+            {"diffuse", json_of(s.reflected.diffuse)},
+            {"specular", json_of(s.reflected.specular)},
+            {"intensity", json_of(s.reflected.intensity())},
+            {"brdf", json_of(s.brdf)}};
+}
+
+Json json_of(const LobeArguments& arguments, const Object& object, const Reflector& reflector,
+             const std::vector<LobeSample>& slice) {
+    Json json{{"object", object.name},
+              {"reflection", name_of(reflector.reflection)},
+              {"light_deg", arguments.light_deg},
+              {"specular_energy", json_of(specular_energy(reflector, arguments.light_deg))},
+              {"directional_albedo", json_of(directional_albedo(reflector, arguments.light_deg))},
+              {"reciprocity_error", reciprocity_error(reflector)},
+              {"slice", Json::array()}};
+    for (const LobeSample& s : slice) json["slice"].push_back(json_of(s));
+    return json;
+}
+
+const Object& object_of(const Scene& scene, int number) {
+    const std::size_t count = scene.objects.size();
+    if (count == 0) throw wrong_usage("--object", "the scene has no objects", "one at least");
+    if (static_cast<std::size_t>(number) >= count)
+        throw wrong_usage("--object", std::to_string(number) + " is out of range",
+                          "0 to " + std::to_string(count - 1));
+    return scene.objects[static_cast<std::size_t>(number)];
+}
+
+Outcome lobe(const LobeArguments& arguments) {
+    const SceneDocument document = open_scene(arguments.scene);
+    const Object& object = object_of(document.scene, arguments.object);
+    const Shading& shading = document.scene.shading;
+    const Reflector reflector{shading.reflection, object.material, shading.terms};
+    const auto slice = lobe_slice(reflector, arguments.light_deg, arguments.steps);
+    return {arguments.as_json ? json_text(json_of(arguments, object, reflector, slice)) : lobe_csv(slice),
+            document.warnings, ExitStatus::Done};
+}
+
+Run declare(CLI::App& app) {
+    auto arguments = std::make_shared<LobeArguments>();
+    add_scene(app, arguments->scene);
+    add_value(app, "--object", "N", "number of the object whose material is asked for; 0 when not given",
+              [&object = arguments->object](const std::string& text) {
+                  object = read_count("--object", text, 0, 9999);
+              });
+    add_value(app, "--angle", "DEG", "of the light from the normal, 0 to 89.9; 45 when not given",
+              [&deg = arguments->light_deg](const std::string& text) {
+                  deg = read_amount("--angle", text);
+                  if (deg > 89.9) throw wrong_usage("--angle", text + " is out of range", "0 to 89.9");
+              });
+    add_value(app, "--steps", "N", "samples from -90 to 90 degrees, less one; 180 when not given",
+              [&steps = arguments->steps](const std::string& text) {
+                  steps = read_count("--steps", text, 1, 100000);
+              });
+    add_value(app, "--format", "FORMAT", "csv, the default, or json, with the lobe's energy and albedo",
+              [&as_json = arguments->as_json](const std::string& text) {
+                  as_json = read_word("--format", text, {"csv", "json"}) == 1;
+              });
+    return [arguments] { return lobe(*arguments); };
+}
+
+}  // namespace
+
+Command lobe_command() {
+    return {"lobe", "FILE", "lists how a surface reflects light, as CSV or JSON",
+            "glint lobe still-life.json --object 1 --angle 60 --format json", declare};
+}
+
+}  // namespace glint
