@@ -103,9 +103,9 @@ std::string Figure::text() const {
         "  {} pixels of surfaces compared (and {} of background): largest difference {:.2e}, {:.0f} % of its "
         "bound at most, mean {:.2e}; {} of 255 in 8 bits\n"
         "  left out: {} within a pixel of an edge, {} with n.l = 0, {} with l = -v, {} on a cone's edge, "
-        "{} with n.v = 0, {} cut on the screen",
+        "{} with n.v = 0, {} cut by near and {} cut twice on the screen",
         scenes, by_fixed_function, pixels, background, largest, 100 * largest_share, sum / channels,
-        largest_bytes, edges, at_jumps[1], at_jumps[2], at_jumps[3], at_jumps[4], at_jumps[5]);
+        largest_bytes, edges, at_jumps[1], at_jumps[2], at_jumps[3], at_jumps[4], at_jumps[5], at_jumps[6]);
 }
 
 void Comparison::add(const std::string& name, const Scene& scene, PictureSize size, Route route) {

@@ -1,6 +1,7 @@
 #include "tests/oracle/jumps.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
@@ -47,14 +48,21 @@ Jump jump_of(const Scene& scene, const ExplainedPoint& at) {
     return Jump::None;
 }
 
-bool leaves_view(const Scene& scene, PictureSize size, const Explanation& e) {
+/// What clipping does to the pixel's triangle where it is interpolated on the screen.
+Jump cut_at(const Scene& scene, PictureSize size, const Explanation& e) {
     const Object& object = scene.objects[static_cast<std::size_t>(e.object_index)];
     const glm::dmat4 clip_from_object = clip_from_view(scene.camera.projection, size) *
                                         view_from_world(scene.camera) * world_from_object(object.transform);
-    return std::any_of(e.corner.begin(), e.corner.end(), [&](std::uint32_t position) {
+    std::bitset<6> crossed;
+    for (const std::uint32_t position : e.corner) {
         const glm::dvec4 c = clip_from_object * glm::dvec4(glm::dvec3(object.mesh->positions[position]), 1);
-        return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}) > c.w;
-    });
+        for (int axis = 0; axis < 3; ++axis) {
+            if (c[axis] < -c.w) crossed.set(static_cast<std::size_t>(axis));
+            if (c[axis] > c.w) crossed.set(static_cast<std::size_t>(axis) + 3);
+        }
+    }
+    if (crossed[2]) return Jump::CutByNear;
+    return crossed.count() > 1 ? Jump::CutTwice : Jump::None;
 }
 
 }  // namespace
@@ -63,7 +71,8 @@ Jump jump_at(const Scene& scene, PictureSize size, const Explanation& e) {
     const bool on_screen = scene.shading.interpolation == Interpolation::Screen &&
                            scene.shading.mode != ShadingMode::Flat &&
                            scene.shading.mode != ShadingMode::Facet;
-    if (on_screen && leaves_view(scene, size, e)) return Jump::CutOnScreen;
+    if (on_screen)
+        if (const Jump cut = cut_at(scene, size, e); cut != Jump::None) return cut;
     if (scene.shading.reflection == Reflection::None) return Jump::None;
     if (!e.lit_per_corner) return jump_of(scene, e.at);
     for (const ExplainedCorner& corner : e.corners)

@@ -1,6 +1,6 @@
 #pragma once
-// The pixels that cannot be compared, by rule: where the lighting equation itself jumps, so that rounding
-// decides what is seen, and one defect of Mesa. Nothing else is excused.
+// The pixels that cannot be compared, by rule: where the equation itself jumps, so that rounding decides what
+// is seen; where our definition is not OpenGL's; and where Mesa fails. Nothing else is excused.
 
 #include <cstddef>
 
@@ -15,10 +15,11 @@ enum class Jump {
     LightBehind,   // l = -v: the half vector has no direction
     SpotEdge,      // on the cone's edge, which is inside for us and outside for Mesa
     GrazingView,   // n.v = 0 under cook-torrance: the highlight is cut off
-    CutOnScreen  // interpolated on the screen over a triangle that leaves the view: where Mesa's clipper cuts
-                 // one twice, at a corner of the picture, its new corners' values are no numbers
+    // Under screen-linear interpolation:
+    CutByNear,  // ours clips first and gives the new corners perspective-correct values; OpenGL stays linear
+    CutTwice    // the triangle crosses two planes: what Mesa's clipper gives the new corners is no number
 };
-inline constexpr std::size_t jump_count = 6;
+inline constexpr std::size_t jump_count = 7;
 
 /// The first of these at any point that the pixel's sum is made of.
 [[nodiscard]] Jump jump_at(const Scene& scene, PictureSize size, const Explanation& e);

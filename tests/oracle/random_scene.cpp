@@ -34,18 +34,20 @@ class SceneMaker {
         Camera c;
         c.target = uniform_vec3(random_, -0.2f, 0.2f);
         const glm::vec3 away = direction();
-        c.eye = c.target + number(3.2f, 5) * away;
+        const float distance = number(2.6f, 4);
+        const float near = chance(0.2f) ? distance - number(0, 0.6f) : 0.1f;  // cuts through what is there
+        c.eye = c.target + distance * away;
         c.up = std::abs(away.y) > 0.9f ? glm::vec3(1, 0.2f, 0) : glm::vec3(0.1f, 1, 0);
         const int kind = pick(4);
         if (kind == 0) {
-            c.projection = Orthographic{number(2, 3.5f), 0.1f, 20};
+            c.projection = Orthographic{number(1.6f, 3), near, 20};
         } else if (kind == 1) {
-            const float x = number(-0.02f, 0.02f), y = number(-0.02f, 0.02f);
-            Frustum f{x - 0.05f, x + 0.05f, y - 0.04f, y + 0.04f, 0.1f, 20};
+            const float x = number(-0.2f, 0.2f), y = number(-0.2f, 0.2f);
+            Frustum f{near * (x - 0.5f), near * (x + 0.5f), near * (y - 0.4f), near * (y + 0.4f), near, 20};
             if (chance(0.3f)) std::swap(f.left, f.right);  // a mirrored picture
             c.projection = f;
         } else {
-            c.projection = Perspective{number(25, 60), 0.1f, 20};
+            c.projection = Perspective{number(25, 60), near, 20};
         }
         return c;
     }
