@@ -105,7 +105,7 @@ std::string Figure::text() const {
         "  left out: {} within a pixel of an edge, {} with n.l = 0, {} with l = -v, {} on a cone's edge, "
         "{} with n.v = 0, {} cut by near and {} cut twice on the screen",
         scenes, by_fixed_function, pixels, background, largest, 100 * largest_share, sum / channels,
-        largest_bytes, edges, at_jumps[1], at_jumps[2], at_jumps[3], at_jumps[4], at_jumps[5], at_jumps[6]);
+        largest_bytes, edges, left_out[1], left_out[2], left_out[3], left_out[4], left_out[5], left_out[6]);
 }
 
 void Comparison::add(const std::string& name, const Scene& scene, PictureSize size, Route route) {
@@ -123,8 +123,9 @@ void Comparison::add(const std::string& name, const Scene& scene, PictureSize si
                 continue;
             }
             const Explanation e = renderer_.explain(x, y);
-            if (const Jump jump = e.hit ? jump_at(scene, size, e) : Jump::None; jump != Jump::None) {
-                ++figure_.at_jumps[static_cast<std::size_t>(jump)];
+            if (const LeftOut rule = e.hit ? left_out_at(scene, size, e) : LeftOut::None;
+                rule != LeftOut::None) {
+                ++figure_.left_out[static_cast<std::size_t>(rule)];
                 continue;
             }
             const float* f = floats.at(x, y);

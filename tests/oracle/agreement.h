@@ -9,20 +9,20 @@
 #include "renderer/renderer.h"
 #include "tests/oracle/gl_canvas.h"
 #include "tests/oracle/gl_scene.h"
-#include "tests/oracle/jumps.h"
+#include "tests/oracle/left_out.h"
 
 namespace glint::oracle {
 
 struct Figure {
     int scenes = 0, by_fixed_function = 0;
-    std::size_t pixels = 0;                          // of surfaces, compared
-    std::size_t background = 0;                      // pixels that show none in both
-    std::size_t edges = 0;                           // left out: another triangle within one pixel
-    std::array<std::size_t, jump_count> at_jumps{};  // left out by that rule
-    double largest = 0, sum = 0;                     // differences of channels, float
-    double largest_share = 0;                        // of the bound
-    int largest_bytes = 0;                           // difference of a channel, 8 bits
-    std::vector<std::string> disagreements;          // the worst pixel of each scene that has one
+    std::size_t pixels = 0;                              // of surfaces, compared
+    std::size_t background = 0;                          // pixels that show none in both
+    std::size_t edges = 0;                               // left out: another triangle within one pixel
+    std::array<std::size_t, left_out_count> left_out{};  // left out by that rule
+    double largest = 0, sum = 0;                         // differences of channels, float
+    double largest_share = 0;                            // of the bound
+    int largest_bytes = 0;                               // difference of a channel, 8 bits
+    std::vector<std::string> disagreements;              // the worst pixel of each scene that has one
     [[nodiscard]] std::string text() const;
 };
 

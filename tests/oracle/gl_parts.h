@@ -11,6 +11,9 @@ namespace glint::oracle {
 [[nodiscard]] glm::dmat4 look_at(const Camera& camera);
 void load_projection(const Projection& projection, PictureSize size);
 
+/// Whether flat shading takes the triangle's last corner.
+[[nodiscard]] bool lit_at_corner(const Shading& shading);
+
 /// Multiplies the current matrix by T Rz Ry Rx S.
 void multiply_transform(const Transform& t);
 

@@ -18,8 +18,6 @@ std::ptrdiff_t enabled_lights(const Scene& scene) {
     return std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& l) { return l.enabled; });
 }
 
-bool provoking(const Shading& s) { return s.flat_point == FlatPoint::Provoking || s.rules == Rules::OpenGL2; }
-
 void set_cull(Cull cull) {
     if (cull == Cull::None) {
         glDisable(GL_CULL_FACE);
@@ -60,6 +58,10 @@ void load_projection(const Projection& projection, PictureSize size) {
     glMatrixMode(GL_MODELVIEW);
 }
 
+bool lit_at_corner(const Shading& s) {
+    return s.flat_point == FlatPoint::Provoking || s.rules == Rules::OpenGL2;
+}
+
 void multiply_transform(const Transform& t) {
     glTranslated(t.translate.x, t.translate.y, t.translate.z);
     glRotated(t.rotate_deg.z, 0, 0, 1);
@@ -87,7 +89,7 @@ bool can_draw(const Scene& scene) {
 bool fixed_function_can_draw(const Scene& scene) {
     const Shading& s = scene.shading;
     const bool model = s.reflection == Reflection::Lambert || s.reflection == Reflection::BlinnPhong;
-    const bool mode = (s.mode == ShadingMode::Flat && provoking(s)) ||
+    const bool mode = (s.mode == ShadingMode::Flat && lit_at_corner(s)) ||
                       (s.mode == ShadingMode::Gouraud && s.interpolation == Interpolation::Perspective);
     const auto holds = [](const Light& l) {
         return l.kind != LightKind::Area && (l.kind != LightKind::Spot || l.spot.exponent <= 128);

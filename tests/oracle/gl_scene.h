@@ -3,6 +3,8 @@
 // and either its own lighting (fixed function) or a shader that was written from the formulas. Of our program
 // only the scene value and its meshes are used: corners, triangles and the normals of corner_normals().
 
+#include <array>
+
 #include "models/scene.h"
 
 namespace glint::oracle {
@@ -25,7 +27,7 @@ class GlPainter {
 
   private:
     [[nodiscard]] unsigned program(const Shading& shading);
-    unsigned programs_[5] = {};
+    std::array<unsigned, 5> programs_{};  // 0: not compiled yet
 };
 
 }  // namespace glint::oracle

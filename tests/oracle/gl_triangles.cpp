@@ -32,8 +32,6 @@ Facet facet_of(const Mesh& mesh, std::size_t face) {
     return f;
 }
 
-bool provoking(const Shading& s) { return s.flat_point == FlatPoint::Provoking || s.rules == Rules::OpenGL2; }
-
 void emit(const glm::dvec3& normal, const glm::dvec3& lit_at, const glm::dvec3& color,
           const glm::vec3& place) {
     glNormal3d(normal.x, normal.y, normal.z);
@@ -47,7 +45,7 @@ void emit(const glm::dvec3& normal, const glm::dvec3& lit_at, const glm::dvec3& 
 void emit_triangles(const Object& object, const Shading& shading) {
     const Mesh& mesh = *object.mesh;
     const CornerNormals normals = corner_normals(mesh, object.normals);
-    const bool center = shading.mode == ShadingMode::Flat && !provoking(shading);
+    const bool center = shading.mode == ShadingMode::Flat && !lit_at_corner(shading);
     const bool facet_normals = center || shading.mode == ShadingMode::Facet;
     glBegin(GL_TRIANGLES);
     for (const Triangle& t : mesh.triangles) {

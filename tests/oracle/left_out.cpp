@@ -1,4 +1,4 @@
-#include "tests/oracle/jumps.h"
+#include "tests/oracle/left_out.h"
 
 #include <algorithm>
 #include <bitset>
@@ -17,39 +17,39 @@ constexpr double cosine_rounding = 2e-6;
 // 6.9 times as much, so a rounding of 1e-7 stays below the bound's 1.5e-5 from |l + v| = 0.05 on.
 constexpr double shortest_half = 0.05;
 
-Jump jump_of(const Scene& scene, const ExplainedLight& light, const ExplainedPoint& at) {
+LeftOut left_out_by(const Scene& scene, const ExplainedLight& light, const ExplainedPoint& at) {
     const Reflection model = scene.shading.reflection;
     const bool shines = scene.shading.terms.specular && model != Reflection::Lambert &&
                         model != Reflection::OrenNayar && light.falloff * light.spot > 0;
-    if (shines && std::abs(light.n_dot_l) < cosine_rounding) return Jump::GrazingLight;
+    if (shines && std::abs(light.n_dot_l) < cosine_rounding) return LeftOut::GrazingLight;
     const bool by_half = model == Reflection::BlinnPhong || model == Reflection::CookTorrance;
     if (shines && by_half && light.n_dot_l > 0 &&
         glm::length(light.l.camera + at.view.camera) < shortest_half)
-        return Jump::LightBehind;
+        return LeftOut::LightBehind;
     const double n_dot_v = glm::dot(at.normal.camera, at.view.camera);
     if (shines && model == Reflection::CookTorrance && std::abs(n_dot_v) < cosine_rounding)
-        return Jump::GrazingView;
+        return LeftOut::GrazingView;
     const Light& source = scene.lights[static_cast<std::size_t>(light.index)];
     if (source.kind == LightKind::Spot && source.spot.cutoff_deg <= 90) {
         const double edge = std::cos(glm::radians(double{source.spot.cutoff_deg}));
         if (std::abs(std::cos(glm::radians(double{light.spot_angle_deg})) - edge) < cosine_rounding)
-            return Jump::SpotEdge;
+            return LeftOut::SpotEdge;
     }
-    return Jump::None;
+    return LeftOut::None;
 }
 
-Jump jump_of(const Scene& scene, const ExplainedPoint& at) {
+LeftOut left_out_by(const Scene& scene, const ExplainedPoint& at) {
     for (const ExplainedLight& light : at.lights) {
         if (light.samples.empty())
-            if (const Jump jump = jump_of(scene, light, at); jump != Jump::None) return jump;
+            if (const LeftOut rule = left_out_by(scene, light, at); rule != LeftOut::None) return rule;
         for (const ExplainedLight& sample : light.samples)
-            if (const Jump jump = jump_of(scene, sample, at); jump != Jump::None) return jump;
+            if (const LeftOut rule = left_out_by(scene, sample, at); rule != LeftOut::None) return rule;
     }
-    return Jump::None;
+    return LeftOut::None;
 }
 
 /// What clipping does to the pixel's triangle where it is interpolated on the screen.
-Jump cut_at(const Scene& scene, PictureSize size, const Explanation& e) {
+LeftOut cut_at(const Scene& scene, PictureSize size, const Explanation& e) {
     const Object& object = scene.objects[static_cast<std::size_t>(e.object_index)];
     const glm::dmat4 clip_from_object = clip_from_view(scene.camera.projection, size) *
                                         view_from_world(scene.camera) * world_from_object(object.transform);
@@ -61,23 +61,23 @@ Jump cut_at(const Scene& scene, PictureSize size, const Explanation& e) {
             if (c[axis] > c.w) crossed.set(static_cast<std::size_t>(axis) + 3);
         }
     }
-    if (crossed[2]) return Jump::CutByNear;
-    return crossed.count() > 1 ? Jump::CutTwice : Jump::None;
+    if (crossed[2]) return LeftOut::CutByNear;
+    return crossed.count() > 1 ? LeftOut::CutTwice : LeftOut::None;
 }
 
 }  // namespace
 
-Jump jump_at(const Scene& scene, PictureSize size, const Explanation& e) {
+LeftOut left_out_at(const Scene& scene, PictureSize size, const Explanation& e) {
     const bool on_screen = scene.shading.interpolation == Interpolation::Screen &&
                            scene.shading.mode != ShadingMode::Flat &&
                            scene.shading.mode != ShadingMode::Facet;
     if (on_screen)
-        if (const Jump cut = cut_at(scene, size, e); cut != Jump::None) return cut;
-    if (scene.shading.reflection == Reflection::None) return Jump::None;
-    if (!e.lit_per_corner) return jump_of(scene, e.at);
+        if (const LeftOut cut = cut_at(scene, size, e); cut != LeftOut::None) return cut;
+    if (scene.shading.reflection == Reflection::None) return LeftOut::None;
+    if (!e.lit_per_corner) return left_out_by(scene, e.at);
     for (const ExplainedCorner& corner : e.corners)
-        if (const Jump jump = jump_of(scene, corner.at); jump != Jump::None) return jump;
-    return Jump::None;
+        if (const LeftOut rule = left_out_by(scene, corner.at); rule != LeftOut::None) return rule;
+    return LeftOut::None;
 }
 
 }  // namespace glint::oracle

@@ -9,7 +9,7 @@
 
 namespace glint::oracle {
 
-enum class Jump {
+enum class LeftOut {
     None,
     GrazingLight,  // n.l = 0: the highlight is cut off
     LightBehind,   // l = -v: the half vector has no direction
@@ -19,9 +19,9 @@ enum class Jump {
     CutByNear,  // ours clips first and gives the new corners perspective-correct values; OpenGL stays linear
     CutTwice    // the triangle crosses two planes: what Mesa's clipper gives the new corners is no number
 };
-inline constexpr std::size_t jump_count = 7;
+inline constexpr std::size_t left_out_count = 7;
 
 /// The first of these at any point that the pixel's sum is made of.
-[[nodiscard]] Jump jump_at(const Scene& scene, PictureSize size, const Explanation& e);
+[[nodiscard]] LeftOut left_out_at(const Scene& scene, PictureSize size, const Explanation& e);
 
 }  // namespace glint::oracle
