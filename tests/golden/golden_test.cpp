@@ -38,21 +38,26 @@ std::string difference(const std::string& name, const Picture& golden, const Pic
                        c.max_error, new_path, difference_path);
 }
 
+void check_golden(const std::string& name, const Picture& now) {
+    CAPTURE(name);
+    const char* update = std::getenv("GLINT_UPDATE_GOLDENS");
+    if (update != nullptr && *update != '\0') write_picture(golden_path(name), now);
+    const auto golden = read_png(golden_path(name));
+    if (const Problem* problem = problem_of(golden)) {
+        FAIL_CHECK(problem->text());
+        return;
+    }
+    CHECK(difference(name, std::get<Picture>(golden), now) == "");
+}
+
 }  // namespace
 
 TEST_CASE("every way of shading and every reflection model gives the golden picture", "[golden]") {
-    const char* update = std::getenv("GLINT_UPDATE_GOLDENS");
-    for (const Subject& subject : subjects()) {
-        CAPTURE(subject.name);
-        const Picture now = make_sheet(subject);
-        if (update != nullptr && *update != '\0') write_picture(golden_path(subject.name), now);
-        const auto golden = read_png(golden_path(subject.name));
-        if (const Problem* problem = problem_of(golden)) {
-            FAIL_CHECK(problem->text());
-            continue;
-        }
-        CHECK(difference(subject.name, std::get<Picture>(golden), now) == "");
-    }
+    for (const Subject& subject : subjects()) check_golden(subject.name, make_sheet(subject));
+}
+
+TEST_CASE("cool-to-warm shading and strokes give the golden picture", "[golden]") {
+    check_golden("drawn", make_drawn_sheet());
 }
 
 TEST_CASE(

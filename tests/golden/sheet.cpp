@@ -53,7 +53,15 @@ Scene scene_of(const Subject& subject) {
     return scene;
 }
 
-void paste(const Picture& from, Picture& into, int left, int top) {
+Picture empty_sheet(std::size_t columns, std::size_t rows) {
+    Picture sheet;
+    sheet.size = {cell.width * static_cast<int>(columns), cell.height * static_cast<int>(rows)};
+    sheet.rgba.resize(4 * sheet.pixel(0, sheet.size.height));
+    return sheet;
+}
+
+void paste(const Picture& from, Picture& into, std::size_t column, std::size_t row) {
+    const int left = cell.width * static_cast<int>(column), top = cell.height * static_cast<int>(row);
     const std::size_t row_bytes = 4 * static_cast<std::size_t>(from.size.width);
     for (int y = 0; y < from.size.height; ++y)
         std::copy_n(&from.rgba[4 * from.pixel(0, y)], row_bytes, &into.rgba[4 * into.pixel(left, top + y)]);
@@ -76,17 +84,29 @@ std::span<const Subject> subjects() {
 Picture make_sheet(const Subject& subject) {
     Scene scene = scene_of(subject);
     Renderer renderer(1);
-    Picture sheet;
-    sheet.size = {cell.width * static_cast<int>(reflections.size()),
-                  cell.height * static_cast<int>(modes.size())};
-    sheet.rgba.resize(4 * sheet.pixel(0, sheet.size.height));
+    Picture sheet = empty_sheet(reflections.size(), modes.size());
     for (std::size_t row = 0; row < modes.size(); ++row)
         for (std::size_t column = 0; column < reflections.size(); ++column) {
             scene.shading.mode = modes[row];
             scene.shading.reflection = reflections[column];
-            paste(renderer.render(scene, cell), sheet, static_cast<int>(column) * cell.width,
-                  static_cast<int>(row) * cell.height);
+            paste(renderer.render(scene, cell), sheet, column, row);
         }
+    return sheet;
+}
+
+Picture make_drawn_sheet() {
+    Picture sheet = empty_sheet(subjects().size(), 4);
+    for (std::size_t column = 0; column < subjects().size(); ++column) {
+        Scene scene = scene_of(subjects()[column]);
+        scene.display.background = {0.8f, 0.8f, 0.75f};
+        Renderer renderer(1);
+        for (std::size_t row = 0; row < 4; ++row) {
+            scene.npr.cool_to_warm = row == 0 || row == 3;
+            scene.npr.silhouettes = row == 1 || row == 3;
+            scene.npr.creases = row == 2 || row == 3;
+            paste(renderer.render(scene, cell), sheet, column, row);
+        }
+    }
     return sheet;
 }
 

@@ -25,4 +25,7 @@ inline constexpr PictureSize cell{96, 72};
 /// cook-torrance. Lit by one light of each kind, one of them in camera coordinates.
 [[nodiscard]] Picture make_sheet(const Subject& subject);
 
+/// Columns: the subjects. Rows: cool to warm; silhouettes; creases; all three.
+[[nodiscard]] Picture make_drawn_sheet();
+
 }  // namespace glint::golden
