@@ -64,7 +64,9 @@ class Filler {
             const auto [top, bottom] = std::minmax(lines_[i].a.y, lines_[i].b.y);
             const float from = std::max(0.0f, std::floor((top - reach_) / band_height));
             const float to = std::min(last, std::floor((bottom + reach_) / band_height));
-            for (float band = from; band <= to; ++band) bands_[static_cast<std::size_t>(band)].push_back(i);
+            if (from > to) continue;
+            const auto end = static_cast<std::size_t>(to) + 1;
+            for (auto band = static_cast<std::size_t>(from); band < end; ++band) bands_[band].push_back(i);
         }
     }
 

@@ -2,7 +2,6 @@
 #include "renderer/shading/cool_to_warm.h"
 
 #include <cmath>
-#include <cstring>
 
 #include "renderer/renderer.h"
 #include "tests/catch.h"
@@ -136,7 +135,7 @@ TEST_CASE("under cool-to-warm every explanation sums to its pixel and its steps 
                 for (int x = 0; x < size.width; ++x) {
                     const Explanation e = renderer.explain(x, y);
                     const glm::vec3 pixel = picture.linear_at(x, y);
-                    wrong += std::memcmp(&e.sum, &pixel, sizeof pixel) != 0;
+                    wrong += e.sum != pixel;
                     if (!e.hit || e.lit_per_corner) continue;
                     const ExplainedTone& t = e.at.cool_to_warm;
                     glm::vec3 sum = t.color;
