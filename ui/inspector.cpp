@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "ui/choices.h"
+#include "ui/equation.h"
 #include "ui/fonts.h"
 #include "ui/icons.h"
 #include "ui/theme.h"
@@ -171,13 +172,22 @@ void highlight_line(const ExplainedLight& light, const Explanation& why) {
     figures(shown_number(light.specular_factor.x));
 }
 
+/// "36 samples, n·l −0.12 to 0.71".
+std::string sample_words(const ExplainedLight& area) {
+    const auto less = [](const ExplainedLight& a, const ExplainedLight& b) { return a.n_dot_l < b.n_dot_l; };
+    const auto [low, high] = std::minmax_element(area.samples.begin(), area.samples.end(), less);
+    if (low == area.samples.end()) return {};
+    return fmt::format("{} samples, n·l {} to {}", area.samples.size(), shown_number(low->n_dot_l),
+                       shown_number(high->n_dot_l));
+}
+
 void factor_line(const ExplainedLight& explained, const Light& light) {
     std::string text;
     if (light.kind == LightKind::Point || light.kind == LightKind::Spot)
         text = fmt::format("r {:.3g}   falloff {:.3f}", explained.distance, explained.falloff);
     if (light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90)
         text += fmt::format("   spot {:.3f} at {:.1f}°", explained.spot, explained.spot_angle_deg);
-    if (light.kind == LightKind::Area) text = fmt::format("mean of {} samples", explained.samples.size());
+    if (light.kind == LightKind::Area) text = sample_words(explained);
     if (text.empty()) return;
     ImGui::PushFont(fonts().small);
     dim_text(text.c_str());
@@ -197,8 +207,10 @@ void light_card(const ExplainedLight& explained, const Explanation& why, const S
               packed(legible(colour_of(light))));
     if (ImGui::Selectable(fmt::format("      {}", light.name).c_str())) wishes.select_light = explained.index;
     tooltip("Light", "Click to show its panel");
-    dot_line(Symbol::N, "n", Symbol::L, "l", explained.n_dot_l);
-    highlight_line(explained, why);
+    if (light.kind != LightKind::Area) {  // whose samples each have their own vectors
+        dot_line(Symbol::N, "n", Symbol::L, "l", explained.n_dot_l);
+        highlight_line(explained, why);
+    }
     factor_line(explained, light);
     if (const std::string reason = why_dark(explained, light); !reason.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme().warning);
@@ -238,73 +250,6 @@ const ExplainedPoint& lit_point(InspectorState& state, const Explanation& why) {
         tooltip("Corner", "Its share of the pixel; click for its numbers");
     }
     return why.corners[static_cast<std::size_t>(state.corner)].at;
-}
-
-/// Pieces of a formula on one line; `low` pieces are subscripts.
-class Formula {
-  public:
-    Formula& plain(const char* text) { return piece(text, theme().dim_text, false); }
-    Formula& term(Symbol symbol, const char* letter, const char* index = "") {
-        piece(letter, theme()[symbol], false);
-        return *index != 0 ? piece(index, theme()[symbol], true) : *this;
-    }
-    /// "(a·b)", each letter in its colour.
-    Formula& dot(Symbol a, const char* name_a, Symbol b, const char* name_b) {
-        return plain("(").term(a, name_a).plain("·").term(b, name_b).plain(")");
-    }
-
-  private:
-    Formula& piece(const char* text, const ImVec4& colour, bool low) {
-        if (!first_) ImGui::SameLine(0, 0);
-        first_ = false;
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        if (low) ImGui::PushFont(fonts().small);
-        const ImVec2 size = ImGui::CalcTextSize(text);
-        ImGui::GetWindowDrawList()->AddText({at.x, at.y + (low ? px(4) : 0)}, packed(colour), text);
-        if (low) ImGui::PopFont();
-        ImGui::Dummy({size.x, ImGui::GetTextLineHeight()});
-        return *this;
-    }
-    bool first_ = true;
-};
-
-void highlight_formula(Formula& f, Reflection reflection) {
-    const auto power = [&f](Symbol a, const char* name_a, Symbol b, const char* name_b) {
-        f.plain(" + ").term(Symbol::Specular, "k", "s").dot(a, name_a, b, name_b).plain("ⁿ");
-    };
-    switch (reflection) {
-    case Reflection::None:
-    case Reflection::Lambert:
-    case Reflection::OrenNayar:
-        return;
-    case Reflection::Phong:
-        return power(Symbol::R, "r", Symbol::V, "v");
-    case Reflection::BlinnPhong:
-        return power(Symbol::N, "n", Symbol::H, "h");
-    case Reflection::Retro:
-        return power(Symbol::L, "l", Symbol::V, "v");
-    case Reflection::CookTorrance:
-        f.plain(" + ")
-            .term(Symbol::Specular, "k", "s")
-            .plain(" π D G F / 4(")
-            .term(Symbol::N, "n")
-            .plain("·");
-        f.term(Symbol::V, "v").plain(")");
-        return;
-    }
-}
-
-/// The equation in letters, each in its colour.
-void equation(Reflection reflection) {
-    if (reflection == Reflection::None)
-        return wrapped_dim("No lighting: the mesh's own colours, interpolated.");
-    Formula f;
-    f.plain("I = ").term(Symbol::Emission, "e").plain(" + ").term(Symbol::Ambient, "k", "a");
-    f.term(Symbol::Ambient, "I", "a").plain(" + Σ I (").term(Symbol::Diffuse, "k", "d");
-    f.dot(Symbol::N, "n", Symbol::L, "l");
-    if (reflection == Reflection::OrenNayar) f.plain(" (A + B…)");
-    highlight_formula(f, reflection);
-    f.plain(")");
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ Bounds scene_bounds(const Scene& scene) {
     return bounds;
 }
 
-Dome sun_dome(const Bounds& bounds, const ScreenMap& map) {
-    const glm::dvec3 low(bounds.min), high(bounds.max), centre = (low + high) / 2.0;
+Dome sun_dome(glm::vec3 target, const Bounds& bounds, const ScreenMap& map) {
+    const glm::dvec3 low(bounds.min), high(bounds.max), centre(target);
     const double scene_radius = std::max(glm::length(high - low) / 2, 1e-6);
     // The half-height and half-width of the view, as tangents of angles or (orthographic) as lengths.
     const double half =

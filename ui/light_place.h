@@ -18,8 +18,9 @@ struct Dome {
 /// Bounds of all objects in world coordinates; of a cube of edge 2 at the target when there are none.
 [[nodiscard]] Bounds scene_bounds(const Scene& scene);
 
-/// A dome round `bounds` that stays inside the view as long as its centre is in the middle of it.
-[[nodiscard]] Dome sun_dome(const Bounds& bounds, const ScreenMap& map);
+/// A dome round what the camera looks at, sized to stay inside the view, so that every directional light has
+/// a handle in sight; not larger than twice the scene.
+[[nodiscard]] Dome sun_dome(glm::vec3 target, const Bounds& bounds, const ScreenMap& map);
 
 /// Where the light's handle is: its place, or (directional) its place on the dome. World coordinates.
 [[nodiscard]] glm::dvec3 handle_of(const Light& light, const Dome& dome, const ScreenMap& map);

@@ -34,7 +34,7 @@ PictureView picture_view(const Rect& centre, const Scene& scene) {
     view.units_per_pixel = 1 / dots;
     view.map = screen_map(scene.camera, {pixels(room.x), pixels(room.y)});
     view.bounds = scene_bounds(scene);
-    view.dome = sun_dome(view.bounds, view.map);
+    view.dome = sun_dome(scene.camera.target, view.bounds, view.map);
     return view;
 }
 

@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace glint {
 namespace {
@@ -20,6 +22,14 @@ TermSums sums_at(const ExplainedPoint& at) {
 }  // namespace
 
 std::string why_dark(const ExplainedLight& explained, const Light& light) {
+    if (light.kind == LightKind::Area) {
+        const auto in_front = std::count_if(explained.samples.begin(), explained.samples.end(),
+                                            [](const ExplainedLight& sample) { return sample.n_dot_l > 0; });
+        const auto all = static_cast<std::ptrdiff_t>(explained.samples.size());
+        if (in_front == 0) return "behind the surface: n·l < 0 for all samples";
+        return in_front < all ? fmt::format("{} of {} samples are behind the surface", all - in_front, all)
+                              : "";
+    }
     const bool cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
     if (cone && explained.spot_angle_deg > light.spot.cutoff_deg)
         return fmt::format("outside the cone by {:.1f}°", explained.spot_angle_deg - light.spot.cutoff_deg);

@@ -72,7 +72,7 @@ class Bench {
     }
     [[nodiscard]] glm::dvec2 handle_pixel(int light) {
         const ScreenMap map = screen_map(scene().camera, state.picture->size);
-        const Dome dome = sun_dome(scene_bounds(scene()), map);
+        const Dome dome = sun_dome(scene().camera.target, scene_bounds(scene()), map);
         return project(map, handle_of(scene().lights[static_cast<std::size_t>(light)], dome, map)).pixel;
     }
 

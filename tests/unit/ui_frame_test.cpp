@@ -1,4 +1,6 @@
 // The whole window without a window: a mouse and keys in, the scene out.
+#include <cmath>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <random>
 
@@ -237,4 +239,69 @@ TEST_CASE("a probe survives a change of the picture's size", "[ui][window]") {
     REQUIRE(bench.state.why);
     CHECK(bench.state.why->x < bench.state.picture->size.width);
     CHECK(double(bench.state.why->x) / bench.state.picture->size.width == Approx(100.0 / 640).margin(0.01));
+}
+
+TEST_CASE("what is saved by the window opens in it again, as a scene and as a picture", "[ui][window]") {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / "glint_window_save_test";
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    Bench bench;
+    with_bulb(bench);
+    bench.drag(bench.at_pixel(bench.handle_pixel(0)), bench.at_pixel({500, 100}));
+    const Scene made = bench.scene();
+    bench.key(Key::S, true);  // has no name yet: the window asks
+    REQUIRE(bench.state.files.open);
+    bench.state.files.folder = folder.string();
+    bench.state.files.name = "made";
+    bench.frames(2);
+    bench.key(Key::Enter);
+    CHECK_FALSE(bench.state.editor.unsaved());
+    CHECK(bench.state.editor.title() == "made.json");
+    bench.frames(2);
+    bench.key(Key::F12);
+    REQUIRE(bench.state.files.open);
+    bench.state.files.name = "made.png";
+    bench.frames(2);
+    bench.key(Key::Enter);
+    bench.frames(2);
+    for (const char* name : {"made.json", "made.png"}) {
+        bench.key(Key::N, true);
+        CHECK_FALSE(bench.scene() == made);
+        UiInput drop;
+        drop.dropped = {(folder / name).string()};
+        (void)bench.frame(drop);
+        CHECK(bench.scene() == made);
+        CHECK_FALSE(bench.state.editor.unsaved());
+        CHECK_FALSE(bench.state.editor.history.can_undo());
+    }
+    fs::remove_all(folder);
+}
+
+TEST_CASE("a file that is dropped in the middle of a drag ends it", "[ui][window]") {
+    Bench bench;
+    with_bulb(bench);
+    const glm::dvec2 handle = bench.handle_pixel(0);
+    bench.move(bench.at_pixel(handle));
+    bench.button(true);
+    bench.move(bench.at_pixel(handle + glm::dvec2(40, 0)));
+    bench.state.editor.saved = bench.scene();  // nothing to ask about
+    bench.scene().lights.front().enabled = false;
+    UiInput drop;
+    drop.dropped = {"/nowhere.json"};
+    (void)bench.frame(drop);
+    bench.key(Key::Escape);
+    bench.frames(2);
+    bench.button(false);
+    CHECK(bench.state.viewport.gesture == Gesture::None);
+}
+
+TEST_CASE("a frame that is not asked for by anything lets the window sleep", "[ui][window]") {
+    Bench bench;
+    bench.frames(3);
+    CHECK(std::isinf(bench.frame().sleep_s));
+    bench.move({1260, 19});  // rests on a button: its tooltip is due
+    CHECK(bench.frame().sleep_s < 1);
+    for (int i = 0; i < 60; ++i) (void)bench.frame();
+    CHECK(std::isinf(bench.frame().sleep_s));
 }

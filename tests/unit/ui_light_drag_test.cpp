@@ -16,7 +16,7 @@ struct Case {
     DragView view;
     Case(glm::vec3 eye, Projection projection) : camera{eye, {0, 0, 0}, {0, 1, 0}, projection} {
         view.map = screen_map(camera, size);
-        view.dome = sun_dome({{-1, -1, -1}, {1, 1, 1}}, view.map);
+        view.dome = sun_dome({0, 0, 0}, {{-1, -1, -1}, {1, 1, 1}}, view.map);
     }
     [[nodiscard]] OnScreen handle(const Light& light) const {
         return project(view.map, handle_of(light, view.dome, view.map));

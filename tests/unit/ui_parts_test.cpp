@@ -78,6 +78,15 @@ TEST_CASE("a dark pixel is explained in words", "[ui]") {
     e.n_dot_l = 0.3f;
     e.falloff = 0.003f;
     CHECK(why_dark(e, spot) == "hardly reaches: falloff 0.003");
+    Light area;
+    area.kind = LightKind::Area;
+    ExplainedLight samples;
+    samples.samples.resize(4);
+    CHECK(why_dark(samples, area) == "behind the surface: n·l < 0 for all samples");
+    samples.samples[2].n_dot_l = 0.1f;
+    CHECK(why_dark(samples, area) == "3 of 4 samples are behind the surface");
+    for (ExplainedLight& sample : samples.samples) sample.n_dot_l = 0.5f;
+    CHECK(why_dark(samples, area).empty());
     CHECK(why_clipped({1.31f, 0.5f, 1}, 1) == "clips: R 1.31 → 1");
     CHECK(why_clipped({0.7f, 0.4f, 0.1f}, 2) == "clips: R 1.40 → 1");
     CHECK(why_clipped({0.7f, 0.4f, 0.1f}, 1).empty());
