@@ -1,6 +1,6 @@
 #pragma once
-// Pictures to and from bytes (models/file.h writes them): PNG (8 bit, carrying its scene in a text chunk) and
-// PFM (linear float).
+// Pictures to and from bytes (models/file.h writes them): PNG (8 bit, carrying its scene in a text chunk),
+// PFM and OpenEXR (linear float).
 
 #include <string>
 
@@ -17,6 +17,10 @@ namespace glint {
 /// PFM bytes: "PF", little-endian (scale -1.0), bottom row first, `linear` times `exposure`.
 /// Precondition: picture.linear is filled. Source: Debevec's PFM, as Netpbm's manual describes it.
 [[nodiscard]] std::string pfm_bytes(const Picture& picture, float exposure);
+
+/// OpenEXR bytes: 32-bit float channels R, G, B, ZIP-compressed without loss, `linear` times `exposure`: the
+/// numbers of the PFM. Precondition: picture.linear is filled. Source: OpenEXR 3, academysoftwarefoundation.
+[[nodiscard]] std::string exr_bytes(const Picture& picture, float exposure);
 
 /// Reads a PNG of any colour type and depth, up to 16384x16384, as 8-bit RGBA; `linear` stays empty. Sample
 /// values are taken as sRGB, as Glint writes them, whatever the depth. "-" is standard input.

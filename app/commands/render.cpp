@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-enum class PictureFormat { Png, Pfm };
+enum class PictureFormat { Png, Pfm, Exr };
 
 struct RenderArguments {
     SceneArguments scene;
@@ -22,9 +22,10 @@ struct RenderArguments {
 /// By the extension. "-", and a device or pipe whose name has none, take PNG.
 PictureFormat format_of(const std::string& out) {
     if (has_extension(out, ".pfm")) return PictureFormat::Pfm;
+    if (has_extension(out, ".exr")) return PictureFormat::Exr;
     if (takes_png(out)) return PictureFormat::Png;
     throw wrong_usage("-o", out + " cannot be written",
-                      "a name that ends in .png or .pfm, or - for standard output");
+                      "a name that ends in .png, .pfm or .exr, or - for standard output");
 }
 
 /// The scene that the picture carries; its mesh paths lead to the meshes from where the picture is.
@@ -32,19 +33,33 @@ std::string scene_for(const SceneDocument& document, const std::string& out) {
     return scene_text(with_mesh_paths_from(document.scene, document.mesh_dir, directory_of(out)));
 }
 
+std::string picture_bytes(const Picture& picture, PictureFormat format, const SceneDocument& document,
+                          const std::string& out) {
+    const float exposure = document.scene.display.exposure;
+    switch (format) {
+    case PictureFormat::Png:
+        return png_bytes(picture, scene_for(document, out));
+    case PictureFormat::Pfm:
+        return pfm_bytes(picture, exposure);
+    case PictureFormat::Exr:
+        return exr_bytes(picture, exposure);
+    }
+    return {};  // not reached
+}
+
 Outcome render(const RenderArguments& arguments) {
     require_file(arguments.scene);
-    require_given(arguments.out, "-o", "a file to write, .png or .pfm, or - for a PNG on standard output");
+    require_given(arguments.out, "-o",
+                  "a file to write, .png, .pfm or .exr, or - for a PNG on standard output");
     const PictureFormat format = format_of(arguments.out);
     const SceneDocument document = open_drawable_scene(arguments.scene);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 
     Renderer renderer(arguments.scene.threads);
-    const bool linear = format == PictureFormat::Pfm;
+    const bool linear = format != PictureFormat::Png;
     const Picture& picture = renderer.render(document.scene, arguments.size, linear, arguments.samples);
     outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());
-    std::string bytes = format == PictureFormat::Pfm ? pfm_bytes(picture, document.scene.display.exposure)
-                                                     : png_bytes(picture, scene_for(document, arguments.out));
+    std::string bytes = picture_bytes(picture, format, document, arguments.out);
     if (arguments.out == "-") {
         outcome.output = std::move(bytes);
     } else {
@@ -57,9 +72,9 @@ Run declare(CLI::App& app) {
     auto arguments = std::make_shared<RenderArguments>();
     add_scene(app, arguments->scene);
     add_text(app, "-o", "OUT",
-             "where the picture goes: .png (8 bit, carrying its scene), .pfm (linear float), or - for a PNG "
-             "on standard "
-             "output",
+             "where the picture goes: .png (8 bit, carrying its scene), .pfm or .exr (linear float), or - "
+             "for a PNG "
+             "on standard output",
              arguments->out);
     add_size(app, arguments->size);
     add_value(app, "--samples", "N", "samples a pixel for smooth edges: 1, 2, 4 or 8; 1 when not given",

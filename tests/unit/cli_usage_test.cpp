@@ -30,14 +30,14 @@ TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-i
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", sphere), out = directory.path("out.png");
     const std::string sizes = "; expected WIDTHxHEIGHT as in 1280x720, 1x1 to 16384x16384";
-    const std::string formats = "; expected a name that ends in .png or .pfm, or - for standard output";
+    const std::string formats = "; expected a name that ends in .png, .pfm or .exr, or - for standard output";
     const std::vector<WrongUsage> table{
         {{"rendr", "a", "-o", "b"},
          "rendr: neither a command nor a file; expected render or another that glint --help lists"},
         {{""}, "FILE: is empty; expected a scene, a mesh, or - for a scene on standard input"},
         {{"render"}, "FILE: is missing; expected a scene, a mesh, or - for a scene on standard input"},
         {{"render", scene},
-         "-o: is missing; expected a file to write, .png or .pfm, or - for a PNG on standard output"},
+         "-o: is missing; expected a file to write, .png, .pfm or .exr, or - for a PNG on standard output"},
         {{"render", scene, "-o"}, "-o: has no value; expected one after it"},
         {{"render", scene, "-o", "a.bmp"}, "-o: a.bmp cannot be written" + formats},
         {{"render", scene, "-o", "noextension"}, "-o: noextension cannot be written" + formats},
