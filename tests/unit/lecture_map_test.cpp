@@ -69,12 +69,15 @@ std::set<std::string> test_names() {
     return names;
 }
 
-/// The words of a row's command, its scene and its output put in.
+/// The words behind "glint" of a row's command, with its scene where it lies and its output out of the way.
 std::vector<std::string> words_of(const Row& row, const std::string& out) {
-    std::vector<std::string> words;
     std::istringstream stream(row.command);
+    std::string program;
+    stream >> program;
+    REQUIRE(program == "glint");
+    std::vector<std::string> words;
     for (std::string word; stream >> word;)
-        words.push_back(word == "S" ? (source_dir / row.scene).string() : word);
+        words.push_back(word == row.scene ? (source_dir / row.scene).string() : word);
     const auto output = std::find(words.begin(), words.end(), "-o");
     if (output != words.end() && output + 1 != words.end()) output[1] = out;
     if (words[0] == "render") words.insert(words.end(), {"--size", "160x90"});
