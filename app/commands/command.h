@@ -36,6 +36,7 @@ struct Command {
 [[nodiscard]] Command profile_command();
 [[nodiscard]] Command sheet_command();
 [[nodiscard]] Command lobe_command();
+[[nodiscard]] Command microfacets_command();
 [[nodiscard]] Command info_command();
 [[nodiscard]] Command compare_command();
 [[nodiscard]] Command bench_command();

@@ -1,5 +1,6 @@
 // glint explain: every number behind one pixel.
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/arguments.h"
@@ -7,6 +8,8 @@
 #include "renderer/inspect/explain_json.h"
 #include "renderer/inspect/explain_latex.h"
 #include "renderer/inspect/explain_text.h"
+#include "renderer/inspect/json_text.h"
+#include "renderer/inspect/sensitivity.h"
 #include "renderer/renderer.h"
 
 namespace glint {
@@ -19,6 +22,7 @@ struct ExplainArguments {
     PictureSize size;
     std::optional<Pixel> pixel;
     Format format = Format::Text;
+    bool sensitivity = false;
 };
 
 std::string formatted(const Explanation& explanation, const Scene& scene, Format format) {
@@ -33,11 +37,27 @@ std::string formatted(const Explanation& explanation, const Scene& scene, Format
     return {};  // not reached
 }
 
+/// The explanation's JSON with the sensitivities in it.
+std::string with_sensitivities(const std::string& explanation, const Sensitivities& s) {
+    auto json = nlohmann::ordered_json::parse(explanation);
+    auto& numbers = json["sensitivity"] = nlohmann::ordered_json::array();
+    for (const Sensitivity& n : s.numbers)
+        numbers.push_back({{"pointer", n.pointer},
+                           {"value", n.value},
+                           {"change", {n.change.x, n.change.y, n.change.z}},
+                           {"one_sided", n.one_sided}});
+    json["no_effect"] = s.no_effect;
+    json["fixed"] = s.fixed;
+    return json_text(json);
+}
+
 Outcome explain(const ExplainArguments& arguments) {
     require_file(arguments.scene);
     if (!arguments.pixel) throw wrong_usage("--pixel", "is missing", "X,Y as in --pixel 640,360");
     const Pixel pixel = *arguments.pixel;
     require_inside("--pixel", pixel, arguments.size);
+    if (arguments.sensitivity && arguments.format == Format::Latex)
+        throw wrong_usage("--sensitivity", "is not set in LaTeX", "--format text or json");
     const SceneDocument document = open_drawable_scene(arguments.scene);
 
     Renderer renderer(arguments.scene.threads);
@@ -45,6 +65,12 @@ Outcome explain(const ExplainArguments& arguments) {
     const Explanation explanation = renderer.explain(pixel.x, pixel.y);
     Outcome outcome{formatted(explanation, document.scene, arguments.format), document.warnings,
                     ExitStatus::Done};
+    if (arguments.sensitivity) {
+        const Sensitivities s =
+            take(sensitivities(document, arguments.size, pixel.x, pixel.y, arguments.scene.threads));
+        outcome.output = arguments.format == Format::Json ? with_sensitivities(outcome.output, s)
+                                                          : outcome.output + "\n" + sensitivity_text(s);
+    }
     outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());
     return outcome;
 }
@@ -59,6 +85,8 @@ Run declare(CLI::App& app) {
               [&format = arguments->format](const std::string& text) {
                   format = static_cast<Format>(read_word("--format", text, {"text", "json", "latex"}));
               });
+    app.add_flag("--sensitivity", arguments->sensitivity,
+                 "also how much the pixel changes with each number of the scene");
     return [arguments] { return explain(*arguments); };
 }
 

@@ -1,10 +1,14 @@
 // glint render: one picture.
+#include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "models/file.h"
 #include "renderer/image_file.h"
+#include "renderer/inspect/buffers.h"
+#include "renderer/inspect/json_text.h"
 #include "renderer/renderer.h"
 
 namespace glint {
@@ -16,8 +20,13 @@ struct RenderArguments {
     SceneArguments scene;
     PictureSize size;
     std::string out;
+    std::string buffers;  // a directory
     int samples = 1;
+    bool stats = false;
 };
+
+/// So many pixels have ten buffers in less than 2 GiB of memory.
+constexpr int max_buffer_pixels = 4096 * 4096;
 
 /// By the extension. "-", and a device or pipe whose name has none, take PNG.
 PictureFormat format_of(const std::string& out) {
@@ -47,11 +56,40 @@ std::string picture_bytes(const Picture& picture, PictureFormat format, const Sc
     return {};  // not reached
 }
 
+void require_possible(const RenderArguments& arguments) {
+    if (arguments.stats && arguments.out == "-")
+        throw wrong_usage("--stats", "standard output is the picture's", "a file behind -o");
+    if (arguments.buffers.empty()) return;
+    if (arguments.samples > 1)
+        throw wrong_usage("--buffers", "a pixel of several samples has several surfaces", "--samples 1");
+    if (arguments.size.width > max_buffer_pixels / arguments.size.height)
+        throw wrong_usage("--buffers", "the picture is too large", "at most 16777216 pixels");
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(arguments.buffers, ignored))
+        throw wrong_usage("--buffers", arguments.buffers + " is no directory", "a directory that is there");
+}
+
+std::string stats_text(const Renderer& renderer, PictureSize size) {
+    const FrameStats& s = renderer.stats();
+    nlohmann::ordered_json json{{"width", size.width},
+                                {"height", size.height},
+                                {"evaluations", s.evaluations},
+                                {"shaded_pixels", s.shaded_pixels},
+                                {"triangles", s.triangles},
+                                {"threads", s.threads},
+                                {"instruction_set", s.instruction_set}};
+    json["ms"] = s.total_ms;
+    json["stages"] = {
+        {"geometry", s.ms[0]}, {"visibility", s.ms[1]}, {"surface", s.ms[2]}, {"lighting", s.ms[3]}};
+    return json_text(json);
+}
+
 Outcome render(const RenderArguments& arguments) {
     require_file(arguments.scene);
     require_given(arguments.out, "-o",
                   "a file to write, .png, .pfm or .exr, or - for a PNG on standard output");
     const PictureFormat format = format_of(arguments.out);
+    require_possible(arguments);
     const SceneDocument document = open_drawable_scene(arguments.scene);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 
@@ -65,6 +103,13 @@ Outcome render(const RenderArguments& arguments) {
     } else {
         (void)take(write_file(arguments.out, bytes));
     }
+    if (!arguments.buffers.empty()) {
+        for (const PixelBuffer& buffer : pixel_buffers(renderer, arguments.size))
+            (void)take(
+                write_file((std::filesystem::path(arguments.buffers) / (buffer.name + ".pfm")).string(),
+                           pfm_bytes(buffer.picture, 1)));
+    }
+    if (arguments.stats) outcome.output = stats_text(renderer, arguments.size);
     return outcome;
 }
 
@@ -81,6 +126,9 @@ Run declare(CLI::App& app) {
               [&samples = arguments->samples](const std::string& text) {
                   samples = 1 << read_word("--samples", text, {"1", "2", "4", "8"});
               });
+    add_text(app, "--buffers", "DIR",
+             "also write what lies behind the pixels, as PFM files in this directory", arguments->buffers);
+    app.add_flag("--stats", arguments->stats, "print evaluations, pixels and times as JSON");
     return [arguments] { return render(*arguments); };
 }
 

@@ -149,3 +149,74 @@ TEST_CASE("glint lobe says what is wrong with its options", "[cli][lobes][bad-in
     check_wrong({"lobe", "-", "--steps", "0"}, "--steps: 0 is out of range; expected 1 to 100000");
     check_wrong({"lobe", "-", "--format", "xml"}, "--format: xml is not known; expected csv, json");
 }
+
+TEST_CASE("glint microfacets answers in JSON, the same for the same seed", "[cli][microfacets]") {
+    const std::vector<std::string> arguments{"microfacets", "--roughness", "0.3",    "--angle", "60",
+                                             "--rays",      "500",         "--seed", "9"};
+    const Ended ended = run_glint(arguments);
+    REQUIRE(ended.status == 0);
+    CHECK(run_glint(arguments).out == ended.out);
+    const auto json = nlohmann::json::parse(ended.out);
+    CHECK(json["rays"].size() == 500);
+    CHECK(json["profile"].size() == 401);
+    CHECK(json["sigma_deg"].get<double>() == Approx(27));
+    double all = 0;
+    for (const auto& share : json["shares"]) all += share.get<double>();
+    CHECK(all == Approx(1));
+    check_wrong({"microfacets", "--roughness", "2"}, "--roughness: 2 is out of range; expected 0 to 1");
+    check_wrong({"microfacets", "--angle", "90"}, "--angle: 90 is out of range; expected 0 to 89");
+    check_wrong({"microfacets", "--rays", "0"}, "--rays: 0 is out of range; expected 1 to 100000");
+}
+
+TEST_CASE("glint render --stats counts the evaluations of each mode", "[cli][stats]") {
+    const TemporaryDirectory directory;
+    const std::string out = directory.path("a.png");
+    const auto evaluations = [&](const std::string& mode) {
+        const Ended ended = run_glint(
+            {"render", "-", "-o", out, "--size", "64x48", "--stats", "--set", "/shading/mode=" + mode,
+             "--set", R"(/objects/0/mesh={"primitive":"plane","detail":2})", "--set", "/camera/eye=[0,3,0]",
+             "--set", "/camera/up=[0,0,-1]"},
+            ball);
+        INFO(ended.err);
+        REQUIRE(ended.status == 0);
+        return nlohmann::json::parse(ended.out);
+    };
+    CHECK(evaluations("flat")["evaluations"] == 4);     // faces
+    CHECK(evaluations("gouraud")["evaluations"] == 9);  // corners
+    const auto phong = evaluations("phong");            // pixels
+    CHECK(phong["evaluations"] == phong["shaded_pixels"]);
+    CHECK(phong["stages"].size() == 4);
+    check_wrong({"render", "-", "-o", "-", "--stats"},
+                "--stats: standard output is the picture's; expected a file behind -o");
+}
+
+TEST_CASE("glint render --buffers writes what lies behind the pixels", "[cli][buffers]") {
+    const TemporaryDirectory directory;
+    const std::string out = directory.path("a.pfm");
+    REQUIRE(run_glint({"render", "-", "-o", out, "--size", "32x24", "--buffers", directory.path("")}, ball)
+                .status == 0);
+    CHECK(directory.names() == std::vector<std::string>{"a.pfm", "ambient.pfm", "depth.pfm", "diffuse.pfm",
+                                                        "emission.pfm", "face.pfm", "global_ambient.pfm",
+                                                        "normal.pfm", "position.pfm", "specular.pfm",
+                                                        "sum.pfm"});
+    CHECK(bytes_of(directory.path("sum.pfm")) == bytes_of(out));
+    check_wrong({"render", "-", "-o", out, "--buffers", "/nowhere"},
+                "--buffers: /nowhere is no directory; expected a directory that is there");
+    check_wrong({"render", "-", "-o", out, "--buffers", directory.path(""), "--samples", "4"},
+                "--buffers: a pixel of several samples has several surfaces; expected --samples 1");
+}
+
+TEST_CASE("glint explain --sensitivity lists what the pixel depends on", "[cli][sensitivity]") {
+    const std::vector<std::string> arguments{"explain", "-",     "--pixel",      "32,24",
+                                             "--size",  "64x48", "--sensitivity"};
+    const Ended text = run_glint(arguments, ball);
+    REQUIRE(text.status == 0);
+    CHECK(text.out.find("Without effect on it:\n") != std::string::npos);
+    std::vector<std::string> as_json = arguments;
+    as_json.insert(as_json.end(), {"--format", "json"});
+    const auto json = nlohmann::json::parse(run_glint(as_json, ball).out);
+    CHECK(json["pixel"] == nlohmann::json({32, 24}));
+    CHECK(json["sensitivity"].size() > 20);
+    CHECK(json["sensitivity"][0].contains("pointer"));
+    CHECK(json["no_effect"].size() > 20);
+}

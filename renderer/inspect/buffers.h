@@ -1,0 +1,28 @@
+#pragma once
+// What lies behind every pixel, as pictures of numbers: for people who check a renderer of their own.
+
+#include <string>
+#include <vector>
+
+#include "renderer/picture.h"
+#include "renderer/renderer.h"
+
+namespace glint {
+
+struct PixelBuffer {
+    std::string name;
+    Picture picture;  // `linear` alone is filled: three numbers a pixel
+};
+
+/// Of the last picture, drawn with one sample a pixel; 0 on background unless said. Camera coordinates, scene
+/// units.
+///   position, normal   x, y, z; under flat and gouraud of the pixel's own point, which is not what is lit
+///   depth              distance in front of the camera, in all three
+///   face               1 where a surface shows, its object's number, its face's number (from 0)
+///   emission, global_ambient, ambient, diffuse, specular   the terms of the sum, the last three of all
+///   lights
+///                      together; under gouraud and flat blended as the colours are
+///   sum                the pixel's linear colour before exposure, background too
+[[nodiscard]] std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, PictureSize size);
+
+}  // namespace glint

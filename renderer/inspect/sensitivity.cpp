@@ -1,0 +1,135 @@
+#include "renderer/inspect/sensitivity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "models/scene_variant.h"
+#include "renderer/renderer.h"
+
+namespace glint {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Calls visit(pointer, value) for every number, in the order of the pointers.
+void visit_numbers(const Json& at, const std::string& pointer,
+                   const std::function<void(const std::string&, double)>& visit) {
+    if (at.is_number()) visit(pointer, at.get<double>());
+    if (at.is_array())
+        for (std::size_t i = 0; i < at.size(); ++i)
+            visit_numbers(at[i], fmt::format("{}/{}", pointer, i), visit);
+    if (at.is_object())
+        for (const auto& [key, value] : at.items()) visit_numbers(value, pointer + "/" + key, visit);
+}
+
+/// The scene with only the object that shows, and the names of numbers in the whole scene.
+struct PinnedScene {
+    SceneDocument document;
+    int object = -1;
+
+    [[nodiscard]] std::string pointer_in_whole(const std::string& pointer) const {
+        constexpr std::string_view alone = "/objects/0/";
+        if (!pointer.starts_with(alone)) return pointer;
+        return fmt::format("/objects/{}/{}", object, pointer.substr(alone.size()));
+    }
+};
+
+/// One pixel of many scenes.
+class PixelProbe {
+  public:
+    PixelProbe(const SceneDocument& document, PictureSize size, int x, int y, int threads)
+        : document_(document), size_(size), x_(x), y_(y), renderer_(threads) {}
+
+    [[nodiscard]] glm::dvec3 color_of(const Scene& scene) {
+        (void)renderer_.render(scene, size_);
+        return glm::dvec3(renderer_.explain(x_, y_).sum) * static_cast<double>(scene.display.exposure);
+    }
+    /// With another value of one number; nothing where the scene does not allow it.
+    [[nodiscard]] std::optional<glm::dvec3> color_with(const std::string& pointer, double value) {
+        const Result<Scene> made = scene_variant(document_, {{pointer, fmt::format("{}", value)}});
+        if (problem_of(made) != nullptr) return std::nullopt;
+        return color_of(std::get<Scene>(made));
+    }
+
+  private:
+    const SceneDocument& document_;
+    PictureSize size_;
+    int x_, y_;
+    Renderer renderer_;
+};
+
+double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+void measure(Sensitivities& s, PixelProbe& probe, const PinnedScene& pinned, const glm::dvec3& now,
+             const std::string& pointer, double value) {
+    const double h = 1e-3 * std::max(std::abs(value), 0.1);
+    const auto less = probe.color_with(pointer, value - h), more = probe.color_with(pointer, value + h);
+    Sensitivity number{pinned.pointer_in_whole(pointer), value, glm::dvec3(0), !less || !more};
+    if (!less && !more) {
+        s.fixed.push_back(number.pointer);
+        return;
+    }
+    number.change = (more.value_or(now) - less.value_or(now)) / (number.one_sided ? h : 2 * h);
+    const bool same = less.value_or(now) == now && more.value_or(now) == now;
+    if (same)
+        s.no_effect.push_back(number.pointer);
+    else
+        s.numbers.push_back(number);
+}
+
+}  // namespace
+
+Result<Sensitivities> sensitivities(const SceneDocument& document, PictureSize size, int x, int y,
+                                    int threads) {
+    const std::size_t lights = document.scene.lights.size();
+    if (lights > max_sensitivity_lights)
+        return Problem{document.path, "/lights",
+                       fmt::format("{} lights are too many for the sensitivity", lights),
+                       fmt::format("at most {}", max_sensitivity_lights), 0};
+    Renderer whole(threads);
+    (void)whole.render(document.scene, size);
+    PinnedScene pinned{document, whole.object_at(x, y)};
+    std::vector<Object>& objects = pinned.document.scene.objects;
+    objects.clear();
+    if (pinned.object >= 0)
+        objects.push_back(document.scene.objects[static_cast<std::size_t>(pinned.object)]);
+
+    PixelProbe probe(pinned.document, size, x, y, threads);
+    const glm::dvec3 now = probe.color_of(pinned.document.scene);
+    Sensitivities s;
+    visit_numbers(
+        Json::parse(scene_text(pinned.document.scene)), "",
+        [&](const std::string& pointer, double value) { measure(s, probe, pinned, now, pointer, value); });
+    for (std::size_t i = 0; i < document.scene.objects.size(); ++i)
+        if (static_cast<int>(i) != pinned.object) s.no_effect.push_back(fmt::format("/objects/{}", i));
+    std::stable_sort(s.numbers.begin(), s.numbers.end(), [](const Sensitivity& a, const Sensitivity& b) {
+        return largest(a.change) > largest(b.change);
+    });
+    return s;
+}
+
+std::string sensitivity_text(const Sensitivities& s) {
+    std::string text =
+        "Change of the pixel (linear RGB times exposure) for each unit of a number, largest first:\n";
+    for (const Sensitivity& n : s.numbers)
+        fmt::format_to(std::back_inserter(text), "  {:+.6f} {:+.6f} {:+.6f}  {} = {}{}\n", n.change.x,
+                       n.change.y, n.change.z, n.pointer, static_cast<float>(n.value),
+                       n.one_sided ? "  (moves one way only)" : "");
+    const auto list = [&text](const char* title, const std::vector<std::string>& pointers) {
+        if (pointers.empty()) return;
+        text += title;
+        text += '\n';
+        for (const std::string& pointer : pointers) text += "  " + pointer + "\n";
+    };
+    list("Without effect on it:", s.no_effect);
+    list("That cannot move a little:", s.fixed);
+    return text;
+}
+
+}  // namespace glint
