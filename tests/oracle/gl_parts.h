@@ -29,7 +29,7 @@ void set_fixed_material(const Material& material, const Shading& shading);
 
 /// The uniforms of equation.glsl in the current program.
 void set_shader_lights(unsigned program, const Scene& scene, const glm::dmat4& view);
-void set_shader_material(unsigned program, const Scene& scene, const Material& material);
+void set_shader_material(unsigned program, const Scene& scene, const Material& given);
 [[nodiscard]] unsigned make_program(const char* stage, const char* interpolated);
 
 }  // namespace glint::oracle

@@ -137,11 +137,10 @@ void GlPainter::draw(const Scene& scene, PictureSize size, Route route) {
     for (const Object& object : scene.objects) {
         const glm::vec3& scale = object.transform.scale;
         glFrontFace(scale.x * scale.y * scale.z < 0 ? GL_CW : GL_CCW);  // facets stay outward
-        const Material material = seen_material(object.material, scene.shading);
         if (fixed)
-            set_fixed_material(material, scene.shading);
+            set_fixed_material(seen_material(object.material, scene.shading), scene.shading);
         else
-            set_shader_material(used, scene, material);
+            set_shader_material(used, scene, object.material);
         glLoadMatrixd(&view[0][0]);
         multiply_transform(object.transform);
         emit_triangles(object, scene.shading);

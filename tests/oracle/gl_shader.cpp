@@ -103,7 +103,8 @@ void set_shader_lights(unsigned program, const Scene& scene, const glm::dmat4& v
     u.set("clamped", scene.shading.rules == Rules::OpenGL2);
 }
 
-void set_shader_material(unsigned program, const Scene& scene, const Material& m) {
+void set_shader_material(unsigned program, const Scene& scene, const Material& given) {
+    const Material m = seen_material(given, scene.shading);
     const Uniforms u{program, ""};
     u.set("k_e", m.emission);
     u.set("k_a", m.ambient);
@@ -112,8 +113,8 @@ void set_shader_material(unsigned program, const Scene& scene, const Material& m
     u.set("f0", m.f0);
     u.set("roughness", m.roughness);
     u.set("cool_to_warm", scene.npr.cool_to_warm);
-    u.set("cool", scene.npr.cool + scene.npr.alpha * m.diffuse);
-    u.set("warm", scene.npr.warm + scene.npr.beta * m.diffuse);
+    u.set("cool", scene.npr.cool + scene.npr.alpha * given.diffuse);  // whatever the terms
+    u.set("warm", scene.npr.warm + scene.npr.beta * given.diffuse);
     u.set("shininess", scene.shading.rules == Rules::OpenGL2 ? std::min(m.shininess, 128.0f) : m.shininess);
 }
 
