@@ -25,7 +25,8 @@ void visit_numbers(const Json& at, const std::string& pointer,
         for (std::size_t i = 0; i < at.size(); ++i)
             visit_numbers(at[i], fmt::format("{}/{}", pointer, i), visit);
     if (at.is_object())
-        for (const auto& [key, value] : at.items()) visit_numbers(value, pointer + "/" + key, visit);
+        for (const auto& [key, value] : at.items())
+            visit_numbers(value, fmt::format("{}/{}", pointer, key), visit);
 }
 
 /// The scene with only the object that shows, and the names of numbers in the whole scene.
