@@ -55,6 +55,10 @@ struct Mesh {
     [[nodiscard]] std::span<const std::uint32_t> corners_of(std::size_t f) const {
         return std::span(corner_position).subspan(first_corner[f], first_corner[f + 1] - first_corner[f]);
     }
+    /// The index into `normals` of a corner's normal as given, or no_index. Precondition: normals are given.
+    [[nodiscard]] std::uint32_t given_normal_of(std::size_t corner) const {
+        return corner_normal.empty() ? corner_position[corner] : corner_normal[corner];
+    }
 };
 
 using MeshPtr = std::shared_ptr<const Mesh>;

@@ -36,10 +36,11 @@ CornerNormals facet_normals(const Mesh& mesh) {
 
 /// The corners without a normal of the mesh's own, or with a zero one.
 std::vector<std::size_t> corners_without_normal(const Mesh& mesh) {
-    const auto& index = mesh.corner_normal.empty() ? mesh.corner_position : mesh.corner_normal;
     std::vector<std::size_t> without;
-    for (std::size_t c = 0; c < index.size(); ++c)
-        if (index[c] == no_index || mesh.normals[index[c]] == glm::vec3(0)) without.push_back(c);
+    for (std::size_t c = 0; c < mesh.corner_position.size(); ++c) {
+        const std::uint32_t given = mesh.given_normal_of(c);
+        if (given == no_index || mesh.normals[given] == glm::vec3(0)) without.push_back(c);
+    }
     return without;
 }
 

@@ -30,10 +30,11 @@ std::vector<float> given_lengths(const ObjectNormals& normals) {
     const bool from_file = source == NormalSource::File || source == NormalSource::Auto;
     if (mesh.given_normals != GivenNormals::File || !from_file) return lengths;
     for (std::size_t c = 0; c < mesh.corner_position.size(); ++c) {
-        if (mesh.corner_normal[c] == no_index) continue;
+        const std::uint32_t given = mesh.given_normal_of(c);
+        if (given == no_index) continue;
         const std::uint32_t which =
             normals.of_mesh.corner.empty() ? mesh.corner_position[c] : normals.of_mesh.corner[c];
-        const float length = glm::length(mesh.normals[mesh.corner_normal[c]]);
+        const float length = glm::length(mesh.normals[given]);
         if (length > 0) lengths[which] = length;
     }
     return lengths;

@@ -189,10 +189,15 @@ TEST_CASE("glNormal3f(1, 1, 1) as it is lights root 3 times too bright", "[mista
     const float right = renderer.render(scene, {9, 9}, true).linear_at(4, 4).x;
     CHECK(right == Approx(0.8 / std::sqrt(3.0)));
     scene.shading.mistakes.unnormalized_normals = true;
-    for (const ShadingMode mode : {ShadingMode::Phong, ShadingMode::Gouraud}) {
-        scene.shading.mode = mode;
-        CHECK(renderer.render(scene, {9, 9}, true).linear_at(4, 4).x == Approx(std::sqrt(3.0) * right));
-    }
+    auto by_position = std::make_shared<Mesh>(*mesh);  // as a PLY gives them
+    by_position->normals.assign(4, {1, 1, 1});
+    by_position->corner_normal = std::vector<std::uint32_t>();
+    for (const ShadingMode mode : {ShadingMode::Phong, ShadingMode::Gouraud})
+        for (const auto& given : {mesh, by_position}) {
+            scene.shading.mode = mode;
+            scene.objects[0].mesh = given;
+            CHECK(renderer.render(scene, {9, 9}, true).linear_at(4, 4).x == Approx(std::sqrt(3.0) * right));
+        }
 }
 
 TEST_CASE("without any normal a ball is shaded as a disc", "[mistakes][lecture]") {
