@@ -6,13 +6,19 @@
 
 namespace glint::inline GLINT_ISA {
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define GLINT_FLATTEN  // one huge function full of checks would take minutes to compile
+#else
+#define GLINT_FLATTEN [[gnu::flatten]]
+#endif
+
 using Wide = Lanes<GLINT_LANES>;
 constexpr int opaque = static_cast<int>(0xFF000000u);
 
 /// One reflection model, so that the compiler leaves out what the others need; the text of the equation is
 /// one. flatten: it is many small functions, and each call would pass its vectors through memory.
 template <Reflection model, bool any_mistake>
-[[gnu::flatten]] static void light_as(const LightJob& job, const PointBlock* points, ColorBlock* colors,
+GLINT_FLATTEN static void light_as(const LightJob& job, const PointBlock* points, ColorBlock* colors,
                                       std::size_t blocks) {
     const Equation equation{model, job.terms, any_mistake ? &job.mistakes : nullptr};
     for (std::size_t i = 0; i < blocks; ++i) {
@@ -55,7 +61,7 @@ static void light(const LightJob& job, const PointBlock* points, ColorBlock* col
     light_with<false>(job, points, colors, blocks);
 }
 
-[[gnu::flatten]] static void encode(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba,
+GLINT_FLATTEN static void encode(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba,
                                     std::size_t blocks) {
     for (std::size_t i = 0; i < blocks; ++i) {
         for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
