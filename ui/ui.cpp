@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/actions.h"
 #include "ui/camera_panel.h"
@@ -187,15 +188,19 @@ void why_columns(UiState& state, const Layout& layout) {
     ImGui::End();
 }
 
-/// Draws the scene if it, or the size, is not that of the last picture; then asks it about the probe.
+/// Draws what shows (the edited scene or a preview) if it, or the size, is not that of the last picture; then
+/// asks the edited scene about the probe.
 void draw_picture(UiState& state, PictureSize size) {
+    if (const auto problem = settle(state.editor)) state.notifications.add(*problem);
+    const std::optional<Scene> preview = std::exchange(state.preview, std::nullopt);
+    const Scene& shown = preview ? *preview : state.editor.scene();
     const bool same_size = state.picture != nullptr && state.picture->size == size;
-    if (!same_size || !(state.drawn == state.editor.scene())) {
-        if (const auto problem = settle(state.editor)) state.notifications.add(*problem);
-        state.picture = &state.renderer->render(state.editor.scene(), size);
-        state.drawn = state.editor.scene();
+    if (!same_size || !(state.drawn == shown)) {
+        state.picture = &state.renderer->render(shown, size);
+        state.drawn = shown;
         ++state.picture_serial;
     }
+    if (preview) return;
     const auto pixel = probe_pixel(state.viewport, size);
     state.why.reset();
     if (pixel) state.why = state.renderer->explain(pixel->x, pixel->y);

@@ -47,7 +47,11 @@ struct UiState {
     const Picture* picture = nullptr;  // the last one drawn
     std::uint64_t picture_serial = 0;  // counts pictures: the texture follows it
     Scene drawn;                       // what `picture` shows
-    std::optional<Explanation> why;    // of the probe in `picture`
+    std::optional<Explanation> why;    // of the probe in a picture of the edited scene
+    /// A panel that wants another scene on the screen than the edited one (one term alone, one light alone)
+    /// puts it here in every frame in which it wants it. It is drawn in the next frame, with the same meshes
+    /// and camera; `why` stays what it was, and nothing of it reaches the history or a file.
+    std::optional<Scene> preview;
 };
 
 struct UiRequests {

@@ -49,6 +49,26 @@ TEST_CASE("nothing is drawn again while nothing changes", "[ui][window]") {
     CHECK(bench.state.picture_serial == serial + 1);
 }
 
+TEST_CASE("a preview shows for a frame and leaves the scene, the history and the answer alone",
+          "[ui][window]") {
+    Bench bench;
+    bench.click(bench.at_pixel({400, 300}));
+    bench.frames(3);
+    REQUIRE(bench.state.why.has_value());
+    const glm::vec3 sum = bench.state.why->sum;
+    const Scene scene = bench.scene();
+    bench.state.preview = scene;
+    bench.state.preview->lights.clear();
+    bench.frame();
+    CHECK(bench.state.drawn.lights.empty());
+    CHECK(bench.scene() == scene);
+    REQUIRE(bench.state.why.has_value());
+    CHECK(bench.state.why->sum == sum);
+    bench.frame();
+    CHECK(bench.state.drawn == scene);
+    CHECK_FALSE(bench.state.editor.unsaved());
+}
+
 TEST_CASE("a light is dragged by its handle, which stays under the cursor, as one step", "[ui][window]") {
     Bench bench;
     with_bulb(bench);
