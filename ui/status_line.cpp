@@ -6,6 +6,7 @@
 #include "ui/fonts.h"
 #include "ui/theme.h"
 #include "ui/toolbar.h"
+#include "ui/why/mistakes_tab.h"
 #include "ui/widgets.h"
 
 namespace glint {
@@ -48,9 +49,28 @@ void stats_tooltip(const FrameStats& stats) {
     tooltip("Last picture", "What was done again, and how long it took", lines);
 }
 
+/// That a mistake is on must not be overlooked: a click shows which. Returns its width.
+float mistakes_mark(UiState& state, ImVec2 right) {
+    const int on = mistakes_on(state.editor.scene().shading.mistakes);
+    if (on == 0) return 0;
+    const std::string text = fmt::format("{} mistake{} on", on, on == 1 ? "" : "s");
+    const float width = ImGui::CalcTextSize(text.c_str()).x, gap = px(14);
+    ImGui::SetCursorScreenPos({right.x - width - gap, right.y});
+    ImGui::PushStyleColor(ImGuiCol_Text, theme().warning);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (ImGui::IsItemClicked()) {
+        state.why_column.tab = WhyTab::Mistakes;
+        state.layout.right = state.left_shows_why = true;
+    }
+    tooltip("Mistakes", "The picture is wrong on purpose; click to see which", "", "/shading/mistakes");
+    return width + gap;
+}
+
 }  // namespace
 
-void status_line(const UiState& state, const Rect& area) {
+void status_line(UiState& state, const Rect& area) {
     ImGui::SetNextWindowPos(area.low);
     ImGui::SetNextWindowSize(area.size());
     ImGui::PushFont(fonts().small);
@@ -65,11 +85,13 @@ void status_line(const UiState& state, const Rect& area) {
         const std::string stats = stats_text(state, area.size().x > px(1240));
         const float width = ImGui::CalcTextSize(stats.c_str()).x;
         const ImVec2 left = ImGui::GetCursorScreenPos();
+        const float right = area.high.x - width - px(10);
+        const float mark = mistakes_mark(state, {right, left.y});
         const std::string hint = gesture_hint(state.viewport, state.editor.scene());
-        const ImVec4 room{left.x, area.low.y, area.high.x - width - px(26), area.high.y};
+        const ImVec4 room{left.x, area.low.y, right - mark - px(16), area.high.y};
         ImGui::GetWindowDrawList()->AddText(nullptr, 0, left, packed(theme().text), hint.c_str(), nullptr, 0,
                                             &room);
-        ImGui::SetCursorScreenPos({area.high.x - width - px(10), left.y});
+        ImGui::SetCursorScreenPos({right, left.y});
         dim_text(stats.c_str());
         ImGui::PopFont();
         stats_tooltip(state.renderer->stats());

@@ -64,6 +64,7 @@ std::string shading_step(const Shading& a, const Shading& b) {
     if (a.mode != b.mode) return "Shading mode";
     if (a.reflection != b.reflection) return "Reflection model";
     if (a.terms != b.terms) return "Terms";
+    if (a.mistakes != b.mistakes) return "Mistakes";
     return "Shading";
 }
 

@@ -9,6 +9,6 @@ namespace glint {
 void toolbar(UiState& state, const Rect& area);
 
 /// The row at the bottom: what a drag does now; what the last frame took and which stages were redone.
-void status_line(const UiState& state, const Rect& area);
+void status_line(UiState& state, const Rect& area);
 
 }  // namespace glint

@@ -16,6 +16,7 @@
 #include "ui/shading_panel.h"
 #include "ui/theme.h"
 #include "ui/toolbar.h"
+#include "ui/why/tabs.h"
 #include "ui/widgets.h"
 
 namespace glint {
@@ -144,15 +145,6 @@ void scene_column(UiState& state, const PictureView& view) {
     ImGui::EndChild();
 }
 
-void why_column(UiState& state) {
-    const InspectorWishes wishes =
-        inspector(state.inspector, state.why ? &*state.why : nullptr, state.editor.scene());
-    if (wishes.forget) state.viewport.probe.reset();
-    if (wishes.select_light >= 0) state.editor.selection = {Selection::Kind::Light, wishes.select_light};
-    if (wishes.select_object >= 0) state.editor.selection = {Selection::Kind::Object, wishes.select_object};
-    state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
-}
-
 void column_tab(const char* name, bool chosen, bool& wanted) {
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().field_active : theme().panel);
     if (ImGui::Button(name, {px(84), 0})) wanted = true;
@@ -175,7 +167,7 @@ void left_column(UiState& state, const Layout& layout, const PictureView& view) 
 }
 
 /// WHY is drawn after the picture, so that its numbers are of the picture on the screen.
-void why_columns(UiState& state, const Layout& layout) {
+void why_columns(UiState& state, const Layout& layout, const PictureView& view) {
     const bool in_left = layout.why_in_left && layout.has_left && state.left_shows_why;
     if (!layout.has_right && !in_left) return;
     if (in_left)
@@ -184,7 +176,8 @@ void why_columns(UiState& state, const Layout& layout) {
         begin_column("##right", layout.right);
         column_heading("WHY");
     }
-    why_column(state);
+    why_column(state, view);
+    state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
     ImGui::End();
 }
 
@@ -244,6 +237,8 @@ UiRequests requests(UiState& state) {
     state.quits = false;
     wants.title = fmt::format("{}{} – Glint", state.editor.unsaved() ? "● " : "", state.editor.title());
     wants.sleep_s = frame_wish();
+    const Scene& next = state.preview ? *state.preview : state.editor.scene();
+    if (!(next == state.drawn)) wants.sleep_s = 0;  // edited or previewed after the picture was drawn
     if (ImGui::GetIO().WantTextInput) wants.sleep_s = std::min(wants.sleep_s, 0.3);  // the text cursor blinks
     return wants;
 }
@@ -265,7 +260,7 @@ UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
     const PictureView view = picture_view(layout.centre, state.editor.scene());
     draw_picture(state, view.map.size);
     overlay(state, layout, picture_view(layout.centre, state.editor.scene()));
-    why_columns(state, layout);
+    why_columns(state, layout, view);
     status_line(state, layout.status);
     remember(state, in_hand);
     ImGui::PopFont();

@@ -13,11 +13,11 @@
 #include "renderer/renderer.h"
 #include "ui/editor.h"
 #include "ui/file_dialog.h"
-#include "ui/inspector.h"
 #include "ui/keys.h"
 #include "ui/layout.h"
 #include "ui/notifications.h"
 #include "ui/viewport.h"
+#include "ui/why/state.h"
 
 namespace glint {
 
@@ -35,7 +35,7 @@ struct UiState {
     Editor editor;
     ViewportState viewport;
     LayoutState layout;
-    InspectorState inspector;
+    WhyState why_column;  // tab and switches
     Notifications notifications;
     FileDialog files;
     Pending pending;

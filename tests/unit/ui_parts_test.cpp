@@ -11,7 +11,7 @@
 #include "ui/scene_edit.h"
 #include "ui/screen.h"
 #include "ui/theme.h"
-#include "ui/why_words.h"
+#include "ui/why/words.h"
 
 using namespace glint;
 

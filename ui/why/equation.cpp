@@ -1,4 +1,4 @@
-#include "ui/equation.h"
+#include "ui/why/equation.h"
 
 #include <imgui.h>
 

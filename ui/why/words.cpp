@@ -1,4 +1,4 @@
-#include "ui/why_words.h"
+#include "ui/why/words.h"
 
 #include <fmt/core.h>
 

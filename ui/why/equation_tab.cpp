@@ -1,4 +1,4 @@
-#include "ui/inspector.h"
+#include "ui/why/equation_tab.h"
 
 #include <fmt/core.h>
 #include <imgui.h>
@@ -8,70 +8,18 @@
 #include <numbers>
 
 #include "ui/choices.h"
-#include "ui/equation.h"
 #include "ui/fonts.h"
 #include "ui/icons.h"
 #include "ui/theme.h"
-#include "ui/why_words.h"
+#include "ui/ui.h"
+#include "ui/why/equation.h"
+#include "ui/why/heading.h"
+#include "ui/why/parts.h"
+#include "ui/why/words.h"
 #include "ui/widgets.h"
 
 namespace glint {
 namespace {
-
-void coloured(Symbol symbol, const char* text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme()[symbol]);
-    ImGui::TextUnformatted(text);
-    ImGui::PopStyleColor();
-}
-
-void wrapped_dim(const std::string& text) {
-    ImGui::PushTextWrapPos(0);
-    dim_text(text.c_str());
-    ImGui::PopTextWrapPos();
-}
-
-void empty_state() {
-    ImGui::Dummy({0, px(16)});
-    ImGui::PushFont(fonts().title);
-    ImGui::TextUnformatted("Click the picture to ask why");
-    ImGui::PopFont();
-    wrapped_dim(
-        "Here the lighting equation of that pixel appears with its numbers: what each light adds, and why a "
-        "light "
-        "that you expect adds nothing.");
-    ImGui::Dummy({0, px(6)});
-    wrapped_dim("The pixel stays picked while you drag lights and sliders, and the numbers follow.");
-}
-
-/// A square of the pixel's colour with its byte values, the pixel, and what it shows.
-void heading(const Explanation& why, InspectorWishes& wishes) {
-    const float edge = 2 * ImGui::GetTextLineHeight() + px(6);
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto [r, g, b] = why.byte;
-    list.AddRectFilled(low, {low.x + edge, low.y + edge}, IM_COL32(r, g, b, 255), px(4));
-    list.AddRect(low, {low.x + edge, low.y + edge}, packed(theme().line), px(4));
-    ImGui::Dummy({edge, edge});
-    tooltip("Colour", "As it is on the screen: red, green, blue from 0 to 255",
-            fmt::format("{} {} {}   #{:02x}{:02x}{:02x}", r, g, b, r, g, b));
-    ImGui::SameLine(0, px(10));
-    ImGui::BeginGroup();
-    figures(fmt::format("pixel {}, {}   {} {} {}", why.x, why.y, r, g, b));
-    if (why.hit) {
-        if (ImGui::Selectable(fmt::format("{}, face {}", why.object, why.face).c_str(), false, 0,
-                              {ImGui::GetContentRegionAvail().x - px(26), 0}))
-            wishes.select_object = why.object_index;
-        tooltip("Object", "Click to show its panel");
-    } else {
-        dim_text("background");
-    }
-    ImGui::EndGroup();
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::GetFrameHeight());
-    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, low.y});
-    if (icon_button("##forget", Icon::Close)) wishes.forget = true;
-    tooltip("Forget this pixel", "Click the picture to pick another");
-    ImGui::SetCursorScreenPos({low.x, low.y + edge + px(8)});
-}
 
 constexpr float channel_width = 58;
 
@@ -194,8 +142,7 @@ void factor_line(const ExplainedLight& explained, const Light& light) {
     ImGui::PopFont();
 }
 
-void light_card(const ExplainedLight& explained, const Explanation& why, const Scene& scene,
-                InspectorWishes& wishes) {
+void light_card(const ExplainedLight& explained, const Explanation& why, const Scene& scene, UiState& state) {
     const auto index = static_cast<std::size_t>(explained.index);
     if (index >= scene.lights.size()) return;
     const Light& light = scene.lights[index];
@@ -205,7 +152,8 @@ void light_card(const ExplainedLight& explained, const Explanation& why, const S
     const float line = ImGui::GetTextLineHeight();
     draw_icon(*ImGui::GetWindowDrawList(), icon_of(light.kind), {low.x + line / 2, low.y + line / 2}, line,
               packed(legible(colour_of(light))));
-    if (ImGui::Selectable(fmt::format("      {}", light.name).c_str())) wishes.select_light = explained.index;
+    if (ImGui::Selectable(fmt::format("      {}", light.name).c_str()))
+        state.editor.selection = {Selection::Kind::Light, explained.index};
     tooltip("Light", "Click to show its panel");
     if (light.kind != LightKind::Area) {  // whose samples each have their own vectors
         dot_line(Symbol::N, "n", Symbol::L, "l", explained.n_dot_l);
@@ -227,7 +175,7 @@ void light_card(const ExplainedLight& explained, const Explanation& why, const S
 }
 
 /// Which corner's numbers to show: their weights, which sum to 1.
-const ExplainedPoint& lit_point(InspectorState& state, const Explanation& why) {
+const ExplainedPoint& lit_point(WhyState& state, const Explanation& why) {
     if (!why.lit_per_corner || why.corners.empty()) return why.at;
     const int count = static_cast<int>(why.corners.size());
     state.corner = std::clamp(state.corner, 0, count - 1);
@@ -254,28 +202,25 @@ const ExplainedPoint& lit_point(InspectorState& state, const Explanation& why) {
 
 }  // namespace
 
-InspectorWishes inspector(InspectorState& state, const Explanation* why, const Scene& scene) {
-    InspectorWishes wishes;
-    if (why == nullptr) {
-        empty_state();
-        return wishes;
-    }
-    heading(*why, wishes);
-    if (!why->hit) {
-        wrapped_dim("No object shows here: the pixel has the background's colour.");
-        return wishes;
-    }
-    equation(why->reflection);
-    sum_table(*why, scene);
-    display_line(*why, scene);
-    if (why->reflection == Reflection::None) return wishes;
+void equation_tab(UiState& state, const PictureView&) {
+    if (!state.why)
+        return why_empty_state(
+            "Here the lighting equation of that pixel appears with its numbers: what each light adds, and "
+            "why "
+            "a light that you expect adds nothing.");
+    const Explanation& why = *state.why;
+    const Scene& scene = state.editor.scene();
+    if (!why.hit) return wrapped_dim("No object shows here: the pixel has the background's colour.");
+    equation(why.reflection);
+    sum_table(why, scene);
+    display_line(why, scene);
+    if (why.reflection == Reflection::None) return;
     section(fmt::format("Lights, under {}",
-                        mode_choices[static_cast<std::size_t>(index_of(mode_choices, why->mode))].label)
+                        mode_choices[static_cast<std::size_t>(index_of(mode_choices, why.mode))].label)
                 .c_str());
-    const ExplainedPoint& point = lit_point(state, *why);
-    for (const ExplainedLight& light : point.lights) light_card(light, *why, scene, wishes);
+    const ExplainedPoint& point = lit_point(state.why_column, why);
+    for (const ExplainedLight& light : point.lights) light_card(light, why, scene, state);
     if (point.lights.empty()) wrapped_dim("No light is on: only ambient and emission are left.");
-    return wishes;
 }
 
 }  // namespace glint

@@ -1,0 +1,45 @@
+#include "ui/why/parts.h"
+
+#include <imgui.h>
+
+#include "ui/fonts.h"
+#include "ui/widgets.h"
+
+namespace glint {
+
+void coloured(Symbol symbol, const char* text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme()[symbol]);
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
+void warning_text(const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme().warning);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void wrapped_dim(const std::string& text) {
+    ImGui::PushTextWrapPos(0);
+    dim_text(text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+void small_dim(const std::string& text) {
+    ImGui::PushFont(fonts().small);
+    wrapped_dim(text);
+    ImGui::PopFont();
+}
+
+bool is_pointed_at() {
+    return ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
+}
+
+bool is_pointed_at(ImVec2 low, ImVec2 high) {
+    return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high) && !ImGui::IsAnyMouseDown() &&
+           !ImGui::IsAnyItemActive();
+}
+
+}  // namespace glint

@@ -1,0 +1,74 @@
+#include "ui/why/tabs.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <array>
+
+#include "ui/fonts.h"
+#include "ui/theme.h"
+#include "ui/ui.h"
+#include "ui/why/equation_tab.h"
+#include "ui/why/heading.h"
+#include "ui/why/mistakes_tab.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr std::array tabs{
+    WhyTabInfo{WhyTab::Equation, "Equation", "The lighting equation at the picked pixel, with its numbers",
+               equation_tab},
+    WhyTabInfo{WhyTab::Mistakes, "Mistakes", "Mistakes that are really made, each a switch", mistakes_tab},
+};
+
+/// A tab's button; the chosen one stands on a bar of the accent.
+bool tab_button(const WhyTabInfo& info, bool chosen) {
+    ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().field_active : theme().panel);
+    ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme().text : theme().dim_text);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), px(3)});
+    const bool clicked = ImGui::Button(info.label);
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor(2);
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    if (chosen)
+        ImGui::GetWindowDrawList()->AddRectFilled({low.x, high.y - px(2)}, high, packed(theme().accent));
+    tooltip(info.label, info.what);
+    return clicked;
+}
+
+/// The buttons in as many rows as they need.
+void tab_bar(WhyState& why) {
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    ImGui::PushFont(fonts().small);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(1), px(1)});
+    bool first = true;
+    for (const WhyTabInfo& info : tabs) {
+        const float width = ImGui::CalcTextSize(info.label).x + px(12);
+        if (!first && ImGui::GetItemRectMax().x + px(1) + width <= right) ImGui::SameLine();
+        first = false;
+        if (tab_button(info, why.tab == info.tab)) why.tab = info.tab;
+    }
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddLine({low.x, low.y}, {right, low.y}, packed(theme().line));
+    ImGui::Dummy({0, px(3)});
+}
+
+}  // namespace
+
+std::span<const WhyTabInfo> why_tabs() { return tabs; }
+
+void why_column(UiState& state, const PictureView& view) {
+    if (state.why) why_heading(state, *state.why);
+    tab_bar(state.why_column);
+    for (const WhyTabInfo& info : tabs) {
+        if (info.tab != state.why_column.tab) continue;
+        ImGui::BeginChild(info.label);  // each tab keeps its own place of scrolling
+        info.draw(state, view);
+        ImGui::EndChild();
+    }
+}
+
+}  // namespace glint
