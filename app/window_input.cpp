@@ -19,6 +19,8 @@ Key key_of_letter(char letter) {
         return Key::E;
     case 'f':
         return Key::F;
+    case 'k':
+        return Key::K;
     case 'l':
         return Key::L;
     case 'n':
@@ -57,6 +59,10 @@ Key key_of(int key, int scancode, int mods) {
     case GLFW_KEY_ENTER:
     case GLFW_KEY_KP_ENTER:
         return Key::Enter;
+    case GLFW_KEY_UP:
+        return Key::Up;
+    case GLFW_KEY_DOWN:
+        return Key::Down;
     case GLFW_KEY_F1:
         return Key::F1;
     case GLFW_KEY_F11:
@@ -81,7 +87,8 @@ WindowInput& input_of(GLFWwindow* window) {
 void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     if (action == GLFW_RELEASE) return;
     const Key ours = key_of(key, scancode, mods);
-    const bool repeats = ours == Key::Z || ours == Key::Y;  // undo goes on while it is held
+    // Undo goes on while its key is held, and so does the way through a list.
+    const bool repeats = ours == Key::Z || ours == Key::Y || ours == Key::Up || ours == Key::Down;
     if (action == GLFW_REPEAT && !repeats) return;
     const bool ctrl = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
     input_of(window).ui.presses.push_back(

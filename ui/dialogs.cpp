@@ -13,7 +13,8 @@
 #include "models/mesh_file.h"
 #include "renderer/image_file.h"
 #include "ui/actions.h"
-#include "ui/fonts.h"
+#include "ui/menu/palette.h"
+#include "ui/menu/shortcuts.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -92,75 +93,6 @@ void use_file(UiState& state, const std::string& path) {
     }
 }
 
-struct MouseLine {
-    const char *does, *how;
-};
-constexpr std::array mouse_lines{
-    MouseLine{"Ask why a pixel has its colour", "Click"},
-    MouseLine{"Select an object", "Double-click"},
-    MouseLine{"Orbit", "Drag"},
-    MouseLine{"Pan", "Shift+drag, right or middle drag"},
-    MouseLine{"Closer, away", "Wheel, Ctrl+drag"},
-    MouseLine{"Move a light", "Drag its handle"},
-    MouseLine{"… in depth, along an axis", "with Shift, with X Y Z"},
-    MouseLine{"… on a grid, cancel", "with Ctrl, Esc"},
-    MouseLine{"Number: finer, type, default", "Shift, Ctrl+click, double-click"},
-};
-
-using Lines = std::vector<std::pair<std::string, std::string>>;
-
-Lines mouse_words() {
-    Lines lines;
-    for (const MouseLine& line : mouse_lines) lines.emplace_back(line.does, line.how);
-    return lines;
-}
-
-/// The keys of an action that has several stand in one line.
-Lines key_words() {
-    Lines lines;
-    for (const ActionInfo& info : actions()) {
-        if (*info.keys == 0) continue;
-        if (!lines.empty() && lines.back().first == info.name)
-            lines.back().second.append(" or ").append(info.keys);
-        else
-            lines.emplace_back(info.name, info.keys);
-    }
-    return lines;
-}
-
-/// What is done, and how, in two columns.
-void sheet(const Lines& lines) {
-    float widest = 0;
-    for (const auto& [does, how] : lines) widest = std::max(widest, ImGui::CalcTextSize(does.c_str()).x);
-    ImGui::BeginGroup();
-    for (const auto& [does, how] : lines) {
-        const float left = ImGui::GetCursorPosX();
-        ImGui::TextUnformatted(does.c_str());
-        ImGui::SameLine(left + widest + px(16));
-        dim_text(how.c_str());
-    }
-    ImGui::EndGroup();
-}
-
-void shortcuts_sheet(UiState& state) {
-    if (!state.shows_shortcuts) return;
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {window.x - px(20), window.y - px(20)});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(8));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(18), px(14)});
-    constexpr auto flags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                           ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize;
-    if (ImGui::Begin("Keys and mouse", &state.shows_shortcuts, flags)) {
-        sheet(mouse_words());
-        ImGui::SameLine(0, px(36));
-        sheet(key_words());
-    }
-    ImGui::End();
-    ImGui::PopStyleVar(3);
-}
-
 }  // namespace
 
 void dialogs(UiState& state, const UiInput& input) {
@@ -169,6 +101,7 @@ void dialogs(UiState& state, const UiInput& input) {
     if (const auto path = draw_file_dialog(state.files, enter)) use_file(state, *path);
     if (!state.files.open && !state.pending.asking) state.pending = {};  // the name was not given
     shortcuts_sheet(state);
+    palette(state, input);
 }
 
 void take_dropped(UiState& state, const UiInput& input) {

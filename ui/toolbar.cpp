@@ -1,72 +1,16 @@
 #include "ui/toolbar.h"
 
-#include <fmt/core.h>
-
 #include "ui/actions.h"
 #include "ui/choices.h"
 #include "ui/fonts.h"
 #include "ui/icons.h"
+#include "ui/menu/menu_bar.h"
 #include "ui/shading_panel.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
 namespace glint {
 namespace {
-
-void item(UiState& state, Action action, bool chosen = false, const std::string& name = {}) {
-    const ActionInfo& info = info_of(action);
-    const char* label = name.empty() ? info.name : name.c_str();
-    if (ImGui::MenuItem(label, info.keys, chosen, can_run(state, action))) run_action(state, action);
-}
-
-void edit_menu(UiState& state) {
-    const History& history = state.editor.history;
-    item(state, Action::Undo, false, history.can_undo() ? "Undo " + history.undo_name() : "Undo");
-    item(state, Action::Redo, false, history.can_redo() ? "Redo " + history.redo_name() : "Redo");
-    ImGui::Separator();
-    item(state, Action::Duplicate);
-    item(state, Action::Delete);
-    item(state, Action::AddLight);
-}
-
-void view_menu(UiState& state) {
-    item(state, Action::FrameAll);
-    item(state, Action::FrameSelected);
-    ImGui::Separator();
-    item(state, Action::LeftColumn, state.layout.left && !state.layout.folded);
-    item(state, Action::RightColumn, state.layout.right && !state.layout.folded);
-    item(state, Action::Fold, state.layout.folded);
-    ImGui::Separator();
-    item(state, Action::SwitchTheme, !state.dark);
-}
-
-void menus(UiState& state) {
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(6)});
-    if (ImGui::BeginMenu("File")) {
-        item(state, Action::New);
-        item(state, Action::Open);
-        ImGui::Separator();
-        item(state, Action::Save);
-        item(state, Action::SaveAs);
-        item(state, Action::SavePicture);
-        ImGui::Separator();
-        item(state, Action::Quit);
-        ImGui::EndMenu();
-    }
-    if (ImGui::BeginMenu("Edit")) {
-        edit_menu(state);
-        ImGui::EndMenu();
-    }
-    if (ImGui::BeginMenu("View")) {
-        view_menu(state);
-        ImGui::EndMenu();
-    }
-    if (ImGui::BeginMenu("Help")) {
-        item(state, Action::Shortcuts, state.shows_shortcuts);
-        ImGui::EndMenu();
-    }
-    ImGui::PopStyleVar();
-}
 
 template <class E, std::size_t N>
 std::vector<Option> tried(const Shading& shading, E Shading::*member,
@@ -200,7 +144,7 @@ void toolbar(UiState& state, const Rect& area) {
                            ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
     ImGui::Begin("##top", nullptr, flags);
     const bool open = ImGui::BeginMenuBar();
-    if (open) menus(state);
+    if (open) menu_bar(state);
     ImGui::PopStyleVar(2);
     if (open) {
         switches(state, area);

@@ -15,6 +15,7 @@
 #include "ui/file_dialog.h"
 #include "ui/keys.h"
 #include "ui/layout.h"
+#include "ui/menu/palette_state.h"
 #include "ui/notifications.h"
 #include "ui/viewport.h"
 #include "ui/why/state.h"
@@ -38,7 +39,9 @@ struct UiState {
     WhyState why_column;  // tab and switches
     Notifications notifications;
     FileDialog files;
+    PaletteState palette;
     Pending pending;
+    std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
     int mesh_for_object = -1;  // whose mesh the file dialog chooses; -1: a new object's
     bool dark = true, shows_shortcuts = false, left_shows_why = false;
     bool quits = false;

@@ -1,0 +1,66 @@
+// The one table of actions: menus, keys, the palette and the sheet of shortcuts read it.
+#include <array>
+
+#include "ui/actions.h"
+
+namespace glint {
+namespace {
+
+constexpr bool ctrl = true, shift = true, line = true;
+
+constexpr std::array table{
+    ActionInfo{Action::New, "New scene", "Ctrl+N", {Key::N, ctrl}, Menu::File},
+    ActionInfo{Action::Open, "Open…", "Ctrl+O", {Key::O, ctrl}, Menu::File},
+    ActionInfo{Action::Save, "Save", "Ctrl+S", {Key::S, ctrl}, Menu::File, line},
+    ActionInfo{Action::SaveAs, "Save as…", "Ctrl+Shift+S", {Key::S, ctrl, shift}, Menu::File},
+    ActionInfo{Action::SavePicture, "Save picture…", "F12", {Key::F12}, Menu::File, line},
+    ActionInfo{Action::Quit, "Quit", "Ctrl+Q", {Key::Q, ctrl}, Menu::File, line},
+
+    ActionInfo{Action::Undo, "Undo", "Ctrl+Z", {Key::Z, ctrl}, Menu::Edit},
+    ActionInfo{Action::Redo, "Redo", "Ctrl+Shift+Z", {Key::Z, ctrl, shift}, Menu::Edit},
+    ActionInfo{Action::Redo, "Redo", "Ctrl+Y", {Key::Y, ctrl}},
+    ActionInfo{Action::Duplicate, "Duplicate", "Ctrl+D", {Key::D, ctrl}, Menu::Edit, line},
+    ActionInfo{Action::Delete, "Delete", "Del", {Key::Delete}, Menu::Edit},
+    ActionInfo{Action::AddLight, "Add a light", "L", {Key::L}, Menu::Edit},
+    ActionInfo{Action::Palette, "Find an action…", "Ctrl+K", {Key::K, ctrl}, Menu::Edit, line},
+
+    ActionInfo{Action::FrameAll, "Frame all", "F", {Key::F}, Menu::View},
+    ActionInfo{
+        Action::FrameSelected, "Frame the selected object", "Shift+F", {Key::F, !ctrl, shift}, Menu::View},
+    ActionInfo{Action::LeftColumn, "Scene column", "", {}, Menu::View, line},
+    ActionInfo{Action::RightColumn, "Why column", "", {}, Menu::View},
+    ActionInfo{Action::Fold, "Picture alone", "F11", {Key::F11}, Menu::View},
+    ActionInfo{Action::SwitchTheme, "Light theme", "", {}, Menu::View, line},
+
+    ActionInfo{Action::Shortcuts, "Keys and mouse", "F1", {Key::F1}, Menu::Help},
+    ActionInfo{Action::Shortcuts, "Keys and mouse", "?", {Key::Question, !ctrl, shift}},
+
+    ActionInfo{Action::Flat, "Flat shading", "1", {Key::Digit1}},
+    ActionInfo{Action::Facet, "Facet shading", "2", {Key::Digit2}},
+    ActionInfo{Action::Gouraud, "Gouraud shading", "3", {Key::Digit3}},
+    ActionInfo{Action::Phong, "Phong shading", "4", {Key::Digit4}},
+    ActionInfo{Action::Emission, "Emission on or off", "E", {Key::E}},
+    ActionInfo{Action::Ambient, "Ambient on or off", "A", {Key::A}},
+    ActionInfo{Action::Diffuse, "Diffuse on or off", "D", {Key::D}},
+    ActionInfo{Action::Specular, "Specular on or off", "S", {Key::S}},
+};
+
+}  // namespace
+
+std::span<const ActionInfo> actions() { return table; }
+
+const ActionInfo& info_of(Action action) {
+    for (const ActionInfo& info : table)
+        if (info.action == action) return info;
+    return table[0];  // not reached: every action is in the table
+}
+
+std::string keys_of(Action action) {
+    std::string keys;
+    for (const ActionInfo& info : table)
+        if (info.action == action && *info.keys != 0)
+            keys.append(keys.empty() ? "" : " or ").append(info.keys);
+    return keys;
+}
+
+}  // namespace glint

@@ -1,0 +1,51 @@
+// Opening, beginning anew, saving, quitting, and the question that comes first.
+#include <fmt/core.h>
+
+#include <filesystem>
+
+#include "ui/actions.h"
+
+namespace glint {
+
+void begin_pending(UiState& state, Pending pending) {
+    state.pending = std::move(pending);
+    if (state.editor.unsaved())
+        state.pending.asking = true;
+    else
+        finish_pending(state);
+}
+
+void finish_pending(UiState& state) {
+    const Pending now = std::move(state.pending);
+    state.pending = {};
+    (void)cancel_gesture(state.viewport, state.editor.scene());
+    if (now.what == Pending::What::Quit) state.quits = true;
+    if (now.what == Pending::What::New) take_document(state.editor, first_scene());
+    if (now.what == Pending::What::Open) {
+        if (const auto problem = open_file(state.editor, now.path)) return state.notifications.add(*problem);
+        state.notifications.add(state.editor.document.warnings);
+    }
+    if (now.what != Pending::What::Nothing) state.viewport.probe.reset();
+}
+
+std::string offered_name(const UiState& state, const char* ending) {
+    const std::filesystem::path path(state.editor.document.path);
+    if (path.empty() || path == "-") return std::string("scene") + ending;
+    return std::filesystem::path(path).replace_extension(ending).string();
+}
+
+bool save(UiState& state) {
+    if (!state.editor.has_scene_file()) {
+        state.files.ask(FilePurpose::SaveScene, offered_name(state, ".json"));
+        return false;
+    }
+    if (const auto problem = save_file(state.editor, state.editor.document.path)) {
+        state.notifications.add(*problem);
+        state.pending = {};
+        return false;
+    }
+    state.notifications.add(Tone::Done, fmt::format("Saved {}", state.editor.title()));
+    return true;
+}
+
+}  // namespace glint
