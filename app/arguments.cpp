@@ -113,6 +113,13 @@ void add_size(CLI::App& app, PictureSize& size) {
               [&size](const std::string& text) { size = read_size("--size", text); });
 }
 
+void add_samples(CLI::App& app, int& samples) {
+    add_value(app, "--samples", "N", "samples a pixel for smooth edges: 1, 2, 4 or 8; 1 when not given",
+              [&samples](const std::string& text) {
+                  samples = 1 << read_word("--samples", text, {"1", "2", "4", "8"});
+              });
+}
+
 void add_scene(CLI::App& app, SceneArguments& arguments) {
     add_text(
         app, "FILE", "",

@@ -50,6 +50,7 @@ CLI::Option* add_text(CLI::App& app, const std::string& names, const std::string
 void add_scene(CLI::App& app, SceneArguments& arguments);
 void add_threads(CLI::App& app, int& threads);
 void add_size(CLI::App& app, PictureSize& size);
+void add_samples(CLI::App& app, int& samples);
 
 /// The scene with its meshes, everything checked. Throws Failure.
 [[nodiscard]] SceneDocument open_scene(const SceneArguments& arguments);

@@ -48,8 +48,8 @@ struct PictureSize {
 [[nodiscard]] glm::dmat4 view_from_world(const Camera& camera);
 [[nodiscard]] glm::dmat4 world_from_view(const Camera& camera);
 
-/// Clip coordinates from camera coordinates, OpenGL's: rows (E 0 A 0) (0 F B 0) (0 0 C D) (0 0 -1 0); visible is
-/// -w <= x, y, z <= w. Source: lecture, "Perspective Derivation"; OpenGL 2.1, section 2.11.
+/// Clip coordinates from camera coordinates, OpenGL's: rows (E 0 A 0) (0 F B 0) (0 0 C D) (0 0 -1 0); visible
+/// is -w <= x, y, z <= w. Source: lecture, "Perspective Derivation"; OpenGL 2.1, section 2.11.
 [[nodiscard]] glm::dmat4 clip_from_view(const Projection& projection, PictureSize size);
 
 [[nodiscard]] inline float near_of(const Projection& projection) {

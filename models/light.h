@@ -9,7 +9,8 @@
 namespace glint {
 
 enum class LightKind { Directional, Point, Spot, Area };
-/// World lights stay with the scene, camera lights with the viewer (lecture: "geometry: positions and directions").
+/// World lights stay with the scene, camera lights with the viewer (lecture: "geometry: positions and
+/// directions").
 enum class LightSpace { World, Camera };
 
 /// 1 / (constant + linear r + quadratic r^2), r the distance in scene units. All >= 0, not all zero.

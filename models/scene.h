@@ -1,6 +1,7 @@
 #pragma once
-// What a scene is: a value. Copyable, equality-comparable, no callbacks, no globals. Undo is a list of scenes;
-// a test is a scene and a picture. Names and defaults are those of the scene file (docs/interface.md).
+// What a scene is: a value. Copyable, equality-comparable, no callbacks, no globals. Undo is a list of
+// scenes; a test is a scene and a picture. Names and defaults are those of the scene file
+// (docs/interface.md).
 
 #include <string>
 #include <variant>

@@ -73,7 +73,8 @@ Result<SceneDocument> open_mesh(const std::string& path, const std::vector<Assig
         document = std::get<SceneDocument>(std::move(assigned));
     }
     Warnings warnings;
-    for (const std::string& warning : mesh->warnings) warnings.push_back(fmt::format("{}: {}", name, warning));
+    for (const std::string& warning : mesh->warnings)
+        warnings.push_back(fmt::format("{}: {}", name, warning));
     warnings.insert(warnings.end(), document.warnings.begin(), document.warnings.end());
     document.warnings = std::move(warnings);
     return document;

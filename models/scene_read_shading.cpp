@@ -1,3 +1,7 @@
+#include <fmt/core.h>
+
+#include <cmath>
+
 #include "models/mistakes.h"
 #include "models/scene_read.h"
 
@@ -25,12 +29,21 @@ Mistakes read_mistakes(const Node& node) {
     return mistakes;
 }
 
+int read_power_table(const Node& node) {
+    constexpr std::string_view entries = "0, or 2 to 65536 entries";
+    if (!node.value().is_number()) node.wrong_type(std::string(entries));
+    const double count = node.value().get<double>();
+    if (count != std::floor(count) || count < 0 || count == 1 || count > 65536)
+        node.fail(fmt::format("it is {}", count), std::string(entries));
+    return static_cast<int>(count);
+}
+
 }  // namespace
 
 Shading read_shading(const Node& node) {
     Shading s;
     node.allow_keys({"mode", "reflection", "interpolation", "flat_point", "two_sided", "local_viewer", "cull",
-                     "rules", "terms", "mistakes"});
+                     "rules", "terms", "power_table", "mistakes"});
     read_enum(node, "mode", s.mode);
     read_enum(node, "reflection", s.reflection);
     read_enum(node, "interpolation", s.interpolation);
@@ -39,6 +52,7 @@ Shading read_shading(const Node& node) {
     read(node, "local_viewer", s.local_viewer);
     read_enum(node, "cull", s.cull);
     read_enum(node, "rules", s.rules);
+    node.with("power_table", [&](const Node& at) { s.power_table = read_power_table(at); });
     node.with("terms", [&](const Node& at) { s.terms = read_terms(at); });
     node.with("mistakes", [&](const Node& at) { s.mistakes = read_mistakes(at); });
     return s;

@@ -147,18 +147,23 @@ std::string mistakes_text(const Mistakes& mistakes) {
     return text;
 }
 
+/// Only when there is one: most scenes have none, and programs of other makers need not know it.
+std::string power_table_text(int entries) {
+    return entries == 0 ? "" : fmt::format("{}, ", member("power_table", entries));
+}
+
 std::string shading_text(const Shading& s) {
     const std::string terms =
         object(member("emission", s.terms.emission), member("ambient", s.terms.ambient),
                member("diffuse", s.terms.diffuse), member("specular", s.terms.specular));
     return fmt::format(
-        "  \"shading\": {{\n    {}, {}, {},\n    {}, {}, {}, {}, {},\n    {},\n    \"mistakes\": {{{}}}\n  "
+        "  \"shading\": {{\n    {}, {}, {},\n    {}, {}, {}, {}, {},\n    {},\n    {}\"mistakes\": {{{}}}\n  "
         "}}",
         member("mode", name_of(s.mode)), member("reflection", name_of(s.reflection)),
         member("interpolation", name_of(s.interpolation)), member("flat_point", name_of(s.flat_point)),
         member("two_sided", s.two_sided), member("local_viewer", s.local_viewer),
         member("cull", name_of(s.cull)), member("rules", name_of(s.rules)), named("terms", terms),
-        mistakes_text(s.mistakes));
+        power_table_text(s.power_table), mistakes_text(s.mistakes));
 }
 
 std::string npr_text(const Npr& n) {

@@ -44,6 +44,7 @@ struct Shading {
     Cull cull = Cull::None;
     Rules rules = Rules::Lecture;
     Terms terms;
+    int power_table = 0;  // entries of a table that cosines are raised by, 2 to 65,536; 0: no table
     Mistakes mistakes;
     bool operator==(const Shading&) const = default;
 };

@@ -30,6 +30,17 @@ bool term_fields(Terms& terms) {
     return edited;
 }
 
+/// 0 and 2 to 65536: one entry would be no table.
+bool power_table_field(Shading& shading) {
+    int entries = shading.power_table;
+    if (!integer_field("cosⁿ table", entries, 0, 65536, 0,
+                       {"Entries of a table of cosⁿ to look highlights up in; 0: none, cosⁿ is worked out",
+                        "/shading/power_table"}))
+        return false;
+    shading.power_table = entries == 1 ? (shading.power_table == 0 ? 2 : 0) : entries;
+    return true;
+}
+
 }  // namespace
 
 std::string refused_shading(const Shading& shading) {
@@ -59,6 +70,7 @@ bool shading_panel(Shading& shading, glm::vec3& global_ambient) {
                            {"v points to the eye; off: the same v everywhere, as if seen from far away",
                             "/shading/local_viewer"});
     edited |= term_fields(shading.terms);
+    edited |= power_table_field(shading);
     section("Scene");
     edited |= colour_field("Ambient", global_ambient, glm::vec3(0.1f),
                            {"Light from everywhere, apart from all lights", "/global_ambient"});

@@ -24,6 +24,7 @@ std::string redone_stages(const FrameStats& stats) {
     std::string text;
     for (std::size_t i = 0; i < stage_count; ++i)
         if (stats.redone[i]) text.append(text.empty() ? "" : " ").append(names[i]);
+    if (stats.strokes_redone) text.append(text.empty() ? "" : " ").append("strokes");
     return text.empty() ? "nothing" : text;
 }
 
@@ -43,6 +44,7 @@ void stats_tooltip(const FrameStats& stats) {
     for (std::size_t i = 0; i < stage_count; ++i)
         lines += stats.redone[i] ? fmt::format("{}: {:.2f} ms\n", names[i], stats.ms[i])
                                  : fmt::format("{}: kept\n", names[i]);
+    if (stats.strokes_redone) lines += fmt::format("strokes: {:.2f} ms\n", stats.strokes_ms);
     lines += fmt::format("{} pixels show a surface\n{} evaluations of the equation\n{} × {} threads",
                          with_thousands(stats.shaded_pixels), with_thousands(stats.evaluations),
                          stats.instruction_set, stats.threads);

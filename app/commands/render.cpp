@@ -104,10 +104,12 @@ Outcome render(const RenderArguments& arguments) {
         (void)take(write_file(arguments.out, bytes));
     }
     if (!arguments.buffers.empty()) {
-        for (const PixelBuffer& buffer : pixel_buffers(renderer, arguments.size))
-            (void)take(
-                write_file((std::filesystem::path(arguments.buffers) / (buffer.name + ".pfm")).string(),
-                           pfm_bytes(buffer.picture, 1)));
+        const bool exr = format == PictureFormat::Exr;
+        for (const PixelBuffer& buffer : pixel_buffers(renderer, arguments.size)) {
+            const std::string name = buffer.name + (exr ? ".exr" : ".pfm");
+            (void)take(write_file((std::filesystem::path(arguments.buffers) / name).string(),
+                                  exr ? exr_bytes(buffer.picture, 1) : pfm_bytes(buffer.picture, 1)));
+        }
     }
     if (arguments.stats) outcome.output = stats_text(renderer, arguments.size);
     return outcome;
@@ -122,12 +124,10 @@ Run declare(CLI::App& app) {
              "on standard output",
              arguments->out);
     add_size(app, arguments->size);
-    add_value(app, "--samples", "N", "samples a pixel for smooth edges: 1, 2, 4 or 8; 1 when not given",
-              [&samples = arguments->samples](const std::string& text) {
-                  samples = 1 << read_word("--samples", text, {"1", "2", "4", "8"});
-              });
+    add_samples(app, arguments->samples);
     add_text(app, "--buffers", "DIR",
-             "also write what lies behind the pixels, as PFM files in this directory", arguments->buffers);
+             "also write what lies behind the pixels in this directory: EXR files beside an .exr, else PFM",
+             arguments->buffers);
     app.add_flag("--stats", arguments->stats, "print evaluations, pixels and times as JSON");
     return [arguments] { return render(*arguments); };
 }

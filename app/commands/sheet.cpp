@@ -19,6 +19,7 @@ struct SheetArguments {
     SceneArguments scene;
     std::string rows, columns, out;
     PictureSize cell{256, 256};
+    int samples = 1;
 };
 
 SheetAxis axis_of(const std::string& option, const std::string& text) {
@@ -72,7 +73,7 @@ Outcome sheet(const SheetArguments& arguments) {
     const Picture picture =
         make_sheet(rows, columns, arguments.cell, font, [&](std::size_t r, std::size_t c) -> const Picture& {
             return renderer.render(scene_of_cell(document, rows, rows.values[r], columns, columns.values[c]),
-                                   arguments.cell);
+                                   arguments.cell, false, arguments.samples);
         });
     std::string bytes = png_bytes(picture, {});
     if (arguments.out == "-") {
@@ -95,6 +96,7 @@ Run declare(CLI::App& app) {
     add_text(app, "-o", "OUT.png", "where the sheet goes; - for standard output", arguments->out);
     add_value(app, "--cell", "WxH", "size of each picture in pixels; 256x256 when not given",
               [&cell = arguments->cell](const std::string& text) { cell = read_size("--cell", text); });
+    add_samples(app, arguments->samples);
     return [arguments] { return sheet(*arguments); };
 }
 

@@ -25,7 +25,8 @@ template <Number F> struct LightTerms {
 struct Equation {
     Reflection model = Reflection::Phong;
     Terms terms;
-    const Mistakes* mistakes = nullptr;  // null: none is made
+    const Mistakes* mistakes = nullptr;  // null: none is made, and no table is used
+    int power_table = 0;                 // Shading::power_table
 };
 
 /// Degenerate input: a light at the point has l = 0, so only its ambient share is left; n = 0 likewise;
@@ -52,7 +53,8 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
             select<F>(lit_side, t.response.specular, Vec3<F>{});  // no highlight from behind
     }
     if (equation.mistakes)
-        spoil_response(*equation.mistakes, equation.model, t.response, t.directions, m, at);
+        spoil_response(*equation.mistakes, equation.power_table, equation.model, t.response, t.directions, m,
+                       at);
 
     if (equation.terms.ambient) t.ambient = share * (m.k_a * light.ambient);
     if (equation.mistakes && equation.mistakes->ambient_per_light_added_twice) t.ambient = F(2) * t.ambient;

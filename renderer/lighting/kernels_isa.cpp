@@ -20,7 +20,7 @@ constexpr int opaque = static_cast<int>(0xFF000000u);
 template <Reflection model, bool any_mistake>
 GLINT_FLATTEN static void light_as(const LightJob& job, const PointBlock* points, ColorBlock* colors,
                                       std::size_t blocks) {
-    const Equation equation{model, job.terms, any_mistake ? &job.mistakes : nullptr};
+    const Equation equation{model, job.terms, any_mistake ? &job.mistakes : nullptr, job.power_table};
     for (std::size_t i = 0; i < blocks; ++i) {
         const PointBlock& in = points[i];
         ColorBlock& out = colors[i];

@@ -65,8 +65,9 @@ struct LightJob {
     LightSource::Rgb eye;          // where v points to: the origin of camera coordinates
     bool infinite_viewer = false;  // v = (0, 0, 1) instead of from the point to the eye
     bool clamp = false;            // to 0..1 after the sum (OpenGL's rule for colours at vertices)
-    bool any_mistake = false;
+    bool any_mistake = false;      // or a table in place of the power
     Mistakes mistakes;
+    int power_table = 0;  // Shading::power_table
     /// Clip coordinates of camera coordinates, for the mistake of lighting after projection.
     struct Projection {
         float x = 1, x_per_z = 0, x_plus = 0, y = 1, y_per_z = 0, y_plus = 0;

@@ -1,6 +1,7 @@
 #pragma once
-// What students do to the equation by mistake (models/mistakes.h), kept apart from its own text: each step of
-// illuminate() hands its result here only while some mistake is switched on.
+// What students do to the equation by mistake (models/mistakes.h), and the table that once stood in place of
+// the power, kept apart from its own text: each step of illuminate() hands its result here only while some of
+// them is switched on.
 
 #include "models/shading.h"
 #include "renderer/lighting/light_job.h"
@@ -24,9 +25,16 @@ template <Number F> F unclamped_power(F x, F s) {
     return select(both(x < F(0), rest >= F(1)), -value, value);
 }
 
+/// The cosine of the nearest of `entries` entries, evenly from 0 to 1: a table of powers holds the powers of
+/// these, so that looking up is the same as rounding the cosine.
+template <Number F> F nearest_entry(F cosine, int entries) {
+    const F last = F(static_cast<float>(entries - 1)), magic = F(8388608.0f);
+    return ((smaller(positive(cosine), F(1)) * last + magic) - magic) / last;
+}
+
 template <Number F>
-void spoil_response(const Mistakes& wrong, Reflection model, Response<F>& used, const Directions<F>& d,
-                    const MaterialAt<F>& m, const PointAt<F>& at) {
+void spoil_response(const Mistakes& wrong, int power_table, Reflection model, Response<F>& used,
+                    const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
     const auto keep_side = [&](Vec3<F> specular) {
         return wrong.specular_behind_surface ? specular : select<F>(d.n_dot_l > F(0), specular, Vec3<F>{});
     };
@@ -36,8 +44,9 @@ void spoil_response(const Mistakes& wrong, Reflection model, Response<F>& used, 
         measured = Reflection::BlinnPhong;
         used.specular = keep_side(blinn_phong(d, m, at).specular);
     }
-    if (!wrong.no_clamp_of_cosine) return;
-    if (model != Reflection::None && model != Reflection::OrenNayar) used.diffuse = d.n_dot_l;
+    if (!wrong.no_clamp_of_cosine && power_table == 0) return;
+    if (wrong.no_clamp_of_cosine && model != Reflection::None && model != Reflection::OrenNayar)
+        used.diffuse = d.n_dot_l;
     F cosine;
     switch (measured) {
     case Reflection::Phong:
@@ -52,8 +61,13 @@ void spoil_response(const Mistakes& wrong, Reflection model, Response<F>& used, 
     default:
         return;  // no power of a cosine in the others
     }
-    const F highlight = unclamped_power(cosine, m.shininess);
-    used.specular = {highlight, highlight, highlight};
+    if (wrong.no_clamp_of_cosine) {
+        const F s = unclamped_power(cosine, m.shininess);
+        used.specular = {s, s, s};
+    } else {
+        const F s = highlight(nearest_entry(cosine, power_table), m);
+        used.specular = keep_side({s, s, s});
+    }
 }
 
 /// The point as the projection leaves it, in place of the point in camera coordinates.

@@ -49,7 +49,7 @@ template <Number F> Vec3<F> unlit(const SurfaceMaterial& material, const Terms& 
 
 /// The part of a job that is the same for every point.
 inline Equation equation_of(const LightJob& job) {
-    return {job.model, job.terms, job.any_mistake ? &job.mistakes : nullptr};
+    return {job.model, job.terms, job.any_mistake ? &job.mistakes : nullptr, job.power_table};
 }
 
 /// What the sum begins with: emission and global ambient light, or the tone that stands in their place.

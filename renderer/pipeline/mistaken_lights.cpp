@@ -40,7 +40,8 @@ void spoil_source(const Mistakes& wrong, const Light& light, LightSource& source
 void spoil_job(const Scene& scene, PictureSize size, LightJob& job) {
     const Mistakes& wrong = scene.shading.mistakes;
     job.mistakes = wrong;
-    job.any_mistake = wrong != Mistakes{};
+    job.power_table = scene.shading.power_table;
+    job.any_mistake = wrong != Mistakes{} || job.power_table > 0;
     if (wrong.shininess_as_fraction) job.material.shininess /= 128;
     if (wrong.viewer_at_origin_of_world) {
         const glm::dvec4 origin = view_from_world(scene.camera)[3];

@@ -78,14 +78,15 @@ TEST_CASE("glint profile says what is wrong with its ends", "[cli][profile][bad-
 TEST_CASE("glint sheet draws each cell as glint render draws it", "[cli][sheet]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("ball.json", ball), out = directory.path("sheet.png");
-    const Ended ended = run_glint({"sheet", scene, "--rows", "/shading/mode=flat,phong", "--cols",
-                                   "/lights/0/position=[2,3,4],[-2,0,4]", "--cell", "40x30", "-o", out});
+    const Ended ended =
+        run_glint({"sheet", scene, "--rows", "/shading/mode=flat,phong", "--cols",
+                   "/lights/0/position=[2,3,4],[-2,0,4]", "--cell", "40x30", "--samples", "4", "-o", out});
     CHECK(ended.err.empty());
     REQUIRE(ended.status == 0);
     const Picture sheet = opened(out);
     const std::string one = directory.path("one.png");
-    REQUIRE(run_glint({"render", scene, "--size", "40x30", "-o", one, "--set", "/shading/mode=phong", "--set",
-                       "/lights/0/position=[-2,0,4]"})
+    REQUIRE(run_glint({"render", scene, "--size", "40x30", "--samples", "4", "-o", one, "--set",
+                       "/shading/mode=phong", "--set", "/lights/0/position=[-2,0,4]"})
                 .status == 0);
     const Picture cell = opened(one);
     const int left = sheet.size.width - 14 - 40, top = sheet.size.height - 14 - 30;  // the last cell
@@ -200,6 +201,12 @@ TEST_CASE("glint render --buffers writes what lies behind the pixels", "[cli][bu
                                                         "normal.pfm", "position.pfm", "specular.pfm",
                                                         "sum.pfm"});
     CHECK(bytes_of(directory.path("sum.pfm")) == bytes_of(out));
+    const TemporaryDirectory beside_exr;
+    const std::string exr = beside_exr.path("a.exr");
+    REQUIRE(run_glint({"render", "-", "-o", exr, "--size", "32x24", "--buffers", beside_exr.path("")}, ball)
+                .status == 0);
+    CHECK(beside_exr.names().size() == 11);
+    CHECK(bytes_of(beside_exr.path("sum.exr")) == bytes_of(exr));
     check_wrong({"render", "-", "-o", out, "--buffers", "/nowhere"},
                 "--buffers: /nowhere is no directory; expected a directory that is there");
     check_wrong({"render", "-", "-o", out, "--buffers", directory.path(""), "--samples", "4"},

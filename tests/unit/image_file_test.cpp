@@ -168,6 +168,7 @@ TEST_CASE("no cut and no flipped byte of a PNG does worse than a problem", "[ima
         const auto flipped = read_bytes(broken), cut = read_bytes(good.substr(0, i));
         if (i < good.size() - 12)
             CHECK(problem_of(cut) != nullptr);  // the last chunk says only that it is the last
-        if (const Picture* picture = std::get_if<Picture>(&flipped)) CHECK(picture->rgba.size() == std::size_t{4 * 81});
+        if (const Picture* picture = std::get_if<Picture>(&flipped))
+            CHECK(picture->rgba.size() == std::size_t{4 * 81});
     }
 }

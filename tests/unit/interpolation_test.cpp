@@ -31,7 +31,8 @@ float value_at(const Scene& scene, PictureSize size, int x, int y) {
 TEST_CASE("weights at a screen point: perspective-correct against linear on the screen", "[interpolation]") {
     // w = 1, 2, 4 and screen weights .2, .3, .5: correct weights (0.421053, 0.315789, 0.263158).
     const ClipCorner<float> a{-0.8f, -0.6f, 1}, b{2 * 0.7f, 2 * -0.5f, 2}, c{4 * 0.1f, 4 * 0.9f, 4};
-    const ScreenPoint<float> at{0.2f * -0.8f + 0.3f * 0.7f + 0.5f * 0.1f, 0.2f * -0.6f + 0.3f * -0.5f + 0.5f * 0.9f};
+    const ScreenPoint<float> at{0.2f * -0.8f + 0.3f * 0.7f + 0.5f * 0.1f,
+                                0.2f * -0.6f + 0.3f * -0.5f + 0.5f * 0.9f};
     const Vec3<float> w = perspective_weights(a, b, c, at);
     CHECK(w.x == Approx(0.421053).epsilon(1e-5));
     CHECK(w.y == Approx(0.315789).epsilon(1e-5));
@@ -44,8 +45,10 @@ TEST_CASE("weights at a screen point: perspective-correct against linear on the 
 
 TEST_CASE("scanline interpolation of a skew quad depends on how it is turned", "[interpolation][lecture]") {
     // Quad A(0,0)=0 B(4,0)=1 C(6,4)=0 D(0,4)=1; P(3,2), its middle, is pinned to the picture's middle.
-    const struct { float turn, value; } rows[] = {{0, 0.5f},       {90, 0.625f},    {-90, 0.625f},  {45, 0.833333f},
-                                                  {60, 0.833333f}, {15, 0.648808f}, {30, 0.795268f}, {75, 0.736645f}};
+    const struct {
+        float turn, value;
+    } rows[] = {{0, 0.5f},       {90, 0.625f},    {-90, 0.625f},   {45, 0.833333f},
+                {60, 0.833333f}, {15, 0.648808f}, {30, 0.795268f}, {75, 0.736645f}};
     Scene scene = values_scene(primitive(Primitive::SkewQuad, 1), 10);
     for (const auto& row : rows) {
         scene.objects[0].transform.rotate_deg.z = row.turn;
@@ -60,9 +63,11 @@ TEST_CASE("scanline interpolation of a skew quad depends on how it is turned", "
     }
 }
 
-TEST_CASE("a vertex shared on one side only makes a step on the crossing scanline", "[interpolation][lecture]") {
-    // The slide's A..H: 8 x 8, centred, so that the shared edge x = 4 stands at 0. 801 pixels over 8.01 units: the
-    // sample at column 400 + 100 k is at x = k; one pixel to the left and right of 0 straddles the edge.
+TEST_CASE("a vertex shared on one side only makes a step on the crossing scanline",
+          "[interpolation][lecture]") {
+    // The slide's A..H: 8 x 8, centred, so that the shared edge x = 4 stands at 0. 801 pixels over 8.01
+    // units: the sample at column 400 + 100 k is at x = k; one pixel to the left and right of 0 straddles the
+    // edge.
     const PictureSize size{801, 801};
     const auto picture_of = [&size](int detail) {
         Scene scene = values_scene(primitive(Primitive::TJunction, detail), 8.01f);
@@ -87,11 +92,12 @@ TEST_CASE("a vertex shared on one side only makes a step on the crossing scanlin
     }
 }
 
-TEST_CASE("on a receding quad screen interpolation differs from the correct one as worked", "[interpolation]") {
-    // A strip from w = 1 (value 0) to w = 3 (value 1): at screen shares .25, .5, .75 the values are .1, .25, .5;
-    // linear on the screen they are the shares themselves.
-    auto mesh = std::make_shared<Mesh>(*polygon_mesh({{-0.5f, -0.5f, -1}, {-0.5f, 0.5f, -1}, {1.5f, 1.5f, -3}, {1.5f, -1.5f, -3}},
-                                                     {{0, 3, 2, 1}}));
+TEST_CASE("on a receding quad screen interpolation differs from the correct one as worked",
+          "[interpolation]") {
+    // A strip from w = 1 (value 0) to w = 3 (value 1): at screen shares .25, .5, .75 the values are .1, .25,
+    // .5; linear on the screen they are the shares themselves.
+    auto mesh = std::make_shared<Mesh>(*polygon_mesh(
+        {{-0.5f, -0.5f, -1}, {-0.5f, 0.5f, -1}, {1.5f, 1.5f, -3}, {1.5f, -1.5f, -3}}, {{0, 3, 2, 1}}));
     mesh->colors = {{0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 1, 1}};
     Scene scene = values_scene(mesh, 1);
     scene.camera = {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Frustum{-0.05f, 0.05f, -0.05f, 0.05f, 0.1f, 10}};
@@ -108,8 +114,10 @@ TEST_CASE("on a receding quad screen interpolation differs from the correct one 
     }
 }
 
-TEST_CASE("a quad through the near plane interpolates on the screen from where the plane cuts it", "[interpolation]") {
-    // Ground from z = 1 (behind the eye, value 0) to z = -3 (value 1), eye 1 above it. Cut at z = -0.5, value 0.375.
+TEST_CASE("a quad through the near plane interpolates on the screen from where the plane cuts it",
+          "[interpolation]") {
+    // Ground from z = 1 (behind the eye, value 0) to z = -3 (value 1), eye 1 above it. Cut at z = -0.5, value
+    // 0.375.
     auto mesh = std::make_shared<Mesh>(
         *polygon_mesh({{-9, -1, 1}, {9, -1, 1}, {9, -1, -3}, {-9, -1, -3}}, {{0, 1, 2, 3}}));
     mesh->colors = {{0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 1, 1}};

@@ -1,5 +1,7 @@
 // The lecture's lighting equation: what its terms are and what they depend on.
+#include <algorithm>
 #include <numbers>
+#include <set>
 
 #include "renderer/lighting/illuminate.h"
 #include "tests/unit/lecture_scene.h"
@@ -182,6 +184,41 @@ TEST_CASE("Phong's lobe holds 2 pi / (n + 2), and as a BRDF it is not reciprocal
     const double back =
         highlight(Reflection::Phong, in_plane(-40), {{}, n, in_plane(60)}, 10) / std::cos(40 * degree);
     CHECK(there / back == Approx(std::cos(40 * degree) / std::cos(60 * degree)).epsilon(1e-4));
+}
+
+TEST_CASE("a table of cos^n is wrong by half its step times the slope, and shows bands", "[lecture]") {
+    const float n = 20;
+    for (const int entries : {17, 65, 257, 1025}) {
+        CAPTURE(entries);
+        std::vector<double> table;
+        for (int i = 0; i < entries; ++i) table.push_back(std::pow(double(i) / (entries - 1), n));
+        const Mistakes none;
+        Equation equation{Reflection::Phong, {}, &none, entries};
+        double worst = 0;
+        for (double angle = 0; angle < 90; angle += 0.01) {
+            const double cosine = std::cos(angle * degree);
+            const PointAt<float> at{
+                {0, 0, 0}, {0, 0, 1}, in_plane(angle)};  // the light stands over the normal
+            const double looked_up =
+                illuminate(equation, light_at({0, 0, 1}, 0), material(n), at).response.specular.x;
+            const double index = cosine * (entries - 1);
+            if (std::abs(index - std::floor(index) - 0.5) > 1e-3)  // rounding decides between two entries
+                CHECK(looked_up == Approx(table[static_cast<std::size_t>(std::lround(index))]).margin(1e-5));
+            worst = std::max(worst, std::abs(looked_up - std::pow(cosine, n)));
+        }
+        const double step = 1.0 / (entries - 1);
+        CHECK(worst == Approx(1 - std::pow(1 - step / 2, n)).epsilon(0.02));  // the slope is largest at 1
+    }
+    std::set<float> banded, smooth;
+    const auto collect = [](std::set<float>& values, const Assignment& table) {
+        Drawn(lecture_scene("glossy-ball", {table})).for_each_of(0, 2, [&](const Explanation& e) {
+            values.insert(e.at.lights[0].specular_factor.x);
+        });
+    };
+    collect(banded, {"/shading/power_table", "32"});
+    collect(smooth, {"/shading/power_table", "0"});
+    CHECK(banded.size() <= 32);
+    CHECK(smooth.size() > 200);
 }
 
 TEST_CASE("where n.l = 0 a highlight is cut off: 0.330 of Blinn-Phong's, 0.010 of Phong's", "[lecture]") {

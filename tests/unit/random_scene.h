@@ -114,6 +114,7 @@ class RandomScene {
         s.flat_point = one_of<FlatPoint>();
         s.two_sided = flag(), s.local_viewer = flag();
         s.cull = one_of<Cull>();
+        s.power_table = flag() ? 0 : static_cast<int>(2 + below(65535));
         s.rules = one_of<Rules>();
         s.terms = {flag(), flag(), flag(), flag()};
         for (const MistakeName& m : mistake_names()) s.mistakes.*m.flag = below(4) == 0;

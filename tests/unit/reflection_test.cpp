@@ -1,5 +1,6 @@
 // The extension models against tabulated values, and every model against physics: reciprocity, energy.
-// As a BRDF, radiance = f <n.l> E, a model's factor here is f pi <n.l> (the equation's Lambert term has no 1/pi).
+// As a BRDF, radiance = f <n.l> E, a model's factor here is f pi <n.l> (the equation's Lambert term has no
+// 1/pi).
 #include "renderer/lighting/reflection.h"
 
 #include <cmath>
@@ -35,7 +36,8 @@ struct Bench {
     /// f as formulas give it: of the diffuse and the specular part together, rho = 1.
     [[nodiscard]] double brdf(Vec l, Vec v) const {
         const Response<float> r = at(l, v);
-        return (static_cast<double>(r.diffuse) * (model == Reflection::OrenNayar) + r.specular.x) / (pi * l.z);
+        return (static_cast<double>(r.diffuse) * (model == Reflection::OrenNayar) + r.specular.x) /
+               (pi * l.z);
     }
 };
 
