@@ -19,6 +19,8 @@
 #include <system_error>
 #include <utility>
 
+#include "models/progress.h"
+
 namespace glint {
 namespace {
 
@@ -115,6 +117,8 @@ Result<std::string> read_all(int descriptor, const std::string& path, std::size_
         if (static_cast<std::size_t>(count) > max_bytes - bytes.size())
             return Problem{path, "", "is too long", fmt::format("at most {} bytes", max_bytes)};
         bytes.append(block.data(), static_cast<std::size_t>(count));
+        if (!report_progress(LoadStage::Reading, bytes.size(), guess))
+            return Problem{path, "", cancelled_words, ""};
     }
 }
 

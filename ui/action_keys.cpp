@@ -20,6 +20,8 @@ void escape(UiState& state) {
         state.files.open = false, state.pending = {};
     else if (state.pending.asking)
         state.pending = {};
+    else if (state.loading.active())
+        cancel_loads(state);
     else if (state.shows_shortcuts)
         state.shows_shortcuts = false;
     else if (!ImGui::GetIO().WantTextInput)

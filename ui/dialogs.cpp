@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "models/file.h"
-#include "models/mesh_file.h"
 #include "renderer/image_file.h"
 #include "ui/actions.h"
 #include "ui/menu/palette.h"
@@ -58,29 +57,15 @@ void save_picture(UiState& state, const std::string& path) {
                             fmt::format("Saved {}", std::filesystem::path(path).filename().string()));
 }
 
-/// A mesh file for the object that asked, or for a new one. The path is kept absolute: saving makes it
-/// relative.
-void use_mesh(UiState& state, const std::string& path) {
-    Editor& editor = state.editor;
-    const MeshFile source{std::filesystem::absolute(path).string()};
-    if (state.mesh_for_object >= 0 &&
-        static_cast<std::size_t>(state.mesh_for_object) < editor.scene().objects.size()) {
-        Object& object = editor.scene().objects[static_cast<std::size_t>(state.mesh_for_object)];
-        object.source = source;
-        object.mesh = nullptr;
-    } else if (const auto index = add_object(editor.scene(), source)) {
-        editor.selection = {Selection::Kind::Object, *index};
-    }
-    state.mesh_for_object = -1;
-    if (const auto problem = settle(editor)) state.notifications.add(*problem);
-}
-
 void use_file(UiState& state, const std::string& path) {
     switch (state.files.purpose) {
     case FilePurpose::OpenScene:
         return begin_pending(state, {Pending::What::Open, path, false});
     case FilePurpose::OpenMesh:
-        return use_mesh(state, path);
+        // The path is kept absolute: saving makes it relative.
+        begin_mesh(state, MeshFile{std::filesystem::absolute(path).string()}, state.mesh_for_object);
+        state.mesh_for_object = -1;
+        return;
     case FilePurpose::SavePicture:
         return save_picture(state, path);
     case FilePurpose::SaveScene:

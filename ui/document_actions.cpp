@@ -20,12 +20,12 @@ void finish_pending(UiState& state) {
     state.pending = {};
     (void)cancel_gesture(state.viewport, state.editor.scene());
     if (now.what == Pending::What::Quit) state.quits = true;
-    if (now.what == Pending::What::New) take_document(state.editor, first_scene());
-    if (now.what == Pending::What::Open) {
-        if (const auto problem = open_file(state.editor, now.path)) return state.notifications.add(*problem);
-        state.notifications.add(state.editor.document.warnings);
+    if (now.what == Pending::What::New) {
+        cancel_loads(state);
+        take_document(state.editor, first_scene());
     }
-    if (now.what != Pending::What::Nothing) state.viewport.probe.reset();
+    if (now.what == Pending::What::Open) begin_open(state, now.path);
+    if (now.what == Pending::What::New) state.viewport.probe.reset();
 }
 
 std::string offered_name(const UiState& state, const char* ending) {

@@ -33,18 +33,6 @@ void take_document(Editor& editor, SceneDocument document) {
     if (!editor.scene().lights.empty()) editor.selection = {Selection::Kind::Light, 0};
 }
 
-std::optional<Problem> open_file(Editor& editor, const std::string& path) {
-    Result<SceneDocument> opened = open_document(path);
-    if (const Problem* problem = problem_of(opened)) return *problem;
-    auto& document = std::get<SceneDocument>(opened);
-    if (std::optional<Problem> refused = unsupported(document.scene)) {
-        refused->file = path;
-        return refused;
-    }
-    take_document(editor, std::move(document));
-    return {};
-}
-
 std::optional<Problem> save_file(Editor& editor, std::string path) {
     if (!ends_with_json(path)) path += ".json";
     // The copy in hand keeps its mesh paths: they and the history's stay relative to where it was opened.

@@ -29,9 +29,6 @@ struct Editor {
 /// Puts a document in hand, with a fresh history.
 void take_document(Editor& editor, SceneDocument document);
 
-/// Opens anything that open_document() takes and the engine can draw. On a problem all stays as it was.
-[[nodiscard]] std::optional<Problem> open_file(Editor& editor, const std::string& path);
-
 /// Saves as a scene file. ".json" is added to a name without it.
 [[nodiscard]] std::optional<Problem> save_file(Editor& editor, std::string path);
 

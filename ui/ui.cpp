@@ -184,6 +184,7 @@ void why_columns(UiState& state, const Layout& layout, const PictureView& view) 
 /// Draws what shows (the edited scene or a preview) if it, or the size, is not that of the last picture; then
 /// asks the edited scene about the probe.
 void draw_picture(UiState& state, PictureSize size) {
+    tend_loads(state);
     if (const auto problem = settle(state.editor)) state.notifications.add(*problem);
     const std::optional<Scene> preview = std::exchange(state.preview, std::nullopt);
     const Scene& shown = preview ? *preview : state.editor.scene();
@@ -227,7 +228,7 @@ void overlay(UiState& state, const Layout& layout, const PictureView& view) {
 
 /// One undo step when nothing has the scene in hand any more.
 void remember(UiState& state, bool in_hand) {
-    if (in_hand || ImGui::IsAnyItemActive()) return;
+    if (in_hand || ImGui::IsAnyItemActive() || awaits_mesh(state)) return;
     state.editor.history.commit(state.editor.scene(), state.viewport.wheel_goes_on);
 }
 
@@ -261,6 +262,7 @@ UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
     draw_picture(state, view.map.size);
     overlay(state, layout, picture_view(layout.centre, state.editor.scene()));
     why_columns(state, layout, view);
+    loading_panel(state);
     status_line(state, layout.status);
     remember(state, in_hand);
     ImGui::PopFont();

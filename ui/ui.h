@@ -13,6 +13,7 @@
 #include "renderer/renderer.h"
 #include "ui/editor.h"
 #include "ui/file_dialog.h"
+#include "ui/files/loading.h"
 #include "ui/keys.h"
 #include "ui/layout.h"
 #include "ui/menu/palette_state.h"
@@ -40,6 +41,7 @@ struct UiState {
     Notifications notifications;
     FileDialog files;
     PaletteState palette;
+    Loading loading;
     Pending pending;
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
     int mesh_for_object = -1;  // whose mesh the file dialog chooses; -1: a new object's

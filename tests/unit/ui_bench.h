@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <thread>
+
 #include "ui/fonts.h"
 #include "ui/theme.h"
 #include "ui/ui.h"
@@ -61,6 +63,15 @@ class Bench {
         UiInput input;
         input.presses.push_back({key, ctrl, shift, false});
         return frame(input);
+    }
+
+    /// Frames until nothing is being loaded any more.
+    void wait_for_loads() {
+        do {
+            (void)frame();
+            std::this_thread::yield();
+        } while (state.loading.active());
+        (void)frame();
     }
 
     [[nodiscard]] Scene& scene() { return state.editor.scene(); }

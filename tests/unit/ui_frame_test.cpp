@@ -243,6 +243,7 @@ TEST_CASE("what cannot be opened is said in the command line's words, and the sc
     UiInput drop;
     drop.dropped = {"/nowhere/at/all.json"};
     (void)bench.frame(drop);
+    bench.wait_for_loads();
     REQUIRE(bench.state.notifications.list.size() == 1);
     const auto opened = open_document("/nowhere/at/all.json");
     REQUIRE(problem_of(opened) != nullptr);
@@ -291,6 +292,7 @@ TEST_CASE("what is saved by the window opens in it again, as a scene and as a pi
         UiInput drop;
         drop.dropped = {(folder / name).string()};
         (void)bench.frame(drop);
+        bench.wait_for_loads();
         CHECK(bench.scene() == made);
         CHECK_FALSE(bench.state.editor.unsaved());
         CHECK_FALSE(bench.state.editor.history.can_undo());

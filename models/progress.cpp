@@ -1,0 +1,21 @@
+#include "models/progress.h"
+
+namespace glint {
+namespace {
+
+thread_local LoadProgress* listening = nullptr;
+
+}  // namespace
+
+ProgressScope::ProgressScope(LoadProgress& progress) { listening = &progress; }
+ProgressScope::~ProgressScope() { listening = nullptr; }
+
+bool report_progress(LoadStage stage, std::uint64_t done, std::uint64_t total) {
+    if (listening == nullptr) return true;
+    listening->stage = stage;
+    listening->done = done;
+    listening->total = total;
+    return !listening->cancelled;
+}
+
+}  // namespace glint
