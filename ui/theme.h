@@ -10,6 +10,11 @@ namespace glint {
 
 enum class Symbol { N, L, V, R, H, Ambient, Diffuse, Specular, Emission };
 inline constexpr int symbol_count = 9;
+/// The letter that stands beside the colour: n, l, v, r, h, a, d, s, e.
+[[nodiscard]] constexpr const char* letter_of(Symbol symbol) {
+    constexpr const char* letters[symbol_count] = {"n", "l", "v", "r", "h", "a", "d", "s", "e"};
+    return letters[static_cast<int>(symbol)];
+}
 
 struct Theme {
     bool dark = true;

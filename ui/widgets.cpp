@@ -142,6 +142,14 @@ bool number_field(const char* label, float& value, const Number& number, const H
     return changed;
 }
 
+bool bare_number(const char* label, float& value, const Number& number, const Help& help, float width) {
+    ImGui::PushID(label);
+    const bool changed = drag_number("##number", value, number, number.initial, width);
+    number_tooltip(label, number, help);
+    ImGui::PopID();
+    return changed;
+}
+
 bool integer_field(const char* label, int& value, int low, int high, int initial, const Help& help) {
     // A drag over 300 pixels goes from the default to four times the default, whatever the limit is.
     Number number{float(low), float(high), float(initial), std::max(0.03f, float(initial) / 100), "%.0f"};

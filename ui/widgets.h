@@ -29,6 +29,9 @@ struct Number {
 
 /// Label and draggable number. Ctrl+click types, double-click or right-click returns to the default.
 [[nodiscard]] bool number_field(const char* label, float& value, const Number& number, const Help& help);
+/// The bare draggable number, `width` wide, for one that stands in a text; the same habits and tooltip.
+[[nodiscard]] bool bare_number(const char* label, float& value, const Number& number, const Help& help,
+                               float width);
 [[nodiscard]] bool integer_field(const char* label, int& value, int low, int high, int initial,
                                  const Help& help);
 [[nodiscard]] bool vector_field(const char* label, glm::vec3& value, const Number& number, glm::vec3 initial,

@@ -7,36 +7,19 @@
 using namespace glint;
 using test::Bench;
 
-namespace {
-
-/// The first line of the right column, downwards from below the tabs, at which `found` says so.
-template <class Found> ImVec2 search_column(Bench& bench, const Found& found) {
-    const Layout layout = lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1);
-    for (float y = layout.right.low.y + 60; y < layout.right.high.y; y += 4) {
-        const ImVec2 at{layout.right.low.x + 30, y};
-        bench.move(at);
-        bench.frames(1);
-        if (found()) return at;
-    }
-    FAIL("nothing in the column does that");
-    return {};
-}
-
-}  // namespace
-
 TEST_CASE("resting on a mistake draws it and leaves the scene alone; a click keeps it, undo takes it back",
           "[ui][window][why]") {
     Bench bench;
     test::ask(bench, WhyTab::Mistakes);
     const Scene start = bench.scene();
     const auto first = mistake_names().front().flag;
-    const ImVec2 row = search_column(bench, [&] { return bench.state.drawn.shading.mistakes.*first; });
+    const ImVec2 row =
+        test::search_column(bench, 30, [&] { return bench.state.drawn.shading.mistakes.*first; });
     CHECK(bench.scene() == start);
     bench.click(row);
     CHECK(bench.scene().shading.mistakes.*first);
     CHECK(mistakes_on(bench.scene().shading.mistakes) == 1);
-    ImGui::GetIO().MousePos = {5, 5};
-    bench.frames(3);
+    test::rest(bench);
     CHECK(bench.state.drawn == bench.scene());
     CHECK(bench.state.editor.history.undo_name() == "Mistakes");
     bench.key(Key::Z, true);
@@ -47,7 +30,7 @@ TEST_CASE("a preview that ends asks for the frame that draws the edited scene ag
     Bench bench;
     test::ask(bench, WhyTab::Mistakes);
     const auto first = mistake_names().front().flag;
-    (void)search_column(bench, [&] { return bench.state.drawn.shading.mistakes.*first; });
+    (void)test::search_column(bench, 30, [&] { return bench.state.drawn.shading.mistakes.*first; });
     ImGui::GetIO().MousePos = {5, 5};
     CHECK(bench.frame().sleep_s == 0);
     (void)bench.frame();

@@ -38,8 +38,9 @@ bool is_pointed_at() {
 }
 
 bool is_pointed_at(ImVec2 low, ImVec2 high) {
-    return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high) && !ImGui::IsAnyMouseDown() &&
-           !ImGui::IsAnyItemActive();
+    constexpr bool clipped = false;  // a row of a table is wider than the cell drawn last
+    return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high, clipped) &&
+           !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
 }
 
 }  // namespace glint

@@ -1,6 +1,10 @@
 #pragma once
 // What the WHY column remembers of the window, none of it the scene's.
 
+#include <optional>
+
+#include "ui/theme.h"
+
 namespace glint {
 
 /// One answer to "why that colour?" each; their labels and order are in ui/why/tabs.cpp.
@@ -8,7 +12,11 @@ enum class WhyTab { Equation, Mistakes };
 
 struct WhyState {
     WhyTab tab = WhyTab::Equation;
-    int corner = 0;  // whose numbers are listed under Gouraud and flat
+    int corner = 0;   // whose numbers are listed under Gouraud and flat
+    int channel = 0;  // whose product is written out: 0 red, 1 green, 2 blue
+    // What the mouse points at in the column, of the last frame: its arrow is drawn thick.
+    std::optional<Symbol> pointed_vector;
+    int pointed_light = -1;
 };
 
 }  // namespace glint

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <utility>
 
 #include "ui/fonts.h"
 #include "ui/theme.h"
@@ -61,6 +62,8 @@ void tab_bar(WhyState& why) {
 std::span<const WhyTabInfo> why_tabs() { return tabs; }
 
 void why_column(UiState& state, const PictureView& view) {
+    const std::optional<Symbol> pointed_vector = std::exchange(state.why_column.pointed_vector, std::nullopt);
+    const int pointed_light = std::exchange(state.why_column.pointed_light, -1);
     if (state.why) why_heading(state, *state.why);
     tab_bar(state.why_column);
     for (const WhyTabInfo& info : tabs) {
@@ -69,6 +72,8 @@ void why_column(UiState& state, const PictureView& view) {
         info.draw(state, view);
         ImGui::EndChild();
     }
+    if (pointed_vector != state.why_column.pointed_vector || pointed_light != state.why_column.pointed_light)
+        wish_frame_in(0);  // the picture's arrows were drawn before
 }
 
 }  // namespace glint

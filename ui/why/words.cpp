@@ -10,7 +10,7 @@ namespace glint {
 namespace {
 
 TermSums sums_at(const ExplainedPoint& at) {
-    TermSums sums{at.emission, at.global_ambient, {}, {}};
+    TermSums sums{at.emission, at.global_ambient, {}, {}, at.cool_to_warm.color};
     for (const ExplainedLight& light : at.lights) {
         sums.ambient += light.ambient;
         sums.diffuse += light.diffuse;
@@ -40,6 +40,14 @@ std::string why_dark(const ExplainedLight& explained, const Light& light) {
     return {};
 }
 
+std::string sample_words(const ExplainedLight& area) {
+    const auto less = [](const ExplainedLight& a, const ExplainedLight& b) { return a.n_dot_l < b.n_dot_l; };
+    const auto [low, high] = std::minmax_element(area.samples.begin(), area.samples.end(), less);
+    if (low == area.samples.end()) return {};
+    return fmt::format("{} samples, n·l {} to {}", area.samples.size(), shown_number(low->n_dot_l),
+                       shown_number(high->n_dot_l));
+}
+
 std::string why_clipped(glm::vec3 sum, float exposure) {
     std::string text;
     for (int i = 0; i < 3; ++i) {
@@ -55,6 +63,7 @@ TermSums term_sums(const Explanation& explanation) {
     TermSums sums;
     for (const ExplainedCorner& corner : explanation.corners) {
         const TermSums at = sums_at(corner.at);
+        sums.tone += corner.weight * at.tone;
         sums.emission += corner.weight * at.emission;
         sums.ambient += corner.weight * at.ambient;
         sums.diffuse += corner.weight * at.diffuse;

@@ -12,12 +12,16 @@ namespace glint {
 /// cone by 4.2°", "hardly reaches: falloff 0.003"; empty when it shines.
 [[nodiscard]] std::string why_dark(const ExplainedLight& explained, const Light& light);
 
+/// Of an area light: "36 samples, n·l −0.12 to 0.71".
+[[nodiscard]] std::string sample_words(const ExplainedLight& area);
+
 /// Channels that leave 0 .. 1 after exposure: "clips: R 1.31 → 1"; empty when none does.
 [[nodiscard]] std::string why_clipped(glm::vec3 sum, float exposure);
 
 /// The terms that the sum of one point consists of; for corners and flat points, what enters after weighting.
 struct TermSums {
     glm::vec3 emission{0}, ambient{0}, diffuse{0}, specular{0};
+    glm::vec3 tone{0};  // cool to warm: in place of emission, ambient and diffuse
 };
 [[nodiscard]] TermSums term_sums(const Explanation& explanation);
 

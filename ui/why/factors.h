@@ -1,0 +1,72 @@
+#pragma once
+// The equation of one light as a product of named numbers: which of them the scene holds (and a hand can
+// drag), which follow from it. Values are those of the renderer's explanation.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "models/scene.h"
+#include "renderer/inspect/explanation.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace glint {
+
+/// A number of the scene where it stands in the equation. Valid while the scene's lists do not change.
+struct SceneNumber {
+    float* value = nullptr;
+    std::string name;
+    Number range;
+    Help help;
+};
+
+/// One factor of a term.
+struct Factor {
+    Symbol symbol = Symbol::Diffuse;
+    const char* letter = "";  // in the symbol's colour: "k"
+    const char* index = "";   // its subscript
+    float value = 1;
+    std::optional<SceneNumber> number;             // set: the value is the scene's
+    std::optional<SceneNumber> exponent;           // `value` is then a base, raised to this
+    float clamped_from = 0;                        // below 0: what the value was before it was clamped to 0
+    std::optional<std::pair<Symbol, Symbol>> dot;  // set: the value is the cosine between these vectors
+};
+
+/// letter = product of the factors = result, in one channel.
+struct TermLine {
+    Symbol symbol = Symbol::Diffuse;
+    const char* letter = "";
+    bool on = true;
+    std::vector<Factor> factors;
+    float result = 0;
+};
+
+/// What the terms of one light at one point are asked for.
+struct LightInEquation {
+    Scene& scene;
+    const Explanation& why;
+    const ExplainedLight& light;
+    int channel = 0;  // 0 red, 1 green, 2 blue
+};
+
+/// Ambient, diffuse and specular, in this order. For an area light, whose samples each have their own
+/// factors, only the numbers of the scene are listed.
+[[nodiscard]] std::vector<TermLine> term_lines(const LightInEquation& in);
+
+/// What all three terms of a light are multiplied by: intensity, falloff, spot factor.
+[[nodiscard]] float share_of(const ExplainedLight& explained, const Light& light);
+
+/// Handles of a light's own numbers.
+[[nodiscard]] SceneNumber intensity_number(Scene& scene, int light);
+[[nodiscard]] std::vector<SceneNumber> falloff_numbers(Scene& scene,
+                                                       int light);  // constant, linear, quadratic
+[[nodiscard]] SceneNumber cutoff_number(Scene& scene, int light);
+[[nodiscard]] SceneNumber spot_exponent_number(Scene& scene, int light);
+
+/// k_a · global ambient, and the emission: what there is without a light. Emission first.
+[[nodiscard]] std::vector<TermLine> unlit_lines(Scene& scene, const Explanation& why,
+                                                const ExplainedPoint& point, int channel);
+
+}  // namespace glint

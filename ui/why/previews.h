@@ -1,0 +1,14 @@
+#pragma once
+// Scenes with all but one thing left out: what the picture shows while a line of the equation is pointed at.
+
+#include "models/scene.h"
+#include "ui/theme.h"
+
+namespace glint {
+
+/// One term alone: ambient, diffuse, specular or emission. Another symbol leaves the scene as it is.
+[[nodiscard]] Scene with_term_alone(Scene scene, Symbol term);
+/// One light alone: no other, no emission, no global ambient light.
+[[nodiscard]] Scene with_light_alone(Scene scene, int light);
+
+}  // namespace glint
