@@ -154,7 +154,8 @@ std::string follow_links(std::string path) {
         const ssize_t length = ::readlink(path.c_str(), target.data(), target.size());
         if (length < 0) return path;
         const std::string next(target.data(), static_cast<std::size_t>(length));
-        path = next.starts_with('/') ? next : path.substr(0, path.rfind('/') + 1) + next;
+        path.erase(next.starts_with('/') ? 0 : path.rfind('/') + 1);
+        path += next;
     }
     return path;
 }

@@ -99,6 +99,7 @@ inline constexpr std::array weighting_choices{
 template <class E, std::size_t N, class Refuse>
 std::vector<Option> options_of(const std::array<Choice<E>, N>& choices, Refuse refuse) {
     std::vector<Option> options;
+    options.reserve(N);
     for (const Choice<E>& c : choices) options.push_back({c.label, c.word, c.what, refuse(c.value)});
     return options;
 }

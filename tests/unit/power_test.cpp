@@ -39,7 +39,7 @@ TEMPLATE_TEST_CASE_SIG("lanes give the bits of float", "[power][lanes]", ((int N
         float x[N], s[N], wide[N];
         for (int i = 0; i < N; ++i) {
             x[i] = static_cast<float>(random() % 1000001) * 1e-6f;
-            s[i] = static_cast<float>(random() % 4) ? static_cast<float>(random() % 2000) * 0.25f : 0.0f;
+            s[i] = random() % 4 != 0 ? static_cast<float>(random() % 2000) * 0.25f : 0.0f;
         }
         store(wide, power(load<Lanes<N>>(x), load<Lanes<N>>(s)));
         for (int i = 0; i < N; ++i) REQUIRE(bits_of(wide[i]) == bits_of(power(x[i], s[i])));
