@@ -10,36 +10,8 @@ namespace glint {
 namespace {
 
 Key key_of_letter(char letter) {
-    switch (letter) {
-    case 'a':
-        return Key::A;
-    case 'd':
-        return Key::D;
-    case 'e':
-        return Key::E;
-    case 'f':
-        return Key::F;
-    case 'k':
-        return Key::K;
-    case 'l':
-        return Key::L;
-    case 'n':
-        return Key::N;
-    case 'o':
-        return Key::O;
-    case 'q':
-        return Key::Q;
-    case 's':
-        return Key::S;
-    case 'x':
-        return Key::X;
-    case 'y':
-        return Key::Y;
-    case 'z':
-        return Key::Z;
-    default:
-        return Key::Other;
-    }
+    if (letter < 'a' || letter > 'z') return Key::Other;
+    return static_cast<Key>(static_cast<int>(Key::A) + letter - 'a');
 }
 
 /// The letter that the user's layout prints on the key, so that Ctrl+Z is where Z is; 0 for keys without one.

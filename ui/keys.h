@@ -7,20 +7,9 @@
 
 namespace glint {
 
+// clang-format off
 enum class Key {
-    A,
-    D,
-    E,
-    F,
-    K,
-    L,
-    N,
-    O,
-    Q,
-    S,
-    X,
-    Y,
-    Z,
+    A, B, C, D, E, F, G, H, I, J, K, L, M, N, O, P, Q, R, S, T, U, V, W, X, Y, Z,
     Digit1,
     Digit2,
     Digit3,
@@ -36,6 +25,7 @@ enum class Key {
     Question,
     Other
 };
+// clang-format on
 
 struct KeyPress {
     Key key = Key::Other;
