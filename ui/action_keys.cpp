@@ -2,6 +2,7 @@
 #include <imgui_internal.h>
 
 #include "ui/actions.h"
+#include "ui/views/views.h"
 
 namespace glint {
 namespace {
@@ -24,7 +25,7 @@ void escape(UiState& state) {
         cancel_loads(state);
     else if (state.shows_shortcuts)
         state.shows_shortcuts = false;
-    else if (!ImGui::GetIO().WantTextInput)
+    else if (!leave_view_tool(state.views) && !ImGui::GetIO().WantTextInput)
         state.viewport.probe.reset();
 }
 

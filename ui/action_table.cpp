@@ -27,6 +27,7 @@ constexpr std::array table{
     ActionInfo{Action::FrameAll, "Frame all", "F", {Key::F}, Menu::View},
     ActionInfo{
         Action::FrameSelected, "Frame the selected object", "Shift+F", {Key::F, !ctrl, shift}, Menu::View},
+    ActionInfo{Action::Scope, "Scan-line scope", "P", {Key::P}, Menu::View, line},
     ActionInfo{Action::LeftColumn, "Scene column", "", {}, Menu::View, line},
     ActionInfo{Action::RightColumn, "Why column", "", {}, Menu::View},
     ActionInfo{Action::Fold, "Picture alone", "F11", {Key::F11}, Menu::View},

@@ -2,6 +2,7 @@
 
 #include "ui/menu/palette.h"
 #include "ui/shading_panel.h"
+#include "ui/views/views.h"
 
 namespace glint {
 namespace {
@@ -167,7 +168,7 @@ std::optional<bool> is_on(const UiState& state, Action action) {
     case Action::Specular:
         return shading.terms.specular;
     default:
-        return {};
+        return views_is_on(state, action);
     }
 }
 
@@ -176,6 +177,7 @@ void run_action(UiState& state, Action action) {
     run_file_action(state, action);
     run_edit_action(state, action);
     run_view_action(state, action);
+    run_views_action(state, action);
 }
 
 }  // namespace glint

@@ -29,6 +29,7 @@ enum class Action {
     SwitchTheme,
     Shortcuts,
     Palette,
+    Scope,
     Flat,
     Facet,
     Gouraud,

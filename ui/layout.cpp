@@ -5,6 +5,24 @@
 
 namespace glint {
 
+namespace {
+
+/// Takes the row of views and the scope's panel off the centre, the picture keeping half of it.
+void share_centre(Layout& layout, const LayoutState& state, float scale) {
+    const Rect all = layout.centre;
+    layout.has_views = !state.folded;
+    layout.has_scope = state.scope;
+    const float views = layout.has_views ? std::min(views_height * scale, all.size().y / 6) : 0;
+    const float scope = layout.has_scope ? std::min(state.scope_height * scale, all.size().y / 2 - views) : 0;
+    const float top = std::round(all.low.y + views);
+    const float bottom = std::max(std::round(all.high.y - scope), top + 1);
+    layout.views = {all.low, {all.high.x, std::max(top, all.low.y + 1)}};
+    layout.centre = {{all.low.x, top}, {all.high.x, bottom}};
+    layout.scope = {{all.low.x, std::min(bottom, all.high.y - 1)}, all.high};
+}
+
+}  // namespace
+
 Layout lay_out(ImVec2 window, const LayoutState& state, float scale) {
     const float width = std::max(window.x, 1.0f), height = std::max(window.y, 1.0f);
     Layout layout;
@@ -23,6 +41,7 @@ Layout lay_out(ImVec2 window, const LayoutState& state, float scale) {
     layout.centre = {{left, top}, {std::max(right, left + 1), std::max(bottom, top + 1)}};
     layout.right = {{std::min(right, width - 1), top}, {width, bottom}};
     layout.status = {{0, bottom}, {width, height}};
+    share_centre(layout, state, scale);
     return layout;
 }
 

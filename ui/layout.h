@@ -15,10 +15,14 @@ struct LayoutState {
     bool left = true, right = true;             // columns shown
     bool folded = false;                        // F11: the picture alone
     float left_width = 280, right_width = 340;  // units of the design
+    bool scope = false;                         // the panel below the picture is open
+    float scope_height = 210;
 };
 
 struct Layout {
     Rect top, left, centre, right, status;
+    Rect views, scope;  // above and below `centre`, the picture's room
+    bool has_views = false, has_scope = false;
     bool has_left = false, has_right = false;
     bool why_in_left = false;  // too narrow for three: WHY is a tab of the left column
 };
@@ -33,6 +37,6 @@ struct Layout {
 
 /// Below this width, in units of the design, the right column becomes a tab of the left.
 inline constexpr float three_column_width = 1100;
-inline constexpr float top_height = 38, status_height = 26;
+inline constexpr float top_height = 38, status_height = 26, views_height = 30;
 
 }  // namespace glint

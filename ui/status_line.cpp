@@ -6,6 +6,7 @@
 #include "ui/fonts.h"
 #include "ui/theme.h"
 #include "ui/toolbar.h"
+#include "ui/views/views.h"
 #include "ui/why/mistakes_tab.h"
 #include "ui/widgets.h"
 
@@ -89,7 +90,8 @@ void status_line(UiState& state, const Rect& area) {
         const ImVec2 left = ImGui::GetCursorScreenPos();
         const float right = area.high.x - width - px(10);
         const float mark = mistakes_mark(state, {right, left.y});
-        const std::string hint = gesture_hint(state.viewport, state.editor.scene());
+        std::string hint = views_hint(state.views);
+        if (hint.empty()) hint = gesture_hint(state.viewport, state.editor.scene());
         const ImVec4 room{left.x, area.low.y, right - mark - px(16), area.high.y};
         ImGui::GetWindowDrawList()->AddText(nullptr, 0, left, packed(theme().text), hint.c_str(), nullptr, 0,
                                             &room);

@@ -16,6 +16,7 @@
 #include "ui/shading_panel.h"
 #include "ui/theme.h"
 #include "ui/toolbar.h"
+#include "ui/views/views.h"
 #include "ui/why/tabs.h"
 #include "ui/widgets.h"
 
@@ -60,6 +61,13 @@ bool viewport(UiState& state, const Layout& layout, const UiInput& input, ImText
                                ImGuiButtonFlags_MouseButtonMiddle);
     const Renderer* renderer =
         state.picture != nullptr && state.picture->size == view.map.size ? state.renderer.get() : nullptr;
+    if (state.viewport.gesture == Gesture::None && views_hand(state, view)) {
+        state.viewport.hovered = false;
+        state.viewport.hovered_light = -1;
+        state.viewport.touched |= ImGui::IsAnyMouseDown();
+        ImGui::End();
+        return false;
+    }
     const bool busy = viewport_gestures(
         state.viewport, {state.editor.scene(), state.editor.selection, renderer, view}, input);
     ImGui::End();
@@ -189,8 +197,10 @@ void draw_picture(UiState& state, PictureSize size) {
     const std::optional<Scene> preview = std::exchange(state.preview, std::nullopt);
     const Scene& shown = preview ? *preview : state.editor.scene();
     const bool same_size = state.picture != nullptr && state.picture->size == size;
-    if (!same_size || !(state.drawn == shown)) {
-        state.picture = &state.renderer->render(shown, size);
+    const bool linear = views_need_linear(state.views);
+    const bool has_linear = state.picture != nullptr && !state.picture->linear.empty();
+    if (!same_size || !(state.drawn == shown) || (linear && !has_linear)) {
+        state.picture = &state.renderer->render(shown, size, linear);
         state.drawn = shown;
         ++state.picture_serial;
     }
@@ -219,6 +229,7 @@ void overlay(UiState& state, const Layout& layout, const PictureView& view) {
     list.PushClipRect(view.origin, high, true);
     draw_overlay(list, state.viewport,
                  {state.editor.scene(), state.editor.selection, state.renderer.get(), view});
+    draw_views_overlay(list, state, view);
     first_hints(state, view);
     list.PopClipRect();
     ImGui::End();
@@ -252,6 +263,7 @@ UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
     take_dropped(state, input);
     run_keys(state, input);
     ImGui::PushFont(fonts().body);
+    begin_views(state);
     const Layout layout = lay_out(ImGui::GetIO().DisplaySize, state.layout, px(1));
     toolbar(state, layout.top);
     const bool in_hand = viewport(state, layout, input, texture);
@@ -260,8 +272,10 @@ UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
     dialogs(state, input);
     const PictureView view = picture_view(layout.centre, state.editor.scene());
     draw_picture(state, view.map.size);
+    update_views(state);
     overlay(state, layout, picture_view(layout.centre, state.editor.scene()));
     why_columns(state, layout, view);
+    views_windows(state, layout);
     loading_panel(state);
     status_line(state, layout.status);
     remember(state, in_hand);

@@ -19,6 +19,7 @@
 #include "ui/menu/palette_state.h"
 #include "ui/notifications.h"
 #include "ui/viewport.h"
+#include "ui/views/state.h"
 #include "ui/why/state.h"
 
 namespace glint {
@@ -38,13 +39,14 @@ struct UiState {
     ViewportState viewport;
     LayoutState layout;
     WhyState why_column;  // tab and switches
+    ViewsState views;     // how the picture is looked at
     Notifications notifications;
     FileDialog files;
     PaletteState palette;
     Loading loading;
     Pending pending;
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
-    int mesh_for_object = -1;  // whose mesh the file dialog chooses; -1: a new object's
+    int mesh_for_object = -1;    // whose mesh the file dialog chooses; -1: a new object's
     bool dark = true, shows_shortcuts = false, left_shows_why = false;
     bool quits = false;
 

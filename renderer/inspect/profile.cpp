@@ -20,6 +20,23 @@ void difference(std::vector<ProfileSample>& s) {
         s[i].second_difference = *s[i + 1].first_difference - *s[i].first_difference;
 }
 
+/// The samples' mean about number `at`, weighted by a Gaussian. At an end of the line the window is cut on
+/// both sides, so that an even rise stays one.
+double gaussian_mean(const std::vector<ProfileSample>& samples, std::ptrdiff_t at, double deviation_px,
+                     double step_px) {
+    const auto wanted = static_cast<std::ptrdiff_t>(std::ceil(4 * deviation_px / step_px));
+    const auto last = static_cast<std::ptrdiff_t>(samples.size()) - 1;
+    const std::ptrdiff_t reach = std::min({wanted, at, last - at});
+    double sum = 0, weights = 0;
+    for (std::ptrdiff_t i = -reach; i <= reach; ++i) {
+        const double away = static_cast<double>(i) * step_px / deviation_px;
+        const double weight = std::exp(-away * away / 2);
+        sum += weight * samples[static_cast<std::size_t>(at + i)].intensity;
+        weights += weight;
+    }
+    return sum / weights;
+}
+
 std::string field(const std::optional<double>& number) { return number ? fmt::format("{}", *number) : ""; }
 
 }  // namespace
@@ -45,6 +62,17 @@ std::vector<ProfileSample> profile(const Renderer& renderer, const Picture& pict
     }
     difference(samples);
     return samples;
+}
+
+std::vector<double> perceived(const std::vector<ProfileSample>& samples, double surround_px) {
+    std::vector<double> seen;
+    seen.reserve(samples.size());
+    const double step_px = samples.size() > 1 ? samples[1].position - samples[0].position : 1;
+    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(samples.size()); ++i)
+        seen.push_back(samples[static_cast<std::size_t>(i)].intensity +
+                       gaussian_mean(samples, i, 1, step_px) -
+                       gaussian_mean(samples, i, surround_px, step_px));
+    return seen;
 }
 
 std::string profile_csv(const std::vector<ProfileSample>& samples) {

@@ -1,6 +1,7 @@
 // Mach bands: the jump of the first derivative of intensity at an edge, against its closed form.
 #include "renderer/inspect/profile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -137,4 +138,35 @@ TEST_CASE("profile: the CSV has a named column for each number, empty where ther
           "position,r,g,b,intensity,first_difference,second_difference,face,object,x,y\n"
           "0,0.5,0.5,0.5,0.5,,,,,0,0\n"
           "1,0,0,0,0,-0.5,,7,2,1,0\n");
+}
+
+namespace {
+
+/// Samples one pixel apart with these intensities.
+template <class Intensity> std::vector<ProfileSample> made_up(int count, const Intensity& intensity) {
+    std::vector<ProfileSample> samples(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        samples[static_cast<std::size_t>(i)].position = i;
+        samples[static_cast<std::size_t>(i)].intensity = intensity(i);
+    }
+    return samples;
+}
+
+}  // namespace
+
+TEST_CASE("profile: the eye sees an even rise as it is, and a band where the slope changes", "[profile]") {
+    const auto rise = made_up(200, [](int i) { return 0.1 + 0.002 * i; });
+    const std::vector<double> seen_rise = perceived(rise, 12);
+    for (std::size_t i = 0; i < rise.size(); ++i) CHECK(seen_rise[i] == Approx(rise[i].intensity));
+
+    // Dark, a ramp from 100 to 200, bright: what Mach drew.
+    const auto ramp = made_up(300, [](int i) { return 0.2 + 0.006 * std::clamp(i - 100, 0, 100); });
+    const std::vector<double> seen = perceived(ramp, 12);
+    CHECK(seen[100] < ramp[100].intensity - 0.01);
+    CHECK(seen[200] > ramp[200].intensity + 0.01);
+    CHECK(seen[150] == Approx(ramp[150].intensity).margin(1e-4));
+    CHECK(seen[20] == Approx(0.2));
+    // At a bend by s the mean of |x| under a Gaussian counts: s (wide - narrow) / sqrt(2 pi).
+    CHECK(ramp[100].intensity - seen[100] ==
+          Approx(0.006 * (12 - 1) / std::sqrt(2 * std::numbers::pi)).epsilon(0.02));
 }

@@ -1,0 +1,211 @@
+#include "ui/plots/plot.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ui/fonts.h"
+#include "ui/theme.h"
+
+namespace glint {
+namespace {
+
+/// More points than this on one curve are thinned: ImGui counts the corners of a list in 16 bits.
+constexpr std::size_t most_points = 1500;
+
+/// The step of at most `most` ticks: 1, 2 or 5 times a power of ten.
+double tick_step(Range range, int most) {
+    const double least = range.length() / std::max(most - 1, 1);
+    const double power = std::pow(10, std::floor(std::log10(least)));
+    for (const double step : {1.0, 2.0, 5.0, 10.0})
+        if (step * power >= least * (1 - 1e-9)) return step * power;
+    return 10 * power;
+}
+
+float text_height() { return fonts().small->FontSize * ImGui::GetIO().FontGlobalScale; }
+
+ImVec2 text_size(const std::string& text) {
+    return fonts().small->CalcTextSizeA(text_height(), 1e9f, 0, text.c_str());
+}
+
+std::string axis_title(const AxisText& axis) {
+    return *axis.unit != 0 ? fmt::format("{}, {}", axis.name, axis.unit) : std::string(axis.name);
+}
+
+void draw_x_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
+    const int most = std::max(2, static_cast<int>(area.rect.size().x / px(62)));
+    const float y = area.rect.high.y;
+    for (const double v : ticks(area.x, most)) {
+        const float x = area.at({v, area.y.low}).x;
+        list.AddLine({x, area.rect.low.y}, {x, y}, packed(theme().line));
+        if (text.numbers)
+            plot_text(list, {x, y + px(3) + text_height() / 2}, theme().dim_text,
+                      tick_text(v, tick_step(area.x, most)), true);
+    }
+    if (*text.name == 0) return;
+    const std::string title = axis_title(text);
+    const float below = text.numbers ? text_height() + px(3) : px(2);
+    plot_text(list, {area.rect.high.x - text_size(title).x, y + below}, theme().text, title);
+}
+
+void draw_y_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
+    const int most = std::max(3, static_cast<int>(area.rect.size().y / px(22)));
+    for (const double v : ticks(area.y, most)) {
+        const float y = area.at({area.x.low, v}).y;
+        list.AddLine({area.rect.low.x, y}, {area.rect.high.x, y}, packed(theme().line));
+        if (!text.numbers) continue;
+        const std::string number = tick_text(v, tick_step(area.y, most));
+        plot_text(list, {area.rect.low.x - px(4) - text_size(number).x, y - text_height() / 2},
+                  theme().dim_text, number);
+    }
+}
+
+/// The lowest and the highest point of each of `buckets` pieces, in their order.
+std::vector<glm::dvec2> thinned(std::span<const glm::dvec2> points, std::size_t buckets) {
+    std::vector<glm::dvec2> kept;
+    for (std::size_t b = 0; b < buckets; ++b) {
+        const auto piece = points.subspan(b * points.size() / buckets,
+                                          (b + 1) * points.size() / buckets - b * points.size() / buckets);
+        if (piece.empty()) continue;
+        const auto lower = [](glm::dvec2 a, glm::dvec2 c) { return a.y < c.y; };
+        auto [low, high] = std::minmax_element(piece.begin(), piece.end(), lower);
+        if (high < low) std::swap(low, high);
+        kept.push_back(*low);
+        if (low != high) kept.push_back(*high);
+    }
+    return kept;
+}
+
+}  // namespace
+
+Range range_of(std::span<const double> values, double least, double margin) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const double v : values) {
+        if (!std::isfinite(v)) continue;
+        low = std::min(low, v);
+        high = std::max(high, v);
+    }
+    if (low > high) return {0, 1};
+    if (high - low < least) {
+        const double middle = (low + high) / 2;
+        low = middle - least / 2;
+        high = middle + least / 2;
+    }
+    const double more = margin * (high - low);
+    return {low - more, high + more};
+}
+
+std::vector<double> ticks(Range range, int most) {
+    const double step = tick_step(range, most);
+    std::vector<double> values;
+    // Whole multiples, so that 0 is 0 and no error adds up.
+    const double first = std::ceil(range.low / step - 1e-9);
+    for (int i = 0; i < most && (first + i) * step <= range.high + 1e-9 * step; ++i)
+        values.push_back((first + i) * step);
+    return values;
+}
+
+std::string tick_text(double value, double step) {
+    if (std::abs(value) < step * 1e-6) return "0";
+    const int places = static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
+    if (places > 4 || step >= 1e5) return fmt::format("{:.3g}", value);
+    return fmt::format("{:.{}f}", value, std::max(places, 0));
+}
+
+ImVec2 PlotArea::at(glm::dvec2 value) const {
+    const ImVec2 size = rect.size();
+    return {rect.low.x + static_cast<float>((value.x - x.low) / x.length()) * size.x,
+            rect.high.y - static_cast<float>((value.y - y.low) / y.length()) * size.y};
+}
+
+glm::dvec2 PlotArea::value(ImVec2 at) const {
+    const ImVec2 size = rect.size();
+    return {x.low + x.length() * static_cast<double>((at.x - rect.low.x) / size.x),
+            y.low + y.length() * static_cast<double>((rect.high.y - at.y) / size.y)};
+}
+
+bool PlotArea::holds(ImVec2 at) const {
+    return at.x >= rect.low.x && at.x <= rect.high.x && at.y >= rect.low.y && at.y <= rect.high.y;
+}
+
+ImVec4 channel_colour(int channel) {
+    static const ImVec4 on_dark[] = {{1, 0.42f, 0.36f, 1}, {0.35f, 0.85f, 0.45f, 1}, {0.45f, 0.65f, 1, 1}};
+    static const ImVec4 on_light[] = {{0.75f, 0.1f, 0.1f, 1}, {0, 0.45f, 0.1f, 1}, {0.1f, 0.25f, 0.8f, 1}};
+    return theme().dark ? on_dark[channel] : on_light[channel];
+}
+
+void plot_text(ImDrawList& list, ImVec2 at, const ImVec4& colour, const std::string& text, bool centre) {
+    const ImVec2 size = centre ? text_size(text) : ImVec2{0, 0};
+    list.AddText(fonts().small, text_height(), {at.x - size.x / 2, at.y - size.y / 2}, packed(colour),
+                 text.c_str());
+}
+
+void draw_y_name(ImDrawList& list, const PlotArea& area, const AxisText& text) {
+    if (*text.name == 0) return;
+    const std::string title = axis_title(text);
+    const ImVec2 at{area.rect.low.x + px(4), area.rect.low.y + px(1)}, size = text_size(title);
+    list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, packed(theme().window, 0.8f));
+    plot_text(list, at, theme().text, title);
+}
+
+PlotArea draw_axes(ImDrawList& list, const Rect& all, Range x, Range y, const AxisText& x_text,
+                   const AxisText& y_text) {
+    const float left = y_text.numbers ? px(44) : px(4);
+    const float below =
+        (x_text.numbers ? text_height() + px(3) : 0) + (*x_text.name != 0 ? text_height() + px(2) : px(2));
+    PlotArea area{{{all.low.x + left, all.low.y + px(2)}, {all.high.x - px(6), all.high.y - below}}, x, y};
+    area.rect.high.x = std::max(area.rect.high.x, area.rect.low.x + 1);
+    area.rect.high.y = std::max(area.rect.high.y, area.rect.low.y + 1);
+    list.AddRectFilled(area.rect.low, area.rect.high, packed(theme().window));
+    draw_x_axis(list, area, x_text);
+    draw_y_axis(list, area, y_text);
+    if (y.low < 0 && y.high > 0)
+        list.AddLine(area.at({x.low, 0}), area.at({x.high, 0}), packed(theme().dim_text, 0.6f));
+    list.AddRect(area.rect.low, area.rect.high, packed(theme().line));
+    return area;
+}
+
+void draw_curve(ImDrawList& list, const PlotArea& area, std::span<const glm::dvec2> points,
+                const ImVec4& colour, float width) {
+    std::vector<glm::dvec2> fewer;
+    if (points.size() > most_points) {
+        fewer = thinned(points, most_points / 2);
+        points = fewer;
+    }
+    list.PushClipRect(area.rect.low, area.rect.high, true);
+    const auto stroke = [&] { list.PathStroke(packed(colour), 0, px(width)); };
+    for (const glm::dvec2 p : points) {
+        if (std::isfinite(p.x) && std::isfinite(p.y))
+            list.PathLineTo(area.at(p));
+        else
+            stroke();  // a gap
+    }
+    stroke();
+    list.PopClipRect();
+}
+
+void draw_mark(ImDrawList& list, const PlotArea& area, glm::dvec2 at, const ImVec4& colour,
+               const std::string& text) {
+    if (!std::isfinite(at.x) || !std::isfinite(at.y)) return;
+    ImVec2 place = area.at(at);
+    place.x = std::clamp(place.x, area.rect.low.x, area.rect.high.x);
+    place.y = std::clamp(place.y, area.rect.low.y, area.rect.high.y);
+    list.AddCircleFilled(place, px(5), packed(theme().window));
+    list.AddCircleFilled(place, px(3.6f), packed(colour));
+    if (text.empty()) return;
+    const float width = text_size(text).x;
+    const bool left = place.x + px(9) + width > area.rect.high.x;
+    const float y =
+        std::clamp(place.y - text_height() - px(3), area.rect.low.y, area.rect.high.y - text_height());
+    plot_text(list, {left ? place.x - px(9) - width : place.x + px(9), y}, colour, text);
+}
+
+void draw_upright(ImDrawList& list, const PlotArea& area, double x, const ImVec4& colour, float opacity) {
+    const float at = area.at({x, area.y.low}).x;
+    if (at < area.rect.low.x || at > area.rect.high.x) return;
+    list.AddLine({at, area.rect.low.y}, {at, area.rect.high.y}, packed(colour, opacity));
+}
+
+}  // namespace glint

@@ -1,0 +1,75 @@
+#pragma once
+// A small plot: axes with numbers and units, curves, marks. Draws into an ImGui list; keeps nothing.
+
+#include <imgui.h>
+
+#include <glm/vec2.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ui/layout.h"
+
+namespace glint {
+
+/// An interval of a quantity, low < high.
+struct Range {
+    double low = 0, high = 1;
+    [[nodiscard]] double length() const { return high - low; }
+};
+
+/// The least interval that holds the values, widened to at least `least` about its middle and by a margin of
+/// `margin` of its length on each side. Values that are not finite are left out; without any: 0 to 1.
+[[nodiscard]] Range range_of(std::span<const double> values, double least = 1e-9, double margin = 0.06);
+
+/// Round numbers inside the range, at most `most` (>= 2) of them, whose step is 1, 2 or 5 times a power of
+/// ten.
+[[nodiscard]] std::vector<double> ticks(Range range, int most);
+
+/// A tick's number with as many places as its step asks for; "0" without a sign.
+[[nodiscard]] std::string tick_text(double value, double step);
+
+/// What an axis shows: "r" and "scene units" become "r, scene units".
+struct AxisText {
+    const char* name = "";
+    const char* unit = "";
+    bool numbers = true;
+};
+
+/// A rectangle of the window with a quantity along each side; y upwards.
+struct PlotArea {
+    Rect rect;
+    Range x, y;
+
+    [[nodiscard]] ImVec2 at(glm::dvec2 value) const;
+    [[nodiscard]] glm::dvec2 value(ImVec2 at) const;
+    [[nodiscard]] bool holds(ImVec2 at) const;
+};
+
+/// Draws frame, grid, ticks and numbers inside `all`; returns what is left for curves.
+[[nodiscard]] PlotArea draw_axes(ImDrawList& list, const Rect& all, Range x, Range y, const AxisText& x_text,
+                                 const AxisText& y_text);
+
+/// The name of the y axis, in the area's upper left corner: after the curves, so that it can be read.
+void draw_y_name(ImDrawList& list, const PlotArea& area, const AxisText& y_text);
+
+/// A line through points sorted by x, cut to the area. Where there are more than the screen can show, each
+/// piece keeps its lowest and highest.
+void draw_curve(ImDrawList& list, const PlotArea& area, std::span<const glm::dvec2> points,
+                const ImVec4& colour, float width = 1.6f);
+
+/// The current point: a disc with a ring, and a letter or number beside it.
+void draw_mark(ImDrawList& list, const PlotArea& area, glm::dvec2 at, const ImVec4& colour,
+               const std::string& text = "");
+
+/// A line across the area at an x.
+void draw_upright(ImDrawList& list, const PlotArea& area, double x, const ImVec4& colour, float opacity = 1);
+
+/// Red, green or blue (0 to 2), as light or dark as the theme needs.
+[[nodiscard]] ImVec4 channel_colour(int channel);
+
+/// Text in the small font, its corner or (centre) its middle at a place.
+void plot_text(ImDrawList& list, ImVec2 at, const ImVec4& colour, const std::string& text,
+               bool centre = false);
+
+}  // namespace glint

@@ -1,0 +1,216 @@
+#include "ui/views/scope.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "ui/shell_word.h"
+#include "ui/theme.h"
+
+namespace glint {
+namespace {
+
+using Hand = ScopeState::Hand;
+
+/// Units of the design within which an end or the line is taken.
+constexpr float end_reach = 10, line_reach = 6;
+
+glm::dvec2 size_of(const PictureView& view) { return {view.map.size.width, view.map.size.height}; }
+
+/// The middle of an end's pixel, in the window.
+ImVec2 place_of(glm::dvec2 share, const PictureView& view) {
+    return view.to_window(glm::dvec2(pixel_of(share, view.map.size)) + 0.5);
+}
+
+double distance_to_segment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
+    const glm::dvec2 along = b - a;
+    const double square = glm::dot(along, along);
+    const double share = square > 0 ? glm::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
+    return glm::length(p - a - share * along);
+}
+
+bool is_on_card(const ScopeState& scope, glm::dvec2 share) {
+    const glm::dvec2 away = glm::abs(share - scope.card_at) * 2.0;
+    return scope.card && away.x <= scope.card_size.x && away.y <= scope.card_size.y;
+}
+
+Hand under_cursor(const ScopeState& scope, const PictureView& view, glm::dvec2 share) {
+    const auto at = [&](glm::dvec2 s) {
+        const ImVec2 place = place_of(s, view);
+        return glm::dvec2(place.x, place.y);
+    };
+    const glm::dvec2 mouse(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+    const glm::dvec2 from = at(scope.from), to = at(scope.to);
+    if (scope.armed) return Hand::New;
+    if (glm::length(mouse - to) <= double(px(end_reach))) return Hand::To;
+    if (glm::length(mouse - from) <= double(px(end_reach))) return Hand::From;
+    if (is_on_card(scope, share)) return Hand::Card;
+    return distance_to_segment(mouse, from, to) <= double(px(line_reach)) ? Hand::Line : Hand::None;
+}
+
+/// `moved` level or upright as seen from `fixed`, whichever is nearer.
+glm::dvec2 squared(glm::dvec2 fixed, glm::dvec2 moved, glm::dvec2 size) {
+    const glm::dvec2 away = glm::abs(moved - fixed) * size;
+    return away.x >= away.y ? glm::dvec2(moved.x, fixed.y) : glm::dvec2(fixed.x, moved.y);
+}
+
+void move_line(ScopeState& scope, glm::dvec2 step) {
+    // As far as both ends stay inside.
+    const glm::dvec2 low = glm::min(scope.from, scope.to), high = glm::max(scope.from, scope.to);
+    step = glm::clamp(step, -low, 1.0 - high);
+    scope.from += step;
+    scope.to += step;
+}
+
+void drag(ScopeState& scope, const PictureView& view, glm::dvec2 share) {
+    const glm::dvec2 inside = glm::clamp(share, 0.0, 1.0);
+    const bool square = ImGui::GetIO().KeyShift;
+    switch (scope.hand) {
+    case Hand::None:
+        break;
+    case Hand::New:
+    case Hand::To:
+        scope.to = square ? squared(scope.from, inside, size_of(view)) : inside;
+        break;
+    case Hand::From:
+        scope.from = square ? squared(scope.to, inside, size_of(view)) : inside;
+        break;
+    case Hand::Line:
+        move_line(scope, share - scope.last);
+        break;
+    case Hand::Card:
+        scope.card_at = glm::clamp(scope.card_at + share - scope.last, 0.0, 1.0);
+        break;
+    }
+    scope.last = share;
+}
+
+/// A press that never moved is the scan line through that pixel.
+void release(ScopeState& scope, const PictureView& view) {
+    const glm::dvec2 drawn = (scope.to - scope.from) * size_of(view) * double(view.units_per_pixel);
+    if (scope.hand == Hand::New) {
+        if (glm::length(drawn) < double(px(3))) {
+            scope.from.x = 0;
+            scope.to = {1, scope.from.y};
+        }
+        scope.armed = false;
+    }
+    scope.hand = Hand::None;
+}
+
+void set_cursor(const ScopeState& scope) {
+    const Hand shown = scope.hand != Hand::None ? scope.hand : scope.under;
+    if (shown == Hand::None) return;
+    const bool moves = shown == Hand::Line || shown == Hand::Card;
+    ImGui::SetMouseCursor(moves ? ImGuiMouseCursor_ResizeAll : ImGuiMouseCursor_Hand);
+}
+
+void draw_end(ImDrawList& list, ImVec2 at, bool lit) {
+    list.AddCircleFilled(at, px(lit ? 7 : 5.5f), packed({0, 0, 0, 1}, 0.7f));
+    list.AddCircleFilled(at, px(lit ? 5.5f : 4), packed({1, 1, 1, 1}));
+}
+
+void draw_card(ImDrawList& list, const ScopeState& scope, const PictureView& view) {
+    const ImVec2 low = view.to_window((scope.card_at - scope.card_size / 2.0) * size_of(view));
+    const ImVec2 high = view.to_window((scope.card_at + scope.card_size / 2.0) * size_of(view));
+    list.AddRectFilled(low, high, packed(theme().surround));
+    if (scope.hand == Hand::Card || scope.under == Hand::Card)
+        list.AddRect(low, high, packed(theme().accent));
+}
+
+}  // namespace
+
+glm::ivec2 pixel_of(glm::dvec2 share, PictureSize size) {
+    return {std::clamp(static_cast<int>(share.x * size.width), 0, size.width - 1),
+            std::clamp(static_cast<int>(share.y * size.height), 0, size.height - 1)};
+}
+
+void toggle_scope(ScopeState& scope) {
+    scope.open = !scope.open;
+    scope.armed = scope.open;
+    scope.hand = Hand::None;
+    scope.hovered = -1;
+}
+
+bool scope_hand(ScopeState& scope, const PictureView& view) {
+    if (!scope.open || !ImGui::IsMousePosValid()) return false;
+    const glm::dvec2 share = view.to_pixel(ImGui::GetIO().MousePos) / size_of(view);
+    if (scope.hand == Hand::None) {
+        scope.under = ImGui::IsItemHovered() ? under_cursor(scope, view, share) : Hand::None;
+        if (scope.under != Hand::None && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+            scope.hand = scope.under;
+            scope.last = share;
+            if (scope.hand == Hand::New) scope.from = scope.to = glm::clamp(share, 0.0, 1.0);
+        }
+    } else {
+        if (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0) drag(scope, view, share);
+        if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) release(scope, view);
+    }
+    set_cursor(scope);
+    return scope.hand != Hand::None || scope.under != Hand::None;
+}
+
+void update_scope(ScopeState& scope, const Renderer& renderer, const Picture& picture) {
+    if (!scope.open) return;
+    scope.samples =
+        profile(renderer, picture, pixel_of(scope.from, picture.size), pixel_of(scope.to, picture.size));
+    scope.seen.clear();
+    if (scope.eye) scope.seen = perceived(scope.samples, scope.surround_px);
+    if (scope.hovered >= static_cast<int>(scope.samples.size())) scope.hovered = -1;
+}
+
+void draw_scope_line(ImDrawList& list, const ScopeState& scope, const PictureView& view) {
+    if (!scope.open) return;
+    if (scope.card) draw_card(list, scope, view);
+    const ImVec2 from = place_of(scope.from, view), to = place_of(scope.to, view);
+    list.AddLine(from, to, packed({0, 0, 0, 1}, 0.55f), px(3));
+    list.AddLine(from, to, packed({1, 1, 1, 1}, 0.9f), px(1));
+    draw_end(list, from, scope.hand == Hand::From || scope.under == Hand::From);
+    draw_end(list, to, scope.hand == Hand::To || scope.under == Hand::To);
+    if (scope.hovered < 0) return;
+    const ProfileSample& sample = scope.samples[static_cast<std::size_t>(scope.hovered)];
+    const ImVec2 at = view.to_window(glm::dvec2(sample.pixel) + 0.5);
+    list.AddCircle(at, px(7), packed({0, 0, 0, 1}, 0.7f), 0, px(3.5f));
+    list.AddCircle(at, px(7), packed(theme().accent), 0, px(1.8f));
+}
+
+void place_card(ScopeState& scope, PictureSize size) {
+    const auto bend = [](const ProfileSample& s) { return std::abs(s.second_difference.value_or(0)); };
+    const auto sharpest =
+        std::max_element(scope.samples.begin(), scope.samples.end(),
+                         [&](const ProfileSample& a, const ProfileSample& b) { return bend(a) < bend(b); });
+    if (sharpest == scope.samples.end()) return;
+    scope.card_at = (glm::dvec2(sharpest->pixel) + 0.5) / glm::dvec2(size.width, size.height);
+    scope.card_at.x += scope.card_size.x / 2;
+}
+
+std::string profile_command_line(const ScopeState& scope, const std::string& path, PictureSize size) {
+    const glm::ivec2 from = pixel_of(scope.from, size), to = pixel_of(scope.to, size);
+    return fmt::format("glint profile {} --size {}x{} --from {},{} --to {},{}",
+                       path.empty() ? "scene.json" : shell_word(path), size.width, size.height, from.x,
+                       from.y, to.x, to.y);
+}
+
+std::vector<double> face_boundaries(const std::vector<ProfileSample>& samples) {
+    std::vector<double> found;
+    const auto face = [](const ProfileSample& s) {
+        return s.seen ? std::pair(s.seen->object, std::int64_t{s.seen->face})
+                      : std::pair(-1, std::int64_t{-1});
+    };
+    for (std::size_t i = 1; i < samples.size(); ++i)
+        if (face(samples[i]) != face(samples[i - 1]))
+            found.push_back((samples[i].position + samples[i - 1].position) / 2);
+    return found;
+}
+
+std::string sample_text(const ProfileSample& s) {
+    std::string text = fmt::format("{},{}  I {:.4f}", s.pixel.x, s.pixel.y, s.intensity);
+    if (s.first_difference) text += fmt::format("  I′ {:+.4f}", *s.first_difference);
+    if (s.second_difference) text += fmt::format("  I″ {:+.4f}", *s.second_difference);
+    return text + (s.seen ? fmt::format("  face {}", s.seen->face) : std::string("  background"));
+}
+
+}  // namespace glint

@@ -1,0 +1,67 @@
+#pragma once
+// The scan-line scope: a line laid over the picture, and below the picture its intensity with first and
+// second differences, so that Mach bands are seen in numbers. Lecture: "Gouraud Shading Artifacts".
+
+#include <imgui.h>
+
+#include <glm/vec2.hpp>
+#include <string>
+#include <vector>
+
+#include "renderer/inspect/profile.h"
+#include "ui/gizmo.h"
+
+namespace glint {
+
+struct ScopeState {
+    enum class Hand { None, From, To, Line, New, Card };
+
+    bool open = false;   // line and panel are shown
+    bool armed = false;  // the next drag over the picture draws the line
+    // Ends of the line, and the grey card's middle and size, as shares of the picture's size.
+    glm::dvec2 from{0.02, 0.5}, to{0.98, 0.5};
+    bool card = false;
+    glm::dvec2 card_at{0.5}, card_size{0.1, 0.3};
+    bool channels = false;    // red, green and blue apart, in place of luminance
+    bool eye = false;         // the perceived curve too
+    double surround_px = 12;  // of the eye
+    int hovered = -1;         // number of the sample under the cursor in the panel
+    // In hand:
+    Hand hand = Hand::None;
+    Hand under = Hand::None;  // what a press would take
+    glm::dvec2 last{0};       // where the cursor was, as a share
+
+    std::vector<ProfileSample> samples;  // of the picture on the screen
+    std::vector<double> seen;            // perceived intensity; empty unless asked for
+};
+
+/// The pixel at a share of the picture's size.
+[[nodiscard]] glm::ivec2 pixel_of(glm::dvec2 share, PictureSize size);
+
+/// Opens the scope with its tool in hand, or closes it.
+void toggle_scope(ScopeState& scope);
+
+/// Reads the mouse over the item drawn last (the picture). True while the scope has the mouse: then nobody
+/// else may take it. Shift keeps the line level or upright.
+[[nodiscard]] bool scope_hand(ScopeState& scope, const PictureView& view);
+
+/// Reads the line off a picture that was drawn with `linear`.
+void update_scope(ScopeState& scope, const Renderer& renderer, const Picture& picture);
+
+/// Line, ends, card, and the sample pointed at in the panel.
+void draw_scope_line(ImDrawList& list, const ScopeState& scope, const PictureView& view);
+
+/// Lays the card on the right of the sharpest bend of the line, its edge on the pixel of the bend.
+void place_card(ScopeState& scope, PictureSize size);
+
+/// The command that prints what the panel shows: quoted for a shell. `path`: of the scene, or empty.
+[[nodiscard]] std::string profile_command_line(const ScopeState& scope, const std::string& path,
+                                               PictureSize size);
+
+/// The positions along the line, between two samples, at which the face seen changes.
+[[nodiscard]] std::vector<double> face_boundaries(const std::vector<ProfileSample>& samples);
+
+/// What the panel says of a sample: its pixel, values, differences and face.
+[[nodiscard]] std::string sample_text(const ProfileSample& sample);
+
+}  // namespace glint

@@ -1,0 +1,202 @@
+#include "ui/views/scope_panel.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "ui/fonts.h"
+#include "ui/icons.h"
+#include "ui/plots/plot.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+using Points = std::vector<glm::dvec2>;
+
+/// A curve of one value a sample; a gap where `value` has none.
+template <class Value> Points curve(const std::vector<ProfileSample>& samples, const Value& value) {
+    Points points;
+    points.reserve(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) points.emplace_back(samples[i].position, value(i));
+    return points;
+}
+
+double or_nan(const std::optional<double>& number) {
+    return number.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+Range range_of_curves(std::initializer_list<const Points*> curves, bool around_zero) {
+    std::vector<double> values;
+    for (const Points* points : curves)
+        for (const glm::dvec2 p : *points) values.push_back(p.y);
+    if (around_zero) values.push_back(0);
+    return range_of(values, around_zero ? 1e-4 : 1e-3, 0.08);
+}
+
+struct Strip {
+    Rect rect;
+    Range x;
+    bool last = false;  // the one with the axis along the line
+    AxisText y;
+};
+
+PlotArea begin_strip(ImDrawList& list, const Strip& strip, Range y, const ScopeState& scope) {
+    const PlotArea area = draw_axes(list, strip.rect, strip.x, y, {"", "", strip.last}, strip.y);
+    for (const double at : face_boundaries(scope.samples))
+        draw_upright(list, area, at, theme().dim_text, 0.45f);
+    return area;
+}
+
+/// The curve, with its point at the sample pointed at.
+void strip_curve(ImDrawList& list, const PlotArea& area, const Points& points, const ScopeState& scope,
+                 const ImVec4& colour) {
+    if (points.empty()) return;
+    draw_curve(list, area, points, colour, 1.4f);
+    if (scope.hovered >= 0) draw_mark(list, area, points[static_cast<std::size_t>(scope.hovered)], colour);
+}
+
+void intensity_strip(ImDrawList& list, const Strip& strip, const ScopeState& scope) {
+    const auto& samples = scope.samples;
+    std::array<Points, 3> channel;
+    Points luminance, eye;
+    if (scope.eye && scope.seen.size() == samples.size())
+        eye = curve(samples, [&](std::size_t i) { return scope.seen[i]; });
+    for (std::size_t c = 0; scope.channels && c < 3; ++c)
+        channel[c] = curve(samples, [&](std::size_t i) { return double(samples[i].color[int(c)]); });
+    if (!scope.channels) luminance = curve(samples, [&](std::size_t i) { return samples[i].intensity; });
+    const Range y = range_of_curves({&luminance, &channel[0], &channel[1], &channel[2], &eye}, false);
+    const PlotArea area = begin_strip(list, strip, y, scope);
+    strip_curve(list, area, luminance, scope, theme().text);
+    for (int c = 0; c < 3; ++c)
+        strip_curve(list, area, channel[static_cast<std::size_t>(c)], scope, channel_colour(c));
+    strip_curve(list, area, eye, scope, theme().warning);
+    draw_y_name(list, area, strip.y);
+}
+
+void zero_strip(ImDrawList& list, const Strip& strip, const ScopeState& scope, const Points& points,
+                const ImVec4& colour) {
+    const PlotArea area = begin_strip(list, strip, range_of_curves({&points}, true), scope);
+    strip_curve(list, area, points, scope, colour);
+    draw_y_name(list, area, strip.y);
+}
+
+/// The curves about zero, each in a strip of its own: differences, and (asked for) what the eye adds.
+struct ZeroCurve {
+    AxisText y;
+    Points points;
+    ImVec4 colour;
+};
+
+std::vector<ZeroCurve> zero_curves(const ScopeState& scope) {
+    const auto& samples = scope.samples;
+    const ImVec4& colour = theme().accent;
+    std::vector<ZeroCurve> curves;
+    curves.push_back({{"I′", "per pixel"},
+                      curve(samples, [&](std::size_t i) { return or_nan(samples[i].first_difference); }),
+                      colour});
+    curves.push_back({{"I″", "per pixel²"},
+                      curve(samples, [&](std::size_t i) { return or_nan(samples[i].second_difference); }),
+                      colour});
+    if (scope.eye && scope.seen.size() == samples.size())
+        curves.push_back({{"bands: seen − I", ""},
+                          curve(samples, [&](std::size_t i) { return scope.seen[i] - samples[i].intensity; }),
+                          theme().warning});
+    return curves;
+}
+
+/// The sample nearest to the cursor, or -1 when it is not over the strips.
+int sample_under(const ScopeState& scope, const Rect& strips, Range x) {
+    if (!ImGui::IsItemHovered() || scope.samples.empty()) return -1;
+    const PlotArea area{
+        {{strips.low.x + px(44), strips.low.y}, {strips.high.x - px(6), strips.high.y}}, x, {}};
+    const double at = area.value(ImGui::GetIO().MousePos).x;
+    const auto nearer = [at](const ProfileSample& a, const ProfileSample& b) {
+        return std::abs(a.position - at) < std::abs(b.position - at);
+    };
+    return static_cast<int>(std::min_element(scope.samples.begin(), scope.samples.end(), nearer) -
+                            scope.samples.begin());
+}
+
+void strips(ScopeState& scope, const Rect& area) {
+    const double length = scope.samples.empty() ? 1 : std::max(scope.samples.back().position, 1.0);
+    const Range x{0, length};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float axis = fonts().small->FontSize * ImGui::GetIO().FontGlobalScale + px(5);
+    const std::vector<ZeroCurve> curves = zero_curves(scope);
+    const float unit = (area.size().y - axis) / (2 + static_cast<float>(curves.size()));
+    ImGui::SetCursorScreenPos(area.low);
+    ImGui::InvisibleButton("##strips", area.size());
+    scope.hovered = sample_under(scope, area, x);
+    float y = area.low.y + 2 * unit;
+    intensity_strip(list, {{area.low, {area.high.x, y}}, x, false, {"I", ""}}, scope);
+    for (const ZeroCurve& each : curves) {
+        const bool last = &each == &curves.back();
+        const float high = last ? area.high.y : y + unit;
+        zero_strip(list, {{{area.low.x, y}, {area.high.x, high}}, x, last, each.y}, scope, each.points,
+                   each.colour);
+        y += unit;
+    }
+    plot_text(list, {area.low.x, area.high.y - axis + px(3)}, theme().dim_text, "pixel");
+}
+
+bool toggle(const char* label, bool& on, const char* title, const char* what, const char* more = "") {
+    ImGui::PushStyleColor(ImGuiCol_Button, on ? theme().accent : theme().field);
+    ImGui::PushStyleColor(ImGuiCol_Text, on ? theme().accent_text : theme().text);
+    const bool clicked = ImGui::SmallButton(label);
+    if (clicked) on = !on;
+    ImGui::PopStyleColor(2);
+    tooltip(title, what, more);
+    ImGui::SameLine(0, px(4));
+    return clicked;
+}
+
+void buttons(ScopeState& scope, PictureSize size, ScopeWishes& wishes) {
+    toggle("Draw", scope.armed, "Draw a line",
+           "Drag over the picture; a click takes the whole scan line through a pixel",
+           "Shift: level or upright");
+    toggle("RGB", scope.channels, "Red, green and blue",
+           "In place of luminance, 0.2126 R + 0.7152 G + 0.0722 B");
+    toggle("Eye", scope.eye, "What the eye makes of it",
+           "Intensity sharpened by what lies around it, as cells of the retina do: the bands that Ernst Mach "
+           "saw appear where the slope jumps",
+           "I + narrow mean − wide mean (difference of Gaussians)");
+    if (toggle("Card", scope.card, "Grey card",
+               "Lay it over one side of an edge: the band beside it goes, its pixels stay as they are",
+               "Drag it over the picture") &&
+        scope.card)
+        place_card(scope, size);
+    if (ImGui::SmallButton("Copy")) wishes.copy = true;
+    tooltip("Copy as command", "The command line that prints these numbers");
+}
+
+}  // namespace
+
+ScopeWishes scope_panel(ScopeState& scope, const Rect& area, PictureSize size) {
+    ScopeWishes wishes;
+    ImGui::PushFont(fonts().small);
+    buttons(scope, size, wishes);
+    const std::string text =
+        scope.hovered >= 0
+            ? sample_text(scope.samples[static_cast<std::size_t>(scope.hovered)])
+            : fmt::format("{} pixels, {} edges", scope.samples.size(), face_boundaries(scope.samples).size());
+    ImGui::SameLine(0, px(10));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec4 room{at.x, area.low.y, area.high.x - px(34), area.high.y};
+    ImGui::GetWindowDrawList()->AddText(fonts().figures, 0, {at.x, at.y}, packed(theme().text), text.c_str(),
+                                        nullptr, 0, &room);
+    ImGui::PopFont();
+    ImGui::SetCursorScreenPos({area.high.x - px(8) - ImGui::GetFrameHeight(), area.low.y + px(2)});
+    if (icon_button("##close_scope", Icon::Close)) toggle_scope(scope);
+    tooltip("Close the scope", "", "", "P");
+    const float top = area.low.y + px(30);
+    strips(scope, {{area.low.x + px(4), top}, {area.high.x - px(4), area.high.y - px(2)}});
+    return wishes;
+}
+
+}  // namespace glint

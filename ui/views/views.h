@@ -1,0 +1,44 @@
+#pragma once
+// What the window does for looking at the picture: the row above it, tools upon it, panels below it. One
+// place for ui.cpp to call.
+
+#include <imgui.h>
+
+#include <optional>
+#include <string>
+
+#include "ui/actions.h"
+#include "ui/layout.h"
+
+namespace glint {
+
+/// Before the layout: panels that are open ask for their room.
+void begin_views(UiState& state);
+
+/// Reads the mouse over the item drawn last (the picture). True while a view's tool has it: then no gesture
+/// may take it.
+[[nodiscard]] bool views_hand(UiState& state, const PictureView& view);
+
+/// Whether something shown is read off Picture::linear.
+[[nodiscard]] bool views_need_linear(const ViewsState& views);
+
+/// After the picture was drawn, or kept.
+void update_views(UiState& state);
+
+/// Over the picture.
+void draw_views_overlay(ImDrawList& list, const UiState& state, const PictureView& view);
+
+/// The row above the picture and the panel below.
+void views_windows(UiState& state, const Layout& layout);
+
+/// What a drag or click would do for a view's tool, for the status line; empty when none has the mouse.
+[[nodiscard]] std::string views_hint(const ViewsState& views);
+
+/// The part of run_action() and is_on() that is about looking.
+void run_views_action(UiState& state, Action action);
+[[nodiscard]] std::optional<bool> views_is_on(const UiState& state, Action action);
+
+/// Escape: puts the tool in hand away. False when there is none.
+bool leave_view_tool(ViewsState& views);
+
+}  // namespace glint

@@ -1,0 +1,39 @@
+#include "ui/views/views_bar.h"
+
+#include <imgui.h>
+
+#include "ui/actions.h"
+#include "ui/fonts.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+/// A button that runs an action and shows whether it is on.
+void action_button(UiState& state, const char* label, Action action, const char* what) {
+    const ActionInfo& info = info_of(action);
+    const bool on = is_on(state, action).value_or(false);
+    const std::string refused = why_not(state, action);
+    ImGui::PushStyleColor(ImGuiCol_Button, on ? theme().accent : theme().field);
+    ImGui::PushStyleColor(ImGuiCol_Text, on ? theme().accent_text : theme().text);
+    ImGui::BeginDisabled(!refused.empty());
+    if (ImGui::SmallButton(label)) run_action(state, action);
+    ImGui::EndDisabled();
+    ImGui::PopStyleColor(2);
+    tooltip(info.name, what, refused, keys_of(action));
+    ImGui::SameLine(0, px(4));
+}
+
+}  // namespace
+
+void views_bar(UiState& state) {
+    ImGui::PushFont(fonts().small);
+    action_button(
+        state, "Scope", Action::Scope,
+        "Intensity along a line over the picture, with its first and second difference: Mach bands in "
+        "numbers");
+    ImGui::PopFont();
+}
+
+}  // namespace glint
