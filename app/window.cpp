@@ -65,7 +65,7 @@ struct Glfw {
     Glfw& operator=(const Glfw&) = delete;
 };
 
-GLFWwindow* make_window() {
+GLFWwindow* make_window(const Settings& remembered) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 0);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
@@ -77,7 +77,11 @@ GLFWwindow* make_window() {
         // All of a small display; most of a large one.
         width = free_width <= 1440 ? free_width : free_width * 9 / 10;
         height = free_height <= 900 ? free_height : free_height * 9 / 10;
+        const bool fits = remembered.width <= free_width && remembered.height <= free_height;
+        if (remembered.width > 0 && remembered.height > 0 && fits)
+            width = remembered.width, height = remembered.height;
     }
+    glfwWindowHint(GLFW_MAXIMIZED, remembered.maximized ? GLFW_TRUE : GLFW_FALSE);
     return glfwCreateWindow(std::max(width, 320), std::max(height, 240), "Glint", nullptr, nullptr);
 }
 
@@ -156,8 +160,15 @@ class Window {
         per_unit_ = per_unit;
     }
 
+    void note_size() {
+        Settings& settings = state_.memory.settings;
+        settings.maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
+        if (!settings.maximized) glfwGetWindowSize(window_, &settings.width, &settings.height);
+    }
+
     UiRequests frame() {
         follow_scale();
+        note_size();
         read_held_axes(window_, input_.ui);
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
@@ -208,13 +219,15 @@ void run_window(const WindowOptions& options) {
     }
     for (const std::string& warning : state.editor.document.warnings)
         fmt::print(stderr, "glint: warning: {}\n", warning);
+    begin_memory(state, state_folder());
     const Glfw glfw;
     if (!glfw.ready) throw impossible("no display to open a window on");
-    GLFWwindow* handle = make_window();
+    GLFWwindow* handle = make_window(state.memory.settings);
     if (handle == nullptr) throw impossible("the display has no OpenGL 3.0");
     Window window(handle, state);
     if (!window.ready()) throw impossible("the display has no OpenGL 3.0");
     window.run();
+    end_memory(state);
 }
 
 }  // namespace glint

@@ -32,6 +32,7 @@ constexpr std::array table{
     ActionInfo{Action::RightColumn, "Why column", "", {}, Menu::View},
     ActionInfo{Action::Fold, "Picture alone", "F11", {Key::F11}, Menu::View},
     ActionInfo{Action::SwitchTheme, "Light theme", "", {}, Menu::View, line},
+    ActionInfo{Action::ResetLayout, "Window as on the first day", "", {}, Menu::View},
 
     ActionInfo{Action::Shortcuts, "Keys and mouse", "F1", {Key::F1}, Menu::Help},
     ActionInfo{Action::Shortcuts, "Keys and mouse", "?", {Key::Question, !ctrl, shift}},

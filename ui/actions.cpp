@@ -101,6 +101,8 @@ void run_view_action(UiState& state, Action action) {
     case Action::SwitchTheme:
         state.dark = !state.dark;
         return;
+    case Action::ResetLayout:
+        return reset_layout(state);
     case Action::Shortcuts:
         state.shows_shortcuts = !state.shows_shortcuts;
         return;

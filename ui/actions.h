@@ -27,6 +27,7 @@ enum class Action {
     LeftColumn,
     RightColumn,
     SwitchTheme,
+    ResetLayout,
     Shortcuts,
     Palette,
     Scope,

@@ -24,6 +24,7 @@ void finish_pending(UiState& state) {
         cancel_loads(state);
         take_document(state.editor, first_scene());
     }
+    if (now.what == Pending::What::TakeUp) take_up_copy(state, now.path);
     if (now.what == Pending::What::Open) begin_open(state, now.path);
     if (now.what == Pending::What::New) state.viewport.probe.reset();
 }

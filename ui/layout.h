@@ -17,6 +17,7 @@ struct LayoutState {
     float left_width = 280, right_width = 340;  // units of the design
     bool scope = false;                         // the panel below the picture is open
     float scope_height = 210;
+    bool operator==(const LayoutState&) const = default;
 };
 
 struct Layout {
@@ -31,6 +32,9 @@ struct Layout {
 /// window is; columns give way before the picture does.
 [[nodiscard]] Layout lay_out(ImVec2 window, const LayoutState& state, float scale);
 
+/// Edges of the columns to be dragged; double-click puts one back. After the columns, so that they lie above.
+void column_edges(LayoutState& state, const Layout& layout, float scale);
+
 /// Where the picture lies in the centre: a margin of surround all round, and never narrower than 4:3, since a
 /// scene's field of view is vertical and a tall picture would cut off what was composed for a wide one.
 [[nodiscard]] Rect picture_area(const Rect& centre, float scale);
@@ -38,5 +42,6 @@ struct Layout {
 /// Below this width, in units of the design, the right column becomes a tab of the left.
 inline constexpr float three_column_width = 1100;
 inline constexpr float top_height = 38, status_height = 26, views_height = 30;
+inline constexpr float least_column_width = 220, most_column_width = 700;
 
 }  // namespace glint

@@ -276,9 +276,12 @@ UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
     overlay(state, layout, picture_view(layout.centre, state.editor.scene()));
     why_columns(state, layout, view);
     views_windows(state, layout);
+    column_edges(state.layout, layout, px(1));
     loading_panel(state);
+    recovery_panel(state);
     status_line(state, layout.status);
     remember(state, in_hand);
+    tend_memory(state);
     ImGui::PopFont();
     return requests(state);
 }

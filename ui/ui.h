@@ -14,6 +14,7 @@
 #include "ui/editor.h"
 #include "ui/file_dialog.h"
 #include "ui/files/loading.h"
+#include "ui/files/memory.h"
 #include "ui/keys.h"
 #include "ui/layout.h"
 #include "ui/menu/palette_state.h"
@@ -26,9 +27,9 @@ namespace glint {
 
 /// What waits for the answer to "save changes?".
 struct Pending {
-    enum class What { Nothing, New, Open, Quit };
+    enum class What { Nothing, New, Open, TakeUp, Quit };
     What what = What::Nothing;
-    std::string path;     // to open
+    std::string path;     // to open; of the copy to take up
     bool asking = false;  // the question is on the screen; else the changes are being saved
 };
 
@@ -44,6 +45,7 @@ struct UiState {
     FileDialog files;
     PaletteState palette;
     Loading loading;
+    Memory memory;
     Pending pending;
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
     int mesh_for_object = -1;    // whose mesh the file dialog chooses; -1: a new object's

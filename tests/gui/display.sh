@@ -6,6 +6,7 @@ for tool in Xvfb xdotool import compare convert; do
 done
 
 work=$(mktemp -d)
+export XDG_STATE_HOME=$work/state # what a window remembers stays in the test
 glint_pid=
 finish() {
     [ -z "$glint_pid" ] || kill "$glint_pid" 2>/dev/null

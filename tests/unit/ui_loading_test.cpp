@@ -80,6 +80,7 @@ TEST_CASE("a new mesh comes as one step, and until then the object shows its old
     REQUIRE(bench.scene().objects[0].mesh != nullptr);
     bench.wait_for_loads();
     CHECK(bench.scene().objects[0].mesh->face_count() == 1);
+    CHECK(bench.state.renderer->stats().triangles == 2);
     CHECK(bench.state.editor.history.undo_name() == "Mesh of Ball");
     bench.key(Key::Z, true);
     bench.frames(2);

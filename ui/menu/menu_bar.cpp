@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <filesystem>
+
 #include "ui/actions.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -25,12 +27,27 @@ void menu_item(UiState& state, const ActionInfo& info) {
     if (!refused.empty()) tooltip(info.name, refused.c_str());
 }
 
+void recent_menu(UiState& state) {
+    const auto& recent = state.memory.recent;
+    if (!ImGui::BeginMenu("Open recent", !recent.empty())) return;
+    std::string chosen;
+    for (const std::string& path : recent) {
+        const std::filesystem::path file(path);
+        const std::string label = file.filename().string() + "##" + path;
+        if (ImGui::MenuItem(label.c_str())) chosen = path;
+        tooltip(file.filename().string().c_str(), file.parent_path().string().c_str());
+    }
+    ImGui::EndMenu();
+    if (!chosen.empty()) begin_pending(state, {Pending::What::Open, chosen, false});
+}
+
 void menu(UiState& state, Menu which, const char* name) {
     if (!ImGui::BeginMenu(name)) return;
     for (const ActionInfo& info : actions()) {
         if (info.menu != which) continue;
         if (info.after_line) ImGui::Separator();
         menu_item(state, info);
+        if (info.action == Action::Open) recent_menu(state);
     }
     ImGui::EndMenu();
 }

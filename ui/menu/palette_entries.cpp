@@ -101,6 +101,20 @@ void add_items(Entries& entries, const UiState& state) {
         select(scene.objects[i].name, {Selection::Kind::Object, static_cast<int>(i)});
 }
 
+void add_open(Entries& entries, std::string name, std::string group, const std::string& path) {
+    entries.push_back({std::move(name), std::move(group), "", "", [path](UiState& s) {
+                           begin_pending(s, {Pending::What::Open, path, false});
+                       }});
+}
+
+void add_recent(Entries& entries, const UiState& state) {
+    for (const std::string& path : state.memory.recent) {
+        const std::filesystem::path file(path);
+        add_open(entries, fmt::format("Open {}", file.filename().string()), file.parent_path().string(),
+                 path);
+    }
+}
+
 void add_scenes(Entries& entries, const UiState& state) {
     namespace fs = std::filesystem;
     if (state.shipped_scenes.empty()) return;
@@ -110,9 +124,7 @@ void add_scenes(Entries& entries, const UiState& state) {
         std::string name = fs::path(found.name).stem().string();
         for (char& c : name)
             if (c == '-') c = ' ';
-        entries.push_back({fmt::format("Scene: {}", name), "Glint's scenes", "", "", [path](UiState& s) {
-                               begin_pending(s, {Pending::What::Open, path, false});
-                           }});
+        add_open(entries, fmt::format("Scene: {}", name), "Glint's scenes", path);
     }
 }
 
@@ -121,6 +133,7 @@ void add_scenes(Entries& entries, const UiState& state) {
 std::vector<PaletteEntry> palette_entries(const UiState& state) {
     Entries entries;
     add_actions(entries, state);
+    add_recent(entries, state);
     add_choices(entries, state, "Reflection", &Shading::reflection, reflection_choices);
     add_choices(entries, state, "Interpolation", &Shading::interpolation, interpolation_choices);
     add_choices(entries, state, "Flat point", &Shading::flat_point, flat_point_choices);
