@@ -28,6 +28,7 @@ constexpr std::array table{
     ActionInfo{
         Action::FrameSelected, "Frame the selected object", "Shift+F", {Key::F, !ctrl, shift}, Menu::View},
     ActionInfo{Action::Scope, "Scan-line scope", "P", {Key::P}, Menu::View, line},
+    ActionInfo{Action::Vectors, "Vectors at the picked point", "V", {Key::V}, Menu::View},
     ActionInfo{Action::LeftColumn, "Scene column", "", {}, Menu::View, line},
     ActionInfo{Action::RightColumn, "Why column", "", {}, Menu::View},
     ActionInfo{Action::Fold, "Picture alone", "F11", {Key::F11}, Menu::View},

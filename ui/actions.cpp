@@ -92,6 +92,9 @@ void run_view_action(UiState& state, Action action) {
     case Action::Fold:
         state.layout.folded = !state.layout.folded;
         return;
+    case Action::Vectors:
+        state.why_column.shows_vectors ^= true;
+        return;
     case Action::LeftColumn:
         state.layout.left = !state.layout.left, state.layout.folded = false;
         return;
@@ -145,6 +148,8 @@ std::optional<bool> is_on(const UiState& state, Action action) {
     switch (action) {
     case Action::Fold:
         return state.layout.folded;
+    case Action::Vectors:
+        return state.why_column.shows_vectors;
     case Action::LeftColumn:
         return state.layout.left && !state.layout.folded;
     case Action::RightColumn:

@@ -24,6 +24,7 @@ enum class Action {
     FrameAll,
     FrameSelected,
     Fold,
+    Vectors,
     LeftColumn,
     RightColumn,
     SwitchTheme,

@@ -17,7 +17,9 @@
 #include "ui/theme.h"
 #include "ui/toolbar.h"
 #include "ui/views/views.h"
+#include "ui/why/asked.h"
 #include "ui/why/tabs.h"
+#include "ui/why/vectors_overlay.h"
 #include "ui/widgets.h"
 
 namespace glint {
@@ -191,7 +193,8 @@ void why_columns(UiState& state, const Layout& layout, const PictureView& view) 
 
 /// Draws what shows (the edited scene or a preview) if it, or the size, is not that of the last picture; then
 /// asks the edited scene about the probe.
-void draw_picture(UiState& state, PictureSize size) {
+void draw_picture(UiState& state, const PictureView& view) {
+    const PictureSize size = view.map.size;
     tend_loads(state);
     if (const auto problem = settle(state.editor)) state.notifications.add(*problem);
     const std::optional<Scene> preview = std::exchange(state.preview, std::nullopt);
@@ -205,7 +208,7 @@ void draw_picture(UiState& state, PictureSize size) {
         ++state.picture_serial;
     }
     if (preview) return;
-    const auto pixel = probe_pixel(state.viewport, size);
+    const auto pixel = asked_pixel(state, view);
     state.why.reset();
     if (pixel) state.why = state.renderer->explain(pixel->x, pixel->y);
 }
@@ -230,6 +233,7 @@ void overlay(UiState& state, const Layout& layout, const PictureView& view) {
     draw_overlay(list, state.viewport,
                  {state.editor.scene(), state.editor.selection, state.renderer.get(), view});
     draw_views_overlay(list, state, view);
+    draw_point_vectors(list, state, view);
     first_hints(state, view);
     list.PopClipRect();
     ImGui::End();
@@ -271,7 +275,7 @@ UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
     left_column(state, layout, picture_view(layout.centre, state.editor.scene()));
     dialogs(state, input);
     const PictureView view = picture_view(layout.centre, state.editor.scene());
-    draw_picture(state, view.map.size);
+    draw_picture(state, view);
     update_views(state);
     overlay(state, layout, picture_view(layout.centre, state.editor.scene()));
     why_columns(state, layout, view);

@@ -9,6 +9,7 @@
 #include "ui/choices.h"
 #include "ui/fonts.h"
 #include "ui/ui.h"
+#include "ui/why/asked.h"
 #include "ui/why/copy.h"
 #include "ui/why/equation.h"
 #include "ui/why/factors.h"
@@ -40,18 +41,13 @@ void corner_buttons(WhyState& state, const Explanation& why) {
     }
 }
 
-/// Which lit point's numbers are written out.
-const ExplainedPoint& lit_point(WhyState& state, const Explanation& why) {
-    if (!why.lit_per_corner || why.corners.empty()) return why.at;
-    const int count = static_cast<int>(why.corners.size());
-    state.corner = std::clamp(state.corner, 0, count - 1);
-    if (count == 1) {
-        wrapped_dim("Lit once for the whole polygon:");
-    } else {
-        wrapped_dim("Lit at the corners, the colours mixed by their weights:");
-        corner_buttons(state, why);
-    }
-    return why.corners[static_cast<std::size_t>(state.corner)].at;
+/// Where what is written out was lit.
+void lit_at(WhyState& state, const Explanation& why) {
+    if (!why.lit_per_corner || why.corners.empty()) return;
+    if (why.corners.size() == 1) return wrapped_dim("Lit once for the whole polygon:");
+    state.corner = std::clamp(state.corner, 0, static_cast<int>(why.corners.size()) - 1);
+    wrapped_dim("Lit at the corners, the colours mixed by their weights:");
+    corner_buttons(state, why);
 }
 
 /// Cool to warm: what stands in place of emission, ambient and diffuse.
@@ -106,7 +102,8 @@ void equation_tab(UiState& state, const PictureView&) {
     if (why.reflection != Reflection::None) {
         section(section_title(state.why_column, why).c_str());
         mistakes_note(state.editor.scene());
-        const ExplainedPoint& point = lit_point(state.why_column, why);
+        lit_at(state.why_column, why);
+        const ExplainedPoint& point = asked_point(state.why_column, why);
         unlit(state, why, point);
         for (const ExplainedLight& light : point.lights) light_card(state, why, light);
         if (point.lights.empty()) wrapped_dim("No light is on: only ambient and emission are left.");

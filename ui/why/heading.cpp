@@ -24,7 +24,8 @@ void why_heading(UiState& state, const Explanation& why) {
             fmt::format("{} {} {}   #{:02x}{:02x}{:02x}", r, g, b, r, g, b));
     ImGui::SameLine(0, px(10));
     ImGui::BeginGroup();
-    figures(fmt::format("pixel {}, {}   {} {} {}", why.x, why.y, r, g, b));
+    figures(fmt::format("{} {}, {}   {} {} {}", ImGui::GetIO().KeyAlt ? "under" : "pixel", why.x, why.y, r, g,
+                        b));
     if (why.hit) {
         if (ImGui::Selectable(fmt::format("{}, face {}", why.object, why.face).c_str(), false, 0,
                               {ImGui::GetContentRegionAvail().x - px(26), 0}))
@@ -49,6 +50,8 @@ void why_empty_state(const char* promise) {
     wrapped_dim(promise);
     ImGui::Dummy({0, px(6)});
     wrapped_dim("The pixel stays picked while you drag lights and sliders, and the numbers follow.");
+    ImGui::Dummy({0, px(6)});
+    wrapped_dim("With Alt held, what is under the cursor is asked, without a click.");
 }
 
 }  // namespace glint

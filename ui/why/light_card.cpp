@@ -19,15 +19,11 @@
 namespace glint {
 namespace {
 
-double degrees(float cosine) {
-    return std::acos(std::clamp(double(cosine), -1.0, 1.0)) * 180 / std::numbers::pi;
-}
-
 /// "n·l 0.713 44.5°": a cosine with its angle. Pointing at it lights up the arrow `to` in the picture.
 void angle(TextLine& line, UiState& state, Symbol to, Symbol from, float cosine) {
     line.dot(from, to);
     const ImVec2 low{ImGui::GetItemRectMin().x - px(14), ImGui::GetItemRectMin().y};
-    line.number(fmt::format("{} {:5.1f}°", shown_number(cosine), degrees(cosine)), theme().text);
+    line.number(fmt::format("{} {:5.1f}°", shown_number(cosine), angle_deg(cosine)), theme().text);
     const ImVec2 high = ImGui::GetItemRectMax();
     line.gap(8);
     if (is_pointed_at(low, high)) state.why_column.pointed_vector = to;

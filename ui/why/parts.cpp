@@ -1,8 +1,10 @@
 #include "ui/why/parts.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include "ui/fonts.h"
+#include "ui/why/words.h"
 #include "ui/widgets.h"
 
 namespace glint {
@@ -31,6 +33,12 @@ void small_dim(const std::string& text) {
     ImGui::PushFont(fonts().small);
     wrapped_dim(text);
     ImGui::PopFont();
+}
+
+void vector_line(Symbol symbol, const char* name, glm::vec3 v) {
+    coloured(symbol, name);
+    ImGui::SameLine(px(112));
+    figures(fmt::format("{} {} {}", shown_number(v.x), shown_number(v.y), shown_number(v.z)));
 }
 
 bool is_pointed_at() {

@@ -18,6 +18,9 @@ void wrapped_dim(const std::string& text);
 /// In the small font.
 void small_dim(const std::string& text);
 
+/// A row: a name in its symbol's colour, and three figures.
+void vector_line(Symbol symbol, const char* name, glm::vec3 v);
+
 /// True when the mouse rests on the item drawn last and nothing is being dragged: then a panel may show
 /// another scene than the edited one.
 [[nodiscard]] bool is_pointed_at();

@@ -8,12 +8,16 @@
 namespace glint {
 
 /// One answer to "why that colour?" each; their labels and order are in ui/why/tabs.cpp.
-enum class WhyTab { Equation, Mistakes };
+enum class WhyTab { Equation, Vectors, Mistakes };
 
 struct WhyState {
     WhyTab tab = WhyTab::Equation;
-    int corner = 0;   // whose numbers are listed under Gouraud and flat
-    int channel = 0;  // whose product is written out: 0 red, 1 green, 2 blue
+    int corner = 0;                                  // whose numbers are listed under Gouraud and flat
+    int channel = 0;                                 // whose product is written out: 0 red, 1 green, 2 blue
+    bool shows_vectors = true, shows_facet = false;  // in the picture
+    bool world_frame = false;                        // vectors are listed in world coordinates, else camera
+    int mirror_step = 0;      // 1 to 4: r is built up in the picture; 0: r is simply shown
+    float normal_length = 1;  // of the n that r is built from
     // What the mouse points at in the column, of the last frame: its arrow is drawn thick.
     std::optional<Symbol> pointed_vector;
     int pointed_light = -1;

@@ -12,6 +12,7 @@
 #include "ui/why/equation_tab.h"
 #include "ui/why/heading.h"
 #include "ui/why/mistakes_tab.h"
+#include "ui/why/vectors_tab.h"
 #include "ui/widgets.h"
 
 namespace glint {
@@ -20,6 +21,8 @@ namespace {
 constexpr std::array tabs{
     WhyTabInfo{WhyTab::Equation, "Equation", "The lighting equation at the picked pixel, with its numbers",
                equation_tab},
+    WhyTabInfo{WhyTab::Vectors, "Vectors", "n, l, v, r and h at the picked point, and the facet's own normal",
+               vectors_tab},
     WhyTabInfo{WhyTab::Mistakes, "Mistakes", "Mistakes that are really made, each a switch", mistakes_tab},
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace glint {
 namespace {
@@ -70,6 +71,10 @@ TermSums term_sums(const Explanation& explanation) {
         sums.specular += corner.weight * at.specular;
     }
     return sums;
+}
+
+double angle_deg(float cosine) {
+    return std::acos(std::clamp(double(cosine), -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
 std::string shown_number(float value) {

@@ -25,6 +25,9 @@ struct TermSums {
 };
 [[nodiscard]] TermSums term_sums(const Explanation& explanation);
 
+/// The angle of a cosine, 0 to 180; cosines past 1 by rounding are 1.
+[[nodiscard]] double angle_deg(float cosine);
+
 /// A number at a width that does not change while it does: three decimals, fewer for large ones.
 [[nodiscard]] std::string shown_number(float value);
 

@@ -1,0 +1,48 @@
+#include "ui/why/mirror_section.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "renderer/inspect/mirror.h"
+#include "ui/fonts.h"
+#include "ui/why/parts.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr std::array step_options{Option{"off", "", "r itself is drawn", ""},
+                                  Option{"N, L", "", "What is given", ""},
+                                  Option{"P", "", "P = N (N·L): the shadow of L on N", ""},
+                                  Option{"2P", "", "Twice as far", ""}, Option{"R", "", "R = 2P − L", ""}};
+
+}  // namespace
+
+void mirror_section(WhyState& state, const ExplainedPoint& point, const ExplainedLight& light) {
+    section("r = 2 n (n·l) − l, step by step");
+    state.mirror_step = segments("##step", state.mirror_step, step_options, {"", ""});
+    if (state.mirror_step == 0) return;
+    (void)number_field(
+        "|N|", state.normal_length,
+        {.min = 0.25f, .max = 2, .initial = 1, .speed = 0.005f, .format = "%.2f", .shown_max = 2},
+        {"Length of the normal here; a normal is to be unit. Not part of the scene", ""});
+    const bool world = state.world_frame;
+    const glm::vec3 n = state.normal_length * (world ? point.normal.world : point.normal.camera);
+    const glm::vec3 l = world ? light.l.world : light.l.camera;
+    const MirrorSteps steps = mirror_steps(n, l);
+    vector_line(Symbol::N, "N", n);
+    vector_line(Symbol::L, "L", l);
+    if (state.mirror_step >= 2) vector_line(Symbol::Diffuse, "P = N (N·L)", steps.p);
+    if (state.mirror_step >= 3) vector_line(Symbol::Diffuse, "2P", steps.twice_p);
+    if (state.mirror_step >= 4) vector_line(Symbol::R, "R = 2P − L", steps.r);
+    const float length = state.normal_length;
+    if (std::abs(length - 1) > 0.005f)
+        warning_text(fmt::format("|N| = {:.2f}: P is {:.2f} times as long as it should be, |R| = {:.2f}",
+                                 length, length * length, glm::length(steps.r)));
+}
+
+}  // namespace glint

@@ -1,0 +1,125 @@
+#include "ui/why/vectors_overlay.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "renderer/inspect/mirror.h"
+#include "ui/ui.h"
+#include "ui/why/arrows.h"
+#include "ui/why/asked.h"
+#include "ui/why/facet_overlay.h"
+
+namespace glint {
+namespace {
+
+constexpr float arrow_length = 92;  // units of the design, of a unit vector seen from the side
+
+class PointDrawing {
+  public:
+    PointDrawing(ImDrawList& list, const UiState& state, const PictureView& view, const ExplainedPoint& point)
+        : state_(state),
+          point_(point),
+          pen_(pen_at(list, view, glm::dvec3(point.point.world), arrow_length)) {}
+
+    void draw() {
+        const ExplainedLight* light = asked_light(state_, point_);
+        if (light == nullptr) {
+            arrow(Symbol::N, point_.normal);
+            return;
+        }
+        if (!light->samples.empty())
+            fan(*light);
+        else if (state_.why_column.mirror_step > 0)
+            mirror(*light);
+        else
+            one_light(*light);
+        arrow(Symbol::V, point_.view);
+        arrow(Symbol::N, point_.normal);
+    }
+
+  private:
+    void arrow(Symbol symbol, const InBothFrames& v) {
+        const bool thick = state_.why_column.pointed_vector == symbol;
+        draw_arrow(pen_.list, pen_.at(glm::dvec3(0)), pen_.at(glm::dvec3(v.world)),
+                   {theme_colour(symbol), thick ? 4.5f : 2, letter_of(symbol)});
+    }
+    /// Bright on any picture, whatever the theme.
+    static ImVec4 theme_colour(Symbol symbol) { return dark_theme()[symbol]; }
+
+    void arc(const InBothFrames& a, const InBothFrames& b, double radius, Symbol symbol) {
+        draw_arc(pen_, glm::dvec3(a.world), glm::dvec3(b.world), radius, theme_colour(symbol));
+    }
+    void one_light(const ExplainedLight& light) {
+        const Reflection model = state_.why->reflection;
+        const InBothFrames& n = point_.normal;
+        if (model == Reflection::Phong) {
+            arc(n, light.r, 0.45, Symbol::R);
+            if (state_.why_column.pointed_vector == Symbol::R) arc(light.r, point_.view, 0.7, Symbol::V);
+            arrow(Symbol::R, light.r);
+        }
+        if (model == Reflection::BlinnPhong || model == Reflection::CookTorrance) {
+            arc(n, light.h, 0.7, Symbol::H);
+            arrow(Symbol::H, light.h);
+        }
+        arc(n, light.l, 0.45, Symbol::L);
+        arrow(Symbol::L, light.l);
+    }
+    /// Each sample of an area light has an l of its own.
+    void fan(const ExplainedLight& light) {
+        for (const ExplainedLight& sample : light.samples)
+            draw_arrow(pen_.list, pen_.at(glm::dvec3(0)), pen_.at(glm::dvec3(sample.l.world)),
+                       {theme_colour(Symbol::L), 1, ""});
+    }
+    /// P, 2 P and r as they come about from a normal of the chosen length.
+    void mirror(const ExplainedLight& light) {
+        const WhyState& why = state_.why_column;
+        const glm::vec3 n = why.normal_length * point_.normal.world, l = light.l.world;
+        const MirrorSteps steps = mirror_steps(n, l);
+        const auto draw = [&](glm::vec3 from, glm::vec3 to, ImVec4 colour, const char* letter, float width) {
+            draw_arrow(pen_.list, pen_.at(glm::dvec3(from)), pen_.at(glm::dvec3(to)),
+                       {colour, width, letter});
+        };
+        draw({}, l, theme_colour(Symbol::L), "L", 2);
+        draw({}, n, theme_colour(Symbol::N), "N", 2);
+        if (why.mirror_step >= 2) draw(l, steps.p, theme_colour(Symbol::Emission), "", 1);
+        if (why.mirror_step == 2) draw({}, steps.p, theme_colour(Symbol::Diffuse), "P", 3);
+        if (why.mirror_step >= 3) draw({}, steps.twice_p, theme_colour(Symbol::Diffuse), "2P", 3);
+        if (why.mirror_step < 4) return;
+        draw(steps.twice_p, steps.r, theme_colour(Symbol::Emission), "−L", 1);
+        draw({}, steps.r, theme_colour(Symbol::R), "R", 3);
+    }
+
+    const UiState& state_;
+    const ExplainedPoint& point_;
+    WorldPen pen_;
+};
+
+/// The corners that the pixel is mixed from, each in its colour, with its weight.
+void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& why) {
+    if (!why.lit_per_corner || why.corners.size() < 2) return;
+    char letter = 'A';
+    for (const ExplainedCorner& corner : why.corners) {
+        const ImVec2 at = view.to_window(project(view.map, glm::dvec3(corner.at.point.world)).pixel);
+        const glm::vec3 c = glm::clamp(corner.at.sum, 0.0f, 1.0f);
+        list.AddCircleFilled(at, px(6.5f), packed({0, 0, 0, 1}, 0.7f));
+        list.AddCircleFilled(at, px(5), packed({c.x, c.y, c.z, 1}));
+        rimmed_text(list, {at.x, at.y - px(14)}, {1, 1, 1, 1},
+                    fmt::format("{} {:.2f}", letter, corner.weight));
+        ++letter;
+    }
+}
+
+}  // namespace
+
+void draw_point_vectors(ImDrawList& list, const UiState& state, const PictureView& view) {
+    const WhyState& column = state.why_column;
+    if (!state.why || !state.why->hit) return;
+    if (column.shows_facet) draw_facet(list, state, view);
+    if (!column.shows_vectors || state.why->reflection == Reflection::None) return;
+    draw_corners(list, view, *state.why);
+    PointDrawing(list, state, view, asked_point(column, *state.why)).draw();
+}
+
+}  // namespace glint
