@@ -177,8 +177,8 @@ class Window {
         UiRequests wants = ui_frame(state_, input_.ui, texture_->id());
         ImGui::Render();
         input_.ui = {};
-        if (state_.picture_serial != uploaded_ && state_.picture != nullptr)
-            texture_->upload(*state_.picture);
+        if (state_.picture_serial != uploaded_ && state_.shown != nullptr)
+            texture_->upload(*state_.shown);
         uploaded_ = state_.picture_serial;
         draw();
         if (wants.title != title_) glfwSetWindowTitle(window_, wants.title.c_str());

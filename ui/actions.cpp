@@ -139,7 +139,7 @@ std::string why_not(const UiState& state, Action action) {
     case Action::SavePicture:
         return unless(state.picture != nullptr, "There is no picture yet");
     default:
-        return {};
+        return views_why_not(state, action);
     }
 }
 

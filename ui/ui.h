@@ -34,7 +34,7 @@ struct Pending {
 };
 
 struct UiState {
-    explicit UiState(int threads) : renderer(std::make_unique<Renderer>(threads)) {}
+    explicit UiState(int threads) : renderer(std::make_unique<Renderer>(threads)) { views.threads = threads; }
 
     Editor editor;
     ViewportState viewport;
@@ -54,7 +54,8 @@ struct UiState {
 
     std::unique_ptr<Renderer> renderer;
     const Picture* picture = nullptr;  // the last one drawn
-    std::uint64_t picture_serial = 0;  // counts pictures: the texture follows it
+    const Picture* shown = nullptr;    // what the window shows: `picture`, or what ui/views made of it
+    std::uint64_t picture_serial = 0;  // counts what was shown: the texture follows it
     Scene drawn;                       // what `picture` shows
     std::optional<Explanation> why;    // of the probe in a picture of the edited scene
     /// A panel that wants another scene on the screen than the edited one (one term alone, one light alone)
@@ -69,7 +70,7 @@ struct UiRequests {
     double sleep_s = std::numeric_limits<double>::infinity();  // until the next frame, if no event comes
 };
 
-/// Between ImGui::NewFrame() and ImGui::Render(). `texture` shows UiState::picture: upload it when
+/// Between ImGui::NewFrame() and ImGui::Render(). `texture` shows UiState::shown: upload it when
 /// picture_serial has changed, after this call and before ImGui's draw data are drawn.
 [[nodiscard]] UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture);
 

@@ -58,7 +58,8 @@ Picture difference_picture(const Picture& a, const Picture& b, int gain) {
     for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
         const int alpha = difference(a, b, i + 3);
         for (std::size_t c = 0; c < 3; ++c) {
-            picture.rgba[i + c] = static_cast<std::uint8_t>(gain * std::max(alpha, difference(a, b, i + c)));
+            const int far = gain * std::max(alpha, difference(a, b, i + c));
+            picture.rgba[i + c] = static_cast<std::uint8_t>(std::min(far, 255));
         }
     }
     return picture;

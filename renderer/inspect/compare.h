@@ -29,8 +29,8 @@ struct Comparison {
 /// is none.
 [[nodiscard]] int difference_gain(const Comparison& comparison);
 
-/// The absolute difference of every channel times `gain`; a difference in opacity raises all three.
-/// Precondition: equal sizes, gain = difference_gain(compare(a, b)).
+/// The absolute difference of every channel times `gain` (>= 1), at most 255; a difference in opacity raises
+/// all three. With difference_gain(compare(a, b)) nothing is cut off. Precondition: equal sizes.
 [[nodiscard]] Picture difference_picture(const Picture& a, const Picture& b, int gain);
 
 }  // namespace glint

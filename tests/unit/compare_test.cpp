@@ -35,6 +35,8 @@ TEST_CASE("max, mean, RMSE and the count of differing pixels are those worked by
     CHECK(difference_gain(std::get<Comparison>(compare(a, b))) == 25);
     CHECK(difference_picture(a, b, 25).rgba ==
           std::vector<std::uint8_t>{75, 0, 0, 255, 0, 0, 0, 255, 100, 0, 0, 255, 0, 250, 0, 255});
+    CHECK(difference_picture(a, b, 64).rgba ==  // 3 · 64 = 192, and what is beyond 255 stays there
+          std::vector<std::uint8_t>{192, 0, 0, 255, 0, 0, 0, 255, 255, 0, 0, 255, 0, 255, 0, 255});
 }
 
 TEST_CASE("a difference in opacity alone is a difference", "[compare]") {

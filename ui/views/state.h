@@ -1,12 +1,27 @@
 #pragma once
 // How the picture is looked at: none of it is the scene's.
 
+#include <cstdint>
+
+#include "ui/views/compare_view.h"
 #include "ui/views/scope.h"
 
 namespace glint {
 
+/// What the shown picture is made from, beside the drawn one: as long as it stays, so does the picture.
+struct ShownFrom {
+    CompareChoice compare;
+    bool linear = false;
+    bool operator==(const ShownFrom&) const = default;
+};
+
 struct ViewsState {
     ScopeState scope;
+    CompareState compare;
+    int threads = 0;  // of further renderers
+    // Of the shown picture:
+    ShownFrom shown_from;
+    std::uint64_t shown_serial = 0;  // UiState::picture_serial then
 };
 
 }  // namespace glint

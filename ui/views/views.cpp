@@ -23,17 +23,73 @@ void copy_profile_command(UiState& state) {
                                               : "Copied. The command reads the scene's file: save it first");
 }
 
+/// What shows: the drawn picture, or what is composed of it.
+const Picture& shown_picture(UiState& state) {
+    ViewsState& views = state.views;
+    if (views.compare.choice.on)
+        return compose(views.compare, {state.drawn, *state.picture, *state.renderer, views.threads});
+    return *state.picture;
+}
+
+/// Composes again when what it is made from has changed.
+void update_shown(UiState& state) {
+    ViewsState& views = state.views;
+    const ShownFrom from{views.compare.choice, !state.picture->linear.empty()};
+    const bool drawn = views.shown_serial != state.picture_serial;
+    if (!drawn && from == views.shown_from) return;
+    const Picture* before = state.shown;
+    state.shown = &shown_picture(state);
+    const bool composed = state.shown != state.picture;
+    if (!drawn && (composed || state.shown != before)) ++state.picture_serial;
+    views.shown_serial = state.picture_serial;
+    views.shown_from = from;
+}
+
+/// The picked pixel is explained by what drew the part in which it lies.
+void ask_part(UiState& state) {
+    if (!state.why || !(state.drawn == state.editor.scene())) return;
+    const Renderer* renderer = part_renderer(state.views.compare, state.why->x, state.shown->size);
+    if (renderer != nullptr && renderer != state.renderer.get())
+        state.why = renderer->explain(state.why->x, state.why->y);
+}
+
+void store_b(UiState& state) {
+    CompareChoice& choice = state.views.compare.choice;
+    choice.stored = state.editor.scene();
+    choice.shows_stored = false;
+    state.notifications.add(Tone::Done, "Stored as B: press B to look at it");
+}
+
 }  // namespace
 
-void begin_views(UiState& state) { state.layout.scope = state.views.scope.open; }
+void begin_views(UiState& state) {
+    state.layout.scope = state.views.scope.open;
+    const CompareChoice& choice = state.views.compare.choice;
+    if (choice.shows_stored && !state.preview)
+        state.preview = scene_under({Setting::Kind::Stored, 0}, state.editor.scene(), choice.stored);
+}
 
-bool views_hand(UiState& state, const PictureView& view) { return scope_hand(state.views.scope, view); }
+bool views_hand(UiState& state, const PictureView& view) {
+    ViewsState& views = state.views;
+    if (views.scope.hand == ScopeState::Hand::None && !views.scope.armed &&
+        compare_hand(views.compare, view)) {
+        views.scope.under = ScopeState::Hand::None;
+        return true;
+    }
+    return scope_hand(views.scope, view);
+}
 
 bool views_need_linear(const ViewsState& views) { return views.scope.open; }
 
-void update_views(UiState& state) { update_scope(state.views.scope, *state.renderer, *state.picture); }
+void update_views(UiState& state) {
+    update_shown(state);
+    const bool composed = state.views.compare.choice.on && !state.shown->linear.empty();
+    update_scope(state.views.scope, *state.renderer, composed ? *state.shown : *state.picture);
+    ask_part(state);
+}
 
-void draw_views_overlay(ImDrawList& list, const UiState& state, const PictureView& view) {
+void draw_views_overlay(ImDrawList& list, UiState& state, const PictureView& view) {
+    draw_compare(list, state.views.compare, view);
     draw_scope_line(list, state.views.scope, view);
 }
 
@@ -54,6 +110,9 @@ void views_windows(UiState& state, const Layout& layout) {
 std::string views_hint(const ViewsState& views) {
     using Hand = ScopeState::Hand;
     const ScopeState& scope = views.scope;
+    const CompareState& compare = views.compare;
+    if (compare.choice.on && (compare.under >= 0 || compare.dragged >= 0)) return "Drag the line";
+    if (compare.choice.on && compare.label_under >= 0) return "Click: what this part shows";
     if (!scope.open) return {};
     switch (scope.hand != Hand::None ? scope.hand : scope.under) {
     case Hand::None:
@@ -73,12 +132,40 @@ std::string views_hint(const ViewsState& views) {
 }
 
 void run_views_action(UiState& state, Action action) {
-    if (action == Action::Scope) toggle_scope(state.views.scope);
+    CompareChoice& choice = state.views.compare.choice;
+    switch (action) {
+    case Action::Scope:
+        return toggle_scope(state.views.scope);
+    case Action::Compare:
+        choice.on = !choice.on;
+        return;
+    case Action::StoreB:
+        return store_b(state);
+    case Action::ShowB:
+        choice.shows_stored = !choice.shows_stored;
+        return;
+    default:
+        return;
+    }
+}
+
+std::string views_why_not(const UiState& state, Action action) {
+    if (action == Action::ShowB && !state.views.compare.choice.stored)
+        return "No scene is stored as B (Ctrl+B)";
+    return {};
 }
 
 std::optional<bool> views_is_on(const UiState& state, Action action) {
-    if (action == Action::Scope) return state.views.scope.open;
-    return {};
+    switch (action) {
+    case Action::Scope:
+        return state.views.scope.open;
+    case Action::Compare:
+        return state.views.compare.choice.on;
+    case Action::ShowB:
+        return state.views.compare.choice.shows_stored;
+    default:
+        return {};
+    }
 }
 
 bool leave_view_tool(ViewsState& views) {

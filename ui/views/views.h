@@ -26,7 +26,7 @@ void begin_views(UiState& state);
 void update_views(UiState& state);
 
 /// Over the picture.
-void draw_views_overlay(ImDrawList& list, const UiState& state, const PictureView& view);
+void draw_views_overlay(ImDrawList& list, UiState& state, const PictureView& view);
 
 /// The row above the picture and the panel below.
 void views_windows(UiState& state, const Layout& layout);
@@ -34,8 +34,9 @@ void views_windows(UiState& state, const Layout& layout);
 /// What a drag or click would do for a view's tool, for the status line; empty when none has the mouse.
 [[nodiscard]] std::string views_hint(const ViewsState& views);
 
-/// The part of run_action() and is_on() that is about looking.
+/// The part of run_action(), why_not() and is_on() that is about looking.
 void run_views_action(UiState& state, Action action);
+[[nodiscard]] std::string views_why_not(const UiState& state, Action action);
 [[nodiscard]] std::optional<bool> views_is_on(const UiState& state, Action action);
 
 /// Escape: puts the tool in hand away. False when there is none.

@@ -5,6 +5,7 @@
 #include "ui/actions.h"
 #include "ui/fonts.h"
 #include "ui/theme.h"
+#include "ui/views/compare_panel.h"
 #include "ui/widgets.h"
 
 namespace glint {
@@ -33,6 +34,15 @@ void views_bar(UiState& state) {
         state, "Scope", Action::Scope,
         "Intensity along a line over the picture, with its first and second difference: Mach bands in "
         "numbers");
+    action_button(state, "Compare", Action::Compare,
+                  "Flat, Gouraud and Phong, or any settings, side by side under lines to drag");
+    compare_controls(state.views.compare);
+    if (state.views.compare.choice.shows_stored) {
+        ImGui::PushStyleColor(ImGuiCol_Text, theme().warning);
+        ImGui::TextUnformatted("B is shown");
+        ImGui::PopStyleColor();
+        tooltip("B is shown", "The stored scene, through the edited scene's camera", "", "B");
+    }
     ImGui::PopFont();
 }
 

@@ -1,0 +1,196 @@
+// Comparing: every part is the full picture of its setting, column by column and byte by byte.
+#include "tests/catch.h"
+#include "tests/unit/ui_bench.h"
+#include "ui/actions.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+Bench& comparing(Bench& bench) {
+    bench.frames(2);
+    bench.key(Key::C);
+    bench.frames(2);
+    return bench;
+}
+
+/// The shown picture's columns from `first` to `end` are those of this mode's own picture.
+void check_columns(Bench& bench, ShadingMode mode, int first, int end) {
+    Scene scene = bench.scene();
+    scene.shading.mode = mode;
+    Renderer renderer(2);
+    const Picture& full = renderer.render(scene, bench.state.picture->size);
+    const Picture& shown = *bench.state.shown;
+    REQUIRE(shown.size == full.size);
+    REQUIRE(first < end);
+    int wrong = 0;
+    for (int y = 0; y < full.size.height; ++y)
+        for (std::size_t i = 4 * full.pixel(first, y); i < 4 * full.pixel(end - 1, y) + 4; ++i)
+            wrong += full.rgba[i] != shown.rgba[i];
+    INFO("columns " << first << " to " << end);
+    CHECK(wrong == 0);
+}
+
+void check_three(Bench& bench) {
+    const CompareChoice& choice = bench.state.views.compare.choice;
+    const int width = bench.state.picture->size.width;
+    const int one = first_column(choice, 1, width), two = first_column(choice, 2, width);
+    check_columns(bench, ShadingMode::Flat, 0, one);
+    check_columns(bench, ShadingMode::Gouraud, one, two);
+    check_columns(bench, ShadingMode::Phong, two, width);
+}
+
+ImVec2 on_line(Bench& bench, int wipe) {
+    const PictureSize size = bench.state.picture->size;
+    const int column = first_column(bench.state.views.compare.choice, wipe + 1, size.width);
+    return bench.at_pixel({column, size.height * 0.3});
+}
+
+}  // namespace
+
+TEST_CASE("each part of a comparison equals the full picture of its mode", "[ui][window][compare]") {
+    Bench bench;
+    comparing(bench);
+    check_three(bench);
+    bench.scene().lights[1].position = {-1, 1, 2, 1};
+    bench.frames(1);
+    check_three(bench);
+    bench.scene().camera.eye = {1, 1, 3.5f};
+    bench.frames(1);
+    check_three(bench);
+    bench.key(Key::C);
+    bench.frames(1);
+    CHECK(bench.state.shown == bench.state.picture);
+}
+
+TEST_CASE("a dragged wipe line moves the parts' border to the hand and draws no scene again",
+          "[ui][window][compare]") {
+    Bench bench;
+    comparing(bench);
+    const Scene before = bench.scene();
+    const auto serial = bench.state.picture_serial;
+    const Renderer* flat = bench.state.views.compare.drawn_by[0];
+    bench.drag(on_line(bench, 0), bench.at_pixel({70, 100}));
+    const int width = bench.state.picture->size.width;
+    CHECK(first_column(bench.state.views.compare.choice, 1, width) == 70);
+    CHECK(bench.state.picture_serial > serial);
+    CHECK(flat->stats().redone == std::array{false, false, false, false});
+    check_three(bench);
+    CHECK(bench.scene() == before);
+    // A line stops before its neighbour.
+    bench.drag(on_line(bench, 0), bench.at_pixel({width - 5.0, 100}));
+    const auto& wipes = bench.state.views.compare.choice.wipes;
+    CHECK(wipes[0] < wipes[1]);
+    check_three(bench);
+}
+
+TEST_CASE("a pixel picked in a part is explained as that part drew it", "[ui][window][compare]") {
+    Bench bench;
+    comparing(bench);
+    const PictureSize size = bench.state.picture->size;
+    const CompareChoice& choice = bench.state.views.compare.choice;
+    const ShadingMode modes[] = {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong};
+    for (int part = 0; part < 3; ++part) {
+        const int x = std::clamp(
+            (first_column(choice, part, size.width) + first_column(choice, part + 1, size.width)) / 2,
+            size.width * 2 / 5, size.width * 3 / 5);
+        if (part_at(choice, x, size.width) != part) continue;
+        bench.click(bench.at_pixel({x + 0.5, size.height / 2 + 0.5}));
+        bench.frames(2);
+        REQUIRE(bench.state.why);
+        CHECK(bench.state.why->mode == modes[part]);
+        const std::size_t at = 4 * bench.state.shown->pixel(bench.state.why->x, bench.state.why->y);
+        for (std::size_t i = 0; i < 3; ++i)
+            CHECK(bench.state.why->byte[i] == bench.state.shown->rgba[at + i]);
+    }
+}
+
+TEST_CASE("the difference shows the first part against the last, with the numbers of glint compare",
+          "[ui][window][compare]") {
+    Bench bench;
+    comparing(bench);
+    CompareChoice& choice = bench.state.views.compare.choice;
+    choice.difference = true;
+    choice.gain = 8;
+    bench.frames(1);
+    Scene flat = bench.scene(), phong = bench.scene();
+    flat.shading.mode = ShadingMode::Flat;
+    phong.shading.mode = ShadingMode::Phong;
+    Renderer a(1), b(1);
+    const Picture &first = a.render(flat, bench.state.picture->size),
+                  &last = b.render(phong, bench.state.picture->size);
+    const auto numbers = std::get<Comparison>(compare(first, last));
+    REQUIRE(numbers.max_error > 0);
+    CHECK(bench.state.views.compare.numbers.max == numbers.max);
+    CHECK(bench.state.views.compare.numbers.mean == numbers.mean);
+    int wrong = 0;
+    for (std::size_t i = 0; i < first.rgba.size(); ++i) {
+        const int far = std::min(8 * std::abs(int(first.rgba[i]) - int(last.rgba[i])), 255);
+        if (i % 4 != 3) wrong += bench.state.shown->rgba[i] != far;
+    }
+    CHECK(wrong == 0);
+}
+
+TEST_CASE("B is the stored scene, shown by a key and never edited by it", "[ui][window][compare]") {
+    Bench bench;
+    bench.frames(2);
+    CHECK_FALSE(can_run(bench.state, Action::ShowB));
+    bench.key(Key::B, true);
+    const Scene stored = bench.scene();
+    bench.scene().lights[0].intensity = 3;
+    bench.frames(2);
+    const Scene edited = bench.scene();
+    bench.key(Key::B);
+    bench.frames(2);
+    CHECK(bench.state.drawn == stored);
+    CHECK(bench.scene() == edited);
+    bench.key(Key::B);
+    bench.frames(2);
+    CHECK(bench.state.drawn == edited);
+    // And as a part beside the edited scene.
+    set_parts(bench.state.views.compare.choice, {{}, {Setting::Kind::Stored, 0}});
+    bench.key(Key::C);
+    bench.frames(1);
+    const PictureSize size = bench.state.picture->size;
+    Renderer renderer(1);
+    const Picture& b = renderer.render(stored, size);
+    const std::size_t right = 4 * b.pixel(size.width * 11 / 20, size.height / 2);
+    CHECK(bench.state.shown->rgba[right] == b.rgba[right]);
+    CHECK(bench.state.shown->rgba[right] != bench.state.picture->rgba[right]);
+}
+
+TEST_CASE("the scope reads what a comparison shows", "[ui][window][compare][scope]") {
+    Bench bench;
+    comparing(bench);
+    bench.state.views.scope.open = true;
+    bench.frames(2);
+    Scene flat = bench.scene();
+    flat.shading.mode = ShadingMode::Flat;
+    Renderer renderer(1);
+    const Picture& full = renderer.render(flat, bench.state.picture->size, true);
+    const int end = first_column(bench.state.views.compare.choice, 1, full.size.width);
+    int hits = 0, wrong = 0;
+    for (const ProfileSample& s : bench.state.views.scope.samples)
+        if (s.pixel.x < end) {
+            wrong += s.color != full.linear_at(s.pixel.x, s.pixel.y);
+            hits += s.seen.has_value();
+        }
+    CHECK(wrong == 0);
+    CHECK(hits > 0);
+}
+
+TEST_CASE("clicking a part's label lists settings, and the one chosen is drawn there",
+          "[ui][window][compare]") {
+    Bench bench;
+    comparing(bench);
+    const int width = bench.state.picture->size.width;
+    bench.click(bench.at_pixel({width / 6.0, 16}));
+    CHECK(bench.state.views.compare.asked == 0);
+    bench.frames(2);
+    CHECK(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
+    CHECK_FALSE(bench.state.viewport.probe);
+    bench.state.views.compare.choice.parts[0] = setting_of(ShadingMode::Facet);
+    bench.frames(1);
+    check_columns(bench, ShadingMode::Facet, 0, first_column(bench.state.views.compare.choice, 1, width));
+}

@@ -1,0 +1,136 @@
+// The comparison under the hand: its lines and labels.
+#include <algorithm>
+#include <cmath>
+
+#include "ui/fonts.h"
+#include "ui/layout.h"
+#include "ui/theme.h"
+#include "ui/views/compare_view.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr float line_reach = 6;  // units of the design within which a line is taken
+constexpr double apart = 0.02;   // of the width: lines never come nearer to one another
+
+float line_at(const CompareChoice& choice, int wipe, const PictureView& view) {
+    return view.to_window({first_column(choice, wipe + 1, view.map.size.width), 0}).x;
+}
+
+float picture_top(const PictureView& view) { return view.to_window({0, 0}).y; }
+
+/// Where a part's label lies: at the top of its part, in its middle.
+Rect label_rect(const CompareChoice& choice, int part, const PictureView& view) {
+    const int width = view.map.size.width;
+    const float left = view.to_window({first_column(choice, part, width), 0}).x;
+    const float right = view.to_window({first_column(choice, part + 1, width), 0}).x;
+    const ImVec2 text =
+        fonts().small->CalcTextSizeA(fonts().small->FontSize * ImGui::GetIO().FontGlobalScale, 1e9f, 0,
+                                     label_of(choice.parts[static_cast<std::size_t>(part)]).c_str());
+    const ImVec2 half{std::min(text.x / 2 + px(8), (right - left) / 2), text.y / 2 + px(4)};
+    const ImVec2 middle{(left + right) / 2, picture_top(view) + px(8) + half.y};
+    return {{middle.x - half.x, middle.y - half.y}, {middle.x + half.x, middle.y + half.y}};
+}
+
+bool holds(const Rect& rect, ImVec2 at) {
+    return at.x >= rect.low.x && at.x < rect.high.x && at.y >= rect.low.y && at.y < rect.high.y;
+}
+
+void find_under(CompareState& state, const PictureView& view) {
+    state.under = state.label_under = -1;
+    if (!ImGui::IsItemHovered()) return;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    for (int i = 0; i < static_cast<int>(state.choice.parts.size()); ++i)
+        if (holds(label_rect(state.choice, i, view), mouse)) state.label_under = i;
+    if (state.label_under >= 0 || state.choice.difference) return;
+    for (int i = 0; i < static_cast<int>(state.choice.wipes.size()); ++i)
+        if (std::abs(mouse.x - line_at(state.choice, i, view)) <= px(line_reach)) state.under = i;
+}
+
+void drag(CompareState& state, const PictureView& view) {
+    std::vector<double>& wipes = state.choice.wipes;
+    const auto i = static_cast<std::size_t>(state.dragged);
+    const double low = i == 0 ? 0 : wipes[i - 1] + apart;
+    const double high = i + 1 == wipes.size() ? 1 : wipes[i + 1] - apart;
+    const double share = view.to_pixel(ImGui::GetIO().MousePos).x / view.map.size.width;
+    wipes[i] = std::clamp(share, std::min(low, high), std::max(low, high));
+}
+
+void draw_wipe(ImDrawList& list, const CompareState& state, int wipe, const PictureView& view) {
+    const float x = line_at(state.choice, wipe, view), top = picture_top(view);
+    const float bottom = view.to_window({0, view.map.size.height}).y, middle = (top + bottom) / 2;
+    const bool lit = state.under == wipe || state.dragged == wipe;
+    list.AddLine({x, top}, {x, bottom}, packed({0, 0, 0, 1}, 0.6f), px(3));
+    list.AddLine({x, top}, {x, bottom}, packed({1, 1, 1, 1}), px(lit ? 1.8f : 1));
+    list.AddCircleFilled({x, middle}, px(lit ? 10 : 8), packed({0, 0, 0, 1}, 0.6f));
+    list.AddCircleFilled({x, middle}, px(lit ? 8.5f : 6.5f), packed({1, 1, 1, 1}));
+    const ImU32 ink = packed({0.2f, 0.2f, 0.2f, 1});
+    for (const float side : {-1.0f, 1.0f})
+        list.AddTriangleFilled({x + side * px(5), middle}, {x + side * px(1.5f), middle - px(3.5f)},
+                               {x + side * px(1.5f), middle + px(3.5f)}, ink);
+}
+
+void draw_label(ImDrawList& list, const CompareState& state, int part, const PictureView& view) {
+    const Rect rect = label_rect(state.choice, part, view);
+    const bool lit = state.label_under == part;
+    list.AddRectFilled(rect.low, rect.high, packed(lit ? theme().field_active : theme().window, 0.88f),
+                       px(6));
+    list.PushClipRect(rect.low, rect.high, true);
+    list.AddText(fonts().small, fonts().small->FontSize * ImGui::GetIO().FontGlobalScale,
+                 {rect.low.x + px(8), rect.low.y + px(4)}, packed(theme().text),
+                 label_of(state.choice.parts[static_cast<std::size_t>(part)]).c_str());
+    list.PopClipRect();
+}
+
+void settings_popup(CompareState& state) {
+    if (state.asked >= static_cast<int>(state.choice.parts.size())) state.asked = -1;
+    if (!ImGui::BeginPopup("##part")) return;
+    if (state.asked < 0) ImGui::CloseCurrentPopup();
+    Setting::Kind last = Setting::Kind::Edited;
+    for (const Setting& setting : all_settings()) {
+        if (state.asked < 0) break;
+        Setting& part = state.choice.parts[static_cast<std::size_t>(state.asked)];
+        if (setting.kind != last) ImGui::Separator();
+        last = setting.kind;
+        const bool can = setting.kind != Setting::Kind::Stored || state.choice.stored.has_value();
+        const auto flags = can ? 0 : ImGuiSelectableFlags_Disabled;
+        if (ImGui::Selectable(label_of(setting).c_str(), part == setting, flags)) part = setting;
+        if (!can) tooltip("B, stored", "Store a scene first", "", "Ctrl+B");
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace
+
+bool compare_hand(CompareState& state, const PictureView& view) {
+    if (!state.choice.on || !ImGui::IsMousePosValid()) return false;
+    if (state.dragged < 0) {
+        find_under(state, view);
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+            state.dragged = state.under;
+            if (state.label_under >= 0) {
+                state.asked = state.label_under;
+                ImGui::OpenPopup("##part");
+            }
+        }
+    } else {
+        drag(state, view);
+        if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.dragged = -1;
+    }
+    if (state.under >= 0 || state.dragged >= 0) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (state.label_under >= 0) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    return state.dragged >= 0 || state.under >= 0 || state.label_under >= 0;
+}
+
+void draw_compare(ImDrawList& list, CompareState& state, const PictureView& view) {
+    if (!state.choice.on) return;
+    if (!state.choice.difference) {
+        for (int i = 0; i < static_cast<int>(state.choice.wipes.size()); ++i) draw_wipe(list, state, i, view);
+        for (int i = 0; i < static_cast<int>(state.choice.parts.size()); ++i)
+            draw_label(list, state, i, view);
+    }
+    settings_popup(state);
+}
+
+}  // namespace glint

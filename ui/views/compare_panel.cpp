@@ -1,0 +1,81 @@
+#include "ui/views/compare_panel.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+struct Preset {
+    const char* label;
+    std::vector<Setting> parts;
+};
+
+const std::vector<Preset>& presets() {
+    static const std::vector<Preset> all{
+        {"Flat, Gouraud, Phong",
+         {setting_of(ShadingMode::Flat), setting_of(ShadingMode::Gouraud), setting_of(ShadingMode::Phong)}},
+        {"Gouraud, Phong", {setting_of(ShadingMode::Gouraud), setting_of(ShadingMode::Phong)}},
+        {"Facet, Phong", {setting_of(ShadingMode::Facet), setting_of(ShadingMode::Phong)}},
+        {"Phong's and Blinn's highlight",
+         {setting_of(Reflection::Phong), setting_of(Reflection::BlinnPhong)}},
+        {"As edited, B", {{}, {Setting::Kind::Stored, 0}}}};
+    return all;
+}
+
+void presets_popup(CompareChoice& choice) {
+    if (ImGui::SmallButton("…##presets")) ImGui::OpenPopup("##presets");
+    tooltip("What is compared", "Or click a label on the picture to choose one part");
+    ImGui::SameLine(0, px(4));
+    if (!ImGui::BeginPopup("##presets")) return;
+    for (const Preset& preset : presets()) {
+        const bool needs_b = preset.parts.back().kind == Setting::Kind::Stored;
+        const auto flags = needs_b && !choice.stored ? ImGuiSelectableFlags_Disabled : 0;
+        if (ImGui::Selectable(preset.label, choice.parts == preset.parts, flags))
+            set_parts(choice, preset.parts);
+        if (flags != 0) tooltip(preset.label, "Store a scene first", "", "Ctrl+B");
+    }
+    ImGui::EndPopup();
+}
+
+void difference_controls(CompareState& state) {
+    CompareChoice& choice = state.choice;
+    if (ImGui::SmallButton(fmt::format("×{}###gain", choice.gain).c_str()))
+        choice.gain = choice.gain >= most_gain ? 1 : 2 * choice.gain;
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) choice.gain = std::max(choice.gain / 2, 1);
+    tooltip("Scale of the difference", "Click: twice as much, after ×64 again ×1 · Right click: half");
+    ImGui::SameLine(0, px(8));
+    const Comparison& n = state.numbers;
+    figures(fmt::format("max {}  mean {:.2f}", n.max_error, (n.mean[0] + n.mean[1] + n.mean[2]) / 3));
+    tooltip(
+        "How far apart", "Largest and mean difference of the first and the last part, in steps of 0 to 255",
+        fmt::format("max {} {} {}\nmean {:.3f} {:.3f} {:.3f}\nroot of mean square {:.3f} {:.3f} {:.3f}\n{} "
+                    "pixels differ",
+                    n.max[0], n.max[1], n.max[2], n.mean[0], n.mean[1], n.mean[2], n.rmse[0], n.rmse[1],
+                    n.rmse[2], n.differing_pixels));
+    ImGui::SameLine(0, px(4));
+}
+
+}  // namespace
+
+void compare_controls(CompareState& state) {
+    CompareChoice& choice = state.choice;
+    if (!choice.on) return;
+    presets_popup(choice);
+    ImGui::PushStyleColor(ImGuiCol_Button, choice.difference ? theme().accent : theme().field);
+    ImGui::PushStyleColor(ImGuiCol_Text, choice.difference ? theme().accent_text : theme().text);
+    if (ImGui::SmallButton("Difference")) choice.difference = !choice.difference;
+    ImGui::PopStyleColor(2);
+    tooltip("Difference",
+            (label_of(choice.parts.front()) + " against " + label_of(choice.parts.back())).c_str(),
+            "Red, green and blue apart, of what is displayed");
+    ImGui::SameLine(0, px(4));
+    if (choice.difference) difference_controls(state);
+}
+
+}  // namespace glint

@@ -1,0 +1,92 @@
+#include "ui/views/compare_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/theme.h"
+
+namespace glint {
+namespace {
+
+/// Rows of `from` between two columns into the same place of `to`.
+void copy_columns(const Picture& from, Picture& to, int first, int end) {
+    if (end <= first) return;
+    const auto count = static_cast<std::ptrdiff_t>(end - first);
+    for (int y = 0; y < to.size.height; ++y) {
+        const auto at = static_cast<std::ptrdiff_t>(to.pixel(first, y));
+        std::copy_n(from.rgba.begin() + 4 * at, 4 * count, to.rgba.begin() + 4 * at);
+        if (!to.linear.empty())
+            std::copy_n(from.linear.begin() + 3 * at, 3 * count, to.linear.begin() + 3 * at);
+    }
+}
+
+/// Draws the parts whose scene is not the one drawn already.
+void draw_parts(CompareState& state, const DrawnScene& drawn) {
+    const CompareChoice& choice = state.choice;
+    state.renderers.resize(choice.parts.size());
+    state.pictures.assign(choice.parts.size(), &drawn.picture);
+    state.drawn_by.assign(choice.parts.size(), &drawn.renderer);
+    for (std::size_t i = 0; i < choice.parts.size(); ++i) {
+        const Scene scene = scene_under(choice.parts[i], drawn.scene, choice.stored);
+        if (scene == drawn.scene) continue;
+        if (!state.renderers[i]) state.renderers[i] = std::make_unique<Renderer>(drawn.threads);
+        state.pictures[i] =
+            &state.renderers[i]->render(scene, drawn.picture.size, !drawn.picture.linear.empty());
+        state.drawn_by[i] = state.renderers[i].get();
+    }
+}
+
+void compose_difference(CompareState& state) {
+    const Picture &first = *state.pictures.front(), &last = *state.pictures.back();
+    const Result<Comparison> numbers = compare(first, last);
+    if (const auto* found = std::get_if<Comparison>(&numbers)) state.numbers = *found;
+    state.picture = difference_picture(first, last, state.choice.gain);
+}
+
+}  // namespace
+
+int first_column(const CompareChoice& choice, int part, int width) {
+    if (part <= 0) return 0;
+    if (part >= static_cast<int>(choice.parts.size())) return width;
+    const double share = choice.wipes[static_cast<std::size_t>(part - 1)];
+    return std::clamp(static_cast<int>(std::lround(share * width)), 0, width);
+}
+
+int part_at(const CompareChoice& choice, int x, int width) {
+    int part = 0;
+    while (part + 1 < static_cast<int>(choice.parts.size()) && first_column(choice, part + 1, width) <= x)
+        ++part;
+    return part;
+}
+
+const Picture& compose(CompareState& state, const DrawnScene& drawn) {
+    draw_parts(state, drawn);
+    if (state.choice.difference) {
+        compose_difference(state);
+        return state.picture;
+    }
+    const PictureSize size = drawn.picture.size;
+    state.picture.size = size;
+    state.picture.rgba.resize(drawn.picture.rgba.size());
+    state.picture.linear.resize(drawn.picture.linear.size());
+    for (int part = 0; part < static_cast<int>(state.pictures.size()); ++part)
+        copy_columns(*state.pictures[static_cast<std::size_t>(part)], state.picture,
+                     first_column(state.choice, part, size.width),
+                     first_column(state.choice, part + 1, size.width));
+    return state.picture;
+}
+
+const Renderer* part_renderer(const CompareState& state, int x, PictureSize size) {
+    if (!state.choice.on || state.choice.difference || state.picture.size != size) return nullptr;
+    const auto part = static_cast<std::size_t>(part_at(state.choice, x, size.width));
+    return part < state.drawn_by.size() ? state.drawn_by[part] : nullptr;
+}
+
+void set_parts(CompareChoice& choice, std::vector<Setting> parts) {
+    choice.parts = std::move(parts);
+    choice.wipes.clear();
+    for (std::size_t i = 1; i < choice.parts.size(); ++i)
+        choice.wipes.push_back(double(i) / double(choice.parts.size()));
+}
+
+}  // namespace glint

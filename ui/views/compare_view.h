@@ -1,0 +1,72 @@
+#pragma once
+// Several settings of one scene in one picture, side by side under lines that are dragged, or their
+// difference. Lecture: "Shading Models" (flat, Gouraud and Phong side by side).
+
+#include <imgui.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "renderer/inspect/compare.h"
+#include "renderer/renderer.h"
+#include "ui/gizmo.h"
+#include "ui/views/setting.h"
+
+namespace glint {
+
+/// What is compared: changes to it change the picture.
+struct CompareChoice {
+    bool on = false;
+    std::vector<Setting> parts{setting_of(ShadingMode::Flat), setting_of(ShadingMode::Gouraud),
+                               setting_of(ShadingMode::Phong)};  // 2 or 3, from left to right
+    std::vector<double> wipes{1.0 / 3, 2.0 / 3};  // #parts - 1, rising: shares of the picture's width
+    bool difference = false;                      // of the first and the last part, in place of all parts
+    int gain = 1;                                 // of the difference: 1, 2, 4 ... 64
+    std::optional<Scene> stored;                  // "B"
+    bool shows_stored = false;                    // B alone in place of the picture
+    bool operator==(const CompareChoice&) const = default;
+};
+inline constexpr int most_gain = 64;
+
+struct CompareState {
+    CompareChoice choice;
+    int dragged = -1, under = -1;                      // a wipe line
+    int label_under = -1, asked = -1;                  // a part's label; whose settings are to be listed
+    std::vector<std::unique_ptr<Renderer>> renderers;  // of the parts that are not the edited scene
+    std::vector<const Picture*> pictures;              // one a part, of the last composing
+    std::vector<const Renderer*> drawn_by;
+    Picture picture;     // the composed one
+    Comparison numbers;  // of the difference
+};
+
+/// What the parts are drawn from: the picture on the screen and what drew it.
+struct DrawnScene {
+    const Scene& scene;
+    const Picture& picture;
+    const Renderer& renderer;
+    int threads = 0;
+};
+
+/// First column of part `part`; of the one past the last: the width.
+[[nodiscard]] int first_column(const CompareChoice& choice, int part, int width);
+/// The part that column x shows.
+[[nodiscard]] int part_at(const CompareChoice& choice, int x, int width);
+
+/// Draws every part and composes them: each column is that of its part's full picture. With a difference,
+/// that of the first and the last part, and `numbers`. Linear colours are composed where `drawn` has them.
+const Picture& compose(CompareState& state, const DrawnScene& drawn);
+
+/// What drew pixel (x, y) of the composed picture; null when that is the drawn scene's renderer, or nothing.
+[[nodiscard]] const Renderer* part_renderer(const CompareState& state, int x, PictureSize size);
+
+/// Sets how many parts there are, their lines spread evenly.
+void set_parts(CompareChoice& choice, std::vector<Setting> parts);
+
+/// Reads the mouse over the picture: lines are dragged, labels clicked. True while it has the mouse.
+[[nodiscard]] bool compare_hand(CompareState& state, const PictureView& view);
+
+/// Lines and labels; the list of a part's settings once its label was clicked.
+void draw_compare(ImDrawList& list, CompareState& state, const PictureView& view);
+
+}  // namespace glint
