@@ -60,6 +60,10 @@ glm::dvec3 to_world(const Light& light, glm::dvec3 own, double w, const ScreenMa
     return glm::dvec3(world_from_own(light, map) * glm::dvec4(own, w));
 }
 
+glm::dvec3 to_own(const Light& light, glm::dvec3 world, double w, const ScreenMap& map) {
+    return glm::dvec3(own_from_world(light, map) * glm::dvec4(world, w));
+}
+
 glm::dvec3 direction_of(const Light& light, const ScreenMap& map) {
     return glm::normalize(to_world(light, own_place(light), 0, map));
 }

@@ -35,6 +35,9 @@ struct Dome {
 /// A vector (w = 0) or place (w = 1) of the light's own coordinates, in the world.
 [[nodiscard]] glm::dvec3 to_world(const Light& light, glm::dvec3 own, double w, const ScreenMap& map);
 
+/// The inverse of to_world().
+[[nodiscard]] glm::dvec3 to_own(const Light& light, glm::dvec3 world, double w, const ScreenMap& map);
+
 /// The same light counted in the other coordinates: it stays where it is at this moment, shape and axis too.
 [[nodiscard]] Light in_space(Light light, LightSpace space, const Camera& camera);
 

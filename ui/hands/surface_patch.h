@@ -1,0 +1,38 @@
+#pragma once
+// The surface that shows in a few pixels round one, and the slope over it of what is measured there.
+
+#include <glm/vec2.hpp>
+#include <optional>
+#include <vector>
+
+#include "renderer/renderer.h"
+
+namespace glint {
+
+/// What shows at a place of the last picture, which must have this size; nothing outside and on the
+/// background.
+[[nodiscard]] std::optional<SeenPoint> seen_at(const Renderer& renderer, PictureSize size, glm::dvec2 pixel);
+
+/// Square, 2 radius + 1 pixels a side, row by row. Pixels that show something else than the middle one
+/// (another object, a part of it behind, a crease) are not used; in `points` the middle stands in for them.
+struct SurfacePatch {
+    int radius = 0;
+    std::vector<SeenPoint> points;
+    std::vector<bool> used;
+
+    [[nodiscard]] const SeenPoint& middle() const { return points[points.size() / 2]; }
+    /// From the middle, pixels.
+    [[nodiscard]] glm::dvec2 offset(std::size_t i) const;
+    /// Gradient at the middle of ln(values), per pixel, from pairs of opposite pixels up to `within` pixels
+    /// across or up, so that curvature does not count. 0 where nothing can be said; values of 0 are not used.
+    [[nodiscard]] glm::dvec2 slope_of_log(const std::vector<double>& values, int within) const;
+    /// Distance of the largest value from the middle, pixels; of equal ones the nearest. `radius` + 1 where
+    /// the middle is 0.
+    [[nodiscard]] double distance_of_maximum(const std::vector<double>& values) const;
+};
+
+/// Nothing when the middle shows the background.
+[[nodiscard]] std::optional<SurfacePatch> surface_patch(const Renderer& renderer, PictureSize size,
+                                                        glm::dvec2 pixel, int radius);
+
+}  // namespace glint
