@@ -72,7 +72,7 @@ void draw_stem(const WorldPen& pen, glm::dvec3 place, ImU32 colour, float opacit
     const glm::dvec3 foot{place.x, box.min.y, place.z};
     pen.line(place, foot, packed({0, 0, 0, 1}, 0.4f * opacity), px(2.5f));
     pen.line(place, foot, colour, px(1));
-    const double radius = 0.02 * glm::length(glm::dvec3(box.max) - glm::dvec3(box.min));
+    const double radius = 0.06 * pen.view.dome.radius;  // follows the zoom
     pen.circle(foot, {radius, 0, 0}, {0, 0, radius}, colour, opacity);
 }
 

@@ -1,5 +1,7 @@
 #include "ui/light_panel.h"
 
+#include <imgui.h>
+
 #include <array>
 
 #include "ui/choices.h"
@@ -121,9 +123,13 @@ bool light_panel(Light& light, const std::string& pointer, const Camera& camera,
     }
     LightSpace space = light.space;
     if (segment_field("Space", space, space_choices,
-                      {"Coordinates in which it stands; changing it keeps the light where it is",
+                      {"Coordinates in which it stands; changing it keeps the light where it is (with Alt: "
+                       "its numbers)",
                        pointer + "/space"})) {
-        light = in_space(light, space, camera);
+        if (ImGui::GetIO().KeyAlt)
+            light.space = space;
+        else
+            light = in_space(light, space, camera);
         edited = true;
     }
     edited |= switch_field("On", light.enabled, {"Whether it shines", pointer + "/enabled"});

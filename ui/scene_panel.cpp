@@ -67,8 +67,13 @@ bool space_button(Light& light, const Camera& camera) {
                                         letter);
     tooltip(world ? "World light" : "Camera light",
             world ? "Stays with the scene. Click: let it ride along with the camera, from where it is now"
-                  : "Rides along with the camera. Click: leave it in the world where it is now");
-    if (pressed) light = in_space(light, world ? LightSpace::Camera : LightSpace::World, camera);
+                  : "Rides along with the camera. Click: leave it in the world where it is now",
+            "Alt+click: keep its numbers, and let it jump to where they are in the other coordinates");
+    const LightSpace other = world ? LightSpace::Camera : LightSpace::World;
+    if (pressed && ImGui::GetIO().KeyAlt)
+        light.space = other;
+    else if (pressed)
+        light = in_space(light, other, camera);
     return pressed;
 }
 

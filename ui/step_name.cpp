@@ -8,6 +8,16 @@
 namespace glint {
 namespace {
 
+/// A light that turned its shape while it moved.
+bool is_carried(const Light& a, const Light& b) {
+    Light same = a;
+    same.position = b.position;
+    same.spot.direction = b.spot.direction;
+    same.area.edge_u = b.area.edge_u;
+    same.area.edge_v = b.area.edge_v;
+    return same == b && a.position != b.position;
+}
+
 std::string light_step(const Light& a, const Light& b) {
     const std::string& name = b.name;
     Light same = a;  // `a` with one part of `b`: equal to `b` when nothing else changed
@@ -18,6 +28,7 @@ std::string light_step(const Light& a, const Light& b) {
     };
     if (only(&Light::name)) return fmt::format("Rename {}", a.name);
     if (only(&Light::position)) return fmt::format("{} {}", b.position.w == 0 ? "Turn" : "Move", name);
+    if (is_carried(a, b)) return fmt::format("Move {}", name);
     if (only(&Light::enabled)) return fmt::format("Switch {} {}", name, b.enabled ? "on" : "off");
     if (only(&Light::intensity)) return fmt::format("Brightness of {}", name);
     if (only(&Light::falloff)) return fmt::format("Falloff of {}", name);

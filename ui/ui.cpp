@@ -65,7 +65,7 @@ bool viewport(UiState& state, const Layout& layout, const UiInput& input, ImText
         state.picture != nullptr && state.picture->size == view.map.size ? state.renderer.get() : nullptr;
     if (state.viewport.gesture == Gesture::None && views_hand(state, view)) {
         state.viewport.hovered = false;
-        state.viewport.hovered_light = -1;
+        state.viewport.hovered_grip = {};
         state.viewport.touched |= ImGui::IsAnyMouseDown();
         ImGui::End();
         return false;
@@ -215,7 +215,8 @@ void draw_picture(UiState& state, const PictureView& view) {
 
 void first_hints(const UiState& state, const PictureView& view) {
     if (state.viewport.touched) return;
-    const char* text = "Drag a light   ·   Click a pixel to ask why   ·   Drag elsewhere to orbit";
+    const char* text =
+        "Drag a light or a highlight   ·   Click a pixel to ask why   ·   Drag elsewhere to orbit";
     const ImVec2 size = ImGui::CalcTextSize(text);
     const float middle = view.origin.x + float(view.map.size.width) * view.units_per_pixel / 2;
     const float bottom = view.origin.y + float(view.map.size.height) * view.units_per_pixel - px(18);

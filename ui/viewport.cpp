@@ -27,11 +27,9 @@ double depth_under(const ViewportFrame& frame, glm::dvec2 pixel) {
     return depth > 0 ? double(depth) : target_depth(frame.scene.camera);
 }
 
-DragAlong drag_along(const UiInput& input) {
-    if (input.axis_held[0]) return DragAlong::X;
-    if (input.axis_held[1]) return DragAlong::Y;
-    if (input.axis_held[2]) return DragAlong::Z;
-    return ImGui::GetIO().KeyShift ? DragAlong::Depth : DragAlong::ViewPlane;
+HandKeys hand_keys(const UiInput& input) {
+    const ImGuiIO& io = ImGui::GetIO();
+    return {io.KeyShift, io.KeyCtrl, io.KeyAlt, input.axis_held};
 }
 
 void begin(ViewportState& state, const ViewportFrame& frame, Gesture gesture, int button) {
@@ -42,22 +40,14 @@ void begin(ViewportState& state, const ViewportFrame& frame, Gesture gesture, in
     state.grip_depth = depth_under(frame, state.pressed_px);
 }
 
-void begin_light(ViewportState& state, const ViewportFrame& frame, const UiInput& input) {
-    state.gesture = Gesture::Light;
-    state.drag_view = {frame.view.map, frame.view.dome, snap_step_for(frame.view.bounds)};
-    state.drag = {frame.scene.lights[static_cast<std::size_t>(state.dragged_light)], drag_along(input),
-                  state.pressed_px};
-}
-
 void press(ViewportState& state, ViewportFrame& frame) {
     if (!state.hovered) return;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         begin(state, frame, Gesture::Press, ImGuiMouseButton_Left);
-        state.dragged_light = state.hovered_light;
-        if (state.hovered_light >= 0) {
-            frame.selection = {Selection::Kind::Light, state.hovered_light};
-            if (!state.hovered_in_picture) state.gesture = Gesture::None;
-        }
+        state.pressed_grip = state.hovered_grip;
+        if (!state.hovered_grip.is_mark()) return;
+        frame.selection = {Selection::Kind::Light, state.hovered_grip.item};
+        if (!state.hovered_grip.in_picture) state.gesture = Gesture::None;
     } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle) ||
                ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
         const bool middle = ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
@@ -66,33 +56,23 @@ void press(ViewportState& state, ViewportFrame& frame) {
     }
 }
 
+/// With Alt nothing but the camera is taken hold of.
 void hover(ViewportState& state, const ViewportFrame& frame) {
-    state.hovered_light = -1;
-    if (!state.hovered) return;
-    const std::vector<Handle> handles =
-        light_handles(frame.scene, frame.view, selected_light(frame.selection));
-    const Handle* under = handle_under(handles, cursor_px(frame), frame.view);
-    if (under == nullptr) return;
-    state.hovered_light = under->light;
-    state.hovered_in_picture = under->in_picture;
+    state.hovered_grip =
+        state.hovered && !ImGui::GetIO().KeyAlt ? grip_under(frame, cursor_px(frame)) : Grip{};
 }
 
 /// A press that moved far enough becomes a drag.
 void decide(ViewportState& state, const ViewportFrame& frame, const UiInput& input) {
     const double moved = glm::length(cursor_px(frame) - state.pressed_px) * frame.view.units_per_pixel;
     if (moved < double(px(float(drag_threshold)))) return;
-    if (state.dragged_light >= 0) return begin_light(state, frame, input);
+    if (state.pressed_grip) {
+        state.gesture = Gesture::Hand;
+        state.held = take_hold(frame, state.pressed_grip, state.pressed_px, hand_keys(input));
+        return;
+    }
     const ImGuiIO& io = ImGui::GetIO();
     state.gesture = io.KeyShift ? Gesture::Pan : io.KeyCtrl ? Gesture::Dolly : Gesture::Orbit;
-}
-
-void drag_light(ViewportState& state, ViewportFrame& frame, const UiInput& input) {
-    Light& light = frame.scene.lights[static_cast<std::size_t>(state.dragged_light)];
-    const glm::dvec2 cursor = cursor_px(frame);
-    // Another key: go on from here, so that nothing jumps.
-    if (const DragAlong along = drag_along(input); along != state.drag.along)
-        state.drag = {light, along, state.last_px};
-    light = dragged(state.drag, state.drag_view, cursor, ImGui::GetIO().KeyCtrl);
 }
 
 void move(ViewportState& state, ViewportFrame& frame, const UiInput& input) {
@@ -104,8 +84,8 @@ void move(ViewportState& state, ViewportFrame& frame, const UiInput& input) {
     case Gesture::None:
     case Gesture::Press:
         return;
-    case Gesture::Light:
-        drag_light(state, frame, input);
+    case Gesture::Hand:
+        drag_held(state.held, frame, cursor, state.last_px, hand_keys(input));
         break;
     case Gesture::Orbit:
         orbit(camera, motion, size);
@@ -118,7 +98,7 @@ void move(ViewportState& state, ViewportFrame& frame, const UiInput& input) {
               std::exp(motion.y / size.height * 3), size);
         break;
     }
-    if (state.gesture != Gesture::Light) keep_depth_range(camera, state.before.camera, frame.view.bounds);
+    if (state.gesture != Gesture::Hand) keep_depth_range(camera, state.before.camera, frame.view.bounds);
     state.touched = true;
     state.last_px = cursor;
 }
@@ -126,7 +106,7 @@ void move(ViewportState& state, ViewportFrame& frame, const UiInput& input) {
 void click(ViewportState& state, ViewportFrame& frame) {
     const PictureSize size = frame.view.map.size;
     state.touched = true;
-    if (state.dragged_light >= 0) return;  // it was selected when pressed
+    if (state.pressed_grip.is_mark()) return;  // it was selected when pressed
     state.asked = true;
     state.probe = glm::dvec2(state.pressed_px.x / size.width, state.pressed_px.y / size.height);
 }
@@ -134,7 +114,7 @@ void click(ViewportState& state, ViewportFrame& frame) {
 void release(ViewportState& state, ViewportFrame& frame) {
     if (state.gesture == Gesture::Press) click(state, frame);
     state.gesture = Gesture::None;
-    state.dragged_light = -1;
+    state.pressed_grip = {};
     state.before = {};
 }
 
@@ -164,7 +144,7 @@ void wheel(ViewportState& state, ViewportFrame& frame) {
 void set_cursor(const ViewportState& state) {
     if (state.gesture == Gesture::Orbit || state.gesture == Gesture::Pan || state.gesture == Gesture::Dolly)
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-    else if (state.gesture == Gesture::Light || (state.hovered && state.hovered_light >= 0))
+    else if (state.gesture == Gesture::Hand || (state.hovered && state.hovered_grip))
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
@@ -176,7 +156,8 @@ bool viewport_gestures(ViewportState& state, ViewportFrame frame, const UiInput&
     if (state.gesture == Gesture::None) {
         hover(state, frame);
         press(state, frame);
-        if (state.hovered && state.hovered_light < 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+        if (state.hovered && !state.hovered_grip.is_mark() &&
+            ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
             select_object_under(frame, cursor_px(frame));
     }
     if (state.gesture != Gesture::None) {
@@ -192,7 +173,7 @@ bool cancel_gesture(ViewportState& state, Scene& scene) {
     if (state.gesture == Gesture::None) return false;
     scene = state.before;
     state.gesture = Gesture::None;
-    state.dragged_light = -1;
+    state.pressed_grip = {};
     state.before = {};
     return true;
 }

@@ -5,25 +5,20 @@
 #include <optional>
 #include <string>
 
-#include "renderer/renderer.h"
-#include "ui/gizmo.h"
+#include "ui/hands/hand.h"
 #include "ui/keys.h"
-#include "ui/light_drag.h"
-#include "ui/scene_edit.h"
 
 namespace glint {
 
-enum class Gesture { None, Press, Orbit, Pan, Dolly, Light };
+enum class Gesture { None, Press, Orbit, Pan, Dolly, Hand };
 
 struct ViewportState {
     Gesture gesture = Gesture::None;
     int button = 0;  // that holds the gesture: ImGui's number of the mouse button
     glm::dvec2 pressed_px{0}, last_px{0};
-    double grip_depth = 1;  // of what the camera gesture holds on to
-    int hovered_light = -1, dragged_light = -1;
-    bool hovered_in_picture = false;  // the hovered light is where its handle is, not outside
-    LightDrag drag;
-    DragView drag_view;
+    double grip_depth = 1;            // of what the camera gesture holds on to
+    Grip hovered_grip, pressed_grip;  // under the cursor now, and when the button went down
+    Held held;                        // under Gesture::Hand
     Scene before;                     // as it was when the gesture began: Esc brings it back
     std::optional<glm::dvec2> probe;  // the pixel asked about, as a share of the picture's size
     bool hovered = false;             // the cursor is over the picture
@@ -31,14 +26,6 @@ struct ViewportState {
     bool touched = false;             // someone has used the picture: the hints go
     double last_wheel = -1e9;         // time
     bool wheel_goes_on = false;       // this frame's notch belongs to the one before: one undo step
-};
-
-/// What one frame of the viewport works on.
-struct ViewportFrame {
-    Scene& scene;
-    Selection& selection;
-    const Renderer* renderer = nullptr;  // of the last picture; null before the first
-    PictureView view;
 };
 
 /// Reads ImGui's mouse over the item drawn last (the picture) and edits camera, lights, selection and probe.

@@ -3,7 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "ui/fonts.h"
+#include "ui/icons.h"
 #include "ui/theme.h"
 #include "ui/viewport.h"
 
@@ -18,6 +18,30 @@ bool is_hidden(const Handle& handle, const ViewportFrame& frame) {
               y = std::min(int(handle.at.pixel.y), size.height - 1);
     const double depth = frame.renderer->depth_at(x, y);
     return depth > 0 && handle.at.depth > depth * 1.01;
+}
+
+/// A grip of this frame may name a light that an edit has deleted since.
+bool exists(const Grip& grip, const Scene& scene) {
+    return grip && static_cast<std::size_t>(grip.item) < scene.lights.size();
+}
+
+/// A highlight or a terminator under the hand: a ring there, and a line to the light that makes it.
+void draw_hold_on_surface(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame) {
+    const bool held = state.gesture == Gesture::Hand;
+    const Grip& grip = held ? state.held.grip : state.hovered_grip;
+    if (!exists(grip, frame.scene) || grip.is_mark() || (!held && !state.hovered)) return;
+    const Light& light = frame.scene.lights[static_cast<std::size_t>(grip.item)];
+    const ImVec2 hand = ImGui::GetIO().MousePos;
+    const ImU32 colour = packed(colour_of(light)), dark = packed({0, 0, 0, 1}, 0.5f);
+    const OnScreen to = project(frame.view.map, handle_of(light, frame.view.dome, frame.view.map));
+    if (to.in_front) {
+        const ImVec2 end = frame.view.to_window(to.pixel);
+        list.AddLine(hand, end, dark, px(2.6f));
+        list.AddLine(hand, end, colour, px(1.2f));
+    }
+    const float radius = px(held ? 7 : 10);
+    list.AddCircle(hand, radius, dark, 0, px(4));
+    list.AddCircle(hand, radius, held && state.held.astray ? packed(theme().dim_text) : colour, 0, px(2));
 }
 
 void draw_probe(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame) {
@@ -36,31 +60,13 @@ void draw_probe(ImDrawList& list, const ViewportState& state, const ViewportFram
     cross(packed({1, 1, 1, 1}), px(1.4f));
 }
 
-const char* along_words(DragAlong along, bool turns) {
-    switch (along) {
-    case DragAlong::ViewPlane:
-        return turns ? "on its dome" : "in the view plane";
-    case DragAlong::Depth:
-        return turns ? "past the rim" : "in depth";
-    case DragAlong::X:
-        return turns ? "round X" : "along X";
-    case DragAlong::Y:
-        return turns ? "round Y" : "along Y";
-    case DragAlong::Z:
-        return turns ? "round Z" : "along Z";
-    }
-    return "";  // not reached
-}
-
-void draw_readout(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame) {
-    if (state.gesture != Gesture::Light) return;
-    const Light& light = frame.scene.lights[static_cast<std::size_t>(state.dragged_light)];
-    const glm::vec4 p = light.position;
-    const bool turns = light.kind == LightKind::Directional;
-    draw_note(list, frame.view, ImGui::GetIO().MousePos,
-              fmt::format("{} {}, {} coordinates", light.name, along_words(state.drag.along, turns),
-                          light.space == LightSpace::World ? "world" : "camera"),
-              fmt::format("{:7.2f} {:7.2f} {:7.2f}", p.x, p.y, p.z));
+void draw_hand_note(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame) {
+    const bool resting =
+        state.hovered && state.gesture == Gesture::None && exists(state.hovered_grip, frame.scene);
+    if (state.gesture != Gesture::Hand && !resting) return;
+    const HandNote note =
+        resting ? note_of(state.hovered_grip, frame.scene) : note_of(state.held, frame.scene);
+    draw_note(list, frame.view, ImGui::GetIO().MousePos, note.title, note.numbers);
 }
 
 }  // namespace
@@ -69,31 +75,22 @@ void draw_overlay(ImDrawList& list, const ViewportState& state, const ViewportFr
     const std::vector<Handle> handles =
         light_handles(frame.scene, frame.view, selected_light(frame.selection));
     const bool few = handles.size() <= 24;
+    draw_hold_on_surface(list, state, frame);
     for (const Handle& handle : handles) {
-        const bool dragged = handle.light == state.dragged_light && state.gesture == Gesture::Light;
+        const Grip& in_hand = state.gesture == Gesture::Hand ? state.held.grip : state.hovered_grip;
         const HandleLook look{frame.selection == Selection{Selection::Kind::Light, handle.light},
-                              dragged || handle.light == state.hovered_light, is_hidden(handle, frame), few};
+                              in_hand && in_hand.item == handle.light, is_hidden(handle, frame), few};
         draw_handle(list, frame.view, frame.scene.lights[static_cast<std::size_t>(handle.light)], handle,
                     look);
     }
     draw_probe(list, state, frame);
-    draw_readout(list, state, frame);
-    const bool resting = state.hovered && state.gesture == Gesture::None;
-    if (resting && state.hovered_light >= 0 &&
-        static_cast<std::size_t>(state.hovered_light) < frame.scene.lights.size()) {
-        const auto index = static_cast<std::size_t>(state.hovered_light);
-        const Light& light = frame.scene.lights[index];
-        const char* what = !state.hovered_in_picture ? "Outside the picture"
-                           : light.enabled           ? "Drag to move"
-                                                     : "Off; drag to move";
-        draw_note(list, frame.view, ImGui::GetIO().MousePos, what, light.name);
-    }
+    draw_hand_note(list, state, frame);
 }
 
 std::string gesture_hint(const ViewportState& state, const Scene& scene) {
     switch (state.gesture) {
-    case Gesture::Light:
-        return "Shift: in depth · X Y Z: along an axis · Ctrl: snap · Esc: cancel";
+    case Gesture::Hand:
+        return hint_of(state.held);
     case Gesture::Orbit:
         return "Orbiting round the target · Esc: cancel";
     case Gesture::Pan:
@@ -105,9 +102,7 @@ std::string gesture_hint(const ViewportState& state, const Scene& scene) {
         break;
     }
     if (!state.hovered) return {};
-    if (state.hovered_light >= 0 && static_cast<std::size_t>(state.hovered_light) < scene.lights.size())
-        return fmt::format("{}: drag in the view plane · Shift: in depth · X Y Z: axis · Ctrl: snap",
-                           scene.lights[static_cast<std::size_t>(state.hovered_light)].name);
+    if (exists(state.hovered_grip, scene)) return hint_of(state.hovered_grip, scene);
     return "Click: why this colour · Drag: orbit · Shift+drag or right: pan · Wheel: closer · F: frame";
 }
 

@@ -51,6 +51,18 @@ std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Lig
     return highlights;
 }
 
+double cosine_at(const Scene& scene, PictureSize size, const Light& light, const SeenPoint& point) {
+    const Scene alone = with_light_alone(scene, light);
+    const std::vector<LightSource> sources = light_sources(alone);
+    if (sources.empty()) return 0;
+    const LightJob job = light_job(alone, size, mirror_like(scene, point), sources, false);
+    const PointAt<float> at = seen_from_eye(job, to_vec(point.place), to_vec(point.normal));
+    const LightSource& middle = sources[sources.size() / 2];
+    const auto terms =
+        illuminate(equation_of(job), light_at<float>(middle), material_at<float>(job.material), at);
+    return static_cast<double>(terms.directions.n_dot_l);
+}
+
 glm::vec3 peak_direction(const Scene& scene, PictureSize size, const SeenPoint& point) {
     const LightJob job = light_job(with_light_alone(scene, {}), size, mirror_like(scene, point), {}, false);
     const PointAt<float> at = seen_from_eye(job, to_vec(point.place), to_vec(point.normal));

@@ -19,6 +19,10 @@ namespace glint {
 [[nodiscard]] std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
                                                std::span<const SeenPoint> points);
 
+/// n.l of a light at a point, not clamped; of an area light, of its middle sample (of four, the first).
+[[nodiscard]] double cosine_at(const Scene& scene, PictureSize size, const Light& light,
+                               const SeenPoint& point);
+
 /// Unit direction from a point towards a light whose highlight has its largest factor there: v mirrored at
 /// n, which is the same for (r.v)^n and (n.h)^n, and v itself for retro-reflection. Camera coordinates.
 /// (0, 0, 0) where the surface turns away from the viewer (n.v <= 0).

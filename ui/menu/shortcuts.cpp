@@ -23,10 +23,11 @@ using Lines = std::vector<Line>;
 Lines mouse_lines() {
     return {{"Ask why a pixel has its colour", "Click"},
             {"Select an object", "Double-click"},
-            {"Orbit", "Drag"},
+            {"Orbit", "Drag; on a light or highlight Alt+drag"},
             {"Pan", "Shift+drag, right or middle drag"},
             {"Closer, away", "Wheel, Ctrl+drag"},
-            {"Move a light", "Drag its handle"},
+            {"Move a light", "Drag its handle or its highlight"},
+            {"Turn the selected light", "Drag its terminator"},
             {"… in depth, along an axis", "with Shift, with X Y Z"},
             {"… on a grid, cancel", "with Ctrl, Esc"},
             {"Number: finer, type, default", "Shift, Ctrl+click, double-click"}};

@@ -1,0 +1,24 @@
+#pragma once
+// What one frame of the viewport works on, and which keys the other hand holds.
+
+#include <array>
+
+#include "renderer/renderer.h"
+#include "ui/gizmo.h"
+#include "ui/scene_edit.h"
+
+namespace glint {
+
+struct ViewportFrame {
+    Scene& scene;
+    Selection& selection;
+    const Renderer* renderer = nullptr;  // of the last picture; null before the first
+    PictureView view;
+};
+
+struct HandKeys {
+    bool shift = false, ctrl = false, alt = false;
+    std::array<bool, 3> axis{};  // X, Y, Z
+};
+
+}  // namespace glint
