@@ -14,10 +14,12 @@ void escape(UiState& state) {
         state.palette.open = false;
         return;
     }
-    const bool dialog = state.files.open || state.pending.asking;
+    const bool dialog = state.files.open || state.pending.asking || state.exporting.open;
     if (!dialog && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
         return ImGui::ClosePopupToLevel(0, true);
-    if (state.files.open)
+    if (state.exporting.open)
+        state.exporting.open = false;
+    else if (state.files.open)
         state.files.open = false, state.pending = {};
     else if (state.pending.asking)
         state.pending = {};
@@ -36,7 +38,8 @@ void run_keys(UiState& state, const UiInput& input) {
         state.viewport.gesture != Gesture::None || (ImGui::IsAnyMouseDown() && ImGui::IsAnyItemActive());
     for (const KeyPress& press : input.presses) {
         if (press.key == Key::Escape) escape(state);
-        if (busy || state.files.open || state.pending.asking || state.palette.open) continue;
+        if (busy || state.files.open || state.pending.asking || state.palette.open || state.exporting.open)
+            continue;
         // While text is typed its keys are text; Ctrl+S still saves.
         const bool typing = ImGui::GetIO().WantTextInput;
         if (typing && !(press.ctrl && press.key == Key::S)) continue;

@@ -14,6 +14,9 @@ constexpr std::array table{
     ActionInfo{Action::Save, "Save", "Ctrl+S", {Key::S, ctrl}, Menu::File, line},
     ActionInfo{Action::SaveAs, "Save as…", "Ctrl+Shift+S", {Key::S, ctrl, shift}, Menu::File},
     ActionInfo{Action::SavePicture, "Save picture…", "F12", {Key::F12}, Menu::File, line},
+    ActionInfo{Action::ExportPicture, "Export picture…", "Ctrl+E", {Key::E, ctrl}, Menu::File},
+    ActionInfo{Action::CopyPicture, "Copy picture", "Ctrl+Shift+C", {Key::C, ctrl, shift}, Menu::File},
+    ActionInfo{Action::CopyCommand, "Copy as command", "Ctrl+Shift+K", {Key::K, ctrl, shift}, Menu::File},
     ActionInfo{Action::Quit, "Quit", "Ctrl+Q", {Key::Q, ctrl}, Menu::File, line},
 
     ActionInfo{Action::Undo, "Undo", "Ctrl+Z", {Key::Z, ctrl}, Menu::Edit},

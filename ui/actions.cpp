@@ -1,5 +1,9 @@
 #include "ui/actions.h"
 
+#include <filesystem>
+
+#include "ui/files/clipboard.h"
+#include "ui/files/command_text.h"
 #include "ui/menu/palette.h"
 #include "ui/shading_panel.h"
 #include "ui/views/views.h"
@@ -23,6 +27,14 @@ void add_bulb(UiState& state) {
         state.editor.selection = {Selection::Kind::Light, *index};
 }
 
+void copy_command(UiState& state) {
+    const std::string command =
+        render_command_text(state.editor.document, state.editor.saved, state.picture->size, 1,
+                            std::filesystem::path(offered_name(state, ".png")).filename().string());
+    ImGui::SetClipboardText(command.c_str());
+    state.notifications.add(Tone::Done, "The command that draws this picture is on the clipboard");
+}
+
 void run_file_action(UiState& state, Action action) {
     switch (action) {
     case Action::New:
@@ -36,6 +48,13 @@ void run_file_action(UiState& state, Action action) {
         return state.files.ask(FilePurpose::SaveScene, offered_name(state, ".json"));
     case Action::SavePicture:
         return state.files.ask(FilePurpose::SavePicture, offered_name(state, ".png"));
+    case Action::ExportPicture:
+        state.exporting.open = true;
+        return;
+    case Action::CopyPicture:
+        return begin_copy(state);
+    case Action::CopyCommand:
+        return copy_command(state);
     case Action::Quit:
         return begin_pending(state, {Pending::What::Quit, "", false});
     default:
@@ -137,7 +156,13 @@ std::string why_not(const UiState& state, Action action) {
     case Action::FrameSelected:
         return unless(state.editor.selection.kind == Selection::Kind::Object, "No object is selected");
     case Action::SavePicture:
+    case Action::CopyCommand:
         return unless(state.picture != nullptr, "There is no picture yet");
+    case Action::ExportPicture:
+        return unless(!state.exporting.job, "Another picture is being written");
+    case Action::CopyPicture:
+        if (state.exporting.job) return "Another picture is being written";
+        return state.picture == nullptr ? "There is no picture yet" : why_no_clipboard();
     default:
         return views_why_not(state, action);
     }

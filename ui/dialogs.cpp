@@ -50,7 +50,10 @@ void unsaved_question(UiState& state, bool enter) {
 }
 
 void save_picture(UiState& state, const std::string& path) {
-    const std::string bytes = png_bytes(*state.picture, scene_text(state.drawn));
+    const Scene& scene = state.drawn;
+    const std::string bytes = png_bytes(
+        *state.picture,
+        scene_text(with_mesh_paths_from(scene, state.editor.document.mesh_dir, directory_of(path))));
     const Result<std::monostate> written = write_file(path, bytes);
     if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
     state.notifications.add(Tone::Done,
@@ -68,6 +71,8 @@ void use_file(UiState& state, const std::string& path) {
         return;
     case FilePurpose::SavePicture:
         return save_picture(state, path);
+    case FilePurpose::ExportPicture:
+        return begin_export(state, state.exporting.options, path);
     case FilePurpose::SaveScene:
         if (const auto problem = save_file(state.editor, path)) {
             state.pending = {};
@@ -87,6 +92,8 @@ void dialogs(UiState& state, const UiInput& input) {
     if (!state.files.open && !state.pending.asking) state.pending = {};  // the name was not given
     shortcuts_sheet(state);
     palette(state, input);
+    export_dialog(state);
+    tend_export(state);
 }
 
 void take_dropped(UiState& state, const UiInput& input) {

@@ -23,6 +23,10 @@ std::string lower(std::string text) {
     return text;
 }
 
+bool is_picture(const std::string& extension) {
+    return extension == ".png" || extension == ".pfm" || extension == ".exr";
+}
+
 bool serves(const std::string& name, FilePurpose purpose) {
     static constexpr std::array meshes{".obj", ".ply", ".off", ".stl", ".om"};
     const std::string extension = lower(fs::path(name).extension().string());
@@ -36,12 +40,15 @@ bool serves(const std::string& name, FilePurpose purpose) {
         return extension == ".json";
     case FilePurpose::SavePicture:
         return extension == ".png";
+    case FilePurpose::ExportPicture:
+        return is_picture(extension);
     }
     return false;  // not reached
 }
 
 bool saves(FilePurpose purpose) {
-    return purpose == FilePurpose::SaveScene || purpose == FilePurpose::SavePicture;
+    return purpose == FilePurpose::SaveScene || purpose == FilePurpose::SavePicture ||
+           purpose == FilePurpose::ExportPicture;
 }
 
 struct Words {
@@ -57,6 +64,9 @@ Words words(FilePurpose purpose) {
         return {"Save the scene", "Save", "Scene file (.json)"};
     case FilePurpose::SavePicture:
         return {"Save the picture", "Save", "Picture (.png), which carries its scene"};
+    case FilePurpose::ExportPicture:
+        return {"Export the picture", "Export",
+                "Picture: .png (carries its scene), .pfm, .exr (linear float)"};
     }
     return {"", "", ""};  // not reached
 }
@@ -78,6 +88,8 @@ fs::path whole_path(const FileDialog& dialog) {
     if (dialog.purpose == FilePurpose::SaveScene && lower(path.extension().string()) != ".json")
         path += ".json";
     if (dialog.purpose == FilePurpose::SavePicture && lower(path.extension().string()) != ".png")
+        path += ".png";
+    if (dialog.purpose == FilePurpose::ExportPicture && !is_picture(lower(path.extension().string())))
         path += ".png";
     return path;
 }

@@ -13,6 +13,7 @@
 #include "renderer/renderer.h"
 #include "ui/editor.h"
 #include "ui/file_dialog.h"
+#include "ui/files/export_picture.h"
 #include "ui/files/loading.h"
 #include "ui/files/memory.h"
 #include "ui/keys.h"
@@ -46,6 +47,7 @@ struct UiState {
     PaletteState palette;
     Loading loading;
     Memory memory;
+    ExportState exporting;
     Pending pending;
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
     int mesh_for_object = -1;    // whose mesh the file dialog chooses; -1: a new object's

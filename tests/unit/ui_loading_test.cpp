@@ -18,7 +18,7 @@ struct Gate {
     std::shared_future<void> opened = open.get_future().share();
 
     std::unique_ptr<LoadJob> job(SceneDocument document) {
-        return std::make_unique<LoadJob>("slow.json", [opened = opened, document]() -> Result<SceneDocument> {
+        return std::make_unique<LoadJob>("slow.json", [opened = opened, document](LoadProgress&) -> Result<SceneDocument> {
             opened.wait();
             return document;
         });

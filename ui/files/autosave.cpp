@@ -133,6 +133,10 @@ Result<SceneDocument> open_autosave(const std::string& path) {
     Result<Warnings> loaded = load_meshes(document.scene, path, document.mesh_dir);
     if (const Problem* problem = problem_of(loaded)) return *problem;
     document.warnings = std::get<Warnings>(std::move(loaded));
+    if (document.path.empty()) return document;
+    const std::string home = directory_of(document.path);
+    document.scene = with_mesh_paths_from(std::move(document.scene), document.mesh_dir, home);
+    document.mesh_dir = home;
     return document;
 }
 

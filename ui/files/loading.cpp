@@ -76,19 +76,20 @@ void forget_unwanted(UiState& state) {
 void start_meshes(UiState& state) {
     Loading& loading = state.loading;
     if (loading.meshes || loading.awaited.empty()) return;
-    Scene scene = state.editor.scene();
+    Scene wanting = state.editor.scene();
     for (const AwaitedMesh& awaited : loading.awaited) {
-        for (Object& object : scene.objects)
+        for (Object& object : wanting.objects)
             if (waits(object, awaited)) object.mesh = nullptr;
         if (awaited.mesh_before) continue;
         Object fresh;
         fresh.source = awaited.wanted;
-        scene.objects.push_back(fresh);
+        wanting.objects.push_back(fresh);
     }
     const SceneDocument& document = state.editor.document;
     loading.meshes = std::make_unique<LoadJob>(
         short_name(loading.awaited.front().wanted),
-        [scene, path = document.path, dir = document.mesh_dir]() mutable -> Result<SceneDocument> {
+        [wanting, path = document.path, dir = document.mesh_dir](LoadProgress&) -> Result<SceneDocument> {
+            Scene scene = wanting;
             Result<Warnings> loaded = load_meshes(scene, path, dir);
             if (const Problem* problem = problem_of(loaded)) return *problem;
             return SceneDocument{std::move(scene), path, dir, std::get<Warnings>(std::move(loaded))};
@@ -187,8 +188,8 @@ void begin_open(UiState& state, const std::string& path) {
     leave(loading, loading.document);
     loading.scene_then = state.editor.scene();
     loading.since = ImGui::GetTime();
-    loading.document =
-        std::make_unique<LoadJob>(fs::path(path).filename().string(), [path]() -> Result<SceneDocument> {
+    loading.document = std::make_unique<LoadJob>(
+        fs::path(path).filename().string(), [path](LoadProgress&) -> Result<SceneDocument> {
             Result<SceneDocument> opened = open_document(path);
             if (const auto* document = std::get_if<SceneDocument>(&opened))
                 if (std::optional<Problem> refused = unsupported(document->scene)) {

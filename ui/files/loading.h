@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ui/editor.h"
-#include "ui/files/load_job.h"
+#include "ui/files/job.h"
 
 namespace glint {
 

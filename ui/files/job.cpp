@@ -1,32 +1,10 @@
-#include "ui/files/load_job.h"
+#include "ui/files/job.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <exception>
-#include <new>
-#include <utility>
 
 namespace glint {
-
-LoadJob::LoadJob(std::string name, Work work) : name_(std::move(name)) {
-    thread_ = std::thread([this, work = std::move(work)] {
-        try {
-            const ProgressScope scope(progress_);
-            result_ = work();
-        } catch (const std::bad_alloc&) {
-            result_ = Problem{name_, "", "does not fit in memory", "a smaller one"};
-        } catch (const std::exception& error) {
-            result_ = Problem{name_, "", error.what(), ""};
-        }
-        done_ = true;
-    });
-}
-
-LoadJob::~LoadJob() {
-    cancel();
-    thread_.join();
-}
 
 std::string progress_words(const LoadProgress& progress) {
     const std::uint64_t done = progress.done, total = progress.total;
