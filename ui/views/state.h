@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "ui/views/compare_view.h"
+#include "ui/views/look_view.h"
 #include "ui/views/scope.h"
 
 namespace glint {
@@ -11,6 +12,7 @@ namespace glint {
 /// What the shown picture is made from, beside the drawn one: as long as it stays, so does the picture.
 struct ShownFrom {
     CompareChoice compare;
+    LookSet look;
     bool linear = false;
     bool operator==(const ShownFrom&) const = default;
 };
@@ -18,6 +20,7 @@ struct ShownFrom {
 struct ViewsState {
     ScopeState scope;
     CompareState compare;
+    LookState look;
     int threads = 0;  // of further renderers
     // Of the shown picture:
     ShownFrom shown_from;

@@ -26,15 +26,25 @@ void copy_profile_command(UiState& state) {
 /// What shows: the drawn picture, or what is composed of it.
 const Picture& shown_picture(UiState& state) {
     ViewsState& views = state.views;
-    if (views.compare.choice.on)
-        return compose(views.compare, {state.drawn, *state.picture, *state.renderer, views.threads});
-    return *state.picture;
+    LookState& look = views.look;
+    if (look.set.choice.look != Look::Picture) {
+        if (!look.painter) look.painter = std::make_unique<LookPainter>(views.threads);
+        return look.painter->paint(look.set.choice, state.drawn, *state.renderer, state.picture->size);
+    }
+    const Picture& shown =
+        views.compare.choice.on
+            ? compose(views.compare, {state.drawn, *state.picture, *state.renderer, views.threads})
+            : *state.picture;
+    if (!look.set.over_range || shown.linear.empty()) return shown;
+    look.striped = shown;
+    look.clipped = stripe_over_range(look.striped, state.drawn.display.exposure);
+    return look.striped;
 }
 
 /// Composes again when what it is made from has changed.
 void update_shown(UiState& state) {
     ViewsState& views = state.views;
-    const ShownFrom from{views.compare.choice, !state.picture->linear.empty()};
+    const ShownFrom from{views.compare.choice, views.look.set, !state.picture->linear.empty()};
     const bool drawn = views.shown_serial != state.picture_serial;
     if (!drawn && from == views.shown_from) return;
     const Picture* before = state.shown;
@@ -62,6 +72,11 @@ void store_b(UiState& state) {
 
 }  // namespace
 
+void look_at(ViewsState& views, Look look, bool keep_comparing) {
+    views.look.set.choice.look = look;
+    if (!keep_comparing) views.compare.choice.on = false;
+}
+
 void begin_views(UiState& state) {
     state.layout.scope = state.views.scope.open;
     const CompareChoice& choice = state.views.compare.choice;
@@ -79,17 +94,19 @@ bool views_hand(UiState& state, const PictureView& view) {
     return scope_hand(views.scope, view);
 }
 
-bool views_need_linear(const ViewsState& views) { return views.scope.open; }
+bool views_need_linear(const ViewsState& views) { return views.scope.open || views.look.set.over_range; }
 
 void update_views(UiState& state) {
     update_shown(state);
-    const bool composed = state.views.compare.choice.on && !state.shown->linear.empty();
-    update_scope(state.views.scope, *state.renderer, composed ? *state.shown : *state.picture);
+    // Of what is shown, where that has linear colours: of a comparison's parts, of a single term.
+    const bool readable = !state.shown->linear.empty() && state.shown->size == state.picture->size;
+    update_scope(state.views.scope, *state.renderer, readable ? *state.shown : *state.picture);
     ask_part(state);
 }
 
 void draw_views_overlay(ImDrawList& list, UiState& state, const PictureView& view) {
     draw_compare(list, state.views.compare, view);
+    draw_look_legend(list, state.views.look, state.drawn, view, probe_pixel(state.viewport, view.map.size));
     draw_scope_line(list, state.views.scope, view);
 }
 
@@ -133,11 +150,21 @@ std::string views_hint(const ViewsState& views) {
 
 void run_views_action(UiState& state, Action action) {
     CompareChoice& choice = state.views.compare.choice;
+    LookSet& look = state.views.look.set;
     switch (action) {
     case Action::Scope:
         return toggle_scope(state.views.scope);
     case Action::Compare:
         choice.on = !choice.on;
+        look.choice.look = Look::Picture;
+        return;
+    case Action::NextLook:
+        return look_at(state.views, look_after(look.choice.look, 1));
+    case Action::PreviousLook:
+        return look_at(state.views, look_after(look.choice.look, -1));
+    case Action::OverRange:
+        look.over_range = !look.over_range;
+        if (look.over_range) look_at(state.views, Look::Picture, state.views.compare.choice.on);
         return;
     case Action::StoreB:
         return store_b(state);
@@ -163,6 +190,8 @@ std::optional<bool> views_is_on(const UiState& state, Action action) {
         return state.views.compare.choice.on;
     case Action::ShowB:
         return state.views.compare.choice.shows_stored;
+    case Action::OverRange:
+        return state.views.look.set.over_range;
     default:
         return {};
     }

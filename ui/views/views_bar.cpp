@@ -6,6 +6,7 @@
 #include "ui/fonts.h"
 #include "ui/theme.h"
 #include "ui/views/compare_panel.h"
+#include "ui/views/views.h"
 #include "ui/widgets.h"
 
 namespace glint {
@@ -30,6 +31,10 @@ void action_button(UiState& state, const char* label, Action action, const char*
 
 void views_bar(UiState& state) {
     ImGui::PushFont(fonts().small);
+    if (look_controls(state.views.look, state.editor.scene()))
+        look_at(state.views, state.views.look.set.choice.look);
+    action_button(state, "Over-range", Action::OverRange,
+                  "Stripes over pixels whose colour exceeds 1 in a channel and is cut off");
     action_button(
         state, "Scope", Action::Scope,
         "Intensity along a line over the picture, with its first and second difference: Mach bands in "

@@ -1,0 +1,98 @@
+#pragma once
+// Quantities behind the picture, as pictures of their own: what a drop-down lets one look at in place of the
+// colours. None has a formula of its own: a normal is what three suns along the camera's axes make of a white
+// surface by Lambert's law without its clamp, and n.l what the light in question makes of it. So the equation
+// itself measures them, as fast as it draws.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderer/picture.h"
+#include "renderer/renderer.h"
+
+namespace glint {
+
+enum class Look {
+    Picture,
+    Normal,      // interpolated, camera coordinates; red, green, blue: x, y, z from -1 to 1
+    NDotL,       // of one light, not clamped, under the scene's own shading mode
+    Depth,       // in front of the camera, scene units
+    Face,        // which polygon: neighbours in different colours
+    FacetAngle,  // between the facet's and the interpolated normal, degrees
+    Emission,    // single terms of the sum, as the picture shows them
+    Ambient,
+    Diffuse,
+    Specular
+};
+inline constexpr int look_count = 10;
+
+struct LookChoice {
+    Look look = Look::Picture;
+    int light = 0;  // of NDotL: in Scene::lights
+    bool operator==(const LookChoice&) const = default;
+};
+
+/// A scene whose linear picture is the normal at each pixel: the facets' or the interpolated ones. Mistakes
+/// in the normals stay. Lights, materials, background and strokes are replaced.
+[[nodiscard]] Scene normal_scene(const Scene& scene, bool facet);
+/// Likewise n.l of one light, in all three channels. An area light counts as its middle.
+/// Precondition: 0 <= light < #lights.
+[[nodiscard]] Scene n_dot_l_scene(const Scene& scene, int light);
+/// The scene with one term alone. Precondition: Emission, Ambient, Diffuse or Specular.
+[[nodiscard]] Scene term_scene(const Scene& scene, Look term);
+
+/// Numbers to colours for a colour bar: `low` to `high` in `unit`.
+struct LookScale {
+    bool has_bar = false;
+    double low = 0, high = 1;
+    std::string unit;
+};
+
+/// The colour, 0 to 255, of a value on a scale: of NDotL with its break at 0, else from dark to light.
+/// Values outside take the ends' colours.
+[[nodiscard]] std::array<std::uint8_t, 3> look_color(Look look, const LookScale& scale, double value);
+/// Of a normal: (n + 1) / 2.
+[[nodiscard]] std::array<std::uint8_t, 3> normal_color(glm::vec3 normal);
+
+class LookPainter {
+  public:
+    explicit LookPainter(int threads);
+
+    /// What the choice shows of `scene`, which `drawn_by` has drawn last at this size. A light that does not
+    /// exist is the last one there is; a scene without lights has n.l nowhere. Background is dark grey.
+    const Picture& paint(LookChoice choice, const Scene& scene, const Renderer& drawn_by, PictureSize size);
+
+    [[nodiscard]] const LookScale& scale() const { return scale_; }
+    /// The number at a pixel of the last painting, or a word where there is none.
+    [[nodiscard]] std::string value_text(int x, int y) const;
+    /// Likewise as a number; NaN on background and where it is not one number.
+    [[nodiscard]] float value_at(int x, int y) const;
+
+  private:
+    void measure_normals(const Scene& scene, PictureSize size);
+    void measure_angles(const Scene& scene, PictureSize size);
+    void measure_n_dot_l(const Scene& scene, int light, PictureSize size);
+    void measure_depths(const Renderer& drawn_by, PictureSize size);
+    void paint_faces(const Scene& scene, const Renderer& drawn_by, PictureSize size);
+    void color_values();
+
+    Look look_ = Look::Picture;
+    std::unique_ptr<Renderer> renderer_, facets_;
+    std::vector<float> values_;       // NaN: background
+    std::vector<glm::vec3> normals_;  // of Normal
+    std::vector<std::string> names_;  // of Face: the objects'
+    std::vector<std::uint64_t> faces_;
+    const Picture* terms_ = nullptr;
+    LookScale scale_;
+    Picture picture_;
+};
+
+/// Draws stripes over the pixels of a picture whose linear colour times `exposure` exceeds 1 in any channel,
+/// and returns how many there are. Precondition: `linear` is filled.
+std::uint64_t stripe_over_range(Picture& picture, float exposure);
+
+}  // namespace glint

@@ -1,0 +1,192 @@
+#include "ui/views/look_view.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/fonts.h"
+#include "ui/plots/plot.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr std::array<LookInfo, look_count> infos{{
+    {Look::Picture, "Picture", "The picture itself"},
+    {Look::Normal, "Normals", "Red, green, blue are x, y, z in camera coordinates, from −1 to 1"},
+    {Look::NDotL, "n·l",
+     "The cosine between the normal and one light, before it is clamped: blue is turned away"},
+    {Look::Depth, "Depth", "Distance in front of the camera, in scene units: near is light"},
+    {Look::Face, "Faces", "Every polygon in a colour of its own"},
+    {Look::FacetAngle, "Facet – normal",
+     "Angle between the polygon's own normal and the interpolated one: where smooth shading pretends"},
+    {Look::Emission, "Emission alone", "One term of the sum"},
+    {Look::Ambient, "Ambient alone", "One term of the sum"},
+    {Look::Diffuse, "Diffuse alone", "One term of the sum"},
+    {Look::Specular, "Specular alone", "One term of the sum"},
+}};
+
+ImU32 packed_bytes(std::array<std::uint8_t, 3> c) { return IM_COL32(c[0], c[1], c[2], 255); }
+
+/// A ball of normals: which colour stands for which direction.
+void draw_normal_ball(ImDrawList& list, ImVec2 centre, float radius) {
+    constexpr int cells = 24;
+    const float cell = 2 * radius / cells;
+    for (int j = 0; j < cells; ++j)
+        for (int i = 0; i < cells; ++i) {
+            const float x = (float(i) + 0.5f) * 2 / cells - 1, y = 1 - (float(j) + 0.5f) * 2 / cells;
+            const float z = 1 - x * x - y * y;
+            if (z < 0) continue;
+            const ImVec2 low{centre.x - radius + float(i) * cell, centre.y - radius + float(j) * cell};
+            list.AddRectFilled(low, {low.x + cell + 0.5f, low.y + cell + 0.5f},
+                               packed_bytes(normal_color({x, y, std::sqrt(z)})));
+        }
+}
+
+struct Reading {
+    const char* name;
+    std::string text;
+    float value;
+};
+
+void draw_bar(ImDrawList& list, const LookState& state, const Rect& bar, std::span<const Reading> readings) {
+    const LookScale& scale = state.painter->scale();
+    constexpr int steps = 64;
+    const Range range{scale.low, scale.high};
+    const auto x_of = [&](double value) {
+        const double share = (value - range.low) / range.length();
+        return bar.low.x + static_cast<float>(std::clamp(share, 0.0, 1.0)) * bar.size().x;
+    };
+    for (int i = 0; i < steps; ++i) {
+        const double value = range.low + range.length() * (i + 0.5) / steps;
+        list.AddRectFilled({bar.low.x + bar.size().x * float(i) / steps, bar.low.y},
+                           {bar.low.x + bar.size().x * float(i + 1) / steps + 0.5f, bar.high.y},
+                           packed_bytes(look_color(state.set.choice.look, scale, value)));
+    }
+    const std::vector<double> marks = ticks(range, 5);
+    const double step = marks.size() > 1 ? marks[1] - marks[0] : range.length();
+    for (const double mark : marks) {
+        list.AddLine({x_of(mark), bar.high.y}, {x_of(mark), bar.high.y + px(3)}, packed(theme().dim_text));
+        plot_text(list, {x_of(mark), bar.high.y + px(10)}, theme().dim_text, tick_text(mark, step), true);
+    }
+    for (const Reading& reading : readings) {
+        if (std::isnan(reading.value)) continue;
+        const float x = x_of(reading.value);
+        list.AddTriangleFilled({x, bar.low.y + px(3)}, {x - px(4), bar.low.y - px(4)},
+                               {x + px(4), bar.low.y - px(4)}, packed(theme().text));
+    }
+}
+
+std::vector<Reading> readings_of(const LookState& state, const PictureView& view,
+                                 std::optional<glm::ivec2> picked) {
+    std::vector<Reading> readings;
+    const auto add = [&](const char* name, glm::ivec2 p) {
+        readings.push_back({name, state.painter->value_text(p.x, p.y), state.painter->value_at(p.x, p.y)});
+    };
+    if (picked) add("picked", *picked);
+    const PictureSize size = view.map.size;
+    const glm::dvec2 cursor = view.to_pixel(ImGui::GetIO().MousePos);
+    const bool inside = ImGui::IsMousePosValid() && cursor.x >= 0 && cursor.y >= 0 && cursor.x < size.width &&
+                        cursor.y < size.height;
+    if (inside) add("cursor", glm::ivec2(cursor));
+    return readings;
+}
+
+std::string title_of(const LookState& state, const Scene& scene) {
+    const LookChoice& choice = state.set.choice;
+    if (choice.look != Look::NDotL) {
+        const std::string unit = choice.look == Look::Depth        ? ", scene units"
+                                 : choice.look == Look::FacetAngle ? ", degrees"
+                                                                   : "";
+        return info_of(choice.look).label + unit;
+    }
+    if (scene.lights.empty()) return "n·l: there is no light";
+    const std::size_t light =
+        std::min(static_cast<std::size_t>(std::max(choice.light, 0)), scene.lights.size() - 1);
+    return "n·l of " + scene.lights[light].name;
+}
+
+bool light_combo(LookState& state, const Scene& scene) {
+    if (state.set.choice.look != Look::NDotL || scene.lights.empty()) return false;
+    int& light = state.set.choice.light;
+    light = std::clamp(light, 0, static_cast<int>(scene.lights.size()) - 1);
+    ImGui::SetNextItemWidth(px(86));
+    if (ImGui::BeginCombo("##look_light", scene.lights[static_cast<std::size_t>(light)].name.c_str())) {
+        for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
+            ImGui::PushID(i);
+            if (ImGui::Selectable(scene.lights[static_cast<std::size_t>(i)].name.c_str(), i == light))
+                light = i;
+            ImGui::PopID();
+        }
+        ImGui::EndCombo();
+    }
+    tooltip("Light", "Whose n·l is shown; it may be off");
+    ImGui::SameLine(0, px(4));
+    return true;
+}
+
+}  // namespace
+
+const LookInfo& info_of(Look look) { return infos[static_cast<std::size_t>(look)]; }
+
+Look look_after(Look look, int steps) {
+    return static_cast<Look>((static_cast<int>(look) + steps + look_count) % look_count);
+}
+
+bool look_controls(LookState& state, const Scene& scene) {
+    Look& look = state.set.choice.look;
+    bool chosen = false;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), px(1)});
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, look == Look::Picture ? theme().field : theme().accent);
+    ImGui::PushStyleColor(ImGuiCol_Button, look == Look::Picture ? theme().field : theme().accent);
+    ImGui::PushStyleColor(ImGuiCol_Text, look == Look::Picture ? theme().text : theme().accent_text);
+    ImGui::SetNextItemWidth(px(126));
+    const bool open = ImGui::BeginCombo("##look", info_of(look).label, ImGuiComboFlags_HeightLargest);
+    ImGui::PopStyleColor(3);
+    if (open) {
+        for (const LookInfo& info : infos) {
+            if (info.look == Look::Emission) ImGui::Separator();
+            if (ImGui::Selectable(info.label, info.look == look)) look = info.look, chosen = true;
+            tooltip(info.label, info.what);
+        }
+        ImGui::EndCombo();
+    } else {
+        tooltip("What is shown", info_of(look).what, "", "I, Shift+I");
+    }
+    ImGui::SameLine(0, px(4));
+    (void)light_combo(state, scene);
+    ImGui::PopStyleVar();
+    return chosen;
+}
+
+void draw_look_legend(ImDrawList& list, const LookState& state, const Scene& scene, const PictureView& view,
+                      std::optional<glm::ivec2> picked) {
+    const Look look = state.set.choice.look;
+    if (look == Look::Picture || !state.painter) return;
+    const bool has_bar = state.painter->scale().has_bar, ball = look == Look::Normal;
+    const std::vector<Reading> readings = readings_of(state, view, picked);
+    const float line = fonts().small->FontSize * ImGui::GetIO().FontGlobalScale + px(3);
+    const ImVec2 size{px(236), px(14) + line * float(1 + readings.size()) + (has_bar ? px(32) : 0)};
+    const ImVec2 corner = view.to_window({0, view.map.size.height});
+    const ImVec2 low{corner.x + px(8), corner.y - px(8) - size.y};
+    list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, packed(theme().window, 0.88f), px(6));
+    ImVec2 at{low.x + px(10), low.y + px(6)};
+    plot_text(list, at, theme().text, title_of(state, scene));
+    at.y += line;
+    if (ball) draw_normal_ball(list, {low.x + size.x - px(24), low.y + size.y / 2}, px(16));
+    if (has_bar) {
+        draw_bar(list, state, {{at.x + px(6), at.y + px(5)}, {low.x + size.x - px(16), at.y + px(13)}}, readings);
+        at.y += px(32);
+    }
+    for (const Reading& reading : readings) {
+        plot_text(list, at, theme().dim_text, reading.name);
+        list.AddText(fonts().figures, fonts().small->FontSize * ImGui::GetIO().FontGlobalScale,
+                     {at.x + px(46), at.y}, packed(theme().text), reading.text.c_str());
+        at.y += line;
+    }
+}
+
+}  // namespace glint
