@@ -1,9 +1,7 @@
 // Each mistake shows where it should, and only there.
 #include "models/mistakes.h"
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <glm/geometric.hpp>
 
@@ -154,10 +152,6 @@ TEST_CASE("every mistake shows where it should and is inert where it should be",
 }
 
 TEST_CASE("the explanation equals the pixel under every mistake", "[mistakes][explain]") {
-    const auto same_bits = [](glm::vec3 a, glm::vec3 b) {
-        const auto bits = [](float f) { return std::bit_cast<std::uint32_t>(f); };
-        return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z);
-    };
     Renderer renderer(2);
     for (const MistakeName& mistake : mistake_names())
         for (const ShadingMode mode : {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong})

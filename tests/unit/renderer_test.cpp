@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -29,8 +28,6 @@ double largest_difference(const Picture& a, const Picture& b) {
         worst = std::max(worst, std::abs(static_cast<double>(a.linear[i]) - b.linear[i]));
     return worst;
 }
-
-bool same_bits(glm::vec3 a, glm::vec3 b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 }  // namespace
 

@@ -1,6 +1,8 @@
 #pragma once
 // Small scenes for tests.
 
+#include <bit>
+#include <cstdint>
 #include <memory>
 #include <random>
 #include <utility>
@@ -9,6 +11,12 @@
 #include "models/scene.h"
 
 namespace glint::test {
+
+/// Closer than ==: 0 is not -0.
+inline bool same_bits(glm::vec3 a, glm::vec3 b) {
+    const auto bits = [](float f) { return std::bit_cast<std::uint32_t>(f); };
+    return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z);
+}
 
 /// A mesh of polygons, given by indices into positions.
 inline MeshPtr polygon_mesh(std::vector<glm::vec3> positions,
