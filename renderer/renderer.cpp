@@ -109,6 +109,9 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
 const FrameStats& Renderer::stats() const { return kept_->stats; }
 const Warnings& Renderer::warnings() const { return kept_->warnings; }
 Explanation Renderer::explain(int x, int y) const { return explain_pixel(kept_->stages, x, y); }
+Explanation Renderer::explain_as(const Scene& other, int x, int y) const {
+    return explain_pixel_as(kept_->stages, other, x, y);
+}
 
 int Renderer::object_at(int x, int y) const {
     const KeptStages& s = kept_->stages;

@@ -64,6 +64,12 @@ class Renderer {
     /// bit. Precondition: render() was called with one sample a pixel, and the pixel is inside the picture.
     [[nodiscard]] Explanation explain(int x, int y) const;
 
+    /// The same pixel if the scene were `other`, which may differ from the drawn one in lights, materials,
+    /// ambient light, display and shading, but in nothing that decides which face a pixel shows (camera,
+    /// meshes, transforms, `cull`) nor in strokes. Equal to render(other) and explain(), to the last bit, at
+    /// the cost of one pixel; the picture stays.
+    [[nodiscard]] Explanation explain_as(const Scene& other, int x, int y) const;
+
     /// Object index at a pixel of the last picture, or -1.
     [[nodiscard]] int object_at(int x, int y) const;
 

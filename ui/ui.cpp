@@ -11,6 +11,7 @@
 #include "ui/dialogs.h"
 #include "ui/fonts.h"
 #include "ui/light_panel.h"
+#include "ui/npr_panel.h"
 #include "ui/object_panel.h"
 #include "ui/scene_panel.h"
 #include "ui/shading_panel.h"
@@ -95,6 +96,7 @@ void selected_panel(UiState& state, const PictureView& view) {
         break;
     case Selection::Kind::Shading:
         (void)shading_panel(scene.shading, scene.global_ambient);
+        (void)npr_panel(scene.npr);
         break;
     case Selection::Kind::Display:
         (void)display_panel(scene.display);

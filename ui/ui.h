@@ -22,6 +22,7 @@
 #include "ui/notifications.h"
 #include "ui/viewport.h"
 #include "ui/views/state.h"
+#include "ui/why/sensitivity_job.h"
 #include "ui/why/state.h"
 
 namespace glint {
@@ -41,7 +42,8 @@ struct UiState {
     ViewportState viewport;
     LayoutState layout;
     WhyState why_column;  // tab and switches
-    ViewsState views;     // how the picture is looked at
+    SensitivityState sensitivity;
+    ViewsState views;  // how the picture is looked at
     Notifications notifications;
     FileDialog files;
     PaletteState palette;

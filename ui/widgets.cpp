@@ -105,6 +105,7 @@ void tooltip(const char* title, const char* what, const std::string& range, cons
     const double rested = ImGui::GetTime() - since;
     if (rested < rest_before_tooltip) return wish_frame_in(rest_before_tooltip - rested + 0.01);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10), px(8)});
+    ImGui::PushStyleColor(ImGuiCol_Text, theme().text);  // whatever colour the item's own text has
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(px(320));
     ImGui::PushFont(fonts().title);
@@ -117,6 +118,7 @@ void tooltip(const char* title, const char* what, const std::string& range, cons
     ImGui::PopFont();
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+    ImGui::PopStyleColor();
     ImGui::PopStyleVar();
 }
 

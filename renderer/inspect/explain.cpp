@@ -17,6 +17,16 @@ namespace {
 
 using Vec = Vec3<float>;
 
+/// What an explanation reads of the stages: those of the picture, or stand-ins for some of them.
+struct ExplainedStages {
+    const Scene& scene;
+    const Geometry& geometry;
+    const Visibility& visibility;
+    SurfaceInputs surface;
+    const Strokes& strokes;
+    const Lighting& lighting;
+};
+
 Vec to_vec(glm::vec3 v) { return {v.x, v.y, v.z}; }
 glm::vec3 to_glm(Vec v) { return {v.x, v.y, v.z}; }
 
@@ -79,7 +89,7 @@ ExplainedTone explain_tone(const LightJob& job, const PointAt<float>& at) {
 }
 
 /// The equation at one point, step by step; the sum is added in the picture's own order.
-ExplainedPoint explain_point(const KeptStages& stages, const LightJob& job, const PlacedNormal& place,
+ExplainedPoint explain_point(const ExplainedStages& stages, const LightJob& job, const PlacedNormal& place,
                              const Frames& frames, bool lit) {
     const PointAt<float> at = seen_from_eye(job, to_vec(place.p), to_vec(place.n));
     ExplainedPoint e;
@@ -111,9 +121,9 @@ ExplainedPoint explain_point(const KeptStages& stages, const LightJob& job, cons
     return e;
 }
 
-void explain_corners(Explanation& e, const KeptStages& stages, const SampleFace& face, const LightJob& job,
-                     const Frames& frames) {
-    const Surface& surface = stages.surface;
+void explain_corners(Explanation& e, const ExplainedStages& stages, const SampleFace& face,
+                     const LightJob& job, const Frames& frames) {
+    const SurfaceInputs& surface = stages.surface;
     const SampleSources sample = sample_sources(surface, stages.geometry, face);
     const bool lit = stages.lighting.shading.reflection != Reflection::None;
     Vec sum;
@@ -132,7 +142,7 @@ void explain_corners(Explanation& e, const KeptStages& stages, const SampleFace&
     e.sum = to_glm(sum);
 }
 
-void explain_stroke(Explanation& e, const KeptStages& stages, std::size_t pixel) {
+void explain_stroke(Explanation& e, const ExplainedStages& stages, std::size_t pixel) {
     e.stroke.coverage = stages.strokes.coverage_at(pixel);
     e.stroke.color = stages.lighting.npr.stroke;
     e.stroke.shaded = e.sum;
@@ -155,7 +165,7 @@ ExplainedSpaces explain_spaces(const Geometry& g, const SampleFace& face) {
     return s;
 }
 
-void explain_display(Explanation& e, const KeptStages& stages, std::size_t pixel) {
+void explain_display(Explanation& e, const ExplainedStages& stages, std::size_t pixel) {
     explain_stroke(e, stages, pixel);
     const DisplayJob job = display_job(stages.lighting.display);
     for (int i = 0; i < 3; ++i) {
@@ -164,9 +174,23 @@ void explain_display(Explanation& e, const KeptStages& stages, std::size_t pixel
     }
 }
 
-}  // namespace
+/// What lighting would keep of `scene`, without lighting anything.
+Lighting lighting_of(const Scene& scene, const KeptStages& kept, bool at_corners) {
+    Lighting l;
+    l.sources = light_sources(scene);
+    l.lights = scene.lights;
+    l.shading = scene.shading;
+    l.npr = scene.npr;
+    l.display = scene.display;
+    l.picture.size = kept.geometry.size;
+    for (const Object& object : scene.objects) {
+        l.materials.push_back(object.material);
+        l.jobs.push_back(light_job(scene, kept.geometry.size, object.material, l.sources, at_corners));
+    }
+    return l;
+}
 
-Explanation explain_pixel(const KeptStages& stages, int x, int y) {
+Explanation explain_stages(const ExplainedStages& stages, int x, int y) {
     const Geometry& g = stages.geometry;
     const Shading& shading = stages.lighting.shading;
     Explanation e;
@@ -205,6 +229,29 @@ Explanation explain_pixel(const KeptStages& stages, int x, int y) {
     if (!lit_here) explain_corners(e, stages, face, job, frames);
     explain_display(e, stages, pixel);
     return e;
+}
+
+}  // namespace
+
+Explanation explain_pixel(const KeptStages& kept, int x, int y) {
+    return explain_stages(
+        {kept.scene, kept.geometry, kept.visibility, kept.surface, kept.strokes, kept.lighting}, x, y);
+}
+
+Explanation explain_pixel_as(const KeptStages& kept, const Scene& other, int x, int y) {
+    const SurfaceChoice choice = surface_choice(other.shading);
+    const bool same =
+        choice.mistakes == kept.surface.choice.mistakes && same_normals(kept.surface.normals, other);
+    std::vector<ObjectNormals> normals;
+    if (!same) update_normals(normals, other, kept.geometry, choice.mistakes);
+    const Lighting lighting = lighting_of(other, kept, choice.kind != SurfaceKind::Pixels);
+    return explain_stages({other,
+                           kept.geometry,
+                           kept.visibility,
+                           {choice, same ? kept.surface.normals : normals},
+                           kept.strokes,
+                           lighting},
+                          x, y);
 }
 
 }  // namespace glint

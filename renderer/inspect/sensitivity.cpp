@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "models/scene_variant.h"
 #include "renderer/renderer.h"
@@ -41,28 +42,43 @@ struct PinnedScene {
     }
 };
 
+/// True when a number decides which face the pixel shows, or what is drawn over it: then the picture has to
+/// be drawn anew, else the one pixel is lit anew.
+bool moves_faces(const std::string& pointer) {
+    for (const std::string_view lights_only :
+         {"/lights/", "/objects/0/material/", "/global_ambient/", "/display/"})
+        if (pointer.starts_with(lights_only)) return false;
+    return true;
+}
+
 /// One pixel of many scenes.
 class PixelProbe {
   public:
     PixelProbe(const SceneDocument& document, PictureSize size, int x, int y, int threads)
-        : document_(document), size_(size), x_(x), y_(y), renderer_(threads) {}
-
-    [[nodiscard]] glm::dvec3 color_of(const Scene& scene) {
-        (void)renderer_.render(scene, size_);
-        return glm::dvec3(renderer_.explain(x_, y_).sum) * static_cast<double>(scene.display.exposure);
+        : document_(document), size_(size), x_(x), y_(y), still_(threads), moved_(threads) {
+        (void)still_.render(document_.scene, size_);
     }
+
+    [[nodiscard]] glm::dvec3 color_now() const { return color_of(still_.explain(x_, y_), document_.scene); }
     /// With another value of one number; nothing where the scene does not allow it.
     [[nodiscard]] std::optional<glm::dvec3> color_with(const std::string& pointer, double value) {
         const Result<Scene> made = scene_variant(document_, {{pointer, fmt::format("{}", value)}});
         if (problem_of(made) != nullptr) return std::nullopt;
-        return color_of(std::get<Scene>(made));
+        const Scene& scene = std::get<Scene>(made);
+        if (!moves_faces(pointer)) return color_of(still_.explain_as(scene, x_, y_), scene);
+        (void)moved_.render(scene, size_);
+        return color_of(moved_.explain(x_, y_), scene);
     }
 
   private:
+    static glm::dvec3 color_of(const Explanation& e, const Scene& scene) {
+        return glm::dvec3(e.sum) * static_cast<double>(scene.display.exposure);
+    }
+
     const SceneDocument& document_;
     PictureSize size_;
     int x_, y_;
-    Renderer renderer_;
+    Renderer still_, moved_;  // the scene as it is; the scene with something else in it
 };
 
 double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
@@ -84,7 +100,63 @@ void measure(Sensitivities& s, PixelProbe& probe, const PinnedScene& pinned, con
         s.numbers.push_back(number);
 }
 
+PinnedScene pinned_scene(const SceneDocument& document, PictureSize size, int x, int y, int threads) {
+    Renderer whole(threads);
+    (void)whole.render(document.scene, size);
+    PinnedScene pinned{document, whole.object_at(x, y)};
+    std::vector<Object>& objects = pinned.document.scene.objects;
+    objects.clear();
+    if (pinned.object >= 0)
+        objects.push_back(document.scene.objects[static_cast<std::size_t>(pinned.object)]);
+    return pinned;
+}
+
 }  // namespace
+
+struct SensitivityRun::State {
+    State(const SceneDocument& document, PictureSize size, int x, int y, int threads)
+        : pinned(pinned_scene(document, size, x, y, threads)),
+          probe(pinned.document, size, x, y, threads),
+          now(probe.color_now()) {
+        visit_numbers(
+            Json::parse(scene_text(pinned.document.scene)), "",
+            [this](const std::string& pointer, double value) { numbers.emplace_back(pointer, value); });
+        for (std::size_t i = 0; i < document.scene.objects.size(); ++i)
+            if (static_cast<int>(i) != pinned.object) others.push_back(fmt::format("/objects/{}", i));
+    }
+
+    PinnedScene pinned;
+    PixelProbe probe;
+    glm::dvec3 now;
+    std::vector<std::pair<std::string, double>> numbers;
+    std::vector<std::string> others;  // objects that do not show at the pixel
+    std::size_t measured = 0;
+    Sensitivities found;
+};
+
+SensitivityRun::SensitivityRun(const SceneDocument& document, PictureSize size, int x, int y, int threads)
+    : state_(std::make_unique<State>(document, size, x, y, threads)) {}
+SensitivityRun::~SensitivityRun() = default;
+
+bool SensitivityRun::step() {
+    State& s = *state_;
+    if (s.measured == s.numbers.size()) return false;
+    const auto& [pointer, value] = s.numbers[s.measured++];
+    measure(s.found, s.probe, s.pinned, s.now, pointer, value);
+    return s.measured < s.numbers.size();
+}
+
+std::size_t SensitivityRun::measured() const { return state_->measured; }
+std::size_t SensitivityRun::count() const { return state_->numbers.size(); }
+
+Sensitivities SensitivityRun::result() const {
+    Sensitivities s = state_->found;
+    s.no_effect.insert(s.no_effect.end(), state_->others.begin(), state_->others.end());
+    std::stable_sort(s.numbers.begin(), s.numbers.end(), [](const Sensitivity& a, const Sensitivity& b) {
+        return largest(a.change) > largest(b.change);
+    });
+    return s;
+}
 
 Result<Sensitivities> sensitivities(const SceneDocument& document, PictureSize size, int x, int y,
                                     int threads) {
@@ -93,26 +165,10 @@ Result<Sensitivities> sensitivities(const SceneDocument& document, PictureSize s
         return Problem{document.path, "/lights",
                        fmt::format("{} lights are too many for the sensitivity", lights),
                        fmt::format("at most {}", max_sensitivity_lights), 0};
-    Renderer whole(threads);
-    (void)whole.render(document.scene, size);
-    PinnedScene pinned{document, whole.object_at(x, y)};
-    std::vector<Object>& objects = pinned.document.scene.objects;
-    objects.clear();
-    if (pinned.object >= 0)
-        objects.push_back(document.scene.objects[static_cast<std::size_t>(pinned.object)]);
-
-    PixelProbe probe(pinned.document, size, x, y, threads);
-    const glm::dvec3 now = probe.color_of(pinned.document.scene);
-    Sensitivities s;
-    visit_numbers(
-        Json::parse(scene_text(pinned.document.scene)), "",
-        [&](const std::string& pointer, double value) { measure(s, probe, pinned, now, pointer, value); });
-    for (std::size_t i = 0; i < document.scene.objects.size(); ++i)
-        if (static_cast<int>(i) != pinned.object) s.no_effect.push_back(fmt::format("/objects/{}", i));
-    std::stable_sort(s.numbers.begin(), s.numbers.end(), [](const Sensitivity& a, const Sensitivity& b) {
-        return largest(a.change) > largest(b.change);
-    });
-    return s;
+    SensitivityRun run(document, size, x, y, threads);
+    while (run.step()) {
+    }
+    return run.result();
 }
 
 std::string sensitivity_text(const Sensitivities& s) {

@@ -3,6 +3,7 @@
 // picture itself, so that whatever the engine does is in them.
 
 #include <glm/vec3.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,27 @@ struct Sensitivities {
 
 /// More lights than these are a problem: every number of each would take two pictures.
 inline constexpr std::size_t max_sensitivity_lights = 64;
+
+/// The work in steps, for a window that must not wait for all of it.
+class SensitivityRun {
+  public:
+    /// `document.scene` must be drawable, the pixel inside the picture. Threads as for Renderer.
+    SensitivityRun(const SceneDocument& document, PictureSize size, int x, int y, int threads);
+    ~SensitivityRun();
+    SensitivityRun(const SensitivityRun&) = delete;
+    SensitivityRun& operator=(const SensitivityRun&) = delete;
+
+    /// Measures the next number; false when all are measured.
+    bool step();
+    [[nodiscard]] std::size_t measured() const;
+    [[nodiscard]] std::size_t count() const;
+    /// What is measured so far, sorted.
+    [[nodiscard]] Sensitivities result() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 /// Central differences over a thousandth of each number. The face at the pixel is pinned: the other objects,
 /// which under local illumination could change the pixel only by hiding it, are left out and have no effect.

@@ -211,7 +211,7 @@ DisplayJob display_job(const Display& display) {
     return {display.exposure, display.transfer == Transfer::Srgb};
 }
 
-glm::vec3 vertex_color(const Surface& s, const Geometry& g, const PointSource& source) {
+glm::vec3 vertex_color(const SurfaceInputs& s, const Geometry& g, const PointSource& source) {
     const Mesh& mesh = *g.objects[source.object].mesh;
     if (mesh.colors.empty()) return glm::vec3(1);
     if (s.choice.kind == SurfaceKind::Corners) {

@@ -37,7 +37,7 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& geometr
 
 /// Colour of a lit point under reflection `none`: the mesh's vertex colour (white where it has none); for a
 /// polygon the mean of its corners.
-[[nodiscard]] glm::vec3 vertex_color(const Surface& surface, const Geometry& geometry,
+[[nodiscard]] glm::vec3 vertex_color(const SurfaceInputs& surface, const Geometry& geometry,
                                      const PointSource& source);
 
 [[nodiscard]] DisplayJob display_job(const Display& display);

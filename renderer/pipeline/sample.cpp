@@ -14,7 +14,7 @@ Vec to_vec(glm::vec3 v) { return {v.x, v.y, v.z}; }
 glm::vec3 to_glm(Vec v) { return {v.x, v.y, v.z}; }
 
 /// The interpolated normal, not yet unit.
-Vec blended_normal(const Surface& surface, const Geometry& g, const SampleFace& face) {
+Vec blended_normal(const SurfaceInputs& surface, const Geometry& g, const SampleFace& face) {
     const CornerWeights weights = corner_weights(surface.choice.interpolation, g, face);
     const ObjectNormals& normals = surface.normals[face.object];
     Vec sum;
@@ -56,7 +56,7 @@ SampleFace face_of_lane(const Surface& s, const Geometry& g, const Visibility& v
     return face;
 }
 
-PlacedNormal pixel_point(const Surface& surface, const Geometry& g, const SampleFace& face) {
+PlacedNormal pixel_point(const SurfaceInputs& surface, const Geometry& g, const SampleFace& face) {
     const ObjectGeometry& object = g.objects[face.object];
     const Triangle& t = g.triangle(face.object, face.triangle);
     Vec n;
@@ -69,7 +69,7 @@ PlacedNormal pixel_point(const Surface& surface, const Geometry& g, const Sample
     return {face.p, face.turned ? -to_glm(n) : to_glm(n)};
 }
 
-PlacedNormal lit_point(const Surface& surface, const Geometry& g, const PointSource& source) {
+PlacedNormal lit_point(const SurfaceInputs& surface, const Geometry& g, const PointSource& source) {
     const ObjectGeometry& object = g.objects[source.object];
     const Mesh& mesh = *object.mesh;
     const ObjectNormals& normals = surface.normals[source.object];
@@ -90,7 +90,7 @@ PlacedNormal lit_point(const Surface& surface, const Geometry& g, const PointSou
     return at;
 }
 
-SampleSources sample_sources(const Surface& surface, const Geometry& g, const SampleFace& face) {
+SampleSources sample_sources(const SurfaceInputs& surface, const Geometry& g, const SampleFace& face) {
     const Triangle& t = g.triangle(face.object, face.triangle);
     SampleSources s;
     if (surface.choice.kind == SurfaceKind::Faces) {

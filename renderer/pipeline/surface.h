@@ -88,6 +88,14 @@ struct Surface {
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& geometry, const Visibility& visibility,
                     bool visibility_redone);
 
+/// What a single sample's colour comes from, of a kept surface or of another way to shade the same pixels.
+struct SurfaceInputs {
+    const SurfaceChoice& choice;
+    const std::vector<ObjectNormals>& normals;
+    SurfaceInputs(const SurfaceChoice& c, const std::vector<ObjectNormals>& n) : choice(c), normals(n) {}
+    SurfaceInputs(const Surface& s) : choice(s.choice), normals(s.normals) {}  // NOLINT: one for the other
+};
+
 /// What lane `lane` of run `run` shows.
 [[nodiscard]] SampleFace face_of_lane(const Surface& surface, const Geometry& geometry,
                                       const Visibility& visibility, std::size_t run, unsigned lane);
@@ -100,10 +108,10 @@ struct PlacedNormal {
     glm::vec3 p{0}, n{0};
 };
 /// The pixel's own point under Pixels (and, for information, under the other kinds).
-[[nodiscard]] PlacedNormal pixel_point(const Surface& surface, const Geometry& geometry,
+[[nodiscard]] PlacedNormal pixel_point(const SurfaceInputs& surface, const Geometry& geometry,
                                        const SampleFace& face);
 /// A lit point that is no pixel.
-[[nodiscard]] PlacedNormal lit_point(const Surface& surface, const Geometry& geometry,
+[[nodiscard]] PlacedNormal lit_point(const SurfaceInputs& surface, const Geometry& geometry,
                                      const PointSource& source);
 
 /// The sources that a sample blends under Corners (weights in the same order), or shows under Faces (one).
@@ -112,7 +120,7 @@ struct SampleSources {
     std::array<PointSource, CornerWeights::most> source;
     std::array<float, CornerWeights::most> weight{};
 };
-[[nodiscard]] SampleSources sample_sources(const Surface& surface, const Geometry& geometry,
+[[nodiscard]] SampleSources sample_sources(const SurfaceInputs& surface, const Geometry& geometry,
                                            const SampleFace& face);
 
 }  // namespace glint

@@ -21,11 +21,11 @@ inline Rect right_column(const Bench& bench) {
     return lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).right;
 }
 
-/// Rests the mouse down a line of the right column, `x` from its left edge, until `found` says so; where that
-/// was.
+/// Rests the mouse down a line of the right column below its tabs, `x` from its left edge, until `found` says
+/// so; where that was.
 inline ImVec2 search_column(Bench& bench, float x, const std::function<bool()>& found) {
     const Rect column = right_column(bench);
-    for (float y = column.low.y + 60; y < column.high.y; y += 4) {
+    for (float y = column.low.y + 116; y < column.high.y; y += 4) {
         const ImVec2 at{column.low.x + x, y};
         bench.move(at);
         bench.frames(1);

@@ -80,8 +80,11 @@ void draw_arc(const WorldPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, co
     draw(colour, 1, 1.4f);
     const ImVec2 first = points.front(), last = points.back();
     if (length_of({last.x - first.x, last.y - first.y}) < px(16)) return;  // nearly end-on: no room for words
-    rimmed_text(pen.list, pen.at((radius + 0.22) * direction(angle / 2)), colour,
-                fmt::format("{:.0f}°", angle * 180 / std::numbers::pi));
+    const ImVec2 middle = points[steps / 2], foot = pen.at(glm::dvec3(0));
+    const float out = std::max(length_of({middle.x - foot.x, middle.y - foot.y}), 1.0f);
+    const ImVec2 spot{middle.x + (middle.x - foot.x) / out * px(13),
+                      middle.y + (middle.y - foot.y) / out * px(13)};
+    rimmed_text(pen.list, spot, colour, fmt::format("{:.0f}°", angle * 180 / std::numbers::pi));
 }
 
 }  // namespace glint

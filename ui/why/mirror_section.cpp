@@ -15,16 +15,20 @@
 namespace glint {
 namespace {
 
-constexpr std::array step_options{Option{"off", "", "r itself is drawn", ""},
-                                  Option{"N, L", "", "What is given", ""},
-                                  Option{"P", "", "P = N (N·L): the shadow of L on N", ""},
-                                  Option{"2P", "", "Twice as far", ""}, Option{"R", "", "R = 2P − L", ""}};
+/// Made when first asked for.
+const std::array<Option, 5>& step_options() {
+    static const std::array<Option, 5> options{
+        Option{"off", "", "r itself is drawn", ""}, Option{"N, L", "", "What is given", ""},
+        Option{"P", "", "P = N (N·L): the shadow of L on N", ""}, Option{"2P", "", "Twice as far", ""},
+        Option{"R", "", "R = 2P − L", ""}};
+    return options;
+}
 
 }  // namespace
 
 void mirror_section(WhyState& state, const ExplainedPoint& point, const ExplainedLight& light) {
     section("r = 2 n (n·l) − l, step by step");
-    state.mirror_step = segments("##step", state.mirror_step, step_options, {"", ""});
+    state.mirror_step = segments("##step", state.mirror_step, step_options(), {"", ""});
     if (state.mirror_step == 0) return;
     (void)number_field(
         "|N|", state.normal_length,

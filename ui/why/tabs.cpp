@@ -11,7 +11,10 @@
 #include "ui/ui.h"
 #include "ui/why/equation_tab.h"
 #include "ui/why/heading.h"
+#include "ui/why/matrices_tab.h"
 #include "ui/why/mistakes_tab.h"
+#include "ui/why/models_tab.h"
+#include "ui/why/sensitivity_tab.h"
 #include "ui/why/vectors_tab.h"
 #include "ui/widgets.h"
 
@@ -23,7 +26,14 @@ constexpr std::array tabs{
                equation_tab},
     WhyTabInfo{WhyTab::Vectors, "Vectors", "n, l, v, r and h at the picked point, and the facet's own normal",
                vectors_tab},
+    WhyTabInfo{WhyTab::Models, "Models", "The same pixel under flat, facet, Gouraud and Phong shading",
+               models_tab},
+    WhyTabInfo{WhyTab::Sensitivity, "Sensitivity",
+               "What matters here: every number, sorted by how much the pixel moves with it",
+               sensitivity_tab},
     WhyTabInfo{WhyTab::Mistakes, "Mistakes", "Mistakes that are really made, each a switch", mistakes_tab},
+    WhyTabInfo{WhyTab::Matrices, "Matrices", "View, its inverse, projection, and what they carry",
+               matrices_tab},
 };
 
 /// A tab's button; the chosen one stands on a bar of the accent.
