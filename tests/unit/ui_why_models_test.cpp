@@ -41,3 +41,18 @@ TEST_CASE("pointing at a model shows the picture under it, a click takes it, und
     bench.key(Key::Z, true);
     CHECK(bench.scene() == start);
 }
+
+TEST_CASE("while a scene with other objects is on the screen the models wait", "[ui][window][why]") {
+    Bench bench;
+    test::ask(bench, WhyTab::Models);
+    Scene other = bench.scene();
+    other.objects.push_back(other.objects.front());
+    other.objects.back().transform.translate = {0, 0, 1.5f};
+    for (int i = 0; i < 3; ++i) {
+        bench.state.preview = other;
+        bench.frames(1);
+    }
+    CHECK(bench.state.drawn.objects.size() == 2);
+    bench.frames(2);
+    CHECK(bench.state.drawn == bench.scene());
+}

@@ -64,10 +64,11 @@ void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look)
     rimmed_text(list, {to.x + along.x * px(11), to.y + along.y * px(11)}, look.colour, look.letter);
 }
 
-void draw_arc(const WorldPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, const ImVec4& colour) {
+ImVec2 draw_arc(const WorldPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, const ImVec4& colour,
+                ImVec2 taken) {
     const double angle = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
     const glm::dvec3 side = b - a * glm::dot(a, b);
-    if (angle < 0.01 || glm::length(side) < 1e-6) return;
+    if (angle < 0.01 || glm::length(side) < 1e-6) return nowhere;
     const glm::dvec3 to_side = glm::normalize(side);
     const auto direction = [&](double t) { return std::cos(t) * a + std::sin(t) * to_side; };
     constexpr int steps = 24;
@@ -79,12 +80,15 @@ void draw_arc(const WorldPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, co
     draw(rim, 0.6f, 1.4f + rim_width);
     draw(colour, 1, 1.4f);
     const ImVec2 first = points.front(), last = points.back();
-    if (length_of({last.x - first.x, last.y - first.y}) < px(16)) return;  // nearly end-on: no room for words
+    if (length_of({last.x - first.x, last.y - first.y}) < px(16))
+        return nowhere;  // nearly end-on: no room for words
     const ImVec2 middle = points[steps / 2], foot = pen.at(glm::dvec3(0));
     const float out = std::max(length_of({middle.x - foot.x, middle.y - foot.y}), 1.0f);
     const ImVec2 spot{middle.x + (middle.x - foot.x) / out * px(13),
                       middle.y + (middle.y - foot.y) / out * px(13)};
+    if (length_of({spot.x - taken.x, spot.y - taken.y}) < px(22)) return nowhere;
     rimmed_text(pen.list, spot, colour, fmt::format("{:.0f}°", angle * 180 / std::numbers::pi));
+    return spot;
 }
 
 }  // namespace glint

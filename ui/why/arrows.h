@@ -33,8 +33,13 @@ struct ArrowLook {
 /// From `from` to `to` with its letter at the tip; where the arrow points at us or away, a circle with a dot.
 void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look);
 
-/// The arc from direction a to b (unit) with its degrees, at `radius` of the pen's reach.
-void draw_arc(const WorldPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, const ImVec4& colour);
+inline const ImVec2 nowhere{-1e6f, -1e6f};
+
+/// The arc from direction a to b (unit) with its degrees, at `radius` of the pen's reach. The degrees are
+/// left out where there is no room, and where they would cover what is written at `taken`. Where they stand,
+/// or nowhere.
+ImVec2 draw_arc(const WorldPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, const ImVec4& colour,
+                ImVec2 taken = nowhere);
 
 /// Text with a dark rim, its middle at `centre`.
 void rimmed_text(ImDrawList& list, ImVec2 centre, const ImVec4& colour, const std::string& text);

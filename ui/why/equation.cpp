@@ -69,7 +69,7 @@ void equation(Reflection reflection) {
     if (reflection == Reflection::None) return dim_text("No lighting: the mesh's own colours.");
     Formula f;
     f.plain("I = ").term(Symbol::Emission, "e").plain(" + ").term(Symbol::Ambient, "k", "a");
-    f.term(Symbol::Ambient, "I", "a").plain(" + Σ I (").term(Symbol::Diffuse, "k", "d");
+    f.term(Symbol::Ambient, "I", "a").plain(" + Σ F (").term(Symbol::Diffuse, "k", "d");
     f.dot(Symbol::N, "n", Symbol::L, "l");
     if (reflection == Reflection::OrenNayar) f.plain(" (A + B…)");
     highlight_formula(f, reflection);

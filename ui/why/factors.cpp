@@ -166,7 +166,7 @@ SceneNumber intensity_number(Scene& scene, int light) {
     return {&item.intensity,
             fmt::format("intensity of {}", item.name),
             {.min = 0, .initial = 1, .speed = 0.005f, .format = "%.2f"},
-            {"Multiplies the light's three colours", fmt::format("/lights/{}/intensity", light)}};
+            {"I: multiplies the light's three colours", fmt::format("/lights/{}/intensity", light)}};
 }
 
 std::vector<SceneNumber> falloff_numbers(Scene& scene, int light) {

@@ -45,7 +45,7 @@ bool share_lines(UiState& state, const ExplainedLight& explained) {
     const bool cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
     bool edited = false;
     TextLine line;
-    line.plain("F = intensity");
+    line.plain("F = I");
     edited |= line.handle(intensity_number(scene, index), theme().text);
     if (falls_off) line.times().plain("falloff").number(shown_number(explained.falloff), theme().text);
     if (cone) line.times().plain("spot").number(shown_number(explained.spot), theme().text);
@@ -88,8 +88,13 @@ bool name_row(UiState& state, const ExplainedLight& explained, const Light& ligh
     return pointed;
 }
 
+const char* name_of_term(Symbol term) {
+    return term == Symbol::Ambient ? "ambient" : term == Symbol::Diffuse ? "diffuse" : "specular";
+}
+
 /// A term's line; pointed at, the picture shows this term of this light alone.
 bool light_term(UiState& state, const TermLine& term, int light) {
+    const Scene& scene = state.editor.scene();
     ImGui::PushID(term.letter);
     ImGui::BeginGroup();
     const bool edited = draw_term_line(term);
@@ -100,7 +105,9 @@ bool light_term(UiState& state, const TermLine& term, int light) {
     const bool ends =
         is_pointed_at(low, {low.x + px(14), high.y}) || is_pointed_at({high.x - px(52), low.y}, high);
     if (ends && term.on)
-        state.preview = with_term_alone(with_light_alone(state.editor.scene(), light), term.symbol);
+        show_instead(state, with_term_alone(with_light_alone(scene, light), term.symbol),
+                     fmt::format("{} of {} alone", name_of_term(term.symbol),
+                                 scene.lights[static_cast<std::size_t>(light)].name));
     return edited;
 }
 
@@ -141,7 +148,8 @@ void light_card(UiState& state, const Explanation& why, const ExplainedLight& ex
     bool edited = false;
     ImGui::PushID(explained.index);
     ImGui::BeginGroup();
-    if (name_row(state, explained, before)) state.preview = with_light_alone(scene, explained.index);
+    if (name_row(state, explained, before))
+        show_instead(state, with_light_alone(scene, explained.index), before.name + " alone");
     if (before.kind != LightKind::Area) angles(state, why, explained);  // an area's samples have their own
     if (before.kind == LightKind::Area) small_dim(sample_words(explained));
     edited |= share_lines(state, explained);

@@ -10,6 +10,7 @@
 #include "ui/theme.h"
 #include "ui/ui.h"
 #include "ui/why/parts.h"
+#include "ui/why/previews.h"
 #include "ui/widgets.h"
 
 namespace glint {
@@ -49,7 +50,7 @@ void mistake_row(UiState& state, const MistakeName& mistake) {
     if (!pointed && !is_pointed_at(ImGui::GetItemRectMin(), ImGui::GetItemRectMax())) return;
     Scene other = state.editor.scene();
     other.shading.mistakes.*mistake.flag ^= true;
-    state.preview = other;
+    show_instead(state, other, mistakes.*mistake.flag ? "without: " + title : title);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "ui/ui.h"
 #include "ui/why/heading.h"
 #include "ui/why/parts.h"
+#include "ui/why/previews.h"
 #include "ui/why/words.h"
 #include "ui/widgets.h"
 
@@ -99,7 +100,16 @@ void mode_block(UiState& state, const Explanation& why, const Choice<ShadingMode
     if (!pointed) return;
     Scene other = state.editor.scene();
     other.shading.mode = choice.value;
-    state.preview = other;
+    show_instead(state, other, fmt::format("{} shading", choice.label));
+}
+
+/// Nothing differs between the scenes that decides what shows at a pixel.
+bool same_faces(const Scene& a, const Scene& b) {
+    const auto same_place = [](const Object& x, const Object& y) {
+        return x.source == y.source && x.transform == y.transform;
+    };
+    return a.camera == b.camera && a.shading.cull == b.shading.cull && a.npr == b.npr &&
+           std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(), same_place);
 }
 
 }  // namespace
@@ -120,6 +130,8 @@ void models_tab(UiState& state, const PictureView&) {
             "Here the pixel appears under flat, facet, Gouraud and Phong shading at once.");
     const Explanation& why = *state.why;
     if (!why.hit) return wrapped_dim("No object shows here: every model leaves the background.");
+    if (!same_faces(state.drawn, state.editor.scene()))
+        return wrapped_dim("Another scene is on the screen; the models are those of the edited one.");
     const std::array<Explanation, 4> all = under_each_mode(state, why);
     small_dim(fmt::format("Sums of the same pixel, red green blue; {} triangle of face {}, at the weights {}",
                           why.front_facing ? "front" : "back", why.face, three(why.weights)));

@@ -15,6 +15,7 @@ struct PictureView;
 void models_tab(UiState& state, const PictureView& view);
 
 /// The pixel under each mode of `mode_choices`, in their order, whatever the scene's own mode is.
+/// Precondition: the picture is of the edited scene, or of one with other lights, materials or shading.
 [[nodiscard]] std::array<Explanation, 4> under_each_mode(const UiState& state, const Explanation& why);
 
 }  // namespace glint

@@ -1,5 +1,7 @@
 #include "ui/why/previews.h"
 
+#include "ui/ui.h"
+
 namespace glint {
 
 Scene with_term_alone(Scene scene, Symbol term) {
@@ -25,6 +27,11 @@ Scene with_term_alone(Scene scene, Symbol term) {
         break;
     }
     return scene;
+}
+
+void show_instead(UiState& state, const Scene& scene, const std::string& name) {
+    state.preview = scene;
+    state.why_column.preview_name = name;
 }
 
 Scene with_light_alone(Scene scene, int light) {

@@ -1,6 +1,8 @@
 #pragma once
 // Scenes with all but one thing left out: what the picture shows while a line of the equation is pointed at.
 
+#include <string>
+
 #include "models/scene.h"
 #include "ui/theme.h"
 
@@ -10,5 +12,10 @@ namespace glint {
 [[nodiscard]] Scene with_term_alone(Scene scene, Symbol term);
 /// One light alone: no other, no emission, no global ambient light.
 [[nodiscard]] Scene with_light_alone(Scene scene, int light);
+
+struct UiState;
+
+/// The picture shows `scene` in the next frame, with its name written over it.
+void show_instead(UiState& state, const Scene& scene, const std::string& name);
 
 }  // namespace glint

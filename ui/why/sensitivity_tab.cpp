@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "ui/fonts.h"
 #include "ui/ui.h"
@@ -20,24 +21,14 @@ namespace {
 
 double largest(glm::dvec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// A line: how much, as a bar and in figures, and of what. A click selects it.
-void number_row(UiState& state, const Sensitivity& number, double most) {
-    const NamedNumber named = named_number(number.pointer, state.editor.scene());
-    const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight() + px(3);
-    ImGui::PushID(number.pointer.c_str());
-    if (ImGui::Selectable("##row", false, 0, {width, height})) state.editor.selection = named.selection;
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float share = static_cast<float>(largest(number.change) / std::max(most, 1e-30));
-    list.AddRectFilled({low.x, high.y - px(2)}, {low.x + share * (high.x - low.x), high.y},
-                       packed(theme().accent));
-    list.AddText(low, packed(theme().text), fmt::format("{}  {}", named.owner, named.what).c_str());
-    const double change = number.change[state.why_column.channel];
-    const std::string figure = shown_number(static_cast<float>(change));
-    ImGui::PushFont(fonts().figures);
-    list.AddText({high.x - ImGui::CalcTextSize(figure.c_str()).x - px(2), low.y},
-                 packed(change == 0 ? theme().disabled_text : theme().text), figure.c_str());
-    ImGui::PopFont();
+/// The channel that moves most: 0 red, 1 green, 2 blue.
+int strongest(glm::dvec3 v) {
+    const glm::dvec3 size = glm::abs(v);
+    if (size.x >= size.y && size.x >= size.z) return 0;
+    return size.y >= size.z ? 1 : 2;
+}
+
+void number_tooltip(const NamedNumber& named, const Sensitivity& number) {
     const auto part = [](double v) { return shown_number(static_cast<float>(v)); };
     tooltip(fmt::format("{}: {}", named.owner, named.what).c_str(),
             "How the pixel changes for each unit of this number. Click: its panel",
@@ -45,6 +36,31 @@ void number_row(UiState& state, const Sensitivity& number, double most) {
                         number.one_sided ? ", can move one way only" : "", part(number.change.x),
                         part(number.change.y), part(number.change.z)),
             number.pointer);
+}
+
+/// A line: how much, as a bar and in figures, and of what. A click selects it.
+void number_row(UiState& state, const Sensitivity& number, double most) {
+    const NamedNumber named = named_number(number.pointer, state.editor.scene());
+    const float line = ImGui::GetTextLineHeight();
+    ImGui::PushID(number.pointer.c_str());
+    if (ImGui::Selectable("##row", false, 0, {ImGui::GetContentRegionAvail().x, line + px(5)}))
+        state.editor.selection = named.selection;
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto share = static_cast<float>(largest(number.change) / std::max(most, 1e-30));
+    const ImVec2 text{low.x + px(4), low.y + px(1)};
+    list.AddRectFilled({text.x, high.y - px(3)}, {text.x + share * (high.x - low.x - px(8)), high.y - px(1)},
+                       packed(theme().accent));
+    list.AddText(text, packed(theme().text), fmt::format("{}  {}", named.owner, named.what).c_str());
+    const int channel = strongest(number.change);
+    const std::string figure =
+        fmt::format("{} {}", shown_number(static_cast<float>(number.change[channel])), "RGB"[channel]);
+    ImGui::PushFont(fonts().figures);
+    const float width = ImGui::CalcTextSize(figure.c_str()).x + px(6);
+    list.AddRectFilled({high.x - width, low.y}, {high.x, high.y - px(4)}, packed(theme().panel));
+    list.AddText({high.x - width + px(2), text.y}, packed(theme().text), figure.c_str());
+    ImGui::PopFont();
+    number_tooltip(named, number);
     ImGui::PopID();
 }
 
@@ -93,11 +109,7 @@ void sensitivity_tab(UiState& state, const PictureView& view) {
             warning_text(fmt::format("More than {} lights take too long.", max_sensitivity_lights));
         return;
     }
-    constexpr const char* channels[] = {"red", "green", "blue"};
-    small_dim(
-        fmt::format("Change of {} for each unit of a number, before clipping; the bar is of the strongest "
-                    "channel.",
-                    channels[state.why_column.channel]));
+    small_dim("Change of the pixel for each unit of a number, before clipping: the channel that moves most.");
     const auto& numbers = job.shown->numbers;
     const double most = numbers.empty() ? 1 : largest(numbers.front().change);
     if (numbers.empty()) wrapped_dim("No number of the scene moves this pixel.");

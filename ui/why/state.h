@@ -2,6 +2,7 @@
 // What the WHY column remembers of the window, none of it the scene's.
 
 #include <optional>
+#include <string>
 
 #include "ui/theme.h"
 
@@ -21,6 +22,7 @@ struct WhyState {
     // What the mouse points at in the column, of the last frame: its arrow is drawn thick.
     std::optional<Symbol> pointed_vector;
     int pointed_light = -1;
+    std::string preview_name;  // of what the picture shows in place of the scene; empty: the scene
 };
 
 }  // namespace glint

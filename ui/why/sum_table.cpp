@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 
 #include "ui/fonts.h"
@@ -16,7 +17,8 @@
 namespace glint {
 namespace {
 
-constexpr float channel_width = 58;
+/// Of a column; narrower where the names would not fit.
+float channel_width() { return std::min(px(58), (ImGui::GetContentRegionAvail().x - px(100)) / 3); }
 constexpr std::array channel_names{"red", "green", "blue"};
 
 /// "red green blue" over the columns; a click chooses the channel.
@@ -30,7 +32,7 @@ void header_row(WhyState& why) {
         const char* name = channel_names[static_cast<std::size_t>(c)];
         ImGui::PushStyleColor(ImGuiCol_Text, c == why.channel ? theme().text : theme().dim_text);
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + px(8));
-        if (ImGui::Selectable(name, false, 0, {px(channel_width) - px(10), 0})) why.channel = c;
+        if (ImGui::Selectable(name, false, 0, {ImGui::GetContentRegionAvail().x - px(4), 0})) why.channel = c;
         ImGui::PopStyleColor();
         const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
         if (c == why.channel)
@@ -66,7 +68,7 @@ void term_row(UiState& state, Symbol symbol, const char* name, glm::vec3 value, 
     const ImVec2 high{ImGui::GetItemRectMax().x, low.y + ImGui::GetTextLineHeight()};
     if (!on || !is_pointed_at(low, high)) return;
     light_up_row();
-    state.preview = with_term_alone(state.editor.scene(), symbol);
+    show_instead(state, with_term_alone(state.editor.scene(), symbol), fmt::format("{} alone", name + 3));
 }
 
 void sum_row(glm::vec3 sum) {
@@ -84,10 +86,11 @@ void sum_row(glm::vec3 sum) {
 void sum_table(UiState& state, const Explanation& why) {
     const TermSums sums = term_sums(why);
     const Terms& on = state.editor.scene().shading.terms;
+    const float width = channel_width();
     if (!ImGui::BeginTable("##sum", 4, ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_SizingFixedFit)) return;
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
     for (const char* channel : channel_names)
-        ImGui::TableSetupColumn(channel, ImGuiTableColumnFlags_WidthFixed, px(channel_width));
+        ImGui::TableSetupColumn(channel, ImGuiTableColumnFlags_WidthFixed, width);
     header_row(state.why_column);
     if (state.editor.scene().npr.cool_to_warm) {
         ImGui::TableNextRow();

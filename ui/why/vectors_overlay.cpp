@@ -49,11 +49,14 @@ class PointDrawing {
     static ImVec4 theme_colour(Symbol symbol) { return dark_theme()[symbol]; }
 
     void arc(const InBothFrames& a, const InBothFrames& b, double radius, Symbol symbol) {
-        draw_arc(pen_, glm::dvec3(a.world), glm::dvec3(b.world), radius, theme_colour(symbol));
+        const ImVec2 spot =
+            draw_arc(pen_, glm::dvec3(a.world), glm::dvec3(b.world), radius, theme_colour(symbol), words_at_);
+        if (spot.x > nowhere.x) words_at_ = spot;
     }
     void one_light(const ExplainedLight& light) {
         const Reflection model = state_.why->reflection;
         const InBothFrames& n = point_.normal;
+        arc(n, light.l, 0.45, Symbol::L);
         if (model == Reflection::Phong) {
             arc(n, light.r, 0.45, Symbol::R);
             if (state_.why_column.pointed_vector == Symbol::R) arc(light.r, point_.view, 0.7, Symbol::V);
@@ -63,7 +66,6 @@ class PointDrawing {
             arc(n, light.h, 0.7, Symbol::H);
             arrow(Symbol::H, light.h);
         }
-        arc(n, light.l, 0.45, Symbol::L);
         arrow(Symbol::L, light.l);
     }
     /// Each sample of an area light has an l of its own.
@@ -94,6 +96,7 @@ class PointDrawing {
     const UiState& state_;
     const ExplainedPoint& point_;
     WorldPen pen_;
+    ImVec2 words_at_ = nowhere;  // the degrees written last
 };
 
 /// The corners that the pixel is mixed from, each in its colour, with its weight.
@@ -111,10 +114,21 @@ void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& 
     }
 }
 
+/// What the picture shows in place of the scene, so that nobody takes it for the scene.
+void draw_preview_name(ImDrawList& list, const PictureView& view, const std::string& name) {
+    const ImVec2 size = ImGui::CalcTextSize(name.c_str());
+    const float middle = view.origin.x + float(view.map.size.width) * view.units_per_pixel / 2;
+    const ImVec2 low{middle - size.x / 2 - px(12), view.origin.y + px(10)};
+    const ImVec2 high{middle + size.x / 2 + px(12), low.y + size.y + px(8)};
+    list.AddRectFilled(low, high, packed(theme().window, 0.85f), px(12));
+    list.AddText({low.x + px(12), low.y + px(4)}, packed(theme().text), name.c_str());
+}
+
 }  // namespace
 
 void draw_point_vectors(ImDrawList& list, const UiState& state, const PictureView& view) {
     const WhyState& column = state.why_column;
+    if (!column.preview_name.empty()) draw_preview_name(list, view, column.preview_name);
     if (!state.why || !state.why->hit) return;
     if (column.shows_facet) draw_facet(list, state, view);
     if (!column.shows_vectors || state.why->reflection == Reflection::None) return;

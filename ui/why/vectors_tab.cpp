@@ -13,6 +13,7 @@
 #include "ui/why/heading.h"
 #include "ui/why/lobe_diagram.h"
 #include "ui/why/mirror_section.h"
+#include "ui/why/needs_section.h"
 #include "ui/why/parts.h"
 #include "ui/why/words.h"
 #include "ui/widgets.h"
@@ -125,6 +126,7 @@ void vectors_tab(UiState& state, const PictureView&) {
         same_product(point, *light);
         lobe_diagram(state, point, *light);
         mirror_section(state.why_column, point, *light);
+        needs_section(state, point, *light);
     }
     facet_section(state, why);
 }
