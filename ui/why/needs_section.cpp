@@ -16,7 +16,8 @@ namespace {
 void cell(float moved, const ImVec4& colour) {
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, moved > 0 ? colour : theme().disabled_text);
-    figures(moved > 0 ? fmt::format("{:.4f}", moved) : "no");
+    const bool tiny = moved < 5e-5f;
+    figures(moved == 0 ? "no" : tiny ? fmt::format("{:.0e}", moved) : fmt::format("{:.4f}", moved));
     ImGui::PopStyleColor();
 }
 
