@@ -106,6 +106,7 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
     return s.lighting.picture;
 }
 
+void Renderer::keep_sums(bool keep) { kept_->stages.lighting.keep_sums = keep; }
 const FrameStats& Renderer::stats() const { return kept_->stats; }
 const Warnings& Renderer::warnings() const { return kept_->warnings; }
 Explanation Renderer::explain(int x, int y) const { return explain_pixel(kept_->stages, x, y); }

@@ -6,21 +6,19 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <glm/ext/matrix_transform.hpp>
-#include <glm/geometric.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
+#include "app/drag.h"
 #include "renderer/inspect/json_text.h"
 #include "renderer/renderer.h"
 
 namespace glint {
 namespace {
 
-enum class Drag { Light, Material, Camera, Object };
 const std::vector<std::string> drag_names{"light", "material", "camera", "object"};
 constexpr int warm_up_frames = 3;
 
@@ -44,36 +42,6 @@ Drag drag_of(const BenchArguments& arguments, const Scene& scene) {
         throw wrong_usage("--drag", "the scene has no object", "light or camera, or a scene with an object");
     }
     return *arguments.drag;
-}
-
-/// Puts into `scene` what a hand has dragged by `frame`; every frame differs from the one before.
-void drag_to(Scene& scene, const Scene& start, Drag drag, int frame) {
-    const auto turn = 0.1f * static_cast<float>(frame);
-    const glm::vec3 circle{std::cos(turn), std::sin(turn), 0};
-    switch (drag) {
-    case Drag::Light: {
-        const glm::vec4 at = start.lights.front().position;
-        const float reach = 0.1f * (glm::length(glm::vec3(at)) + at.w);
-        scene.lights.front().position = at + glm::vec4(reach * circle, 0);
-        break;
-    }
-    case Drag::Material:
-        scene.objects.front().material.diffuse = glm::vec3(0.5f + 0.4f * circle.x);
-        break;
-    case Drag::Camera: {
-        const Camera& camera = start.camera;
-        const glm::dmat4 turned = glm::rotate(glm::dmat4(1), 0.1 * frame, glm::dvec3(camera.up));
-        const glm::dvec4 arm{glm::dvec3(camera.eye) - glm::dvec3(camera.target), 0};
-        scene.camera.eye = glm::vec3(glm::dvec3(camera.target) + glm::dvec3(turned * arm));
-        break;
-    }
-    case Drag::Object: {
-        const glm::vec3 at = start.objects.front().transform.translate;
-        const float reach = 0.02f * glm::distance(start.camera.eye, start.camera.target);
-        scene.objects.front().transform.translate = at + reach * circle;
-        break;
-    }
-    }
 }
 
 /// The value that a share of all is not above: 0.5 is the median. Precondition: not empty.
@@ -149,7 +117,7 @@ Outcome bench(const BenchArguments& arguments) {
     const auto stage = [&times](Stage s) { return quantile(times.stage[static_cast<std::size_t>(s)], 0.5); };
     nlohmann::ordered_json json{
         {"frames", arguments.frames},
-        {"ms", {{"median", of(0.5)}, {"p90", of(0.9)}, {"p99", of(0.99)}, {"max", of(1)}}},
+        {"ms", {{"min", of(0)}, {"median", of(0.5)}, {"p90", of(0.9)}, {"p99", of(0.99)}, {"max", of(1)}}},
         {"stages",
          {{"geometry", stage(Stage::Geometry)},
           {"visibility", stage(Stage::Visibility)},

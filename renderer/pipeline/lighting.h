@@ -17,6 +17,7 @@ struct Lighting {
     std::vector<ColorBlock> point_colors;  // Corners, Faces: of the lit points
     Picture picture;
     bool linear = false;  // picture.linear is kept up too
+    bool keep_sums = true;
     // What the kept picture was made of, beside the surface and the strokes.
     std::vector<Light> lights;
     std::vector<Material> materials;

@@ -1,0 +1,23 @@
+#pragma once
+// The scene's lights as light.glsl's uniform block lays them out.
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+#include <string>
+#include <vector>
+
+#include "models/scene.h"
+
+namespace glint::bench {
+
+struct ShaderLight {
+    glm::vec4 place, falloff, axis, diffuse, specular;
+};
+
+/// "#define POINTS 5" and the like. Throws std::runtime_error for a light that the shaders do not know.
+[[nodiscard]] std::string light_counts(const Scene& scene);
+
+/// The block's bytes as vec4s: points, suns, spots, then the unlit colour.
+void fill_lights(std::vector<glm::vec4>& block, const Scene& scene, const glm::mat4& view);
+
+}  // namespace glint::bench
