@@ -111,6 +111,7 @@ Outcome bench(const BenchArguments& arguments) {
     const SceneDocument document = open_drawable_scene(arguments.scene);
     const Drag drag = drag_of(arguments, document.scene);
     Renderer renderer(arguments.scene.threads);
+    renderer.keep_sums(!arguments.relight);
     const Times times = measure(renderer, document.scene, arguments, drag);
     const FrameStats& stats = renderer.stats();
     const auto of = [&times](double share) { return quantile(times.frame, share); };
@@ -150,7 +151,8 @@ Run declare(CLI::App& app) {
               [&drag = arguments->drag](const std::string& text) {
                   drag = static_cast<Drag>(read_word("--drag", text, drag_names));
               });
-    app.add_flag("--relight", arguments->relight, "light every light again on each frame, as is done anyway");
+    app.add_flag("--relight", arguments->relight,
+                 "light every light again on each frame, also where the sum of the others could be kept");
     return [arguments] { return bench(*arguments); };
 }
 

@@ -44,16 +44,15 @@ class Frames {
     glm::dmat4 world_from_view_;
 };
 
-ExplainedLight explain_light(const LightTerms<float>& t, const LightSource& source, const PointAt<float>& at,
-                             const Frames& frames) {
+ExplainedLight explain_light(const LightTerms<float>& t, const LightSource& source, const Frames& frames) {
     ExplainedLight e;
     e.index = source.light;
     e.l = frames.direction(t.directions.l);
     e.r = frames.direction(t.directions.r);
     e.h = frames.direction(t.directions.h);
     e.n_dot_l = t.directions.n_dot_l;
-    e.r_dot_v = dot(t.directions.r, at.v);
-    e.n_dot_h = dot(at.n, t.directions.h);
+    e.r_dot_v = t.directions.r_dot_v;
+    e.n_dot_h = t.directions.n_dot_h;
     e.distance = source.w > 0 ? t.distance : 0;
     e.falloff = t.falloff;
     e.spot = t.spot;
@@ -105,9 +104,10 @@ ExplainedPoint explain_point(const ExplainedStages& stages, const LightJob& job,
     const MaterialAt<float> material = material_at<float>(job.material);
     for (std::size_t i = 0; i < job.light_count; ++i) {
         const LightSource& source = job.lights[i];
-        const LightTerms<float> t = illuminate(equation, light_at<float>(source), material, at);
-        sum = sum + share_of(equation, t);
-        ExplainedLight light = explain_light(t, source, at, frames);
+        const LightAt<float> light_here = light_at<float>(source);
+        const LightTerms<float> t = illuminate(equation, light_here, material, at);
+        sum = sum + share_of(equation, light_here, t);
+        ExplainedLight light = explain_light(t, source, frames);
         light.name = stages.lighting.lights[static_cast<std::size_t>(source.light)].name;
         if (!source.is_patch) {
             e.lights.push_back(light);

@@ -11,6 +11,7 @@
 
 #include "renderer/inspect/seeded.h"
 #include "renderer/lighting/illuminate.h"
+#include "renderer/pipeline/light_sources.h"
 
 namespace glint {
 namespace {
@@ -27,6 +28,7 @@ MaterialAt<float> material_of(const Material& m) {
     at.k_d = to_vec(m.diffuse);
     at.k_s = to_vec(m.specular);
     at.shininess = m.shininess;
+    at.faintest_squared = faintest_cosine_squared(m.shininess);
     at.roughness = m.roughness;
     at.f0 = to_vec(m.f0);
     return at;

@@ -6,11 +6,8 @@
 
 namespace glint::inline GLINT_ISA {
 
-template <Number F> F blinn_cosine(const Directions<F>& d, const PointAt<F>& at) { return dot(at.n, d.h); }
-
-template <Number F>
-Response<F> blinn_phong(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
-    const F s = highlight(blinn_cosine(d, at), m);
+template <Number F> Response<F> blinn_phong(const Directions<F>& d, const MaterialAt<F>& m) {
+    const F s = highlight(d.n_dot_l_plus_v, d.l_plus_v_squared, m);  // n.h = n.(l + v) / |l + v|
     return {lambert_cosine(d), {s, s, s}};
 }
 

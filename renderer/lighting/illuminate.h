@@ -27,17 +27,37 @@ struct Equation {
     Terms terms;
     const Mistakes* mistakes = nullptr;  // null: none is made, and no table is used
     int power_table = 0;                 // Shading::power_table
+    float grid = 0;                      // of the shares; 0: they are not rounded
 };
 
-/// Degenerate input: a light at the point has l = 0, so only its ambient share is left; n = 0 likewise;
-/// l = -v gives h = 0. No result is NaN while products of light, material and falloff stay finite.
+/// To the nearest multiple of the grid, a power of two, when |c| <= 2^22 grid: numbers near 3 * 2^22 grid
+/// have just these steps. Sums of multiples up to 2^24 grid are exact in float, whatever their order: the sum
+/// of all lights but one can then be kept while that one is dragged.
+template <Number F> Vec3<F> on_grid(Vec3<F> c, float grid) {
+    const F high = F(grid * 12582912.0f);
+    return {(c.x + high) - high, (c.y + high) - high, (c.z + high) - high};
+}
+
+/// A light's colours times the material's.
+template <Number F> struct LightColors { Vec3<F> ambient, diffuse, specular; };
+template <Number F> LightColors<F> colors_on(const MaterialAt<F>& m, const LightAt<F>& light) {
+    return {m.k_a * light.ambient, m.k_d * light.diffuse, m.k_s * light.specular};
+}
+
+template <Number F> ToLight<F> to_light(const LightAt<F>& light, const PointAt<F>& at) {
+    const Vec3<F> xyz = is_place(light) ? light.xyz - at.p : light.xyz;
+    return {xyz, dot(at.n, xyz)};
+}
+
+/// `colors`: colors_on(m, light), which is the same at all points. Degenerate input: a light at the point has
+/// l = 0, so only its ambient share is left; n = 0 likewise; l = -v gives h = 0. No result is NaN while
+/// products of light, material and falloff stay finite.
 template <Number F>
 LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, const MaterialAt<F>& m,
-                         const PointAt<F>& at) {
+                         const LightColors<F>& colors, const ToLight<F>& to_light, const PointAt<F>& at) {
     LightTerms<F> t;
-    const Vec3<F> to_light = light.xyz - light.w * at.p;  // w = 0 is a direction already
-    t.distance = length(to_light);
-    t.directions = directions_for(inverse_or_zero(t.distance) * to_light, at);
+    t.distance = is_place(light) ? length(to_light.xyz) : F(1);
+    t.directions = directions_for(to_light, is_place(light) ? inverse_or_zero(t.distance) : F(1), at);
     if (equation.mistakes) spoil_directions(*equation.mistakes, t.directions, to_light, at);
 
     t.falloff = F(1);
@@ -47,20 +67,30 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
     const F share = t.falloff * t.spot;  // of all three terms, as in OpenGL 2.1, section 2.14.1
 
     const auto lit_side = t.directions.n_dot_l > F(0);
-    if (any(lit_side)) {
-        t.response = respond(equation.model, t.directions, m, at);
-        t.response.specular =
-            select<F>(lit_side, t.response.specular, Vec3<F>{});  // no highlight from behind
-    }
+    t.response = respond(equation.model, t.directions, m, at);
+    t.response.specular = select<F>(lit_side, t.response.specular, Vec3<F>{});  // no highlight from behind
     if (equation.mistakes)
         spoil_response(*equation.mistakes, equation.power_table, equation.model, t.response, t.directions, m,
                        at);
 
-    if (equation.terms.ambient) t.ambient = share * (m.k_a * light.ambient);
+    if (equation.terms.ambient && light.has_ambient) t.ambient = share * colors.ambient;
     if (equation.mistakes && equation.mistakes->ambient_per_light_added_twice) t.ambient = F(2) * t.ambient;
-    if (equation.terms.diffuse) t.diffuse = (share * t.response.diffuse) * (m.k_d * light.diffuse);
-    if (equation.terms.specular) t.specular = share * (m.k_s * light.specular * t.response.specular);
+    if (equation.terms.diffuse) t.diffuse = (share * t.response.diffuse) * colors.diffuse;
+    if (equation.terms.specular) t.specular = (share * t.response.specular) * colors.specular;
     return t;
+}
+template <Number F>
+LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, const MaterialAt<F>& m,
+                         const PointAt<F>& at) {
+    return illuminate(equation, light, m, colors_on(m, light), to_light(light, at), at);
+}
+
+/// False when the light can add nothing in any lane: it is behind the surface there and has no ambient share.
+/// Asked first, because that is half of most pictures.
+template <Number F>
+bool may_add(const Equation& equation, const LightAt<F>& light, const ToLight<F>& to_light) {
+    if (equation.mistakes || (equation.terms.ambient && light.has_ambient)) return true;
+    return any(to_light.n_dot > F(0));
 }
 
 template <Number F> Vec3<F> clamped(Vec3<F> c) {
@@ -68,9 +98,12 @@ template <Number F> Vec3<F> clamped(Vec3<F> c) {
 }
 
 /// One light's share of the sum, in the order in which the picture adds it.
-template <Number F> Vec3<F> share_of(const Equation& equation, const LightTerms<F>& t) {
-    const Vec3<F> share = t.ambient + t.diffuse + t.specular;
-    return equation.mistakes && equation.mistakes->clamp_each_light ? clamped(share) : share;
+template <Number F>
+Vec3<F> share_of(const Equation& equation, const LightAt<F>& light, const LightTerms<F>& t) {
+    Vec3<F> share = t.diffuse + t.specular;
+    if (light.has_ambient) share = share + t.ambient;
+    if (equation.mistakes && equation.mistakes->clamp_each_light) share = clamped(share);
+    return on_grid(share, equation.grid);
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -15,54 +15,112 @@ namespace glint::inline GLINT_ISA {
 using Wide = Lanes<GLINT_LANES>;
 constexpr int opaque = static_cast<int>(0xFF000000u);
 
+constexpr std::size_t batch = 16;  // blocks whose points and sums stay in the first-level cache
+
+/// `Wide` points of a batch, and their sums so far.
+struct Group {
+    PointAt<Wide> at;
+    Vec3<Wide> sum;
+};
+union Slot {  // a group that is not filled with zeros first
+    Group group;
+    Slot() {}
+};
+
 /// One reflection model, so that the compiler leaves out what the others need; the text of the equation is
 /// one. flatten: it is many small functions, and each call would pass its vectors through memory.
+/// Light by light over a batch of points: the light stays in registers, whether it reaches the points is
+/// guessed well by the processor, and independent points fill the time that one's long powers take.
 template <Reflection model, bool any_mistake>
-GLINT_FLATTEN static void light_as(const LightJob& job, const PointBlock* points, ColorBlock* colors,
-                                      std::size_t blocks) {
-    const Equation equation{model, job.terms, any_mistake ? &job.mistakes : nullptr, job.power_table};
-    for (std::size_t i = 0; i < blocks; ++i) {
-        const PointBlock& in = points[i];
-        ColorBlock& out = colors[i];
-        for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
-            const Vec3<Wide> p{load<Wide>(in.x + k), load<Wide>(in.y + k), load<Wide>(in.z + k)};
-            const Vec3<Wide> n{load<Wide>(in.nx + k), load<Wide>(in.ny + k), load<Wide>(in.nz + k)};
-            const Vec3<Wide> sum = shade_point(job, equation, seen_from_eye(job, p, n));
-            store(out.r + k, sum.x);
-            store(out.g + k, sum.y);
-            store(out.b + k, sum.z);
+GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* points, const ColorBlock* begun,
+                                      ColorBlock* colors, std::size_t blocks) {
+    const Equation equation{model, job.terms, any_mistake ? &job.mistakes : nullptr, job.power_table,
+                            job.grid};
+    const MaterialAt<Wide> material = material_at<Wide>(job.material);
+    Slot slots[batch * block_size / GLINT_LANES];
+    const std::size_t count = blocks * block_size / GLINT_LANES;
+    for (std::size_t i = 0; i < count; ++i) {
+        const PointBlock& in = points[i * GLINT_LANES / block_size];
+        const std::size_t k = i * GLINT_LANES % block_size;
+        const Vec3<Wide> p{load<Wide>(in.x + k), load<Wide>(in.y + k), load<Wide>(in.z + k)};
+        const Vec3<Wide> n{load<Wide>(in.nx + k), load<Wide>(in.ny + k), load<Wide>(in.nz + k)};
+        Group group;
+        group.at = seen_from_eye(job, p, n);
+        if (begun) {
+            const ColorBlock& from = begun[i * GLINT_LANES / block_size];
+            group.sum = {load<Wide>(from.r + k), load<Wide>(from.g + k), load<Wide>(from.b + k)};
+        } else {
+            group.sum = before_lights(job, group.at);
+        }
+        slots[i].group = group;
+    }
+    for (std::size_t l = 0; l < job.light_count; ++l) {
+        const auto add = [&](const LightAt<Wide>& light) {
+            const LightColors<Wide> reflected = colors_on(material, light);
+            for (std::size_t i = 0; i < count; ++i)
+                add_light(slots[i].group.sum, equation, light, material, reflected, slots[i].group.at);
+        };
+        // Said once for each usual kind, so that the compiler leaves out what the others need.
+        LightAt<Wide> light = light_at<Wide>(job.lights[l]);
+        if (any_mistake || light.has_cone || light.is_patch || light.has_ambient) {
+            add(light);
+        } else if (job.lights[l].w > 0) {
+            light.w = Wide(1);
+            light.has_cone = light.is_patch = light.has_ambient = false;
+            add(light);
+        } else {
+            light.w = Wide(0);
+            light.has_cone = light.is_patch = light.has_ambient = light.has_falloff = false;
+            add(light);
         }
     }
+    for (std::size_t i = 0; i < count; ++i) {
+        ColorBlock& out = colors[i * GLINT_LANES / block_size];
+        const std::size_t k = i * GLINT_LANES % block_size;
+        const Vec3<Wide> sum = job.clamp ? clamped(slots[i].group.sum) : slots[i].group.sum;
+        store(out.r + k, sum.x);
+        store(out.g + k, sum.y);
+        store(out.b + k, sum.z);
+    }
+}
+
+template <Reflection model, bool any_mistake>
+static void light_as(const LightJob& job, const PointBlock* points, const ColorBlock* begun,
+                     ColorBlock* colors, std::size_t blocks) {
+    for (std::size_t i = 0; i < blocks; i += batch)
+        light_batch<model, any_mistake>(job, points + i, begun ? begun + i : nullptr, colors + i,
+                                        i + batch < blocks ? batch : blocks - i);
 }
 
 template <bool any_mistake>
-static void light_with(const LightJob& job, const PointBlock* points, ColorBlock* colors,
-                       std::size_t blocks) {
+static void light_with(const LightJob& job, const PointBlock* points, const ColorBlock* begun,
+                       ColorBlock* colors, std::size_t blocks) {
     switch (job.model) {
     case Reflection::None:
-        return light_as<Reflection::None, any_mistake>(job, points, colors, blocks);
+        return light_as<Reflection::None, any_mistake>(job, points, begun, colors, blocks);
     case Reflection::Lambert:
-        return light_as<Reflection::Lambert, any_mistake>(job, points, colors, blocks);
+        return light_as<Reflection::Lambert, any_mistake>(job, points, begun, colors, blocks);
     case Reflection::Phong:
-        return light_as<Reflection::Phong, any_mistake>(job, points, colors, blocks);
+        return light_as<Reflection::Phong, any_mistake>(job, points, begun, colors, blocks);
     case Reflection::BlinnPhong:
-        return light_as<Reflection::BlinnPhong, any_mistake>(job, points, colors, blocks);
+        return light_as<Reflection::BlinnPhong, any_mistake>(job, points, begun, colors, blocks);
     case Reflection::Retro:
-        return light_as<Reflection::Retro, any_mistake>(job, points, colors, blocks);
+        return light_as<Reflection::Retro, any_mistake>(job, points, begun, colors, blocks);
     case Reflection::OrenNayar:
-        return light_as<Reflection::OrenNayar, any_mistake>(job, points, colors, blocks);
+        return light_as<Reflection::OrenNayar, any_mistake>(job, points, begun, colors, blocks);
     case Reflection::CookTorrance:
-        return light_as<Reflection::CookTorrance, any_mistake>(job, points, colors, blocks);
+        return light_as<Reflection::CookTorrance, any_mistake>(job, points, begun, colors, blocks);
     }
 }
 
-static void light(const LightJob& job, const PointBlock* points, ColorBlock* colors, std::size_t blocks) {
-    if (job.any_mistake) return light_with<true>(job, points, colors, blocks);
-    light_with<false>(job, points, colors, blocks);
+static void light(const LightJob& job, const PointBlock* points, const ColorBlock* begun, ColorBlock* colors,
+                  std::size_t blocks) {
+    if (job.any_mistake) return light_with<true>(job, points, begun, colors, blocks);
+    light_with<false>(job, points, begun, colors, blocks);
 }
 
 GLINT_FLATTEN static void encode(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba,
-                                    std::size_t blocks) {
+                                 std::size_t blocks) {
     for (std::size_t i = 0; i < blocks; ++i) {
         for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
             const auto byte = [&job](const float* linear) {

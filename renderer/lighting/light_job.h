@@ -31,7 +31,7 @@ struct LightSource {
 struct SurfaceMaterial {
     LightSource::Rgb k_a, k_d, k_s, f0;
     float shininess = 0, roughness = 0;
-    float faintest = -1;                        // see MaterialAt; the same in all modes
+    float faintest_squared = 0;                 // see MaterialAt; the same in all modes
     LightSource::Rgb emission, global_ambient;  // k_e and k_a I_a: what is there without any light
 };
 
@@ -64,8 +64,9 @@ struct LightJob {
     CoolToWarm tone;
     LightSource::Rgb eye;          // where v points to: the origin of camera coordinates
     bool infinite_viewer = false;  // v = (0, 0, 1) instead of from the point to the eye
-    bool clamp = false;            // to 0..1 after the sum (OpenGL's rule for colours at vertices)
-    bool any_mistake = false;      // or a table in place of the power
+    float grid = 0;            // each light's share is rounded to a multiple of this power of two; 0: not rounded
+    bool clamp = false;        // to 0..1 after the sum (OpenGL's rule for colours at vertices)
+    bool any_mistake = false;  // or a table in place of the power
     Mistakes mistakes;
     int power_table = 0;  // Shading::power_table
     /// Clip coordinates of camera coordinates, for the mistake of lighting after projection.
@@ -85,7 +86,10 @@ struct DisplayJob {
 /// The kernels of one instruction set.
 struct LightingKernels {
     const char* name;
-    void (*light)(const LightJob& job, const PointBlock* points, ColorBlock* colors, std::size_t blocks);
+    /// `begun`: sums to which the job's lights are added, or null: then they begin with what is there without
+    /// any light. May be the same as `colors`.
+    void (*light)(const LightJob& job, const PointBlock* points, const ColorBlock* begun, ColorBlock* colors,
+                  std::size_t blocks);
     /// 16 pixels a block as bytes r, g, b, 255 in memory order.
     void (*encode)(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba, std::size_t blocks);
 };

@@ -16,7 +16,11 @@ template <Number F> struct LightAt {
     F cos_cutoff{-1}, exponent{};  // of a spot
     F patch{};                     // of an area light's sample: area / (pi * samples)
     bool has_falloff = false, has_cone = false, is_patch = false;
+    bool has_ambient = true;  // false: its ambient colour is 0
 };
+
+/// False for a directional light.
+template <Number F> bool is_place(const LightAt<F>& light) { return lane(light.w, 0) > 0; }
 
 /// 1 / (constant + linear r + quadratic r^2) at the distance r >= 0; 0 where that would divide by zero.
 /// Lecture: "Light Source Falloff" (its a, b, c are quadratic, linear, constant).
@@ -29,7 +33,9 @@ template <Number F> F falloff(const LightAt<F>& light, F r) {
 /// cutoff angle".
 template <Number F> F spot_factor(const LightAt<F>& light, Vec3<F> l) {
     const F cos_angle = -dot(l, light.axis);
-    return select(cos_angle >= light.cos_cutoff, power(positive(cos_angle), light.exponent), F(0));
+    const auto inside = cos_angle >= light.cos_cutoff;
+    if (!any(inside)) return F(0);
+    return select(inside, power(positive(cos_angle), light.exponent), F(0));
 }
 
 /// What one sample of an area light puts in place of falloff: A |cos theta'| / (pi n^2 r^2), theta' at the

@@ -11,9 +11,14 @@ namespace glint::inline GLINT_ISA {
 
 /// l keeps its length, or h is not made unit; r and n.l follow.
 template <Number F>
-void spoil_directions(const Mistakes& wrong, Directions<F>& d, Vec3<F> to_light, const PointAt<F>& at) {
-    if (wrong.unnormalized_light) d = directions_for(to_light, at);
-    if (wrong.unnormalized_half) d.h = F(0.5f) * (d.l + at.v);
+void spoil_directions(const Mistakes& wrong, Directions<F>& d, const ToLight<F>& to_light,
+                      const PointAt<F>& at) {
+    if (wrong.unnormalized_light) d = directions_for(to_light, F(1), at);
+    if (wrong.unnormalized_half) {  // half of l + v, whatever its length
+        d.h = F(0.5f) * (d.l + at.v);
+        d.n_dot_h = dot(at.n, d.h);
+        d.l_plus_v_squared = F(4);
+    }
 }
 
 /// x^s for any sign of x, as code without the clamp gives it: even for an even s, odd for an odd one; a
@@ -42,7 +47,7 @@ void spoil_response(const Mistakes& wrong, int power_table, Reflection model, Re
     Reflection measured = model;
     if (wrong.half_angle_with_phong_shininess && model == Reflection::Phong) {
         measured = Reflection::BlinnPhong;
-        used.specular = keep_side(blinn_phong(d, m, at).specular);
+        used.specular = keep_side(blinn_phong(d, m).specular);
     }
     if (!wrong.no_clamp_of_cosine && power_table == 0) return;
     if (wrong.no_clamp_of_cosine && model != Reflection::None && model != Reflection::OrenNayar)
@@ -50,10 +55,10 @@ void spoil_response(const Mistakes& wrong, int power_table, Reflection model, Re
     F cosine;
     switch (measured) {
     case Reflection::Phong:
-        cosine = phong_cosine(d, at);
+        cosine = d.r_dot_v;
         break;
     case Reflection::BlinnPhong:
-        cosine = blinn_cosine(d, at);
+        cosine = d.n_dot_h;
         break;
     case Reflection::Retro:
         cosine = retro_cosine(d, at);

@@ -33,6 +33,15 @@ template <int N> struct Lanes {
     explicit Lanes(typename LanesOf<N>::Floats a) : v(a) {}
 };
 
+/// A mask of 16 lanes in the register that AVX-512 has for it.
+struct Mask16 {
+    unsigned short bits;  // lane i: bit i
+};
+template <int N> struct MaskOfLanes { using Type = IntLanes<N>; };
+#ifdef __AVX512F__
+template <> struct MaskOfLanes<16> { using Type = Mask16; };
+#endif
+
 // What belongs to a number type: its mask and its integers.
 template <class F> struct NumberTraits;
 template <> struct NumberTraits<float> {
@@ -48,7 +57,7 @@ struct NumberTraits<double> {  // for places on faces so large that float would 
     static constexpr int width = 1;
 };
 template <int N> struct NumberTraits<Lanes<N>> {
-    using Mask = IntLanes<N>;
+    using Mask = typename MaskOfLanes<N>::Type;
     using Int = IntLanes<N>;
     static constexpr int width = N;
 };
@@ -71,6 +80,20 @@ template <int N> IntLanes<N> operator<(Lanes<N> a, Lanes<N> b) { return {a.v < b
 template <int N> IntLanes<N> operator>(Lanes<N> a, Lanes<N> b) { return {a.v > b.v}; }
 template <int N> IntLanes<N> operator<=(Lanes<N> a, Lanes<N> b) { return {a.v <= b.v}; }
 template <int N> IntLanes<N> operator>=(Lanes<N> a, Lanes<N> b) { return {a.v >= b.v}; }
+#ifdef __AVX512F__
+template <int comparison> Mask16 compared(Lanes<16> a, Lanes<16> b) {
+    return {_mm512_cmp_ps_mask((__m512)a.v, (__m512)b.v, comparison)};
+}
+inline Mask16 operator<(Lanes<16> a, Lanes<16> b) { return compared<_CMP_LT_OS>(a, b); }
+inline Mask16 operator>(Lanes<16> a, Lanes<16> b) { return compared<_CMP_GT_OS>(a, b); }
+inline Mask16 operator<=(Lanes<16> a, Lanes<16> b) { return compared<_CMP_LE_OS>(a, b); }
+inline Mask16 operator>=(Lanes<16> a, Lanes<16> b) { return compared<_CMP_GE_OS>(a, b); }
+inline Mask16 both(Mask16 a, Mask16 b) { return {static_cast<unsigned short>(a.bits & b.bits)}; }
+inline Lanes<16> select(Mask16 m, Lanes<16> a, Lanes<16> b) {
+    return Lanes<16>((LanesOf<16>::Floats)_mm512_mask_blend_ps(m.bits, (__m512)b.v, (__m512)a.v));
+}
+inline bool any(Mask16 m) { return m.bits != 0; }
+#endif
 template <int N> IntLanes<N> both(IntLanes<N> a, IntLanes<N> b) { return {a.v & b.v}; }
 inline bool both(bool a, bool b) { return a && b; }
 
@@ -81,9 +104,6 @@ inline double select(bool m, double a, double b) { return m ? a : b; }
 
 /// True when the mask holds in some lane.
 template <int N> bool any(IntLanes<N> m) {
-#ifdef __AVX512F__
-    if constexpr (N == 16) return _mm512_test_epi32_mask((__m512i)m.v, (__m512i)m.v) != 0;
-#endif
 #ifdef __AVX__
     if constexpr (N == 8) return _mm256_movemask_ps((__m256)m.v) != 0;
 #endif
@@ -142,13 +162,39 @@ template <int N> Lanes<N> square_root(Lanes<N> a) {
 inline constexpr float smallest_normal = 0x1p-126f;  // below it the mantissa is not normalised
 template <Number F> F larger(F a, F b) { return select(a > b, a, b); }
 template <Number F> F smaller(F a, F b) { return select(a < b, a, b); }
-template <Number F> F positive(F a) { return select(a > F(0), a, F(0)); }  // <a> = max(a, 0); NaN gives 0
-template <Number F> F magnitude(F a) { return select(a < F(0), -a, a); }
-/// 1 / a, or 0 where a is 0, negative, or so small that 1 / a could overflow.
-template <Number F> F inverse_or_zero(F a) {
-    const auto usable = a >= F(smallest_normal);
-    return select(usable, F(1) / select(usable, a, F(1)), F(0));
+template <int N> Lanes<N> larger(Lanes<N> a, Lanes<N> b) {  // one instruction with the same meaning, NaN too
+#ifdef __AVX512F__
+    if constexpr (N == 16)
+        return Lanes<N>((typename LanesOf<N>::Floats)_mm512_maskz_max_ps(0xFFFF, (__m512)a.v, (__m512)b.v));
+#endif
+#ifdef __AVX__
+    if constexpr (N == 8)
+        return Lanes<N>((typename LanesOf<N>::Floats)_mm256_max_ps((__m256)a.v, (__m256)b.v));
+#endif
+#ifdef __SSE2__
+    if constexpr (N == 4) return Lanes<N>((typename LanesOf<N>::Floats)_mm_max_ps((__m128)a.v, (__m128)b.v));
+#endif
+    return select(a > b, a, b);
 }
+template <int N> Lanes<N> smaller(Lanes<N> a, Lanes<N> b) {
+#ifdef __AVX512F__
+    if constexpr (N == 16)
+        return Lanes<N>((typename LanesOf<N>::Floats)_mm512_maskz_min_ps(0xFFFF, (__m512)a.v, (__m512)b.v));
+#endif
+#ifdef __AVX__
+    if constexpr (N == 8)
+        return Lanes<N>((typename LanesOf<N>::Floats)_mm256_min_ps((__m256)a.v, (__m256)b.v));
+#endif
+#ifdef __SSE2__
+    if constexpr (N == 4) return Lanes<N>((typename LanesOf<N>::Floats)_mm_min_ps((__m128)a.v, (__m128)b.v));
+#endif
+    return select(a < b, a, b);
+}
+template <Number F> F positive(F a) { return larger(a, F(0)); }  // <a> = max(a, 0); NaN gives 0
+template <Number F> F magnitude(F a) { return number_of_bits(bits_of(a) & 0x7fffffff); }
+inline double magnitude(double a) { return a < 0 ? -a : a; }
+/// 1 / a, or 0 where a is 0, negative, or so small that 1 / a could overflow.
+template <Number F> F inverse_or_zero(F a) { return select(a >= F(smallest_normal), F(1) / a, F(0)); }
 
 // Lanes in and out of memory; the pointer need not be aligned.
 template <Number F> F load(const float* from) {

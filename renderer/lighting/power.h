@@ -17,7 +17,6 @@ template <Number F> F log2_of(F x) {
     const IntOf<F> shifted = bits_of(x) - sqrt_half_bits;
     const F exponent = to_number(shifted >> 23);
     const F f = number_of_bits((shifted & 0x007fffff) + sqrt_half_bits) - F(1);
-    // Pairs first (Estrin): one long chain of dependent products would leave the processor waiting.
     // Pairs first (Estrin): one long chain of dependent products would leave the processor waiting. The two
     // largest terms last, so that their rounding is the only one that counts.
     const F f2 = f * f;
@@ -27,9 +26,9 @@ template <Number F> F log2_of(F x) {
     return exponent + f * p;
 }
 
-/// 2^y; 0 below y = -126 (no denormals), held at 2^127 above.
-template <Number F> F exp2_of(F y) {
-    const F held = larger(smaller(y, F(127)), F(-126));
+/// 2^y for y >= -126 (below that a number without meaning), held at 2^127 above.
+template <Number F> F exp2_above(F y) {
+    const F held = smaller(y, F(127));
     const F magic = F(12582912.0f);  // 1.5 * 2^23: adding it leaves the nearest whole number in the low bits
     const F shifted = held + magic;
     const F f = held - (shifted - magic);
@@ -38,8 +37,11 @@ template <Number F> F exp2_of(F y) {
         (F(0.69314718f) + F(0.24022651f) * f) +
         f2 * ((F(0.05550357f) + F(0.009618083f) * f) + f2 * (F(0.0013390863f) + F(0.00015453163f) * f));
     const F scale = number_of_bits((bits_of(shifted) - 0x4b400000 + 127) << 23);
-    return select(y < F(-126), F(0), scale * (F(1) + f * q));
+    return scale * (F(1) + f * q);
 }
+
+/// 2^y; 0 below y = -126 (no denormals), held at 2^127 above.
+template <Number F> F exp2_of(F y) { return select(y < F(-126), F(0), exp2_above(y)); }
 
 /// x^s for x >= 0, s >= 0. Anything to the power 0 is 1 (0^0 too), 0 to any other power is 0. Negative or NaN
 /// x counts as 0.

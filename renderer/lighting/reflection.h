@@ -19,9 +19,9 @@ Response<F> respond(Reflection model, const Directions<F>& d, const MaterialAt<F
     case Reflection::Lambert:
         return lambert(d);
     case Reflection::Phong:
-        return phong(d, m, at);
+        return phong(d, m);
     case Reflection::BlinnPhong:
-        return blinn_phong(d, m, at);
+        return blinn_phong(d, m);
     case Reflection::Retro:
         return retro(d, m, at);
     case Reflection::OrenNayar:

@@ -24,19 +24,20 @@ template <Number F> LightAt<F> light_at(const LightSource& s) {
     light.has_falloff = s.has_falloff;
     light.has_cone = s.has_cone;
     light.is_patch = s.is_patch;
+    light.has_ambient = s.ambient.x != 0 || s.ambient.y != 0 || s.ambient.z != 0;
     return light;
 }
 
 template <Number F> MaterialAt<F> material_at(const SurfaceMaterial& s) {
-    return {same<F>(s.k_a), same<F>(s.k_d), same<F>(s.k_s), F(s.shininess),
-            F(s.faintest),  F(s.roughness), same<F>(s.f0)};
+    return {same<F>(s.k_a),        same<F>(s.k_d), same<F>(s.k_s), F(s.shininess),
+            F(s.faintest_squared), F(s.roughness), same<F>(s.f0)};
 }
 
 /// A point with its direction to the eye: from p to the eye, or (0, 0, 1) for a viewer at infinity.
 template <Number F> PointAt<F> seen_from_eye(const LightJob& job, Vec3<F> p, Vec3<F> n) {
     if (job.mistakes.lit_after_projection) p = projected(job.projection, p);
     const Vec3<F> toward_z{F(0), F(0), F(1)};
-    return {p, n, job.infinite_viewer ? toward_z : unit(same<F>(job.eye) - p)};
+    return PointAt<F>(p, n, job.infinite_viewer ? toward_z : unit(same<F>(job.eye) - p));
 }
 
 /// What is there without any light: emission + k_a I_a.
@@ -49,21 +50,32 @@ template <Number F> Vec3<F> unlit(const SurfaceMaterial& material, const Terms& 
 
 /// The part of a job that is the same for every point.
 inline Equation equation_of(const LightJob& job) {
-    return {job.model, job.terms, job.any_mistake ? &job.mistakes : nullptr, job.power_table};
+    return {job.model, job.terms, job.any_mistake ? &job.mistakes : nullptr, job.power_table, job.grid};
 }
 
 /// What the sum begins with: emission and global ambient light, or the tone that stands in their place.
 template <Number F> Vec3<F> before_lights(const LightJob& job, const PointAt<F>& at) {
     if (job.tone.on) return cool_to_warm(job.tone, same<F>(job.material.k_d), at).color;
-    return unlit<F>(job.material, job.terms);
+    return on_grid(unlit<F>(job.material, job.terms), job.grid);
+}
+
+/// Adds one light's share to the sum.
+template <Number F>
+void add_light(Vec3<F>& sum, const Equation& equation, const LightAt<F>& light, const MaterialAt<F>& material,
+               const LightColors<F>& colors, const PointAt<F>& at) {
+    const ToLight<F> towards = to_light(light, at);
+    if (may_add(equation, light, towards))
+        sum = sum + share_of(equation, light, illuminate(equation, light, material, colors, towards, at));
 }
 
 /// The whole equation at one point.
 template <Number F> Vec3<F> shade_point(const LightJob& job, const Equation& equation, const PointAt<F>& at) {
     const MaterialAt<F> material = material_at<F>(job.material);
     Vec3<F> sum = before_lights(job, at);
-    for (std::size_t i = 0; i < job.light_count; ++i)
-        sum = sum + share_of(equation, illuminate(equation, light_at<F>(job.lights[i]), material, at));
+    for (std::size_t i = 0; i < job.light_count; ++i) {
+        const LightAt<F> light = light_at<F>(job.lights[i]);
+        add_light(sum, equation, light, material, colors_on(material, light), at);
+    }
     return job.clamp ? clamped(sum) : sum;
 }
 

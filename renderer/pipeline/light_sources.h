@@ -23,4 +23,8 @@ inline constexpr float opengl_max_shininess = 128;
 
 [[nodiscard]] inline LightSource::Rgb rgb(const glm::vec3& c) { return {c.x, c.y, c.z}; }
 
+/// The square of the cosine whose power is 2^-24, the last bit of a highlight of 1; -4, below every square
+/// with its sign, for a shininess of 0, where every cosine counts (0^0 is 1).
+[[nodiscard]] float faintest_cosine_squared(float shininess);
+
 }  // namespace glint

@@ -23,14 +23,23 @@ ColorBlock uniform_block(const glm::vec3& c) {
     return block;
 }
 
-void light_points(Lighting& l, const Surface& s, std::size_t first, std::size_t count, ColorBlock* colors) {
+/// Lights blocks of points; `begun`: sums to which the jobs' lights are added, or null.
+void light_blocks(const std::vector<LightJob>& jobs, const Surface& s, std::size_t first, std::size_t count,
+                  const ColorBlock* begun, ColorBlock* colors) {
     for (std::size_t i = 0; i < count;) {  // neighbouring blocks of one object go in one call
         const std::uint32_t object = s.point_object[first + i];
         std::size_t same = 1;
         while (i + same < count && s.point_object[first + i + same] == object) ++same;
-        lighting_kernels().light(l.jobs[object], &s.points[first + i], colors + i, same);
+        lighting_kernels().light(jobs[object], &s.points[first + i], begun ? begun + i : nullptr, colors + i,
+                                 same);
         i += same;
     }
+}
+
+void light_points(const Lighting& l, const Surface& s, std::size_t first, std::size_t count,
+                  ColorBlock* colors) {
+    if (l.moving < 0) return light_blocks(l.jobs, s, first, count, nullptr, colors);
+    light_blocks(l.moving_jobs, s, first, count, &l.others[first], colors);
 }
 
 void color_points(Lighting& l, const Surface& s, const Geometry& g) {
@@ -195,6 +204,58 @@ void clear_picture(Lighting& l, PictureSize size, const Strokes& strokes, const 
     });
 }
 
+/// The index of the only light that differs, or -1 when none or several do.
+int changed_light(const std::vector<Light>& kept, const std::vector<Light>& now) {
+    int changed = -1;
+    if (kept.size() != now.size()) return -1;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if (kept[i] == now[i]) continue;
+        if (changed >= 0) return -1;
+        changed = static_cast<int>(i);
+    }
+    return changed;
+}
+
+/// Splits the lights into the one that moves and the others.
+void split_lights(Lighting& l, int moving) {
+    l.moving_sources.clear();
+    l.other_sources.clear();
+    for (const LightSource& s : l.sources)
+        (s.light == moving ? l.moving_sources : l.other_sources).push_back(s);
+    l.moving_jobs = l.jobs;
+    for (LightJob& job : l.moving_jobs) {
+        job.lights = l.moving_sources.data();
+        job.light_count = l.moving_sources.size();
+    }
+}
+
+/// Lights every point with all lights but the moving one.
+void light_others(Lighting& l, const Surface& s) {
+    std::vector<LightJob> jobs = l.jobs;
+    for (LightJob& job : jobs) {
+        job.lights = l.other_sources.data();
+        job.light_count = l.other_sources.size();
+    }
+    l.others.resize(s.points.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.points.size(), 8 * batch), [&](const auto& range) {
+        light_blocks(jobs, s, range.begin(), range.size(), nullptr, &l.others[range.begin()]);
+    });
+}
+
+/// Decides whether the sum of all lights but one can be used, and brings it up to date. `moving`: the only
+/// light that differs from the frame before, or -1.
+void keep_others(Lighting& l, const Surface& s, int moving, bool same_grids) {
+    const bool exact =
+        std::all_of(l.jobs.begin(), l.jobs.end(), [](const LightJob& j) { return j.grid > 0; });
+    if (!l.keep_sums || moving < 0 || !exact || s.choice.kind != SurfaceKind::Pixels) {
+        l.moving = -1;
+        return;
+    }
+    split_lights(l, moving);
+    if (l.moving != moving || !same_grids) light_others(l, s);
+    l.moving = moving;
+}
+
 bool same_materials(const std::vector<Material>& kept, const Scene& scene) {
     return std::equal(kept.begin(), kept.end(), scene.objects.begin(), scene.objects.end(),
                       [](const Material& m, const Object& o) { return m == o.material; });
@@ -234,6 +295,12 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, cons
                       kept.global_ambient == scene.global_ambient && kept.shading == scene.shading &&
                       same_tone(kept.npr, scene.npr) && same_materials(kept.materials, scene);
     if (same) return false;
+    const bool lights_alone = !redone.surface && kept.global_ambient == scene.global_ambient &&
+                              kept.shading == scene.shading && same_tone(kept.npr, scene.npr) &&
+                              same_materials(kept.materials, scene);
+    const int moving = lights_alone ? changed_light(kept.lights, scene.lights) : -1;
+    std::vector<float> grids;
+    for (const LightJob& job : kept.jobs) grids.push_back(job.grid);
     kept.lights = scene.lights;
     kept.global_ambient = scene.global_ambient;
     kept.shading = scene.shading;
@@ -248,6 +315,9 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, cons
         kept.materials.push_back(object.material);
         kept.jobs.push_back(light_job(scene, g.size, object.material, kept.sources, at_corners));
     }
+    const bool same_grids = std::equal(grids.begin(), grids.end(), kept.jobs.begin(), kept.jobs.end(),
+                                       [](float grid, const LightJob& job) { return grid == job.grid; });
+    keep_others(kept, surface, moving, same_grids);
     const DisplayJob display = display_job(scene.display);
     if (!same_display) clear_picture(kept, g.size, strokes, display);
     if (at_corners) color_points(kept, surface, g);

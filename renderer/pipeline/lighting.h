@@ -17,7 +17,13 @@ struct Lighting {
     std::vector<ColorBlock> point_colors;  // Corners, Faces: of the lit points
     Picture picture;
     bool linear = false;  // picture.linear is kept up too
+    // While one light alone changes: the sum of the others at each of the surface's points. Kept where shares
+    // lie on a grid (LightJob::grid), so that the order of the sum does not matter.
     bool keep_sums = true;
+    int moving = -1;                 // index in Scene::lights of the light that `others` leaves out; -1: none
+    std::vector<ColorBlock> others;  // #points
+    std::vector<LightSource> moving_sources, other_sources;
+    std::vector<LightJob> moving_jobs;  // with the moving light alone, one an object
     // What the kept picture was made of, beside the surface and the strokes.
     std::vector<Light> lights;
     std::vector<Material> materials;

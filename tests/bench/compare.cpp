@@ -22,7 +22,8 @@ namespace glint::bench {
 namespace {
 
 constexpr PictureSize size{1920, 1080};
-constexpr std::array<int, 3> details{90, 572, 2000};  // of the knot: 2 thousand, 82 thousand, 1 million triangles
+constexpr std::array<int, 3> details{90, 572,
+                                     2000};  // of the knot: 2 thousand, 82 thousand, 1 million triangles
 
 struct Arguments {
     int frames = 10, rounds = 7, threads = 2;
@@ -35,11 +36,12 @@ struct Row {
     ShadingMode mode;
     bool relight;
 };
-constexpr std::array<Row, 5> rows{Row{"light drag, Phong, all lights again", Drag::Light, ShadingMode::Phong, true},
-                                  {"light drag, Phong, sum of the others kept", Drag::Light, ShadingMode::Phong, false},
-                                  {"light drag, Gouraud", Drag::Light, ShadingMode::Gouraud, false},
-                                  {"light drag, flat", Drag::Light, ShadingMode::Flat, false},
-                                  {"camera drag, Phong", Drag::Camera, ShadingMode::Phong, false}};
+constexpr std::array<Row, 5> rows{
+    Row{"light drag, Phong, all lights again", Drag::Light, ShadingMode::Phong, true},
+    {"light drag, Phong, sum of the others kept", Drag::Light, ShadingMode::Phong, false},
+    {"light drag, Gouraud", Drag::Light, ShadingMode::Gouraud, false},
+    {"light drag, flat", Drag::Light, ShadingMode::Flat, false},
+    {"camera drag, Phong", Drag::Camera, ShadingMode::Phong, false}};
 
 /// The value that a share of all is not above: 0.5 is the median.
 double quantile(std::vector<double> values, double share) {
@@ -106,7 +108,8 @@ Cell measure(Scene scene, const Row& row, const Arguments& arguments) {
     for (int round = 0; round < arguments.rounds; ++round) {
         const double a = ours.batch(scene, row.drag, 3 * arguments.frames);
         double b = forward.batch(scene, row.drag, arguments.frames);
-        if (row.mode == ShadingMode::Phong) b = std::min(b, deferred.batch(scene, row.drag, arguments.frames));
+        if (row.mode == ShadingMode::Phong)
+            b = std::min(b, deferred.batch(scene, row.drag, arguments.frames));
         ratios.push_back(b / a);
     }
     cell.ours = quantile(ours.all, 0.5);
@@ -128,7 +131,8 @@ Scene knot(const Arguments& arguments, int detail) {
 }
 
 int compare(const Arguments& arguments) {
-    fmt::print("| frame | triangles | ours ms | p99 | forward ms | deferred ms | times faster | pixels off |\n");
+    fmt::print(
+        "| frame | triangles | ours ms | p99 | forward ms | deferred ms | times faster | pixels off |\n");
     fmt::print("|---|---|---|---|---|---|---|---|\n");
     bool agrees = true;
     for (const int detail : details) {

@@ -178,7 +178,7 @@ TEMPLATE_TEST_CASE("r leaves at the angle at which l arrives", "[lighting][prope
     for (int i = 0; i < 1000; ++i) {
         const Vec3<F> n = unit(vector());
         LightAt<F> light;
-        light.xyz = vector();
+        light.xyz = unit(vector());
         const auto t = illuminate<F>(phong_equation, light, {}, {{}, n, n});
         CHECK(lane(dot(t.directions.r, n), 0) == Approx(lane(t.directions.n_dot_l, 0)).margin(1e-5));
         CHECK(lane(length(t.directions.r), 0) == Approx(1).margin(1e-5));

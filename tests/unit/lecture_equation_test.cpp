@@ -163,7 +163,7 @@ TEST_CASE("the place of a point matters to a bulb and not to a sun", "[lecture]"
     };
     const Vec l = in_plane(30);
     CHECK(moved(lit(l, 0, here), lit(l, 0, there)) == Moved{false, false, false});
-    CHECK(moved(lit(l, 0, here), lit(4.0f * l, 0, here)) == Moved{false, false, false});
+    CHECK(moved(lit(l, 0, here), lit(unit(4.0f * l), 0, here)) == Moved{false, false, false});
     CHECK(moved(lit(l, 1, here), lit(l, 1, there)) == Moved{false, true, true});
 }
 

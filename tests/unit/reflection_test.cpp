@@ -26,12 +26,8 @@ struct Bench {
     MaterialAt<float> m;
     /// Diffuse and specular factors for l and v around n = z.
     [[nodiscard]] Response<float> at(Vec l, Vec v) const {
-        Directions<float> d;
-        d.l = l;
-        d.n_dot_l = l.z;
-        d.r = {-l.x, -l.y, l.z};
-        d.h = unit(l + v);
-        return respond(model, d, m, {{}, {0, 0, 1}, v});
+        const PointAt<float> point{{}, {0, 0, 1}, v};
+        return respond(model, directions_for(l, point), m, point);
     }
     /// f as formulas give it: of the diffuse and the specular part together, rho = 1.
     [[nodiscard]] double brdf(Vec l, Vec v) const {

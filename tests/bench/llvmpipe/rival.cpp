@@ -91,9 +91,17 @@ struct Rival::Gl {
 
 void Rival::Gl::open(int threads) {
     setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1);
-    const std::array<int, 11> wanted{OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 0,
-                                     OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                                     OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+    const std::array<int, 11> wanted{OSMESA_FORMAT,
+                                     OSMESA_RGBA,
+                                     OSMESA_DEPTH_BITS,
+                                     0,
+                                     OSMESA_PROFILE,
+                                     OSMESA_CORE_PROFILE,
+                                     OSMESA_CONTEXT_MAJOR_VERSION,
+                                     3,
+                                     OSMESA_CONTEXT_MINOR_VERSION,
+                                     3,
+                                     0};
     context = OSMesaCreateContextAttribs(wanted.data(), nullptr);
     window.resize(4 * 16 * 16);
     if (!context || !OSMesaMakeCurrent(context, window.data(), GL_UNSIGNED_BYTE, 16, 16))
@@ -136,7 +144,8 @@ void Rival::Gl::set_lights(const Scene& scene) {
 }
 
 void Rival::Gl::set_view(GLuint program, const Scene& scene) const {
-    const glm::dmat4 view = view_from_world(scene.camera) * world_from_object(scene.objects.front().transform);
+    const glm::dmat4 view =
+        view_from_world(scene.camera) * world_from_object(scene.objects.front().transform);
     const glm::mat4 view_from_object(view), projection(clip_from_view(scene.camera.projection, size));
     const glm::mat3 normal_matrix(glm::transpose(glm::inverse(glm::dmat3(view))));
     const auto at = [program](const char* name) { return glGetUniformLocation(program, name); };
@@ -145,7 +154,8 @@ void Rival::Gl::set_view(GLuint program, const Scene& scene) const {
     glUniformMatrix3fv(at("normal_matrix"), 1, GL_FALSE, glm::value_ptr(normal_matrix));
 }
 
-void Rival::Gl::draw_mesh(GLuint program, const Scene& scene, GLuint into, const glm::vec3& background) const {
+void Rival::Gl::draw_mesh(GLuint program, const Scene& scene, GLuint into,
+                          const glm::vec3& background) const {
     glBindFramebuffer(GL_FRAMEBUFFER, into);
     glUseProgram(program);
     set_view(program, scene);
@@ -188,9 +198,10 @@ Rival::Rival(const Scene& scene, PictureSize size, int threads) : gl_(std::make_
     gl.open(threads);
     gl.upload(indexed(*scene.objects.front().mesh, scene.objects.front().normals));
     const std::string counts = light_counts(scene);
-    gl.flat = make_program({"corner.vert.glsl", "corner.frag.glsl", counts + "#define VARYING flat\n", true, false});
-    gl.gouraud =
-        make_program({"corner.vert.glsl", "corner.frag.glsl", counts + "#define VARYING smooth\n", true, false});
+    gl.flat = make_program(
+        {"corner.vert.glsl", "corner.frag.glsl", counts + "#define VARYING flat\n", true, false});
+    gl.gouraud = make_program(
+        {"corner.vert.glsl", "corner.frag.glsl", counts + "#define VARYING smooth\n", true, false});
     gl.phong = make_program({"pixel.vert.glsl", "pixel.frag.glsl", counts, false, true});
     gl.keep = make_program({"pixel.vert.glsl", "keep.frag.glsl", "", false, false});
     gl.whole = make_program({"whole.vert.glsl", "whole.frag.glsl", counts, false, true});
@@ -205,7 +216,9 @@ void Rival::draw(const Scene& scene, Way way, bool same_view) {
     if (way == Way::Deferred)
         gl.light_kept(scene, same_view);
     else
-        gl.draw_mesh(mode == ShadingMode::Flat ? gl.flat : mode == ShadingMode::Gouraud ? gl.gouraud : gl.phong,
+        gl.draw_mesh(mode == ShadingMode::Flat      ? gl.flat
+                     : mode == ShadingMode::Gouraud ? gl.gouraud
+                                                    : gl.phong,
                      scene, gl.picture, scene.display.background);
     glFinish();
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)

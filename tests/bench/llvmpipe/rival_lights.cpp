@@ -32,8 +32,9 @@ std::string light_counts(const Scene& scene) {
     for (const Light& light : scene.lights) {
         const auto found = std::find(order.begin(), order.end(), light.kind);
         if (found == order.end() || !light.enabled || light.ambient != glm::vec3(0))
-            throw std::runtime_error("the rival draws enabled point, directional and spot lights without an "
-                                     "ambient share");
+            throw std::runtime_error(
+                "the rival draws enabled point, directional and spot lights without an "
+                "ambient share");
         ++count[static_cast<std::size_t>(found - order.begin())];
     }
     return "#define POINTS " + std::to_string(count[0]) + "\n#define SUNS " + std::to_string(count[1]) +

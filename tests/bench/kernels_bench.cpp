@@ -1,0 +1,85 @@
+// The lighting kernels alone, on points that stay in the cache: ns for one light at one pixel, by model. The
+// least of the repetitions is what the machine can do; the rest is what others did to it meanwhile.
+//
+//   GLINT_ISA=avx2 kernels_bench --benchmark_filter=blinn
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "models/scene_file.h"
+#include "renderer/pipeline/light_sources.h"
+#include "renderer/pipeline/surface.h"
+
+namespace glint::bench {
+namespace {
+
+constexpr std::size_t blocks = 1024;
+
+Scene knot() {
+    const Result<SceneDocument> opened =
+        open_document(std::string(GLINT_SOURCE_DIR) + "/tests/bench/knot.json", {});
+    return std::get<SceneDocument>(opened).scene;
+}
+
+/// Points as the picture has them: every so often 16 blocks in a row, all together small enough for the
+/// second-level cache.
+std::vector<PointBlock> points_of(const Scene& scene) {
+    Geometry geometry;
+    Visibility visibility;
+    Surface surface;
+    update_geometry(geometry, scene, {1920, 1080}, false);
+    update_visibility(visibility, geometry, scene.shading.cull, 1, true);
+    update_surface(surface, scene, geometry, visibility, true);
+    std::vector<PointBlock> points;
+    constexpr std::size_t in_a_row = 16;
+    const std::size_t step = surface.points.size() / (blocks / in_a_row);
+    for (std::size_t i = 0; i < blocks; ++i)
+        points.push_back(surface.points[i / in_a_row * step + i % in_a_row]);
+    return points;
+}
+
+void light(benchmark::State& state, Reflection model) {
+    Scene scene = knot();
+    scene.shading.reflection = model;
+    const std::vector<LightSource> sources = light_sources(scene);
+    const LightJob job = light_job(scene, {1920, 1080}, scene.objects.front().material, sources, false);
+    const std::vector<PointBlock> points = points_of(scene);
+    std::vector<ColorBlock> colors(blocks);
+    for (auto _ : state) {
+        lighting_kernels().light(job, points.data(), nullptr, colors.data(), blocks);
+        benchmark::DoNotOptimize(colors.data());
+        benchmark::ClobberMemory();
+    }
+    const auto pixel_lights = static_cast<double>(blocks * block_size * sources.size());
+    state.counters["pixel-lights"] = benchmark::Counter(
+        pixel_lights, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+double least(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
+
+void declare(const char* name, Reflection model) {
+    benchmark::RegisterBenchmark(name, light, model)
+        ->Repetitions(200)
+        ->MinTime(0.003)
+        ->ComputeStatistics("least", least)
+        ->DisplayAggregatesOnly();
+}
+
+}  // namespace
+}  // namespace glint::bench
+
+int main(int count, char** words) {
+    using glint::Reflection;
+    benchmark::Initialize(&count, words);
+    benchmark::AddCustomContext("instruction_set", glint::lighting_kernels().name);
+    glint::bench::declare("light/lambert", Reflection::Lambert);
+    glint::bench::declare("light/phong", Reflection::Phong);
+    glint::bench::declare("light/blinn-phong", Reflection::BlinnPhong);
+    glint::bench::declare("light/retro", Reflection::Retro);
+    glint::bench::declare("light/oren-nayar", Reflection::OrenNayar);
+    glint::bench::declare("light/cook-torrance", Reflection::CookTorrance);
+    benchmark::RunSpecifiedBenchmarks();
+}
