@@ -149,13 +149,17 @@ class Window {
         glfwGetFramebufferSize(window_, &dots, &lines);
         const float per_unit = width > 0 ? std::max(float(dots) / float(width), 0.5f) : 1;
         scale = std::clamp(scale / per_unit, 0.75f, 4.0f);
+        const bool projector = state_.lecture.projector;
+        if (projector) scale *= projector_scale;
+        const Theme& wanted = projector     ? projector_theme(state_.dark)
+                              : state_.dark ? dark_theme()
+                                            : light_theme();
         if (scale != scale_ || per_unit != per_unit_) {
             load_fonts(files_, scale, per_unit);
             ImGui_ImplOpenGL3_DestroyFontsTexture();
             ImGui_ImplOpenGL3_CreateFontsTexture();
         }
-        if (scale != scale_ || state_.dark != theme().dark || per_unit_ == 0)
-            apply_theme(state_.dark ? dark_theme() : light_theme(), scale);
+        if (scale != scale_ || &wanted != &theme() || per_unit_ == 0) apply_theme(wanted, scale);
         scale_ = scale;
         per_unit_ = per_unit;
     }
@@ -177,8 +181,7 @@ class Window {
         UiRequests wants = ui_frame(state_, input_.ui, texture_->id());
         ImGui::Render();
         input_.ui = {};
-        if (state_.picture_serial != uploaded_ && state_.shown != nullptr)
-            texture_->upload(*state_.shown);
+        if (state_.picture_serial != uploaded_ && state_.shown != nullptr) texture_->upload(*state_.shown);
         uploaded_ = state_.picture_serial;
         draw();
         if (wants.title != title_) glfwSetWindowTitle(window_, wants.title.c_str());

@@ -35,6 +35,16 @@ Key key_of(int key, int scancode, int mods) {
         return Key::Up;
     case GLFW_KEY_DOWN:
         return Key::Down;
+    case GLFW_KEY_PAGE_UP:
+        return Key::PageUp;
+    case GLFW_KEY_PAGE_DOWN:
+        return Key::PageDown;
+    case GLFW_KEY_F8:
+        return Key::F8;
+    case GLFW_KEY_F9:
+        return Key::F9;
+    case GLFW_KEY_F10:
+        return Key::F10;
     case GLFW_KEY_F1:
         return Key::F1;
     case GLFW_KEY_F11:

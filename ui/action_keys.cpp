@@ -27,6 +27,8 @@ void escape(UiState& state) {
         cancel_loads(state);
     else if (state.shows_shortcuts)
         state.shows_shortcuts = false;
+    else if (leave_lecture_tool(state))
+        return;
     else if (!leave_view_tool(state.views) && !ImGui::GetIO().WantTextInput)
         state.viewport.probe.reset();
 }

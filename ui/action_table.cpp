@@ -44,6 +44,16 @@ constexpr std::array table{
     ActionInfo{Action::SwitchTheme, "Light theme", "", {}, Menu::View, line},
     ActionInfo{Action::ResetLayout, "Window as on the first day", "", {}, Menu::View},
 
+    ActionInfo{Action::NextScene, "Next scene of the folder", "PgDn", {Key::PageDown}, Menu::Lecture},
+    ActionInfo{Action::PreviousScene, "Scene before it", "PgUp", {Key::PageUp}, Menu::Lecture},
+    ActionInfo{
+        Action::Projector, "Projector: large type, strong contrast", "F9", {Key::F9}, Menu::Lecture, line},
+    ActionInfo{Action::CleanFeed, "Clean picture: no handles, no panels", "F10", {Key::F10}, Menu::Lecture},
+    ActionInfo{Action::Freeze, "Freeze the picture", "F8", {Key::F8}, Menu::Lecture},
+    ActionInfo{Action::Pen, "Pen", "W", {Key::W}, Menu::Lecture, line},
+    ActionInfo{Action::WipePen, "Wipe what the pen drew", "Shift+W", {Key::W, !ctrl, shift}, Menu::Lecture},
+    ActionInfo{Action::StepWedge, "Step wedge: what does this projector show?", "", {}, Menu::Lecture, line},
+
     ActionInfo{Action::Shortcuts, "Keys and mouse", "F1", {Key::F1}, Menu::Help},
     ActionInfo{Action::Shortcuts, "Keys and mouse", "?", {Key::Question, !ctrl, shift}},
 

@@ -164,7 +164,7 @@ std::string why_not(const UiState& state, Action action) {
         if (state.exporting.job) return "Another picture is being written";
         return state.picture == nullptr ? "There is no picture yet" : why_no_clipboard();
     default:
-        return views_why_not(state, action);
+        return views_why_not(state, action) + lecture_why_not(state, action);
     }
 }
 
@@ -200,6 +200,7 @@ std::optional<bool> is_on(const UiState& state, Action action) {
     case Action::Specular:
         return shading.terms.specular;
     default:
+        if (const auto on = lecture_is_on(state, action)) return on;
         return views_is_on(state, action);
     }
 }
@@ -210,6 +211,7 @@ void run_action(UiState& state, Action action) {
     run_edit_action(state, action);
     run_view_action(state, action);
     run_views_action(state, action);
+    run_lecture_action(state, action);
 }
 
 }  // namespace glint

@@ -32,6 +32,14 @@ enum class Action {
     RightColumn,
     SwitchTheme,
     ResetLayout,
+    Projector,
+    CleanFeed,
+    Freeze,
+    Pen,
+    WipePen,
+    NextScene,
+    PreviousScene,
+    StepWedge,
     Shortcuts,
     Palette,
     Scope,
@@ -52,7 +60,7 @@ enum class Action {
 };
 
 /// The menu in which an action stands, in the table's order. None: it has a key, and is found by the palette.
-enum class Menu { None, File, Edit, View, Help };
+enum class Menu { None, File, Edit, View, Lecture, Help };
 
 struct ActionInfo {
     Action action;

@@ -10,8 +10,8 @@ namespace {
 /// Takes the row of views and the scope's panel off the centre, the picture keeping half of it.
 void share_centre(Layout& layout, const LayoutState& state, float scale) {
     const Rect all = layout.centre;
-    layout.has_views = !state.folded;
-    layout.has_scope = state.scope;
+    layout.has_views = !state.folded && !state.bare;
+    layout.has_scope = state.scope && !state.bare;
     const float views = layout.has_views ? std::min(views_height * scale, all.size().y / 6) : 0;
     const float scope = layout.has_scope ? std::min(state.scope_height * scale, all.size().y / 2 - views) : 0;
     const float top = std::round(all.low.y + views);
@@ -27,20 +27,22 @@ Layout lay_out(ImVec2 window, const LayoutState& state, float scale) {
     const float width = std::max(window.x, 1.0f), height = std::max(window.y, 1.0f);
     Layout layout;
     layout.why_in_left = width < three_column_width * scale;
-    layout.has_left = !state.folded && (state.left || (layout.why_in_left && state.right));
-    layout.has_right = !state.folded && state.right && !layout.why_in_left;
-    const float top = std::round(std::min(top_height * scale, height / 3));
-    const float bottom = std::round(height - std::min(status_height * scale, height / 3));
+    const bool columns = !state.folded && !state.bare;
+    layout.has_left = columns && (state.left || (layout.why_in_left && state.right));
+    layout.has_right = columns && state.right && !layout.why_in_left;
+    const float bars = state.bare ? 0 : scale;
+    const float top = std::round(std::min(top_height * bars, height / 3));
+    const float bottom = std::round(height - std::min(status_height * bars, height / 3));
     // Columns take at most two thirds of the width together.
     const float wanted_left = layout.has_left ? state.left_width * scale : 0;
     const float wanted_right = layout.has_right ? state.right_width * scale : 0;
     const float shrink = std::min(1.0f, width * 2 / 3 / std::max(wanted_left + wanted_right, 1.0f));
     const float left = std::round(wanted_left * shrink), right = std::round(width - wanted_right * shrink);
-    layout.top = {{0, 0}, {width, top}};
+    layout.top = {{0, 0}, {width, std::max(top, 1.0f)}};
     layout.left = {{0, top}, {std::max(left, 1.0f), bottom}};
     layout.centre = {{left, top}, {std::max(right, left + 1), std::max(bottom, top + 1)}};
     layout.right = {{std::min(right, width - 1), top}, {width, bottom}};
-    layout.status = {{0, bottom}, {width, height}};
+    layout.status = {{0, std::min(bottom, height - 1)}, {width, height}};
     share_centre(layout, state, scale);
     return layout;
 }

@@ -14,6 +14,7 @@ struct Rect {
 struct LayoutState {
     bool left = true, right = true;             // columns shown
     bool folded = false;                        // F11: the picture alone
+    bool bare = false;                          // F10: and no bars
     float left_width = 280, right_width = 340;  // units of the design
     bool scope = false;                         // the panel below the picture is open
     float scope_height = 210;

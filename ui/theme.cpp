@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace glint {
 namespace {
@@ -25,6 +26,38 @@ double luminance(const ImVec4& c) {
         return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
     };
     return 0.2126 * linear(c.x) + 0.7152 * linear(c.y) + 0.0722 * linear(c.z);
+}
+
+constexpr double projector_contrast = 7.1;  // a little over 7: bytes round
+
+/// `ink` brought towards white (on dark grounds) or black until it stands out from all of `grounds`.
+ImVec4 strengthened(ImVec4 ink, std::initializer_list<ImVec4> grounds, bool dark) {
+    const float end = dark ? 1 : 0;
+    for (float share = 0; share <= 1; share += 0.01f) {
+        const auto mix = [&](float v) { return v + (end - v) * share; };
+        const ImVec4 mixed{mix(ink.x), mix(ink.y), mix(ink.z), 1};
+        if (std::all_of(grounds.begin(), grounds.end(),
+                        [&](const ImVec4& g) { return contrast(mixed, g) >= projector_contrast; }))
+            return mixed;
+    }
+    return {end, end, end, 1};
+}
+
+Theme for_projector(Theme t) {
+    const auto deeper = [&t](ImVec4& ground, float share) {
+        const float end = t.dark ? 0 : 1;
+        ground.x += (end - ground.x) * share, ground.y += (end - ground.y) * share;
+        ground.z += (end - ground.z) * share;
+    };
+    for (ImVec4* ground : {&t.window, &t.panel}) deeper(*ground, 0.6f);
+    for (ImVec4* ground : {&t.field, &t.field_hovered, &t.field_active}) deeper(*ground, 0.3f);
+    for (ImVec4* ink : {&t.text, &t.dim_text, &t.warning, &t.error})
+        *ink = strengthened(*ink, {t.window, t.panel, t.field, t.field_hovered, t.field_active}, t.dark);
+    for (ImVec4& symbol : t.symbols) symbol = strengthened(symbol, {t.window, t.panel, t.field}, t.dark);
+    t.accent = strengthened(t.accent, {t.window, t.panel}, t.dark);
+    t.accent_text = strengthened(t.accent_text, {t.accent}, !t.dark);
+    t.disabled_text = t.dim_text;
+    return t;
 }
 
 void set_colours(ImGuiStyle& style, const Theme& t) {
@@ -97,6 +130,11 @@ const Theme& light_theme() {
         .symbols = {rgb(0x00704f), rgb(0x6f6700), rgb(0x0f6f9f), rgb(0x8a5f00), rgb(0xa04878), rgb(0x005f96),
                     rgb(0xb04a00), rgb(0x222222), rgb(0x666666)}};
     return light;
+}
+
+const Theme& projector_theme(bool dark) {
+    static const Theme of_dark = for_projector(dark_theme()), of_light = for_projector(light_theme());
+    return dark ? of_dark : of_light;
 }
 
 const Theme& theme() { return applied().theme != nullptr ? *applied().theme : dark_theme(); }

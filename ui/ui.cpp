@@ -64,7 +64,8 @@ bool viewport(UiState& state, const Layout& layout, const UiInput& input, ImText
                                ImGuiButtonFlags_MouseButtonMiddle);
     const Renderer* renderer =
         state.picture != nullptr && state.picture->size == view.map.size ? state.renderer.get() : nullptr;
-    if (state.viewport.gesture == Gesture::None && views_hand(state, view)) {
+    if (state.viewport.gesture == Gesture::None &&
+        (pen_hand(state.lecture.pen, view) || views_hand(state, view))) {
         state.viewport.hovered = false;
         state.viewport.hovered_grip = {};
         state.viewport.touched |= ImGui::IsAnyMouseDown();
@@ -193,26 +194,60 @@ void why_columns(UiState& state, const Layout& layout, const PictureView& view) 
     ImGui::End();
 }
 
+/// Whether a smaller picture may stand for the whole one for a moment: nothing is read off its pixels.
+bool may_be_small(const UiState& state) {
+    const bool camera = state.viewport.gesture == Gesture::Orbit || state.viewport.gesture == Gesture::Pan ||
+                        state.viewport.gesture == Gesture::Dolly;
+    const bool light =
+        state.viewport.gesture == Gesture::Hand && state.viewport.held.grip.kind == GripKind::Light;
+    const bool field = state.viewport.gesture == Gesture::None && ImGui::IsAnyItemActive();
+    return (camera || light || field) && !state.viewport.probe && !state.preview &&
+           !views_need_linear(state.views) && (state.shown == nullptr || state.shown == state.picture);
+}
+
+/// The size of the next picture of a scene that differs (`changed`) from the last one or does not.
+PictureSize paced_size(UiState& state, PictureSize full, bool changed) {
+    FramePace& pace = state.pace;
+    const bool small_now = state.picture != nullptr && !(state.picture->size == full);
+    if (!may_be_small(state)) {
+        end_of_motion(pace);
+        return full;
+    }
+    if (changed) {
+        pace.rests_since = ImGui::GetTime();
+        return divided(full, pace.divisor);
+    }
+    const double rest = pace.rests_since + rest_before_full - ImGui::GetTime();
+    if (!small_now || rest <= 0) return full;
+    wish_frame_in(rest);
+    return state.picture->size;
+}
+
 /// Draws what shows (the edited scene or a preview) if it, or the size, is not that of the last picture; then
 /// asks the edited scene about the probe.
 void draw_picture(UiState& state, const PictureView& view) {
-    const PictureSize size = view.map.size;
     tend_loads(state);
     if (const auto problem = settle(state.editor)) state.notifications.add(*problem);
+    const bool moves = may_be_small(state);
+    const bool changed = !(state.drawn == (state.preview ? *state.preview : state.editor.scene()));
+    const PictureSize size = paced_size(state, view.map.size, changed);
     const std::optional<Scene> preview = std::exchange(state.preview, std::nullopt);
     const Scene& shown = preview ? *preview : state.editor.scene();
     const bool same_size = state.picture != nullptr && state.picture->size == size;
     const bool linear = views_need_linear(state.views);
     const bool has_linear = state.picture != nullptr && !state.picture->linear.empty();
-    if (!same_size || !(state.drawn == shown) || (linear && !has_linear)) {
+    if (!same_size || changed || (linear && !has_linear)) {
         state.picture = &state.renderer->render(shown, size, linear);
         state.drawn = shown;
         ++state.picture_serial;
+        if (moves && changed)
+            picture_took(state.pace, size == view.map.size ? 1 : state.pace.divisor,
+                         state.renderer->stats().total_ms);
     }
     if (preview) return;
-    const auto pixel = asked_pixel(state, view);
     state.why.reset();
-    if (pixel) state.why = state.renderer->explain(pixel->x, pixel->y);
+    if (!(size == view.map.size)) return;
+    if (const auto pixel = asked_pixel(state, view)) state.why = state.renderer->explain(pixel->x, pixel->y);
 }
 
 void first_hints(const UiState& state, const PictureView& view) {
@@ -233,13 +268,20 @@ void overlay(UiState& state, const Layout& layout, const PictureView& view) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 high = view.to_window({view.map.size.width, view.map.size.height});
     list.PushClipRect(view.origin, high, true);
-    draw_overlay(list, state.viewport,
-                 {state.editor.scene(), state.editor.selection, state.renderer.get(), view});
-    draw_views_overlay(list, state, view);
-    draw_point_vectors(list, state, view);
-    first_hints(state, view);
+    if (!state.layout.bare) {
+        const bool whole = state.picture->size == view.map.size;
+        draw_overlay(
+            list, state.viewport,
+            {state.editor.scene(), state.editor.selection, whole ? state.renderer.get() : nullptr, view});
+        draw_views_overlay(list, state, view);
+        draw_point_vectors(list, state, view);
+        first_hints(state, view);
+        frozen_badge(list, state.lecture, view);
+    }
+    draw_pen(list, state.lecture.pen, view);
     list.PopClipRect();
     ImGui::End();
+    pen_bar(state.lecture.pen, view);
     draw_notifications(state.notifications, {layout.centre.high.x - px(18), layout.centre.high.y - px(18)},
                        layout.centre.size().x - px(36));
 }
@@ -272,7 +314,7 @@ UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
     ImGui::PushFont(fonts().body);
     begin_views(state);
     const Layout layout = lay_out(ImGui::GetIO().DisplaySize, state.layout, px(1));
-    toolbar(state, layout.top);
+    if (!state.layout.bare) toolbar(state, layout.top);
     const bool in_hand = viewport(state, layout, input, texture);
     state.left_shows_why |= state.viewport.asked;
     left_column(state, layout, picture_view(layout.centre, state.editor.scene()));
@@ -286,9 +328,11 @@ UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
     column_edges(state.layout, layout, px(1));
     loading_panel(state);
     recovery_panel(state);
-    status_line(state, layout.status);
+    if (!state.layout.bare) status_line(state, layout.status);
+    step_wedge(state.lecture.wedge);
     remember(state, in_hand);
     tend_memory(state);
+    keep_frozen(state);
     ImGui::PopFont();
     return requests(state);
 }

@@ -16,8 +16,10 @@
 #include "ui/files/export_picture.h"
 #include "ui/files/loading.h"
 #include "ui/files/memory.h"
+#include "ui/frame_pace.h"
 #include "ui/keys.h"
 #include "ui/layout.h"
+#include "ui/lecture/lecture.h"
 #include "ui/menu/palette_state.h"
 #include "ui/notifications.h"
 #include "ui/viewport.h"
@@ -50,12 +52,14 @@ struct UiState {
     Loading loading;
     Memory memory;
     ExportState exporting;
+    LectureState lecture;
     Pending pending;
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
     int mesh_for_object = -1;    // whose mesh the file dialog chooses; -1: a new object's
     bool dark = true, shows_shortcuts = false, left_shows_why = false;
     bool quits = false;
 
+    FramePace pace;
     std::unique_ptr<Renderer> renderer;
     const Picture* picture = nullptr;  // the last one drawn
     const Picture* shown = nullptr;    // what the window shows: `picture`, or what ui/views made of it

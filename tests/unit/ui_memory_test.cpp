@@ -49,7 +49,7 @@ TEST_CASE("the list of recent files takes nothing but whole paths, each once", "
 }
 
 TEST_CASE("settings are read back equal, and from nonsense what makes sense is taken", "[ui][memory]") {
-    Settings settings{false, {true, false, false, 300, 401.5f, true, 222}, 1111, 777, true};
+    Settings settings{false, {true, false, false, false, 300, 401.5f, true, 222}, 1111, 777, true};
     CHECK(read_settings(settings_text(settings)) == settings);
     CHECK(read_settings("") == Settings());
     CHECK(read_settings("[1]") == Settings());

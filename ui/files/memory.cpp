@@ -47,7 +47,7 @@ void note_settings(UiState& state) {
     Settings now = memory.settings;
     now.dark = state.dark;
     now.layout = state.layout;
-    now.layout.folded = false;  // the picture alone is for a moment
+    now.layout.folded = now.layout.bare = false;  // the picture alone is for a moment
     const double time = ImGui::GetTime();
     if (!(now == memory.settings)) memory.settings_changed = time;
     memory.settings = now;

@@ -59,6 +59,7 @@ void menu_bar(UiState& state) {
     menu(state, Menu::File, "File");
     menu(state, Menu::Edit, "Edit");
     menu(state, Menu::View, "View");
+    menu(state, Menu::Lecture, "Lecture");
     menu(state, Menu::Help, "Help");
     ImGui::PopStyleVar();
 }

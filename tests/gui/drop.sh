@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# Files are dropped on the window as a file manager drops them: a scene, a mesh, a picture that carries its scene; what
+# cannot be opened leaves the scene as it is. A pixel is picked, and what is saved reopens.
+set -u
+# shellcheck disable=SC2034  # display.sh uses it
+program=$1
+source=$2
+# shellcheck source=tests/gui/display.sh
+. "$(dirname "$0")/display.sh"
+[ -x "$source" ] || { echo "skipped: the source of drops was not built (libx11-dev)"; exit 77; }
+
+scene() { # NAME COLOUR: a ball of this colour, lit by nothing
+    cat >"$work/$1.json" <<JSON
+{"glint": 1, "camera": {"eye": [0, 0, 4]}, "global_ambient": [1, 1, 1],
+ "objects": [{"name": "Ball", "material": {"ambient": $2, "diffuse": [0, 0, 0], "specular": [0, 0, 0]}}]}
+JSON
+}
+scene first '[0, 0.2, 0]'
+scene second '[1, 0, 1]'
+printf 'v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n' >"$work/triangle.obj"
+"$program" render "$work/second.json" -o "$work/picture.png" --size 64x48 || fail "no picture to drop"
+echo '{"glint": 1, "lights": 5}' >"$work/broken.json"
+
+start_display 1280x800
+start_glint "$work/first.json"
+title_is() { xdotool getwindowname "$window" | grep -q "$1"; }
+drop() { # FILE
+    xdotool mousemove 640 420
+    sleep 0.2
+    "$source" "$work/$1" || fail "$1 was not taken"
+}
+middle_is() { # COLOUR, in the middle of the picture
+    import -window root -crop 1x1+640+420 +repage "$work/middle.png"
+    [ "$(convert "$work/middle.png" -format '%[hex:u.p{0,0}]' info: | cut -c1-6)" = "$1" ]
+}
+xdotool key F10 # the picture alone
+within 10 middle_is 003300 || fail "the first scene is not to be seen"
+drop second.json
+within 10 middle_is FF00FF || fail "the dropped scene is not to be seen"
+title_is second.json || fail "the title is not the dropped scene's"
+drop broken.json
+sleep 1
+title_is second.json || fail "a file that cannot be opened changed the title"
+drop first.json
+within 10 middle_is 003300 || fail "the first scene did not come back"
+drop picture.png
+within 10 middle_is FF00FF || fail "the picture's scene is not to be seen"
+drop triangle.obj
+within 10 title_is triangle.obj || fail "the mesh was not opened"
+
+# A scene that is saved and reopened: one light off, by the list of shortcuts only.
+drop second.json
+within 10 middle_is FF00FF || fail "the scene did not come back"
+xdotool key a # ambient off: black
+within 10 middle_is 000000 || fail "the ambient term is still to be seen"
+xdotool key ctrl+s
+saved() { grep -q '"ambient": false' "$work/second.json"; }
+within 10 saved || fail "it was not saved"
+drop first.json
+within 10 middle_is 003300 || fail "the first scene did not come back"
+drop second.json
+within 10 middle_is 000000 || fail "what was saved is not what reopens"
+echo "passed"
