@@ -24,6 +24,15 @@ double tick_step(Range range, int most) {
     return 10 * power;
 }
 
+/// Whole multiples of `step` in the range, so that 0 is 0 and no error adds up; at most 40.
+std::vector<double> multiples(Range range, double step) {
+    std::vector<double> values;
+    const double first = std::ceil(range.low / step - 1e-9);
+    for (int i = 0; i < 40 && (first + i) * step <= range.high + 1e-9 * step; ++i)
+        values.push_back((first + i) * step);
+    return values;
+}
+
 float text_height() { return fonts().small->FontSize * ImGui::GetIO().FontGlobalScale; }
 
 ImVec2 text_size(const std::string& text) {
@@ -36,13 +45,13 @@ std::string axis_title(const AxisText& axis) {
 
 void draw_x_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
     const int most = std::max(2, static_cast<int>(area.rect.size().x / px(62)));
+    const double step = text.step > 0 ? text.step : tick_step(area.x, most);
     const float y = area.rect.high.y;
-    for (const double v : ticks(area.x, most)) {
+    for (const double v : multiples(area.x, step)) {
         const float x = area.at({v, area.y.low}).x;
         list.AddLine({x, area.rect.low.y}, {x, y}, packed(theme().line));
         if (text.numbers)
-            plot_text(list, {x, y + px(3) + text_height() / 2}, theme().dim_text,
-                      tick_text(v, tick_step(area.x, most)), true);
+            plot_text(list, {x, y + px(3) + text_height() / 2}, theme().dim_text, tick_text(v, step), true);
     }
     if (*text.name == 0) return;
     const std::string title = axis_title(text);
@@ -98,12 +107,8 @@ Range range_of(std::span<const double> values, double least, double margin) {
 }
 
 std::vector<double> ticks(Range range, int most) {
-    const double step = tick_step(range, most);
-    std::vector<double> values;
-    // Whole multiples, so that 0 is 0 and no error adds up.
-    const double first = std::ceil(range.low / step - 1e-9);
-    for (int i = 0; i < most && (first + i) * step <= range.high + 1e-9 * step; ++i)
-        values.push_back((first + i) * step);
+    std::vector<double> values = multiples(range, tick_step(range, most));
+    if (values.size() > static_cast<std::size_t>(most)) values.resize(static_cast<std::size_t>(most));
     return values;
 }
 

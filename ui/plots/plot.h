@@ -34,6 +34,7 @@ struct AxisText {
     const char* name = "";
     const char* unit = "";
     bool numbers = true;
+    double step = 0;  // of its ticks; 0: chosen by the room
 };
 
 /// A rectangle of the window with a quantity along each side; y upwards.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "ui/plots/plots_tab.h"
 #include "ui/views/compare_view.h"
 #include "ui/views/look_view.h"
 #include "ui/views/scope.h"
@@ -21,6 +22,7 @@ struct ViewsState {
     ScopeState scope;
     CompareState compare;
     LookState look;
+    PlotsState plots;
     int threads = 0;  // of further renderers
     // Of the shown picture:
     ShownFrom shown_from;

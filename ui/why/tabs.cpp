@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/fonts.h"
+#include "ui/plots/plots_tab.h"
 #include "ui/theme.h"
 #include "ui/ui.h"
 #include "ui/why/equation_tab.h"
@@ -26,6 +27,8 @@ constexpr std::array tabs{
                equation_tab},
     WhyTabInfo{WhyTab::Vectors, "Vectors", "n, l, v, r and h at the picked point, and the facet's own normal",
                vectors_tab},
+    WhyTabInfo{WhyTab::Plots, "Plots", "Falloff, highlight, cone, lobes and microfacets as curves",
+               plots_tab},
     WhyTabInfo{WhyTab::Models, "Models", "The same pixel under flat, facet, Gouraud and Phong shading",
                models_tab},
     WhyTabInfo{WhyTab::Sensitivity, "Sensitivity",

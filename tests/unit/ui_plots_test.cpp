@@ -1,0 +1,165 @@
+// The plots: a mark is what the explanation says, and lies on its curve.
+#include <cmath>
+#include <filesystem>
+#include <glm/trigonometric.hpp>
+
+#include "renderer/inspect/curves.h"
+#include "tests/catch.h"
+#include "tests/unit/scenes.h"
+#include "tests/unit/ui_why_bench.h"
+#include "ui/plots/plots_tab.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+/// The busy scene at a pixel that its sun, its bulb and its spot reach.
+Explanation lit_pixel(Renderer& renderer, const Scene& scene) {
+    renderer.render(scene, {120, 90});
+    for (int y = 20; y < 80; ++y)
+        for (int x = 10; x < 110; ++x) {
+            Explanation e = renderer.explain(x, y);
+            if (!e.hit || e.at.lights.size() < 4) continue;
+            bool all = true;
+            for (int i = 0; i < 3; ++i) {
+                const ExplainedLight& light = e.at.lights[static_cast<std::size_t>(i)];
+                all = all && light.n_dot_l > 0.1f && light.spot > 0.05f;
+            }
+            if (all) return e;
+        }
+    FAIL("no pixel is reached by all three");
+    return {};
+}
+
+Scene scene_for_plots() {
+    Scene scene = test::busy_scene();
+    scene.lights[2].spot.cutoff_deg = 60;
+    scene.objects[0].material.shininess = 6;
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("plots: the falloff's mark lies on its curve to the last bit", "[ui][plots]") {
+    const Scene scene = scene_for_plots();
+    Renderer renderer(1);
+    const std::optional<Explanation> why = lit_pixel(renderer, scene);
+    const PlotPoint point = plot_point(why, 1);
+    REQUIRE(point.light != nullptr);
+    const glm::dvec2 mark = falloff_mark(point);
+    CHECK(mark.y < 0.9);
+    CHECK(falloff_curve(scene, 1, mark.x, 1).back().y == mark.y);
+    CHECK(falloff_curve(scene, 0, 5, 4).empty());
+    CHECK(falloff_curve(scene, 3, 5, 4).empty());
+}
+
+TEST_CASE("plots: the cone's mark lies on its curve, which ends at the cutoff", "[ui][plots]") {
+    const Scene scene = scene_for_plots();
+    Renderer renderer(1);
+    const std::optional<Explanation> why = lit_pixel(renderer, scene);
+    const glm::dvec2 mark = spot_mark(plot_point(why, 2));
+    const auto curve = spot_curve(scene, 2, 180);
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+        if (curve[i - 1].x > mark.x || curve[i].x < mark.x) continue;
+        const double share = (mark.x - curve[i - 1].x) / (curve[i].x - curve[i - 1].x);
+        CHECK(mark.y == Approx(glm::mix(curve[i - 1].y, curve[i].y, share)).margin(1e-3));
+    }
+    for (const glm::dvec2 p : curve) {
+        INFO(p.x << " degrees");
+        CHECK((p.y > 0) == (std::abs(p.x) <= 60));
+        if (std::abs(p.x) < 59) CHECK(p.y == Approx(std::pow(std::cos(glm::radians(p.x)), 4)).margin(1e-4));
+    }
+}
+
+TEST_CASE("plots: the highlight's mark lies on the curve of its model", "[ui][plots]") {
+    Scene scene = scene_for_plots();
+    for (const Reflection reflection : {Reflection::Phong, Reflection::BlinnPhong}) {
+        scene.shading.reflection = reflection;
+        Renderer renderer(1);
+        const std::optional<Explanation> why = lit_pixel(renderer, scene);
+        const glm::dvec2 mark = highlight_mark(plot_point(why, 0), reflection);
+        const bool blinn = reflection == Reflection::BlinnPhong;
+        const double cosine = std::cos(glm::radians(blinn ? mark.x / 2 : mark.x));
+        CHECK(mark.y == Approx(std::pow(std::max(cosine, 0.0), why->material.shininess)).margin(1e-5));
+        const auto curve = highlight_curve(reflection, why->material.shininess, 180);
+        const auto near = static_cast<std::size_t>(std::lround(std::min(mark.x, 90.0) + 90));
+        if (mark.x < 90) CHECK(curve[near].y == Approx(mark.y).margin(0.05));
+    }
+}
+
+TEST_CASE("plots: the lobe's disc is what the explanation gives for the light", "[ui][plots]") {
+    Scene scene = scene_for_plots();
+    for (const Reflection reflection : {Reflection::Lambert, Reflection::Phong, Reflection::BlinnPhong,
+                                        Reflection::Retro, Reflection::OrenNayar, Reflection::CookTorrance}) {
+        scene.shading.reflection = reflection;
+        Renderer renderer(1);
+        const std::optional<Explanation> why = lit_pixel(renderer, scene);
+        for (const int light : {0, 1, 2}) {
+            const PlotPoint point = plot_point(why, light);
+            const LocalDirections local = local_directions(point);
+            CHECK(std::cos(glm::radians(local.light_deg)) == Approx(point.light->n_dot_l).margin(1e-5));
+            const Reflected r = reflected({reflection, why->material, {}}, local.l, local.v);
+            const glm::vec3 diffuse = point.light->diffuse_factor * why->material.diffuse;
+            const glm::vec3 specular = point.light->specular_factor * why->material.specular;
+            for (int c = 0; c < 3; ++c) {
+                CHECK(r.diffuse[c] == Approx(diffuse[c]).margin(1e-4));
+                CHECK(r.specular[c] == Approx(specular[c]).margin(1e-3));
+            }
+        }
+    }
+}
+
+TEST_CASE("plots: Blinn's shininess nearest to Phong's is about four times it", "[plots]") {
+    CHECK(blinn_shininess_like(32) == Approx(4 * 32).epsilon(0.03));
+    CHECK(blinn_shininess_like(200) == Approx(4 * 200).epsilon(0.02));
+    const double like = blinn_shininess_like(10);
+    const auto misfit = [](double n) {
+        double sum = 0;
+        for (int deg = 0; deg <= 90; ++deg) {
+            const double a = glm::radians(double(deg));
+            sum += std::pow(std::pow(std::cos(a), 10) - std::pow(std::cos(a / 2), n), 2);
+        }
+        return sum;
+    };
+    CHECK(misfit(like) < misfit(like * 1.02));
+    CHECK(misfit(like) < misfit(like / 1.02));
+}
+
+TEST_CASE("plots: under Gouraud shading the corner that counts most is marked", "[ui][plots]") {
+    Scene scene = scene_for_plots();
+    scene.shading.mode = ShadingMode::Gouraud;
+    Renderer renderer(1);
+    renderer.render(scene, {120, 90});
+    std::optional<Explanation> why = renderer.explain(45, 45);
+    REQUIRE(why->hit);
+    const PlotPoint point = plot_point(why, 0);
+    for (const ExplainedCorner& corner : why->corners) {
+        if (&corner.at == point.at) continue;
+        float marked = 0;
+        for (const ExplainedCorner& c : why->corners)
+            if (&c.at == point.at) marked = c.weight;
+        CHECK(corner.weight <= marked);
+    }
+}
+
+TEST_CASE("plots: the tab draws for every scene that is shipped, and without lights", "[ui][window][plots]") {
+    namespace fs = std::filesystem;
+    Bench bench({1024, 640});
+    for (const auto& entry : fs::directory_iterator(fs::path(GLINT_SOURCE_DIR) / "assets" / "scenes")) {
+        if (entry.path().extension() != ".json") continue;
+        INFO(entry.path());
+        const Result<SceneDocument> opened = open_document(entry.path().string());
+        REQUIRE(problem_of(opened) == nullptr);
+        take_document(bench.state.editor, std::get<SceneDocument>(opened));
+        bench.state.left_shows_why = true;
+        test::ask(bench, WhyTab::Plots);
+        for (int light = 0; light < int(bench.scene().lights.size()); ++light) {
+            bench.state.views.plots.light = light;
+            bench.frames(1);
+        }
+    }
+    bench.scene().lights.clear();
+    bench.frames(2);
+    CHECK(bench.state.why_column.tab == WhyTab::Plots);
+}

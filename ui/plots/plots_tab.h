@@ -1,0 +1,57 @@
+#pragma once
+// The tab of curves: falloff, highlight, cone, lobes and microfacets, with the picked point marked on each.
+// Curves are sampled from renderer/inspect; nothing is computed here.
+
+#include <optional>
+#include <utility>
+
+#include "models/scene.h"
+#include "renderer/inspect/explanation.h"
+#include "renderer/inspect/lobes.h"
+#include "renderer/inspect/microfacets.h"
+
+namespace glint {
+
+struct UiState;
+struct PictureView;
+
+struct PlotsState {
+    int light = 0;                                // whose curves are shown: in Scene::lights
+    MicrofacetOptions microfacets{.rays = 3000, .facets = 1000};  // of the profile
+    bool follow_pick = true;                      // its angles are those at the picked point
+    // Kept until what they are of changes:
+    std::optional<std::pair<float, double>> blinn_like;  // Phong's shininess, Blinn's best
+    std::optional<MicrofacetOptions> profile_of;
+    MicrofacetPicture profile;
+    std::optional<Reflector> energy_of;
+    double energy_deg = 0;
+    glm::dvec3 energy{0}, albedo{0};
+};
+
+/// What is known of one light at the picked point, where a pixel is picked and the light is on.
+struct PlotPoint {
+    const ExplainedLight* light = nullptr;  // null: no mark
+    const ExplainedPoint* at = nullptr;
+    const Material* material = nullptr;
+};
+/// Of several lit points (corners) the one that counts most in the pixel; of an area light its middle sample.
+[[nodiscard]] PlotPoint plot_point(const std::optional<Explanation>& why, int light);
+
+/// The mark's place on each plot, read off the explanation.
+[[nodiscard]] glm::dvec2 falloff_mark(const PlotPoint& point);  // distance, falloff
+[[nodiscard]] glm::dvec2 spot_mark(const PlotPoint& point);     // degrees from the axis, factor
+/// Degrees between r and v (Phong), or twice those between n and h (Blinn-Phong), and S.
+[[nodiscard]] glm::dvec2 highlight_mark(const PlotPoint& point, Reflection reflection);
+
+/// l and v with n along z and l in the plane of x and z on the side of -x: as renderer/inspect/lobes has
+/// them.
+struct LocalDirections {
+    glm::vec3 l{0, 0, 1}, v{0, 0, 1};
+    double light_deg = 0;  // between n and l, 0 to 180
+    double view_deg = 0;   // between n and v, negative on the light's side
+};
+[[nodiscard]] LocalDirections local_directions(const PlotPoint& point);
+
+void plots_tab(UiState& state, const PictureView& view);
+
+}  // namespace glint
