@@ -25,6 +25,9 @@ constexpr std::array table{
     ActionInfo{Action::Duplicate, "Duplicate", "Ctrl+D", {Key::D, ctrl}, Menu::Edit, line},
     ActionInfo{Action::Delete, "Delete", "Del", {Key::Delete}, Menu::Edit},
     ActionInfo{Action::AddLight, "Add a light", "L", {Key::L}, Menu::Edit},
+    ActionInfo{Action::MoveByHand, "Move the object by hand", "G", {Key::G}, Menu::Edit, line},
+    ActionInfo{Action::RotateByHand, "Rotate the object by hand", "R", {Key::R}, Menu::Edit},
+    ActionInfo{Action::ScaleByHand, "Scale the object by hand", "T", {Key::T}, Menu::Edit},
     ActionInfo{Action::Palette, "Find an action…", "Ctrl+K", {Key::K, ctrl}, Menu::Edit, line},
 
     ActionInfo{Action::FrameAll, "Frame all", "F", {Key::F}, Menu::View},

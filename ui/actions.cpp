@@ -35,6 +35,12 @@ void copy_command(UiState& state) {
     state.notifications.add(Tone::Done, "The command that draws this picture is on the clipboard");
 }
 
+/// The key of the gizmo that shows takes it away.
+void choose_gizmo(UiState& state, GizmoMode mode) {
+    GizmoMode& shown = state.viewport.gizmo;
+    shown = shown == mode ? GizmoMode::None : mode;
+}
+
 void run_file_action(UiState& state, Action action) {
     switch (action) {
     case Action::New:
@@ -77,6 +83,12 @@ void run_edit_action(UiState& state, Action action) {
         return remove(scene, state.editor.selection);
     case Action::AddLight:
         return add_bulb(state);
+    case Action::MoveByHand:
+        return choose_gizmo(state, GizmoMode::Move);
+    case Action::RotateByHand:
+        return choose_gizmo(state, GizmoMode::Rotate);
+    case Action::ScaleByHand:
+        return choose_gizmo(state, GizmoMode::Scale);
     case Action::Flat:
         return set_mode(state, ShadingMode::Flat);
     case Action::Facet:
@@ -148,6 +160,11 @@ std::string why_not(const UiState& state, Action action) {
         return unless(state.editor.history.can_undo(), "Nothing to undo");
     case Action::Redo:
         return unless(state.editor.history.can_redo(), "Nothing to redo");
+    case Action::MoveByHand:
+    case Action::RotateByHand:
+    case Action::ScaleByHand:
+        return unless(state.editor.selection.kind == Selection::Kind::Object,
+                      "No object is selected: double-click one");
     case Action::Duplicate:
     case Action::Delete:
         return unless(is_item(state.editor.selection), "No light and no object is selected");
@@ -171,6 +188,12 @@ std::string why_not(const UiState& state, Action action) {
 std::optional<bool> is_on(const UiState& state, Action action) {
     const Shading& shading = state.editor.scene().shading;
     switch (action) {
+    case Action::MoveByHand:
+        return state.viewport.gizmo == GizmoMode::Move;
+    case Action::RotateByHand:
+        return state.viewport.gizmo == GizmoMode::Rotate;
+    case Action::ScaleByHand:
+        return state.viewport.gizmo == GizmoMode::Scale;
     case Action::Fold:
         return state.layout.folded;
     case Action::Vectors:

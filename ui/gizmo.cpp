@@ -7,6 +7,9 @@
 #include <optional>
 
 #include "ui/fonts.h"
+#include "ui/hands/drag_math.h"
+#include "ui/hands/light_shape.h"
+#include "ui/hands/world_pen.h"
 #include "ui/icons.h"
 #include "ui/theme.h"
 
@@ -27,46 +30,6 @@ glm::dvec2 on_border(const OnScreen& at, glm::dvec3 in_view, PictureSize size, d
     return middle + way * reach;
 }
 
-/// Draws in the world: lines are cut where they pass the eye.
-struct WorldPen {
-    ImDrawList& list;
-    const PictureView& view;
-
-    void line(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float width) const {
-        constexpr double eye = 1e-3;
-        const double depth_a = -(view.map.view_from_world * glm::dvec4(a, 1)).z;
-        const double depth_b = -(view.map.view_from_world * glm::dvec4(b, 1)).z;
-        if (depth_a < eye && depth_b < eye) return;
-        if (depth_a < eye) a += (b - a) * ((eye - depth_a) / (depth_b - depth_a));
-        if (depth_b < eye) b += (a - b) * ((eye - depth_b) / (depth_a - depth_b));
-        const OnScreen from = project(view.map, a), to = project(view.map, b);
-        if (!from.in_front || !to.in_front) return;
-        list.AddLine(view.to_window(from.pixel), view.to_window(to.pixel), colour, width);
-    }
-    /// Light on dark, so that it is seen on every picture.
-    void cased(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float opacity) const {
-        line(a, b, packed({0, 0, 0, 1}, 0.45f * opacity), px(3));
-        line(a, b, colour, px(1.3f));
-    }
-    void circle(glm::dvec3 centre, glm::dvec3 u, glm::dvec3 v, ImU32 colour, float opacity) const {
-        constexpr int sides = 32;
-        const auto point = [&](int i) {
-            const double a = 2 * pi * i / sides;
-            return centre + std::cos(a) * u + std::sin(a) * v;
-        };
-        for (int i = 0; i < sides; ++i) cased(point(i), point(i + 1), colour, opacity);
-    }
-};
-
-struct Across {
-    glm::dvec3 u, v;  // unit, at right angles to a direction and to one another
-};
-Across across(glm::dvec3 direction) {
-    const glm::dvec3 other = std::abs(direction.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-    const glm::dvec3 u = glm::normalize(glm::cross(other, direction));
-    return {u, glm::cross(direction, u)};
-}
-
 void draw_stem(const WorldPen& pen, glm::dvec3 place, ImU32 colour, float opacity) {
     const Bounds& box = pen.view.bounds;
     const glm::dvec3 foot{place.x, box.min.y, place.z};
@@ -76,20 +39,22 @@ void draw_stem(const WorldPen& pen, glm::dvec3 place, ImU32 colour, float opacit
     pen.circle(foot, {radius, 0, 0}, {0, 0, radius}, colour, opacity);
 }
 
-void draw_cone(const WorldPen& pen, const Light& light, glm::dvec3 place, ImU32 colour, float opacity) {
-    if (light.spot.cutoff_deg > 90) return;
-    const glm::dvec3 axis = glm::normalize(to_world(light, light.spot.direction, 0, pen.view.map));
-    const double angle = std::min(double(light.spot.cutoff_deg), 85.0) * pi / 180;
-    const double slant =
-        std::max(0.35 * glm::length(pen.view.dome.centre - place), 0.2 * pen.view.dome.radius);
-    const auto [u, v] = across(axis);
-    const glm::dvec3 middle = place + slant * std::cos(angle) * axis;
-    const double radius = slant * std::sin(angle);
-    pen.circle(middle, radius * u, radius * v, colour, opacity);
-    for (int i = 0; i < 4; ++i) {
-        const double a = i * pi / 2;
-        pen.cased(place, middle + radius * (std::cos(a) * u + std::sin(a) * v), colour, opacity);
+void draw_cone(const WorldPen& pen, const Light& light, ImU32 colour, float opacity) {
+    const auto cone = cone_of(light, pen.view.dome, pen.view.map);
+    if (!cone) return;
+    const double radius = cone->slant * std::sin(cone->angle);
+    pen.circle(cone->middle(), radius * cone->u, radius * cone->v, colour, opacity);
+    for (int i = 0; i < 4; ++i) pen.cased(cone->place, cone->rim(i * pi / 2), colour, opacity);
+}
+
+/// The stick by which a light is aimed, and the marks that can be dragged.
+void draw_shape_grips(const WorldPen& pen, const Light& light, glm::dvec3 place, ImU32 colour, float opacity,
+                      const std::optional<glm::dvec3>& in_hand) {
+    for (const ShapeGrip& grip : shape_grips(light, pen.view.dome, pen.view.map)) {
+        if (grip.part == ShapePart::Aim) pen.cased(place, grip.place, colour, 0.6f * opacity);
+        pen.mark(grip.place, colour, opacity, in_hand && glm::length(*in_hand - grip.place) < 1e-9);
     }
+    if (in_hand) pen.mark(*in_hand, colour, opacity, true);
 }
 
 void draw_rays(const WorldPen& pen, const Light& light, glm::dvec3 place, ImU32 colour, float opacity) {
@@ -102,11 +67,11 @@ void draw_rays(const WorldPen& pen, const Light& light, glm::dvec3 place, ImU32 
     }
 }
 
-void draw_rectangle(const WorldPen& pen, const Light& light, glm::dvec3 place, ImU32 colour, float opacity) {
-    const glm::dvec3 u = to_world(light, light.area.edge_u, 0, pen.view.map);
-    const glm::dvec3 v = to_world(light, light.area.edge_v, 0, pen.view.map);
-    const glm::dvec3 corners[] = {place + u + v, place - u + v, place - u - v, place + u - v};
-    for (int i = 0; i < 4; ++i) pen.cased(corners[i], corners[(i + 1) % 4], colour, opacity);
+void draw_rectangle(const WorldPen& pen, const Light& light, ImU32 colour, float opacity) {
+    const auto panel = panel_of(light, pen.view.map);
+    const glm::dvec2 corners[] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+    for (int i = 0; i < 4; ++i)
+        pen.cased(panel->point(corners[i]), panel->point(corners[(i + 1) % 4]), colour, opacity);
 }
 
 void draw_shape(const WorldPen& pen, const Light& light, const Handle& handle, ImU32 colour, float opacity) {
@@ -116,9 +81,9 @@ void draw_shape(const WorldPen& pen, const Light& light, const Handle& handle, I
     case LightKind::Point:
         return;
     case LightKind::Spot:
-        return draw_cone(pen, light, handle.place, colour, opacity);
+        return draw_cone(pen, light, colour, opacity);
     case LightKind::Area:
-        return draw_rectangle(pen, light, handle.place, colour, opacity);
+        return draw_rectangle(pen, light, colour, opacity);
     }
 }
 
@@ -199,13 +164,13 @@ void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, 
                                                                          : 0.6f;
     const WorldPen pen{list, view};
     const ImU32 colour = packed(colour_of(light), opacity);
-    if (handle.in_picture) {
-        const bool in_hand = look.selected || look.hovered;
+    const bool in_hand = look.selected || look.hovered;
+    if (handle.in_picture || look.selected) {
         const bool stem = in_hand || (look.stem && light.space == LightSpace::World);
         if (light.kind != LightKind::Directional && stem)
             draw_stem(pen, handle.place, packed(colour_of(light), 0.55f * opacity), opacity);
-        if (look.selected || look.hovered || light.kind == LightKind::Area)
-            draw_shape(pen, light, handle, colour, opacity);
+        if (in_hand || light.kind == LightKind::Area) draw_shape(pen, light, handle, colour, opacity);
+        if (look.selected) draw_shape_grips(pen, light, handle.place, colour, opacity, look.shape_in_hand);
     }
     draw_grip(list, view.to_window(handle.at.pixel), light, look,
               handle.in_picture ? opacity : 0.55f * opacity);

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,7 @@ struct HandleLook {
     bool selected = false, hovered = false;
     bool hidden = false;  // behind an object
     bool stem = true;     // down to the ground; among many lights only the one in hand has it
+    std::optional<glm::dvec3> shape_in_hand;  // the part of its shape under the hand, world
 };
 void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, const Handle& handle,
                  HandleLook look);

@@ -84,6 +84,18 @@ Light placed_at(Light light, glm::dvec3 place, const Dome& dome, const ScreenMap
     return light;
 }
 
+void turn_shape(Light& light, const glm::dmat4& turn, const ScreenMap& map) {
+    const auto turned = [&](glm::vec3 own) {
+        const glm::dvec4 world(to_world(light, own, 0, map), 0);
+        return glm::vec3(to_own(light, glm::dvec3(turn * world), 0, map));
+    };
+    if (light.kind == LightKind::Spot) light.spot.direction = turned(light.spot.direction);
+    if (light.kind == LightKind::Area) {
+        light.area.edge_u = turned(light.area.edge_u);
+        light.area.edge_v = turned(light.area.edge_v);
+    }
+}
+
 Light in_space(Light light, LightSpace space, const Camera& camera) {
     if (light.space == space) return light;
     const glm::dmat4 carry = space == LightSpace::Camera ? view_from_world(camera) : world_from_view(camera);

@@ -38,6 +38,9 @@ struct Dome {
 /// The inverse of to_world().
 [[nodiscard]] glm::dvec3 to_own(const Light& light, glm::dvec3 world, double w, const ScreenMap& map);
 
+/// A spot's axis or a panel's edges, turned by a rotation of the world.
+void turn_shape(Light& light, const glm::dmat4& turn, const ScreenMap& map);
+
 /// The same light counted in the other coordinates: it stays where it is at this moment, shape and axis too.
 [[nodiscard]] Light in_space(Light light, LightSpace space, const Camera& camera);
 

@@ -69,8 +69,21 @@ void mesh_facts(const Object& object) {
     }
 }
 
-bool transform_fields(Transform& transform, const std::string& pointer) {
+/// Which gizmo stands on the object in the picture.
+void gizmo_field(GizmoMode& gizmo) {
+    static const std::array<Option, 4> modes{
+        Option{"–", "", "No gizmo in the picture", ""},
+        Option{"Move", "", "Arrows, planes and the middle move it (key G)", ""},
+        Option{"Turn", "", "Rings turn it round an axis or the line of sight (key R)", ""},
+        Option{"Scale", "", "Boxes scale it along its own axes, the middle as a whole (key T)", ""}};
+    row("By hand");
+    gizmo = static_cast<GizmoMode>(
+        segments("##gizmo", static_cast<int>(gizmo), modes, {"What drags in the picture do to it", ""}));
+}
+
+bool transform_fields(Transform& transform, const std::string& pointer, GizmoMode& gizmo) {
     section("Transform");
+    gizmo_field(gizmo);
     const Number place{.speed = 0.01f, .format = "%.2f"}, angle{.speed = 0.5f, .format = "%.1f", .unit = "°"};
     bool edited = false;
     edited |= vector_field("Move", transform.translate, place, glm::vec3(0),
@@ -111,7 +124,7 @@ bool object_panel(Object& object, const std::string& pointer, Reflection reflect
     mesh_facts(object);
     section("Material");
     edited |= material_panel(object.material, pointer + "/material", reflection);
-    edited |= transform_fields(object.transform, pointer + "/transform");
+    edited |= transform_fields(object.transform, pointer + "/transform", wishes.gizmo);
     edited |= normal_fields(object.normals, pointer + "/normals");
     return edited && keep_valid(object, before);
 }

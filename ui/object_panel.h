@@ -4,12 +4,14 @@
 #include <string>
 
 #include "models/scene.h"
+#include "ui/hands/object_drag.h"
 
 namespace glint {
 
 /// What a panel asks of its caller beside an edit.
 struct ObjectWishes {
-    bool browse_mesh = false;  // choose a mesh file
+    bool browse_mesh = false;           // choose a mesh file
+    GizmoMode gizmo = GizmoMode::Move;  // in the picture: what it is, and what it shall be
 };
 
 /// Edits the object and says whether it did; `pointer`: "/objects/0". A changed mesh source leaves

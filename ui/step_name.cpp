@@ -43,6 +43,18 @@ std::string light_step(const Light& a, const Light& b) {
     return fmt::format("Edit {}", name);
 }
 
+const char* transform_step(const Transform& a, const Transform& b) {
+    Transform same = a;
+    same.translate = b.translate;
+    if (same == b) return "Move";
+    same = a;
+    same.rotate_deg = b.rotate_deg;
+    if (same == b) return "Rotate";
+    same = a;
+    same.scale = b.scale;
+    return same == b ? "Scale" : "Transform";
+}
+
 std::string object_step(const Object& a, const Object& b) {
     const auto only = [&](auto member) {
         Object same = a;
@@ -50,7 +62,8 @@ std::string object_step(const Object& a, const Object& b) {
         return same == b;
     };
     if (only(&Object::name)) return fmt::format("Rename {}", a.name);
-    if (only(&Object::transform)) return fmt::format("Transform {}", b.name);
+    if (only(&Object::transform))
+        return fmt::format("{} {}", transform_step(a.transform, b.transform), b.name);
     if (only(&Object::material)) return fmt::format("Material of {}", b.name);
     if (only(&Object::normals)) return fmt::format("Normals of {}", b.name);
     if (only(&Object::source)) return fmt::format("Mesh of {}", b.name);

@@ -85,6 +85,7 @@ void selected_panel(UiState& state, const PictureView& view) {
     const auto index = static_cast<std::size_t>(selection.index);
     const std::string number = std::to_string(selection.index);
     ObjectWishes wishes;
+    wishes.gizmo = state.viewport.gizmo;
     switch (selection.kind) {
     case Selection::Kind::Camera:
         (void)camera_panel(scene.camera, view.map.size);
@@ -103,6 +104,7 @@ void selected_panel(UiState& state, const PictureView& view) {
         (void)display_panel(scene.display);
         break;
     }
+    state.viewport.gizmo = wishes.gizmo;
     if (wishes.browse_mesh) {
         state.mesh_for_object = selection.index;
         state.files.ask(FilePurpose::OpenMesh, state.editor.document.path);

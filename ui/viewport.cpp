@@ -46,7 +46,8 @@ void press(ViewportState& state, ViewportFrame& frame) {
         begin(state, frame, Gesture::Press, ImGuiMouseButton_Left);
         state.pressed_grip = state.hovered_grip;
         if (!state.hovered_grip.is_mark()) return;
-        frame.selection = {Selection::Kind::Light, state.hovered_grip.item};
+        if (state.hovered_grip.kind == GripKind::Light)
+            frame.selection = {Selection::Kind::Light, state.hovered_grip.item};
         if (!state.hovered_grip.in_picture) state.gesture = Gesture::None;
     } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle) ||
                ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
@@ -151,6 +152,7 @@ void set_cursor(const ViewportState& state) {
 }  // namespace
 
 bool viewport_gestures(ViewportState& state, ViewportFrame frame, const UiInput& input) {
+    frame.gizmo = state.gizmo;
     state.asked = false;
     state.hovered = ImGui::IsItemHovered() && ImGui::IsMousePosValid();
     if (state.gesture == Gesture::None) {

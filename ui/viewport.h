@@ -19,6 +19,7 @@ struct ViewportState {
     double grip_depth = 1;            // of what the camera gesture holds on to
     Grip hovered_grip, pressed_grip;  // under the cursor now, and when the button went down
     Held held;                        // under Gesture::Hand
+    GizmoMode gizmo = GizmoMode::Move;
     Scene before;                     // as it was when the gesture began: Esc brings it back
     std::optional<glm::dvec2> probe;  // the pixel asked about, as a share of the picture's size
     bool hovered = false;             // the cursor is over the picture

@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "ui/hands/object_gizmo_draw.h"
 #include "ui/icons.h"
 #include "ui/theme.h"
 #include "ui/viewport.h"
@@ -18,11 +19,6 @@ bool is_hidden(const Handle& handle, const ViewportFrame& frame) {
               y = std::min(int(handle.at.pixel.y), size.height - 1);
     const double depth = frame.renderer->depth_at(x, y);
     return depth > 0 && handle.at.depth > depth * 1.01;
-}
-
-/// A grip of this frame may name a light that an edit has deleted since.
-bool exists(const Grip& grip, const Scene& scene) {
-    return grip && static_cast<std::size_t>(grip.item) < scene.lights.size();
 }
 
 /// A highlight or a terminator under the hand: a ring there, and a line to the light that makes it.
@@ -42,6 +38,18 @@ void draw_hold_on_surface(ImDrawList& list, const ViewportState& state, const Vi
     const float radius = px(held ? 7 : 10);
     list.AddCircle(hand, radius, dark, 0, px(4));
     list.AddCircle(hand, radius, held && state.held.astray ? packed(theme().dim_text) : colour, 0, px(2));
+}
+
+void draw_gizmo_of_selected(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame) {
+    if (frame.selection.kind != Selection::Kind::Object) return;
+    const auto index = static_cast<std::size_t>(frame.selection.index);
+    if (index >= frame.scene.objects.size()) return;
+    const bool held = state.gesture == Gesture::Hand;
+    const Grip& grip = held ? state.held.grip : state.hovered_grip;
+    std::optional<GizmoPart> in_hand;
+    if (grip.kind == GripKind::Object) in_hand = grip.part;
+    const auto gizmo = gizmo_of(frame.scene.objects[index].transform, state.gizmo, frame.view);
+    if (gizmo) draw_object_gizmo(list, frame.view, *gizmo, state.gizmo, in_hand);
 }
 
 void draw_probe(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame) {
@@ -76,13 +84,20 @@ void draw_overlay(ImDrawList& list, const ViewportState& state, const ViewportFr
         light_handles(frame.scene, frame.view, selected_light(frame.selection));
     const bool few = handles.size() <= 24;
     draw_hold_on_surface(list, state, frame);
+    const Grip& grip = state.gesture == Gesture::Hand ? state.held.grip : state.hovered_grip;
     for (const Handle& handle : handles) {
-        const Grip& in_hand = state.gesture == Gesture::Hand ? state.held.grip : state.hovered_grip;
-        const HandleLook look{frame.selection == Selection{Selection::Kind::Light, handle.light},
-                              in_hand && in_hand.item == handle.light, is_hidden(handle, frame), few};
-        draw_handle(list, frame.view, frame.scene.lights[static_cast<std::size_t>(handle.light)], handle,
-                    look);
+        const Light& light = frame.scene.lights[static_cast<std::size_t>(handle.light)];
+        const bool hand_on_it = grip && grip.kind != GripKind::Object && grip.item == handle.light;
+        HandleLook look{frame.selection == Selection{Selection::Kind::Light, handle.light},
+                        hand_on_it,
+                        is_hidden(handle, frame),
+                        few,
+                        {}};
+        if (hand_on_it && grip.kind == GripKind::Shape)
+            look.shape_in_hand = place_of(grip.shape, light, frame.view.dome, frame.view.map);
+        draw_handle(list, frame.view, light, handle, look);
     }
+    draw_gizmo_of_selected(list, state, frame);
     draw_probe(list, state, frame);
     draw_hand_note(list, state, frame);
 }

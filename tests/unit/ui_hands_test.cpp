@@ -56,7 +56,7 @@ TEST_CASE("a highlight is dragged like a thing, and undo puts the light back", "
         const Scene before = bench.scene();
         const glm::dvec2 from = highlight_pixel(bench), to = from + glm::dvec2(-50, 35);
         bench.move(bench.at_pixel(from));
-        CHECK(bench.state.viewport.hovered_grip == Grip{GripKind::Highlight, 0, true});
+        CHECK(bench.state.viewport.hovered_grip == Grip{.kind = GripKind::Highlight, .item = 0});
         bench.drag(bench.at_pixel(from), bench.at_pixel(to));
         CHECK(bench.scene().camera == before.camera);
         CHECK_FALSE(bench.scene().lights == before.lights);
@@ -151,7 +151,7 @@ TEST_CASE("the selected light's terminator follows the hand", "[ui][hands][windo
         };
         while (cosine(from) > 0) from += glm::dvec2(-0.7, 0.7);
         bench.move(bench.at_pixel(from));
-        CHECK(bench.state.viewport.hovered_grip == Grip{GripKind::Terminator, 0, true});
+        CHECK(bench.state.viewport.hovered_grip == Grip{.kind = GripKind::Terminator, .item = 0});
         const glm::dvec2 to = from + glm::dvec2(40, -24);
         bench.drag(bench.at_pixel(from), bench.at_pixel(to));
         CHECK(cosine(to) == Approx(0).margin(1e-5));
@@ -188,4 +188,74 @@ TEST_CASE("a click on W or C in a light's row keeps the light where it is, with 
     CHECK(bench.scene().lights[0].space == LightSpace::Camera);
     CHECK(bench.scene().lights[0].position == numbers);
     CHECK(glm::length(bench.handle_pixel(0) - before) > 1);
+}
+
+TEST_CASE("an object is moved, turned and scaled in the picture, each drag one named step",
+          "[ui][hands][window]") {
+    Bench bench;
+    with_light(bench, LightKind::Point);
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    bench.frames(2);
+    const Scene before = bench.scene();
+    const glm::dvec2 middle = [&] {
+        const ScreenMap map = screen_map(before.camera, bench.state.picture->size);
+        return project(map, glm::dvec3(before.objects[0].transform.translate)).pixel;
+    }();
+    const struct {
+        Key key;
+        glm::dvec2 from;
+        const char* name;
+    } deeds[] = {{Key::G, {0, 0}, "Move "}, {Key::R, {70.0, 70.0}, "Rotate "}, {Key::T, {0, 0}, "Scale "}};
+    bench.key(Key::G);
+    CHECK(bench.state.viewport.gizmo == GizmoMode::None);  // it showed before: its key takes it away
+    for (const auto& deed : deeds) {
+        bench.key(deed.key);
+        // The outer ring is 1.18 axes of 84 units out.
+        const glm::dvec2 from =
+            middle + (deed.key == Key::R ? glm::normalize(deed.from) * 84.0 * 1.18 : deed.from);
+        bench.move(bench.at_pixel(from));
+        CHECK(bench.state.viewport.hovered_grip.kind == GripKind::Object);
+        CHECK(bench.state.viewport.hovered_grip.part == GizmoPart::Free);
+        bench.drag(bench.at_pixel(from), bench.at_pixel(from + glm::dvec2(30, -12)));
+        CHECK(bench.state.editor.history.undo_name() == deed.name + before.objects[0].name);
+        CHECK_FALSE(bench.scene().objects == before.objects);
+        CHECK(bench.scene().lights == before.lights);
+        bench.key(Key::Z, true);
+        CHECK(bench.scene() == before);
+    }
+    bench.key(Key::G);
+    bench.move(bench.at_pixel(middle));
+    bench.button(true);
+    bench.move(bench.at_pixel(middle + glm::dvec2(40, 10)));
+    CHECK_FALSE(bench.scene() == before);
+    bench.key(Key::Escape);
+    bench.button(false);
+    CHECK(bench.scene() == before);
+}
+
+TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[ui][hands][window]") {
+    Bench bench;
+    with_light(bench, LightKind::Spot);
+    bench.scene().lights[0].position = {-1.6f, 1.0f, 1.2f, 1};
+    bench.scene().lights[0].spot = {{1.6f, -1.0f, -1.2f}, 20, 1};
+    take_document(bench.state.editor, bench.state.editor.document);
+    bench.state.editor.selection = {Selection::Kind::Light, 0};
+    bench.frames(2);
+    const Scene before = bench.scene();
+    const auto place = [&](ShapePart part) {
+        const ScreenMap map = screen_map(bench.scene().camera, bench.state.picture->size);
+        const Dome dome = sun_dome(bench.scene().camera.target, scene_bounds(bench.scene()), map);
+        for (const ShapeGrip& grip : shape_grips(bench.scene().lights[0], dome, map))
+            if (grip.part == part) return project(map, grip.place).pixel;
+        return glm::dvec2(0);
+    };
+    for (const ShapePart part : {ShapePart::Rim, ShapePart::Aim}) {
+        // Inwards: past the rim of the sphere on which the aim moves no place is under the cursor.
+        const glm::dvec2 from = place(part), to = from + glm::round(0.2 * (bench.handle_pixel(0) - from));
+        bench.drag(bench.at_pixel(from), bench.at_pixel(to));
+        CHECK(bench.state.editor.history.undo_name() == "Cone of Lamp");
+        if (part == ShapePart::Aim) CHECK(glm::length(place(part) - to) < 0.5);
+        bench.key(Key::Z, true);
+        CHECK(bench.scene() == before);
+    }
 }

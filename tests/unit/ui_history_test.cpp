@@ -93,7 +93,7 @@ TEST_CASE("steps are named by what changed", "[ui]") {
     CHECK(name_of([](Scene& s) { s.lights.emplace_back().name = "Lamp"; }) == "Add Lamp");
     CHECK(name_of([](Scene& s) { s.lights[1].name = "Lamp"; }) == "Rename Bulb");
     CHECK(name_of([](Scene& s) { s.objects[0].material.shininess = 5; }) == "Material of Teapot");
-    CHECK(name_of([](Scene& s) { s.objects[0].transform.translate.x = 5; }) == "Transform Teapot");
+    CHECK(name_of([](Scene& s) { s.objects[0].transform.translate.x = 5; }) == "Move Teapot");
     CHECK(name_of([](Scene& s) { s.camera.eye.x = 5; }) == "Camera");
     CHECK(name_of([](Scene& s) { s.shading.mode = ShadingMode::Flat; }) == "Shading mode");
     CHECK(name_of([](Scene& s) { s.shading.terms.ambient = false; }) == "Terms");

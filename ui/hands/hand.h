@@ -7,24 +7,34 @@
 
 #include "ui/hands/hand_frame.h"
 #include "ui/hands/highlight_drag.h"
+#include "ui/hands/light_shape.h"
+#include "ui/hands/object_drag.h"
 #include "ui/hands/terminator_drag.h"
 #include "ui/light_drag.h"
 
 namespace glint {
 
-enum class GripKind { None, Light, Highlight, Terminator };
+enum class GripKind { None, Light, Shape, Object, Highlight, Terminator };
 
 /// Something that can be dragged.
 struct Grip {
     GripKind kind = GripKind::None;
-    int item = -1;           // number of the light
-    bool in_picture = true;  // else its place is outside and an arrow at the border points to it
+    int item = -1;                     // number of the light, or of the object
+    bool in_picture = true;            // else its place is outside and an arrow at the border points to it
+    ShapeGrip shape = {};              // under Shape: a light's cone or rectangle
+    GizmoPart part = GizmoPart::Free;  // under Object, with
+    GizmoMode mode = GizmoMode::None;
     bool operator==(const Grip&) const = default;
 
     explicit operator bool() const { return kind != GripKind::None; }
     /// A mark drawn on the picture, which takes clicks for itself; a click on the surface asks why.
-    [[nodiscard]] bool is_mark() const { return kind == GripKind::Light; }
+    [[nodiscard]] bool is_mark() const {
+        return kind == GripKind::Light || kind == GripKind::Shape || kind == GripKind::Object;
+    }
 };
+
+/// Whether what the grip belongs to is (still) in the scene.
+[[nodiscard]] bool exists(const Grip& grip, const Scene& scene);
 
 /// What the cursor (pixels of the picture) is over: marks first, then the selected light's terminator, then
 /// highlights.
@@ -34,7 +44,7 @@ struct Grip {
 struct Held {
     Grip grip;
     DragView view;
-    std::variant<std::monostate, LightDrag, HighlightDrag, TerminatorDrag> drag;
+    std::variant<std::monostate, LightDrag, ShapeDrag, ObjectDrag, HighlightDrag, TerminatorDrag> drag;
     bool astray = false;  // the cursor is where the drag has no answer: the scene waits as it is
 };
 

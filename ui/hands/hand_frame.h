@@ -5,6 +5,7 @@
 
 #include "renderer/renderer.h"
 #include "ui/gizmo.h"
+#include "ui/hands/object_drag.h"
 #include "ui/scene_edit.h"
 
 namespace glint {
@@ -14,6 +15,7 @@ struct ViewportFrame {
     Selection& selection;
     const Renderer* renderer = nullptr;  // of the last picture; null before the first
     PictureView view;
+    GizmoMode gizmo = GizmoMode::Move;  // of the selected object
 };
 
 struct HandKeys {

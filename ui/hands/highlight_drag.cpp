@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat2x2.hpp>
 #include <glm/matrix.hpp>
+#include <numbers>
 
 #include "renderer/inspect/highlight.h"
+#include "ui/hands/drag_math.h"
 #include "ui/hands/surface_patch.h"
 
 namespace glint {
@@ -25,30 +26,6 @@ glm::dvec3 in_world(const ScreenMap& map, glm::vec3 camera, double w) {
     return glm::dvec3(map.world_from_view * glm::dvec4(glm::dvec3(camera), w));
 }
 
-/// The rotation that takes one unit vector into another the short way.
-glm::dmat4 rotation_between(glm::dvec3 from, glm::dvec3 to) {
-    const double cosine = std::clamp(glm::dot(from, to), -1.0, 1.0);
-    glm::dvec3 axis = glm::cross(from, to);
-    if (glm::length(axis) < 1e-12) {
-        if (cosine > 0) return glm::dmat4(1);
-        axis = glm::cross(from, std::abs(from.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
-    }
-    return glm::rotate(glm::dmat4(1), std::acos(cosine), glm::normalize(axis));
-}
-
-/// Axis and edges, turned in the world.
-void turn_shape(Light& light, const glm::dmat4& turn, const ScreenMap& map) {
-    const auto turned = [&](glm::vec3 own) {
-        const glm::dvec4 world(to_world(light, own, 0, map), 0);
-        return glm::vec3(to_own(light, glm::dvec3(turn * world), 0, map));
-    };
-    if (light.kind == LightKind::Spot) light.spot.direction = turned(light.spot.direction);
-    if (light.kind == LightKind::Area) {
-        light.area.edge_u = turned(light.area.edge_u);
-        light.area.edge_v = turned(light.area.edge_v);
-    }
-}
-
 /// Turns a spot, if it must be, so that `place` lies well inside its cone: a highlight cut off by the cone's
 /// edge has its peak there.
 void aim_at(Light& light, glm::dvec3 place, const SurfaceView& view) {
@@ -56,13 +33,10 @@ void aim_at(Light& light, glm::dvec3 place, const SurfaceView& view) {
     const glm::dvec3 way = glm::normalize(place - handle_of(light, view.dome, view.map));
     const glm::dvec3 axis = glm::normalize(to_world(light, light.spot.direction, 0, view.map));
     const double angle = std::acos(std::clamp(glm::dot(axis, way), -1.0, 1.0));
-    const double inside = 0.6 * glm::radians(double(light.spot.cutoff_deg));
+    const double inside = 0.6 * double(light.spot.cutoff_deg) * std::numbers::pi / 180;
     if (angle <= inside) return;
-    const glm::dvec3 across = glm::cross(way, axis);
-    const glm::dvec3 aim =
-        glm::length(across) < 1e-9
-            ? way
-            : glm::dvec3(glm::rotate(glm::dmat4(1), inside, glm::normalize(across)) * glm::dvec4(way, 0));
+    const glm::dvec3 off = glm::cross(way, axis);
+    const glm::dvec3 aim = glm::length(off) < 1e-9 ? way : rotated(way, glm::normalize(off), inside);
     turn_shape(light, rotation_between(axis, aim), view.map);
 }
 
@@ -78,9 +52,10 @@ class PeakSearch {
 
     /// Newton's steps from `first`; the direction with the gentlest slope met.
     [[nodiscard]] glm::dvec3 level_from(glm::dvec3 first, int radius) const {
-        const glm::dvec3 other = std::abs(first.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-        const glm::dvec3 u = glm::normalize(glm::cross(other, first)), v = glm::cross(first, u);
-        const auto away = [&](glm::dvec2 tilt) { return glm::normalize(first + tilt.x * u + tilt.y * v); };
+        const auto [u, v] = across(first);
+        const auto away = [&, u = u, v = v](glm::dvec2 tilt) {
+            return glm::normalize(first + tilt.x * u + tilt.y * v);
+        };
         glm::dvec2 tilt(0);
         glm::dvec2 now = slope(radius, away(tilt));
         for (int i = 0; i < 10 && glm::length(now) > 1e-7; ++i) {

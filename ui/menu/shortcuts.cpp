@@ -29,6 +29,8 @@ Lines mouse_lines() {
             {"Move a light", "Drag its handle or its highlight"},
             {"Turn the selected light", "Drag its terminator"},
             {"… in depth, along an axis", "with Shift, with X Y Z"},
+            {"Open a cone, aim, size a panel", "Drag the marks of the selected light"},
+            {"Move, rotate, scale an object", "Select it, drag its gizmo (G R T)"},
             {"… on a grid, cancel", "with Ctrl, Esc"},
             {"Number: finer, type, default", "Shift, Ctrl+click, double-click"}};
 }
