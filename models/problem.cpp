@@ -100,6 +100,10 @@ std::string Problem::text() const {
     return text;
 }
 
+std::string on_one_line(std::string_view raw) {
+    return printable(raw, 4 * raw.size());  // no escape is longer than four characters a byte
+}
+
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
     word = word.substr(0, 64);  // longer than any name of ours: the rest only costs time
     std::string best;

@@ -36,6 +36,9 @@ template <class T> [[nodiscard]] const Problem* problem_of(const Result<T>& resu
 /// Things that were tolerated, one line a kind with its count, in the order in which they were met.
 using Warnings = std::vector<std::string>;
 
+/// A name from a file, for a line of text: valid UTF-8, its control characters written as \n, \t or \x1b.
+[[nodiscard]] std::string on_one_line(std::string_view raw);
+
 /// The candidate nearest to `word` by edit distance, capitals or not, for "did you mean"; of equals the one
 /// whose capitals agree, then the first. Empty when there are no candidates.
 [[nodiscard]] std::string nearest(std::string_view word, const std::vector<std::string>& candidates);

@@ -4,16 +4,27 @@
 
 #include <string_view>
 
+#include "models/problem.h"
 #include "models/scene_names.h"
 
 namespace glint {
 namespace {
 
-/// LaTeX's special characters stand for themselves.
+/// LaTeX's special characters stand for themselves, and a name stays on its line: an empty one would end the
+/// equation.
 std::string escaped(std::string_view text) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : on_one_line(text)) {
         switch (c) {
+        case '<':  // in LaTeX's first font encoding these three are other characters
+            out += "\\textless{}";
+            break;
+        case '>':
+            out += "\\textgreater{}";
+            break;
+        case '|':
+            out += "\\textbar{}";
+            break;
         case '\\':
             out += "\\textbackslash{}";
             break;

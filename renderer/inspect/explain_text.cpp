@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/problem.h"
 #include "models/scene_names.h"
 
 namespace glint {
@@ -85,9 +86,9 @@ class Writer {
 
   private:
     [[nodiscard]] std::string hit() const {
-        std::string text =
-            fmt::format("{}, face {}, {} side; {} shading, {} reflection\n\n", e_.object, e_.face,
-                        e_.front_facing ? "front" : "back", name_of(e_.mode), name_of(e_.reflection));
+        std::string text = fmt::format("{}, face {}, {} side; {} shading, {} reflection\n\n",
+                                       on_one_line(e_.object), e_.face, e_.front_facing ? "front" : "back",
+                                       name_of(e_.mode), name_of(e_.reflection));
         text += spaces() + "\n";
         text += "     camera coordinates               world coordinates\n" + place(e_.at) + "\n";
         if (!e_.lit_per_corner) return text + equation(e_.at);
@@ -148,7 +149,7 @@ class Writer {
 
     [[nodiscard]] std::string one_light(const ExplainedLight& e) const {
         const Light& light = scene_.lights[static_cast<std::size_t>(e.index)];
-        std::string text = fmt::format("{}, {} light", e.name, name_of(light.kind));
+        std::string text = fmt::format("{}, {} light", on_one_line(e.name), name_of(light.kind));
         if (!e.samples.empty()) return text + samples(e, light);
         const std::string why = remark(e, light);
         text += (why.empty() ? "" : ": " + why) + "\n";

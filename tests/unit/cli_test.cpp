@@ -126,6 +126,16 @@ TEST_CASE("an explanation's terms add up to the pixel of the picture, to the las
     }
 }
 
+TEST_CASE("a name with line breaks and escape sequences stays one harmless line of an explanation",
+          "[cli][explain]") {
+    const char* const scene = R"({"glint": 1, "lights": [{"name": "a\n\u001b[31mb"}],
+                                  "objects": [{"name": "ball\u0007"}]})";
+    const std::string out = must({"explain", "-", "--pixel", "640,360"}, scene).out;
+    CHECK(out.find("Pixel 640, 360: ball\\x07, face ") == 0);
+    CHECK(out.find("\na\\n\\x1b[31mb, point light\n") != std::string::npos);
+    CHECK(out.find('\x1b') == std::string::npos);
+}
+
 TEST_CASE("the picture has the same bytes for every number of threads, given anywhere", "[cli][render]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights);

@@ -41,6 +41,7 @@ TEST_CASE("the LaTeX form is balanced, escapes names and ends with the bytes", "
         Scene scene = busy_scene();
         scene.shading.mode = mode;
         scene.objects[0].name = "100%_ball & {box}";
+        scene.lights[0].name = "a<b>|c|\n\nd";
         renderer.render(scene, {96, 72});
         const Explanation e = renderer.explain(38, 36);
         REQUIRE(e.object_index == 0);
@@ -55,6 +56,8 @@ TEST_CASE("the LaTeX form is balanced, escapes names and ends with the bytes", "
         CHECK(count("\\[") == count("\\]"));
         CHECK(std::count(text.begin(), text.end(), '{') == std::count(text.begin(), text.end(), '}'));
         CHECK(count("100\\%\\_ball \\& \\{box\\}") == 1);
+        CHECK(count("a\\textless{}b\\textgreater{}\\textbar{}c\\textbar{}\\textbackslash{}n") > 0);
+        CHECK(count("\n\n") == 0);  // an empty line would end the equation
         const std::string bytes = fmt::format("({}, {}, {})", e.byte[0], e.byte[1], e.byte[2]);
         CHECK(text.rfind(bytes) > text.size() - 40);
     }

@@ -24,6 +24,13 @@ TEST_CASE("control characters and invalid bytes are escaped, other characters st
     CHECK(text_of("\xc2\x85|\xe2\x80\xa8") == "\\xc2\\x85|\\xe2\\x80\\xa8");  // next line, line separator
 }
 
+TEST_CASE("a name goes on one line whole, however many of its characters are escaped", "[problem]") {
+    CHECK(on_one_line("").empty());
+    CHECK(on_one_line("Left lamp, 茶") == "Left lamp, 茶");
+    CHECK(on_one_line("\n\x07\xff") == "\\n\\x07\\xff");
+    CHECK(on_one_line(std::string(9000, '\a')).size() == 4 * 9000);
+}
+
 TEST_CASE("a long problem is cut to fit 4096 bytes and keeps what was expected", "[problem]") {
     for (const std::string& filler :
          {std::string("x"), std::string("\n"), std::string("茶"), std::string("\xff")}) {
