@@ -169,6 +169,8 @@ Json read_json(std::string_view text, const std::string& file) {
             {file, "", fmt::format("the byte 0x{:02x} is no UTF-8", byte), "UTF-8 text", line_of(text, bad)}};
     }
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    if (text.starts_with(byte_order_mark))  // the library would pass over this one
+        throw ProblemFound{{file, "", "a second byte-order mark", "at most one before the text", 1}};
     Builder builder(text, file);
     Json::sax_parse(builder.begin(), builder.end(), &builder);  // what is wrong is thrown
     return std::move(builder).take();

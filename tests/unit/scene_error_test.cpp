@@ -30,6 +30,8 @@ TEST_CASE("text that is no JSON is a problem with its line and what was expected
         {"", R"(1: there is no text; expected an object, such as {"glint": 1})"},
         {"  \n  ", R"(1: there is no text; expected an object, such as {"glint": 1})"},
         {"\xEF\xBB\xBF", R"(1: there is no text; expected an object, such as {"glint": 1})"},
+        {"\xEF\xBB\xBF\xEF\xBB\xBF{\"glint\": 1}",
+         "1: a second byte-order mark; expected at most one before the text"},
         {"{", R"(1: the text ends too early; expected a key in quotes or "}")"},
         {R"({"glint": 1)", R"(1: the text ends too early; expected "," or "}")"},
         {R"({"glint": 1,})", R"(1: unexpected "}"; expected a key in quotes)"},
