@@ -29,6 +29,19 @@ SheetAxis axis_of(const std::string& option, const std::string& text) {
     return std::get<SheetAxis>(std::move(axis));
 }
 
+/// True when setting `outer` overwrites what was set at `inner` before.
+bool overwrites(const std::string& outer, const std::string& inner) {
+    return inner == outer || inner.starts_with(outer + "/");
+}
+
+/// A column's value is set after its row's, so a row that it overwrites would be labelled with what is not
+/// drawn.
+void require_two_parameters(const SheetAxis& rows, const SheetAxis& columns) {
+    if (overwrites(columns.pointer, rows.pointer))
+        throw Failure{ExitStatus::WrongUsage,
+                      {"--cols", columns.pointer, "it overwrites what --rows sets", "another parameter"}};
+}
+
 /// The scene of one cell. What is wrong with a value is the fault of the axis that it is on.
 Scene scene_of_cell(const SceneDocument& document, const SheetAxis& rows, const std::string& row,
                     const SheetAxis& columns, const std::string& column) {
@@ -60,6 +73,7 @@ Outcome sheet(const SheetArguments& arguments) {
     require_file(arguments.scene);
     const SheetAxis rows = axis_of("--rows", arguments.rows);
     const SheetAxis columns = axis_of("--cols", arguments.columns);
+    require_two_parameters(rows, columns);
     require_given(arguments.out, "-o", "a file to write, .png, or - for standard output");
     if (!takes_png(arguments.out))
         throw wrong_usage("-o", arguments.out + " cannot be written",

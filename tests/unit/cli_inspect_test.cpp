@@ -107,6 +107,13 @@ TEST_CASE("glint sheet names the axis whose value is wrong", "[cli][sheet][bad-i
                 "--rows: /shading/mode: \"flt\" is not known; expected flat, facet, gouraud or phong");
     check_wrong({"sheet", "-", "--rows", rows, "--cols", "/display/exposure=1", "-o", "a.pfm"},
                 "-o: a.pfm cannot be written; expected a name that ends in .png, or - for standard output");
+    const std::string again = ": it overwrites what --rows sets; expected another parameter";
+    check_wrong(
+        {"sheet", "-", "--rows", "/display/exposure=1,no", "--cols", "/display/exposure=1", "-o", out},
+        "--cols: /display/exposure" + again);
+    check_wrong({"sheet", "-", "--rows", "/objects/0/material/shininess=1", "--cols",
+                 "/objects/0/material={}", "-o", out},
+                "--cols: /objects/0/material" + again);
     const Ended large = run_glint(
         {"sheet", "-", "--rows", rows, "--cols", "/display/exposure=1,2", "-o", out, "--cell", "9000x9"},
         ball);
