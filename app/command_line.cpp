@@ -101,7 +101,7 @@ class HelpFormatter : public CLI::Formatter {
   public:
     explicit HelpFormatter(std::string usage) : usage_(std::move(usage)) { column_width(24); }
     std::string make_usage(const CLI::App* /*app*/, std::string name) const override {
-        return "\nUsage: " + name + " " + usage_ + "\n";
+        return "\nUsage: " + name + (usage_.empty() ? "" : " " + usage_) + " [OPTIONS]\n";
     }
 
   private:
@@ -114,7 +114,7 @@ Outcome run(const Command& command, Arguments arguments) {
     app.allow_extras();
     app.set_help_flag("-h,--help", "prints this");
     if (command.name.empty()) app.set_version_flag("--version", "glint " GLINT_VERSION "\n");
-    app.formatter(std::make_shared<HelpFormatter>(command.usage + " [OPTIONS]"));
+    app.formatter(std::make_shared<HelpFormatter>(command.usage));
     app.footer("Example: " + command.example);
     const Run work = command.declare(app);
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back

@@ -93,6 +93,7 @@ Result<Picture> read_png(const std::string& path) {
     auto file = read_file(path, max_png_bytes);
     if (const Problem* problem = problem_of(file)) return *problem;
     const std::string& bytes = std::get<std::string>(file);
+    if (bytes.empty()) return unreadable(path, "is empty");
 
     png_image image{};
     image.version = PNG_IMAGE_VERSION;

@@ -35,9 +35,9 @@ std::string json_of(const Comparison& c, int gain) {
     return json_text(json);
 }
 
-/// Standard output is the JSON's, so a picture of the differences needs a file.
 void require_png_file(const std::string& out) {
-    if (out.empty() || has_extension(out, ".png")) return;
+    if (out == "-") throw wrong_usage("-o", "standard output is the answer's", "a name that ends in .png");
+    if (out.empty() || takes_png(out)) return;
     throw wrong_usage("-o", out + " cannot be written", "a name that ends in .png");
 }
 

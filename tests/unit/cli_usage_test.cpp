@@ -79,6 +79,8 @@ TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-i
         {{"compare", "a.png"}, "B.png: is missing; expected a second picture to compare with"},
         {{"compare", "a.png", "b.png", "-o", "c.jpg"},
          "-o: c.jpg cannot be written; expected a name that ends in .png"},
+        {{"compare", "a.png", "b.png", "-o", "-"},
+         "-o: standard output is the answer's; expected a name that ends in .png"},
         {{"compare", "a.png", "b.png", "--max-error", "much"},
          "--max-error: much is no number; expected 0 or more"},
         {{"compare", "a.png", "b.png", "--max-error", "inf"},
@@ -128,6 +130,13 @@ TEST_CASE("an input that cannot be used ends with status 1 and names the file", 
     CHECK_FALSE(std::filesystem::exists(directory.path("o.png")));
 }
 
+TEST_CASE("an empty picture is called empty", "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string empty = directory.file("empty.png", "");
+    check_error(run_glint({"compare", empty, empty}), 1,
+                empty + ": is empty; expected a PNG picture of 1x1 to 16384x16384");
+}
+
 TEST_CASE("an error stays one line of at most 4096 bytes, whatever the file is called", "[cli][bad-input]") {
     const Ended hostile = run_glint({"info", "a\nb\x1b[31m\x07.json"});
     CHECK(hostile.status == 1);
@@ -152,10 +161,12 @@ TEST_CASE("asked for --help or --version it answers on standard output, with sta
     CHECK(help.status == 0);
     CHECK(help.err.empty());
     CHECK(version.out.rfind("glint ", 0) == 0);
-    for (const std::string command : {"render", "explain", "info", "compare", "bench"}) {
+    for (const std::string command :
+         {"render", "explain", "profile", "sheet", "lobe", "microfacets", "info", "compare", "bench"}) {
         CHECK(help.out.find("glint " + command) != std::string::npos);
         const Ended one = run_glint({command, "--help"});
         CHECK(one.status == 0);
         CHECK(one.out.find("Usage: glint " + command) != std::string::npos);
+        CHECK(one.out.find(command + "  [") == std::string::npos);  // no gap where there is no FILE
     }
 }
