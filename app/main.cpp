@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <set>
@@ -40,6 +41,21 @@ void say(const char* kind, Problem problem) {
     std::fputs((problem.text() + "\n").c_str(), stderr);
 }
 
+/// What nobody could catch, such as a thread that the system refuses to the library that asked for it, is
+/// told in one line like any other error. Leaves at once: other threads may still be at work.
+[[noreturn]] void end_without_a_trace() {
+    std::string what = "the program cannot go on";
+    try {
+        if (std::current_exception()) std::rethrow_exception(std::current_exception());
+    } catch (const std::exception& error) {
+        what.append(": ").append(error.what());
+    } catch (...) {
+        what += ": an error of unknown kind";
+    }
+    say("error", {.file = {}, .pointer = {}, .what = what, .expected = {}});
+    std::_Exit(static_cast<int>(ExitStatus::Impossible));
+}
+
 void print(const std::string& output) {
     auto written = write_file("-", output);
     if (Problem* problem = std::get_if<Problem>(&written)) problem->file = "standard output";
@@ -61,6 +77,7 @@ int run(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
     occupy_closed_descriptors();
+    std::set_terminate(end_without_a_trace);
     // A reader that went away and a file grown too large are errors that we can name.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);

@@ -1,7 +1,6 @@
 // glint bench: how long frames take while something is dragged.
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +12,7 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "app/drag.h"
+#include "app/progress.h"
 #include "renderer/inspect/json_text.h"
 #include "renderer/renderer.h"
 
@@ -58,42 +58,18 @@ struct Times {
     std::vector<double> strokes;
 };
 
-/// How far a long measurement is, once a second and only when somebody watches a terminal. Gone at the end.
-class Progress {
-  public:
-    explicit Progress(int frames) : frames_(frames), watched_(isatty(STDERR_FILENO) == 1) {}
-    ~Progress() {
-        if (shown_) fmt::print(stderr, "\r\x1b[K");
-    }
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-
-    void at(int frame) {
-        const auto now = std::chrono::steady_clock::now();
-        if (!watched_ || now - last_ < std::chrono::seconds(1)) return;
-        fmt::print(stderr, "\rframe {} of {}", frame, frames_);
-        last_ = now;
-        shown_ = true;
-    }
-
-  private:
-    int frames_;
-    bool watched_, shown_ = false;
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
 Times measure(Renderer& renderer, const Scene& start, const BenchArguments& arguments, Drag drag) {
     using Clock = std::chrono::steady_clock;
     Times times;
     Scene scene = start;
-    Progress progress(arguments.frames);
+    Progress progress("frame", static_cast<std::size_t>(arguments.frames));
     for (int frame = -warm_up_frames; frame < arguments.frames; ++frame) {
         drag_to(scene, start, drag, frame);
         const auto before = Clock::now();
         (void)renderer.render(scene, arguments.size);
         const std::chrono::duration<double, std::milli> took = Clock::now() - before;
         if (frame < 0) continue;
-        progress.at(frame + 1);
+        progress.at(static_cast<std::size_t>(frame) + 1);
         times.frame.push_back(took.count());
         for (std::size_t i = 0; i < stage_count; ++i) times.stage[i].push_back(renderer.stats().ms[i]);
         times.strokes.push_back(renderer.stats().strokes_ms);

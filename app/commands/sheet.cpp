@@ -7,6 +7,7 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
+#include "app/progress.h"
 #include "models/file.h"
 #include "models/scene_variant.h"
 #include "renderer/image_file.h"
@@ -84,8 +85,10 @@ Outcome sheet(const SheetArguments& arguments) {
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 
     Renderer renderer(arguments.scene.threads);
+    Progress progress("picture", rows.values.size() * columns.values.size());
     const Picture picture =
         make_sheet(rows, columns, arguments.cell, font, [&](std::size_t r, std::size_t c) -> const Picture& {
+            progress.at(r * columns.values.size() + c + 1);
             return renderer.render(scene_of_cell(document, rows, rows.values[r], columns, columns.values[c]),
                                    arguments.cell, false, arguments.samples);
         });

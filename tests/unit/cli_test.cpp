@@ -244,6 +244,21 @@ TEST_CASE("a file that may not grow any more is an error, and no part of it stay
     CHECK(directory.names() == std::vector<std::string>{"scene.json"});
 }
 
+#if !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)  // they need more memory than is left here
+TEST_CASE("a thread that the system refuses is an error of one line, not an abort", "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", three_lights);
+    // 300 MB of addresses; a thousand threads want several times that for their stacks.
+    const Ended ended = run_glint({"--version"}, {},
+                                  "; (ulimit -v 300000; '" GLINT_PROGRAM "' render '" + scene +
+                                      "' -o - --size 640x480 -j 1000 >/dev/null; echo status $?) 2>&1");
+    CHECK(ended.out.find("glint: error: ") != std::string::npos);
+    CHECK(ended.out.find("status 1\n") != std::string::npos);
+    CHECK(ended.out.find("terminate") == std::string::npos);
+}
+#endif
+
 TEST_CASE("a failure leaves the old picture as it was", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string out = directory.file("a.png", "old");

@@ -1,0 +1,43 @@
+#pragma once
+// How far long work is, once a second and only when somebody watches a terminal.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace glint {
+
+/// One line on standard error that is written over, "frame 12 of 400", and is gone at the end.
+class Progress {
+  public:
+    /// `what` is counted from 1 to `all`.
+    Progress(std::string what, std::size_t all)
+        : what_(std::move(what)), all_(all), watched_(isatty(STDERR_FILENO) == 1) {}
+    ~Progress() {
+        if (shown_) fmt::print(stderr, "\r\x1b[K");
+    }
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void at(std::size_t count) {
+        const auto now = Clock::now();
+        if (!watched_ || now - last_ < std::chrono::seconds(1)) return;
+        fmt::print(stderr, "\r{} {} of {}", what_, count, all_);
+        last_ = now;
+        shown_ = true;
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    std::string what_;
+    std::size_t all_;
+    bool watched_, shown_ = false;
+    Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace glint
