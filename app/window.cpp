@@ -96,11 +96,12 @@ class Window {
         ImGui::GetIO().IniFilename = nullptr;
         collect_input(window, input_);
         ready_ = ImGui_ImplGlfw_InitForOpenGL(window, true) && ImGui_ImplOpenGL3_Init("#version 130");
-        if (ready_) texture_ = std::make_unique<Texture>();
+        if (ready_) texture_ = std::make_unique<Texture>(), thumbnails_ = std::make_unique<Texture>();
         files_ = find_fonts();
     }
     ~Window() {
         texture_.reset();
+        thumbnails_.reset();
         if (ready_) ImGui_ImplOpenGL3_Shutdown();
         ImGui_ImplGlfw_Shutdown();
         ImGui::DestroyContext();
@@ -109,7 +110,7 @@ class Window {
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    [[nodiscard]] bool ready() const { return ready_ && texture_->ready(); }
+    [[nodiscard]] bool ready() const { return ready_ && texture_->ready() && thumbnails_->ready(); }
 
     void run() {
         bool shown = false;
@@ -178,11 +179,15 @@ class Window {
         ImGui_ImplGlfw_NewFrame();
         if (feed_button(input_)) frames_due_ = frames_after_event;
         ImGui::NewFrame();
+        state_.views.grid.texture = thumbnails_->id();
         UiRequests wants = ui_frame(state_, input_.ui, texture_->id());
         ImGui::Render();
         input_.ui = {};
         if (state_.picture_serial != uploaded_ && state_.shown != nullptr) texture_->upload(*state_.shown);
         uploaded_ = state_.picture_serial;
+        TermGridState& grid = state_.views.grid;
+        if (grid.sheet_serial != uploaded_thumbnails_) thumbnails_->upload(grid.sheet);
+        uploaded_thumbnails_ = grid.sheet_serial;
         draw();
         if (wants.title != title_) glfwSetWindowTitle(window_, wants.title.c_str());
         title_ = wants.title;
@@ -201,11 +206,11 @@ class Window {
     GLFWwindow* window_;
     UiState& state_;
     WindowInput input_;
-    std::unique_ptr<Texture> texture_;
+    std::unique_ptr<Texture> texture_, thumbnails_;
     FontFiles files_;
     std::string title_;
     float scale_ = 0, per_unit_ = 0;
-    std::uint64_t uploaded_ = 0;
+    std::uint64_t uploaded_ = 0, uploaded_thumbnails_ = 0;
     int frames_due_ = frames_after_event;
     bool ready_ = false;
 };

@@ -30,7 +30,8 @@ constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFl
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 /// Where the picture goes and how large it is in real pixels.
-PictureView picture_view(const Rect& centre, const Scene& scene) {
+PictureView picture_view(const Rect& centre, const UiState& state) {
+    const Scene& scene = state.editor.scene();
     const float dots = std::max(ImGui::GetIO().DisplayFramebufferScale.x, 0.1f);
     const Rect area = picture_area(centre, px(1));
     const ImVec2 room = area.size();
@@ -41,6 +42,7 @@ PictureView picture_view(const Rect& centre, const Scene& scene) {
     view.map = screen_map(scene.camera, {pixels(room.x), pixels(room.y)});
     view.bounds = scene_bounds(scene);
     view.dome = sun_dome(scene.camera.target, view.bounds, view.map);
+    magnify(view, area, state.views.magnifier);
     return view;
 }
 
@@ -55,13 +57,18 @@ bool viewport(UiState& state, const Layout& layout, const UiInput& input, ImText
     ImGui::PushStyleColor(ImGuiCol_WindowBg, theme().surround);
     begin_column("##view", layout.centre);
     ImGui::PopStyleColor();
-    const PictureView view = picture_view(layout.centre, state.editor.scene());
+    const PictureView view = picture_view(layout.centre, state);
     const ImVec2 high = view.to_window({view.map.size.width, view.map.size.height});
     ImGui::GetWindowDrawList()->AddImage(texture, view.origin, high);
-    ImGui::SetCursorScreenPos(view.origin);
-    ImGui::InvisibleButton("##picture", {high.x - view.origin.x, high.y - view.origin.y},
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                               ImGuiButtonFlags_MouseButtonMiddle);
+    // Magnified, the picture goes on behind the columns.
+    const ImVec2 low{std::max(view.origin.x, layout.centre.low.x),
+                     std::max(view.origin.y, layout.centre.low.y)};
+    ImGui::SetCursorScreenPos(low);
+    ImGui::InvisibleButton(
+        "##picture",
+        {std::min(high.x, layout.centre.high.x) - low.x, std::min(high.y, layout.centre.high.y) - low.y},
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+            ImGuiButtonFlags_MouseButtonMiddle);
     const Renderer* renderer =
         state.picture != nullptr && state.picture->size == view.map.size ? state.renderer.get() : nullptr;
     if (state.viewport.gesture == Gesture::None &&
@@ -319,12 +326,12 @@ UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
     if (!state.layout.bare) toolbar(state, layout.top);
     const bool in_hand = viewport(state, layout, input, texture);
     state.left_shows_why |= state.viewport.asked;
-    left_column(state, layout, picture_view(layout.centre, state.editor.scene()));
+    left_column(state, layout, picture_view(layout.centre, state));
     dialogs(state, input);
-    const PictureView view = picture_view(layout.centre, state.editor.scene());
+    const PictureView view = picture_view(layout.centre, state);
     draw_picture(state, view);
     update_views(state);
-    overlay(state, layout, picture_view(layout.centre, state.editor.scene()));
+    overlay(state, layout, picture_view(layout.centre, state));
     why_columns(state, layout, view);
     views_windows(state, layout);
     column_edges(state.layout, layout, px(1));

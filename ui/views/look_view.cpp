@@ -178,7 +178,8 @@ void draw_look_legend(ImDrawList& list, const LookState& state, const Scene& sce
     at.y += line;
     if (ball) draw_normal_ball(list, {low.x + size.x - px(24), low.y + size.y / 2}, px(16));
     if (has_bar) {
-        draw_bar(list, state, {{at.x + px(6), at.y + px(5)}, {low.x + size.x - px(16), at.y + px(13)}}, readings);
+        draw_bar(list, state, {{at.x + px(6), at.y + px(5)}, {low.x + size.x - px(16), at.y + px(13)}},
+                 readings);
         at.y += px(32);
     }
     for (const Reading& reading : readings) {

@@ -5,8 +5,11 @@
 
 #include "ui/plots/plots_tab.h"
 #include "ui/views/compare_view.h"
+#include "ui/views/lit_dots.h"
 #include "ui/views/look_view.h"
+#include "ui/views/magnifier.h"
 #include "ui/views/scope.h"
+#include "ui/views/term_grid.h"
 
 namespace glint {
 
@@ -23,6 +26,9 @@ struct ViewsState {
     CompareState compare;
     LookState look;
     PlotsState plots;
+    MagnifierState magnifier;
+    LitDotsState lit;
+    TermGridState grid;
     int threads = 0;  // of further renderers
     // Of the shown picture:
     ShownFrom shown_from;

@@ -86,6 +86,7 @@ void begin_views(UiState& state) {
 
 bool views_hand(UiState& state, const PictureView& view) {
     ViewsState& views = state.views;
+    if (magnifier_hand(views.magnifier, view)) return true;
     if (views.scope.hand == ScopeState::Hand::None && !views.scope.armed &&
         compare_hand(views.compare, view)) {
         views.scope.under = ScopeState::Hand::None;
@@ -102,9 +103,13 @@ void update_views(UiState& state) {
     const bool readable = !state.shown->linear.empty() && state.shown->size == state.picture->size;
     update_scope(state.views.scope, *state.renderer, readable ? *state.shown : *state.picture);
     ask_part(state);
+    update_lit_dots(state.views.lit, *state.renderer, state.picture->size, state.picture_serial);
 }
 
 void draw_views_overlay(ImDrawList& list, UiState& state, const PictureView& view) {
+    draw_big_pixels(list, state.views.magnifier, view, *state.shown, *state.renderer, state.drawn,
+                    probe_pixel(state.viewport, view.map.size));
+    draw_lit_dots(list, state.views.lit, *state.renderer, state.drawn, view);
     draw_compare(list, state.views.compare, view);
     draw_look_legend(list, state.views.look, state.drawn, view, probe_pixel(state.viewport, view.map.size));
     draw_scope_line(list, state.views.scope, view);
@@ -158,6 +163,16 @@ void run_views_action(UiState& state, Action action) {
         choice.on = !choice.on;
         look.choice.look = Look::Picture;
         return;
+    case Action::Magnify:
+        zoom_about(state.views.magnifier, state.views.magnifier.zoom > 1 ? 1 : usual_zoom,
+                   state.viewport.probe.value_or(glm::dvec2(0.5)));
+        return;
+    case Action::LitDots:
+        state.views.lit.dots = !state.views.lit.dots;
+        return;
+    case Action::Needles:
+        state.views.lit.needles = !state.views.lit.needles;
+        return;
     case Action::NextLook:
         return look_at(state.views, look_after(look.choice.look, 1));
     case Action::PreviousLook:
@@ -190,6 +205,12 @@ std::optional<bool> views_is_on(const UiState& state, Action action) {
         return state.views.compare.choice.on;
     case Action::ShowB:
         return state.views.compare.choice.shows_stored;
+    case Action::Magnify:
+        return state.views.magnifier.zoom > 1;
+    case Action::LitDots:
+        return state.views.lit.dots;
+    case Action::Needles:
+        return state.views.lit.needles;
     case Action::OverRange:
         return state.views.look.set.over_range;
     default:

@@ -41,6 +41,13 @@ void views_bar(UiState& state) {
         "numbers");
     action_button(state, "Compare", Action::Compare,
                   "Flat, Gouraud and Phong, or any settings, side by side under lines to drag");
+    action_button(
+        state, "Pixels", Action::Magnify,
+        "Each pixel as a square with its number in it: 0 to 255, red, green and blue where there is room. "
+        "Ctrl+wheel zooms, the right button moves");
+    action_button(
+        state, "Dots", Action::LitDots,
+        "A dot at each place that the equation is evaluated at, thinned, and how often it is in a frame");
     compare_controls(state.views.compare);
     if (state.views.compare.choice.shows_stored) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme().warning);

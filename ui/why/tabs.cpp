@@ -10,6 +10,7 @@
 #include "ui/plots/plots_tab.h"
 #include "ui/theme.h"
 #include "ui/ui.h"
+#include "ui/views/term_grid.h"
 #include "ui/why/equation_tab.h"
 #include "ui/why/heading.h"
 #include "ui/why/matrices_tab.h"
@@ -29,6 +30,8 @@ constexpr std::array tabs{
                vectors_tab},
     WhyTabInfo{WhyTab::Plots, "Plots", "Falloff, highlight, cone, lobes and microfacets as curves",
                plots_tab},
+    WhyTabInfo{WhyTab::Grid, "Light × term",
+               "Every term of every light as a small picture: alone, or left out", term_grid_tab},
     WhyTabInfo{WhyTab::Models, "Models", "The same pixel under flat, facet, Gouraud and Phong shading",
                models_tab},
     WhyTabInfo{WhyTab::Sensitivity, "Sensitivity",

@@ -1,0 +1,118 @@
+#include "ui/views/lit_dots.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <set>
+
+#include "ui/fonts.h"
+#include "ui/plots/plot.h"
+#include "ui/theme.h"
+
+namespace glint {
+namespace {
+
+constexpr int columns = 56;
+
+const char* places_of(ShadingMode mode) {
+    switch (mode) {
+    case ShadingMode::Flat:
+        return "faces";
+    case ShadingMode::Gouraud:
+        return "corners";
+    case ShadingMode::Facet:
+    case ShadingMode::Phong:
+        return "pixels";
+    }
+    return "";  // not reached
+}
+
+/// Adds a place unless it is there already: a corner is found from every face around it.
+void add_once(std::vector<LitDot>& dots, std::set<std::array<float, 6>>& known, const ExplainedPoint& at) {
+    const glm::vec3 p = at.point.world, n = at.normal.world;
+    if (known.insert({p.x, p.y, p.z, n.x, n.y, n.z}).second) dots.push_back({p, n, at.sum});
+}
+
+}  // namespace
+
+std::vector<LitDot> lit_dots(const Renderer& renderer, PictureSize size, int across) {
+    std::vector<LitDot> dots;
+    std::set<std::array<float, 6>> known;
+    const int step = std::max(size.width / std::max(across, 1), 1);
+    for (int y = step / 2; y < size.height; y += step)
+        for (int x = step / 2; x < size.width; x += step) {
+            if (renderer.object_at(x, y) < 0) continue;
+            const Explanation e = renderer.explain(x, y);
+            if (!e.lit_per_corner) add_once(dots, known, e.at);
+            for (const ExplainedCorner& corner : e.corners)
+                if (e.lit_per_corner) add_once(dots, known, corner.at);
+        }
+    return dots;
+}
+
+void update_lit_dots(LitDotsState& state, const Renderer& renderer, PictureSize size, std::uint64_t serial) {
+    if (!state.dots && !state.needles) {
+        state.found.clear();
+        state.found_for = 0;
+        return;
+    }
+    if (state.found_for == serial) return;
+    state.found = lit_dots(renderer, size, columns);
+    state.found_for = serial;
+}
+
+std::string evaluations_text(const Renderer& renderer, const Scene& scene) {
+    const FrameStats& stats = renderer.stats();
+    const auto lights = static_cast<std::uint64_t>(std::count_if(
+        scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.enabled; }));
+    const bool area = std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
+        return light.enabled && light.kind == LightKind::Area;
+    });
+    if (scene.shading.reflection == Reflection::None || lights == 0)
+        return "the equation is evaluated nowhere";
+    if (area)
+        return fmt::format("{} × lights and their samples = {} evaluations a frame",
+                           places_of(scene.shading.mode), stats.evaluations);
+    return fmt::format("{} {} × {} lights = {} evaluations a frame", stats.evaluations / lights,
+                       places_of(scene.shading.mode), lights, stats.evaluations);
+}
+
+void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const Renderer& renderer, const Scene& scene,
+                   const PictureView& view) {
+    if (!state.dots && !state.needles) return;
+    // A needle across the line of sight is this many pixels long, near or far.
+    const auto needle = [&](const OnScreen& foot) {
+        constexpr double pixels = 24;
+        const glm::dvec2 beside = foot.pixel + glm::dvec2(pixels, 0);
+        return glm::length(unproject(view.map, beside, foot.depth) -
+                           unproject(view.map, foot.pixel, foot.depth));
+    };
+    for (const LitDot& dot : state.found) {
+        const OnScreen foot = project(view.map, dot.place);
+        if (!foot.in_front) continue;
+        const ImVec2 at = view.to_window(foot.pixel);
+        if (state.needles) {
+            const OnScreen tip =
+                project(view.map, glm::dvec3(dot.place) + needle(foot) * glm::dvec3(dot.normal));
+            if (tip.in_front) {
+                list.AddLine(at, view.to_window(tip.pixel), packed({0, 0, 0, 1}, 0.5f), px(2.4f));
+                list.AddLine(at, view.to_window(tip.pixel), packed(theme()[Symbol::N]), px(1.2f));
+            }
+        }
+        if (!state.dots) continue;
+        const glm::vec3 c = glm::min(dot.color, glm::vec3(1));
+        list.AddCircleFilled(at, px(3.4f), packed({1, 1, 1, 1}, 0.9f), 10);
+        list.AddCircleFilled(at, px(2.4f), packed({c.x, c.y, c.z, 1}), 10);
+    }
+    if (!state.dots) return;
+    const std::string text = evaluations_text(renderer, scene);
+    const ImVec2 size = fonts().small->CalcTextSizeA(fonts().small->FontSize, 1e9f, 0, text.c_str());
+    const ImVec2 low{list.GetClipRectMax().x - size.x - px(28), list.GetClipRectMin().y + px(10)};
+    list.AddRectFilled(low, {low.x + size.x + px(16), low.y + size.y + px(10)}, packed(theme().window, 0.88f),
+                       px(6));
+    plot_text(list, {low.x + px(8), low.y + px(5)}, theme().text, text);
+}
+
+}  // namespace glint

@@ -1,0 +1,180 @@
+#include "ui/views/term_grid.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include "ui/fonts.h"
+#include "ui/icons.h"
+#include "ui/theme.h"
+#include "ui/ui.h"
+#include "ui/why/parts.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr int most_rows = 64;    // of the sheet: lights beyond have no picture
+constexpr int cell_width = 84;   // pixels
+constexpr double budget_ms = 8;  // of a frame, for small pictures
+
+bool is_among(const std::vector<GridCell>& cells, GridCell cell) {
+    return std::find(cells.begin(), cells.end(), cell) != cells.end();
+}
+
+void begin_sheet(TermGridState& grid, const Scene& scene, PictureSize size) {
+    const int height = std::clamp(cell_width * size.height / std::max(size.width, 1), 20, 2 * cell_width);
+    grid.cell = {cell_width, height};
+    const int rows = std::min(static_cast<int>(scene.lights.size()) + 1, most_rows);
+    grid.sheet.size = {3 * cell_width, rows * height};
+    grid.sheet.rgba.assign(std::size_t{4} * 3 * cell_width * static_cast<std::size_t>(rows * height), 0);
+    grid.drawn_of = scene;
+    grid.next = 0;
+}
+
+void draw_cell(TermGridState& grid, const Scene& scene, GridCell cell) {
+    const int row = cell.light + 1;
+    if (row >= most_rows) return;
+    const Picture& small = grid.renderer->render(with_cells(scene, {cell}), grid.cell);
+    for (int y = 0; y < grid.cell.height; ++y)
+        std::copy_n(small.rgba.begin() + static_cast<std::ptrdiff_t>(4 * small.pixel(0, y)),
+                    4 * grid.cell.width,
+                    grid.sheet.rgba.begin() +
+                        static_cast<std::ptrdiff_t>(
+                            4 * grid.sheet.pixel(cell.term * cell_width, row * grid.cell.height + y)));
+}
+
+const char* name_of(GridCell cell) {
+    static constexpr std::array with_light{"ambient", "diffuse", "specular"},
+        without{"emission", "global ambient", ""};
+    const auto term = static_cast<std::size_t>(cell.term);
+    return cell.light < 0 ? without[term] : with_light[term];
+}
+
+void toggle_muted(TermGridState& grid, GridCell cell) {
+    const auto at = std::find(grid.muted.begin(), grid.muted.end(), cell);
+    if (at != grid.muted.end())
+        grid.muted.erase(at);
+    else
+        grid.muted.push_back(cell);
+    grid.solo.reset();
+}
+
+/// A small picture: click shows it alone, right click leaves it out. True while it is pointed at.
+bool cell_button(TermGridState& grid, GridCell cell, float width) {
+    const float height = width * float(grid.cell.height) / float(grid.cell.width);
+    ImGui::PushID(3 * (cell.light + 1) + cell.term);
+    const bool clicked = ImGui::InvisibleButton("##cell", {width, height});
+    const bool right = ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const int row = cell.light + 1;
+    if (row < most_rows && grid.sheet.size.height > 0) {
+        const float v = float(grid.cell.height) / float(grid.sheet.size.height);
+        list.AddImage(grid.texture, low, high, {float(cell.term) / 3, v * float(row)},
+                      {float(cell.term + 1) / 3, v * float(row + 1)});
+    }
+    const bool solo = grid.solo == cell, muted = is_among(grid.muted, cell);
+    if (muted) list.AddRectFilled(low, high, packed(theme().panel, 0.75f));
+    if (muted) list.AddLine(low, high, packed(theme().warning), px(2));
+    const bool pointed = is_pointed_at();
+    list.AddRect(low, high,
+                 packed(solo      ? theme().accent
+                        : pointed ? theme().text
+                                  : theme().line),
+                 0, 0, px(solo ? 2.5f : 1));
+    tooltip(name_of(cell), "Click: alone · Right click: left out · both end when this tab is left",
+            solo    ? "shown alone"
+            : muted ? "left out"
+                    : "");
+    if (clicked) grid.solo = solo ? std::nullopt : std::optional(cell), grid.muted.clear();
+    if (right) toggle_muted(grid, cell);
+    ImGui::PopID();
+    return pointed;
+}
+
+void row_heading(const Scene& scene, int light) {
+    if (light < 0) return small_dim("Without a light: emission, global ambient");
+    const Light& l = scene.lights[static_cast<std::size_t>(light)];
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float line = ImGui::GetTextLineHeight();
+    draw_icon(*ImGui::GetWindowDrawList(), icon_of(l.kind), {at.x + line / 2, at.y + line / 2}, line,
+              packed(legible(colour_of(l))));
+    ImGui::SetCursorScreenPos({at.x + line + px(6), at.y});
+    small_dim(l.name + (l.enabled ? "" : " (off)"));
+}
+
+void sum_note(const Scene& scene) {
+    if (scene.npr.cool_to_warm) return warning_text("Cool to warm: the tones take the place of the sum.");
+    if (scene.shading.mistakes.clamp_each_light)
+        return warning_text("Each light is clamped (a mistake): the cells do not add up.");
+    small_dim("Linear, and before anything is cut off, the cells add up to the picture.");
+}
+
+}  // namespace
+
+std::vector<GridCell> grid_cells(const Scene& scene) {
+    std::vector<GridCell> cells{{-1, 0}, {-1, 1}};
+    for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i)
+        for (int term = 0; term < 3; ++term) cells.push_back({i, term});
+    return cells;
+}
+
+Scene with_cells(const Scene& scene, const std::vector<GridCell>& shown) {
+    Scene s = scene;
+    if (!is_among(shown, {-1, 0}))
+        for (Object& object : s.objects) object.material.emission = glm::vec3(0);
+    if (!is_among(shown, {-1, 1})) s.global_ambient = glm::vec3(0);
+    for (int i = 0; i < static_cast<int>(s.lights.size()); ++i) {
+        Light& light = s.lights[static_cast<std::size_t>(i)];
+        if (!is_among(shown, {i, 0})) light.ambient = glm::vec3(0);
+        if (!is_among(shown, {i, 1})) light.diffuse = glm::vec3(0);
+        if (!is_among(shown, {i, 2})) light.specular = glm::vec3(0);
+    }
+    return s;
+}
+
+void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size) {
+    if (!grid.drawn_of || !(*grid.drawn_of == scene)) {
+        if (ImGui::IsAnyMouseDown()) return;  // when the hand rests
+        begin_sheet(grid, scene, size);
+    }
+    const std::vector<GridCell> cells = grid_cells(scene);
+    if (grid.next >= cells.size()) return;
+    if (!grid.renderer) grid.renderer = std::make_unique<Renderer>(1);
+    const auto start = std::chrono::steady_clock::now();
+    const auto spent = [start] {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    };
+    do draw_cell(grid, scene, cells[grid.next++]);
+    while (grid.next < cells.size() && spent() < budget_ms);
+    ++grid.sheet_serial;
+    if (grid.next < cells.size()) wish_frame_in(0);
+}
+
+void term_grid_tab(UiState& state, const PictureView& view) {
+    TermGridState& grid = state.views.grid;
+    const Scene& scene = state.editor.scene();
+    update_term_grid(grid, scene, view.map.size);
+    sum_note(scene);
+    const float width = (ImGui::GetContentRegionAvail().x - px(10)) / 3;
+    std::optional<GridCell> pointed;
+    int row = -2;
+    for (const GridCell cell : grid_cells(scene)) {
+        if (cell.light != row)
+            row_heading(scene, row = cell.light);
+        else
+            ImGui::SameLine(0, px(4));
+        if (cell_button(grid, cell, width)) pointed = cell;
+    }
+    std::vector<GridCell> shown;
+    const std::optional<GridCell> alone = pointed ? pointed : grid.solo;
+    for (const GridCell cell : grid_cells(scene))
+        if (alone ? cell == *alone : !is_among(grid.muted, cell)) shown.push_back(cell);
+    if (alone || !grid.muted.empty()) state.preview = with_cells(scene, shown);
+}
+
+}  // namespace glint

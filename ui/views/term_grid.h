@@ -1,0 +1,51 @@
+#pragma once
+// Light by term: every term of every light as a small picture of its own. Their sum is the picture. Lecture:
+// "Phong Lighting Model" (the sum over lights).
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "renderer/renderer.h"
+
+namespace glint {
+
+struct UiState;
+struct PictureView;
+
+/// One addend: a light's ambient (0), diffuse (1) or specular (2) term; or without a light (-1) the emission
+/// (0) or the global ambient (1).
+struct GridCell {
+    int light = -1, term = 0;
+    bool operator==(const GridCell&) const = default;
+};
+
+/// All cells of a scene, row by row: first those without a light.
+[[nodiscard]] std::vector<GridCell> grid_cells(const Scene& scene);
+
+/// The scene with these addends alone. The linear pictures of all cells add up to the scene's, on surfaces
+/// and without cool-to-warm shading or a clamp of each light.
+[[nodiscard]] Scene with_cells(const Scene& scene, const std::vector<GridCell>& shown);
+
+struct TermGridState {
+    std::optional<GridCell> solo;
+    std::vector<GridCell> muted;
+    // Small pictures, three a row, in one sheet that is one texture; drawn while the hand rests.
+    Picture sheet;
+    std::uint64_t sheet_serial = 0;  // counts changes: the texture follows it
+    ImTextureID texture = nullptr;   // given by the window
+    PictureSize cell{84, 63};
+    std::optional<Scene> drawn_of;
+    std::size_t next = 0;  // cell to draw; #cells: all are drawn
+    std::unique_ptr<Renderer> renderer;
+};
+
+/// Draws the next few small pictures when the scene's are not drawn yet. `size`: of the large picture.
+void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size);
+
+void term_grid_tab(UiState& state, const PictureView& view);
+
+}  // namespace glint
