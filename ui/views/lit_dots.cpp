@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-constexpr int columns = 56;
+constexpr int columns = 40;
 
 const char* places_of(ShadingMode mode) {
     switch (mode) {
