@@ -58,6 +58,12 @@ constexpr std::array table{
     ActionInfo{Action::Freeze, "Freeze the picture", "F8", {Key::F8}, Menu::Lecture},
     ActionInfo{Action::Pen, "Pen", "W", {Key::W}, Menu::Lecture, line},
     ActionInfo{Action::WipePen, "Wipe what the pen drew", "Shift+W", {Key::W, !ctrl, shift}, Menu::Lecture},
+    ActionInfo{Action::Animate,
+               "Animate: turntable, numbers to and fro…",
+               "Ctrl+T",
+               {Key::T, ctrl},
+               Menu::Lecture,
+               line},
     ActionInfo{Action::StepWedge, "Step wedge: what does this projector show?", "", {}, Menu::Lecture, line},
 
     ActionInfo{Action::Shortcuts, "Keys and mouse", "F1", {Key::F1}, Menu::Help},

@@ -43,6 +43,7 @@ enum class Action {
     NextScene,
     PreviousScene,
     StepWedge,
+    Animate,
     Shortcuts,
     Palette,
     Scope,

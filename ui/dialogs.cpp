@@ -12,6 +12,7 @@
 #include "models/file.h"
 #include "renderer/image_file.h"
 #include "ui/actions.h"
+#include "ui/animate/animate.h"
 #include "ui/menu/palette.h"
 #include "ui/menu/shortcuts.h"
 #include "ui/theme.h"
@@ -71,6 +72,8 @@ void use_file(UiState& state, const std::string& path) {
         return;
     case FilePurpose::SavePicture:
         return save_picture(state, path);
+    case FilePurpose::SaveFrames:
+        return begin_frames(state, path, state.exporting.options.size, state.exporting.options.samples);
     case FilePurpose::ExportPicture:
         return begin_export(state, state.exporting.options, path);
     case FilePurpose::SaveScene:

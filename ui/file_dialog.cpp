@@ -42,13 +42,15 @@ bool serves(const std::string& name, FilePurpose purpose) {
         return extension == ".png";
     case FilePurpose::ExportPicture:
         return is_picture(extension);
+    case FilePurpose::SaveFrames:
+        return extension == ".png" || extension == ".gif";
     }
     return false;  // not reached
 }
 
 bool saves(FilePurpose purpose) {
     return purpose == FilePurpose::SaveScene || purpose == FilePurpose::SavePicture ||
-           purpose == FilePurpose::ExportPicture;
+           purpose == FilePurpose::ExportPicture || purpose == FilePurpose::SaveFrames;
 }
 
 struct Words {
@@ -64,6 +66,8 @@ Words words(FilePurpose purpose) {
         return {"Save the scene", "Save", "Scene file (.json)"};
     case FilePurpose::SavePicture:
         return {"Save the picture", "Save", "Picture (.png), which carries its scene"};
+    case FilePurpose::SaveFrames:
+        return {"Write frames", "Write", "One file (.gif), or one a frame: NAME-0001.png …"};
     case FilePurpose::ExportPicture:
         return {"Export the picture", "Export",
                 "Picture: .png (carries its scene), .pfm, .exr (linear float)"};
@@ -91,6 +95,9 @@ fs::path whole_path(const FileDialog& dialog) {
         path += ".png";
     if (dialog.purpose == FilePurpose::ExportPicture && !is_picture(lower(path.extension().string())))
         path += ".png";
+    const std::string extension = lower(path.extension().string());
+    if (dialog.purpose == FilePurpose::SaveFrames && extension != ".png" && extension != ".gif")
+        path += ".gif";
     return path;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/actions.h"
+#include "ui/animate/animate.h"
 #include "ui/camera_panel.h"
 #include "ui/dialogs.h"
 #include "ui/fonts.h"
@@ -338,9 +339,11 @@ UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
     loading_panel(state);
     recovery_panel(state);
     if (!state.layout.bare) status_line(state, layout.status);
+    animate_panel(state);
     step_wedge(state.lecture.wedge);
     remember(state, in_hand);
     tend_memory(state);
+    tend_animation(state);
     keep_frozen(state);
     ImGui::PopFont();
     return requests(state);

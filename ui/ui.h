@@ -11,6 +11,7 @@
 #include <string>
 
 #include "renderer/renderer.h"
+#include "ui/animate/animate_state.h"
 #include "ui/editor.h"
 #include "ui/file_dialog.h"
 #include "ui/files/export_picture.h"
@@ -53,6 +54,7 @@ struct UiState {
     Memory memory;
     ExportState exporting;
     LectureState lecture;
+    AnimateState animate;
     Pending pending;
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
     int mesh_for_object = -1;    // whose mesh the file dialog chooses; -1: a new object's

@@ -119,6 +119,7 @@ std::vector<LeftCopy> left_copies(const std::string& folder) {
     }
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<LeftCopy> copies;
+    copies.reserve(found.size());
     for (auto& [when, copy] : found) copies.push_back(std::move(copy));
     return copies;
 }

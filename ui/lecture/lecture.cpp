@@ -64,6 +64,10 @@ void run_lecture_action(UiState& state, Action action) {
     case Action::StepWedge:
         lecture.wedge.open = !lecture.wedge.open;
         return;
+    case Action::Animate:
+        state.animate.open = !state.animate.open;
+        state.animate.playing &= state.animate.open;
+        return;
     default:
         return;
     }
@@ -93,6 +97,8 @@ std::optional<bool> lecture_is_on(const UiState& state, Action action) {
         return lecture.pen.on;
     case Action::StepWedge:
         return lecture.wedge.open;
+    case Action::Animate:
+        return state.animate.open;
     default:
         return {};
     }
