@@ -59,7 +59,7 @@ bool share_lines(UiState& state, const ExplainedLight& explained) {
         edited |= below.handle(numbers[1], theme().text);
         below.plain("r +");
         edited |= below.handle(numbers[2], theme().text);
-        below.plain("r²),  r").number(fmt::format(" {:.3g}", explained.distance), theme().text);
+        below.plain("r²),  r").number(fmt::format(" {:.2f}", explained.distance), theme().text);
     }
     if (cone) {
         TextLine below;

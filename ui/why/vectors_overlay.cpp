@@ -102,14 +102,25 @@ class PointDrawing {
 /// The corners that the pixel is mixed from, each in its colour, with its weight.
 void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& why) {
     if (!why.lit_per_corner || why.corners.size() < 2) return;
+    const auto place = [&](const ExplainedCorner& corner) {
+        return view.to_window(project(view.map, glm::dvec3(corner.at.point.world)).pixel);
+    };
+    ImVec2 low = place(why.corners.front()), high = low;
+    for (const ExplainedCorner& corner : why.corners) {
+        const ImVec2 at = place(corner);
+        low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+        high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+    }
+    const bool roomy = std::max(high.x - low.x, high.y - low.y) > px(48);  // else words hide one another
     char letter = 'A';
     for (const ExplainedCorner& corner : why.corners) {
-        const ImVec2 at = view.to_window(project(view.map, glm::dvec3(corner.at.point.world)).pixel);
+        const ImVec2 at = place(corner);
         const glm::vec3 c = glm::clamp(corner.at.sum, 0.0f, 1.0f);
         list.AddCircleFilled(at, px(6.5f), packed({0, 0, 0, 1}, 0.7f));
         list.AddCircleFilled(at, px(5), packed({c.x, c.y, c.z, 1}));
-        rimmed_text(list, {at.x, at.y - px(14)}, {1, 1, 1, 1},
-                    fmt::format("{} {:.2f}", letter, corner.weight));
+        if (roomy)
+            rimmed_text(list, {at.x, at.y - px(14)}, {1, 1, 1, 1},
+                        fmt::format("{} {:.2f}", letter, corner.weight));
         ++letter;
     }
 }
