@@ -16,6 +16,7 @@
 
 #include "app/command_line.h"
 #include "models/file.h"
+#include "renderer/instruction_set.h"
 
 namespace {
 
@@ -63,6 +64,8 @@ void print(const std::string& output) {
 }
 
 int run(const std::vector<std::string>& arguments) {
+    if (const auto found = instruction_set_problem())
+        throw Failure{found->unknown ? ExitStatus::WrongUsage : ExitStatus::Impossible, found->problem};
     const Outcome outcome = run_command_line(arguments);
     if (!outcome.output.empty()) print(outcome.output);
     std::set<std::string> said;  // the same mesh may stand in a scene twice

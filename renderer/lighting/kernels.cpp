@@ -1,12 +1,17 @@
 // Chooses the instruction set for the processor at hand, once.
 
 #include <cstdlib>
-#include <string_view>
+#include <string>
+#include <vector>
 
+#include "renderer/instruction_set.h"
 #include "renderer/lighting/light_job.h"
 
 namespace glint {
 
+namespace scalar {
+extern const LightingKernels kernels;
+}
 namespace sse2 {
 extern const LightingKernels kernels;
 }
@@ -21,15 +26,32 @@ extern const LightingKernels kernels;
 
 namespace {
 
-const LightingKernels& choose() {
+struct Set {
+    const LightingKernels* kernels;
+    bool usable;  // the processor has it
+};
+
+/// From the widest to the narrowest.
+std::vector<Set> sets() {
+    std::vector<Set> all;
 #ifdef GLINT_HAS_AVX
-    const char* forced = std::getenv("GLINT_ISA");
-    const std::string_view wanted = forced ? forced : "";
-    if (wanted == "sse2") return sse2::kernels;
-    if (__builtin_cpu_supports("avx512f") && wanted != "avx2") return avx512::kernels;
-    if (__builtin_cpu_supports("avx2")) return avx2::kernels;
+    all.push_back({&avx512::kernels, __builtin_cpu_supports("avx512f") != 0});
+    all.push_back({&avx2::kernels, __builtin_cpu_supports("avx2") != 0});
 #endif
-    return sse2::kernels;
+    all.push_back({&sse2::kernels, true});
+    all.push_back({&scalar::kernels, true});
+    return all;
+}
+
+const LightingKernels& choose() {
+    const char* forced = std::getenv("GLINT_ISA");
+    const LightingKernels* widest = nullptr;
+    for (const Set& set : sets()) {
+        if (!set.usable) continue;
+        if (forced && std::string(forced) == set.kernels->name) return *set.kernels;
+        if (!widest) widest = set.kernels;
+    }
+    return *widest;
 }
 
 }  // namespace
@@ -37,6 +59,24 @@ const LightingKernels& choose() {
 const LightingKernels& lighting_kernels() {
     static const LightingKernels& chosen = choose();
     return chosen;
+}
+
+std::optional<InstructionSetProblem> instruction_set_problem() {
+    const char* forced = std::getenv("GLINT_ISA");
+    if (!forced || !*forced) return std::nullopt;
+    const std::string name = forced;
+    InstructionSetProblem found{{}, true};
+    found.problem.file = "GLINT_ISA";
+    found.problem.what = name + " is no instruction set";
+    found.problem.expected = "one of scalar, sse2, avx2, avx512";
+    for (const Set& set : sets()) {
+        if (name != set.kernels->name) continue;
+        if (set.usable) return std::nullopt;
+        found.unknown = false;
+        found.problem.what = "this processor has no " + name;
+        found.problem.expected = std::string("a narrower set, or none to have ") + choose().name;
+    }
+    return found;
 }
 
 }  // namespace glint

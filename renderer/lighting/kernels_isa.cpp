@@ -1,7 +1,9 @@
 // The lighting kernels, compiled once for each instruction set (renderer/CMakeLists.txt, add_lighting). No
 // standard library inside: a function with one name in two instruction sets would be merged by the linker.
 
+#include "renderer/lighting/blend_points.h"
 #include "renderer/lighting/display.h"
+#include "renderer/lighting/place_faces.h"
 #include "renderer/lighting/shade_point.h"
 
 namespace glint::inline GLINT_ISA {
@@ -12,8 +14,16 @@ namespace glint::inline GLINT_ISA {
 #define GLINT_FLATTEN [[gnu::flatten]]
 #endif
 
-using Wide = Lanes<GLINT_LANES>;
+template <int N> struct NumberOf { using Type = Lanes<N>; };
+template <> struct NumberOf<1> { using Type = float; };
+using Wide = NumberOf<GLINT_LANES>::Type;
 constexpr int opaque = static_cast<int>(0xFF000000u);
+
+static void store_colors(ColorBlock& out, std::size_t k, Vec3<Wide> c) {
+    store(out.r + k, c.x);
+    store(out.g + k, c.y);
+    store(out.b + k, c.z);
+}
 
 constexpr std::size_t batch = 16;  // blocks whose points and sums stay in the first-level cache
 
@@ -78,9 +88,7 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
         ColorBlock& out = colors[i * GLINT_LANES / block_size];
         const std::size_t k = i * GLINT_LANES % block_size;
         const Vec3<Wide> sum = job.clamp ? clamped(slots[i].group.sum) : slots[i].group.sum;
-        store(out.r + k, sum.x);
-        store(out.g + k, sum.y);
-        store(out.b + k, sum.z);
+        store_colors(out, k, sum);
     }
 }
 
@@ -132,9 +140,33 @@ GLINT_FLATTEN static void encode(const DisplayJob& job, const ColorBlock* colors
     }
 }
 
+GLINT_FLATTEN static bool place(const FaceBlock& faces, PointBlock& out) {
+    bool all = true;
+    for (std::size_t k = 0; k < block_size; k += GLINT_LANES) all &= place_faces<Wide>(faces, k, out);
+    return all;
+}
+
+GLINT_FLATTEN static void blend_runs(const ColorBlock* points, const std::uint32_t* numbers,
+                                     const float* weights, int each, ColorBlock* colors, std::size_t runs) {
+    for (std::size_t i = 0; i < runs; ++i) {
+        const std::size_t first = i * static_cast<std::size_t>(each) * block_size;
+        for (std::size_t k = 0; k < block_size; k += GLINT_LANES)
+            store_colors(colors[i], k,
+                         blended_colors<Wide>(points, numbers + first + k, weights + first + k, each));
+    }
+}
+
+GLINT_FLATTEN static void pick_runs(const ColorBlock* points, const std::uint32_t* numbers,
+                                    ColorBlock* colors, std::size_t runs) {
+    for (std::size_t i = 0; i < runs; ++i)
+        for (std::size_t k = 0; k < block_size; k += GLINT_LANES)
+            store_colors(colors[i], k,
+                         colors_of<Wide>(points, load_ints<IntOf<Wide>>(numbers + i * block_size + k)));
+}
+
 #define GLINT_TEXT_(name) #name
 #define GLINT_TEXT(name) GLINT_TEXT_(name)
 extern const LightingKernels kernels;
-const LightingKernels kernels{GLINT_TEXT(GLINT_ISA), light, encode};
+const LightingKernels kernels{GLINT_TEXT(GLINT_ISA), light, place, blend_runs, pick_runs, encode};
 
 }  // namespace glint::inline GLINT_ISA

@@ -45,6 +45,16 @@ struct alignas(64) ColorBlock {
     float r[block_size], g[block_size], b[block_size];
 };
 
+/// What 16 pixels of one object show: the corners of their triangles, each [corner][pixel].
+struct alignas(64) FaceBlock {
+    float clip_x[3][block_size], clip_y[3][block_size], clip_w[3][block_size];  // clip coordinates
+    float x[3][block_size], y[3][block_size], z[3][block_size];                 // camera coordinates
+    float nx[3][block_size], ny[3][block_size], nz[3][block_size];              // unit normals
+    float at_x[block_size], at_y[block_size];  // the sample, in pixels, y down
+    float facing[block_size];                  // -1: the normal is turned round
+    float width, height;                       // of the picture
+};
+
 /// Cool-to-warm shading (renderer/shading/cool_to_warm.h) in place of emission, ambient and diffuse.
 struct CoolToWarm {
     bool on = false;
@@ -64,8 +74,8 @@ struct LightJob {
     CoolToWarm tone;
     LightSource::Rgb eye;          // where v points to: the origin of camera coordinates
     bool infinite_viewer = false;  // v = (0, 0, 1) instead of from the point to the eye
-    float grid = 0;            // each light's share is rounded to a multiple of this power of two; 0: not rounded
-    bool clamp = false;        // to 0..1 after the sum (OpenGL's rule for colours at vertices)
+    float grid = 0;      // each light's share is rounded to a multiple of this power of two; 0: not rounded
+    bool clamp = false;  // to 0..1 after the sum (OpenGL's rule for colours at vertices)
     bool any_mistake = false;  // or a table in place of the power
     Mistakes mistakes;
     int power_table = 0;  // Shading::power_table
@@ -90,12 +100,20 @@ struct LightingKernels {
     /// any light. May be the same as `colors`.
     void (*light)(const LightJob& job, const PointBlock* points, const ColorBlock* begun, ColorBlock* colors,
                   std::size_t blocks);
+    /// Places and normals of 16 pixels. False when some normal is too short to tell; `out` is then of no use.
+    bool (*place)(const FaceBlock& faces, PointBlock& out);
+    /// Colours of runs of 16 pixels from those of lit points: the blend of `each` points, numbers and weights
+    /// [run][which][pixel]; or one point, numbers [run][pixel].
+    void (*blend)(const ColorBlock* points, const std::uint32_t* numbers, const float* weights, int each,
+                  ColorBlock* colors, std::size_t runs);
+    void (*pick)(const ColorBlock* points, const std::uint32_t* numbers, ColorBlock* colors,
+                 std::size_t runs);
     /// 16 pixels a block as bytes r, g, b, 255 in memory order.
     void (*encode)(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba, std::size_t blocks);
 };
 
-/// The widest set that this processor runs (or that the environment variable GLINT_ISA names: sse2, avx2,
-/// avx512).
+/// Of the widest set that this processor runs, or of the one that GLINT_ISA names
+/// (renderer/instruction_set.h).
 const LightingKernels& lighting_kernels();
 
 }  // namespace glint

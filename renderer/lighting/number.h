@@ -118,6 +118,7 @@ inline bool any(bool m) { return m; }
 
 // Integers, for the bit moves of power.h.
 template <int N> IntLanes<N> operator+(IntLanes<N> a, int b) { return {a.v + b}; }
+template <int N> IntLanes<N> operator+(IntLanes<N> a, IntLanes<N> b) { return {a.v + b.v}; }
 template <int N> IntLanes<N> operator-(IntLanes<N> a, int b) { return {a.v - b}; }
 template <int N> IntLanes<N> operator&(IntLanes<N> a, int b) { return {a.v & b}; }
 template <int N> IntLanes<N> operator<<(IntLanes<N> a, int b) { return {a.v << b}; }
@@ -137,6 +138,7 @@ template <int N> IntLanes<N> to_int(Lanes<N> a) {
 inline int to_int(float a) { return static_cast<int>(a); }
 template <int N> IntLanes<N> operator|(IntLanes<N> a, IntLanes<N> b) { return {a.v | b.v}; }
 template <int N> IntLanes<N> operator|(IntLanes<N> a, int b) { return {a.v | b}; }
+inline void store_ints(void* to, int a) { __builtin_memcpy(to, &a, sizeof(a)); }
 template <int N> void store_ints(void* to, IntLanes<N> a) { __builtin_memcpy(to, &a.v, sizeof(a.v)); }
 
 /// Correctly rounded, as IEEE 754 demands, in every width.
@@ -203,6 +205,30 @@ template <Number F> F load(const float* from) {
     } else {
         F a;
         __builtin_memcpy(&a.v, from, sizeof(a.v));
+        return a;
+    }
+}
+template <class I> I load_ints(const void* from) {
+    I a;
+    __builtin_memcpy(&a, from, sizeof(a));
+    return a;
+}
+/// from[at], lane by lane.
+template <Number F> F gather(const float* from, IntOf<F> at) {
+    if constexpr (NumberTraits<F>::width == 1) {
+        return from[at];
+    } else {
+#ifdef __AVX512F__
+        if constexpr (NumberTraits<F>::width == 16)
+            return F((decltype(F::v))_mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xFFFF, (__m512i)at.v,
+                                                              from, 4));
+#endif
+#ifdef __AVX2__
+        if constexpr (NumberTraits<F>::width == 8)
+            return F((decltype(F::v))_mm256_i32gather_ps(from, (__m256i)at.v, 4));
+#endif
+        F a;
+        for (int i = 0; i < NumberTraits<F>::width; ++i) a.v[i] = from[at.v[i]];
         return a;
     }
 }

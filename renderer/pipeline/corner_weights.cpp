@@ -11,8 +11,7 @@ namespace glint {
 namespace {
 
 template <Number F> ScreenPoint<F> screen_point(PictureSize size, SamplePlace at) {
-    return {F(2) * F(at.x) / static_cast<F>(size.width) - F(1),
-            F(1) - F(2) * F(at.y) / static_cast<F>(size.height)};
+    return glint::screen_point(F(at.x), F(at.y), static_cast<F>(size.width), static_cast<F>(size.height));
 }
 
 /// Weights, and the place that they give, of corners in clip and in camera coordinates.

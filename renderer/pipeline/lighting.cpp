@@ -8,7 +8,6 @@
 #include <cstring>
 
 #include "renderer/pipeline/light_sources.h"
-#include "renderer/shading/interpolate.h"
 
 namespace glint {
 namespace {
@@ -61,33 +60,6 @@ void color_points(Lighting& l, const Surface& s, const Geometry& g) {
     });
 }
 
-Vec3<float> point_color(const Lighting& l, std::uint32_t point) {
-    const ColorBlock& block = l.point_colors[point / block_size];
-    const std::size_t i = point % block_size;
-    return {block.r[i], block.g[i], block.b[i]};
-}
-
-/// Colours of one run of pixels from its lit corners or faces.
-ColorBlock run_colors(const Lighting& l, const Surface& s, std::size_t run) {
-    ColorBlock out{};
-    for (std::size_t i = 0; i < block_size; ++i) {
-        if (!(s.runs[run].mask >> i & 1u)) continue;
-        Vec3<float> c;
-        if (s.choice.kind == SurfaceKind::Faces) {
-            c = point_color(l, s.face_refs[run].point[i]);
-        } else {
-            for (int k = 0; k < s.refs_per_pixel; ++k) {
-                const std::size_t ref = s.corner_ref(run, k) + i;
-                c = add_weighted(c, s.ref_weight[ref], point_color(l, s.ref_point[ref]));
-            }
-        }
-        out.r[i] = c.x;
-        out.g[i] = c.y;
-        out.b[i] = c.z;
-    }
-    return out;
-}
-
 void write_run(Lighting& l, const PixelRun& run, const ColorBlock& color, const std::uint32_t* rgba) {
     if (run.mask == 0xFFFF && !l.linear) {  // the usual case
         std::memcpy(&l.picture.rgba[4 * std::size_t{run.first_pixel}], rgba, 4 * block_size);
@@ -106,10 +78,17 @@ void write_run(Lighting& l, const PixelRun& run, const ColorBlock& color, const 
 
 /// Colours of `count` runs from `first` on.
 void color_runs(Lighting& l, const Surface& s, std::size_t first, std::size_t count, ColorBlock* colors) {
-    if (s.choice.kind == SurfaceKind::Pixels)
-        light_points(l, s, first, count, colors);
-    else
-        for (std::size_t i = 0; i < count; ++i) colors[i] = run_colors(l, s, first + i);
+    const LightingKernels& kernels = lighting_kernels();
+    const std::size_t ref = s.corner_ref(first, 0);
+    switch (s.choice.kind) {
+    case SurfaceKind::Pixels:
+        return light_points(l, s, first, count, colors);
+    case SurfaceKind::Corners:
+        return kernels.blend(l.point_colors.data(), &s.ref_point[ref], &s.ref_weight[ref], s.refs_per_pixel,
+                             colors, count);
+    case SurfaceKind::Faces:
+        return kernels.pick(l.point_colors.data(), s.face_refs[first].point, colors, count);
+    }
 }
 
 void color_pixels(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display) {

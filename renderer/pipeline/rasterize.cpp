@@ -49,6 +49,19 @@ struct Setup {
     bool back = false;
 };
 
+/// A tile begins empty; cleared just before it is drawn, it is in the cache then.
+void clear(const PixelBox& tile, int width, Visibility& out) {
+    for (int sample = 0; sample < out.samples; ++sample)
+        for (int y = tile.y0; y <= tile.y1; ++y) {
+            const std::size_t first = static_cast<std::size_t>(sample) * out.plane +
+                                      static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                      static_cast<std::size_t>(tile.x0);
+            const auto count = static_cast<std::size_t>(tile.x1 - tile.x0 + 1);
+            std::fill_n(&out.keys[first], count, std::uint64_t{0});
+            std::fill_n(&out.back[first], count, std::uint8_t{0});
+        }
+}
+
 void fill(const Setup& s, int width, Visibility& out, std::size_t plane) {
     for (int row = 0; row <= s.box.y1 - s.box.y0; ++row) {
         const std::size_t first = plane +
@@ -107,6 +120,7 @@ void rasterize_tiles(const Geometry& g, Visibility& out) {
         const PixelBox box{x0, y0, std::min(x0 + tile_size, g.size.width) - 1,
                            std::min(y0 + tile_size, g.size.height) - 1};
         const auto number = static_cast<std::size_t>(tile);
+        clear(box, g.size.width, out);
         for (std::uint32_t i = g.tile_first[number]; i < g.tile_first[number + 1]; ++i)
             for (int sample = 0; sample < out.samples; ++sample)
                 rasterize_triangle(g, screen_triangle(g, g.tile_triangles[i]), sample, box, out);

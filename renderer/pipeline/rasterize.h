@@ -6,7 +6,7 @@
 
 namespace glint {
 
-/// Fills keys and back of `visibility` (already zeroed) from all tiles, in parallel.
+/// Fills keys and back of `visibility` (already sized) from all tiles, in parallel.
 void rasterize_tiles(const Geometry& geometry, Visibility& visibility);
 
 }  // namespace glint

@@ -6,6 +6,7 @@
 
 #include "renderer/pipeline/lit_points.h"
 #include "renderer/pipeline/multisample.h"
+#include "renderer/pipeline/place_pixels.h"
 
 namespace glint {
 namespace {
@@ -18,7 +19,14 @@ void visit_row(const Geometry& g, const Visibility& visibility, int y, const Vis
     for (std::uint32_t x0 = 0; x0 < width; x0 += block_size) {
         const std::uint32_t end = std::min<std::uint32_t>(block_size, width - x0);
         std::uint32_t left = 0;  // pixels of this group that no run has yet
+        std::uint64_t some = 0;
+        for (std::uint32_t i = 0; i < end; ++i) some |= visibility.keys[row + x0 + i];
+        if (some == 0) continue;  // background
         for (std::uint32_t i = 0; i < end; ++i) left |= (visibility.keys[row + x0 + i] != 0 ? 1u : 0u) << i;
+        if (left && g.objects.size() == 1) {
+            visit(PixelRun{row + x0, 0, static_cast<std::uint16_t>(left)});
+            continue;
+        }
         while (left) {
             const auto first = static_cast<std::uint32_t>(std::countr_zero(left));
             const std::uint32_t o = g.object_of(visibility.triangle_at(row + x0 + first));
@@ -51,28 +59,6 @@ void find_runs(Surface& s, const Geometry& g, const Visibility& visibility) {
     s.run_samples.clear();
     s.pixel_count = 0;
     for (const PixelRun& run : s.runs) s.pixel_count += static_cast<std::uint64_t>(std::popcount(run.mask));
-}
-
-void place_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
-    s.points.resize(s.runs.size());
-    s.point_object.resize(s.runs.size());
-    s.point_count = 0;
-    for (const PixelRun& run : s.runs) s.point_count += static_cast<std::uint64_t>(std::popcount(run.mask));
-    tbb::parallel_for(std::size_t{0}, s.runs.size(), [&](std::size_t r) {
-        PointBlock block{};
-        s.point_object[r] = s.runs[r].object;
-        for (unsigned i = 0; i < block_size; ++i) {
-            if (!(s.runs[r].mask >> i & 1u)) continue;
-            const PlacedNormal at = pixel_point(s, g, face_of_lane(s, g, visibility, r, i));
-            block.x[i] = at.p.x;
-            block.y[i] = at.p.y;
-            block.z[i] = at.p.z;
-            block.nx[i] = at.n.x;
-            block.ny[i] = at.n.y;
-            block.nz[i] = at.n.z;
-        }
-        s.points[r] = block;
-    });
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ bool update_visibility(Visibility& kept, const Geometry& g, Cull cull, int sampl
     kept.cull = cull;
     kept.samples = samples;
     kept.plane = static_cast<std::size_t>(g.size.width) * static_cast<std::size_t>(g.size.height);
-    kept.keys.assign(kept.plane * static_cast<std::size_t>(samples), 0);
-    kept.back.assign(kept.plane * static_cast<std::size_t>(samples), 0);
+    kept.keys.resize(kept.plane * static_cast<std::size_t>(samples));
+    kept.back.resize(kept.plane * static_cast<std::size_t>(samples));
     rasterize_tiles(g, kept);
     return true;
 }

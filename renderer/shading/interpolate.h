@@ -15,6 +15,11 @@ template <Number F> struct ClipCorner { F x{}, y{}, w{}; };
 /// A place on the screen: x and y from -1 (left, bottom) to 1 (right, top).
 template <Number F> struct ScreenPoint { F x{}, y{}; };
 
+/// Of a place in pixels, y down, in a picture of width x height.
+template <Number F> ScreenPoint<F> screen_point(F x, F y, F width, F height) {
+    return {F(2) * x / width - F(1), F(1) - F(2) * y / height};
+}
+
 /// Perspective-correct weights (of points, colours or normals in space) of three corners where the ray
 /// through `at` meets their plane; they sum to 1. A sample just outside the triangle, as the 1/256 pixel grid
 /// of the rasteriser may choose, gets the nearest weights inside; a triangle seen exactly edge-on gets 1/3

@@ -4,6 +4,8 @@
 //   GLINT_ISA=avx2 kernels_bench --benchmark_filter=blinn
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <string>
@@ -12,15 +14,17 @@
 #include "models/scene_file.h"
 #include "renderer/pipeline/light_sources.h"
 #include "renderer/pipeline/surface.h"
+#include "renderer/renderer.h"
 
 namespace glint::bench {
 namespace {
 
 constexpr std::size_t blocks = 1024;
 
-Scene knot() {
+Scene knot(int detail = 572) {
+    const std::string path = std::string(GLINT_SOURCE_DIR) + "/tests/bench/knot.json";
     const Result<SceneDocument> opened =
-        open_document(std::string(GLINT_SOURCE_DIR) + "/tests/bench/knot.json", {});
+        open_document(path, {{"/objects/0/mesh/detail", std::to_string(detail)}});
     return std::get<SceneDocument>(opened).scene;
 }
 
@@ -58,12 +62,36 @@ void light(benchmark::State& state, Reflection model) {
         pixel_lights, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
+/// What a camera drag does again before lighting, on one thread: triangles a second.
+void draw(benchmark::State& state, Stage last, int detail) {
+    Scene scene = knot(detail);
+    Geometry geometry;
+    Visibility visibility;
+    Surface surface;
+    for (auto _ : state) {
+        scene.camera.eye.x = scene.camera.eye.x > 0 ? -0.01f : 0.01f;
+        update_geometry(geometry, scene, {1920, 1080}, false);
+        if (last >= Stage::Visibility) update_visibility(visibility, geometry, scene.shading.cull, 1, true);
+        if (last >= Stage::Surface) update_surface(surface, scene, geometry, visibility, true);
+    }
+    state.counters["triangles"] =
+        benchmark::Counter(geometry.triangle_count, benchmark::Counter::kIsIterationInvariantRate);
+}
+
 double least(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
 
 void declare(const char* name, Reflection model) {
     benchmark::RegisterBenchmark(name, light, model)
         ->Repetitions(200)
         ->MinTime(0.003)
+        ->ComputeStatistics("least", least)
+        ->DisplayAggregatesOnly();
+}
+
+void declare_drawing(const char* name, Stage last, int detail) {
+    benchmark::RegisterBenchmark(fmt::format("{}/detail {}", name, detail).c_str(), draw, last, detail)
+        ->Repetitions(10)
+        ->Unit(benchmark::kMillisecond)
         ->ComputeStatistics("least", least)
         ->DisplayAggregatesOnly();
 }
@@ -81,5 +109,11 @@ int main(int count, char** words) {
     glint::bench::declare("light/retro", Reflection::Retro);
     glint::bench::declare("light/oren-nayar", Reflection::OrenNayar);
     glint::bench::declare("light/cook-torrance", Reflection::CookTorrance);
+    for (const int detail : {90, 572, 2000}) {
+        glint::bench::declare_drawing("geometry", glint::Stage::Geometry, detail);
+        glint::bench::declare_drawing("to visibility", glint::Stage::Visibility, detail);
+        glint::bench::declare_drawing("to surface", glint::Stage::Surface, detail);
+    }
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     benchmark::RunSpecifiedBenchmarks();
 }
