@@ -58,9 +58,13 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 /// What CLI11 could not place: an option that it does not know, or one word too many.
 void refuse_extras(const CLI::App& app, const std::string& command) {
+    bool only_words = false;  // behind a "--" nothing is an option
     for (const std::string& extra : app.remaining()) {
-        if (extra == "--") continue;
-        if (extra.size() > 1 && extra[0] == '-') {
+        if (extra == "--") {
+            only_words = true;
+            continue;
+        }
+        if (!only_words && extra.size() > 1 && extra[0] == '-') {
             const std::string name = extra.substr(0, extra.find('='));
             throw wrong_usage(
                 name, "unknown option of " + command,

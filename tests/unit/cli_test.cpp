@@ -327,6 +327,23 @@ TEST_CASE("what was tolerated in a mesh is one warning line, and the work is don
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
 }
 
+TEST_CASE("anything to the power of 0 is 1, also a cosine of -1", "[cli][explain]") {
+    // Light and normal point away from the eye: n.l = 1, r.v = l.v = -1, and max(-1, 0)^0 = 1.
+    const char* const scene = R"({"glint": 1, "camera": {"projection": {"type": "orthographic"}},
+        "lights": [{"type": "directional", "position": [0, 0, -1]}],
+        "objects": [{"mesh": {"primitive": "plane"}, "transform": {"rotate_deg": [-90, 0, 0]},
+                     "material": {"shininess": 0}}]})";
+    for (const std::string reflection : {"phong", "blinn-phong", "retro"}) {
+        const json e = json::parse(must({"explain", "-", "--pixel", "640,360", "--format", "json", "--set",
+                                         "/shading/reflection=" + reflection},
+                                        scene)
+                                       .out);
+        INFO(reflection);
+        CHECK(e["lights"][0]["n_dot_l"].get<double>() == Approx(1));
+        CHECK(e["lights"][0]["specular"] == json({1.0, 1.0, 1.0}));
+    }
+}
+
 TEST_CASE("bench measures the frames that it was asked for", "[cli][bench]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights);

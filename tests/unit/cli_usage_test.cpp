@@ -60,6 +60,8 @@ TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-i
          "--size: 99999999999x1 is no size of a picture" + sizes},
         {{"render", scene, "again.json", "-o", out},
          "again.json: one word too many for glint render; expected what glint render --help shows"},
+        {{"render", "-o", out, "--", scene, "-o"},
+         "-o: one word too many for glint render; expected what glint render --help shows"},
         {{"-j", "2", "render", scene, "-o", out, "-j", "3"}, "--threads: is given twice; expected it once"},
         {{"render", scene, "-o", out, "-j", "two"}, "--threads: two is no whole number; expected 0 to 1024"},
         {{"render", scene, "-o", out, "-j-1"}, "--threads: -1 is out of range; expected 0 to 1024"},
