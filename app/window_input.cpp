@@ -45,6 +45,18 @@ Key key_of(int key, int scancode, int mods) {
         return Key::F9;
     case GLFW_KEY_F10:
         return Key::F10;
+    case GLFW_KEY_KP_0:
+        return Key::Pad0;
+    case GLFW_KEY_KP_1:
+        return Key::Pad1;
+    case GLFW_KEY_KP_3:
+        return Key::Pad3;
+    case GLFW_KEY_KP_5:
+        return Key::Pad5;
+    case GLFW_KEY_KP_7:
+        return Key::Pad7;
+    case GLFW_KEY_KP_DECIMAL:
+        return Key::PadPoint;
     case GLFW_KEY_F1:
         return Key::F1;
     case GLFW_KEY_F11:

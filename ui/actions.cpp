@@ -4,6 +4,7 @@
 
 #include "ui/files/clipboard.h"
 #include "ui/files/command_text.h"
+#include "ui/hands/camera_actions.h"
 #include "ui/menu/palette.h"
 #include "ui/shading_panel.h"
 #include "ui/views/views.h"
@@ -118,8 +119,10 @@ void run_view_action(UiState& state, Action action) {
     switch (action) {
     case Action::FrameAll:
         return frame(state, -1);
-    case Action::FrameSelected:
-        return frame(state, state.editor.selection.index);
+    case Action::FrameSelected: {
+        const Selection& selected = state.editor.selection;
+        return frame(state, selected.kind == Selection::Kind::Object ? selected.index : -1);
+    }
     case Action::Fold:
         state.layout.folded = !state.layout.folded;
         return;
@@ -169,9 +172,13 @@ std::string why_not(const UiState& state, Action action) {
     case Action::Delete:
         return unless(is_item(state.editor.selection), "No light and no object is selected");
     case Action::FrameAll:
-        return unless(!state.editor.scene().objects.empty(), "The scene has no object");
     case Action::FrameSelected:
-        return unless(state.editor.selection.kind == Selection::Kind::Object, "No object is selected");
+        return unless(!state.editor.scene().objects.empty(), "The scene has no object");
+    case Action::NextView:
+        return unless(!state.kept_views.empty(), "No view is kept yet: Shift+U keeps this one");
+    case Action::SavedCamera:
+        return unless(state.editor.scene().camera != state.editor.saved.camera,
+                      "The camera is the saved one already");
     case Action::SavePicture:
     case Action::CopyCommand:
         return unless(state.picture != nullptr, "There is no picture yet");
@@ -230,6 +237,7 @@ std::optional<bool> is_on(const UiState& state, Action action) {
 
 void run_action(UiState& state, Action action) {
     if (!can_run(state, action)) return;
+    if (run_camera_action(state, action)) return;
     run_file_action(state, action);
     run_edit_action(state, action);
     run_view_action(state, action);

@@ -1,11 +1,15 @@
 #include "ui/camera_panel.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "ui/hands/camera_views.h"
 #include "ui/limits.h"
 #include "ui/orbit.h"
+#include "ui/theme.h"
 #include "ui/widgets.h"
 
 namespace glint {
@@ -72,6 +76,25 @@ bool projection_fields(Projection& projection) {
     return edited;
 }
 
+/// Six buttons that look at the target from a side.
+bool look_from(Camera& camera) {
+    static constexpr struct {
+        const char *label, *keys;
+        ViewFrom from;
+    } sides[] = {{"Front", "pad 1", ViewFrom::Front},    {"Right", "pad 3", ViewFrom::Right},
+                 {"Above", "pad 7", ViewFrom::Top},      {"Behind", "Ctrl+pad 1", ViewFrom::Back},
+                 {"Left", "Ctrl+pad 3", ViewFrom::Left}, {"Below", "Ctrl+pad 7", ViewFrom::Bottom}};
+    section("Look from");
+    const Camera before = camera;
+    const float gap = px(3), width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+    for (int i = 0; i < 6; ++i) {
+        if (i % 3 != 0) ImGui::SameLine(0, gap);
+        if (ImGui::Button(sides[i].label, {width, 0})) camera = seen_from(camera, sides[i].from);
+        tooltip(sides[i].label, "Looks at the target from there, as far away as now", sides[i].keys);
+    }
+    return camera != before;
+}
+
 }  // namespace
 
 Projection as_projection(const Camera& camera, int kind, PictureSize size) {
@@ -95,6 +118,7 @@ bool camera_panel(Camera& camera, PictureSize size) {
                            {"What the viewer looks at, world", "/camera/target"});
     edited |=
         vector_field("Up", camera.up, place, {0, 1, 0}, {"What is up in the picture, world", "/camera/up"});
+    edited |= look_from(camera);
     section("Projection");
     static const std::array<Option, 3> kinds{
         Option{"Perspective", "perspective", "Lines of sight meet in the eye", ""},

@@ -14,6 +14,7 @@ enum class Key {
     Digit2,
     Digit3,
     Digit4,
+    Pad0, Pad1, Pad3, Pad5, Pad7, PadPoint,  // of the number pad
     Delete,
     Escape,
     Enter,

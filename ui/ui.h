@@ -14,6 +14,7 @@
 #include "ui/animate/animate_state.h"
 #include "ui/editor.h"
 #include "ui/file_dialog.h"
+#include "ui/hands/outside_view.h"
 #include "ui/files/export_picture.h"
 #include "ui/files/loading.h"
 #include "ui/files/memory.h"
@@ -62,6 +63,9 @@ struct UiState {
     bool quits = false;
 
     FramePace pace;
+    std::vector<Camera> kept_views;  // kept by hand, of whatever scene; none of them is saved
+    OutsideState outside;
+
     std::unique_ptr<Renderer> renderer;
     const Picture* picture = nullptr;  // the last one drawn
     const Picture* shown = nullptr;    // what the window shows: `picture`, or what ui/views made of it

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double drag_threshold = 3;  // units of the design before a press becomes a drag
 constexpr double wheel_step = 0.88;   // of the distance, per notch
+constexpr double scroll_units = 36;   // of the design, that a notch pans or turns by
 constexpr double wheel_pause = 0.6;   // seconds: notches closer than this are one step
 
 glm::dvec2 cursor_px(const ViewportFrame& frame) { return frame.view.to_pixel(ImGui::GetIO().MousePos); }
@@ -128,14 +129,26 @@ void select_object_under(ViewportFrame& frame, glm::dvec2 pixel) {
         frame.selection = {Selection::Kind::Object, object};
 }
 
+/// The wheel, or two fingers on a trackpad: closer and away; with Shift, or sideways, the picture follows the
+/// fingers; with Alt the camera turns.
 void wheel(ViewportState& state, ViewportFrame& frame) {
     const ImGuiIO& io = ImGui::GetIO();
     state.wheel_goes_on = false;
-    if (!state.hovered || state.gesture != Gesture::None || io.MouseWheel == 0) return;
+    const glm::dvec2 scrolled{io.MouseWheelH, io.MouseWheel};
+    if (!state.hovered || state.gesture != Gesture::None || scrolled == glm::dvec2(0)) return;
     const Camera before = frame.scene.camera;
     const glm::dvec2 cursor = cursor_px(frame);
-    dolly(frame.scene.camera, cursor, depth_under(frame, cursor), std::pow(wheel_step, double(io.MouseWheel)),
-          frame.view.map.size);
+    const double depth = depth_under(frame, cursor);
+    const PictureSize size = frame.view.map.size;
+    const glm::dvec2 way = scrolled * (scroll_units * double(px(1)) / double(frame.view.units_per_pixel));
+    if (io.KeyAlt)
+        orbit(frame.scene.camera, way, size);
+    else if (io.KeyShift)
+        pan(frame.scene.camera, cursor, cursor + way, depth, size);
+    else {
+        if (way.x != 0) pan(frame.scene.camera, cursor, cursor + glm::dvec2(way.x, 0), depth, size);
+        if (way.y != 0) dolly(frame.scene.camera, cursor, depth, std::pow(wheel_step, scrolled.y), size);
+    }
     keep_depth_range(frame.scene.camera, before, frame.view.bounds);
     state.wheel_goes_on = ImGui::GetTime() - state.last_wheel < wheel_pause;
     state.last_wheel = ImGui::GetTime();

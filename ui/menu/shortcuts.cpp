@@ -26,6 +26,7 @@ Lines mouse_lines() {
             {"Orbit", "Drag; on a light or highlight Alt+drag"},
             {"Pan", "Shift+drag, right or middle drag"},
             {"Closer, away", "Wheel, Ctrl+drag"},
+            {"Pan, turn with two fingers", "Shift+scroll, Alt+scroll"},
             {"Move a light", "Drag its handle or its highlight"},
             {"Turn the selected light", "Drag its terminator"},
             {"… in depth, along an axis", "with Shift, with X Y Z"},

@@ -9,7 +9,7 @@
 namespace glint {
 
 /// One answer to "why that colour?" each; their labels and order are in ui/why/tabs.cpp.
-enum class WhyTab { Equation, Vectors, Plots, Grid, Models, Sensitivity, Mistakes, Matrices };
+enum class WhyTab { Equation, Vectors, Plots, Grid, Models, Sensitivity, Mistakes, Matrices, Outside };
 
 struct WhyState {
     WhyTab tab = WhyTab::Equation;

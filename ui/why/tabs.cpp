@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/fonts.h"
+#include "ui/hands/outside_view.h"
 #include "ui/plots/plots_tab.h"
 #include "ui/theme.h"
 #include "ui/ui.h"
@@ -40,6 +41,8 @@ constexpr std::array tabs{
     WhyTabInfo{WhyTab::Mistakes, "Mistakes", "Mistakes that are really made, each a switch", mistakes_tab},
     WhyTabInfo{WhyTab::Matrices, "Matrices", "View, its inverse, projection, and what they carry",
                matrices_tab},
+    WhyTabInfo{WhyTab::Outside, "Outside", "The eye, its view volume and the lights, seen from outside",
+               outside_tab},
 };
 
 /// A tab's button; the chosen one stands on a bar of the accent.

@@ -1,0 +1,121 @@
+#include "ui/hands/outside_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "ui/fonts.h"
+#include "ui/hands/world_pen.h"
+#include "ui/icons.h"
+#include "ui/orbit.h"
+#include "ui/theme.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t most_lines = 6000;  // of all meshes together
+const ImVec4 ink{0.06f, 0.06f, 0.07f, 1};
+
+void text_at(const WorldPen& pen, glm::dvec3 place, const char* text, ImU32 colour) {
+    const OnScreen at = project(pen.view.map, place);
+    if (!at.in_front) return;
+    const ImFont* type = fonts().small;
+    const ImVec2 p = pen.view.to_window(at.pixel);
+    pen.list.AddText(type, type->FontSize * ImGui::GetIO().FontGlobalScale, {p.x + px(5), p.y - px(7)},
+                     colour, text);
+}
+
+void draw_mesh(const WorldPen& pen, const Object& object, std::size_t lines) {
+    if (!object.mesh || object.mesh->triangles.empty()) return;
+    const Mesh& mesh = *object.mesh;
+    const glm::dmat4 world = world_from_object(object.transform);
+    const std::size_t step =
+        std::max<std::size_t>(1, mesh.triangles.size() / std::max<std::size_t>(lines / 2, 1));
+    const auto place = [&](std::uint32_t corner) {
+        return glm::dvec3(world * glm::dvec4(glm::dvec3(mesh.positions[mesh.corner_position[corner]]), 1));
+    };
+    const ImU32 colour = packed(ink, 0.35f);
+    for (std::size_t i = 0; i < mesh.triangles.size(); i += step) {
+        const auto& corner = mesh.triangles[i].corner;
+        pen.line(place(corner[0]), place(corner[1]), colour, px(1));
+        pen.line(place(corner[1]), place(corner[2]), colour, px(1));
+    }
+}
+
+void draw_axes(const WorldPen& pen, const glm::dmat4& frame, double length, const char* const (&names)[3]) {
+    const std::array colours{ImVec4{0.75f, 0.15f, 0.1f, 1}, ImVec4{0.1f, 0.5f, 0.1f, 1},
+                             ImVec4{0.1f, 0.25f, 0.8f, 1}};
+    const glm::dvec3 origin(frame[3]);
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 end = origin + length * glm::dvec3(frame[i]);
+        const ImU32 colour = packed(colours[std::size_t(i)]);
+        pen.line(origin, end, colour, px(2));
+        text_at(pen, end, names[i], colour);
+    }
+}
+
+/// The eye and the volume it sees, cut off a little behind the target: the far plane may be anywhere.
+void draw_camera(const WorldPen& pen, const OutsideScene& what, double size) {
+    const ScreenMap& map = what.main.map;
+    const Camera& camera = what.scene.camera;
+    const double w = map.size.width, h = map.size.height;
+    const std::array<glm::dvec2, 4> corners{{{0, 0}, {w, 0}, {w, h}, {0, h}}};
+    const double near = double(near_of(camera.projection));
+    const double depths[] = {near, target_depth(camera),
+                             std::min(1.35 * target_depth(camera), double(far_of(camera.projection)))};
+    const ImU32 strong = packed(ink), weak = packed(ink, 0.55f);
+    for (int k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < 4; ++i)
+            pen.line(unproject(map, corners[i], depths[k]), unproject(map, corners[(i + 1) % 4], depths[k]),
+                     k == 0 ? strong : weak, px(k == 1 ? 1 : 1.5f));
+    const glm::dvec3 eye(camera.eye);
+    const bool parallel = is_orthographic(camera.projection);
+    for (const glm::dvec2& corner : corners)
+        pen.line(parallel ? unproject(map, corner, 0) : eye, unproject(map, corner, depths[2]), weak,
+                 px(1.2f));
+    pen.line(eye, glm::dvec3(camera.target), packed(ink, 0.3f), px(1));
+    pen.mark(eye, packed({1, 1, 1, 1}), 1, false);
+    text_at(pen, eye - 0.25 * size * glm::dvec3(map.world_from_view[1]), "eye", strong);
+    draw_axes(pen, map.world_from_view, size, {"x", "y", "z"});
+}
+
+void draw_light(const WorldPen& pen, const OutsideScene& what, int index) {
+    const Light& light = what.scene.lights[std::size_t(index)];
+    const glm::dvec3 place = handle_of(light, what.main.dome, what.main.map);
+    const bool rides = light.space == LightSpace::Camera;
+    const ImU32 colour = packed(colour_of(light), light.enabled ? 1 : 0.5f);
+    if (rides) pen.cased(glm::dvec3(what.scene.camera.eye), place, colour, 0.8f);
+    if (light.kind == LightKind::Directional)
+        pen.cased(place, place - 0.35 * what.main.dome.radius * direction_of(light, what.main.map), colour,
+                  1);
+    const OnScreen at = project(pen.view.map, place);
+    if (!at.in_front) return;
+    const ImVec2 p = pen.view.to_window(at.pixel);
+    const float radius = px(index == what.hovered_light ? 7.5f : 6);
+    pen.list.AddCircleFilled(p, radius + px(1.5f), packed(ink, 0.8f));
+    if (light.enabled)
+        pen.list.AddCircleFilled(p, radius, colour);
+    else
+        pen.list.AddCircle(p, radius, colour, 0, px(2));
+    if (index == what.selected_light) pen.list.AddCircle(p, radius + px(4), packed(theme().accent), 0, px(2));
+    const std::string label = light.name + (rides ? "  C" : "  W");
+    const OnScreen beside{at.pixel + glm::dvec2(8, 0), at.depth, true};
+    text_at(pen, unproject(pen.view.map, beside.pixel, beside.depth), label.c_str(), packed(ink));
+}
+
+}  // namespace
+
+void draw_outside(ImDrawList& list, const PictureView& view, const OutsideScene& what) {
+    const WorldPen pen{list, view};
+    const std::size_t count = std::max<std::size_t>(what.scene.objects.size(), 1);
+    for (std::size_t i = 0; i < std::min<std::size_t>(count, 300) && i < what.scene.objects.size(); ++i)
+        draw_mesh(pen, what.scene.objects[i], most_lines / std::min<std::size_t>(count, 300));
+    const double size = 0.22 * target_depth(what.scene.camera);
+    draw_axes(pen, glm::dmat4(1), size, {"X", "Y", "Z"});
+    draw_camera(pen, what, size);
+    for (int i = 0; i < std::min(static_cast<int>(what.scene.lights.size()), 300); ++i)
+        draw_light(pen, what, i);
+}
+
+}  // namespace glint

@@ -1,0 +1,20 @@
+#pragma once
+// The lines of the outside view.
+
+#include <imgui.h>
+
+#include "ui/gizmo.h"
+
+namespace glint {
+
+struct OutsideScene {
+    const Scene& scene;
+    const PictureView& main;  // through which the scene's own camera sees it
+    int selected_light = -1, hovered_light = -1;
+};
+
+/// Draws meshes (of large ones some of the edges), the eye, its view volume and axes, the world's axes and
+/// the lights, as `view` shows them.
+void draw_outside(ImDrawList& list, const PictureView& view, const OutsideScene& what);
+
+}  // namespace glint

@@ -1,0 +1,127 @@
+#include "ui/hands/outside_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <vector>
+
+#include "ui/hands/drag_math.h"
+#include "ui/hands/outside_lines.h"
+#include "ui/orbit.h"
+#include "ui/theme.h"
+#include "ui/ui.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr double grip_units = 11;  // of the design: how near to a light a click selects it
+
+/// What must be in sight: eye, target and lights, and of the objects what is no farther from the target than
+/// these. A wide floor would make all else too small to see.
+std::vector<glm::dvec3> all_places(const Scene& scene, const PictureView& main) {
+    const glm::dvec3 target(scene.camera.target);
+    std::vector<glm::dvec3> places{target, glm::dvec3(scene.camera.eye)};
+    for (const Light& light : scene.lights) places.push_back(handle_of(light, main.dome, main.map));
+    double reach = 0;
+    for (const glm::dvec3& place : places) reach = std::max(reach, 0.7 * glm::length(place - target));
+    const Bounds& box = main.bounds;
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 corner{(i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
+                                (i & 4) != 0 ? box.max.z : box.min.z};
+        const double away = glm::length(corner - target);
+        places.push_back(away > reach ? target + reach / away * (corner - target) : corner);
+    }
+    return places;
+}
+
+/// The light under the cursor, or -1.
+int light_under(const Scene& scene, const PictureView& main, const PictureView& outside, ImVec2 cursor) {
+    int found = -1;
+    double nearest = double(px(float(grip_units)));
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const OnScreen at = project(outside.map, handle_of(scene.lights[i], main.dome, main.map));
+        const double away = glm::length(at.pixel - outside.to_pixel(cursor));
+        if (!at.in_front || away > nearest) continue;
+        nearest = away;
+        found = static_cast<int>(i);
+    }
+    return found;
+}
+
+void use_mouse(OutsideState& state, PictureSize size, bool hovered) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemActive()) orbit(state.camera, {io.MouseDelta.x, io.MouseDelta.y}, size);
+    if (!hovered || io.MouseWheel == 0) return;
+    const glm::vec3 arm = state.camera.eye - state.camera.target;
+    const float length = glm::length(arm) * std::pow(0.88f, io.MouseWheel);
+    if (length > 1e-3f && length < 1e6f)
+        state.camera.eye = state.camera.target + glm::normalize(arm) * length;
+}
+
+void legend() {
+    ImGui::PushTextWrapPos(0);
+    dim_text("Drag: turn · Wheel: closer · Double-click: all in sight · Click a light: select it");
+    dim_text(
+        "C lights ride with the camera, on a line from the eye; W lights stay in the world. Orbit the "
+        "picture and watch.");
+    ImGui::PopTextWrapPos();
+}
+
+}  // namespace
+
+Camera outside_camera(const Scene& scene, const PictureView& main, PictureSize size) {
+    const std::vector<glm::dvec3> places = all_places(scene, main);
+    glm::dvec3 low = places[0], high = places[0];
+    for (const glm::dvec3& place : places) low = glm::min(low, place), high = glm::max(high, place);
+    const glm::dvec3 middle = (low + high) / 2.0;
+    double radius = 1e-3;
+    for (const glm::dvec3& place : places) radius = std::max(radius, glm::length(place - middle));
+    // Sixty degrees to the right of the eye, thirty above.
+    const glm::dvec3 back(main.map.world_from_view[2]), level{back.x, 0, back.z};
+    const glm::dvec3 front = glm::length(level) > 1e-6 ? glm::normalize(level) : glm::dvec3(0, 0, 1);
+    const glm::dvec3 side = rotated(front, {0, 1, 0}, std::numbers::pi / 3);
+    const glm::dvec3 way = glm::normalize(0.866 * side + glm::dvec3(0, 0.5, 0));
+    constexpr double half = 20 * std::numbers::pi / 180;
+    const double narrow = std::min(1.0, double(size.width) / size.height);
+    const double distance = 1.08 * radius / std::sin(std::atan(std::tan(half) * narrow));
+    Camera camera;
+    camera.target = glm::vec3(middle);
+    camera.eye = glm::vec3(middle + distance * way);
+    camera.projection = Perspective{40, float(distance * 1e-3), float(distance * 100)};
+    return camera;
+}
+
+void outside_tab(UiState& state, const PictureView& main) {
+    OutsideState& outside = state.outside;
+    const Scene& scene = state.editor.scene();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const ImVec2 extent{std::max(room.x, px(60)),
+                        std::clamp(room.y - px(90), px(120), 1.15f * std::max(room.x, px(120)))};
+    const PictureSize size{int(extent.x), int(extent.y)};
+    PictureView view = main;
+    view.origin = ImGui::GetCursorScreenPos();
+    view.units_per_pixel = 1;
+    ImGui::InvisibleButton("##outside", extent);
+    const bool hovered = ImGui::IsItemHovered();
+    const bool reset = hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    if (!outside.placed || reset) outside = {outside_camera(scene, main, size), true};
+    use_mouse(outside, size, hovered);
+    view.map = screen_map(outside.camera, size);
+    const int light = hovered ? light_under(scene, main, view, ImGui::GetIO().MousePos) : -1;
+    if (light >= 0) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (light >= 0 && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+        ImGui::GetIO().MouseDragMaxDistanceSqr[0] < 16)
+        state.editor.selection = {Selection::Kind::Light, light};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 high{view.origin.x + extent.x, view.origin.y + extent.y};
+    list.AddRectFilled(view.origin, high, packed(theme().surround), px(4));
+    list.PushClipRect(view.origin, high, true);
+    draw_outside(list, view, {scene, main, selected_light(state.editor.selection), light});
+    list.PopClipRect();
+    legend();
+}
+
+}  // namespace glint
