@@ -25,7 +25,7 @@ inline Rect right_column(const Bench& bench) {
 /// so; where that was.
 inline ImVec2 search_column(Bench& bench, float x, const std::function<bool()>& found) {
     const Rect column = right_column(bench);
-    for (float y = column.low.y + 116; y < column.high.y; y += 4) {
+    for (float y = column.low.y + 140; y < column.high.y; y += 4) {
         const ImVec2 at{column.low.x + x, y};
         bench.move(at);
         bench.frames(1);
