@@ -1,6 +1,7 @@
 #include "ui/dialogs.h"
 
 #include <fmt/core.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -87,6 +88,11 @@ void use_file(UiState& state, const std::string& path) {
 }
 
 }  // namespace
+
+void close_left_dialogs(const UiState& state) {
+    const bool wanted = state.files.open || state.pending.asking || state.exporting.open;
+    if (!wanted && ImGui::GetTopMostPopupModal() != nullptr) ImGui::ClosePopupToLevel(0, true);
+}
 
 void dialogs(UiState& state, const UiInput& input) {
     const bool enter = pressed(input, Key::Enter);

@@ -321,6 +321,7 @@ UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
     if (input.close_asked) run_action(state, Action::Quit);
     take_dropped(state, input);
     run_keys(state, input);
+    close_left_dialogs(state);
     ImGui::PushFont(fonts().body);
     begin_views(state);
     const Layout layout = lay_out(ImGui::GetIO().DisplaySize, state.layout, px(1));

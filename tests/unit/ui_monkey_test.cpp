@@ -167,6 +167,22 @@ void check_scene(const Scene& scene, int event) {
 
 }  // namespace
 
+TEST_CASE("a dialog that was left does not hold up what opens next", "[ui]") {
+    Bench bench;
+    bench.frames(2);
+    for (const Key key : {Key::O, Key::E}) {
+        bench.key(key, true);
+        bench.frames(2);
+        bench.state.files.open = bench.state.exporting.open = false;  // by whatever came between
+        bench.frames(2);
+        bench.key(Key::K, true);  // a window that appears
+        bench.frames(2);
+        CHECK(bench.state.palette.open);
+        bench.key(Key::Escape);
+        CHECK_FALSE(bench.state.palette.open);
+    }
+}
+
 TEST_CASE("after 20 000 random events nothing has crashed, every scene can be saved, and undo leads back",
           "[ui][monkey]") {
     const Cage cage;
