@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-constexpr double enough_share = 0.7;  // of the peak: what may be taken hold of
+constexpr double enough_share = 0.5;  // of the peak: what may be taken hold of
 constexpr double enough_light = 0.05;
 constexpr int patch_radius = 3;  // pixels
 constexpr std::size_t most_lights = 256;

@@ -36,7 +36,7 @@ struct HoveredHighlight {
 };
 
 /// The light whose highlight covers the pixel: it must be seen (a twentieth of full brightness) and near its
-/// peak there (seven tenths of it). The brightest wins. Nothing on the background, without the specular term,
+/// peak there (half of it). The brightest wins. Nothing on the background, without the specular term,
 /// and under models that have no highlight.
 [[nodiscard]] std::optional<HoveredHighlight> highlight_under(const SurfaceView& view, glm::dvec2 pixel);
 

@@ -70,6 +70,6 @@ struct ShapeDrag {
                                   bool snap);
 
 /// The light turned so that it shines at a place in the world; as it was where it stands there.
-[[nodiscard]] Light aimed_at(Light light, glm::dvec3 place, const DragView& view);
+[[nodiscard]] Light aimed_at(const Light& light, glm::dvec3 place, const DragView& view);
 
 }  // namespace glint
