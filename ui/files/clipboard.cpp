@@ -50,6 +50,7 @@ int file_of(const std::string& bytes) {
 /// The exit status of the tool, fed with `input`; -1 when it did not run.
 int run_tool(const std::vector<std::string>& command, int input) {
     std::vector<char*> words;
+    words.reserve(command.size() + 1);
     for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
     words.push_back(nullptr);
     posix_spawn_file_actions_t files;

@@ -116,6 +116,7 @@ std::vector<int> palette_matches(const std::vector<PaletteEntry>& entries, const
     std::stable_sort(scored.begin(), scored.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<int> indices;
+    indices.reserve(scored.size());
     for (const auto& [score, index] : scored) indices.push_back(index);
     return indices;
 }
