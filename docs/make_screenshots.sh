@@ -41,7 +41,7 @@ shot() { # NAME WxH SCENE: what is on standard input is done first
     [ -z "$wanted" ] || [[ " $wanted " == *" $name "* ]] || return 0
     export XDG_STATE_HOME=$work/state-$name # as on the first day
     mkfifo "$work/display-$name"
-    Xvfb -displayfd 3 -screen 0 "${size}x24" -nolisten tcp 3>"$work/display-$name" 2>/dev/null &
+    Xvfb -displayfd 3 -screen 0 "${size}x24" -nolisten tcp -noreset 3>"$work/display-$name" 2>/dev/null &
     xvfb_pid=$!
     read -r -t 20 number <"$work/display-$name"
     export DISPLAY=:$number

@@ -34,13 +34,15 @@ within() {
 
 display_answers() { xdotool getdisplaygeometry >/dev/null 2>&1; }
 
-start_display() { # WxH. Two servers that start at once may want the same number: then once more.
+# WxH. Two servers that start at once may want the same number: then once more. Without -noreset a server starts afresh
+# when its last client leaves, as the one that asked whether it answers does, and refuses who comes meanwhile.
+start_display() {
     unset WAYLAND_DISPLAY
     local number try
     for try in 1 2 3; do
         rm -f "$work/display"
         mkfifo "$work/display"
-        Xvfb -displayfd 3 -screen 0 "$1x24" -nolisten tcp 3>"$work/display" 2>/dev/null &
+        Xvfb -displayfd 3 -screen 0 "$1x24" -nolisten tcp -noreset 3>"$work/display" 2>/dev/null &
         xvfb_pid=$!
         number=
         read -r -t 20 number <"$work/display"
@@ -56,10 +58,12 @@ find_window() {
     [ -n "$window" ]
 }
 
+window_or_end() { find_window || ! kill -0 "$glint_pid" 2>/dev/null; }
+
 start_glint() { # FILE
     "$program" "$1" 2>"$work/glint.err" &
     glint_pid=$!
-    within 30 find_window || fail "no window came up"
+    within 30 window_or_end && find_window || fail "no window came up"
     xdotool windowfocus "$window"
     sleep 0.5
 }
