@@ -1,7 +1,6 @@
 #include "renderer/image_file.h"
 
 #include <png.h>
-#include <zlib.h>
 
 #include <array>
 #include <bit>
@@ -18,34 +17,58 @@ constexpr std::size_t max_png_bytes = std::size_t{9} * max_picture_side * max_pi
 // Deflate never makes more than 1032 bytes of one, so a larger claim is a lie (zlib, "Technical Details").
 constexpr std::size_t max_inflation = 1032;
 
-void append_be32(std::string& out, std::uint32_t value) {
-    for (int shift = 24; shift >= 0; shift -= 8) out.push_back(static_cast<char>((value >> shift) & 0xFFu));
-}
+/// A picture being written by libpng into `bytes`. Nothing but memory can fail here, and then std::bad_alloc
+/// is thrown.
+class PngWriter {
+  public:
+    explicit PngWriter(std::string& bytes)
+        : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, give_up, ignore)) {
+        if (png_ != nullptr) info_ = png_create_info_struct(png_);
+        if (info_ == nullptr) {
+            png_destroy_write_struct(&png_, nullptr);
+            throw std::bad_alloc();
+        }
+        png_set_write_fn(png_, &bytes, append, nullptr);
+    }
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
+    ~PngWriter() { png_destroy_write_struct(&png_, &info_); }
 
-/// One chunk: length, type, data, CRC over the last two.
-std::string chunk(std::string_view type, std::string_view data) {
-    std::string out;
-    append_be32(out, static_cast<std::uint32_t>(data.size()));
-    out.append(type).append(data);
-    const auto* checked = reinterpret_cast<const Bytef*>(out.data() + 4);
-    append_be32(out, static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), checked, out.size() - 4)));
-    return out;
-}
+    void header(PictureSize size) {
+        png_set_IHDR(png_, info_, static_cast<png_uint_32>(size.width), static_cast<png_uint_32>(size.height),
+                     8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                     PNG_FILTER_TYPE_DEFAULT);
+        // Against libpng's own choice (level 6, the best of five filters for every row) these took a quarter
+        // of the time on pictures of ours and gave files larger by a tenth.
+        png_set_compression_level(png_, 4);
+        png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+    }
+    void text(const char* keyword, std::string text) {  // UTF-8, not compressed: an iTXt chunk
+        png_text chunk{};
+        chunk.compression = PNG_ITXT_COMPRESSION_NONE;
+        chunk.key = const_cast<png_charp>(keyword);  // libpng only reads it
+        chunk.text = text.data();
+        png_set_text(png_, info_, &chunk, 1);
+    }
+    void rows(const Picture& picture) {
+        png_write_info(png_, info_);
+        png_set_filler(png_, 0, PNG_FILLER_AFTER);  // four bytes a pixel come in, three go out
+        const std::size_t stride = std::size_t{4} * static_cast<std::size_t>(picture.size.width);
+        for (std::size_t at = 0; at < picture.rgba.size(); at += stride)
+            png_write_row(png_, &picture.rgba[at]);
+        png_write_end(png_, info_);
+    }
 
-/// Keyword, then four fields that are empty or zero (compression flag and method, language, translated
-/// keyword).
-std::string scene_chunk(const std::string& scene_json) {
-    std::string data(png_scene_keyword);
-    data.append(5, '\0').append(scene_json);
-    return chunk("iTXt", data);
-}
+  private:
+    [[noreturn]] static void give_up(png_structp, png_const_charp) { throw std::bad_alloc(); }
+    static void ignore(png_structp, png_const_charp) {}
+    static void append(png_structp png, png_bytep data, std::size_t size) {
+        static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
+    }
 
-std::string rgb_of(const Picture& picture) {
-    const std::size_t pixels = picture.rgba.size() / 4;
-    std::string rgb(3 * pixels, '\0');
-    for (std::size_t i = 0; i < pixels; ++i) std::memcpy(&rgb[3 * i], &picture.rgba[4 * i], 3);
-    return rgb;
-}
+    png_structp png_;
+    png_infop info_ = nullptr;
+};
 
 Problem unreadable(const std::string& path, const std::string& what) {
     return {.file = path, .pointer = {}, .what = what, .expected = "a PNG picture of 1x1 to 16384x16384"};
@@ -54,22 +77,11 @@ Problem unreadable(const std::string& path, const std::string& what) {
 }  // namespace
 
 std::string png_bytes(const Picture& picture, const std::string& scene_json) {
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    image.width = static_cast<png_uint_32>(picture.size.width);
-    image.height = static_cast<png_uint_32>(picture.size.height);
-    image.format = PNG_FORMAT_RGB;
-    image.flags = PNG_IMAGE_FLAG_COLORSPACE_NOT_sRGB;  // `transfer` may be none; no viewer needs the claim
-    const std::string rgb = rgb_of(picture);
-    std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
-    png_alloc_size_t size = bytes.size();
-    // Nothing but memory can fail here: the buffer has the size that libpng itself asks for.
-    if (png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), 0, nullptr) == 0) {
-        throw std::bad_alloc();
-    }
-    bytes.resize(size);
-    constexpr std::size_t after_header = 8 + 25;  // signature and IHDR
-    if (!scene_json.empty()) bytes.insert(after_header, scene_chunk(scene_json));
+    std::string bytes;
+    PngWriter png(bytes);
+    png.header(picture.size);
+    if (!scene_json.empty()) png.text(std::string(png_scene_keyword).c_str(), scene_json);
+    png.rows(picture);
     return bytes;
 }
 
