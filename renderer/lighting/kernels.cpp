@@ -12,14 +12,18 @@ namespace glint {
 namespace scalar {
 extern const LightingKernels kernels;
 }
+#ifdef GLINT_X86
 namespace sse2 {
 extern const LightingKernels kernels;
 }
-#ifdef GLINT_HAS_AVX
 namespace avx2 {
 extern const LightingKernels kernels;
 }
 namespace avx512 {
+extern const LightingKernels kernels;
+}
+#elif defined GLINT_ARM
+namespace neon {
 extern const LightingKernels kernels;
 }
 #endif
@@ -34,11 +38,13 @@ struct Set {
 /// From the widest to the narrowest.
 std::vector<Set> sets() {
     std::vector<Set> all;
-#ifdef GLINT_HAS_AVX
+#ifdef GLINT_X86
     all.push_back({&avx512::kernels, __builtin_cpu_supports("avx512f") != 0});
     all.push_back({&avx2::kernels, __builtin_cpu_supports("avx2") != 0});
-#endif
     all.push_back({&sse2::kernels, true});
+#elif defined GLINT_ARM
+    all.push_back({&neon::kernels, true});
+#endif
     all.push_back({&scalar::kernels, true});
     return all;
 }
@@ -68,8 +74,12 @@ std::optional<InstructionSetProblem> instruction_set_problem() {
     InstructionSetProblem found{{}, true};
     found.problem.file = "GLINT_ISA";
     found.problem.what = name + " is no instruction set";
-    found.problem.expected = "one of scalar, sse2, avx2, avx512";
-    for (const Set& set : sets()) {
+    std::string names;
+    const std::vector<Set> known = sets();
+    for (auto set = known.rbegin(); set != known.rend(); ++set)
+        names += (names.empty() ? "" : ", ") + std::string(set->kernels->name);
+    found.problem.expected = "one of " + names;
+    for (const Set& set : known) {
         if (name != set.kernels->name) continue;
         if (set.usable) return std::nullopt;
         found.unknown = false;

@@ -1,0 +1,232 @@
+// What the lighting kernels of one instruction set give for many made-up jobs, a line each: its name and a
+// hash of the results' bits. Compiled once for each set (GLINT_ISA, GLINT_LANES as for
+// renderer/lighting/kernels_isa.cpp); the lines of all sets must be equal. Needs nothing but the C library's
+// headers, so that a cross compiler can build it.
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <vector>
+
+#include "renderer/lighting/light_job.h"
+
+namespace glint::GLINT_ISA {
+extern const LightingKernels kernels;
+}
+
+namespace {
+
+using namespace glint;
+
+constexpr std::size_t blocks = 40;  // more than two batches, and not a whole number of them
+
+/// A linear congruential generator (Knuth, MMIX): the same numbers on every machine.
+class Numbers {
+  public:
+    std::uint32_t bits() {
+        state_ = state_ * 6364136223846793005ull + 1442695040888963407ull;
+        return static_cast<std::uint32_t>(state_ >> 32);
+    }
+    float between(float low, float high) {
+        return low + (high - low) * (static_cast<float>(bits() >> 8) * 0x1p-24f);
+    }
+    LightSource::Rgb rgb(float low, float high) {
+        const float x = between(low, high), y = between(low, high);
+        return {x, y, between(low, high)};
+    }
+    LightSource::Rgb unit() {
+        LightSource::Rgb v = rgb(-1, 1);
+        const float length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+        return {v.x / length, v.y / length, v.z / length};
+    }
+
+  private:
+    std::uint64_t state_ = 20;
+};
+
+std::vector<PointBlock> some_points(Numbers& number) {
+    std::vector<PointBlock> points(blocks);
+    for (PointBlock& block : points)
+        for (std::size_t i = 0; i < block_size; ++i) {
+            const bool none = number.bits() % 19 == 0;  // past the last of an object: zeros
+            const LightSource::Rgb n = number.unit();
+            block.x[i] = none ? 0 : number.between(-3, 3);
+            block.y[i] = none ? 0 : number.between(-3, 3);
+            block.z[i] = none ? 0 : number.between(-9, -1);
+            block.nx[i] = none ? 0 : n.x;
+            block.ny[i] = none ? 0 : n.y;
+            block.nz[i] = none ? 0 : std::abs(n.z);
+        }
+    return points;
+}
+
+/// A directional light, a point, a point with falloff, a spot and a sample of an area light, and so on.
+std::vector<LightSource> some_lights(Numbers& number) {
+    std::vector<LightSource> lights(10);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        LightSource& light = lights[i];
+        light.light = static_cast<int>(i);
+        light.w = i % 5 == 0 ? 0.0f : 1.0f;
+        light.xyz = light.w > 0 ? number.rgb(-5, 5) : number.unit();
+        light.ambient = number.rgb(0, i % 2 ? 0.0f : 0.2f);
+        light.diffuse = number.rgb(0, 1);
+        light.specular = number.rgb(0, 1);
+        light.axis = number.unit();
+        light.has_falloff = i % 5 == 2;
+        light.has_cone = i % 5 == 3;
+        light.is_patch = i % 5 == 4;
+        if (light.has_falloff) {
+            light.linear = number.between(0, 1);
+            light.quadratic = number.between(0, 1);
+        }
+        if (light.has_cone) {
+            light.cos_cutoff = number.between(-0.5f, 0.9f);
+            light.exponent = number.between(0, 20);
+        }
+        light.patch = light.is_patch ? number.between(0, 1) : 0.0f;
+    }
+    return lights;
+}
+
+LightJob some_job(Numbers& number, const std::vector<LightSource>& lights, Reflection model) {
+    LightJob job;
+    job.lights = lights.data();
+    job.light_count = lights.size();
+    job.model = model;
+    job.material.k_a = number.rgb(0, 1);
+    job.material.k_d = number.rgb(0, 1);
+    job.material.k_s = number.rgb(0, 1);
+    job.material.f0 = number.rgb(0, 1);
+    job.material.shininess = number.bits() % 2 ? 32.0f : number.between(0, 200);
+    job.material.roughness = number.between(0, 1);
+    job.material.emission = number.rgb(0, 0.1f);
+    job.infinite_viewer = number.bits() % 4 == 0;
+    return job;
+}
+
+/// FNV-1a over 32-bit words; a NaN counts as one whatever its sign, which processors choose for themselves.
+class Hash {
+  public:
+    void add(std::uint32_t word) { value_ = (value_ ^ word) * 1099511628211ull; }
+    void add(float number) {
+        std::uint32_t word = 0;
+        std::memcpy(&word, &number, sizeof word);
+        add(number != number ? 0x7FC00000u : word);
+    }
+    void add(const std::vector<ColorBlock>& colors) {
+        for (const ColorBlock& block : colors)
+            for (const auto& channel : {&block.r, &block.g, &block.b})
+                for (const float c : *channel) add(c);
+    }
+    void print(const char* what, int which) const {
+        std::printf("%s %d %016llx\n", what, which, static_cast<unsigned long long>(value_));
+    }
+
+  private:
+    std::uint64_t value_ = 14695981039346656037ull;
+};
+
+using Mistake = bool Mistakes::*;
+constexpr Mistake in_the_equation[] = {&Mistakes::unnormalized_light,
+                                       &Mistakes::unnormalized_half,
+                                       &Mistakes::specular_behind_surface,
+                                       &Mistakes::no_clamp_of_cosine,
+                                       &Mistakes::half_angle_with_phong_shininess,
+                                       &Mistakes::ambient_per_light_added_twice,
+                                       &Mistakes::clamp_each_light,
+                                       &Mistakes::shininess_as_fraction};
+
+std::vector<ColorBlock> lit(const LightJob& job, const std::vector<PointBlock>& points) {
+    std::vector<ColorBlock> colors(blocks);
+    GLINT_ISA::kernels.light(job, points.data(), nullptr, colors.data(), blocks);
+    return colors;
+}
+
+void light_all(Numbers& number, const std::vector<PointBlock>& points) {
+    for (int which = 0; which < 7 * 8; ++which) {
+        const std::vector<LightSource> lights = some_lights(number);
+        LightJob job = some_job(number, lights, static_cast<Reflection>(which % 7));
+        if (which % 3 == 1) job.grid = 0x1p-22f;
+        if (which % 5 == 1) job.clamp = true;
+        if (which % 4 == 3) job.power_table = 64;
+        job.any_mistake = which % 2 == 1;
+        if (job.any_mistake) job.mistakes.*in_the_equation[which / 7] = true;
+        const std::vector<ColorBlock> colors = lit(job, points);
+        Hash hash;
+        hash.add(colors);
+        hash.print("light", which);
+
+        std::vector<std::uint32_t> rgba(blocks * block_size);
+        GLINT_ISA::kernels.encode({number.between(0.5f, 2), which % 2 == 0}, colors.data(), rgba.data(),
+                                  blocks);
+        Hash bytes;
+        for (const std::uint32_t pixel : rgba) bytes.add(pixel);
+        bytes.print("encode", which);
+    }
+}
+
+FaceBlock some_faces(Numbers& number) {
+    FaceBlock faces{};
+    faces.width = 640;
+    faces.height = 480;
+    for (std::size_t i = 0; i < block_size; ++i) {
+        for (int c = 0; c < 3; ++c) {
+            faces.clip_w[c][i] = number.between(1, 9);
+            faces.clip_x[c][i] = number.between(-1, 1) * faces.clip_w[c][i];
+            faces.clip_y[c][i] = number.between(-1, 1) * faces.clip_w[c][i];
+            faces.x[c][i] = number.between(-3, 3);
+            faces.y[c][i] = number.between(-3, 3);
+            faces.z[c][i] = -faces.clip_w[c][i];
+            const LightSource::Rgb n = number.unit();
+            faces.nx[c][i] = n.x;
+            faces.ny[c][i] = n.y;
+            faces.nz[c][i] = n.z;
+        }
+        faces.at_x[i] = number.between(0, 640);
+        faces.at_y[i] = number.between(0, 480);
+        faces.facing[i] = number.bits() % 2 ? 1.0f : -1.0f;
+    }
+    return faces;
+}
+
+void place_all(Numbers& number) {
+    Hash hash;
+    for (int which = 0; which < 200; ++which) {
+        PointBlock out{};
+        const bool told = GLINT_ISA::kernels.place(some_faces(number), out);
+        hash.add(std::uint32_t{told});
+        if (!told) continue;
+        for (const auto& numbers : {&out.x, &out.y, &out.z, &out.nx, &out.ny, &out.nz})
+            for (const float a : *numbers) hash.add(a);
+    }
+    hash.print("place", 200);
+}
+
+void blend_all(Numbers& number, const std::vector<PointBlock>& points) {
+    const std::vector<LightSource> lights = some_lights(number);
+    const std::vector<ColorBlock> corners = lit(some_job(number, lights, Reflection::Phong), points);
+    constexpr int each = 3;
+    std::vector<std::uint32_t> numbers(blocks * each * block_size);
+    std::vector<float> weights(numbers.size());
+    for (std::uint32_t& n : numbers) n = number.bits() % (blocks * block_size);
+    for (float& w : weights) w = number.between(0, 1);
+    std::vector<ColorBlock> colors(blocks);
+    Hash blended, picked;
+    GLINT_ISA::kernels.blend(corners.data(), numbers.data(), weights.data(), each, colors.data(), blocks);
+    blended.add(colors);
+    blended.print("blend", each);
+    GLINT_ISA::kernels.pick(corners.data(), numbers.data(), colors.data(), blocks);
+    picked.add(colors);
+    picked.print("pick", 1);
+}
+
+}  // namespace
+
+int main() {
+    Numbers number;
+    const std::vector<PointBlock> points = some_points(number);
+    light_all(number, points);
+    place_all(number);
+    blend_all(number, points);
+}
