@@ -2,40 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/trigonometric.hpp>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 
+#include "tests/gl/program.h"
 #include "tests/oracle/gl_parts.h"
 
 namespace glint::oracle {
 namespace {
 
-std::string text_of(const std::string& name) {
-    const std::ifstream file(std::string(GLINT_SOURCE_DIR) + "/tests/oracle/" + name);
-    if (!file) throw std::runtime_error("the shader " + name + " cannot be read");
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-GLuint compile(GLenum kind, const std::string& name, const char* interpolated) {
-    const std::string text = std::string("#version 450 compatibility\n#define INTERPOLATED ") + interpolated +
-                             "\n" + text_of("equation.glsl") + text_of(name);
-    const char* source = text.c_str();
-    const GLuint shader = glCreateShader(kind);
-    glShaderSource(shader, 1, &source, nullptr);
-    glCompileShader(shader);
-    GLint compiled = 0;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    std::string log(4096, '\0');
-    if (compiled) return shader;
-    glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    throw std::runtime_error(name + ": " + log.c_str());
+test::ShaderSource source(const std::string& name, const char* interpolated) {
+    return {name, std::string("#version 450 compatibility\n#define INTERPOLATED ") + interpolated + "\n" +
+                      test::shader_text("oracle/equation.glsl") + test::shader_text("oracle/" + name)};
 }
 
 /// Sets uniforms of the current program by name; one that the program does not use is passed over.
@@ -75,16 +55,8 @@ void set_light(const Uniforms& u, const Light& light, const glm::dmat4& to_camer
 
 unsigned make_program(const char* stage, const char* interpolated) {
     const std::string name = stage;
-    const GLuint program = glCreateProgram();
-    glAttachShader(program, compile(GL_VERTEX_SHADER, name + ".vert.glsl", interpolated));
-    glAttachShader(program, compile(GL_FRAGMENT_SHADER, name + ".frag.glsl", interpolated));
-    glLinkProgram(program);
-    GLint linked = 0;
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (linked) return program;
-    std::string log(4096, '\0');
-    glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    throw std::runtime_error(name + ": " + log.c_str());
+    return test::link_program(source(name + ".vert.glsl", interpolated),
+                              source(name + ".frag.glsl", interpolated));
 }
 
 void set_shader_lights(unsigned program, const Scene& scene, const glm::dmat4& view) {
