@@ -69,14 +69,7 @@ void place_points(Surface& s, const Geometry& g) {
         PointBlock block{};
         for (std::size_t i = 0; i < block_size; ++i) {
             const PointSource& source = s.sources[b * block_size + i];
-            if (source.item == no_index) continue;
-            const PlacedNormal at = lit_point(s, g, source);
-            block.x[i] = at.p.x;
-            block.y[i] = at.p.y;
-            block.z[i] = at.p.z;
-            block.nx[i] = at.n.x;
-            block.ny[i] = at.n.y;
-            block.nz[i] = at.n.z;
+            if (source.item != no_index) lit_point(s, g, source).put(block, i);
         }
         s.points[b] = block;
     });

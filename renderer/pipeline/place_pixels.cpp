@@ -65,14 +65,7 @@ void place_one_by_one(const Surface& s, const Geometry& g, const Visibility& vis
                       PointBlock& out) {
     out = {};
     for (unsigned i = 0; i < block_size; ++i) {
-        if (!(s.runs[run].mask >> i & 1u)) continue;
-        const PlacedNormal at = pixel_point(s, g, face_of_lane(s, g, visibility, run, i));
-        out.x[i] = at.p.x;
-        out.y[i] = at.p.y;
-        out.z[i] = at.p.z;
-        out.nx[i] = at.n.x;
-        out.ny[i] = at.n.y;
-        out.nz[i] = at.n.z;
+        if (s.runs[run].mask >> i & 1u) pixel_point(s, g, face_of_lane(s, g, visibility, run, i)).put(out, i);
     }
 }
 

@@ -106,6 +106,15 @@ struct SurfaceInputs {
 /// A place and its unit normal, camera coordinates.
 struct PlacedNormal {
     glm::vec3 p{0}, n{0};
+
+    void put(PointBlock& block, std::size_t lane) const {
+        block.x[lane] = p.x;
+        block.y[lane] = p.y;
+        block.z[lane] = p.z;
+        block.nx[lane] = n.x;
+        block.ny[lane] = n.y;
+        block.nz[lane] = n.z;
+    }
 };
 /// The pixel's own point under Pixels (and, for information, under the other kinds).
 [[nodiscard]] PlacedNormal pixel_point(const SurfaceInputs& surface, const Geometry& geometry,
