@@ -86,18 +86,12 @@ template <class Rows> class PlyBody {
         if (element.has_three(PlyRole::Red))
             warn(mesh_.warnings, element.count, "face has a colour, which is ignored",
                  "faces have colours, which are ignored");
-        for (std::size_t row = 0; row < element.count; ++row) {
-            rows_.begin_row(element, row);
-            for (const PlyProperty& p : element.properties) {
-                if (p.role == PlyRole::Indices)
-                    read_corners(p);
-                else if (p.is_list)
-                    skip_list(p);
-                else
-                    static_cast<void>(rows_.number(p));
-            }
-            rows_.end_row();
-        }
+        read_lists(element, [this](const PlyProperty& p) {
+            if (p.role == PlyRole::Indices)
+                read_corners(p);
+            else
+                skip_list(p);
+        });
     }
 
     void read_corners(const PlyProperty& p) {
@@ -120,11 +114,17 @@ template <class Rows> class PlyBody {
 
     void skip(const PlyElement& element) {
         if (element.properties.empty()) return;
+        read_lists(element, [this](const PlyProperty& p) { skip_list(p); });
+    }
+
+    /// All rows of the element: calls list(property) where a list begins, to read it, and passes over
+    /// numbers.
+    template <class List> void read_lists(const PlyElement& element, const List& list) {
         for (std::size_t row = 0; row < element.count; ++row) {
             rows_.begin_row(element, row);
             for (const PlyProperty& p : element.properties) {
                 if (p.is_list)
-                    skip_list(p);
+                    list(p);
                 else
                     static_cast<void>(rows_.number(p));
             }

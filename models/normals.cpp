@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "models/polygon.h"
+#include "models/scene_names.h"
 #include "models/vertex_normals.h"
 #include "models/warn.h"
 
@@ -75,22 +76,6 @@ NormalSource automatic(GivenNormals given) {
     return NormalSource::Vertex;  // not reached
 }
 
-const char* source_name(NormalSource source) {
-    switch (source) {
-    case NormalSource::Auto:
-        return "auto";
-    case NormalSource::File:
-        return "file";
-    case NormalSource::Facet:
-        return "facet";
-    case NormalSource::Vertex:
-        return "vertex";
-    case NormalSource::Analytic:
-        return "analytic";
-    }
-    return "";  // not reached
-}
-
 }  // namespace
 
 glm::vec3 facet_normal(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
@@ -116,7 +101,7 @@ CornerNormals corner_normals(const Mesh& mesh, const NormalOptions& options) {
     if (taken != options.source && options.source != NormalSource::Auto)
         result.warnings.insert(result.warnings.begin(),
                                fmt::format("the mesh has no \"{}\" normals; \"{}\" normals are used",
-                                           source_name(options.source), source_name(taken)));
+                                           name_of(options.source), name_of(taken)));
     return result;
 }
 
