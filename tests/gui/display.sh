@@ -68,6 +68,19 @@ start_glint() { # FILE
     sleep 0.5
 }
 
+# X Y RIGHT DOWN: takes hold at (X, Y) of the display and lets go that many pixels away, in ten steps.
+drag_with_mouse() {
+    xdotool mousemove "$1" "$2"
+    sleep 0.3
+    xdotool mousedown 1
+    local step
+    for step in 1 2 3 4 5 6 7 8 9 10; do
+        xdotool mousemove $(($1 + $3 * step / 10)) $(($2 + $4 * step / 10))
+        sleep 0.03
+    done
+    xdotool mouseup 1
+}
+
 # Moves the cursor out of the picture and takes its middle rows, without bars and hints, into $work/$1.png.
 look() {
     xdotool mousemove 2 2

@@ -37,17 +37,7 @@ save_as() {
 }
 save_as first
 
-drag_by() { # RIGHT DOWN, from where the handle is
-    xdotool mousemove "$x" "$y"
-    sleep 0.2
-    xdotool mousedown 1
-    for step in 1 2 3 4 5 6 7 8 9 10; do
-        xdotool mousemove $((x + $1 * step / 10)) $((y + $2 * step / 10))
-        sleep 0.03
-    done
-    xdotool mouseup 1
-}
-drag_by 180 90
+drag_with_mouse "$x" "$y" 180 90
 handle_followed() {
     handle_seen dragged || return 1
     local right=$((x_seen - x - 180)) down=$((y_seen - y - 90))

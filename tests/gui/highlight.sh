@@ -31,14 +31,7 @@ within 10 highlight_seen before || fail "the highlight is not to be seen"
 sleep 1
 highlight_seen before
 x=$x_seen y=$y_seen
-xdotool mousemove "$x" "$y"
-sleep 0.3
-xdotool mousedown 1
-for step in 1 2 3 4 5 6 7 8 9 10; do
-    xdotool mousemove $((x + 12 * step)) $((y + 8 * step))
-    sleep 0.03
-done
-xdotool mouseup 1
+drag_with_mouse "$x" "$y" 120 80
 followed() {
     highlight_seen dragged || return 1
     local right=$((x_seen - x - 120)) down=$((y_seen - y - 80))
