@@ -1,8 +1,8 @@
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
 #include "models/scene_file.h"
+#include "tests/asset_scenes.h"
 #include "tests/catch.h"
 #include "tests/oracle/agreement.h"
 #include "tests/oracle/random_scene.h"
@@ -16,15 +16,6 @@ namespace {
 void report(const Comparison& comparison) {
     std::printf("%s\n", comparison.figure().text().c_str());
     for (const std::string& line : comparison.figure().disagreements) FAIL_CHECK(line);
-}
-
-/// Paths of the scenes that come with the program, in alphabetical order.
-std::vector<std::string> scene_paths() {
-    std::vector<std::string> paths;
-    for (const auto& entry : std::filesystem::directory_iterator(GLINT_SOURCE_DIR "/assets/scenes"))
-        if (entry.path().extension() == ".json") paths.push_back(entry.path().string());
-    std::sort(paths.begin(), paths.end());
-    return paths;
 }
 
 }  // namespace
@@ -48,7 +39,7 @@ TEST_CASE("OpenGL draws random scenes as we do", "[oracle]") {
 TEST_CASE("OpenGL draws the scenes of assets as we do", "[oracle]") {
     Comparison comparison;
     std::string not_drawn;
-    for (const std::string& path : scene_paths()) {
+    for (const std::string& path : test::asset_scenes()) {
         const Result<SceneDocument> opened = open_document(path);
         REQUIRE_FALSE(problem_of(opened));
         Scene scene = std::get<SceneDocument>(opened).scene;

@@ -1,8 +1,5 @@
 // The scenes that come with Glint.
-#include <algorithm>
-#include <filesystem>
-#include <string>
-#include <vector>
+#include "tests/asset_scenes.h"
 
 #include "models/scene_file.h"
 #include "renderer/renderer.h"
@@ -10,20 +7,8 @@
 
 using namespace glint;
 
-namespace {
-
-std::vector<std::string> asset_scenes() {
-    std::vector<std::string> paths;
-    for (const auto& entry : std::filesystem::directory_iterator(GLINT_SOURCE_DIR "/assets/scenes"))
-        if (entry.path().extension() == ".json") paths.push_back(entry.path().string());
-    std::sort(paths.begin(), paths.end());
-    return paths;
-}
-
-}  // namespace
-
 TEST_CASE("every scene in assets opens and draws without a warning, and fills its picture", "[assets]") {
-    const std::vector<std::string> paths = asset_scenes();
+    const std::vector<std::string> paths = test::asset_scenes();
     REQUIRE(paths.size() >= 7);
     for (const std::string& path : paths) {
         CAPTURE(path);

@@ -9,23 +9,18 @@
 #include <thread>
 
 #include "tests/catch.h"
+#include "tests/unit/program.h"
 
 using namespace glint;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// A directory of this test's own, gone at its end.
 struct Place {
-    fs::path path = fs::temp_directory_path() / ("glint-file-test-" + std::to_string(::getpid()));
-    Place() { fs::create_directories(path); }
-    ~Place() { fs::remove_all(path); }
-    Place(const Place&) = delete;
-    Place& operator=(const Place&) = delete;
-    [[nodiscard]] std::string operator/(const char* name) const { return (path / name).string(); }
-    [[nodiscard]] auto count() const {
-        return std::distance(fs::directory_iterator(path), fs::directory_iterator());
-    }
+    TemporaryDirectory directory;
+    fs::path path = directory.path();
+    [[nodiscard]] std::string operator/(const char* name) const { return directory.path(name); }
+    [[nodiscard]] std::size_t count() const { return directory.names().size(); }
 };
 
 std::string read_back(const std::string& path) { return std::get<std::string>(read_file(path, 1 << 20)); }

@@ -24,6 +24,7 @@ class TemporaryDirectory {
     TemporaryDirectory(const TemporaryDirectory&) = delete;
     TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
 
+    [[nodiscard]] const std::string& path() const { return path_; }
     /// The path of a file in it; the second form writes `bytes` there.
     [[nodiscard]] std::string path(const std::string& name) const { return path_ + "/" + name; }
     [[nodiscard]] std::string file(const std::string& name, const std::string& bytes) const;

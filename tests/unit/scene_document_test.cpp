@@ -1,6 +1,4 @@
 // Scenes from files and into files: meshes found, pictures that carry their scene, saving elsewhere.
-#include <unistd.h>
-
 #include <filesystem>
 
 #include "models/file.h"
@@ -8,25 +6,23 @@
 #include "models/scene_file.h"
 #include "renderer/image_file.h"
 #include "tests/catch.h"
+#include "tests/unit/program.h"
 
 using namespace glint;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// A directory with triangle.obj and deep/broken.obj, gone at the end.
+/// A directory with triangle.obj and deep/broken.obj.
 struct Place {
-    fs::path path = fs::temp_directory_path() / ("glint-document-test-" + std::to_string(::getpid()));
+    TemporaryDirectory directory;
+    fs::path path = directory.path();
     Place() {
         fs::create_directories(path / "deep");
         write("triangle.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nf 1 2 3\n");
         write("deep/broken.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
     }
-    ~Place() { fs::remove_all(path); }
-    Place(const Place&) = delete;
-    Place& operator=(const Place&) = delete;
-
-    [[nodiscard]] std::string operator/(const std::string& name) const { return (path / name).string(); }
+    [[nodiscard]] std::string operator/(const std::string& name) const { return directory.path(name); }
     void write(const std::string& name, const std::string& bytes) const {
         REQUIRE(problem_of(write_file(*this / name, bytes)) == nullptr);
     }
@@ -180,7 +176,7 @@ TEST_CASE("a scene saved in another directory still finds its meshes", "[scene_d
     broken.scene.display.exposure = -1;
     CHECK(problem_of(save_document(broken, place / "up.json")) != nullptr);
     broken = document;
-    broken.scene.objects[0].name = "\xff";
+    broken.scene.objects[0].name.assign(1, '\xff');
     CHECK(problem_of(save_document(broken, place / "up.json")) != nullptr);
     CHECK(opened(place / "up.json").scene.display.exposure == 1);
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "models/scene.h"
+#include "tests/unit/mesh_helpers.h"
 
 namespace glint::test {
 
@@ -21,15 +22,7 @@ inline bool same_bits(glm::vec3 a, glm::vec3 b) {
 /// A mesh of polygons, given by indices into positions.
 inline MeshPtr polygon_mesh(std::vector<glm::vec3> positions,
                             const std::vector<std::vector<std::uint32_t>>& faces) {
-    auto mesh = std::make_shared<Mesh>();
-    mesh->positions = std::move(positions);
-    mesh->first_corner.push_back(0);
-    for (const auto& face : faces) {
-        mesh->corner_position.insert(mesh->corner_position.end(), face.begin(), face.end());
-        mesh->first_corner.push_back(static_cast<std::uint32_t>(mesh->corner_position.size()));
-    }
-    finish_mesh(*mesh);
-    return mesh;
+    return std::make_shared<const Mesh>(make_mesh(std::move(positions), faces));
 }
 
 inline MeshPtr primitive(Primitive kind, int detail) {

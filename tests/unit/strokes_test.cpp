@@ -6,6 +6,7 @@
 #include "renderer/pipeline/stroke_coverage.h"
 #include "renderer/renderer.h"
 #include "tests/catch.h"
+#include "tests/unit/as_fresh.h"
 #include "tests/unit/scenes.h"
 
 using namespace glint;
@@ -284,8 +285,7 @@ TEST_CASE("strokes are drawn again only when what they are made of changes", "[s
     Scene scene = stroked_busy_scene();
     Renderer renderer(2);
     const auto redone = [&] {
-        Renderer fresh(1);
-        CHECK(renderer.render(scene, small).rgba == fresh.render(scene, small).rgba);
+        draw_as_fresh(renderer, scene, small);
         return renderer.stats().strokes_redone;
     };
     CHECK(redone());
@@ -349,12 +349,7 @@ TEST_CASE("a stroked picture drawn after changes is the one drawn from scratch",
             scene.shading.cull = random() % 2 ? Cull::Back : Cull::None;
             break;
         }
-        Renderer fresh(1);
-        const int samples = random() % 3 ? 1 : 4;
-        const Picture& a = kept.render(scene, small, true, samples);
-        const Picture& b = fresh.render(scene, small, true, samples);
-        REQUIRE(a.rgba == b.rgba);
-        REQUIRE(a.linear == b.linear);
+        draw_as_fresh(kept, scene, small, true, random() % 3 ? 1 : 4);
     }
 }
 
