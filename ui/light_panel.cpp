@@ -6,7 +6,7 @@
 
 #include "ui/choices.h"
 #include "ui/limits.h"
-#include "ui/widgets.h"
+#include "ui/scene_numbers.h"
 
 namespace glint {
 namespace {
@@ -28,16 +28,13 @@ bool position_field(Light& light, const std::string& pointer) {
 
 bool falloff_fields(Falloff& falloff, const std::string& pointer) {
     section("Falloff  1 / (c + l·r + q·r²)");
-    const Number share{.min = 0, .initial = 0, .speed = 0.004f, .shown_max = 2};
-    Number constant = share;
-    constant.initial = 1;
     bool edited = false;
-    edited |= number_field("Constant", falloff.constant, constant,
-                           {"c: the same at every distance", pointer + "/falloff/constant"});
-    edited |= number_field("Linear", falloff.linear, share,
-                           {"l: with the distance r, per scene unit", pointer + "/falloff/linear"});
-    edited |= number_field("Quadratic", falloff.quadratic, share,
-                           {"q: with its square, as light spreads", pointer + "/falloff/quadratic"});
+    const auto field = [&](const char* label, float& value, const NumberSpec& spec, const char* key) {
+        edited |= number_field(label, value, spec.number, {spec.what, pointer + "/falloff/" + key});
+    };
+    field("Constant", falloff.constant, falloff_constant_spec, "constant");
+    field("Linear", falloff.linear, falloff_linear_spec, "linear");
+    field("Quadratic", falloff.quadratic, falloff_quadratic_spec, "quadratic");
     return edited;
 }
 
@@ -51,20 +48,10 @@ bool cone_fields(SpotCone& spot, const std::string& pointer) {
         edited = true;
     }
     if (!open)
-        edited |= number_field("Cutoff", spot.cutoff_deg,
-                               {.min = 0,
-                                .max = 90,
-                                .initial = 30,
-                                .speed = 0.1f,
-                                .format = "%.1f°",
-                                .unit = "°",
-                                .shown_max = 90},
-                               {"Angle from the axis to the edge of the cone", pointer + "/spot/cutoff_deg"});
-    edited |= number_field(
-        "Exponent", spot.exponent,
-        {.min = 0, .initial = 1, .speed = 0.02f, .format = "%.2f", .shown_max = 64, .logarithmic = true},
-        {"cos(angle from the axis) to this power: 0 is even, more is softer to the edge",
-         pointer + "/spot/exponent"});
+        edited |= number_field("Cutoff", spot.cutoff_deg, cutoff_spec.number,
+                               {cutoff_spec.what, pointer + "/spot/cutoff_deg"});
+    edited |= number_field("Exponent", spot.exponent, spot_exponent_spec.number,
+                           {spot_exponent_spec.what, pointer + "/spot/exponent"});
     return edited;
 }
 
@@ -89,9 +76,8 @@ bool area_fields(AreaShape& area, const std::string& pointer) {
 bool colour_fields(Light& light, const std::string& pointer) {
     section("Light");
     bool edited = false;
-    edited |=
-        number_field("Intensity", light.intensity, {.min = 0, .initial = 1, .speed = 0.005f, .shown_max = 4},
-                     {"Multiplies all three colours", pointer + "/intensity"});
+    edited |= number_field("Intensity", light.intensity, intensity_spec.number,
+                           {intensity_spec.what, pointer + "/intensity"});
     edited |= colour_field("Diffuse", light.diffuse, glm::vec3(1),
                            {"Colour for the diffuse term", pointer + "/diffuse"});
     edited |= colour_field("Specular", light.specular, glm::vec3(1),

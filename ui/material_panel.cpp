@@ -5,8 +5,8 @@
 #include <string>
 
 #include "ui/fonts.h"
+#include "ui/scene_numbers.h"
 #include "ui/theme.h"
-#include "ui/widgets.h"
 
 namespace glint {
 namespace {
@@ -94,22 +94,12 @@ bool material_panel(Material& material, const std::string& pointer, Reflection r
         if (unused) ImGui::PopStyleVar();
     };
     dimmed(!power, [&] {
-        return number_field(
-            "Shininess", material.shininess,
-            {.min = 0,
-             .max = 10'000,
-             .initial = 32,
-             .speed = 0.01f,
-             .format = "%.1f",
-             .shown_max = 1000,
-             .logarithmic = true},
-            {"Exponent of the highlight: more is smaller and sharper", pointer + "/shininess"});
+        return number_field("Shininess", material.shininess, shininess_spec.number,
+                            {shininess_spec.what, pointer + "/shininess"});
     });
     dimmed(!rough, [&] {
-        return number_field(
-            "Roughness", material.roughness,
-            {.min = 0, .max = 1, .initial = 0.5f, .speed = 0.004f, .format = "%.2f", .shown_max = 1},
-            {"0 smooth, 1 rough; Oren–Nayar and Cook–Torrance", pointer + "/roughness"});
+        return number_field("Roughness", material.roughness, roughness_spec.number,
+                            {roughness_spec.what, pointer + "/roughness"});
     });
     dimmed(reflection != Reflection::CookTorrance, [&] {
         return colour_field("F0", material.f0, glm::vec3(0.04f),

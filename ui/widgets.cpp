@@ -184,37 +184,6 @@ bool vector_field(const char* label, glm::vec3& value, const Number& number, glm
     return changed;
 }
 
-bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const Help& help) {
-    ImGui::PushID(label);
-    const float gap = px(3), swatch = ImGui::GetFrameHeight();
-    const float width = (row(label) - swatch - 3 * gap) / 3;
-    const Number share{0, 1e30f, 0, 0.004f, "%.2f"};
-    bool changed = false;
-    for (int i = 0; i < 3; ++i) {
-        ImGui::PushID(i);
-        Number part = share;
-        part.initial = initial[i];
-        const char* const names[] = {"red", "green", "blue"};
-        changed |= drag_number("##part", value[i], part, initial[i], width);
-        number_tooltip(fmt::format("{}: {}", label, names[i]).c_str(), part,
-                       {help.what, help.pointer + "/" + std::to_string(i)});
-        ImGui::PopID();
-        ImGui::SameLine(0, gap);
-    }
-    ImGui::PushFont(fonts().figures);
-    glm::vec3 picked = value;
-    changed |=
-        ImGui::ColorEdit3("##picker", &picked.x,
-                          ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
-                              ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoLabel);
-    ImGui::PopFont();
-    tooltip(label, help.what, "Linear red, green, blue; 1 is full, above 1 is allowed. Click: picker",
-            help.pointer);
-    if (picked != value) value = glm::clamp(picked, glm::vec3(0), glm::vec3(1e30f));
-    ImGui::PopID();
-    return changed;
-}
-
 bool switch_field(const char* label, bool& value, const Help& help) {
     ImGui::PushID(label);
     row(label);

@@ -36,7 +36,7 @@ struct Number {
                                  const Help& help);
 [[nodiscard]] bool vector_field(const char* label, glm::vec3& value, const Number& number, glm::vec3 initial,
                                 const Help& help);
-/// Linear RGB, each >= 0, with a swatch that opens a picker.
+/// Linear RGB, each >= 0, with a swatch that opens a picker and presets.
 [[nodiscard]] bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const Help& help);
 [[nodiscard]] bool switch_field(const char* label, bool& value, const Help& help);
 [[nodiscard]] bool name_field(const char* label, std::string& name, const Help& help);

@@ -1,19 +1,11 @@
 #include "ui/views/views.h"
 
+#include "ui/area.h"
 #include "ui/views/scope_panel.h"
 #include "ui/views/views_bar.h"
 
 namespace glint {
 namespace {
-
-constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
-
-void begin_window(const char* id, const Rect& area) {
-    ImGui::SetNextWindowPos(area.low);
-    ImGui::SetNextWindowSize(area.size());
-    ImGui::Begin(id, nullptr, fixed | ImGuiWindowFlags_NoScrollWithMouse);
-}
 
 void copy_profile_command(UiState& state) {
     const std::string& path = state.editor.document.path;
@@ -117,12 +109,12 @@ void draw_views_overlay(ImDrawList& list, UiState& state, const PictureView& vie
 
 void views_windows(UiState& state, const Layout& layout) {
     if (layout.has_views) {
-        begin_window("##views", layout.views);
+        begin_area("##views", layout.views, ImGuiWindowFlags_NoScrollWithMouse);
         views_bar(state);
         ImGui::End();
     }
     if (layout.has_scope && state.picture != nullptr) {
-        begin_window("##scope", layout.scope);
+        begin_area("##scope", layout.scope, ImGuiWindowFlags_NoScrollWithMouse);
         if (scope_panel(state.views.scope, layout.scope, state.picture->size).copy)
             copy_profile_command(state);
         ImGui::End();

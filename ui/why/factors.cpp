@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/scene_numbers.h"
+
 namespace glint {
 namespace {
 
@@ -56,23 +58,16 @@ SceneNumber shininess_number(const LightInEquation& in) {
     Material& material = in.scene.objects[static_cast<std::size_t>(in.why.object_index)].material;
     return {&material.shininess,
             fmt::format("shininess of {}", in.why.object),
-            {.min = 0,
-             .max = 10'000,
-             .initial = 32,
-             .speed = 0.01f,
-             .format = "%.3g",
-             .shown_max = 0,
-             .logarithmic = true},
-            {"Exponent of the highlight: more is smaller and sharper",
-             fmt::format("/objects/{}/material/shininess", in.why.object_index)}};
+            shown_as(shininess_spec.number, "%.4g"),
+            {shininess_spec.what, fmt::format("/objects/{}/material/shininess", in.why.object_index)}};
 }
 
 SceneNumber roughness_number(const LightInEquation& in) {
     Material& material = in.scene.objects[static_cast<std::size_t>(in.why.object_index)].material;
     return {&material.roughness,
             fmt::format("roughness of {}", in.why.object),
-            {.min = 0, .max = 1, .initial = 0.5f, .speed = 0.004f, .format = "%.2f"},
-            {"0 smooth, 1 rough", fmt::format("/objects/{}/material/roughness", in.why.object_index)}};
+            roughness_spec.number,
+            {roughness_spec.what, fmt::format("/objects/{}/material/roughness", in.why.object_index)}};
 }
 
 Factor cosine_factor(Symbol a, Symbol b, float cosine) {
@@ -165,44 +160,37 @@ SceneNumber intensity_number(Scene& scene, int light) {
     Light& item = light_in(scene, light);
     return {&item.intensity,
             fmt::format("intensity of {}", item.name),
-            {.min = 0, .initial = 1, .speed = 0.005f, .format = "%.2f"},
-            {"I: multiplies the light's three colours", fmt::format("/lights/{}/intensity", light)}};
+            shown_as(intensity_spec.number, "%.2f"),
+            {intensity_spec.what, fmt::format("/lights/{}/intensity", light)}};
 }
 
 std::vector<SceneNumber> falloff_numbers(Scene& scene, int light) {
     Light& item = light_in(scene, light);
-    const auto number = [&](float& value, const char* key, const char* what, float initial) {
+    const auto number = [&](float& value, const char* key, const NumberSpec& spec) {
         return SceneNumber{&value,
                            fmt::format("{} falloff of {}", key, item.name),
-                           {.min = 0, .initial = initial, .speed = 0.004f, .format = "%.2f"},
-                           {what, fmt::format("/lights/{}/falloff/{}", light, key)}};
+                           shown_as(spec.number, "%.2f"),
+                           {spec.what, fmt::format("/lights/{}/falloff/{}", light, key)}};
     };
-    return {number(item.falloff.constant, "constant", "The same at every distance", 1),
-            number(item.falloff.linear, "linear", "Grows with the distance r", 0),
-            number(item.falloff.quadratic, "quadratic", "Grows with its square, as light spreads", 0)};
+    return {number(item.falloff.constant, "constant", falloff_constant_spec),
+            number(item.falloff.linear, "linear", falloff_linear_spec),
+            number(item.falloff.quadratic, "quadratic", falloff_quadratic_spec)};
 }
 
 SceneNumber cutoff_number(Scene& scene, int light) {
     Light& item = light_in(scene, light);
-    return {
-        &item.spot.cutoff_deg,
-        fmt::format("cutoff of {}", item.name),
-        {.min = 0, .max = 90, .initial = 30, .speed = 0.1f, .format = "%.1f°", .unit = "°"},
-        {"Angle from the axis to the edge of the cone", fmt::format("/lights/{}/spot/cutoff_deg", light)}};
+    return {&item.spot.cutoff_deg,
+            fmt::format("cutoff of {}", item.name),
+            cutoff_spec.number,
+            {cutoff_spec.what, fmt::format("/lights/{}/spot/cutoff_deg", light)}};
 }
 
 SceneNumber spot_exponent_number(Scene& scene, int light) {
     Light& item = light_in(scene, light);
     return {&item.spot.exponent,
             fmt::format("exponent of {}", item.name),
-            {.min = 0,
-             .initial = 1,
-             .speed = 0.02f,
-             .format = "%.3g",
-             .unit = "",
-             .shown_max = 0,
-             .logarithmic = true},
-            {"cos(angle from the axis) to this power", fmt::format("/lights/{}/spot/exponent", light)}};
+            shown_as(spot_exponent_spec.number, "%.3g"),
+            {spot_exponent_spec.what, fmt::format("/lights/{}/spot/exponent", light)}};
 }
 
 std::vector<TermLine> unlit_lines(Scene& scene, const Explanation& why, const ExplainedPoint& point,

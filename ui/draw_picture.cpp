@@ -1,0 +1,70 @@
+#include "ui/draw_picture.h"
+
+#include <optional>
+#include <utility>
+
+#include "ui/ui.h"
+#include "ui/views/views.h"
+#include "ui/why/asked.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+/// Whether a smaller picture may stand for the whole one for a moment: nothing is read off its pixels.
+bool may_be_small(const UiState& state) {
+    const bool camera = state.viewport.gesture == Gesture::Orbit || state.viewport.gesture == Gesture::Pan ||
+                        state.viewport.gesture == Gesture::Dolly;
+    const bool light =
+        state.viewport.gesture == Gesture::Hand && state.viewport.held.grip.kind == GripKind::Light;
+    const bool field = state.viewport.gesture == Gesture::None && ImGui::IsAnyItemActive();
+    return (camera || light || field) && !state.viewport.probe && !state.preview &&
+           !views_need_linear(state.views) && (state.shown == nullptr || state.shown == state.picture);
+}
+
+/// The size of the next picture of a scene that differs (`changed`) from the last one or does not.
+PictureSize paced_size(UiState& state, PictureSize full, bool changed) {
+    FramePace& pace = state.pace;
+    const bool small_now = state.picture != nullptr && !(state.picture->size == full);
+    if (!may_be_small(state)) {
+        end_of_motion(pace);
+        return full;
+    }
+    if (changed) {
+        pace.rests_since = ImGui::GetTime();
+        return divided(full, pace.divisor);
+    }
+    const double rest = pace.rests_since + rest_before_full - ImGui::GetTime();
+    if (!small_now || rest <= 0) return full;
+    wish_frame_in(rest);
+    return state.picture->size;
+}
+
+}  // namespace
+
+void draw_picture(UiState& state, const PictureView& view) {
+    tend_loads(state);
+    if (const auto problem = settle(state.editor)) state.notifications.add(*problem);
+    const bool moves = may_be_small(state);
+    const bool changed = !(state.drawn == (state.preview ? *state.preview : state.editor.scene()));
+    const PictureSize size = paced_size(state, view.map.size, changed);
+    const std::optional<Scene> preview = std::exchange(state.preview, std::nullopt);
+    const Scene& shown = preview ? *preview : state.editor.scene();
+    const bool same_size = state.picture != nullptr && state.picture->size == size;
+    const bool linear = views_need_linear(state.views);
+    const bool has_linear = state.picture != nullptr && !state.picture->linear.empty();
+    if (!same_size || changed || (linear && !has_linear)) {
+        state.picture = &state.renderer->render(shown, size, linear);
+        state.drawn = shown;
+        ++state.picture_serial;
+        if (moves && changed)
+            picture_took(state.pace, size == view.map.size ? 1 : state.pace.divisor,
+                         state.renderer->stats().total_ms);
+    }
+    if (preview) return;
+    state.why.reset();
+    if (!(size == view.map.size)) return;
+    if (const auto pixel = asked_pixel(state, view)) state.why = state.renderer->explain(pixel->x, pixel->y);
+}
+
+}  // namespace glint

@@ -1,0 +1,101 @@
+#include "ui/picture_room.h"
+
+#include <algorithm>
+
+#include "ui/area.h"
+#include "ui/theme.h"
+#include "ui/ui.h"
+#include "ui/views/views.h"
+#include "ui/why/vectors_overlay.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+void first_hints(const UiState& state, const PictureView& view) {
+    if (state.viewport.touched) return;
+    const char* text =
+        "Drag a light or a highlight   ·   Click a pixel to ask why   ·   Drag elsewhere to orbit";
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    const float middle = view.origin.x + float(view.map.size.width) * view.units_per_pixel / 2;
+    const float bottom = view.origin.y + float(view.map.size.height) * view.units_per_pixel - px(18);
+    const ImVec2 low{middle - size.x / 2 - px(14), bottom - size.y - px(12)};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, {middle + size.x / 2 + px(14), bottom}, packed(theme().window, 0.85f), px(14));
+    list.AddText({low.x + px(14), low.y + px(6)}, packed(theme().text), text);
+}
+
+}  // namespace
+
+PictureView picture_view(const Rect& centre, const UiState& state) {
+    const Scene& scene = state.editor.scene();
+    const float dots = std::max(ImGui::GetIO().DisplayFramebufferScale.x, 0.1f);
+    const Rect area = picture_area(centre, px(1));
+    const ImVec2 room = area.size();
+    const auto pixels = [dots](float units) { return std::clamp(static_cast<int>(units * dots), 1, 16384); };
+    PictureView view;
+    view.origin = area.low;
+    view.units_per_pixel = 1 / dots;
+    view.map = screen_map(scene.camera, {pixels(room.x), pixels(room.y)});
+    view.bounds = scene_bounds(scene);
+    view.dome = sun_dome(scene.camera.target, view.bounds, view.map);
+    magnify(view, area, state.views.magnifier);
+    return view;
+}
+
+bool picture_room(UiState& state, const Layout& layout, const UiInput& input, ImTextureID texture) {
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme().surround);
+    begin_area("##view", layout.centre);
+    ImGui::PopStyleColor();
+    const PictureView view = picture_view(layout.centre, state);
+    const ImVec2 high = view.to_window({view.map.size.width, view.map.size.height});
+    ImGui::GetWindowDrawList()->AddImage(texture, view.origin, high);
+    // Magnified, the picture goes on behind the columns.
+    const ImVec2 low{std::max(view.origin.x, layout.centre.low.x),
+                     std::max(view.origin.y, layout.centre.low.y)};
+    ImGui::SetCursorScreenPos(low);
+    ImGui::InvisibleButton(
+        "##picture",
+        {std::min(high.x, layout.centre.high.x) - low.x, std::min(high.y, layout.centre.high.y) - low.y},
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+            ImGuiButtonFlags_MouseButtonMiddle);
+    const Renderer* renderer =
+        state.picture != nullptr && state.picture->size == view.map.size ? state.renderer.get() : nullptr;
+    if (state.viewport.gesture == Gesture::None &&
+        (pen_hand(state.lecture.pen, view) || views_hand(state, view))) {
+        state.viewport.hovered = false;
+        state.viewport.hovered_grip = {};
+        state.viewport.touched |= ImGui::IsAnyMouseDown();
+        ImGui::End();
+        return false;
+    }
+    const bool busy = viewport_gestures(
+        state.viewport, {state.editor.scene(), state.editor.selection, renderer, view}, input);
+    ImGui::End();
+    return busy;
+}
+
+void picture_overlay(UiState& state, const Layout& layout, const PictureView& view) {
+    resume_area("##view");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 high = view.to_window({view.map.size.width, view.map.size.height});
+    list.PushClipRect(view.origin, high, true);
+    if (!state.layout.bare) {
+        const bool whole = state.picture->size == view.map.size;
+        draw_overlay(
+            list, state.viewport,
+            {state.editor.scene(), state.editor.selection, whole ? state.renderer.get() : nullptr, view});
+        draw_views_overlay(list, state, view);
+        draw_point_vectors(list, state, view);
+        first_hints(state, view);
+        frozen_badge(list, state.lecture, view);
+    }
+    draw_pen(list, state.lecture.pen, view);
+    list.PopClipRect();
+    ImGui::End();
+    pen_bar(state.lecture.pen, view);
+    draw_notifications(state.notifications, {layout.centre.high.x - px(18), layout.centre.high.y - px(18)},
+                       layout.centre.size().x - px(36));
+}
+
+}  // namespace glint
