@@ -6,32 +6,39 @@
 
 #include "renderer/instruction_set.h"
 #include "renderer/lighting/light_job.h"
+#include "renderer/pipeline/kernels/drawing_kernels.h"
 
 namespace glint {
 
 namespace scalar {
 extern const LightingKernels kernels;
-}
+extern const DrawingKernels drawing;
+}  // namespace scalar
 #ifdef GLINT_X86
 namespace sse2 {
 extern const LightingKernels kernels;
-}
+extern const DrawingKernels drawing;
+}  // namespace sse2
 namespace avx2 {
 extern const LightingKernels kernels;
-}
+extern const DrawingKernels drawing;
+}  // namespace avx2
 namespace avx512 {
 extern const LightingKernels kernels;
-}
+extern const DrawingKernels drawing;
+}  // namespace avx512
 #elif defined GLINT_ARM
 namespace neon {
 extern const LightingKernels kernels;
-}
+extern const DrawingKernels drawing;
+}  // namespace neon
 #endif
 
 namespace {
 
 struct Set {
     const LightingKernels* kernels;
+    const DrawingKernels* drawing;
     bool usable;  // the processor has it
 };
 
@@ -39,33 +46,36 @@ struct Set {
 std::vector<Set> sets() {
     std::vector<Set> all;
 #ifdef GLINT_X86
-    all.push_back({&avx512::kernels, __builtin_cpu_supports("avx512f") != 0});
-    all.push_back({&avx2::kernels, __builtin_cpu_supports("avx2") != 0});
-    all.push_back({&sse2::kernels, true});
+    all.push_back({&avx512::kernels, &avx512::drawing, __builtin_cpu_supports("avx512f") != 0});
+    all.push_back({&avx2::kernels, &avx2::drawing, __builtin_cpu_supports("avx2") != 0});
+    all.push_back({&sse2::kernels, &sse2::drawing, true});
 #elif defined GLINT_ARM
-    all.push_back({&neon::kernels, true});
+    all.push_back({&neon::kernels, &neon::drawing, true});
 #endif
-    all.push_back({&scalar::kernels, true});
+    all.push_back({&scalar::kernels, &scalar::drawing, true});
     return all;
 }
 
-const LightingKernels& choose() {
+Set choose() {
     const char* forced = std::getenv("GLINT_ISA");
-    const LightingKernels* widest = nullptr;
+    Set widest{nullptr, nullptr, false};
     for (const Set& set : sets()) {
         if (!set.usable) continue;
-        if (forced && std::string(forced) == set.kernels->name) return *set.kernels;
-        if (!widest) widest = set.kernels;
+        if (forced && std::string(forced) == set.kernels->name) return set;
+        if (!widest.usable) widest = set;
     }
-    return *widest;
+    return widest;
+}
+
+const Set& chosen() {
+    static const Set set = choose();
+    return set;
 }
 
 }  // namespace
 
-const LightingKernels& lighting_kernels() {
-    static const LightingKernels& chosen = choose();
-    return chosen;
-}
+const LightingKernels& lighting_kernels() { return *chosen().kernels; }
+const DrawingKernels& drawing_kernels() { return *chosen().drawing; }
 
 std::optional<InstructionSetProblem> instruction_set_problem() {
     const char* forced = std::getenv("GLINT_ISA");
@@ -84,7 +94,7 @@ std::optional<InstructionSetProblem> instruction_set_problem() {
         if (set.usable) return std::nullopt;
         found.unknown = false;
         found.problem.what = "this processor has no " + name;
-        found.problem.expected = std::string("a narrower set, or none to have ") + choose().name;
+        found.problem.expected = std::string("a narrower set, or none to have ") + chosen().kernels->name;
     }
     return found;
 }

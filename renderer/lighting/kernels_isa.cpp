@@ -3,7 +3,6 @@
 
 #include "renderer/lighting/blend_points.h"
 #include "renderer/lighting/display.h"
-#include "renderer/lighting/place_faces.h"
 #include "renderer/lighting/shade_point.h"
 
 namespace glint::inline GLINT_ISA {
@@ -140,12 +139,6 @@ GLINT_FLATTEN static void encode(const DisplayJob& job, const ColorBlock* colors
     }
 }
 
-GLINT_FLATTEN static bool place(const FaceBlock& faces, PointBlock& out) {
-    bool all = true;
-    for (std::size_t k = 0; k < block_size; k += GLINT_LANES) all &= place_faces<Wide>(faces, k, out);
-    return all;
-}
-
 GLINT_FLATTEN static void blend_runs(const ColorBlock* points, const std::uint32_t* numbers,
                                      const float* weights, int each, ColorBlock* colors, std::size_t runs) {
     for (std::size_t i = 0; i < runs; ++i) {
@@ -167,6 +160,6 @@ GLINT_FLATTEN static void pick_runs(const ColorBlock* points, const std::uint32_
 #define GLINT_TEXT_(name) #name
 #define GLINT_TEXT(name) GLINT_TEXT_(name)
 extern const LightingKernels kernels;
-const LightingKernels kernels{GLINT_TEXT(GLINT_ISA), light, place, blend_runs, pick_runs, encode};
+const LightingKernels kernels{GLINT_TEXT(GLINT_ISA), light, blend_runs, pick_runs, encode};
 
 }  // namespace glint::inline GLINT_ISA

@@ -45,16 +45,6 @@ struct alignas(64) ColorBlock {
     float r[block_size], g[block_size], b[block_size];
 };
 
-/// What 16 pixels of one object show: the corners of their triangles, each [corner][pixel].
-struct alignas(64) FaceBlock {
-    float clip_x[3][block_size], clip_y[3][block_size], clip_w[3][block_size];  // clip coordinates
-    float x[3][block_size], y[3][block_size], z[3][block_size];                 // camera coordinates
-    float nx[3][block_size], ny[3][block_size], nz[3][block_size];              // unit normals
-    float at_x[block_size], at_y[block_size];  // the sample, in pixels, y down
-    float facing[block_size];                  // -1: the normal is turned round
-    float width, height;                       // of the picture
-};
-
 /// Cool-to-warm shading (renderer/shading/cool_to_warm.h) in place of emission, ambient and diffuse.
 struct CoolToWarm {
     bool on = false;
@@ -100,8 +90,6 @@ struct LightingKernels {
     /// any light. May be the same as `colors`.
     void (*light)(const LightJob& job, const PointBlock* points, const ColorBlock* begun, ColorBlock* colors,
                   std::size_t blocks);
-    /// Places and normals of 16 pixels. False when some normal is too short to tell; `out` is then of no use.
-    bool (*place)(const FaceBlock& faces, PointBlock& out);
     /// Colours of runs of 16 pixels from those of lit points: the blend of `each` points, numbers and weights
     /// [run][which][pixel]; or one point, numbers [run][pixel].
     void (*blend)(const ColorBlock* points, const std::uint32_t* numbers, const float* weights, int each,

@@ -138,6 +138,9 @@ template <int N> IntLanes<N> to_int(Lanes<N> a) {
 inline int to_int(float a) { return static_cast<int>(a); }
 template <int N> IntLanes<N> operator|(IntLanes<N> a, IntLanes<N> b) { return {a.v | b.v}; }
 template <int N> IntLanes<N> operator|(IntLanes<N> a, int b) { return {a.v | b}; }
+/// True when some bit is set in some lane.
+template <int N> bool any_bit(IntLanes<N> a) { return any(IntLanes<N>{a.v != 0}); }
+inline bool any_bit(int a) { return a != 0; }
 inline void store_ints(void* to, int a) { __builtin_memcpy(to, &a, sizeof(a)); }
 template <int N> void store_ints(void* to, IntLanes<N> a) { __builtin_memcpy(to, &a.v, sizeof(a.v)); }
 

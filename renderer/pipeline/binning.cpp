@@ -16,8 +16,8 @@ bool is_left_out(const Geometry& g, std::uint32_t number) {
     const std::uint32_t o = g.object_of(number);
     std::uint32_t some = 0, all = ~0u;
     for (const std::uint32_t p : g.position_indices(o, g.triangle(o, number))) {
-        some |= g.objects[o].vertices[p].outside;
-        all &= g.objects[o].vertices[p].outside;
+        some |= g.objects[o].screen[p].outside;
+        all &= g.objects[o].screen[p].outside;
     }
     return all || (some & needs_clipping);
 }

@@ -148,10 +148,9 @@ void place_on_face(SampleFace& face, const Geometry& g) {
         std::array<ClipCorner<float>, 3> clip;
         std::array<Vec3<float>, 3> camera;
         for (std::size_t i = 0; i < 3; ++i) {
-            const ClipVertex& v = object.vertices[corner[i]];
-            const glm::vec3& p = object.positions[corner[i]];
-            clip[i] = {v.x, v.y, v.w};
-            camera[i] = {p.x, p.y, p.z};
+            const PlacedVertex& v = object.vertices[corner[i]];
+            clip[i] = {v.clip_x, v.clip_y, v.clip_w};
+            camera[i] = {v.x, v.y, v.z};
         }
         place(face, clip, camera, screen_point<float>(g.size, face.at));
         return;
@@ -180,11 +179,12 @@ CornerWeights corner_weights(Interpolation interpolation, const Geometry& g, con
     case Interpolation::Scanline:
         return scanline_weights(g, face, triangle);
     case Interpolation::Screen: {
-        const std::vector<ClipVertex>& v = g.objects[face.object].vertices;
+        const std::vector<PlacedVertex>& v = g.objects[face.object].vertices;
         const auto p = g.position_indices(face.object, triangle);
         if ((v[p[0]].outside | v[p[1]].outside | v[p[2]].outside) & OutsideNear)
             return cut_screen_weights(g, face, triangle);
-        return of_triangle(triangle, screen_weights(perspective, v[p[0]].w, v[p[1]].w, v[p[2]].w));
+        return of_triangle(triangle,
+                           screen_weights(perspective, v[p[0]].clip_w, v[p[1]].clip_w, v[p[2]].clip_w));
     }
     }
     return of_triangle(triangle, perspective);

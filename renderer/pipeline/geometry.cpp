@@ -29,21 +29,34 @@ struct ToScreen {
 
 void transform_vertices(ObjectGeometry& object, const glm::dmat4& clip_from_view, const ToScreen& to_screen) {
     const std::vector<glm::vec3>& from = object.mesh->positions;
-    object.positions.resize(from.size());
     object.vertices.resize(from.size());
+    object.screen.resize(from.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from.size(), 4096), [&](const auto& range) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
             const glm::dvec4 view = object.view_from_object * glm::dvec4(glm::dvec3(from[i]), 1.0);
             const glm::dvec4 clip = clip_from_view * view;
-            ClipVertex& v = object.vertices[i];
-            object.positions[i] = glm::vec3(view);
-            v.x = static_cast<float>(clip.x);
-            v.y = static_cast<float>(clip.y);
-            v.w = static_cast<float>(clip.w);
+            PlacedVertex& v = object.vertices[i];
+            v.clip_x = static_cast<float>(clip.x);
+            v.clip_y = static_cast<float>(clip.y);
+            v.clip_w = static_cast<float>(clip.w);
+            v.x = static_cast<float>(view.x);
+            v.y = static_cast<float>(view.y);
+            v.z = static_cast<float>(view.z);
             v.outside = outside_bits(clip);
-            if (!(v.outside & needs_clipping)) v.screen = to_screen(clip);
+            ScreenVertex& s = object.screen[i];
+            if (!(v.outside & needs_clipping)) s = to_screen(clip);
+            s.outside = v.outside;
         }
     });
+}
+
+/// The corners' vertices, once a mesh: a triangle's own list of corners is one step further away.
+void list_triangle_vertices(ObjectGeometry& object) {
+    object.triangle_vertices.clear();
+    object.triangle_vertices.reserve(3 * object.mesh->triangles.size());
+    for (const Triangle& t : object.mesh->triangles)
+        for (const std::uint32_t c : t.corner)
+            object.triangle_vertices.push_back(object.mesh->corner_position[c]);
 }
 
 void place_objects(Geometry& g, const Scene& scene) {
@@ -54,7 +67,10 @@ void place_objects(Geometry& g, const Scene& scene) {
     g.triangle_count = 0;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         ObjectGeometry& o = g.objects[i];
-        o.mesh = scene.objects[i].mesh;
+        if (o.mesh != scene.objects[i].mesh) {
+            o.mesh = scene.objects[i].mesh;
+            list_triangle_vertices(o);
+        }
         o.transform = scene.objects[i].transform;
         o.view_from_object = view * world_from_object(o.transform);
         const glm::dmat3 linear(o.view_from_object);
@@ -121,10 +137,9 @@ ScreenTriangle screen_triangle(const Geometry& g, std::uint32_t number) {
         return {piece.corner, piece.triangle, g.objects[g.object_of(piece.triangle)].mirrored};
     }
     const std::uint32_t o = g.object_of(number);
-    const std::vector<ClipVertex>& v = g.objects[o].vertices;
+    const std::vector<ScreenVertex>& v = g.objects[o].screen;
     const auto position = g.position_indices(o, g.triangle(o, number));
-    return {
-        {v[position[0]].screen, v[position[1]].screen, v[position[2]].screen}, number, g.objects[o].mirrored};
+    return {{v[position[0]], v[position[1]], v[position[2]]}, number, g.objects[o].mirrored};
 }
 
 bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size, bool multisampled) {

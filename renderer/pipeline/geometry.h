@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "models/scene.h"
+#include "renderer/pipeline/kernels/drawing_kernels.h"
 
 namespace glint {
 
@@ -20,13 +21,7 @@ inline constexpr std::uint32_t no_triangle = 0xFFFFFFFFu;
 struct ScreenVertex {
     std::int32_t x = 0, y = 0;  // 1/256 pixel
     float nearness = 0;  // linear on the screen, larger is nearer: 1/w, or (1 - z_ndc)/2 when orthographic
-};
-
-/// Clip coordinates as shading needs them, and the vertex on the screen where it has one.
-struct ClipVertex {
-    float x = 0, y = 0, w = 0;
-    ScreenVertex screen;  // valid when `outside` has no bit of `needs_clipping` (clip.h)
-    std::uint32_t outside = 0;
+    std::uint32_t outside = 0;  // OutsideBits (clip.h); with one of `needs_clipping` the rest has no meaning
 };
 
 /// A piece of a triangle that had to be clipped.
@@ -41,9 +36,16 @@ struct ObjectGeometry {
     bool mirrored = false;  // the transform turns the winding over; facets stay outward all the same
     std::uint32_t first_triangle = 0;  // its triangles have the global numbers first_triangle + 0, 1, 2, ...
     glm::dmat4 view_from_object{1.0};
-    glm::dmat3 normal_matrix{1.0};     // inverse transpose of its upper 3 x 3
-    std::vector<glm::vec3> positions;  // #V, camera coordinates
-    std::vector<ClipVertex> vertices;  // #V
+    glm::dmat3 normal_matrix{1.0};                 // inverse transpose of its upper 3 x 3
+    std::vector<std::uint32_t> triangle_vertices;  // three a triangle, indices into vertices
+    std::vector<PlacedVertex> vertices;            // #V
+    std::vector<ScreenVertex> screen;              // #V
+
+    /// A position of the mesh in camera coordinates.
+    [[nodiscard]] glm::vec3 place(std::uint32_t position) const {
+        const PlacedVertex& v = vertices[position];
+        return {v.x, v.y, v.z};
+    }
 };
 
 struct Geometry {
@@ -62,7 +64,7 @@ struct Geometry {
     [[nodiscard]] const Triangle& triangle(std::uint32_t object, std::uint32_t global) const {
         return objects[object].mesh->triangles[global - objects[object].first_triangle];
     }
-    /// Indices into positions and vertices of a triangle's corners, in the file's order.
+    /// Indices into the mesh's positions of a triangle's corners, in the file's order.
     [[nodiscard]] std::array<std::uint32_t, 3> position_indices(std::uint32_t object,
                                                                 const Triangle& t) const {
         const std::vector<std::uint32_t>& position = objects[object].mesh->corner_position;

@@ -1,5 +1,6 @@
 #include "renderer/pipeline/object_normals.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <glm/geometric.hpp>
@@ -60,10 +61,14 @@ void update_normals(std::vector<ObjectNormals>& kept, const Scene& scene, const 
         std::vector<float> lengths;
         if (mistakes.unnormalized) lengths = given_lengths(normals);
         normals.normals.resize(normals.of_mesh.normals.size());
-        tbb::parallel_for(std::size_t{0}, normals.normals.size(), [&](std::size_t i) {
-            const glm::dvec3 n = to_camera(g.objects[o], normals.of_mesh.normals[i], mistakes);
-            normals.normals[i] =
-                mistakes.unnormalized ? glm::vec3(static_cast<double>(lengths[i]) * n) : unit_or_zero(n);
+        using Range = tbb::blocked_range<std::size_t>;
+        tbb::parallel_for(Range(0, normals.normals.size(), 4096), [&](const Range& range) {
+            for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                const glm::dvec3 n = to_camera(g.objects[o], normals.of_mesh.normals[i], mistakes);
+                const glm::vec3 taken =
+                    mistakes.unnormalized ? glm::vec3(static_cast<double>(lengths[i]) * n) : unit_or_zero(n);
+                normals.normals[i] = {taken.x, taken.y, taken.z};
+            }
         });
     }
 }

@@ -21,11 +21,15 @@ struct NormalMistakes {
 struct ObjectNormals {
     MeshPtr mesh;
     NormalOptions options;
-    CornerNormals of_mesh;           // object coordinates
-    std::vector<glm::vec3> normals;  // of_mesh.normals in camera coordinates
+    CornerNormals of_mesh;              // object coordinates
+    std::vector<CameraNormal> normals;  // of_mesh.normals in camera coordinates
 
+    /// For each corner of the mesh the index into `normals`.
+    [[nodiscard]] const std::vector<std::uint32_t>& normal_of_corner() const {
+        return of_mesh.corner.empty() ? mesh->corner_position : of_mesh.corner;
+    }
     [[nodiscard]] glm::vec3 at_corner(std::uint32_t corner) const {
-        return normals[of_mesh.corner.empty() ? mesh->corner_position[corner] : of_mesh.corner[corner]];
+        return normal(normal_of_corner()[corner]);
     }
     /// What tells lit vertices of one object apart: the position where one normal a position suffices, else
     /// the corner. A slot's normal is normal_of_slot(slot).
@@ -33,13 +37,17 @@ struct ObjectNormals {
         return of_mesh.corner.empty() ? mesh->corner_position[corner] : corner;
     }
     [[nodiscard]] glm::vec3 normal_of_slot(std::uint32_t slot) const {
-        return normals[of_mesh.corner.empty() ? slot : of_mesh.corner[slot]];
+        return normal(of_mesh.corner.empty() ? slot : of_mesh.corner[slot]);
     }
     [[nodiscard]] std::uint32_t position_of_slot(std::uint32_t slot) const {
         return of_mesh.corner.empty() ? slot : mesh->corner_position[slot];
     }
     [[nodiscard]] std::size_t slot_count() const {
         return of_mesh.corner.empty() ? mesh->positions.size() : mesh->corner_position.size();
+    }
+    [[nodiscard]] glm::vec3 normal(std::uint32_t which) const {
+        const CameraNormal& n = normals[which];
+        return {n.x, n.y, n.z};
     }
 };
 

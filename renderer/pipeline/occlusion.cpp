@@ -21,9 +21,9 @@ bool Occlusion::hides(std::uint32_t triangle, glm::dvec2 pixel, double nearness)
     glm::dvec3 right(1);
     for (int i = 0; i < 3; ++i) {
         const std::uint32_t c = corner[static_cast<std::size_t>(i)];
-        const ClipVertex& v = g_.objects[o].vertices[c];
-        place[i] = {v.x, v.y, v.w};
-        if (orthographic_) right[i] = (g_.objects[o].positions[c].z + far_) / (far_ - near_);
+        const PlacedVertex& v = g_.objects[o].vertices[c];
+        place[i] = {v.clip_x, v.clip_y, v.clip_w};
+        if (orthographic_) right[i] = (v.z + far_) / (far_ - near_);
     }
     const glm::dvec3 across = glm::cross(place[1], place[2]);
     const double determinant = glm::dot(place[0], across);

@@ -7,58 +7,48 @@
 #include <tbb/parallel_for.h>
 
 #include <bit>
+#include <cstddef>
 
 #include "renderer/pipeline/clip.h"
 
 namespace glint {
 namespace {
 
-/// Corners of the triangle that a lane shows. False when the triangle had to be clipped: then its place wants
-/// more digits than floats have.
-bool take_face(FaceBlock& block, std::size_t lane, const ObjectGeometry& object, const ObjectNormals& normals,
-               const Triangle& t) {
-    std::uint32_t outside = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t position = object.mesh->corner_position[t.corner[k]];
-        const ClipVertex& v = object.vertices[position];
-        const glm::vec3& p = object.positions[position];
-        const glm::vec3 n = normals.at_corner(t.corner[k]);
-        outside |= v.outside;
-        block.clip_x[k][lane] = v.x;
-        block.clip_y[k][lane] = v.y;
-        block.clip_w[k][lane] = v.w;
-        block.x[k][lane] = p.x;
-        block.y[k][lane] = p.y;
-        block.z[k][lane] = p.z;
-        block.nx[k][lane] = n.x;
-        block.ny[k][lane] = n.y;
-        block.nz[k][lane] = n.z;
+// The kernels read a mesh's triangles as plain numbers.
+static_assert(sizeof(Triangle) == 4 * sizeof(std::uint32_t) && offsetof(Triangle, corner) == 0);
+
+PlaceJob place_job(const Surface& s, const Geometry& g, std::size_t o) {
+    const ObjectGeometry& object = g.objects[o];
+    PlaceJob job;
+    job.vertices = object.vertices.data();
+    job.normals = s.normals[o].normals.data();
+    job.triangle_vertices = object.triangle_vertices.data();
+    if (!s.normals[o].of_mesh.corner.empty()) {
+        job.triangle_corners = object.mesh->triangles.front().corner.data();
+        job.corner_normal = s.normals[o].of_mesh.corner.data();
     }
-    return !(outside & needs_clipping);
+    job.width = static_cast<float>(g.size.width);
+    job.height = static_cast<float>(g.size.height);
+    job.clipped_bits = needs_clipping;
+    return job;
 }
 
-/// All lanes of a run at once; false when some lane is none of the usual case. Lanes that the run leaves out
-/// take the face of its first.
-bool place_together(const Surface& s, const Geometry& g, const Visibility& visibility, const PixelRun& run,
-                    PointBlock& out) {
-    FaceBlock block;
-    const ObjectGeometry& object = g.objects[run.object];
+/// What the lanes of run `r` show; those that the run leaves out take its first.
+void fill_faces(RunFaces& faces, const Surface& s, const Geometry& g, const Visibility& visibility,
+                std::size_t r) {
+    const PixelRun& run = s.runs[r];
     const auto width = static_cast<std::uint32_t>(g.size.width);
     const auto first = static_cast<std::uint32_t>(std::countr_zero(run.mask));
     const auto x = static_cast<float>(run.first_pixel % width),
-               y = static_cast<float>(run.first_pixel / width);
-    block.width = static_cast<float>(g.size.width);
-    block.height = static_cast<float>(g.size.height);
+               y = static_cast<float>(run.first_pixel / width) + 0.5f;
+    const std::uint32_t first_triangle = g.objects[run.object].first_triangle;
     for (std::uint32_t i = 0; i < block_size; ++i) {
         const std::uint32_t lane = run.mask >> i & 1u ? i : first, pixel = run.first_pixel + lane;
-        block.at_x[i] = x + static_cast<float>(lane) + 0.5f;
-        block.at_y[i] = y + 0.5f;
-        block.facing[i] = s.choice.two_sided && visibility.back[pixel] ? -1.0f : 1.0f;
-        if (!take_face(block, i, object, s.normals[run.object],
-                       g.triangle(run.object, visibility.triangle_at(pixel))))
-            return false;
+        faces.triangle[i] = visibility.triangle_at(pixel) - first_triangle;
+        faces.at_x[i] = x + static_cast<float>(lane) + 0.5f;
+        faces.at_y[i] = y;
+        faces.facing[i] = s.choice.two_sided && visibility.back[pixel] ? -1.0f : 1.0f;
     }
-    return lighting_kernels().place(block, out);
 }
 
 void place_one_by_one(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t run,
@@ -79,10 +69,15 @@ void place_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
     const bool usual = s.run_samples.empty() && !s.choice.facet_normals &&
                        s.choice.interpolation == Interpolation::Perspective &&
                        !s.choice.mistakes.unnormalized_at_pixel;
+    std::vector<PlaceJob> jobs;
+    for (std::size_t o = 0; o < g.objects.size(); ++o)
+        jobs.push_back(g.objects[o].mesh->triangles.empty() ? PlaceJob{} : place_job(s, g, o));
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 256), [&](const auto& range) {
+        RunFaces faces;
         for (std::size_t r = range.begin(); r != range.end(); ++r) {
             s.point_object[r] = s.runs[r].object;
-            if (!usual || !place_together(s, g, visibility, s.runs[r], s.points[r]))
+            if (usual) fill_faces(faces, s, g, visibility, r);
+            if (!usual || !drawing_kernels().place(jobs[s.runs[r].object], faces, s.points[r]))
                 place_one_by_one(s, g, visibility, r, s.points[r]);
         }
     });

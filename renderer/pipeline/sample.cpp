@@ -77,14 +77,14 @@ PlacedNormal lit_point(const SurfaceInputs& surface, const Geometry& g, const Po
     if (surface.choice.kind == SurfaceKind::Faces && !surface.choice.provoking) {
         const auto around = mesh.corners_of(source.item);
         glm::dvec3 sum(0);
-        for (const std::uint32_t p : around) sum += glm::dvec3(object.positions[p]);
+        for (const std::uint32_t p : around) sum += glm::dvec3(object.place(p));
         at = {glm::vec3(sum / static_cast<double>(around.size())),
               camera_facet_normal(object, source.item, surface.choice.mistakes)};
     } else if (surface.choice.kind == SurfaceKind::Faces) {
         const std::uint32_t corner = mesh.triangles[source.item].corner[2];
-        at = {object.positions[mesh.corner_position[corner]], normals.at_corner(corner)};
+        at = {object.place(mesh.corner_position[corner]), normals.at_corner(corner)};
     } else {
-        at = {object.positions[normals.position_of_slot(source.item)], normals.normal_of_slot(source.item)};
+        at = {object.place(normals.position_of_slot(source.item)), normals.normal_of_slot(source.item)};
     }
     if (source.turned) at.n = -at.n;
     return at;

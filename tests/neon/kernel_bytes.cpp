@@ -1,6 +1,6 @@
-// What the lighting kernels of one instruction set give for many made-up jobs, a line each: its name and a
+// What the kernels of one instruction set give for many made-up jobs, a line each: its name and a
 // hash of the results' bits. Compiled once for each set (GLINT_ISA, GLINT_LANES as for
-// renderer/lighting/kernels_isa.cpp); the lines of all sets must be equal. Needs nothing but the C library's
+// the renderer's *_isa.cpp); the lines of all sets must be equal. Needs nothing but the C library's
 // headers, so that a cross compiler can build it.
 
 #include <cmath>
@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "renderer/lighting/light_job.h"
+#include "renderer/pipeline/kernels/drawing_kernels.h"
 
 namespace glint::GLINT_ISA {
 extern const LightingKernels kernels;
-}
+extern const DrawingKernels drawing;
+}  // namespace glint::GLINT_ISA
 
 namespace {
 
@@ -166,35 +168,50 @@ void light_all(Numbers& number, const std::vector<PointBlock>& points) {
     }
 }
 
-FaceBlock some_faces(Numbers& number) {
-    FaceBlock faces{};
-    faces.width = 640;
-    faces.height = 480;
-    for (std::size_t i = 0; i < block_size; ++i) {
-        for (int c = 0; c < 3; ++c) {
-            faces.clip_w[c][i] = number.between(1, 9);
-            faces.clip_x[c][i] = number.between(-1, 1) * faces.clip_w[c][i];
-            faces.clip_y[c][i] = number.between(-1, 1) * faces.clip_w[c][i];
-            faces.x[c][i] = number.between(-3, 3);
-            faces.y[c][i] = number.between(-3, 3);
-            faces.z[c][i] = -faces.clip_w[c][i];
-            const LightSource::Rgb n = number.unit();
-            faces.nx[c][i] = n.x;
-            faces.ny[c][i] = n.y;
-            faces.nz[c][i] = n.z;
-        }
-        faces.at_x[i] = number.between(0, 640);
-        faces.at_y[i] = number.between(0, 480);
-        faces.facing[i] = number.bits() % 2 ? 1.0f : -1.0f;
+/// Corners that triangles share, as an object has them.
+struct SomeMesh {
+    std::vector<PlacedVertex> vertices;
+    std::vector<CameraNormal> normals;
+    std::vector<std::uint32_t> triangle_vertices;
+};
+
+SomeMesh some_mesh(Numbers& number) {
+    SomeMesh mesh;
+    for (int i = 0; i < 300; ++i) {
+        PlacedVertex v;
+        v.clip_w = number.between(1, 9);
+        v.clip_x = number.between(-1, 1) * v.clip_w;
+        v.clip_y = number.between(-1, 1) * v.clip_w;
+        v.x = number.between(-3, 3);
+        v.y = number.between(-3, 3);
+        v.z = -v.clip_w;
+        mesh.vertices.push_back(v);
+        const LightSource::Rgb n = number.unit();
+        mesh.normals.push_back({n.x, n.y, n.z});
     }
-    return faces;
+    for (int i = 0; i < 3 * 500; ++i) mesh.triangle_vertices.push_back(number.bits() % 300);
+    return mesh;
 }
 
 void place_all(Numbers& number) {
+    const SomeMesh mesh = some_mesh(number);
+    PlaceJob job;
+    job.vertices = mesh.vertices.data();
+    job.normals = mesh.normals.data();
+    job.triangle_vertices = mesh.triangle_vertices.data();
+    job.width = 640;
+    job.height = 480;
     Hash hash;
     for (int which = 0; which < 200; ++which) {
+        RunFaces run;
+        for (std::size_t i = 0; i < block_size; ++i) {
+            run.triangle[i] = number.bits() % 500;
+            run.at_x[i] = number.between(0, 640);
+            run.at_y[i] = number.between(0, 480);
+            run.facing[i] = number.bits() % 2 ? 1.0f : -1.0f;
+        }
         PointBlock out{};
-        const bool told = GLINT_ISA::kernels.place(some_faces(number), out);
+        const bool told = GLINT_ISA::drawing.place(job, run, out);
         hash.add(std::uint32_t{told});
         if (!told) continue;
         for (const auto& numbers : {&out.x, &out.y, &out.z, &out.nx, &out.ny, &out.nz})
