@@ -57,7 +57,8 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
                          const LightColors<F>& colors, const ToLight<F>& to_light, const PointAt<F>& at) {
     LightTerms<F> t;
     t.distance = is_place(light) ? length(to_light.xyz) : F(1);
-    t.directions = directions_for(to_light, is_place(light) ? inverse_or_zero(t.distance) : F(1), at);
+    const F inverse = is_place(light) ? inverse_or_zero(t.distance) : F(1);
+    t.directions = directions_for(to_light, t.distance, inverse, at);
     if (equation.mistakes) spoil_directions(*equation.mistakes, t.directions, to_light, at);
 
     t.falloff = F(1);
@@ -85,12 +86,13 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
     return illuminate(equation, light, m, colors_on(m, light), to_light(light, at), at);
 }
 
-/// False when the light can add nothing in any lane: it is behind the surface there and has no ambient share.
-/// Asked first, because that is half of most pictures.
+/// False when the light can add nothing in any lane: it is behind the surface there and has no ambient share,
+/// or its cone points elsewhere. Asked first, because that is half of most pictures.
 template <Number F>
 bool may_add(const Equation& equation, const LightAt<F>& light, const ToLight<F>& to_light) {
-    if (equation.mistakes || (equation.terms.ambient && light.has_ambient)) return true;
-    return any(to_light.n_dot > F(0));
+    if (equation.mistakes) return true;
+    if (light.has_cone && !may_be_inside(light, to_light.xyz)) return false;
+    return (equation.terms.ambient && light.has_ambient) || any(to_light.n_dot > F(0));
 }
 
 template <Number F> Vec3<F> clamped(Vec3<F> c) {

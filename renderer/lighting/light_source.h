@@ -12,9 +12,10 @@ template <Number F> struct LightAt {
     F w{};                                 // 0 or 1, the same in all lanes
     Vec3<F> ambient, diffuse, specular;    // linear RGB times intensity
     F constant{1}, linear{}, quadratic{};  // falloff 1 / (constant + linear r + quadratic r^2)
-    Vec3<F> axis;                  // unit: where a spot points, or the normal of an area light's patch
-    F cos_cutoff{-1}, exponent{};  // of a spot
-    F patch{};                     // of an area light's sample: area / (pi * samples)
+    Vec3<F> axis;          // unit: where a spot points, or the normal of an area light's patch
+    F cos_cutoff{-1};      // of a spot
+    Exponent<F> exponent;  // of a spot
+    F patch{};             // of an area light's sample: area / (pi * samples)
     bool has_falloff = false, has_cone = false, is_patch = false;
     bool has_ambient = true;  // false: its ambient colour is 0
 };
@@ -35,7 +36,15 @@ template <Number F> F spot_factor(const LightAt<F>& light, Vec3<F> l) {
     const F cos_angle = -dot(l, light.axis);
     const auto inside = cos_angle >= light.cos_cutoff;
     if (!any(inside)) return F(0);
-    return select(inside, power(positive(cos_angle), light.exponent), F(0));
+    return select(inside, power(cos_angle, light.exponent), F(0));
+}
+
+/// False where the cone certainly leaves out all lanes, asked before a root is drawn: the signed square of
+/// the cosine times |to_light|^2, with room for rounding.
+template <Number F> bool may_be_inside(const LightAt<F>& light, Vec3<F> to_light) {
+    const F along = -dot(to_light, light.axis);
+    const F least = light.cos_cutoff * light.cos_cutoff - F(1e-5f);
+    return any(along * magnitude(along) >= least * dot(to_light, to_light));
 }
 
 /// What one sample of an area light puts in place of falloff: A |cos theta'| / (pi n^2 r^2), theta' at the

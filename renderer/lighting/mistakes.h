@@ -13,11 +13,12 @@ namespace glint::inline GLINT_ISA {
 template <Number F>
 void spoil_directions(const Mistakes& wrong, Directions<F>& d, const ToLight<F>& to_light,
                       const PointAt<F>& at) {
-    if (wrong.unnormalized_light) d = directions_for(to_light, F(1), at);
+    if (wrong.unnormalized_light) d = directions_for(to_light, F(1), F(1), at);
     if (wrong.unnormalized_half) {  // half of l + v, whatever its length
         d.h = F(0.5f) * (d.l + at.v);
         d.n_dot_h = dot(at.n, d.h);
-        d.l_plus_v_squared = F(4);
+        d.n_dot_long_h = d.n_dot_h;
+        d.long_h_squared = F(1);
     }
 }
 
@@ -61,13 +62,13 @@ void spoil_response(const Mistakes& wrong, int power_table, Reflection model, Re
         cosine = d.n_dot_h;
         break;
     case Reflection::Retro:
-        cosine = retro_cosine(d, at);
+        cosine = d.l_dot_v;
         break;
     default:
         return;  // no power of a cosine in the others
     }
     if (wrong.no_clamp_of_cosine) {
-        const F s = unclamped_power(cosine, m.shininess);
+        const F s = unclamped_power(cosine, m.shininess.value);
         used.specular = {s, s, s};
     } else {
         const F s = highlight(nearest_entry(cosine, power_table), m);

@@ -14,11 +14,10 @@ Response<F> oren_nayar(const Directions<F>& d, const MaterialAt<F>& m, const Poi
     const F variance = sigma * sigma;
     const F a = F(1) - F(0.5f) * variance / (variance + F(0.33f));
     const F b = F(0.45f) * variance / (variance + F(0.09f));
-    const F n_dot_v = dot(at.n, at.v);
     // sin theta_l sin theta_v cos dphi is what l.v has beyond (n.l)(n.v); sin alpha tan beta is the product
     // of the sines over cos beta, the larger cosine.
-    const F azimuth = dot(d.l, at.v) - d.n_dot_l * n_dot_v;
-    const F larger_cosine = larger(d.n_dot_l, n_dot_v);
+    const F azimuth = d.l_dot_v - d.n_dot_l * at.n_dot_v;
+    const F larger_cosine = larger(d.n_dot_l, at.n_dot_v);
     const F rough = positive(azimuth) * inverse_or_zero(larger_cosine);
     return {lambert_cosine(d) * (a + b * rough), {}};
 }

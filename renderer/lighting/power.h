@@ -51,4 +51,43 @@ template <Number F> F power(F x, F s) {
     return select(x >= F(smallest_normal), value, select(s > F(0), F(0), F(1)));
 }
 
+/// Whole exponents up to here are raised to by squaring, which is a third of the work and as exact.
+inline constexpr float most_squared = 1024;
+
+/// An exponent s >= 0, the same in all lanes.
+template <Number F> struct Exponent {
+    F value{};
+    int whole = 0;  // the same where it is a whole number up to `most_squared`, else -1
+    Exponent() = default;
+    Exponent(F s) : value(s), whole(-1) {  // NOLINT: a number stands for itself
+        const float a = lane(s, 0);
+        if (a >= 0 && a <= most_squared && a == static_cast<float>(static_cast<int>(a)))
+            whole = static_cast<int>(a);
+    }
+};
+
+/// x^n for n >= 0 by squaring, from the exponent's highest bit down: relative error below n 2^-24.
+template <Number F> F whole_power(F x, int n) {
+    if (n == 0) return F(1);
+    const int highest = 1 << (31 - __builtin_clz(static_cast<unsigned>(n)));
+    F value = x;
+    for (int bit = highest >> 1; bit != 0; bit >>= 1) {
+        value = value * value;
+        if (n & bit) value = value * x;
+    }
+    return value;
+}
+
+/// sqrt(x)^s for normal x > 0, held at 2^-126 below.
+template <Number F> F power_of_root(F x, const Exponent<F>& s) {
+    if (s.whole < 0) return exp2_above(larger(s.value * (F(0.5f) * log2_of(x)), F(-126)));
+    const F even = whole_power(x, s.whole / 2);
+    return s.whole % 2 ? even * square_root(x) : even;
+}
+
+/// x^s for any x; a negative one counts as 0. 0^0 is 1.
+template <Number F> F power(F x, const Exponent<F>& s) {
+    return s.whole >= 0 ? whole_power(positive(x), s.whole) : power(x, s.value);
+}
+
 }  // namespace glint::inline GLINT_ISA

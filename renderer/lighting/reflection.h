@@ -23,7 +23,7 @@ Response<F> respond(Reflection model, const Directions<F>& d, const MaterialAt<F
     case Reflection::BlinnPhong:
         return blinn_phong(d, m);
     case Reflection::Retro:
-        return retro(d, m, at);
+        return retro(d, m);
     case Reflection::OrenNayar:
         return oren_nayar(d, m, at);
     case Reflection::CookTorrance:

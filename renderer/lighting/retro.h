@@ -6,10 +6,8 @@
 
 namespace glint::inline GLINT_ISA {
 
-template <Number F> F retro_cosine(const Directions<F>& d, const PointAt<F>& at) { return dot(d.l, at.v); }
-
-template <Number F> Response<F> retro(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
-    const F s = highlight(retro_cosine(d, at), m);
+template <Number F> Response<F> retro(const Directions<F>& d, const MaterialAt<F>& m) {
+    const F s = highlight(d.l_dot_v, m);
     return {lambert_cosine(d), {s, s, s}};
 }
 

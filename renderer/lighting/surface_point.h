@@ -17,7 +17,7 @@ template <Number F> struct PointAt {
 
 template <Number F> struct MaterialAt {
     Vec3<F> k_a, k_d, k_s;  // linear RGB
-    F shininess{};
+    Exponent<F> shininess;
     F faintest_squared{};  // cosines whose squares, with their signs, are not above this give no highlight
     F roughness{};         // 0 to 1
     Vec3<F> f0;            // reflectance at normal incidence
@@ -33,8 +33,8 @@ template <Number F> struct Response {
 /// does not use is never computed: the compiler leaves it out.
 template <Number F> struct Directions {
     Vec3<F> l, r, h;  // towards the light; l mirrored at n; halfway between l and v (0 when l = -v)
-    F n_dot_l{}, r_dot_v{}, n_dot_h{};       // not clamped
-    F n_dot_l_plus_v{}, l_plus_v_squared{};  // n.h before h is made unit, and what that divides by, squared
+    F n_dot_l{}, r_dot_v{}, n_dot_h{}, l_dot_v{};  // not clamped
+    F n_dot_long_h{}, long_h_squared{};            // n.h before h is made unit, and |h|^2 then
 };
 
 /// From a point to a light, not unit (of a directional light the unit direction itself), and its product with
@@ -44,27 +44,30 @@ template <Number F> struct ToLight {
     F n_dot{};
 };
 
-/// All of them for l = scale * to_light. Lecture: "Calculating R Vector", "Blinn-Phong Model".
-/// r.v = (2 n (n.l) - l).v = 2 (n.l)(n.v) - l.v, and n.h = n.(l + v) / |l + v|.
-template <Number F> Directions<F> directions_for(const ToLight<F>& to_light, F scale, const PointAt<F>& at) {
+/// All of them for l = to_light / distance, `inverse` being 1 / distance. Lecture: "Calculating R Vector",
+/// "Blinn-Phong Model". r.v = (2 n (n.l) - l).v = 2 (n.l)(n.v) - l.v, and h has the direction of l + v, which
+/// to_light + distance v has too without a division.
+template <Number F>
+Directions<F> directions_for(const ToLight<F>& to_light, F distance, F inverse, const PointAt<F>& at) {
     Directions<F> d;
-    d.l = scale * to_light.xyz;
-    d.n_dot_l = scale * to_light.n_dot;
-    const F twice = d.n_dot_l + d.n_dot_l;
-    d.r = twice * at.n - d.l;
-    d.r_dot_v = twice * at.n_dot_v - dot(d.l, at.v);
-    const Vec3<F> l_plus_v = d.l + at.v;
-    d.n_dot_l_plus_v = d.n_dot_l + at.n_dot_v;
-    d.l_plus_v_squared = dot(l_plus_v, l_plus_v);
-    const F inverse = inverse_or_zero(square_root(d.l_plus_v_squared));
-    d.h = inverse * l_plus_v;
-    d.n_dot_h = inverse * d.n_dot_l_plus_v;
+    d.l = inverse * to_light.xyz;
+    d.n_dot_l = inverse * to_light.n_dot;
+    const F along_v = dot(to_light.xyz, at.v);
+    d.l_dot_v = inverse * along_v;
+    d.r = (d.n_dot_l + d.n_dot_l) * at.n - d.l;
+    d.r_dot_v = inverse * ((to_light.n_dot + to_light.n_dot) * at.n_dot_v - along_v);
+    const Vec3<F> long_h = to_light.xyz + distance * at.v;
+    d.n_dot_long_h = to_light.n_dot + distance * at.n_dot_v;
+    d.long_h_squared = dot(long_h, long_h);
+    const F shorten = inverse_or_zero(square_root(d.long_h_squared));
+    d.h = shorten * long_h;
+    d.n_dot_h = shorten * d.n_dot_long_h;
     return d;
 }
 
 /// The same for a unit l.
 template <Number F> Directions<F> directions_for(Vec3<F> l, const PointAt<F>& at) {
-    return directions_for(ToLight<F>{l, dot(at.n, l)}, F(1), at);
+    return directions_for(ToLight<F>{l, dot(at.n, l)}, F(1), F(1), at);
 }
 
 /// c^shininess for the cosine c = scaled / length, of any sign, as (c^2)^(shininess / 2), so that no root has
@@ -74,8 +77,9 @@ template <Number F> F highlight(F scaled, F length_squared, const MaterialAt<F>&
     const F squared = larger(length_squared, F(smallest_normal));
     const auto seen = scaled * magnitude(scaled) > m.faintest_squared * squared;
     if (!any(seen)) return F(0);
-    const F y = m.shininess * (F(0.5f) * log2_of(scaled * scaled / squared));
-    return select(seen, exp2_above(larger(y, F(-126))), F(0));
+    // Where h is all but lost to rounding, the quotient may be anything.
+    const F cosine_squared = smaller(larger(scaled * scaled / squared, m.faintest_squared), F(1));
+    return select(seen, power_of_root(cosine_squared, m.shininess), F(0));
 }
 template <Number F> F highlight(F cosine, const MaterialAt<F>& m) { return highlight(cosine, F(1), m); }
 
