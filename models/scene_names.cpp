@@ -147,6 +147,11 @@ std::string_view name_of(Primitive primitive) {
     return known ? primitive_name(primitive) : std::string_view();
 }
 
+std::string source_name(const MeshSource& source) {
+    if (const auto* file = std::get_if<MeshFile>(&source)) return file->path;
+    return std::string(name_of(std::get<PrimitiveMesh>(source).primitive));
+}
+
 std::string_view name_of(const Projection& projection) {
     if (std::holds_alternative<Perspective>(projection)) return "perspective";
     return std::holds_alternative<Orthographic>(projection) ? "orthographic" : "frustum";

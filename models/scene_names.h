@@ -22,6 +22,8 @@ namespace glint {
 [[nodiscard]] std::string_view name_of(Cull cull);
 [[nodiscard]] std::string_view name_of(Rules rules);
 [[nodiscard]] std::string_view name_of(Transfer transfer);
+/// What warnings call a mesh: its file's path as the scene gives it, or the name of the primitive.
+[[nodiscard]] std::string source_name(const MeshSource& source);
 /// "perspective", "orthographic" or "frustum".
 [[nodiscard]] std::string_view name_of(const Projection& projection);
 

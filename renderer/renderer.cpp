@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "models/scene_names.h"
 #include "renderer/inspect/explain.h"
 #include "renderer/kept_stages.h"
 #include "renderer/pipeline/light_sources.h"
@@ -51,8 +52,9 @@ struct Renderer::Kept {
         const auto add = [this](const std::string& w) {
             if (std::find(warnings.begin(), warnings.end(), w) == warnings.end()) warnings.push_back(w);
         };
-        for (const ObjectNormals& n : stages.surface.normals)
-            for (const std::string& w : n.of_mesh.warnings) add(w);
+        for (std::size_t o = 0; o < scene.objects.size(); ++o)
+            for (const std::string& w : stages.surface.normals[o].of_mesh.warnings)
+                add(source_name(scene.objects[o].source) + ": " + w);
         if ((scene.npr.silhouettes || scene.npr.creases) && scene.npr.stroke_width_px > most_stroke_width_px)
             add("a stroke wider than 100 pixels is drawn 100 pixels wide");
         if (scene.shading.rules != Rules::OpenGL2) return;

@@ -327,6 +327,22 @@ TEST_CASE("what was tolerated in a mesh is one warning line, and the work is don
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
 }
 
+TEST_CASE("what is missing in two meshes is told of each, and once where one mesh stands twice", "[cli]") {
+    const TemporaryDirectory directory;
+    const char* const halves = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\nf 2 4 3\n";
+    (void)directory.file("a.obj", halves);
+    (void)directory.file("b.obj", halves);
+    const std::string scene = directory.file("scene.json", R"({"glint": 1, "objects": [
+        {"mesh": {"file": "a.obj"}}, {"mesh": {"file": "b.obj"}}, {"mesh": {"file": "a.obj"}},
+        {"mesh": {"primitive": "cube"}, "normals": {"source": "file"}},
+        {"mesh": {"primitive": "cone"}, "normals": {"source": "file"}}]})");
+    const Ended ended = must({"render", scene, "-o", directory.path("a.png"), "--size", "8x8"});
+    const std::string missing = "3 corners have no normal; their vertex normals are used\n",
+                      none = R"(the mesh has no "file" normals; "analytic" normals are used)";
+    CHECK(ended.err == "glint: warning: a.obj: " + missing + "glint: warning: b.obj: " + missing +
+                           "glint: warning: cube: " + none + "\nglint: warning: cone: " + none + "\n");
+}
+
 TEST_CASE("anything to the power of 0 is 1, also a cosine of -1", "[cli][explain]") {
     // Light and normal point away from the eye: n.l = 1, r.v = l.v = -1, and max(-1, 0)^0 = 1.
     const char* const scene = R"({"glint": 1, "camera": {"projection": {"type": "orthographic"}},
