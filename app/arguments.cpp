@@ -65,13 +65,13 @@ int read_count(const std::string& option, std::string_view text, int least, int 
                       fmt::format("{} to {}", least, most));
 }
 
-double read_amount(const std::string& option, std::string_view text) {
+double read_amount(const std::string& option, std::string_view text, double most) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool whole = error == std::errc{} && end == text.data() + text.size();
-    if (whole && std::isfinite(value) && value >= 0) return value;
+    if (whole && std::isfinite(value) && value >= 0 && value <= most) return value;
     throw wrong_usage(option, fmt::format("{} is {}", text, whole ? "out of range" : "no number"),
-                      "0 or more");
+                      std::isfinite(most) ? fmt::format("0 to {}", most) : "0 or more");
 }
 
 std::size_t read_word(const std::string& option, std::string_view text,

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,8 +25,9 @@ struct Pixel {
 void require_inside(const std::string& option, Pixel pixel, PictureSize size);
 /// A whole number of decimal digits within [least, most].
 [[nodiscard]] int read_count(const std::string& option, std::string_view text, int least, int most);
-/// A finite number of at least 0.
-[[nodiscard]] double read_amount(const std::string& option, std::string_view text);
+/// A finite number within [0, most].
+[[nodiscard]] double read_amount(const std::string& option, std::string_view text,
+                                 double most = std::numeric_limits<double>::infinity());
 /// One of `words`, as it stands there; its index.
 [[nodiscard]] std::size_t read_word(const std::string& option, std::string_view text,
                                     const std::vector<std::string>& words);

@@ -76,7 +76,7 @@ class Builder {
                                                                     : JsonContainer::Array;
         Problem problem = syntax_problem({text_, understood_, place(), last_, container});
         problem.file = file_;
-        throw ProblemFound{std::move(problem)};
+        throw ProblemFound{std::move(problem), true};
     }
 
   private:

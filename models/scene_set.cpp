@@ -50,6 +50,8 @@ Json value_of(const Assignment& a) {
         return read_json(a.json, "--set");
     } catch (const ProblemFound& found) {
         if (is_word(a.json)) return a.json;
+        if (!found.is_syntax)
+            fail(a.pointer + found.problem.pointer, found.problem.what, found.problem.expected);
         fail(a.pointer,
              fmt::format("{} is neither JSON nor a word: {}", in_quotes(a.json), found.problem.what),
              "a JSON value such as 2, [1, 2, 3] or \"text\"; or a word");

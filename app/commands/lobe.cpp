@@ -70,11 +70,9 @@ Run declare(CLI::App& app) {
               [&object = arguments->object](const std::string& text) {
                   object = read_count("--object", text, 0, 9999);
               });
-    add_value(app, "--angle", "DEG", "of the light from the normal, 0 to 89.9; 45 when not given",
-              [&deg = arguments->light_deg](const std::string& text) {
-                  deg = read_amount("--angle", text);
-                  if (deg > 89.9) throw wrong_usage("--angle", text + " is out of range", "0 to 89.9");
-              });
+    add_value(
+        app, "--angle", "DEG", "of the light from the normal, 0 to 89.9; 45 when not given",
+        [&deg = arguments->light_deg](const std::string& text) { deg = read_amount("--angle", text, 89.9); });
     add_value(app, "--steps", "N", "samples from -90 to 90 degrees, less one; 180 when not given",
               [&steps = arguments->steps](const std::string& text) {
                   steps = read_count("--steps", text, 1, 100000);

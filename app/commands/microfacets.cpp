@@ -76,25 +76,16 @@ Outcome microfacets(const MicrofacetArguments& arguments) {
     return {json_text(json_of(options, microfacet_picture(options), lobe)), {}, ExitStatus::Done};
 }
 
-double amount_up_to(const std::string& option, const std::string& text, double most, const char* expected) {
-    const double value = read_amount(option, text);
-    if (value > most) throw wrong_usage(option, text + " is out of range", expected);
-    return value;
-}
-
 Run declare(CLI::App& app) {
     auto arguments = std::make_shared<MicrofacetArguments>();
     MicrofacetOptions& o = arguments->options;
-    add_value(
-        app, "--roughness", "R", "0 to 1, 90 degrees of tilt to 1; 0.25 when not given",
-        [&o](const std::string& text) { o.roughness = amount_up_to("--roughness", text, 1, "0 to 1"); });
+    add_value(app, "--roughness", "R", "0 to 1, 90 degrees of tilt to 1; 0.25 when not given",
+              [&o](const std::string& text) { o.roughness = read_amount("--roughness", text, 1); });
     add_value(app, "--angle", "DEG", "of the light from the normal, 0 to 89; 30 when not given",
-              [&o](const std::string& text) { o.light_deg = amount_up_to("--angle", text, 89, "0 to 89"); });
-    add_value(app, "--view", "DEG",
-              "of the viewer, 0 to 89 on the other side; the mirror angle when not given",
-              [&view = arguments->view_deg](const std::string& text) {
-                  view = amount_up_to("--view", text, 89, "0 to 89");
-              });
+              [&o](const std::string& text) { o.light_deg = read_amount("--angle", text, 89); });
+    add_value(
+        app, "--view", "DEG", "of the viewer, 0 to 89 on the other side; the mirror angle when not given",
+        [&view = arguments->view_deg](const std::string& text) { view = read_amount("--view", text, 89); });
     add_value(app, "--rays", "N", "1 to 100000; 200 when not given",
               [&o](const std::string& text) { o.rays = read_count("--rays", text, 1, 100000); });
     add_value(app, "--facets", "N", "4 to 100000; 400 when not given",

@@ -154,6 +154,8 @@ TEST_CASE("glint lobe tells how an object's surface reflects", "[cli][lobes]") {
 TEST_CASE("glint lobe says what is wrong with its options", "[cli][lobes][bad-input]") {
     check_wrong({"lobe", "-", "--object", "1"}, "--object: 1 is out of range; expected 0 to 0");
     check_wrong({"lobe", "-", "--angle", "90"}, "--angle: 90 is out of range; expected 0 to 89.9");
+    check_wrong({"lobe", "-", "--angle", "-5"}, "--angle: -5 is out of range; expected 0 to 89.9");
+    check_wrong({"lobe", "-", "--angle", "x"}, "--angle: x is no number; expected 0 to 89.9");
     check_wrong({"lobe", "-", "--steps", "0"}, "--steps: 0 is out of range; expected 1 to 100000");
     check_wrong({"lobe", "-", "--format", "xml"}, "--format: xml is not known; expected csv, json");
 }

@@ -62,6 +62,10 @@ TEST_CASE("an assignment by --set takes JSON values, and a word as a string", "[
           "--set: /lights/0/name: \"1a\" is neither JSON nor a word: unexpected \"a\"" + expected);
     CHECK(problem_with(smallest, {"/lights/0/name="}) ==
           "--set: /lights/0/name: \"\" is neither JSON nor a word: there is no text" + expected);
+    CHECK(problem_with(smallest, {"/lights/0/intensity=1e999"}) ==
+          "--set: /lights/0/intensity: 1e999 is out of range; expected a number within -1e30 and 1e30");
+    CHECK(problem_with(smallest, {"/lights/0/position=[0, -1e400, 0]"}) ==
+          "--set: /lights/0/position/1: -1e400 is out of range; expected a number within -1e30 and 1e30");
     CHECK(problem_with(smallest, {"/lights/0/name=two words"}).find("neither JSON nor a word") !=
           std::string::npos);
     CHECK(problem_with(smallest, {"/camera/eye=[1,2"}).find("the text ends too early") != std::string::npos);
