@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "models/scene_file.h"
+#include "models/utf8.h"
 
 namespace glint {
 namespace {
@@ -113,7 +114,7 @@ void frame_camera(Scene& scene, int object) {
 Scene scene_of_mesh(MeshPtr mesh, const std::string& path) {
     Scene scene;
     Object object;
-    object.name = std::filesystem::path(path).stem().string();
+    object.name = with_invalid_replaced(std::filesystem::path(path).stem().string());
     object.source = MeshFile{path};
     object.mesh = std::move(mesh);
     object.material = {.ambient = glm::vec3(0.2f), .diffuse = glm::vec3(0.7f), .specular = glm::vec3(0.25f)};

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "models/scene_read.h"
+#include "models/utf8.h"
 
 namespace glint {
 namespace {
@@ -14,7 +15,7 @@ MeshFile read_mesh_file(const Node& node) {
     if (path.empty()) node.fail("an empty file name", "the name of a mesh file");
     if (path.find('\0') != std::string::npos)
         node.fail("a file name with a zero byte", "the name of a mesh file");
-    return {path};
+    return {unescaped_bytes(path)};
 }
 
 MeshSource read_source(const Node& node) {

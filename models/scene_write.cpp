@@ -108,7 +108,7 @@ std::string light_text(const Light& l) {
 
 std::string source_text(const MeshSource& source) {
     if (const auto* file = std::get_if<MeshFile>(&source))
-        return object(member("file", std::string_view(file->path)));
+        return object(member("file", std::string_view(escaped_bytes(file->path))));
     const auto& mesh = std::get<PrimitiveMesh>(source);
     return object(member("primitive", name_of(mesh.primitive)), member("detail", mesh.detail));
 }

@@ -1,8 +1,10 @@
 #pragma once
-// The one thing we need to know of UTF-8: where a character ends, and whether it is one.
-// Source: The Unicode Standard, table 3-7 "Well-Formed UTF-8 Byte Sequences".
+// What we need to know of UTF-8: where a character ends, whether it is one, and how text that must be UTF-8
+// can hold bytes that are none, as the name of a file may have them. Source: The Unicode Standard, table 3-7
+// "Well-Formed UTF-8 Byte Sequences".
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace glint {
@@ -13,5 +15,14 @@ namespace glint {
 
 /// Place of the first byte that is no part of a well-formed character; text.size() when all are.
 [[nodiscard]] std::size_t first_invalid_utf8(std::string_view text);
+
+/// The same text with U+FFFD for each byte that is no part of a well-formed character.
+[[nodiscard]] std::string with_invalid_replaced(std::string_view text);
+
+/// Any bytes as UTF-8, so that unescaped_bytes() gives them back: a byte b that is no part of a well-formed
+/// character (it is 80 or more) becomes the character U+EF00 + b of the private use area, and so does every
+/// byte of such a character. Other text stays as it is. Source: MirBSD's OPTU-8.
+[[nodiscard]] std::string escaped_bytes(std::string_view bytes);
+[[nodiscard]] std::string unescaped_bytes(std::string_view text);
 
 }  // namespace glint

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "models/utf8.h"
 #include "ui/light_place.h"
 #include "ui/limits.h"
 #include "ui/screen.h"
@@ -32,7 +33,7 @@ std::string name_of(const MeshSource& source) {
     std::string name;
     if (const auto* file = std::get_if<MeshFile>(&source)) {
         name = file->path.substr(file->path.find_last_of('/') + 1);
-        name = name.substr(0, name.find_last_of('.'));
+        name = with_invalid_replaced(name.substr(0, name.find_last_of('.')));
     } else {
         name = primitive_name(std::get<PrimitiveMesh>(source).primitive);
     }

@@ -343,6 +343,17 @@ TEST_CASE("what is missing in two meshes is told of each, and once where one mes
                            "glint: warning: cube: " + none + "\nglint: warning: cone: " + none + "\n");
 }
 
+TEST_CASE("a mesh whose name is no UTF-8 is drawn, and its picture opens again", "[cli]") {
+    const TemporaryDirectory directory;
+    const std::string obj = directory.file("caf\xe9.obj", pyramid), first = directory.path("a.png"),
+                      again = directory.path("b.png");
+    must({"render", obj, "-o", first, "--size", "40x30"});
+    must({"render", first, "-o", again, "--size", "40x30"});
+    CHECK(bytes_of(first) == bytes_of(again));
+    must({"sheet", obj, "--rows", "/shading/mode=flat,phong", "--cols", "/display/exposure=1,2", "-o",
+          directory.path("c.png"), "--cell", "20x20"});
+}
+
 TEST_CASE("anything to the power of 0 is 1, also a cosine of -1", "[cli][explain]") {
     // Light and normal point away from the eye: n.l = 1, r.v = l.v = -1, and max(-1, 0)^0 = 1.
     const char* const scene = R"({"glint": 1, "camera": {"projection": {"type": "orthographic"}},

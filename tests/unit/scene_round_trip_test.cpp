@@ -93,6 +93,24 @@ TEST_CASE("names and paths keep every character, and bytes that are no UTF-8 are
     CHECK(std::get<Scene>(parse_scene(scene_text(scene), "s")).objects[0].name == "a\uFFFD\uFFFDz");
 }
 
+TEST_CASE("the name of a mesh file keeps every byte, UTF-8 or not", "[scene_round_trip]") {
+    CHECK(escaped_bytes("caf\xe9.obj") == "caf\uEFE9.obj");
+    CHECK(unescaped_bytes("caf\uEFE9.obj") == "caf\xe9.obj");
+    CHECK(escaped_bytes("\x80\xff") == "\uEF80\uEFFF");
+    CHECK(escaped_bytes("\uEF80") == "\uEFEE\uEFBE\uEF80");  // the bytes EE BE 80
+    CHECK(escaped_bytes("caf\u00e9 \uEF7F \uF000 😀%20\\xe9") == "caf\u00e9 \uEF7F \uF000 😀%20\\xe9");
+    std::mt19937 random(5);
+    for (int i = 0; i < 2000; ++i) {
+        std::string path = "x";
+        for (std::size_t n = random() % 12; n > 0; --n)  // half of it of the bytes that escapes are made of
+            path += random() % 2 ? "\xEE\xBE\xBF\x80"[random() % 4] : static_cast<char>(1 + random() % 255);
+        Scene scene;
+        scene.objects.emplace_back().source = MeshFile{path};
+        REQUIRE(first_invalid_utf8(escaped_bytes(path)) == escaped_bytes(path).size());
+        REQUIRE(std::get<Scene>(parse_scene(scene_text(scene), "s")) == scene);
+    }
+}
+
 TEST_CASE("a damaged scene is a scene or a problem of one line", "[scene_round_trip][fuzz]") {
     std::mt19937 random(11);
     int scenes = 0, problems = 0;
