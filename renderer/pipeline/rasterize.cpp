@@ -56,7 +56,7 @@ void clear(const PixelBox& tile, int width, Visibility& out) {
             const std::size_t first = static_cast<std::size_t>(sample) * out.plane +
                                       static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                                       static_cast<std::size_t>(tile.x0);
-            const auto count = static_cast<std::size_t>(tile.x1 - tile.x0 + 1);
+            const int count = tile.x1 - tile.x0 + 1;
             std::fill_n(&out.keys[first], count, std::uint64_t{0});
             std::fill_n(&out.back[first], count, std::uint8_t{0});
         }

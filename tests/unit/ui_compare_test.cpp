@@ -96,7 +96,8 @@ TEST_CASE("a pixel picked in a part is explained as that part drew it", "[ui][wi
             (first_column(choice, part, size.width) + first_column(choice, part + 1, size.width)) / 2,
             size.width * 2 / 5, size.width * 3 / 5);
         if (part_at(choice, x, size.width) != part) continue;
-        bench.click(bench.at_pixel({x + 0.5, size.height / 2 + 0.5}));
+        const int y = size.height / 2;
+        bench.click(bench.at_pixel({x + 0.5, y + 0.5}));
         bench.frames(2);
         REQUIRE(bench.state.why);
         CHECK(bench.state.why->mode == modes[part]);

@@ -183,7 +183,9 @@ TEST_CASE("what is exported is what the command line writes, byte for byte", "[u
 TEST_CASE("a picture goes to the clipboard through the desktop's tool, or its lack is the reason",
           "[ui][export]") {
     const TemporaryDirectory folder;
-    const std::string path_before = std::getenv("PATH");
+    const char* path = std::getenv("PATH");
+    REQUIRE(path != nullptr);
+    const std::string path_before = path;
     const char* display = std::getenv("DISPLAY");
     const std::string display_before = display != nullptr ? display : "";
     setenv("PATH", folder.path("").c_str(), 1);

@@ -17,7 +17,7 @@ struct Gate {
     std::promise<void> open;
     std::shared_future<void> opened = open.get_future().share();
 
-    std::unique_ptr<LoadJob> job(SceneDocument document) {
+    std::unique_ptr<LoadJob> job(const SceneDocument& document) {
         return std::make_unique<LoadJob>("slow.json", [opened = opened, document](LoadProgress&) -> Result<SceneDocument> {
             opened.wait();
             return document;

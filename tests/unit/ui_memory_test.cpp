@@ -193,6 +193,8 @@ TEST_CASE("the state folder follows XDG, and a relative one is ignored", "[ui][m
     setenv("XDG_STATE_HOME", "/somewhere", 1);
     CHECK(state_folder() == "/somewhere/glint");
     setenv("XDG_STATE_HOME", "relative", 1);
-    CHECK(state_folder() == std::string(std::getenv("HOME")) + "/.local/state/glint");
+    const char* home = std::getenv("HOME");
+    REQUIRE(home != nullptr);
+    CHECK(state_folder() == std::string(home) + "/.local/state/glint");
     old != nullptr ? setenv("XDG_STATE_HOME", before.c_str(), 1) : unsetenv("XDG_STATE_HOME");
 }
