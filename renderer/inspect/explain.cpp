@@ -53,7 +53,7 @@ ExplainedLight explain_light(const LightTerms<float>& t, const LightSource& sour
     e.n_dot_l = t.directions.n_dot_l;
     e.r_dot_v = t.directions.r_dot_v;
     e.n_dot_h = t.directions.n_dot_h;
-    e.distance = source.w > 0 ? t.distance : 0;
+    e.distance = source.w > 0 ? t.distance * source.distance_scale : 0;
     e.falloff = t.falloff;
     e.spot = t.spot;
     if (source.has_cone) {

@@ -23,6 +23,7 @@ struct LightSource {
     Rgb axis;
     float cos_cutoff = -1, exponent = 0;
     float patch = 0;
+    float distance_scale = 1;  // more where a place too far for floats stands that many times nearer
     bool has_falloff = false, has_cone = false, is_patch = false;
     int light = 0;  // index in Scene::lights
 };

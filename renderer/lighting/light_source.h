@@ -36,7 +36,7 @@ template <Number F> F spot_factor(const LightAt<F>& light, Vec3<F> l) {
     const F cos_angle = -dot(l, light.axis);
     const auto inside = cos_angle >= light.cos_cutoff;
     if (!any(inside)) return F(0);
-    return select(inside, power(cos_angle, light.exponent), F(0));
+    return select(inside, power(smaller(cos_angle, F(1)), light.exponent), F(0));
 }
 
 /// False where the cone certainly leaves out all lanes, asked before a root is drawn: the signed square of

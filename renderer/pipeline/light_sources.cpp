@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "renderer/pipeline/mistaken_lights.h"
@@ -18,6 +20,38 @@ glm::dvec3 unit_or_zero(glm::dvec3 v) {
 
 LightSource::Rgb rgb(glm::dvec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+// Scenes may hold numbers to 1e30, whose products and squares no float holds; infinity times 0 is no number.
+constexpr double largest_product = 1e30, farthest_place = 1e18;
+
+/// A product of colours, held at 1e30.
+LightSource::Rgb product(glm::dvec3 a, glm::dvec3 b, double most = largest_product) {
+    return rgb(glm::min(a * b, glm::dvec3(most)));
+}
+
+/// The most that a light's colour may be for its product with every material's to stay within 1e30.
+double most_light(const std::vector<Object>& objects) {
+    float most = 1;
+    for (const Object& o : objects)
+        for (const glm::vec3& k : {o.material.ambient, o.material.diffuse, o.material.specular})
+            most = std::max({most, k.x, k.y, k.z});
+    return largest_product / static_cast<double>(most);
+}
+
+/// Puts a source, of an area light a sample with this patch, at its place; one whose distance squared no
+/// float holds, nearer to the eye in the same direction, and what depends on its distance is worked out here.
+void put_at(LightSource& source, const glm::dvec3& place, double patch) {
+    constexpr double near_float_limit = 1e38;
+    const double distance = glm::length(place), nearer = std::min(1.0, farthest_place / distance);
+    source.patch = static_cast<float>(std::min(patch, largest_product));
+    source.xyz = rgb(nearer * place);
+    if (nearer == 1) return;
+    source.patch = static_cast<float>(std::min(patch * nearer * nearer, near_float_limit));
+    source.distance_scale = static_cast<float>(1 / nearer);
+    source.constant = static_cast<float>(std::min(
+        source.constant + distance * (source.linear + distance * source.quadratic), near_float_limit));
+    source.linear = source.quadratic = 0;
 }
 
 /// Camera coordinates of a light's places and directions.
@@ -36,23 +70,24 @@ void add_area(std::vector<LightSource>& sources, LightSource source, const Light
     const int n = static_cast<int>(std::lround(std::sqrt(light.area.samples)));
     source.is_patch = true;
     source.axis = rgb(unit_or_zero(across));
-    source.patch = static_cast<float>(4 * glm::length(across) / (std::numbers::pi * n * n));
+    const double patch = 4 * glm::length(across) / (std::numbers::pi * n * n);
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
             const double s = (2.0 * i + 1) / n - 1, t = (2.0 * j + 1) / n - 1;
-            source.xyz = rgb(centre + s * u + t * v);
             sources.push_back(source);
+            put_at(sources.back(), centre + s * u + t * v, patch);
         }
 }
 
 void add_light(std::vector<LightSource>& sources, const Light& light, int index, const glm::dmat4& view,
-               const Mistakes& mistakes) {
+               const Mistakes& mistakes, double most) {
     const Frame frame{mistaken_frame(mistakes, light.space, view)};
     LightSource s;
     s.light = index;
-    s.ambient = rgb(light.ambient * light.intensity);
-    s.diffuse = rgb(light.diffuse * light.intensity);
-    s.specular = rgb(light.specular * light.intensity);
+    const glm::dvec3 intensity(light.intensity);
+    s.ambient = product(light.ambient, intensity, most);
+    s.diffuse = product(light.diffuse, intensity, most);
+    s.specular = product(light.specular, intensity, most);
     const glm::dvec3 xyz(light.position);
     if (light.kind == LightKind::Directional) {
         const glm::dvec3 towards = frame.direction(xyz);
@@ -62,7 +97,6 @@ void add_light(std::vector<LightSource>& sources, const Light& light, int index,
         return;
     }
     const glm::dvec3 place = frame.place(xyz / static_cast<double>(light.position.w));
-    s.xyz = rgb(place);
     s.w = 1;
     if (light.kind == LightKind::Area) {
         add_area(sources, s, light, frame, place);
@@ -83,6 +117,7 @@ void add_light(std::vector<LightSource>& sources, const Light& light, int index,
         s.exponent = light.spot.exponent;
     }
     spoil_source(mistakes, light, s);
+    put_at(s, place, 0);
     sources.push_back(s);
 }
 
@@ -141,15 +176,17 @@ float share_grid(const LightJob& job) {
 }  // namespace
 
 float faintest_cosine_squared(float shininess) {
-    return shininess > 0 ? static_cast<float>(std::exp2(-48.0 / static_cast<double>(shininess))) : -4.0f;
+    return shininess > 0 ? static_cast<float>(std::exp2(-48.0 / static_cast<double>(shininess)))
+                         : std::numeric_limits<float>::lowest();  // anything to the power 0 is 1
 }
 
 std::vector<LightSource> light_sources(const Scene& scene) {
     const glm::dmat4 view = view_from_world(scene.camera);
+    const double most = most_light(scene.objects);
     std::vector<LightSource> sources;
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
         if (scene.lights[i].enabled)
-            add_light(sources, scene.lights[i], static_cast<int>(i), view, scene.shading.mistakes);
+            add_light(sources, scene.lights[i], static_cast<int>(i), view, scene.shading.mistakes, most);
     return sources;
 }
 
@@ -166,7 +203,7 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& m,
     job.material.shininess = opengl ? std::min(m.shininess, opengl_max_shininess) : m.shininess;
     job.material.roughness = m.roughness;
     job.material.emission = rgb(m.emission);
-    job.material.global_ambient = rgb(m.ambient * scene.global_ambient);
+    job.material.global_ambient = product(m.ambient, scene.global_ambient);
     job.model = scene.shading.reflection;
     job.terms = scene.shading.terms;
     job.tone = tone_of(scene.npr, lights);

@@ -7,6 +7,7 @@
 
 #include "models/scene_file.h"
 #include "renderer/lighting/illuminate.h"
+#include "renderer/pipeline/light_sources.h"
 #include "renderer/renderer.h"
 #include "tests/catch.h"
 #include "tests/unit/scenes.h"
@@ -233,6 +234,22 @@ TEST_CASE("an unnormalised l makes the diffuse term grow with the distance", "[m
     const PointAt<float> at{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
     CHECK(illuminate({Reflection::Lambert, {}, &wrong}, light, m, at).diffuse.x == Approx(0.5 * 4));
     CHECK(illuminate({Reflection::Lambert, {}, nullptr}, light, m, at).diffuse.x == Approx(0.5));
+}
+
+TEST_CASE("an unnormalised l to the power of 0 is 1, however far behind the mirror the eye is",
+          "[mistakes]") {
+    Mistakes wrong;
+    wrong.unnormalized_light = true;
+    LightAt<float> light;
+    light.xyz = {0, 0, 5};
+    light.w = 1;
+    light.specular = {1, 1, 1};
+    MaterialAt<float> m;
+    m.k_s = {1, 1, 1};
+    m.shininess = 0;
+    m.faintest_squared = faintest_cosine_squared(0);
+    const PointAt<float> at{{0, 0, 0}, {0, 0, 1}, {0, 0, -1}};  // r.v = -5
+    CHECK(illuminate({Reflection::Phong, {}, &wrong}, light, m, at).specular.x == 1);
 }
 
 TEST_CASE("a scene file names the mistakes it makes, and one that it does not know is an error",
