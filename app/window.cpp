@@ -10,11 +10,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 
 #include "app/failure.h"
 #include "app/texture.h"
 #include "app/window_input.h"
+#include "ui/files/end_jobs.h"
 #include "ui/fonts.h"
 #include "ui/theme.h"
 #include "ui/ui.h"
@@ -23,6 +25,8 @@ namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double longest_farewell = 0.3;  // seconds that a closed window's loads may take to end
 
 /// What keeps the window from opening, with the way to do without it.
 Failure impossible(const std::string& what) {
@@ -174,7 +178,7 @@ class Window {
     UiRequests frame() {
         follow_scale();
         note_size();
-        read_held_axes(window_, input_.ui);
+        read_held_keys(window_, input_.ui);
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         if (feed_button(input_)) frames_due_ = frames_after_event;
@@ -236,6 +240,9 @@ void run_window(const WindowOptions& options) {
     if (!window.ready()) throw impossible("the display has no OpenGL 3.0");
     window.run();
     end_memory(state);
+    // What was begun and nobody waits for any more. All that was to be kept is written.
+    glfwHideWindow(handle);
+    if (!end_jobs(state, longest_farewell)) std::quick_exit(0);
 }
 
 }  // namespace glint

@@ -118,12 +118,14 @@ void collect_input(GLFWwindow* window, WindowInput& input) {
     glfwSetWindowCloseCallback(window, on_close);
 }
 
-void read_held_axes(GLFWwindow* window, UiInput& input) {
-    // By the layout's letters; the three keys whose letter is X, Y or Z.
+void read_held_keys(GLFWwindow* window, UiInput& input) {
+    // By the layout's letters.
     input.axis_held = {};
+    input.b_held = false;
     for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) {
         if (glfwGetKey(window, key) != GLFW_PRESS) continue;
         const char letter = letter_of(key, glfwGetKeyScancode(key));
+        input.b_held = input.b_held || letter == 'b';
         if (letter >= 'x' && letter <= 'z') input.axis_held[static_cast<std::size_t>(letter - 'x')] = true;
     }
 }

@@ -31,8 +31,8 @@ struct WindowInput {
 /// its own callbacks: it calls these on.
 void collect_input(GLFWwindow* window, WindowInput& input);
 
-/// Which of X, Y, Z are held down now.
-void read_held_axes(GLFWwindow* window, UiInput& input);
+/// Which of X, Y, Z and B are held down now.
+void read_held_keys(GLFWwindow* window, UiInput& input);
 
 /// After the backend's new frame and before ImGui's: puts the oldest button event into ImGui's io, so that
 /// every press and every release has a frame of its own. True when there was one.

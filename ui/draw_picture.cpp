@@ -11,6 +11,13 @@
 namespace glint {
 namespace {
 
+/// Whether what is shown is the picture, or such pictures side by side: not measured, not false colours.
+bool shows_pictures(const UiState& state) {
+    if (state.shown == nullptr || state.shown == state.picture) return true;
+    const ShownFrom& from = state.views.shown_from;
+    return from.compare.on && !from.compare.difference && from.look == LookSet{};
+}
+
 /// Whether a smaller picture may stand for the whole one for a moment: nothing is read off its pixels.
 bool may_be_small(const UiState& state) {
     const bool camera = state.viewport.gesture == Gesture::Orbit || state.viewport.gesture == Gesture::Pan ||
@@ -19,7 +26,7 @@ bool may_be_small(const UiState& state) {
         state.viewport.gesture == Gesture::Hand && state.viewport.held.grip.kind == GripKind::Light;
     const bool field = state.viewport.gesture == Gesture::None && ImGui::IsAnyItemActive();
     return (camera || light || field) && !state.viewport.probe && !state.preview &&
-           !views_need_linear(state.views) && (state.shown == nullptr || state.shown == state.picture);
+           !views_need_linear(state.views) && shows_pictures(state);
 }
 
 /// The size of the next picture of a scene that differs (`changed`) from the last one or does not.
@@ -46,6 +53,7 @@ void draw_picture(UiState& state, const PictureView& view) {
     tend_loads(state);
     if (const auto problem = settle(state.editor)) state.notifications.add(*problem);
     const bool moves = may_be_small(state);
+    state.pace.drawn_at = 0;
     const bool changed = !(state.drawn == (state.preview ? *state.preview : state.editor.scene()));
     const PictureSize size = paced_size(state, view.map.size, changed);
     const std::optional<Scene> preview = std::exchange(state.preview, std::nullopt);
@@ -57,14 +65,19 @@ void draw_picture(UiState& state, const PictureView& view) {
         state.picture = &state.renderer->render(shown, size, linear);
         state.drawn = shown;
         ++state.picture_serial;
-        if (moves && changed)
-            picture_took(state.pace, size == view.map.size ? 1 : state.pace.divisor,
-                         state.renderer->stats().total_ms);
+        if (moves && changed) state.pace.drawn_at = size == view.map.size ? 1 : state.pace.divisor;
     }
     if (preview) return;
     state.why.reset();
     if (!(size == view.map.size)) return;
     if (const auto pixel = asked_pixel(state, view)) state.why = state.renderer->explain(pixel->x, pixel->y);
+}
+
+void learn_pace(UiState& state) {
+    if (state.pace.drawn_at == 0) return;
+    const CompareState& compare = state.views.compare;
+    const double parts_ms = compare.choice.on ? compare.ms : 0;
+    picture_took(state.pace, state.pace.drawn_at, state.renderer->stats().total_ms + parts_ms);
 }
 
 }  // namespace glint

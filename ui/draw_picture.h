@@ -12,4 +12,8 @@ struct UiState;
 /// a smaller one (ui/frame_pace.h).
 void draw_picture(UiState& state, const PictureView& view);
 
+/// Learns how long the pictures of this frame took, those of a comparison's parts included. After
+/// update_views().
+void learn_pace(UiState& state);
+
 }  // namespace glint

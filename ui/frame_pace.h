@@ -11,6 +11,7 @@ struct FramePace {
     double full_ms = 0;      // what one of full size took, or is judged to take
     bool in_vain = false;    // smaller ones are not faster: the time goes elsewhere
     double rests_since = 0;  // seconds on the clock that the caller keeps: the last change
+    int drawn_at = 0;        // divisor of the picture drawn in this frame; 0: none was, or nothing moves
 };
 
 /// A picture at full size that takes longer than this is drawn smaller while something moves.

@@ -43,6 +43,7 @@ struct KeyPress {
 struct UiInput {
     std::vector<KeyPress> presses;
     std::array<bool, 3> axis_held{};   // X, Y, Z are down
+    bool b_held = false;               // B is down
     std::vector<std::string> dropped;  // paths of files
     bool close_asked = false;          // the window's own close button
 };

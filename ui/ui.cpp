@@ -44,6 +44,7 @@ UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
     if (input.close_asked) run_action(state, Action::Quit);
     take_dropped(state, input);
     run_keys(state, input);
+    follow_b_key(state, input.b_held);
     close_left_dialogs(state);
     ImGui::PushFont(fonts().body);
     begin_views(state);
@@ -56,6 +57,7 @@ UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
     const PictureView view = picture_view(layout.centre, state);
     draw_picture(state, view);
     update_views(state);
+    learn_pace(state);
     picture_overlay(state, layout, picture_view(layout.centre, state));
     why_columns(state, layout, view);
     views_windows(state, layout);

@@ -63,7 +63,7 @@ struct UiState {
     bool quits = false;
 
     FramePace pace;
-    std::vector<Camera> kept_views;  // kept by hand, of whatever scene; none of them is saved
+    std::vector<Camera> kept_views;  // kept by hand, of whatever scene; remembered with the settings
     OutsideState outside;
 
     std::unique_ptr<Renderer> renderer;

@@ -35,7 +35,7 @@ void check_columns(Bench& bench, ShadingMode mode, int first, int end) {
 void check_three(Bench& bench) {
     const CompareChoice& choice = bench.state.views.compare.choice;
     const int width = bench.state.picture->size.width;
-    const int one = first_column(choice, 1, width), two = first_column(choice, 2, width);
+    const int one = first_of(choice, 1, width), two = first_of(choice, 2, width);
     check_columns(bench, ShadingMode::Flat, 0, one);
     check_columns(bench, ShadingMode::Gouraud, one, two);
     check_columns(bench, ShadingMode::Phong, two, width);
@@ -43,7 +43,7 @@ void check_three(Bench& bench) {
 
 ImVec2 on_line(Bench& bench, int wipe) {
     const PictureSize size = bench.state.picture->size;
-    const int column = first_column(bench.state.views.compare.choice, wipe + 1, size.width);
+    const int column = first_of(bench.state.views.compare.choice, wipe + 1, size.width);
     return bench.at_pixel({column, size.height * 0.3});
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("a dragged wipe line moves the parts' border to the hand and draws no 
     const Renderer* flat = bench.state.views.compare.drawn_by[0];
     bench.drag(on_line(bench, 0), bench.at_pixel({70, 100}));
     const int width = bench.state.picture->size.width;
-    CHECK(first_column(bench.state.views.compare.choice, 1, width) == 70);
+    CHECK(first_of(bench.state.views.compare.choice, 1, width) == 70);
     CHECK(bench.state.picture_serial > serial);
     CHECK(flat->stats().redone == std::array{false, false, false, false});
     check_three(bench);
@@ -92,9 +92,9 @@ TEST_CASE("a pixel picked in a part is explained as that part drew it", "[ui][wi
     const CompareChoice& choice = bench.state.views.compare.choice;
     const ShadingMode modes[] = {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong};
     for (int part = 0; part < 3; ++part) {
-        const int x = std::clamp(
-            (first_column(choice, part, size.width) + first_column(choice, part + 1, size.width)) / 2,
-            size.width * 2 / 5, size.width * 3 / 5);
+        const int x =
+            std::clamp((first_of(choice, part, size.width) + first_of(choice, part + 1, size.width)) / 2,
+                       size.width * 2 / 5, size.width * 3 / 5);
         if (part_at(choice, x, size.width) != part) continue;
         const int y = size.height / 2;
         bench.click(bench.at_pixel({x + 0.5, y + 0.5}));
@@ -170,7 +170,7 @@ TEST_CASE("the scope reads what a comparison shows", "[ui][window][compare][scop
     flat.shading.mode = ShadingMode::Flat;
     Renderer renderer(1);
     const Picture& full = renderer.render(flat, bench.state.picture->size, true);
-    const int end = first_column(bench.state.views.compare.choice, 1, full.size.width);
+    const int end = first_of(bench.state.views.compare.choice, 1, full.size.width);
     int hits = 0, wrong = 0;
     for (const ProfileSample& s : bench.state.views.scope.samples)
         if (s.pixel.x < end) {
@@ -193,5 +193,110 @@ TEST_CASE("clicking a part's label lists settings, and the one chosen is drawn t
     CHECK_FALSE(bench.state.viewport.probe);
     bench.state.views.compare.choice.parts[0] = setting_of(ShadingMode::Facet);
     bench.frames(1);
-    check_columns(bench, ShadingMode::Facet, 0, first_column(bench.state.views.compare.choice, 1, width));
+    check_columns(bench, ShadingMode::Facet, 0, first_of(bench.state.views.compare.choice, 1, width));
+}
+
+TEST_CASE("stacked parts follow from top to bottom, each equal to the full picture of its mode",
+          "[ui][window][compare]") {
+    Bench bench;
+    comparing(bench);
+    CompareChoice& choice = bench.state.views.compare.choice;
+    choice.stacked = true;
+    bench.frames(1);
+    const auto check = [&] {
+        const PictureSize size = bench.state.picture->size;
+        const ShadingMode modes[] = {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong};
+        for (int part = 0; part < 3; ++part) {
+            Scene scene = bench.scene();
+            scene.shading.mode = modes[part];
+            Renderer renderer(1);
+            const Picture& full = renderer.render(scene, size);
+            const auto from = std::ptrdiff_t(4 * full.pixel(0, first_of(choice, part, size.height)));
+            const auto to = std::ptrdiff_t(4) * size.width * first_of(choice, part + 1, size.height);
+            REQUIRE(from < to);
+            CHECK(std::equal(full.rgba.begin() + from, full.rgba.begin() + to,
+                             bench.state.shown->rgba.begin() + from));
+        }
+    };
+    check();
+    // Its line is taken anywhere along it, and goes up and down.
+    const PictureSize size = bench.state.picture->size;
+    const int row = first_of(choice, 1, size.height);
+    bench.drag(bench.at_pixel({size.width * 0.2, row}), bench.at_pixel({size.width * 0.6, 61}));
+    CHECK(first_of(choice, 1, size.height) == 61);
+    check();
+    // A pixel of the lowest part is explained as that drew it.
+    bench.click(bench.at_pixel({size.width * 0.42, size.height * 0.74}));
+    bench.frames(2);
+    REQUIRE(bench.state.why);
+    CHECK(bench.state.why->mode == ShadingMode::Phong);
+    bench.click(bench.at_pixel({size.width * 0.5, size.height * 0.5}));
+    bench.frames(2);
+    REQUIRE(bench.state.why);
+    CHECK(bench.state.why->mode == ShadingMode::Gouraud);
+}
+
+TEST_CASE("while a hand moves something, a comparison that is too slow is drawn smaller, and whole at rest",
+          "[ui][window][compare]") {
+    Bench bench;
+    comparing(bench);
+    const PictureSize full = bench.state.picture->size;
+    // The parts count: three pictures of 20 ms are one of 60.
+    bench.move(bench.at_pixel({20, 20}));
+    bench.button(true, 1);
+    bench.move(bench.at_pixel({60, 30}));
+    REQUIRE(bench.state.viewport.gesture == Gesture::Pan);
+    bench.state.pace.full_ms = 0;
+    bench.move(bench.at_pixel({70, 30}));
+    REQUIRE(bench.state.pace.drawn_at > 0);
+    const double own = bench.state.renderer->stats().total_ms;
+    CHECK(bench.state.views.compare.ms > 0);
+    const double all = own + bench.state.views.compare.ms;
+    if (bench.state.pace.drawn_at == 1) CHECK(bench.state.pace.full_ms == Approx(all));
+    bench.state.pace.divisor = 2;
+    bench.move(bench.at_pixel({80, 30}));
+    CHECK(bench.state.shown->size == divided(full, 2));
+    CHECK(bench.state.shown->size == bench.state.picture->size);
+    check_columns(bench, ShadingMode::Gouraud, first_of(bench.state.views.compare.choice, 1, full.width / 2),
+                  first_of(bench.state.views.compare.choice, 2, full.width / 2));
+    bench.button(false, 1);
+    bench.frames(2);
+    CHECK(bench.state.shown->size == full);
+    check_three(bench);
+    // What is measured is never a smaller picture.
+    bench.state.views.compare.choice.difference = true;
+    bench.frames(1);
+    bench.button(true, 1);
+    bench.move(bench.at_pixel({90, 30}));
+    bench.state.pace.divisor = 2;
+    bench.move(bench.at_pixel({95, 30}));
+    CHECK(bench.state.shown->size == full);
+    bench.button(false, 1);
+}
+
+TEST_CASE("B pressed stays, B held shows the stored scene while it is held", "[ui][window][compare]") {
+    Bench bench;
+    bench.frames(2);
+    bench.key(Key::B, true);
+    const bool& shows = bench.state.views.compare.choice.shows_stored;
+    UiInput press, hold;
+    press.presses.push_back({Key::B, false, false, false});
+    press.b_held = hold.b_held = true;
+    const auto held_for = [&](int frames) {
+        (void)bench.frame(press);
+        CHECK(shows);
+        for (int i = 0; i < frames; ++i) (void)bench.frame(hold);
+        bench.frames(1);
+    };
+    held_for(40);  // two thirds of a second
+    CHECK_FALSE(shows);
+    held_for(6);  // a tenth
+    CHECK(shows);
+    bench.key(Key::B);
+    bench.frames(60);
+    CHECK_FALSE(shows);
+    // One slow frame is no long press.
+    ImGui::GetIO().DeltaTime = 1.5f;
+    held_for(1);
+    CHECK(shows);
 }

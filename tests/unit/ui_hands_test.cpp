@@ -81,6 +81,36 @@ TEST_CASE("a light dragged by its highlight keeps its distance from the surface"
     CHECK(bench.state.renderer->explain(int(to.x), int(to.y)).at.lights[0].distance == Approx(before));
 }
 
+TEST_CASE("with Shift a dragged highlight stays and its light moves in depth; without, nothing jumps",
+          "[ui][hands][window]") {
+    Bench bench;
+    with_light(bench, LightKind::Point);
+    const glm::dvec2 from = highlight_pixel(bench), to = from + glm::dvec2(-40, 30);
+    const ExplainedLight before = bench.state.renderer->explain(int(from.x), int(from.y)).at.lights[0];
+    bench.move(bench.at_pixel(from));
+    bench.button(true);
+    bench.move(bench.at_pixel(to));
+    ImGui::GetIO().KeyShift = true;
+    // Down by a third of the picture's height: a factor e nearer.
+    const glm::dvec2 down = to + glm::dvec2(0, bench.state.picture->size.height / 3.0);
+    bench.move(bench.at_pixel({to.x, (to.y + down.y) / 2}));
+    bench.move(bench.at_pixel(down));
+    bench.frames(1);
+    const ExplainedLight near = bench.state.renderer->explain(int(to.x), int(to.y)).at.lights[0];
+    CHECK(near.distance == Approx(before.distance / std::exp(1.0)).epsilon(0.01));
+    CHECK(glm::length(highlight_pixel(bench, 1) - to) <= 1);
+    ImGui::GetIO().KeyShift = false;
+    const Light held = bench.scene().lights[0];
+    (void)bench.frame();
+    CHECK(glm::length(glm::vec3(bench.scene().lights[0].position - held.position)) < 1e-3f);
+    bench.move(bench.at_pixel(down + glm::dvec2(30, 0)));
+    bench.frames(1);
+    CHECK(glm::length(highlight_pixel(bench, 1) - (to + glm::dvec2(30, 0))) <= 1);
+    bench.button(false);
+    bench.frames(1);
+    CHECK(bench.state.editor.history.undo_name() == "Move Lamp");
+}
+
 TEST_CASE("a highlight dragged off the surface waits, and Escape puts it back", "[ui][hands][window]") {
     Bench bench;
     with_light(bench, LightKind::Point);

@@ -1,4 +1,5 @@
 // Loads that do not hold up the window.
+#include <filesystem>
 #include <future>
 
 #include "models/file.h"
@@ -6,6 +7,7 @@
 #include "tests/unit/program.h"
 #include "tests/unit/ui_bench.h"
 #include "ui/actions.h"
+#include "ui/files/end_jobs.h"
 
 using namespace glint;
 using test::Bench;
@@ -18,10 +20,11 @@ struct Gate {
     std::shared_future<void> opened = open.get_future().share();
 
     std::unique_ptr<LoadJob> job(const SceneDocument& document) {
-        return std::make_unique<LoadJob>("slow.json", [opened = opened, document](LoadProgress&) -> Result<SceneDocument> {
-            opened.wait();
-            return document;
-        });
+        return std::make_unique<LoadJob>("slow.json",
+                                         [opened = opened, document](LoadProgress&) -> Result<SceneDocument> {
+                                             opened.wait();
+                                             return document;
+                                         });
     }
 };
 
@@ -149,4 +152,22 @@ TEST_CASE("a load tells the bytes it has read, and ends when it shall", "[loadin
     const auto read = read_file(path, 1000);
     REQUIRE(problem_of(read) != nullptr);
     CHECK(problem_of(read)->what == cancelled_words);
+}
+
+TEST_CASE("a window that closes ends its loads and exports, and no file comes of them afterwards",
+          "[ui][loading]") {
+    const TemporaryDirectory folder;
+    const std::string picture = folder.path("late.png");
+    Bench bench;
+    bench.frames(2);
+    CHECK(end_jobs(bench.state, 0));  // nothing to wait for
+    begin_export(bench.state, {{640, 480}, 8}, picture);
+    begin_mesh(bench.state, PrimitiveMesh{Primitive::Sphere, 700}, 0);
+    (void)bench.frame();
+    REQUIRE(bench.state.loading.meshes);
+    CHECK(end_jobs(bench.state, 60));
+    CHECK(bench.state.exporting.job->done());
+    CHECK(bench.state.loading.meshes->done());
+    bench.frames(2);
+    CHECK_FALSE(std::filesystem::exists(picture));
 }

@@ -9,6 +9,7 @@
 #include "tests/unit/scenes.h"
 #include "tests/unit/ui_bench.h"
 #include "ui/files/recent_files.h"
+#include "ui/limits.h"
 
 using namespace glint;
 using test::Bench;
@@ -27,6 +28,23 @@ void edit_and_wait(Bench& bench, float intensity) {
     bench.frames(3);
     REQUIRE(bench.state.memory.copy.has_value());
     bench.state.memory.copying.wait();
+}
+
+/// Nothing of it as on the first day.
+ViewMemory odd_views() {
+    ViewMemory views;
+    views.compare.on = views.compare.stacked = views.compare.difference = true;
+    set_parts(views.compare, {setting_of(Reflection::BlinnPhong), {}, {Setting::Kind::Stored, 0}});
+    views.compare.wipes = {0.2, 0.75};
+    views.compare.gain = 16;
+    views.look = Look::Depth;
+    views.over_range = views.dots = views.needles = views.scope_channels = views.scope_eye = true;
+    views.scope_from = {0.1, 0.2};
+    views.scope_to = {0.3, 0.9};
+    views.kept = {Camera{}, Camera{}};
+    views.kept[1].eye = {1, 2.5f, 0.1f};
+    views.kept[1].projection = Orthographic{2.25f};
+    return views;
 }
 
 }  // namespace
@@ -49,7 +67,8 @@ TEST_CASE("the list of recent files takes nothing but whole paths, each once", "
 }
 
 TEST_CASE("settings are read back equal, and from nonsense what makes sense is taken", "[ui][memory]") {
-    Settings settings{false, {true, false, false, false, 300, 401.5f, true, 222}, 1111, 777, true};
+    Settings settings{false,      {true, false, false, false, 300, 401.5f, true, 222}, 1111, 777, true,
+                      odd_views()};
     CHECK(read_settings(settings_text(settings)) == settings);
     CHECK(read_settings("") == Settings());
     CHECK(read_settings("[1]") == Settings());
@@ -69,7 +88,52 @@ TEST_CASE("settings are read back equal, and from nonsense what makes sense is t
         const Settings read = read_settings(wounded);
         CHECK(read.layout.left_width >= least_column_width);
         CHECK(read.width <= 16384);
+        CHECK(read.views.compare.wipes.size() + 1 == read.views.compare.parts.size());
+        for (const Camera& camera : read.views.kept) CHECK(is_valid(camera));
     }
+}
+
+TEST_CASE("how the picture was looked at is there again in the next window, B aside", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    {
+        Bench bench;
+        begin_memory(bench.state, folder.path("state"));
+        bench.frames(2);
+        recall_views(bench.state, odd_views());
+        bench.state.views.scope.open = true;
+        bench.key(Key::B, true);
+        bench.frames(2);
+        end_memory(bench.state);
+    }
+    Bench bench;
+    begin_memory(bench.state, folder.path("state"));
+    bench.frames(2);
+    CHECK(views_to_remember(bench.state) == odd_views());
+    CHECK(bench.state.views.scope.open);
+    CHECK_FALSE(bench.state.views.compare.choice.stored);
+    bench.key(Key::U);
+    CHECK(bench.scene().camera == odd_views().kept[0]);
+    bench.key(Key::B, true);
+    reset_layout(bench.state);
+    ViewMemory kept;
+    kept.kept = odd_views().kept;
+    CHECK(views_to_remember(bench.state) == kept);
+    CHECK(bench.state.views.compare.choice.stored);
+}
+
+TEST_CASE("of remembered views only what makes sense is taken", "[ui][memory]") {
+    const auto views = [](const std::string& text) {
+        return read_settings("{\"view\": " + text + "}").views;
+    };
+    CHECK(views("[]") == ViewMemory());
+    CHECK(views(R"({"compare": 3, "look": "Nonsense", "dots": 1, "kept_views": {"a": 1}})") == ViewMemory());
+    CHECK(views(R"({"compare": {"parts": ["mode gouraud"], "lines": [0.5]}})") == ViewMemory());
+    CHECK(views(R"({"compare": {"parts": ["mode flat", "mode none"], "gain": 1e9}})").compare.gain ==
+          most_gain);
+    CHECK(views(R"({"compare": {"lines": [0.7, 0.3]}})") == ViewMemory());
+    CHECK(views(R"({"compare": {"lines": [0.3, 1.3]}})") == ViewMemory());
+    CHECK(views(R"({"scope_from": [-3, 7], "scope_to": [1]})").scope_from == glm::dvec2(0, 1));
+    CHECK(views(R"({"kept_views": [{"eye": "here"}, 4]})").kept.empty());
 }
 
 TEST_CASE("theme and columns are there again in the next window", "[ui][memory]") {

@@ -163,3 +163,47 @@ TEST_CASE("plots: the tab draws for every scene that is shipped, and without lig
     bench.frames(2);
     CHECK(bench.state.why_column.tab == WhyTab::Plots);
 }
+
+TEST_CASE("plots: the BRDF's slice is that of Phong in closed form, forwards and backwards", "[ui][plots]") {
+    Material material;
+    material.diffuse = glm::vec3(0.5f);
+    material.specular = glm::vec3(0.3f);
+    material.shininess = 10;
+    const double light_deg = 30, pi = 3.14159265358979;
+    const BrdfCurves curves = brdf_curves({Reflection::Phong, material, {}}, light_deg);
+    REQUIRE(curves.forwards.size() == curves.backwards.size());
+    int compared = 0;
+    for (std::size_t i = 0; i < curves.forwards.size(); ++i) {
+        const double v = curves.forwards[i].x;
+        if (std::abs(v) > 89) continue;
+        const double lobe = 0.3 * std::pow(std::max(std::cos(glm::radians(v - light_deg)), 0.0), 10);
+        // (k_d n.l + k_s (r.v)^n) / (pi n.l); backwards the light stands at v.
+        CHECK(curves.forwards[i].y ==
+              Approx((0.5 + lobe / std::cos(glm::radians(light_deg))) / pi).epsilon(1e-4));
+        CHECK(curves.backwards[i].y == Approx((0.5 + lobe / std::cos(glm::radians(v))) / pi).epsilon(1e-4));
+        ++compared;
+    }
+    CHECK(compared > 150);
+}
+
+TEST_CASE("plots: a light is tried as every kind where it stands, a lamp aimed at the point", "[ui][plots]") {
+    Bench bench;
+    test::ask(bench, WhyTab::Plots, {0.5, 0.5});
+    REQUIRE(bench.state.why);
+    const ScreenMap map = screen_map(bench.scene().camera, bench.state.picture->size);
+    PictureView view;
+    view.map = map;
+    view.dome = sun_dome(bench.scene().camera.target, scene_bounds(bench.scene()), map);
+    const Light& bulb = bench.scene().lights[1];
+    const glm::dvec3 place = handle_of(bulb, view.dome, map);
+    const ExplainedPoint& at = bench.state.why->at;
+    CHECK(of_kind_at(bulb, LightKind::Point, at, view) == bulb);
+    for (const LightKind kind : {LightKind::Spot, LightKind::Area}) {
+        const Light other = of_kind_at(bulb, kind, at, view);
+        CHECK(other.kind == kind);
+        CHECK(glm::length(handle_of(other, view.dome, map) - place) < 1e-4);
+    }
+    const Light lamp = of_kind_at(bulb, LightKind::Spot, at, view);
+    const glm::dvec3 way = glm::normalize(glm::dvec3(at.point.world) - place);
+    CHECK(glm::dot(to_world(lamp, lamp.spot.direction, 0, map), way) == Approx(1).margin(1e-5));
+}

@@ -50,9 +50,10 @@ void begin_export(UiState& state, const ExportOptions& options, const std::strin
     state.exporting.job = std::make_unique<Job<std::string>>(
         name,
         [document = state.editor.document, options, path, name,
-         threads](LoadProgress&) -> Result<std::string> {
+         threads](LoadProgress& progress) -> Result<std::string> {
             const Result<std::string> bytes = picture_file(document, options, path, threads);
             if (const Problem* problem = problem_of(bytes)) return *problem;
+            if (progress.cancelled) return Problem{path, "", "writing was cancelled", ""};
             const auto written = write_file(path, std::get<std::string>(bytes));
             if (const Problem* problem = problem_of(written)) return *problem;
             return fmt::format("Saved {} ({} × {}, {} {} a pixel)", name, options.size.width,
@@ -66,9 +67,11 @@ void begin_copy(UiState& state) {
     const PictureSize size = state.picture->size;
     state.exporting.since = ImGui::GetTime();
     state.exporting.job = std::make_unique<Job<std::string>>(
-        "Copy", [document = state.editor.document, size, threads](LoadProgress&) -> Result<std::string> {
+        "Copy",
+        [document = state.editor.document, size, threads](LoadProgress& progress) -> Result<std::string> {
             const Result<std::string> bytes = picture_file(document, {size, 1}, "clipboard.png", threads);
             if (const Problem* problem = problem_of(bytes)) return *problem;
+            if (progress.cancelled) return Problem{"Copy", "", "was cancelled", ""};
             const auto copied = copy_png(std::get<std::string>(bytes));
             if (const Problem* problem = problem_of(copied)) return *problem;
             return fmt::format("The picture is on the clipboard ({} × {})", size.width, size.height);

@@ -47,6 +47,7 @@ void note_settings(UiState& state) {
     Settings now = memory.settings;
     now.dark = state.dark;
     now.layout = state.layout;
+    now.views = views_to_remember(state);
     now.layout.folded = now.layout.bare = false;  // the picture alone is for a moment
     const double time = ImGui::GetTime();
     if (!(now == memory.settings)) memory.settings_changed = time;
@@ -102,6 +103,8 @@ void begin_memory(UiState& state, const std::string& folder) {
     memory.settings = memory.written = read_settings(text_of(memory, "window.json"));
     state.dark = memory.settings.dark;
     state.layout = memory.settings.layout;
+    state.views.scope.open = state.layout.scope;
+    recall_views(state, memory.settings.views);
     memory.left = left_copies(folder);
 }
 
@@ -132,6 +135,10 @@ void end_memory(UiState& state) {
 void reset_layout(UiState& state) {
     state.layout = {};
     state.dark = true;
+    state.views.scope.open = false;
+    ViewMemory first_day;
+    first_day.kept = state.kept_views;
+    recall_views(state, first_day);
     state.memory.settings.width = state.memory.settings.height = 0;
     state.memory.settings.maximized = false;
 }

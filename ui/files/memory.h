@@ -42,7 +42,7 @@ void drop_copy(UiState& state);
 /// Writes at once what would be written later.
 void end_memory(UiState& state);
 
-/// Columns, theme and sizes as on the first day.
+/// Columns, theme, sizes and views as on the first day; kept views stay.
 void reset_layout(UiState& state);
 
 /// The offer to take up the work that a crash interrupted.

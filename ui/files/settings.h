@@ -1,9 +1,10 @@
 #pragma once
-// What the window remembers from one day to the next: theme, columns, its size. A small JSON file that anyone
-// may have written anything into.
+// What the window remembers from one day to the next: theme, columns, its size, how the picture is looked at.
+// A small JSON file that anyone may have written anything into.
 
 #include <string>
 
+#include "ui/files/view_memory.h"
 #include "ui/layout.h"
 
 namespace glint {
@@ -13,6 +14,7 @@ struct Settings {
     LayoutState layout;
     int width = 0, height = 0;  // of the window, in its own units; 0: as the display suggests
     bool maximized = false;
+    ViewMemory views;
     bool operator==(const Settings&) const = default;
 };
 

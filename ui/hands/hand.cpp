@@ -143,8 +143,8 @@ void drag_held(Held& held, ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec
     }
     if (frame.renderer == nullptr) return;
     std::optional<Light> light;
-    if (const auto* drag = std::get_if<HighlightDrag>(&held.drag))
-        light = dragged_highlight(*drag, surface_of(frame), cursor_px);
+    if (auto* drag = std::get_if<HighlightDrag>(&held.drag))
+        light = moved_highlight(*drag, surface_of(frame), cursor_px, last_px, keys.shift);
     else if (const auto* line = std::get_if<TerminatorDrag>(&held.drag))
         light = dragged_terminator(*line, surface_of(frame), cursor_px);
     held.astray = !light;

@@ -110,8 +110,9 @@ std::string hint_of(const Grip& grip, const Scene& scene) {
         return fmt::format("{} · X Y Z: axis · Ctrl: snap · G R T: move, rotate, scale",
                            deed_words(grip.mode, grip.part));
     case GripKind::Highlight:
-        return fmt::format("Drag the highlight of {} · Click: why this colour · Alt+drag: orbit",
-                           light_of(grip, scene).name);
+        return fmt::format(
+            "Drag the highlight of {} · Shift: in depth · Click: why this colour · Alt+drag: orbit",
+            light_of(grip, scene).name);
     case GripKind::Terminator:
         return fmt::format("Drag the terminator of {}, where n·l = 0 · Alt+drag: orbit",
                            light_of(grip, scene).name);
@@ -133,7 +134,7 @@ std::string hint_of(const Held& held) {
         return "X Y Z: along or round an axis · Ctrl: snap · Esc: cancel";
     case GripKind::Highlight:
         return held.astray ? "No light could shine there: the light waits · Esc: cancel"
-                           : "The light stands where v is mirrored at n, as far away as before · Esc: cancel";
+                           : "The light stands where v is mirrored at n · Shift: in depth · Esc: cancel";
     case GripKind::Terminator:
         return held.astray ? "No surface there: the light waits · Esc: cancel"
                            : "The light lies in the plane that touches the surface here · Esc: cancel";

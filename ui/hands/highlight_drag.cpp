@@ -161,7 +161,9 @@ std::optional<HoveredHighlight> highlight_under(const SurfaceView& view, glm::dv
 std::optional<HighlightDrag> grab_highlight(const SurfaceView& view, const Light& light, glm::dvec2 pixel) {
     const auto point = seen_at(view.renderer, view.map.size, pixel);
     if (!point) return {};
-    HighlightDrag drag{light, in_world(view.map, point->place, 1), 1};
+    HighlightDrag drag;
+    drag.start = light;
+    drag.grabbed = in_world(view.map, point->place, 1);
     if (light.kind != LightKind::Directional)
         drag.distance = std::max(glm::length(handle_of(light, view.dome, view.map) - drag.grabbed), 1e-4);
     aim_at(drag.start, drag.grabbed, view);
@@ -178,8 +180,7 @@ Light carried(const HighlightDrag& drag, const SurfaceView& view, glm::dvec3 pla
     return light;
 }
 
-std::optional<Light> dragged_highlight(const HighlightDrag& drag, const SurfaceView& view, glm::dvec2 pixel,
-                                       double nearer) {
+std::optional<Light> dragged_highlight(const HighlightDrag& drag, const SurfaceView& view, glm::dvec2 pixel) {
     const auto patch = surface_patch(view.renderer, view.map.size, pixel, patch_radius);
     if (!patch) return {};
     const glm::vec3 mirror = peak_direction(view.scene, view.map.size, patch->middle());
@@ -188,14 +189,27 @@ std::optional<Light> dragged_highlight(const HighlightDrag& drag, const SurfaceV
                      away = in_world(view.map, mirror, 0);
     BestLight best;
     for (const double back : steps_back) {
-        const PeakSearch search(drag, view, *patch, nearer * back);
+        const PeakSearch search(drag, view, *patch, drag.nearer * back);
         best.take(search, away);
-        for (const glm::dvec3 first : first_directions(drag, view, place, away, nearer * back))
+        for (const glm::dvec3 first : first_directions(drag, view, place, away, drag.nearer * back))
             for (int radius = patch_radius; radius > 0 && best.miss > 1; --radius)
                 best.take(search, search.level_from(first, radius));
         if (best.miss <= 1) break;
     }
     return best.light;
+}
+
+std::optional<Light> moved_highlight(HighlightDrag& drag, const SurfaceView& view, glm::dvec2 cursor_px,
+                                     glm::dvec2 last_px, bool in_depth) {
+    if (in_depth && drag.start.kind != LightKind::Directional) {
+        if (!drag.stays_at) drag.stays_at = last_px + drag.beside;
+        const double factor = std::exp(-3 * (cursor_px.y - last_px.y) / view.map.size.height);
+        drag.nearer = std::clamp(drag.nearer * factor, 1e-3, 1e3);
+        return dragged_highlight(drag, view, *drag.stays_at);
+    }
+    if (drag.stays_at) drag.beside = *drag.stays_at - last_px;  // go on from here, so that nothing jumps
+    drag.stays_at.reset();
+    return dragged_highlight(drag, view, cursor_px + drag.beside);
 }
 
 }  // namespace glint

@@ -27,6 +27,11 @@ struct HighlightDrag {
     Light start;
     glm::dvec3 grabbed{0};  // the place on the surface, world
     double distance = 1;    // of the light from it
+    double nearer = 1;      // times the distance: what dragging in depth made of it
+    // While it is dragged in depth, the pixel where the highlight stays; and how far from the cursor it is
+    // since.
+    std::optional<glm::dvec2> stays_at;
+    glm::dvec2 beside{0};
 };
 
 /// A light whose highlight shows at a pixel.
@@ -44,10 +49,16 @@ struct HoveredHighlight {
 [[nodiscard]] std::optional<HighlightDrag> grab_highlight(const SurfaceView& view, const Light& light,
                                                           glm::dvec2 pixel);
 
-/// The light with the peak of its highlight at `pixel`, `nearer` times as far away as when it was grabbed.
+/// The light with the peak of its highlight at `pixel`, drag.nearer times as far away as when it was grabbed.
 /// Nothing where no light could do that: on the background, or where the surface turns away from the viewer.
 [[nodiscard]] std::optional<Light> dragged_highlight(const HighlightDrag& drag, const SurfaceView& view,
-                                                     glm::dvec2 pixel, double nearer = 1);
+                                                     glm::dvec2 pixel);
+
+/// One movement of the cursor. The highlight goes along; in depth it stays, and the light goes farther away
+/// as the cursor goes up (a directional light has no distance), by a factor e in a third of the picture. The
+/// light, or nothing as above.
+[[nodiscard]] std::optional<Light> moved_highlight(HighlightDrag& drag, const SurfaceView& view,
+                                                   glm::dvec2 cursor_px, glm::dvec2 last_px, bool in_depth);
 
 /// The light carried to where it stands `away` (world, unit) from `place`; a spot or a panel turns so that it
 /// shines at `place` as it shone at the place that was grabbed.

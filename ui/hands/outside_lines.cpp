@@ -8,6 +8,7 @@
 #include "ui/fonts.h"
 #include "ui/hands/world_pen.h"
 #include "ui/icons.h"
+#include "ui/label_room.h"
 #include "ui/orbit.h"
 #include "ui/theme.h"
 
@@ -17,14 +18,29 @@ namespace {
 constexpr std::size_t most_lines = 6000;  // of all meshes together
 const ImVec4 ink{0.06f, 0.06f, 0.07f, 1};
 
-void text_at(const WorldPen& pen, glm::dvec3 place, const char* text, ImU32 colour) {
-    const OnScreen at = project(pen.view.map, place);
-    if (!at.in_front) return;
-    const ImFont* type = fonts().small;
-    const ImVec2 p = pen.view.to_window(at.pixel);
-    pen.list.AddText(type, type->FontSize * ImGui::GetIO().FontGlobalScale, {p.x + px(5), p.y - px(7)},
-                     colour, text);
-}
+/// A pen that also writes, so that no word covers another.
+struct LabelledPen : WorldPen {
+    LabelRoom& room;
+
+    /// Beside a place of the window; pushed away where something is written, and then tied to it by a line.
+    void text(ImVec2 place, const char* words, ImU32 colour) const {
+        const ImFont* type = fonts().small;
+        const float height = type->FontSize * ImGui::GetIO().FontGlobalScale;
+        const ImVec2 size = type->CalcTextSizeA(height, 1e9f, 0, words);
+        const ImVec2 wanted{place.x + px(5) + size.x / 2, place.y};
+        const ImVec2 middle = room.place_anyhow(wanted, {size.x + px(2), size.y}, px(56));
+        const ImVec2 low{middle.x - size.x / 2, middle.y - size.y / 2};
+        if (std::hypot(middle.x - wanted.x, middle.y - wanted.y) > height)
+            list.AddLine(place, {std::clamp(place.x, low.x, low.x + size.x), middle.y}, colour, px(1));
+        list.AddRectFilled({low.x - px(2), low.y}, {low.x + size.x + px(2), low.y + size.y},
+                           packed(theme().surround, 0.75f), px(3));
+        list.AddText(type, height, low, colour, words);
+    }
+    void text(glm::dvec3 place, const char* words, ImU32 colour) const {
+        const OnScreen at = project(view.map, place);
+        if (at.in_front) text(view.to_window(at.pixel), words, colour);
+    }
+};
 
 void draw_mesh(const WorldPen& pen, const Object& object, std::size_t lines) {
     if (!object.mesh || object.mesh->triangles.empty()) return;
@@ -43,7 +59,8 @@ void draw_mesh(const WorldPen& pen, const Object& object, std::size_t lines) {
     }
 }
 
-void draw_axes(const WorldPen& pen, const glm::dmat4& frame, double length, const char* const (&names)[3]) {
+void draw_axes(const LabelledPen& pen, const glm::dmat4& frame, double length,
+               const char* const (&names)[3]) {
     const std::array colours{ImVec4{0.75f, 0.15f, 0.1f, 1}, ImVec4{0.1f, 0.5f, 0.1f, 1},
                              ImVec4{0.1f, 0.25f, 0.8f, 1}};
     const glm::dvec3 origin(frame[3]);
@@ -51,12 +68,12 @@ void draw_axes(const WorldPen& pen, const glm::dmat4& frame, double length, cons
         const glm::dvec3 end = origin + length * glm::dvec3(frame[i]);
         const ImU32 colour = packed(colours[std::size_t(i)]);
         pen.line(origin, end, colour, px(2));
-        text_at(pen, end, names[i], colour);
+        pen.text(end, names[i], colour);
     }
 }
 
 /// The eye and the volume it sees, cut off a little behind the target: the far plane may be anywhere.
-void draw_camera(const WorldPen& pen, const OutsideScene& what, double size) {
+void draw_camera(const LabelledPen& pen, const OutsideScene& what, double size) {
     const ScreenMap& map = what.main.map;
     const Camera& camera = what.scene.camera;
     const double w = map.size.width, h = map.size.height;
@@ -76,11 +93,20 @@ void draw_camera(const WorldPen& pen, const OutsideScene& what, double size) {
                  px(1.2f));
     pen.line(eye, glm::dvec3(camera.target), packed(ink, 0.3f), px(1));
     pen.mark(eye, packed({1, 1, 1, 1}), 1, false);
-    text_at(pen, eye - 0.25 * size * glm::dvec3(map.world_from_view[1]), "eye", strong);
+    pen.text(eye - 0.25 * size * glm::dvec3(map.world_from_view[1]), "eye", strong);
     draw_axes(pen, map.world_from_view, size, {"x", "y", "z"});
 }
 
-void draw_light(const WorldPen& pen, const OutsideScene& what, int index) {
+/// No word over a light's mark.
+void keep_light_free(const LabelledPen& pen, const OutsideScene& what, std::size_t index) {
+    const OnScreen at =
+        project(pen.view.map, handle_of(what.scene.lights[index], what.main.dome, what.main.map));
+    if (!at.in_front) return;
+    const ImVec2 p = pen.view.to_window(at.pixel);
+    pen.room.keep_free({{p.x - px(6), p.y - px(6)}, {p.x + px(6), p.y + px(6)}});
+}
+
+void draw_light(const LabelledPen& pen, const OutsideScene& what, int index) {
     const Light& light = what.scene.lights[std::size_t(index)];
     const glm::dvec3 place = handle_of(light, what.main.dome, what.main.map);
     const bool rides = light.space == LightSpace::Camera;
@@ -100,22 +126,24 @@ void draw_light(const WorldPen& pen, const OutsideScene& what, int index) {
         pen.list.AddCircle(p, radius, colour, 0, px(2));
     if (index == what.selected_light) pen.list.AddCircle(p, radius + px(4), packed(theme().accent), 0, px(2));
     const std::string label = light.name + (rides ? "  C" : "  W");
-    const OnScreen beside{at.pixel + glm::dvec2(8, 0), at.depth, true};
-    text_at(pen, unproject(pen.view.map, beside.pixel, beside.depth), label.c_str(), packed(ink));
+    pen.text({p.x + px(8), p.y}, label.c_str(), packed(ink));
 }
 
 }  // namespace
 
 void draw_outside(ImDrawList& list, const PictureView& view, const OutsideScene& what) {
-    const WorldPen pen{list, view};
+    const PictureSize size_px = view.map.size;
+    LabelRoom room({view.to_window({3, 2}), view.to_window({size_px.width - 3, size_px.height - 2})});
+    const LabelledPen pen{{list, view}, room};
+    const auto lights = std::min<std::size_t>(what.scene.lights.size(), 300);
+    for (std::size_t i = 0; i < lights; ++i) keep_light_free(pen, what, i);
     const std::size_t count = std::max<std::size_t>(what.scene.objects.size(), 1);
     for (std::size_t i = 0; i < std::min<std::size_t>(count, 300) && i < what.scene.objects.size(); ++i)
         draw_mesh(pen, what.scene.objects[i], most_lines / std::min<std::size_t>(count, 300));
     const double size = 0.22 * target_depth(what.scene.camera);
-    draw_axes(pen, glm::dmat4(1), size, {"X", "Y", "Z"});
+    for (std::size_t i = 0; i < lights; ++i) draw_light(pen, what, static_cast<int>(i));
     draw_camera(pen, what, size);
-    for (int i = 0; i < std::min(static_cast<int>(what.scene.lights.size()), 300); ++i)
-        draw_light(pen, what, i);
+    draw_axes(pen, glm::dmat4(1), size, {"X", "Y", "Z"});
 }
 
 }  // namespace glint

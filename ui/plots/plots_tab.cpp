@@ -32,7 +32,7 @@ void light_field(PlotsState& plots, const Scene& scene) {
 
 }  // namespace
 
-void plots_tab(UiState& state, const PictureView&) {
+void plots_tab(UiState& state, const PictureView& view) {
     const Scene& scene = state.editor.scene();
     PlotsState& plots = state.views.plots;
     if (scene.lights.empty()) return wrapped_dim("The curves are those of a light: add one (L).");
@@ -46,9 +46,11 @@ void plots_tab(UiState& state, const PictureView&) {
     if (subject.point.at != nullptr && subject.point.light == nullptr) small_dim("This light is off.");
     falloff_section(subject);
     spot_section(subject);
+    kinds_section(subject, view);
     highlight_section(plots, subject);
     intensities_section(subject);
     lobe_section(plots, subject);
+    brdf_section(plots, subject);
     microfacet_section(plots, subject);
 }
 

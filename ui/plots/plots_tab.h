@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "models/scene.h"
 #include "renderer/inspect/explanation.h"
@@ -16,9 +17,9 @@ struct UiState;
 struct PictureView;
 
 struct PlotsState {
-    int light = 0;                                // whose curves are shown: in Scene::lights
+    int light = 0;                                                // whose curves are shown: in Scene::lights
     MicrofacetOptions microfacets{.rays = 3000, .facets = 1000};  // of the profile
-    bool follow_pick = true;                      // its angles are those at the picked point
+    bool follow_pick = true;                                      // its angles are those at the picked point
     // Kept until what they are of changes:
     std::optional<std::pair<float, double>> blinn_like;  // Phong's shininess, Blinn's best
     std::optional<MicrofacetOptions> profile_of;
@@ -26,6 +27,8 @@ struct PlotsState {
     std::optional<Reflector> energy_of;
     double energy_deg = 0;
     glm::dvec3 energy{0}, albedo{0};
+    std::optional<Reflector> reciprocity_of;
+    double reciprocity = 0;
 };
 
 /// What is known of one light at the picked point, where a pixel is picked and the light is on.
@@ -51,6 +54,16 @@ struct LocalDirections {
     double view_deg = 0;   // between n and v, negative on the light's side
 };
 [[nodiscard]] LocalDirections local_directions(const PlotPoint& point);
+
+/// (degrees of v from n, luminance of f) in the plane of incidence, v on the mirror side positive.
+struct BrdfCurves {
+    std::vector<glm::dvec2> forwards, backwards;  // f(l, v); f(v, l), light and viewer exchanged
+};
+[[nodiscard]] BrdfCurves brdf_curves(const Reflector& reflector, double light_deg);
+
+/// `light` as another kind in the same place, a lamp aimed at the point; as it is where it is of this kind.
+[[nodiscard]] Light of_kind_at(const Light& light, LightKind kind, const ExplainedPoint& at,
+                               const PictureView& view);
 
 void plots_tab(UiState& state, const PictureView& view);
 

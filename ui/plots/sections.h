@@ -20,7 +20,9 @@ struct PlotSubject {
 void falloff_section(const PlotSubject& subject);
 void highlight_section(PlotsState& plots, const PlotSubject& subject);
 void spot_section(const PlotSubject& subject);
+void kinds_section(const PlotSubject& subject, const PictureView& view);
 void intensities_section(const PlotSubject& subject);
+void brdf_section(PlotsState& plots, const PlotSubject& subject);
 void lobe_section(PlotsState& plots, const PlotSubject& subject);
 void microfacet_section(PlotsState& plots, const PlotSubject& subject);
 

@@ -14,22 +14,31 @@ namespace {
 constexpr float line_reach = 6;  // units of the design within which a line is taken
 constexpr double apart = 0.02;   // of the width: lines never come nearer to one another
 
+/// Where a line lies in the window: its x, or stacked its y.
 float line_at(const CompareChoice& choice, int wipe, const PictureView& view) {
-    return view.to_window({first_column(choice, wipe + 1, view.map.size.width), 0}).x;
+    const int at = first_of(choice, wipe + 1, length_of(choice, view.map.size));
+    const ImVec2 place = view.to_window({at, at});
+    return choice.stacked ? place.y : place.x;
 }
 
-float picture_top(const PictureView& view) { return view.to_window({0, 0}).y; }
+/// The part of the window that a part of the comparison covers.
+Rect part_rect(const CompareChoice& choice, int part, const PictureView& view) {
+    const PictureSize size = view.map.size;
+    const int length = length_of(choice, size);
+    const int first = first_of(choice, part, length), end = first_of(choice, part + 1, length);
+    return choice.stacked ? Rect{view.to_window({0, first}), view.to_window({size.width, end})}
+                          : Rect{view.to_window({first, 0}), view.to_window({end, size.height})};
+}
 
 /// Where a part's label lies: at the top of its part, in its middle.
 Rect label_rect(const CompareChoice& choice, int part, const PictureView& view) {
-    const int width = view.map.size.width;
-    const float left = view.to_window({first_column(choice, part, width), 0}).x;
-    const float right = view.to_window({first_column(choice, part + 1, width), 0}).x;
+    const Rect room = part_rect(choice, part, view);
+    const float left = room.low.x, right = room.high.x;
     const ImVec2 text =
         fonts().small->CalcTextSizeA(fonts().small->FontSize * ImGui::GetIO().FontGlobalScale, 1e9f, 0,
                                      label_of(choice.parts[static_cast<std::size_t>(part)]).c_str());
     const ImVec2 half{std::min(text.x / 2 + px(8), (right - left) / 2), text.y / 2 + px(4)};
-    const ImVec2 middle{(left + right) / 2, picture_top(view) + px(8) + half.y};
+    const ImVec2 middle{(left + right) / 2, room.low.y + px(8) + half.y};
     return {{middle.x - half.x, middle.y - half.y}, {middle.x + half.x, middle.y + half.y}};
 }
 
@@ -45,7 +54,9 @@ void find_under(CompareState& state, const PictureView& view) {
         if (holds(label_rect(state.choice, i, view), mouse)) state.label_under = i;
     if (state.label_under >= 0 || state.choice.difference) return;
     for (int i = 0; i < static_cast<int>(state.choice.wipes.size()); ++i)
-        if (std::abs(mouse.x - line_at(state.choice, i, view)) <= px(line_reach)) state.under = i;
+        if (std::abs((state.choice.stacked ? mouse.y : mouse.x) - line_at(state.choice, i, view)) <=
+            px(line_reach))
+            state.under = i;
 }
 
 void drag(CompareState& state, const PictureView& view) {
@@ -53,22 +64,30 @@ void drag(CompareState& state, const PictureView& view) {
     const auto i = static_cast<std::size_t>(state.dragged);
     const double low = i == 0 ? 0 : wipes[i - 1] + apart;
     const double high = i + 1 == wipes.size() ? 1 : wipes[i + 1] - apart;
-    const double share = view.to_pixel(ImGui::GetIO().MousePos).x / view.map.size.width;
+    const glm::dvec2 at = view.to_pixel(ImGui::GetIO().MousePos);
+    const double share = (state.choice.stacked ? at.y : at.x) / length_of(state.choice, view.map.size);
     wipes[i] = std::clamp(share, std::min(low, high), std::max(low, high));
 }
 
 void draw_wipe(ImDrawList& list, const CompareState& state, int wipe, const PictureView& view) {
-    const float x = line_at(state.choice, wipe, view), top = picture_top(view);
-    const float bottom = view.to_window({0, view.map.size.height}).y, middle = (top + bottom) / 2;
+    const bool stacked = state.choice.stacked;
+    const Rect before = part_rect(state.choice, wipe, view);
+    const ImVec2 end = before.high,
+                 start = stacked ? ImVec2(before.low.x, end.y) : ImVec2(end.x, before.low.y);
+    const ImVec2 middle{(start.x + end.x) / 2, (start.y + end.y) / 2};
     const bool lit = state.under == wipe || state.dragged == wipe;
-    list.AddLine({x, top}, {x, bottom}, packed({0, 0, 0, 1}, 0.6f), px(3));
-    list.AddLine({x, top}, {x, bottom}, packed({1, 1, 1, 1}), px(lit ? 1.8f : 1));
-    list.AddCircleFilled({x, middle}, px(lit ? 10 : 8), packed({0, 0, 0, 1}, 0.6f));
-    list.AddCircleFilled({x, middle}, px(lit ? 8.5f : 6.5f), packed({1, 1, 1, 1}));
+    list.AddLine(start, end, packed({0, 0, 0, 1}, 0.6f), px(3));
+    list.AddLine(start, end, packed({1, 1, 1, 1}), px(lit ? 1.8f : 1));
+    list.AddCircleFilled(middle, px(lit ? 10 : 8), packed({0, 0, 0, 1}, 0.6f));
+    list.AddCircleFilled(middle, px(lit ? 8.5f : 6.5f), packed({1, 1, 1, 1}));
     const ImU32 ink = packed({0.2f, 0.2f, 0.2f, 1});
+    // `along` the way the line can go, `across` it.
+    const auto at = [&](float along, float across) {
+        return stacked ? ImVec2(middle.x + px(across), middle.y + px(along))
+                       : ImVec2(middle.x + px(along), middle.y + px(across));
+    };
     for (const float side : {-1.0f, 1.0f})
-        list.AddTriangleFilled({x + side * px(5), middle}, {x + side * px(1.5f), middle - px(3.5f)},
-                               {x + side * px(1.5f), middle + px(3.5f)}, ink);
+        list.AddTriangleFilled(at(side * 5, 0), at(side * 1.5f, -3.5f), at(side * 1.5f, 3.5f), ink);
 }
 
 void draw_label(ImDrawList& list, const CompareState& state, int part, const PictureView& view) {
@@ -118,7 +137,8 @@ bool compare_hand(CompareState& state, const PictureView& view) {
         drag(state, view);
         if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.dragged = -1;
     }
-    if (state.under >= 0 || state.dragged >= 0) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (state.under >= 0 || state.dragged >= 0)
+        ImGui::SetMouseCursor(state.choice.stacked ? ImGuiMouseCursor_ResizeNS : ImGuiMouseCursor_ResizeEW);
     if (state.label_under >= 0) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     return state.dragged >= 0 || state.under >= 0 || state.label_under >= 0;
 }

@@ -43,6 +43,15 @@ void presets_popup(CompareChoice& choice) {
     ImGui::EndPopup();
 }
 
+/// Whether the parts lie side by side; of no use to a difference.
+void stacked_button(CompareChoice& choice) {
+    if (ImGui::SmallButton(choice.stacked ? "Stacked###stacked" : "Side by side###stacked"))
+        choice.stacked = !choice.stacked;
+    tooltip(choice.stacked ? "Stacked" : "Side by side",
+            "Whether the parts follow from top to bottom or from left to right");
+    ImGui::SameLine(0, px(4));
+}
+
 void difference_controls(CompareState& state) {
     CompareChoice& choice = state.choice;
     if (ImGui::SmallButton(fmt::format("×{}###gain", choice.gain).c_str()))
@@ -67,6 +76,7 @@ void compare_controls(CompareState& state) {
     CompareChoice& choice = state.choice;
     if (!choice.on) return;
     presets_popup(choice);
+    if (!choice.difference) stacked_button(choice);
     ImGui::PushStyleColor(ImGuiCol_Button, choice.difference ? theme().accent : theme().field);
     ImGui::PushStyleColor(ImGuiCol_Text, choice.difference ? theme().accent_text : theme().text);
     if (ImGui::SmallButton("Difference")) choice.difference = !choice.difference;

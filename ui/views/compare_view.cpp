@@ -8,12 +8,12 @@
 namespace glint {
 namespace {
 
-/// Rows of `from` between two columns into the same place of `to`.
-void copy_columns(const Picture& from, Picture& to, int first, int end) {
-    if (end <= first) return;
-    const auto count = static_cast<std::ptrdiff_t>(end - first);
-    for (int y = 0; y < to.size.height; ++y) {
-        const auto at = static_cast<std::ptrdiff_t>(to.pixel(first, y));
+/// The pixels from `low` to before `high` of one picture into the same place of another.
+void copy_pixels(const Picture& from, Picture& to, glm::ivec2 low, glm::ivec2 high) {
+    if (high.x <= low.x) return;
+    const auto count = static_cast<std::ptrdiff_t>(high.x - low.x);
+    for (int y = low.y; y < high.y; ++y) {
+        const auto at = static_cast<std::ptrdiff_t>(to.pixel(low.x, y));
         std::copy_n(from.rgba.begin() + 4 * at, 4 * count, to.rgba.begin() + 4 * at);
         if (!to.linear.empty())
             std::copy_n(from.linear.begin() + 3 * at, 3 * count, to.linear.begin() + 3 * at);
@@ -26,6 +26,7 @@ void draw_parts(CompareState& state, const DrawnScene& drawn) {
     state.renderers.resize(choice.parts.size());
     state.pictures.assign(choice.parts.size(), &drawn.picture);
     state.drawn_by.assign(choice.parts.size(), &drawn.renderer);
+    state.ms = 0;
     for (std::size_t i = 0; i < choice.parts.size(); ++i) {
         const Scene scene = scene_under(choice.parts[i], drawn.scene, choice.stored);
         if (scene == drawn.scene) continue;
@@ -33,6 +34,7 @@ void draw_parts(CompareState& state, const DrawnScene& drawn) {
         state.pictures[i] =
             &state.renderers[i]->render(scene, drawn.picture.size, !drawn.picture.linear.empty());
         state.drawn_by[i] = state.renderers[i].get();
+        state.ms += state.renderers[i]->stats().total_ms;
     }
 }
 
@@ -45,16 +47,20 @@ void compose_difference(CompareState& state) {
 
 }  // namespace
 
-int first_column(const CompareChoice& choice, int part, int width) {
-    if (part <= 0) return 0;
-    if (part >= static_cast<int>(choice.parts.size())) return width;
-    const double share = choice.wipes[static_cast<std::size_t>(part - 1)];
-    return std::clamp(static_cast<int>(std::lround(share * width)), 0, width);
+int length_of(const CompareChoice& choice, PictureSize size) {
+    return choice.stacked ? size.height : size.width;
 }
 
-int part_at(const CompareChoice& choice, int x, int width) {
+int first_of(const CompareChoice& choice, int part, int length) {
+    if (part <= 0) return 0;
+    if (part >= static_cast<int>(choice.parts.size())) return length;
+    const double share = choice.wipes[static_cast<std::size_t>(part - 1)];
+    return std::clamp(static_cast<int>(std::lround(share * length)), 0, length);
+}
+
+int part_at(const CompareChoice& choice, int along, int length) {
     int part = 0;
-    while (part + 1 < static_cast<int>(choice.parts.size()) && first_column(choice, part + 1, width) <= x)
+    while (part + 1 < static_cast<int>(choice.parts.size()) && first_of(choice, part + 1, length) <= along)
         ++part;
     return part;
 }
@@ -69,16 +75,22 @@ const Picture& compose(CompareState& state, const DrawnScene& drawn) {
     state.picture.size = size;
     state.picture.rgba.resize(drawn.picture.rgba.size());
     state.picture.linear.resize(drawn.picture.linear.size());
-    for (int part = 0; part < static_cast<int>(state.pictures.size()); ++part)
-        copy_columns(*state.pictures[static_cast<std::size_t>(part)], state.picture,
-                     first_column(state.choice, part, size.width),
-                     first_column(state.choice, part + 1, size.width));
+    const bool stacked = state.choice.stacked;
+    const int length = length_of(state.choice, size);
+    for (int part = 0; part < static_cast<int>(state.pictures.size()); ++part) {
+        const int first = first_of(state.choice, part, length),
+                  end = first_of(state.choice, part + 1, length);
+        copy_pixels(*state.pictures[static_cast<std::size_t>(part)], state.picture,
+                    stacked ? glm::ivec2(0, first) : glm::ivec2(first, 0),
+                    stacked ? glm::ivec2(size.width, end) : glm::ivec2(end, size.height));
+    }
     return state.picture;
 }
 
-const Renderer* part_renderer(const CompareState& state, int x, PictureSize size) {
+const Renderer* part_renderer(const CompareState& state, glm::ivec2 pixel, PictureSize size) {
     if (!state.choice.on || state.choice.difference || state.picture.size != size) return nullptr;
-    const auto part = static_cast<std::size_t>(part_at(state.choice, x, size.width));
+    const auto part = static_cast<std::size_t>(
+        part_at(state.choice, state.choice.stacked ? pixel.y : pixel.x, length_of(state.choice, size)));
     return part < state.drawn_by.size() ? state.drawn_by[part] : nullptr;
 }
 

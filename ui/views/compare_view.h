@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,11 +21,12 @@ struct CompareChoice {
     bool on = false;
     std::vector<Setting> parts{setting_of(ShadingMode::Flat), setting_of(ShadingMode::Gouraud),
                                setting_of(ShadingMode::Phong)};  // 2 or 3, from left to right
-    std::vector<double> wipes{1.0 / 3, 2.0 / 3};  // #parts - 1, rising: shares of the picture's width
-    bool difference = false;                      // of the first and the last part, in place of all parts
-    int gain = 1;                                 // of the difference: 1, 2, 4 ... 64
-    std::optional<Scene> stored;                  // "B"
-    bool shows_stored = false;                    // B alone in place of the picture
+    std::vector<double> wipes{1.0 / 3, 2.0 / 3};  // #parts - 1, rising: shares of the picture's length
+    bool stacked = false;         // parts from top to bottom under level lines, the length being the height
+    bool difference = false;      // of the first and the last part, in place of all parts
+    int gain = 1;                 // of the difference: 1, 2, 4 ... 64
+    std::optional<Scene> stored;  // "B"
+    bool shows_stored = false;    // B alone in place of the picture
     bool operator==(const CompareChoice&) const = default;
 };
 inline constexpr int most_gain = 64;
@@ -38,6 +40,11 @@ struct CompareState {
     std::vector<const Renderer*> drawn_by;
     Picture picture;     // the composed one
     Comparison numbers;  // of the difference
+    double ms = 0;       // that the parts took in the last composing
+    // The key that shows B or takes it away, while it may still be down:
+    bool b_turned = false;
+    double b_since = 0;  // ImGui's time
+    int b_frames = 0;    // in which it was down
 };
 
 /// What the parts are drawn from: the picture on the screen and what drew it.
@@ -48,17 +55,19 @@ struct DrawnScene {
     int threads = 0;
 };
 
-/// First column of part `part`; of the one past the last: the width.
-[[nodiscard]] int first_column(const CompareChoice& choice, int part, int width);
-/// The part that column x shows.
-[[nodiscard]] int part_at(const CompareChoice& choice, int x, int width);
+/// The picture's side along which the parts follow one another.
+[[nodiscard]] int length_of(const CompareChoice& choice, PictureSize size);
+/// First column (stacked: row) of part `part`; of the one past the last: the length.
+[[nodiscard]] int first_of(const CompareChoice& choice, int part, int length);
+/// The part that this column (stacked: row) shows.
+[[nodiscard]] int part_at(const CompareChoice& choice, int along, int length);
 
-/// Draws every part and composes them: each column is that of its part's full picture. With a difference,
+/// Draws every part and composes them: each pixel is that of its part's full picture. With a difference,
 /// that of the first and the last part, and `numbers`. Linear colours are composed where `drawn` has them.
 const Picture& compose(CompareState& state, const DrawnScene& drawn);
 
 /// What drew pixel (x, y) of the composed picture; null when that is the drawn scene's renderer, or nothing.
-[[nodiscard]] const Renderer* part_renderer(const CompareState& state, int x, PictureSize size);
+[[nodiscard]] const Renderer* part_renderer(const CompareState& state, glm::ivec2 pixel, PictureSize size);
 
 /// Sets how many parts there are, their lines spread evenly.
 void set_parts(CompareChoice& choice, std::vector<Setting> parts);

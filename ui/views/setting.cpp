@@ -27,6 +27,29 @@ std::vector<Setting> all_settings() {
     return all;
 }
 
+std::string word_of(Setting setting) {
+    const auto index = static_cast<std::size_t>(setting.index);
+    switch (setting.kind) {
+    case Setting::Kind::Edited:
+        return "edited";
+    case Setting::Kind::Mode:
+        return std::string("mode ") + mode_choices[index].word;
+    case Setting::Kind::Reflection:
+        return std::string("reflection ") + reflection_choices[index].word;
+    case Setting::Kind::Interpolation:
+        return std::string("interpolation ") + interpolation_choices[index].word;
+    case Setting::Kind::Stored:
+        return "stored";
+    }
+    return {};  // not reached
+}
+
+std::optional<Setting> setting_named(const std::string& word) {
+    for (const Setting& setting : all_settings())
+        if (word_of(setting) == word) return setting;
+    return {};
+}
+
 std::string label_of(Setting setting) {
     const auto index = static_cast<std::size_t>(setting.index);
     switch (setting.kind) {

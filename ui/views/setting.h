@@ -23,6 +23,11 @@ struct Setting {
 /// All there are, in the order of lists. Stored is among them whether or not there is a stored scene.
 [[nodiscard]] std::vector<Setting> all_settings();
 
+/// "mode gouraud", "edited", "stored": for a file.
+[[nodiscard]] std::string word_of(Setting setting);
+/// The inverse; nothing for other words.
+[[nodiscard]] std::optional<Setting> setting_named(const std::string& word);
+
 /// "Gouraud", "As edited", "B".
 [[nodiscard]] std::string label_of(Setting setting);
 

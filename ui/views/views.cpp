@@ -50,7 +50,8 @@ void update_shown(UiState& state) {
 /// The picked pixel is explained by what drew the part in which it lies.
 void ask_part(UiState& state) {
     if (!state.why || !(state.drawn == state.editor.scene())) return;
-    const Renderer* renderer = part_renderer(state.views.compare, state.why->x, state.shown->size);
+    const Renderer* renderer =
+        part_renderer(state.views.compare, {state.why->x, state.why->y}, state.shown->size);
     if (renderer != nullptr && renderer != state.renderer.get())
         state.why = renderer->explain(state.why->x, state.why->y);
 }
@@ -177,6 +178,9 @@ void run_views_action(UiState& state, Action action) {
         return store_b(state);
     case Action::ShowB:
         choice.shows_stored = !choice.shows_stored;
+        state.views.compare.b_turned = true;
+        state.views.compare.b_since = ImGui::GetTime();
+        state.views.compare.b_frames = 0;
         return;
     default:
         return;
@@ -208,6 +212,20 @@ std::optional<bool> views_is_on(const UiState& state, Action action) {
     default:
         return {};
     }
+}
+
+void follow_b_key(UiState& state, bool held) {
+    constexpr double long_press = 0.4;  // seconds
+    constexpr int enough_frames = 2;    // one slow frame makes no long press
+    CompareState& compare = state.views.compare;
+    if (!compare.b_turned) return;
+    if (held) {
+        ++compare.b_frames;
+        return;
+    }
+    compare.b_turned = false;
+    if (compare.b_frames > enough_frames && ImGui::GetTime() - compare.b_since > long_press)
+        compare.choice.shows_stored = !compare.choice.shows_stored;
 }
 
 bool leave_view_tool(ViewsState& views) {

@@ -42,6 +42,9 @@ void run_views_action(UiState& state, Action action);
 [[nodiscard]] std::string views_why_not(const UiState& state, Action action);
 [[nodiscard]] std::optional<bool> views_is_on(const UiState& state, Action action);
 
+/// B pressed stays, B held goes back when it is let go of. Once a frame, after the keys' actions.
+void follow_b_key(UiState& state, bool held);
+
 /// Escape: puts the tool in hand away. False when there is none.
 bool leave_view_tool(ViewsState& views);
 

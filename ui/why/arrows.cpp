@@ -15,7 +15,17 @@ constexpr float rim_width = 2.4f;  // units of the design, more than the line
 
 const ImVec4 rim{0, 0, 0, 1};
 
+constexpr float label_reach = 30;  // units of the design that a word may be pushed away
+
 float length_of(ImVec2 v) { return std::sqrt(v.x * v.x + v.y * v.y); }
+
+/// The letter with its middle at `centre`, or near it where something is written there.
+void letter_at(ImDrawList& list, ImVec2 centre, const ArrowLook& look) {
+    if (*look.letter == 0) return;
+    if (look.room != nullptr)
+        centre = look.room->place_anyhow(centre, ImGui::CalcTextSize(look.letter), px(label_reach));
+    rimmed_text(list, centre, look.colour, look.letter);
+}
 
 /// An arrow that points along the line of sight.
 void draw_end_on(ImDrawList& list, ImVec2 at, const ArrowLook& look) {
@@ -23,16 +33,16 @@ void draw_end_on(ImDrawList& list, ImVec2 at, const ArrowLook& look) {
     list.AddCircle(at, radius, packed(rim, 0.6f), 0, px(look.width + rim_width));
     list.AddCircle(at, radius, packed(look.colour), 0, px(look.width));
     list.AddCircleFilled(at, px(2), packed(look.colour));
-    rimmed_text(list, {at.x + px(14), at.y + px(10)}, look.colour, look.letter);
+    letter_at(list, {at.x + px(14), at.y + px(10)}, look);
 }
 
 }  // namespace
 
-ImVec2 WorldPen::at(glm::dvec3 offset) const {
+ImVec2 PointPen::at(glm::dvec3 offset) const {
     return view.to_window(project(view.map, origin + reach * offset).pixel);
 }
 
-WorldPen pen_at(ImDrawList& list, const PictureView& view, glm::dvec3 origin, float length) {
+PointPen pen_at(ImDrawList& list, const PictureView& view, glm::dvec3 origin, float length) {
     const OnScreen seen = project(view.map, origin);
     const glm::dvec3 beside = unproject(view.map, seen.pixel + glm::dvec2(1, 0), seen.depth);
     const double scene_units_per_pixel = glm::distance(origin, beside);
@@ -61,14 +71,14 @@ void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look)
     list.AddTriangle(to, left, right, packed(rim, 0.6f), px(rim_width));
     list.AddLine(from, neck, packed(look.colour), px(look.width));
     list.AddTriangleFilled(to, left, right, packed(look.colour));
-    rimmed_text(list, {to.x + along.x * px(11), to.y + along.y * px(11)}, look.colour, look.letter);
+    letter_at(list, {to.x + along.x * px(11), to.y + along.y * px(11)}, look);
 }
 
-ImVec2 draw_arc(const WorldPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, const ImVec4& colour,
-                ImVec2 taken) {
+void draw_arc(const PointPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, const ImVec4& colour,
+              LabelRoom& room) {
     const double angle = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
     const glm::dvec3 side = b - a * glm::dot(a, b);
-    if (angle < 0.01 || glm::length(side) < 1e-6) return nowhere;
+    if (angle < 0.01 || glm::length(side) < 1e-6) return;
     const glm::dvec3 to_side = glm::normalize(side);
     const auto direction = [&](double t) { return std::cos(t) * a + std::sin(t) * to_side; };
     constexpr int steps = 24;
@@ -80,15 +90,14 @@ ImVec2 draw_arc(const WorldPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, 
     draw(rim, 0.6f, 1.4f + rim_width);
     draw(colour, 1, 1.4f);
     const ImVec2 first = points.front(), last = points.back();
-    if (length_of({last.x - first.x, last.y - first.y}) < px(16))
-        return nowhere;  // nearly end-on: no room for words
+    if (length_of({last.x - first.x, last.y - first.y}) < px(16)) return;  // nearly end-on: no room for words
     const ImVec2 middle = points[steps / 2], foot = pen.at(glm::dvec3(0));
     const float out = std::max(length_of({middle.x - foot.x, middle.y - foot.y}), 1.0f);
     const ImVec2 spot{middle.x + (middle.x - foot.x) / out * px(13),
                       middle.y + (middle.y - foot.y) / out * px(13)};
-    if (length_of({spot.x - taken.x, spot.y - taken.y}) < px(22)) return nowhere;
-    rimmed_text(pen.list, spot, colour, fmt::format("{:.0f}°", angle * 180 / std::numbers::pi));
-    return spot;
+    const std::string degrees = fmt::format("{:.0f}°", angle * 180 / std::numbers::pi);
+    if (const auto free = room.place(spot, ImGui::CalcTextSize(degrees.c_str()), px(label_reach)))
+        rimmed_text(pen.list, *free, colour, degrees);
 }
 
 }  // namespace glint

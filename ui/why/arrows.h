@@ -7,12 +7,13 @@
 #include <string>
 
 #include "ui/gizmo.h"
+#include "ui/label_room.h"
 #include "ui/theme.h"
 
 namespace glint {
 
 /// Where things are drawn that live in the world at one point.
-struct WorldPen {
+struct PointPen {
     ImDrawList& list;
     const PictureView& view;
     glm::dvec3 origin{0};  // world
@@ -23,23 +24,21 @@ struct WorldPen {
 };
 
 /// A pen at `origin` whose unit vectors are `length` units of the design long when seen from the side.
-[[nodiscard]] WorldPen pen_at(ImDrawList& list, const PictureView& view, glm::dvec3 origin, float length);
+[[nodiscard]] PointPen pen_at(ImDrawList& list, const PictureView& view, glm::dvec3 origin, float length);
 
 struct ArrowLook {
     ImVec4 colour;
     float width = 2;  // units of the design
     const char* letter = "";
+    LabelRoom* room = nullptr;  // where the letter must not cover others; null: it stands where it is drawn
 };
 /// From `from` to `to` with its letter at the tip; where the arrow points at us or away, a circle with a dot.
 void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look);
 
-inline const ImVec2 nowhere{-1e6f, -1e6f};
-
 /// The arc from direction a to b (unit) with its degrees, at `radius` of the pen's reach. The degrees are
-/// left out where there is no room, and where they would cover what is written at `taken`. Where they stand,
-/// or nowhere.
-ImVec2 draw_arc(const WorldPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, const ImVec4& colour,
-                ImVec2 taken = nowhere);
+/// pushed away from what else is written, and left out where there is no room.
+void draw_arc(const PointPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, const ImVec4& colour,
+              LabelRoom& room);
 
 /// Text with a dark rim, its middle at `centre`.
 void rimmed_text(ImDrawList& list, ImVec2 centre, const ImVec4& colour, const std::string& text);

@@ -41,7 +41,7 @@ void draw_facet(ImDrawList& list, const UiState& state, const PictureView& view)
     const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(world)));
     const glm::dvec3 n = normal_matrix * glm::dvec3(facet->newell);
     if (glm::length(n) == 0) return;
-    const WorldPen pen = pen_at(list, view, middle, 70);
+    const PointPen pen = pen_at(list, view, middle, 70);
     draw_arrow(list, pen.at(glm::dvec3(0)), pen.at(glm::normalize(n)),
                {dark_theme()[Symbol::N], 2.5f, "a×b"});
 }

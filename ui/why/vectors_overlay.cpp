@@ -25,48 +25,45 @@ class PointDrawing {
 
     void draw() {
         const ExplainedLight* light = asked_light(state_, point_);
-        if (light == nullptr) {
-            arrow(Symbol::N, point_.normal);
-            return;
-        }
-        if (!light->samples.empty())
-            fan(*light);
-        else if (state_.why_column.mirror_step > 0)
-            mirror(*light);
-        else
-            one_light(*light);
-        arrow(Symbol::V, point_.view);
+        const bool alone = light != nullptr && light->samples.empty() && state_.why_column.mirror_step == 0;
+        // The letters first: degrees give way to them.
+        if (light != nullptr && !light->samples.empty()) fan(*light);
+        if (light != nullptr && light->samples.empty() && !alone) mirror(*light);
+        if (alone) arrows_of(*light);
+        if (light != nullptr) arrow(Symbol::V, point_.view);
         arrow(Symbol::N, point_.normal);
+        if (alone) arcs_of(*light);
     }
 
   private:
     void arrow(Symbol symbol, const InBothFrames& v) {
         const bool thick = state_.why_column.pointed_vector == symbol;
         draw_arrow(pen_.list, pen_.at(glm::dvec3(0)), pen_.at(glm::dvec3(v.world)),
-                   {theme_colour(symbol), thick ? 4.5f : 2, letter_of(symbol)});
+                   {theme_colour(symbol), thick ? 4.5f : 2, letter_of(symbol), &room_});
     }
     /// Bright on any picture, whatever the theme.
     static ImVec4 theme_colour(Symbol symbol) { return dark_theme()[symbol]; }
 
     void arc(const InBothFrames& a, const InBothFrames& b, double radius, Symbol symbol) {
-        const ImVec2 spot =
-            draw_arc(pen_, glm::dvec3(a.world), glm::dvec3(b.world), radius, theme_colour(symbol), words_at_);
-        if (spot.x > nowhere.x) words_at_ = spot;
+        draw_arc(pen_, glm::dvec3(a.world), glm::dvec3(b.world), radius, theme_colour(symbol), room_);
     }
-    void one_light(const ExplainedLight& light) {
+    [[nodiscard]] bool has_r() const { return state_.why->reflection == Reflection::Phong; }
+    [[nodiscard]] bool has_h() const {
         const Reflection model = state_.why->reflection;
+        return model == Reflection::BlinnPhong || model == Reflection::CookTorrance;
+    }
+    void arrows_of(const ExplainedLight& light) {
+        if (has_r()) arrow(Symbol::R, light.r);
+        if (has_h()) arrow(Symbol::H, light.h);
+        arrow(Symbol::L, light.l);
+    }
+    void arcs_of(const ExplainedLight& light) {
         const InBothFrames& n = point_.normal;
         arc(n, light.l, 0.45, Symbol::L);
-        if (model == Reflection::Phong) {
-            arc(n, light.r, 0.45, Symbol::R);
-            if (state_.why_column.pointed_vector == Symbol::R) arc(light.r, point_.view, 0.7, Symbol::V);
-            arrow(Symbol::R, light.r);
-        }
-        if (model == Reflection::BlinnPhong || model == Reflection::CookTorrance) {
-            arc(n, light.h, 0.7, Symbol::H);
-            arrow(Symbol::H, light.h);
-        }
-        arrow(Symbol::L, light.l);
+        if (has_r()) arc(n, light.r, 0.45, Symbol::R);
+        if (has_r() && state_.why_column.pointed_vector == Symbol::R)
+            arc(light.r, point_.view, 0.7, Symbol::V);
+        if (has_h()) arc(n, light.h, 0.7, Symbol::H);
     }
     /// Each sample of an area light has an l of its own.
     void fan(const ExplainedLight& light) {
@@ -81,7 +78,7 @@ class PointDrawing {
         const MirrorSteps steps = mirror_steps(n, l);
         const auto draw = [&](glm::vec3 from, glm::vec3 to, ImVec4 colour, const char* letter, float width) {
             draw_arrow(pen_.list, pen_.at(glm::dvec3(from)), pen_.at(glm::dvec3(to)),
-                       {colour, width, letter});
+                       {colour, width, letter, &room_});
         };
         draw({}, l, theme_colour(Symbol::L), "L", 2);
         draw({}, n, theme_colour(Symbol::N), "N", 2);
@@ -95,8 +92,8 @@ class PointDrawing {
 
     const UiState& state_;
     const ExplainedPoint& point_;
-    WorldPen pen_;
-    ImVec2 words_at_ = nowhere;  // the degrees written last
+    PointPen pen_;
+    LabelRoom room_;
 };
 
 /// The corners that the pixel is mixed from, each in its colour, with its weight.

@@ -1,0 +1,123 @@
+// What matters to which kind of light: a table, worked live at the picked point.
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "renderer/inspect/light_needs.h"
+#include "ui/choices.h"
+#include "ui/fonts.h"
+#include "ui/gizmo.h"
+#include "ui/hands/drag_math.h"
+#include "ui/plots/sections.h"
+#include "ui/theme.h"
+#include "ui/why/parts.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+struct Column {
+    const char* title;
+    float Moved::*moved;
+    const char* what;
+};
+constexpr std::array columns{
+    Column{"light", &Moved::light, "the light's place: surface and viewer go away from it by a tenth"},
+    Column{"viewer", &Moved::viewer, "the viewer's place: aside by a tenth of its distance"},
+    Column{"surface", &Moved::surface, "the surface's angle: turned by 1°"}};
+
+/// The letter of a term that moves, or a dash in its place.
+void letter(Symbol symbol, float moved) {
+    ImGui::PushStyleColor(ImGuiCol_Text, moved > 0 ? theme()[symbol] : theme().disabled_text);
+    ImGui::TextUnformatted(moved > 0 ? letter_of(symbol) : "–");
+    ImGui::PopStyleColor();
+}
+
+std::string moved_text(const char* term, float moved) {
+    return moved > 0 ? fmt::format("{} {:.2g}", term, moved) : fmt::format("{} stays, to the last bit", term);
+}
+
+/// The slide has it that the viewer does not matter to a sun; its highlight knows better.
+bool slide_fails(LightKind kind, const Column& column, const LightNeeds& needs) {
+    return kind == LightKind::Directional && column.moved == &Moved::viewer && needs.specular.viewer > 0;
+}
+
+void cell(LightKind kind, const Column& column, const LightNeeds& needs) {
+    ImGui::TableNextColumn();
+    ImGui::BeginGroup();
+    letter(Symbol::Diffuse, needs.diffuse.*column.moved);
+    ImGui::SameLine(0, px(6));
+    letter(Symbol::Specular, needs.specular.*column.moved);
+    const bool fails = slide_fails(kind, column, needs);
+    if (fails) {
+        ImGui::SameLine(0, px(4));
+        ImGui::TextUnformatted("*");
+    }
+    ImGui::EndGroup();
+    tooltip(column.title, column.what,
+            moved_text("diffuse", needs.diffuse.*column.moved) + "\n" +
+                moved_text("specular", needs.specular.*column.moved));
+}
+
+void figure_cell(float value) {
+    ImGui::TableNextColumn();
+    figures(fmt::format("{:.3f}", value));
+}
+
+void header() {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushFont(fonts().small);
+    for (const Column& column : columns) {
+        ImGui::TableNextColumn();
+        dim_text(column.title);
+    }
+    for (const char* factor : {"falloff", "cone"}) {
+        ImGui::TableNextColumn();
+        dim_text(factor);
+    }
+    ImGui::PopFont();
+}
+
+}  // namespace
+
+Light of_kind_at(const Light& light, LightKind kind, const ExplainedPoint& at, const PictureView& view) {
+    Light other = as_kind(light, kind, view.dome, view.map);
+    if (light.kind != kind && kind == LightKind::Spot) {
+        const glm::dvec3 way = glm::dvec3(at.point.world) - handle_of(other, view.dome, view.map);
+        other.spot.direction = glm::vec3(to_own(other, glm::normalize(way), 0, view.map));
+    }
+    return other;
+}
+
+void kinds_section(const PlotSubject& subject, const PictureView& view) {
+    section("What matters to which kind of light");
+    if (subject.point.at == nullptr || subject.point.material == nullptr)
+        return small_dim(
+            "Pick a pixel: what happens to its terms when the light, the viewer, the surface move.");
+    const Light& light = subject.scene.lights[static_cast<std::size_t>(subject.light)];
+    if (!ImGui::BeginTable("##kinds", 6, ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_SizingStretchProp))
+        return;
+    header();
+    for (const auto& choice : light_kind_choices) {
+        const LightNeeds needs = light_needs(
+            subject.scene, view.map.size, of_kind_at(light, choice.value, *subject.point.at, view),
+            *subject.point.material, subject.point.at->point.camera, subject.point.at->normal.camera);
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::PushStyleColor(ImGuiCol_Text, choice.value == light.kind ? theme().text : theme().dim_text);
+        ImGui::TextUnformatted(choice.label);
+        ImGui::PopStyleColor();
+        for (const Column& column : columns) cell(choice.value, column, needs);
+        figure_cell(needs.falloff);
+        figure_cell(needs.spot);
+    }
+    ImGui::EndTable();
+    small_dim(
+        "d diffuse, s specular: it moves; – it stays. The light as every kind, white, where it stands, "
+        "a lamp aimed at the point. * The slide says no: it means the diffuse term.");
+}
+
+}  // namespace glint
