@@ -57,7 +57,7 @@ shot() { # NAME WxH SCENE: what is on standard input is done first
     sleep 1.5
     eval "$steps"
     sleep 0.8
-    import -window root "$out/window-$name.png"
+    import -window root -strip -define png:compression-level=9 "$out/window-$name.png"
     stop
     echo "window-$name.png"
 }

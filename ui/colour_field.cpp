@@ -20,8 +20,12 @@ constexpr ImGuiColorEditFlags as_numbers = ImGuiColorEditFlags_Float | ImGuiColo
 constexpr std::size_t presets_a_row = 10;
 
 bool swatch(const char* id, glm::vec3 colour, float side) {
-    return ImGui::ColorButton(id, {colour.x, colour.y, colour.z, 1},
-                              as_numbers | ImGuiColorEditFlags_NoTooltip, {side, side});
+    const bool pressed = ImGui::ColorButton(id, {colour.x, colour.y, colour.z, 1},
+                                            as_numbers | ImGuiColorEditFlags_NoTooltip, {side, side});
+    // A white one on a light panel, a black one on a dark panel.
+    ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                        packed(theme().dim_text, 0.6f), ImGui::GetStyle().FrameRounding);
+    return pressed;
 }
 
 /// A swatch that was dragged here from another field gives its colour.

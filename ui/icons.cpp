@@ -178,7 +178,7 @@ ImVec4 colour_of(const Light& light) {
 }
 
 ImVec4 legible(ImVec4 colour) {
-    constexpr double enough = 1.8;  // an icon is larger than text
+    constexpr double enough = 3;  // of a sign, which is larger than text. Source: WCAG 2.1, 1.4.11
     while (!theme().dark && contrast(colour, theme().panel) < enough)
         colour = {0.93f * colour.x, 0.93f * colour.y, 0.93f * colour.z, colour.w};
     return colour;

@@ -32,8 +32,9 @@ std::string redone_stages(const FrameStats& stats) {
 std::string stats_text(const UiState& state, bool roomy) {
     const FrameStats& stats = state.renderer->stats();
     std::string text =
-        fmt::format("{} triangles  ·  {} lights  ·  {:5.1f} ms", with_thousands(stats.triangles),
-                    state.drawn.lights.size(), stats.total_ms);
+        fmt::format("{} triangles  ·  {} {}  ·  {:5.1f} ms", with_thousands(stats.triangles),
+                    state.drawn.lights.size(), state.drawn.lights.size() == 1 ? "light" : "lights",
+                    stats.total_ms);
     if (roomy)
         text += fmt::format(" ({})  ·  {} × {}", redone_stages(stats), stats.instruction_set, stats.threads);
     return text;

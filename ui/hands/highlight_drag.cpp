@@ -17,10 +17,11 @@ namespace {
 constexpr double enough_share = 0.5;  // of the peak: what may be taken hold of
 constexpr double enough_light = 0.05;
 constexpr int patch_radius = 3;  // pixels
-constexpr std::size_t most_lights = 256;
-// Where the surface hardly turns in one direction, the falloff's slope can leave no peak at all; it is
-// gentler from farther away. As little as needed, and not so far that the light is lost.
-constexpr double steps_back[] = {1, 1.25, 1.6, 2, 3, 4};
+// Where a hollow surface brings the light's own mirror image near, its term hardly changes in one direction
+// and the falloff's slope leaves no peak at all: then the light stands a little nearer or farther, by as
+// little as needed.
+constexpr double other_distances[] = {1, 1.25, 0.8, 1.6,  0.63, 2,   0.5, 3,   0.33,
+                                      4, 0.25, 6,   0.16, 10,   0.1, 16,  0.06};
 
 glm::dvec3 in_world(const ScreenMap& map, glm::vec3 camera, double w) {
     return glm::dvec3(map.world_from_view * glm::dvec4(glm::dvec3(camera), w));
@@ -134,7 +135,7 @@ std::vector<glm::dvec3> first_directions(const HighlightDrag& drag, const Surfac
 std::optional<HoveredHighlight> highlight_under(const SurfaceView& view, glm::dvec2 pixel) {
     const Scene& scene = view.scene;
     const auto point = seen_at(view.renderer, view.map.size, pixel);
-    if (!point || !scene.shading.terms.specular || scene.lights.size() > most_lights) return {};
+    if (!point || !scene.shading.terms.specular) return {};
     const Material& material = scene.objects[static_cast<std::size_t>(point->object)].material;
     std::optional<HoveredHighlight> best;
     double brightest = enough_light;
@@ -188,13 +189,13 @@ std::optional<Light> dragged_highlight(const HighlightDrag& drag, const SurfaceV
     const glm::dvec3 place = in_world(view.map, patch->middle().place, 1),
                      away = in_world(view.map, mirror, 0);
     BestLight best;
-    for (const double back : steps_back) {
-        const PeakSearch search(drag, view, *patch, drag.nearer * back);
+    for (const double farther : other_distances) {
+        const PeakSearch search(drag, view, *patch, drag.nearer * farther);
         best.take(search, away);
-        for (const glm::dvec3 first : first_directions(drag, view, place, away, drag.nearer * back))
+        for (const glm::dvec3 first : first_directions(drag, view, place, away, drag.nearer * farther))
             for (int radius = patch_radius; radius > 0 && best.miss > 1; --radius)
                 best.take(search, search.level_from(first, radius));
-        if (best.miss <= 1) break;
+        if (best.miss <= 1 || drag.start.kind == LightKind::Directional) break;
     }
     return best.light;
 }

@@ -22,9 +22,10 @@ float length_of(ImVec2 v) { return std::sqrt(v.x * v.x + v.y * v.y); }
 /// The letter with its middle at `centre`, or near it where something is written there.
 void letter_at(ImDrawList& list, ImVec2 centre, const ArrowLook& look) {
     if (*look.letter == 0) return;
-    if (look.room != nullptr)
-        centre = look.room->place_anyhow(centre, ImGui::CalcTextSize(look.letter), px(label_reach));
-    rimmed_text(list, centre, look.colour, look.letter);
+    if (look.words != nullptr)
+        look.words->letter(centre, look.colour, look.letter);
+    else
+        rimmed_text(list, centre, look.colour, look.letter);
 }
 
 /// An arrow that points along the line of sight.
@@ -47,6 +48,20 @@ PointPen pen_at(ImDrawList& list, const PictureView& view, glm::dvec3 origin, fl
     const glm::dvec3 beside = unproject(view.map, seen.pixel + glm::dvec2(1, 0), seen.depth);
     const double scene_units_per_pixel = glm::distance(origin, beside);
     return {list, view, origin, double(px(length) / view.units_per_pixel) * scene_units_per_pixel};
+}
+
+void Words::letter(ImVec2 centre, const ImVec4& colour, const std::string& text) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    words_.push_back({room_.place_anyhow(centre, size, px(label_reach)), colour, text});
+}
+
+void Words::degrees(ImVec2 centre, const ImVec4& colour, const std::string& text) {
+    if (const auto free = room_.place(centre, ImGui::CalcTextSize(text.c_str()), px(label_reach)))
+        words_.push_back({*free, colour, text});
+}
+
+void Words::draw(ImDrawList& list) const {
+    for (const Word& word : words_) rimmed_text(list, word.centre, word.colour, word.text);
 }
 
 void rimmed_text(ImDrawList& list, ImVec2 centre, const ImVec4& colour, const std::string& text) {
@@ -75,7 +90,7 @@ void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look)
 }
 
 void draw_arc(const PointPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, const ImVec4& colour,
-              LabelRoom& room) {
+              Words& words) {
     const double angle = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
     const glm::dvec3 side = b - a * glm::dot(a, b);
     if (angle < 0.01 || glm::length(side) < 1e-6) return;
@@ -95,9 +110,7 @@ void draw_arc(const PointPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, co
     const float out = std::max(length_of({middle.x - foot.x, middle.y - foot.y}), 1.0f);
     const ImVec2 spot{middle.x + (middle.x - foot.x) / out * px(13),
                       middle.y + (middle.y - foot.y) / out * px(13)};
-    const std::string degrees = fmt::format("{:.0f}°", angle * 180 / std::numbers::pi);
-    if (const auto free = room.place(spot, ImGui::CalcTextSize(degrees.c_str()), px(label_reach)))
-        rimmed_text(pen.list, *free, colour, degrees);
+    words.degrees(spot, colour, fmt::format("{:.0f}°", angle * 180 / std::numbers::pi));
 }
 
 }  // namespace glint

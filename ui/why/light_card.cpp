@@ -23,7 +23,7 @@ namespace {
 void angle(TextLine& line, UiState& state, Symbol to, Symbol from, float cosine) {
     line.dot(from, to);
     const ImVec2 low{ImGui::GetItemRectMin().x - px(14), ImGui::GetItemRectMin().y};
-    line.number(fmt::format("{} {:5.1f}°", shown_number(cosine), angle_deg(cosine)), theme().text);
+    line.gap(4).number(fmt::format("{} {:5.1f}°", shown_number(cosine), angle_deg(cosine)), theme().text);
     const ImVec2 high = ImGui::GetItemRectMax();
     line.gap(8);
     if (is_pointed_at(low, high)) state.why_column.pointed_vector = to;

@@ -33,19 +33,20 @@ class PointDrawing {
         if (light != nullptr) arrow(Symbol::V, point_.view);
         arrow(Symbol::N, point_.normal);
         if (alone) arcs_of(*light);
+        words_.draw(pen_.list);
     }
 
   private:
     void arrow(Symbol symbol, const InBothFrames& v) {
         const bool thick = state_.why_column.pointed_vector == symbol;
         draw_arrow(pen_.list, pen_.at(glm::dvec3(0)), pen_.at(glm::dvec3(v.world)),
-                   {theme_colour(symbol), thick ? 4.5f : 2, letter_of(symbol), &room_});
+                   {theme_colour(symbol), thick ? 4.5f : 2, letter_of(symbol), &words_});
     }
     /// Bright on any picture, whatever the theme.
     static ImVec4 theme_colour(Symbol symbol) { return dark_theme()[symbol]; }
 
     void arc(const InBothFrames& a, const InBothFrames& b, double radius, Symbol symbol) {
-        draw_arc(pen_, glm::dvec3(a.world), glm::dvec3(b.world), radius, theme_colour(symbol), room_);
+        draw_arc(pen_, glm::dvec3(a.world), glm::dvec3(b.world), radius, theme_colour(symbol), words_);
     }
     [[nodiscard]] bool has_r() const { return state_.why->reflection == Reflection::Phong; }
     [[nodiscard]] bool has_h() const {
@@ -78,7 +79,7 @@ class PointDrawing {
         const MirrorSteps steps = mirror_steps(n, l);
         const auto draw = [&](glm::vec3 from, glm::vec3 to, ImVec4 colour, const char* letter, float width) {
             draw_arrow(pen_.list, pen_.at(glm::dvec3(from)), pen_.at(glm::dvec3(to)),
-                       {colour, width, letter, &room_});
+                       {colour, width, letter, &words_});
         };
         draw({}, l, theme_colour(Symbol::L), "L", 2);
         draw({}, n, theme_colour(Symbol::N), "N", 2);
@@ -93,7 +94,7 @@ class PointDrawing {
     const UiState& state_;
     const ExplainedPoint& point_;
     PointPen pen_;
-    LabelRoom room_;
+    Words words_;
 };
 
 /// The corners that the pixel is mixed from, each in its colour, with its weight.
