@@ -216,7 +216,7 @@ Explanation explain_stages(const ExplainedStages& stages, int x, int y) {
     e.material = stages.lighting.materials[face.object];
     e.face = t.face;
     e.triangle = static_cast<std::uint32_t>(&t - &*first_of_face);
-    e.front_facing = stages.visibility.back[pixel] == 0;
+    e.front_facing = !stages.visibility.back_at(pixel);
     e.corner = g.position_indices(face.object, t);
     e.weights = face.weights;
     e.spaces = explain_spaces(g, face);

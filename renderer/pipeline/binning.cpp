@@ -11,78 +11,120 @@ namespace {
 
 constexpr std::uint32_t chunk_size = 8192;  // triangles that one task sorts
 
-/// True for a triangle outside the view, or one that is drawn as clipped pieces instead.
-bool is_left_out(const Geometry& g, std::uint32_t number) {
-    const std::uint32_t o = g.object_of(number);
-    std::uint32_t some = 0, all = ~0u;
-    for (const std::uint32_t p : g.position_indices(o, g.triangle(o, number))) {
-        some |= g.objects[o].screen[p].outside;
-        all &= g.objects[o].screen[p].outside;
+/// One chunk more, at the back.
+SortedChunk& add_chunk(Geometry& g, std::size_t& count) {
+    if (count == g.chunks.size()) g.chunks.emplace_back();  // else as the frame before left it
+    return g.chunks[count++];
+}
+
+void lay_out_chunks(Geometry& g) {
+    std::size_t count = 0;
+    for (std::uint32_t o = 0; o < g.objects.size(); ++o) {
+        const auto triangles = static_cast<std::uint32_t>(g.objects[o].mesh->triangles.size());
+        for (std::uint32_t begin = 0; begin < triangles; begin += chunk_size) {
+            SortedChunk& chunk = add_chunk(g, count);
+            chunk.object = o;
+            chunk.begin = begin;
+            chunk.end = std::min(begin + chunk_size, triangles);
+        }
     }
-    return all || (some & needs_clipping);
+    g.chunks.resize(count);
 }
 
-/// Calls visit(tile, number) for every triangle of one chunk and every tile it may touch.
-template <class Visit> void visit_chunk(const Geometry& g, std::uint32_t chunk, const Visit& visit) {
-    const PixelBox picture{0, 0, g.size.width - 1, g.size.height - 1};
-    const int margin = g.multisampled ? subpixels / 2 : 0;
-    const std::uint32_t total = g.triangle_count + static_cast<std::uint32_t>(g.clipped.size());
-    const std::uint32_t begin = chunk * chunk_size, end = std::min(begin + chunk_size, total);
-    for (std::uint32_t number = begin; number < end; ++number) {
-        if (number < g.triangle_count && is_left_out(g, number)) continue;
-        const ScreenTriangle s = screen_triangle(g, number);
-        const PixelBox box = pixels_of(s.corner, picture, margin);
-        if (box.empty() || doubled_area(s.corner) == 0) continue;
-        for (int y = box.y0 / tile_size; y <= box.y1 / tile_size; ++y)
-            for (int x = box.x0 / tile_size; x <= box.x1 / tile_size; ++x)
-                visit(static_cast<std::uint32_t>(y * g.tiles_x + x), number);
+SortJob sort_job(const Geometry& g) {
+    SortJob job;
+    job.width = g.size.width;
+    job.height = g.size.height;
+    job.margin = g.multisampled ? subpixels / 2 : 0;
+    job.clipped_bits = needs_clipping;
+    job.beyond_bits = ~std::uint32_t{OutsideGuard};
+    return job;
+}
+
+/// Calls visit(tile, number) for every triangle of a chunk and every tile that its box meets.
+template <class Visit> void visit_tiles(const Geometry& g, const SortedChunk& chunk, const Visit& visit) {
+    const auto row = static_cast<std::uint32_t>(g.tiles_x);
+    for (std::size_t i = 0; i < chunk.box_count; ++i) {
+        const TriangleBox& box = chunk.boxes[i];
+        const std::uint32_t x0 = box.tiles & 255u, y0 = box.tiles >> 8 & 255u, x1 = box.tiles >> 16 & 255u;
+        for (std::uint32_t y = y0; y <= box.tiles >> 24; ++y)
+            for (std::uint32_t x = x0; x <= x1; ++x) visit(y * row + x, box.number);
     }
 }
 
-}  // namespace
-
-PixelBox pixels_of(const std::array<ScreenVertex, 3>& c, const PixelBox& limits, int margin) {
-    const auto [min_x, max_x] = std::minmax({c[0].x, c[1].x, c[2].x});
-    const auto [min_y, max_y] = std::minmax({c[0].y, c[1].y, c[2].y});
-    // A centre lies at 256 k + 128: the first at or after min, the last at or before max.
-    constexpr int half = subpixels / 2;
-    return {std::max((min_x - margin + half - 1) >> 8, limits.x0),
-            std::max((min_y - margin + half - 1) >> 8, limits.y0),
-            std::min((max_x + margin - half) >> 8, limits.x1),
-            std::min((max_y + margin - half) >> 8, limits.y1)};
+void sort_chunk(const Geometry& g, SortedChunk& chunk) {
+    const std::size_t room = std::size_t{chunk.end} - chunk.begin + 1;
+    if (chunk.boxes.size() < room) chunk.boxes.resize(room);
+    if (chunk.to_clip.size() < room) chunk.to_clip.resize(room);
+    SortedTriangles out{chunk.boxes.data(), 0, chunk.to_clip.data(), 0};
+    drawing_kernels().sort(chunk.job, chunk.begin, chunk.end, out);
+    chunk.box_count = out.box_count;
+    chunk.clip_count = out.to_clip_count;
+    chunk.next.assign(static_cast<std::size_t>(g.tiles_x) * static_cast<std::size_t>(g.tiles_y), 0);
+    visit_tiles(g, chunk, [&chunk](std::uint32_t tile, std::uint32_t) { ++chunk.next[tile]; });
 }
 
-void sort_into_tiles(Geometry& g) {
-    g.tiles_x = (g.size.width + tile_size - 1) / tile_size;
-    g.tiles_y = (g.size.height + tile_size - 1) / tile_size;
-    const auto tiles = static_cast<std::uint32_t>(g.tiles_x * g.tiles_y);
-    const std::uint32_t total = g.triangle_count + static_cast<std::uint32_t>(g.clipped.size());
-    const std::uint32_t chunks = (total + chunk_size - 1) / chunk_size;
+/// The clipped pieces as one more chunk. To the kernel they are an object whose every triangle has vertices
+/// of its own, four records apart.
+void add_pieces(Geometry& g) {
+    static_assert(sizeof(ClippedTriangle) == 4 * sizeof(ScreenVertex));
+    if (g.clipped.empty()) return;
+    const auto count = static_cast<std::uint32_t>(g.clipped.size());
+    g.clipped_vertices.clear();
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (std::uint32_t k = 0; k < 3; ++k) g.clipped_vertices.push_back(4 * i + k);
+    SortedChunk& chunk = g.chunks.emplace_back();
+    chunk.end = count;
+    chunk.job = sort_job(g);
+    chunk.job.triangle_vertices = g.clipped_vertices.data();
+    chunk.job.screen = g.clipped.front().corner;
+    chunk.job.first_triangle = g.triangle_count;
+    sort_chunk(g, chunk);
+}
 
-    // Count, then fill: each chunk has a slot of its own in each tile, so that the order never depends on
-    // threads.
-    std::vector<std::uint32_t> slot(std::size_t{chunks} * tiles, 0);
-    tbb::parallel_for(0u, chunks, [&](std::uint32_t chunk) {
-        std::uint32_t* count = &slot[std::size_t{chunk} * tiles];
-        visit_chunk(g, chunk, [count](std::uint32_t tile, std::uint32_t) { ++count[tile]; });
-    });
-    g.tile_first.assign(tiles + 1, 0);
+/// Turns each chunk's counts into where its numbers begin, so that the order never depends on threads.
+void number_places(Geometry& g) {
+    const auto tiles = static_cast<std::size_t>(g.tiles_x) * static_cast<std::size_t>(g.tiles_y);
+    g.tile_first.resize(tiles + 1);
     std::uint32_t next = 0;
-    for (std::uint32_t tile = 0; tile < tiles; ++tile) {
+    for (std::size_t tile = 0; tile < tiles; ++tile) {
         g.tile_first[tile] = next;
-        for (std::uint32_t chunk = 0; chunk < chunks; ++chunk) {
-            std::uint32_t& s = slot[std::size_t{chunk} * tiles + tile];
-            const std::uint32_t count = s;
-            s = next;
+        for (SortedChunk& chunk : g.chunks) {
+            const std::uint32_t count = chunk.next[tile];
+            chunk.next[tile] = next;
             next += count;
         }
     }
     g.tile_first[tiles] = next;
     g.tile_triangles.resize(next);
-    tbb::parallel_for(0u, chunks, [&](std::uint32_t chunk) {
-        std::uint32_t* at = &slot[std::size_t{chunk} * tiles];
-        visit_chunk(g, chunk, [&g, at](std::uint32_t tile, std::uint32_t number) {
-            g.tile_triangles[at[tile]++] = number;
+}
+
+}  // namespace
+
+void find_boxes(Geometry& g) {
+    g.tiles_x = (g.size.width + tile_size - 1) / tile_size;
+    g.tiles_y = (g.size.height + tile_size - 1) / tile_size;
+    lay_out_chunks(g);
+    tbb::parallel_for(std::size_t{0}, g.chunks.size(), [&g](std::size_t i) {
+        SortedChunk& chunk = g.chunks[i];
+        const ObjectGeometry& object = g.objects[chunk.object];
+        chunk.job = sort_job(g);
+        chunk.job.triangle_vertices = object.triangle_vertices.data();
+        chunk.job.screen = object.screen.data();
+        chunk.job.first_triangle = object.first_triangle;
+        sort_chunk(g, chunk);
+    });
+}
+
+void sort_into_tiles(Geometry& g) {
+    add_pieces(g);
+    number_places(g);
+    tbb::parallel_for(std::size_t{0}, g.chunks.size(), [&g](std::size_t i) {
+        SortedChunk& chunk = g.chunks[i];
+        visit_tiles(g, chunk, [&g, &chunk](std::uint32_t tile, std::uint32_t number) {
+            const std::uint32_t* vertex =
+                chunk.job.triangle_vertices + 3 * std::size_t{number - chunk.job.first_triangle};
+            g.tile_triangles[chunk.next[tile]++] = {number, {vertex[0], vertex[1], vertex[2]}};
         });
     });
 }

@@ -88,25 +88,21 @@ void clip_triangles(Geometry& g) {
     const ToScreen to_screen{g.size, is_orthographic(g.camera.projection)};
     g.clipped.clear();
     std::vector<glm::dvec4> polygon;
-    for (std::uint32_t o = 0; o < g.objects.size(); ++o) {
-        const ObjectGeometry& object = g.objects[o];
-        for (std::uint32_t t = 0; t < object.mesh->triangles.size(); ++t) {
-            const auto corner = g.position_indices(o, object.mesh->triangles[t]);
-            std::uint32_t some = 0, all = ~std::uint32_t{OutsideGuard};
-            for (const std::uint32_t c : corner) {
-                some |= object.vertices[c].outside;
-                all &= object.vertices[c].outside;
-            }
-            if (!(some & needs_clipping) || all) continue;
+    for (const SortedChunk& chunk : g.chunks) {
+        const ObjectGeometry& object = g.objects[chunk.object];
+        for (std::size_t n = 0; n < chunk.clip_count; ++n) {
+            const std::uint32_t t = chunk.to_clip[n];
             polygon.clear();
-            for (const std::uint32_t c : corner)
-                polygon.push_back(projection * (object.view_from_object *
-                                                glm::dvec4(glm::dvec3(object.mesh->positions[c]), 1.0)));
+            for (std::size_t k = 0; k < 3; ++k) {
+                const glm::vec3& p = object.mesh->positions[object.triangle_vertices[3 * std::size_t{t} + k]];
+                polygon.push_back(projection * (object.view_from_object * glm::dvec4(glm::dvec3(p), 1.0)));
+            }
             clip_polygon(polygon);
             for (std::size_t i = 2; i < polygon.size(); ++i)
                 g.clipped.push_back(
                     {{to_screen(polygon[0]), to_screen(polygon[i - 1]), to_screen(polygon[i])},
-                     object.first_triangle + t});
+                     object.first_triangle + t,
+                     object.mirrored});
         }
     }
 }
@@ -131,23 +127,13 @@ std::uint32_t Geometry::object_of(std::uint32_t triangle) const {
     return static_cast<std::uint32_t>(after - objects.begin()) - 1;
 }
 
-ScreenTriangle screen_triangle(const Geometry& g, std::uint32_t number) {
-    if (number >= g.triangle_count) {
-        const ClippedTriangle& piece = g.clipped[number - g.triangle_count];
-        return {piece.corner, piece.triangle, g.objects[g.object_of(piece.triangle)].mirrored};
-    }
-    const std::uint32_t o = g.object_of(number);
-    const std::vector<ScreenVertex>& v = g.objects[o].screen;
-    const auto position = g.position_indices(o, g.triangle(o, number));
-    return {{v[position[0]], v[position[1]], v[position[2]]}, number, g.objects[o].mirrored};
-}
-
 bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size, bool multisampled) {
     if (same_inputs(kept, scene, size, multisampled)) return false;
     kept.multisampled = multisampled;
     kept.size = size;
     kept.camera = scene.camera;
     place_objects(kept, scene);
+    find_boxes(kept);
     clip_triangles(kept);
     sort_into_tiles(kept);
     return true;

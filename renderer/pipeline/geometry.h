@@ -13,22 +13,7 @@
 
 namespace glint {
 
-inline constexpr int tile_size = 64;   // pixels a side
-inline constexpr int subpixels = 256;  // the rasteriser's grid, per pixel
 inline constexpr std::uint32_t no_triangle = 0xFFFFFFFFu;
-
-/// A vertex on the rasteriser's grid, y down, (0, 0) the picture's upper left corner.
-struct ScreenVertex {
-    std::int32_t x = 0, y = 0;  // 1/256 pixel
-    float nearness = 0;  // linear on the screen, larger is nearer: 1/w, or (1 - z_ndc)/2 when orthographic
-    std::uint32_t outside = 0;  // OutsideBits (clip.h); with one of `needs_clipping` the rest has no meaning
-};
-
-/// A piece of a triangle that had to be clipped.
-struct ClippedTriangle {
-    std::array<ScreenVertex, 3> corner;
-    std::uint32_t triangle = 0;  // global number of the triangle it came from
-};
 
 struct ObjectGeometry {
     MeshPtr mesh;
@@ -48,16 +33,29 @@ struct ObjectGeometry {
     }
 };
 
+/// Neighbouring triangles of one object, which one task sorts.
+struct SortedChunk {
+    std::uint32_t object = 0, begin = 0, end = 0;  // triangles, numbers within the object
+    SortJob job;
+    std::vector<TriangleBox> boxes;      // box_count, of those that may be seen, rising
+    std::vector<std::uint32_t> to_clip;  // clip_count numbers within the object, rising
+    std::size_t box_count = 0, clip_count = 0;
+    std::vector<std::uint32_t>
+        next;  // #tiles: where in tile_triangles its next number goes (first: how many)
+};
+
 struct Geometry {
     Camera camera;
     PictureSize size{0, 0};
     bool multisampled = false;  // tiles then hold what any sample of their pixels may see
     std::vector<ObjectGeometry> objects;
     std::uint32_t triangle_count = 0;
+    std::vector<SortedChunk> chunks;              // of all triangles, in rising order
+    std::vector<std::uint32_t> clipped_vertices;  // three a piece: to sorting they are one more object
     std::vector<ClippedTriangle> clipped;  // numbered triangle_count, triangle_count + 1, ... in the tiles
     int tiles_x = 0, tiles_y = 0;
-    std::vector<std::uint32_t> tile_first;      // #tiles + 1, into tile_triangles
-    std::vector<std::uint32_t> tile_triangles;  // global numbers
+    std::vector<std::uint32_t> tile_first;  // #tiles + 1, into tile_triangles
+    std::vector<TileEntry> tile_triangles;
 
     /// The object that a global triangle number belongs to.
     [[nodiscard]] std::uint32_t object_of(std::uint32_t triangle) const;
@@ -74,13 +72,5 @@ struct Geometry {
 
 /// Does again what differs from what `kept` was made of; true when anything did.
 bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size, bool multisampled);
-
-/// What the rasteriser sees of number `number` of a tile: a triangle, or a clipped piece of one.
-struct ScreenTriangle {
-    std::array<ScreenVertex, 3> corner;
-    std::uint32_t triangle = 0;  // global number
-    bool mirrored = false;
-};
-[[nodiscard]] ScreenTriangle screen_triangle(const Geometry& geometry, std::uint32_t number);
 
 }  // namespace glint

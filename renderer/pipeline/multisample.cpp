@@ -34,7 +34,7 @@ PixelFragments fragments_of(const Geometry& g, const Visibility& visibility, std
         auto f = std::find_if(found.fragment.begin(), end,
                               [triangle](const Fragment& other) { return other.triangle == triangle; });
         if (f == end) {
-            *f = {g.object_of(triangle), triangle, {0, 0}, 0, visibility.back[key] != 0, false};
+            *f = {g.object_of(triangle), triangle, {0, 0}, 0, visibility.back_at(key), false};
             ++found.count;
         }
         const SampleOffset offset = sample_offset(visibility.samples, s);

@@ -6,6 +6,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <array>
 #include <bit>
 #include <cstddef>
 
@@ -30,25 +31,24 @@ PlaceJob place_job(const Surface& s, const Geometry& g, std::size_t o) {
     job.width = static_cast<float>(g.size.width);
     job.height = static_cast<float>(g.size.height);
     job.clipped_bits = needs_clipping;
+    job.first_triangle = object.first_triangle;
+    job.two_sided = s.choice.two_sided;
     return job;
 }
 
-/// What the lanes of run `r` show; those that the run leaves out take its first.
-void fill_faces(RunFaces& faces, const Surface& s, const Geometry& g, const Visibility& visibility,
-                std::size_t r) {
-    const PixelRun& run = s.runs[r];
-    const auto width = static_cast<std::uint32_t>(g.size.width);
-    const auto first = static_cast<std::uint32_t>(std::countr_zero(run.mask));
-    const auto x = static_cast<float>(run.first_pixel % width),
-               y = static_cast<float>(run.first_pixel / width) + 0.5f;
-    const std::uint32_t first_triangle = g.objects[run.object].first_triangle;
-    for (std::uint32_t i = 0; i < block_size; ++i) {
-        const std::uint32_t lane = run.mask >> i & 1u ? i : first, pixel = run.first_pixel + lane;
-        faces.triangle[i] = visibility.triangle_at(pixel) - first_triangle;
-        faces.at_x[i] = x + static_cast<float>(lane) + 0.5f;
-        faces.at_y[i] = y;
-        faces.facing[i] = s.choice.two_sided && visibility.back[pixel] ? -1.0f : 1.0f;
+/// All pixels of a run at once; false when some are none of the usual case. Lanes that the run leaves out
+/// take the face of its first.
+bool place_together(const PlaceJob& job, const PixelRun& run, std::uint32_t width,
+                    const Visibility& visibility, PointBlock& out) {
+    const std::uint32_t* seen = &visibility.seen[run.first_pixel];
+    std::array<std::uint32_t, block_size> filled;
+    if (run.mask != 0xFFFF) {
+        const auto first = static_cast<std::size_t>(std::countr_zero(run.mask));
+        for (std::size_t i = 0; i < block_size; ++i) filled[i] = seen[run.mask >> i & 1u ? i : first];
+        seen = filled.data();
     }
+    return drawing_kernels().place(job, seen, static_cast<int>(run.first_pixel % width),
+                                   static_cast<int>(run.first_pixel / width), out);
 }
 
 void place_one_by_one(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t run,
@@ -69,15 +69,15 @@ void place_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
     const bool usual = s.run_samples.empty() && !s.choice.facet_normals &&
                        s.choice.interpolation == Interpolation::Perspective &&
                        !s.choice.mistakes.unnormalized_at_pixel;
+    const auto width = static_cast<std::uint32_t>(g.size.width);
     std::vector<PlaceJob> jobs;
     for (std::size_t o = 0; o < g.objects.size(); ++o)
         jobs.push_back(g.objects[o].mesh->triangles.empty() ? PlaceJob{} : place_job(s, g, o));
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 256), [&](const auto& range) {
-        RunFaces faces;
         for (std::size_t r = range.begin(); r != range.end(); ++r) {
             s.point_object[r] = s.runs[r].object;
-            if (usual) fill_faces(faces, s, g, visibility, r);
-            if (!usual || !drawing_kernels().place(jobs[s.runs[r].object], faces, s.points[r]))
+            const PixelRun& run = s.runs[r];
+            if (!usual || !place_together(jobs[run.object], run, width, visibility, s.points[r]))
                 place_one_by_one(s, g, visibility, r, s.points[r]);
         }
     });

@@ -33,7 +33,7 @@ SampleFace sample_face(const SurfaceChoice& choice, const Geometry& g, const Vis
     face.at = {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
     face.triangle = visibility.triangle_at(pixel);
     face.object = g.object_of(face.triangle);
-    face.turned = choice.two_sided && visibility.back[pixel];
+    face.turned = choice.two_sided && visibility.back_at(pixel);
     place_on_face(face, g);
     return face;
 }

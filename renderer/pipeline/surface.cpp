@@ -15,26 +15,22 @@ namespace {
 template <class Visit>
 void visit_row(const Geometry& g, const Visibility& visibility, int y, const Visit& visit) {
     const auto width = static_cast<std::uint32_t>(g.size.width);
-    const std::uint32_t row = static_cast<std::uint32_t>(y) * width;
+    const std::uint16_t* covered = &visibility.covered[static_cast<std::size_t>(y) * visibility.groups_a_row];
     for (std::uint32_t x0 = 0; x0 < width; x0 += block_size) {
-        const std::uint32_t end = std::min<std::uint32_t>(block_size, width - x0);
-        std::uint32_t left = 0;  // pixels of this group that no run has yet
-        std::uint64_t some = 0;
-        for (std::uint32_t i = 0; i < end; ++i) some |= visibility.keys[row + x0 + i];
-        if (some == 0) continue;  // background
-        for (std::uint32_t i = 0; i < end; ++i) left |= (visibility.keys[row + x0 + i] != 0 ? 1u : 0u) << i;
+        std::uint32_t left = covered[x0 / block_size];  // pixels of this group that no run has yet
+        const std::uint32_t first_pixel = static_cast<std::uint32_t>(y) * width + x0;
         if (left && g.objects.size() == 1) {
-            visit(PixelRun{row + x0, 0, static_cast<std::uint16_t>(left)});
+            visit(PixelRun{first_pixel, 0, static_cast<std::uint16_t>(left)});
             continue;
         }
         while (left) {
             const auto first = static_cast<std::uint32_t>(std::countr_zero(left));
-            const std::uint32_t o = g.object_of(visibility.triangle_at(row + x0 + first));
+            const std::uint32_t o = g.object_of(visibility.triangle_at(first_pixel + first));
             const std::uint32_t low = g.objects[o].first_triangle;
             const auto count = static_cast<std::uint32_t>(g.objects[o].mesh->triangles.size());
-            PixelRun run{row + x0, o, 0};
-            for (std::uint32_t i = first; i < end; ++i)
-                if ((left >> i & 1u) && visibility.triangle_at(row + x0 + i) - low < count)
+            PixelRun run{first_pixel, o, 0};
+            for (std::uint32_t i = first; i < block_size; ++i)
+                if ((left >> i & 1u) && visibility.triangle_at(first_pixel + i) - low < count)
                     run.mask = static_cast<std::uint16_t>(run.mask | 1u << i);
             left &= ~static_cast<std::uint32_t>(run.mask);
             visit(run);

@@ -28,8 +28,15 @@ bool update_visibility(Visibility& kept, const Geometry& g, Cull cull, int sampl
     kept.cull = cull;
     kept.samples = samples;
     kept.plane = static_cast<std::size_t>(g.size.width) * static_cast<std::size_t>(g.size.height);
-    kept.keys.resize(kept.plane * static_cast<std::size_t>(samples));
-    kept.back.resize(kept.plane * static_cast<std::size_t>(samples));
+    kept.groups_a_row = (static_cast<std::size_t>(g.size.width) + block_size - 1) / block_size;
+    const std::size_t codes = kept.plane * static_cast<std::size_t>(samples);
+    const auto tiles = static_cast<std::size_t>(g.tiles_x) * static_cast<std::size_t>(g.tiles_y);
+    const std::size_t groups = kept.groups_a_row * static_cast<std::size_t>(g.size.height);
+    if (kept.seen.size() != codes || kept.tile_drawn.size() != tiles || kept.covered.size() != groups) {
+        kept.seen.assign(codes, 0);
+        kept.covered.assign(groups, 0);
+        kept.tile_drawn.assign(tiles, 0);
+    }
     rasterize_tiles(g, kept);
     return true;
 }

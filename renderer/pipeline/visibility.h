@@ -11,15 +11,19 @@ namespace glint {
 
 struct Visibility {
     Cull cull = Cull::None;
-    int samples = 1;        // a pixel: 1, 2, 4 or 8; each has a plane of width x height of its own
-    std::size_t plane = 0;  // width x height
-    std::vector<std::uint64_t>
-        keys;  // samples planes: nearness bits above, inverted triangle number below; 0: none
-    std::vector<std::uint8_t> back;  // samples planes: 1 where the triangle seen is wound clockwise
+    int samples = 1;                  // a pixel: 1, 2, 4 or 8; each has a plane of width x height of its own
+    std::size_t plane = 0;            // width x height
+    std::vector<std::uint32_t> seen;  // samples planes: seen_code of the nearest triangle; 0: none
+    // With one sample a pixel: which pixels of each group of 16 in a row show a triangle, groups_a_row a row.
+    std::vector<std::uint16_t> covered;
+    std::size_t groups_a_row = 0;
+    std::vector<std::uint8_t> tile_drawn;  // 0: the tile is empty, and `seen` and `covered` say so
 
     [[nodiscard]] std::uint32_t triangle_at(std::size_t pixel) const {
-        return keys[pixel] ? ~static_cast<std::uint32_t>(keys[pixel]) : no_triangle;
+        return seen[pixel] ? triangle_of_code(seen[pixel]) : no_triangle;
     }
+    /// True when the triangle seen is wound clockwise on the screen.
+    [[nodiscard]] bool back_at(std::size_t pixel) const { return seen[pixel] && is_back(seen[pixel]); }
 };
 
 /// Where sample `which` of `samples` lies in its pixel, in 1/256 pixel from the centre. One sample is the

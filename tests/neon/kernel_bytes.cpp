@@ -175,9 +175,11 @@ struct SomeMesh {
     std::vector<std::uint32_t> triangle_vertices;
 };
 
+constexpr std::uint32_t vertex_count = 300, triangle_count = 500;
+
 SomeMesh some_mesh(Numbers& number) {
     SomeMesh mesh;
-    for (int i = 0; i < 300; ++i) {
+    for (std::uint32_t i = 0; i < vertex_count; ++i) {
         PlacedVertex v;
         v.clip_w = number.between(1, 9);
         v.clip_x = number.between(-1, 1) * v.clip_w;
@@ -189,7 +191,8 @@ SomeMesh some_mesh(Numbers& number) {
         const LightSource::Rgb n = number.unit();
         mesh.normals.push_back({n.x, n.y, n.z});
     }
-    for (int i = 0; i < 3 * 500; ++i) mesh.triangle_vertices.push_back(number.bits() % 300);
+    for (std::uint32_t i = 0; i < 3 * triangle_count; ++i)
+        mesh.triangle_vertices.push_back(number.bits() % vertex_count);
     return mesh;
 }
 
@@ -203,21 +206,63 @@ void place_all(Numbers& number) {
     job.height = 480;
     Hash hash;
     for (int which = 0; which < 200; ++which) {
-        RunFaces run;
-        for (std::size_t i = 0; i < block_size; ++i) {
-            run.triangle[i] = number.bits() % 500;
-            run.at_x[i] = number.between(0, 640);
-            run.at_y[i] = number.between(0, 480);
-            run.facing[i] = number.bits() % 2 ? 1.0f : -1.0f;
-        }
+        std::uint32_t seen[block_size];
+        for (std::uint32_t& code : seen)
+            code = seen_code(number.bits() % triangle_count, number.bits() % 2 != 0);
+        job.two_sided = which % 2 != 0;
         PointBlock out{};
-        const bool told = GLINT_ISA::drawing.place(job, run, out);
+        const bool told = GLINT_ISA::drawing.place(job, seen, 16 * (which % 40), which, out);
         hash.add(std::uint32_t{told});
         if (!told) continue;
         for (const auto& numbers : {&out.x, &out.y, &out.z, &out.nx, &out.ny, &out.nz})
             for (const float a : *numbers) hash.add(a);
     }
     hash.print("place", 200);
+}
+
+/// A vertex up to `spread` pixels from the middle of the first tile.
+ScreenVertex some_vertex(Numbers& number, float spread) {
+    const float x = 32 + number.between(-spread, spread), y = 32 + number.between(-spread, spread);
+    return {static_cast<std::int32_t>(x * subpixels), static_cast<std::int32_t>(y * subpixels),
+            number.between(0, 1), number.bits() % 50 == 0 ? 1u << number.bits() % 7 : 0u};
+}
+
+void sort_and_draw(Numbers& number, float spread) {
+    std::vector<ScreenVertex> screen;
+    for (std::uint32_t i = 0; i < vertex_count; ++i) screen.push_back(some_vertex(number, spread));
+    std::vector<std::uint32_t> vertices;
+    for (std::uint32_t i = 0; i < 3 * triangle_count; ++i) vertices.push_back(number.bits() % vertex_count);
+    SortJob sort;
+    sort.triangle_vertices = vertices.data();
+    sort.screen = screen.data();
+    sort.width = 640;
+    sort.height = 480;
+    sort.clipped_bits = 0x70;
+    sort.beyond_bits = 0x3f;
+    std::vector<TriangleBox> boxes(triangle_count + 1);
+    std::vector<std::uint32_t> to_clip(triangle_count + 1);
+    SortedTriangles sorted{boxes.data(), 0, to_clip.data(), 0};
+    GLINT_ISA::drawing.sort(sort, 0, triangle_count, sorted);
+    Hash hash;
+    std::vector<TileEntry> entries;
+    for (std::size_t i = 0; i < sorted.box_count; ++i) {
+        const std::uint32_t n = boxes[i].number;
+        hash.add(n);
+        hash.add(boxes[i].tiles);
+        entries.push_back({n, {vertices[3 * n], vertices[3 * n + 1], vertices[3 * n + 2]}});
+    }
+    for (std::size_t i = 0; i < sorted.to_clip_count; ++i) hash.add(to_clip[i]);
+    const DrawnObject object{screen.data(), 0, triangle_count, false};
+    TileJob job;
+    job.objects = &object;
+    job.triangle_count = triangle_count;
+    job.entries = entries.data();
+    job.count = entries.size();
+    static TilePixels tile;
+    GLINT_ISA::drawing.draw(job, tile);
+    for (const std::int32_t code : tile.seen) hash.add(static_cast<std::uint32_t>(code));
+    for (const float nearness : tile.nearness) hash.add(nearness);
+    hash.print("sort and draw", static_cast<int>(spread));
 }
 
 void blend_all(Numbers& number, const std::vector<PointBlock>& points) {
@@ -245,5 +290,6 @@ int main() {
     const std::vector<PointBlock> points = some_points(number);
     light_all(number, points);
     place_all(number);
+    for (const float spread : {4.0f, 40.0f, 400.0f, 400000.0f}) sort_and_draw(number, spread);
     blend_all(number, points);
 }

@@ -1,7 +1,9 @@
 // The kernels of geometry, visibility and surface, compiled once for each instruction set
 // (renderer/CMakeLists.txt, add_lighting). No standard library inside, as in lighting/kernels_isa.cpp.
 
+#include "renderer/pipeline/kernels/draw_tile.h"
 #include "renderer/pipeline/kernels/place_run.h"
+#include "renderer/pipeline/kernels/sort_triangles.h"
 
 namespace glint::inline GLINT_ISA {
 
@@ -15,13 +17,22 @@ template <int N> struct NumberOf { using Type = Lanes<N>; };
 template <> struct NumberOf<1> { using Type = float; };
 using Wide = NumberOf<GLINT_LANES>::Type;
 
-GLINT_FLATTEN static bool place(const PlaceJob& job, const RunFaces& run, PointBlock& out) {
+GLINT_FLATTEN static void sort(const SortJob& job, std::uint32_t begin, std::uint32_t end,
+                               SortedTriangles& out) {
+    for (std::uint32_t t = begin; t < end; t += GLINT_LANES) sort_lanes<Wide>(job, t, end, out);
+}
+
+GLINT_FLATTEN static void draw(const TileJob& job, TilePixels& tile) { draw_tile<Wide>(job, tile); }
+
+GLINT_FLATTEN static bool place(const PlaceJob& job, const std::uint32_t* seen, int x, int y,
+                                PointBlock& out) {
     bool all = true;
-    for (std::size_t k = 0; k < block_size; k += GLINT_LANES) all &= place_lanes<Wide>(job, run, k, out);
+    for (std::size_t k = 0; k < block_size; k += GLINT_LANES)
+        all &= place_lanes<Wide>(job, seen, k, x, y, out);
     return all;
 }
 
 extern const DrawingKernels drawing;
-const DrawingKernels drawing{place};
+const DrawingKernels drawing{sort, draw, place};
 
 }  // namespace glint::inline GLINT_ISA

@@ -1,0 +1,49 @@
+#pragma once
+// The integers of number.h as the rasteriser needs them: multiplied, compared and chosen, lane by lane.
+
+#include "renderer/lighting/number.h"
+
+namespace glint::inline GLINT_ISA {
+
+/// 0, 1, 2, ... as many as the widest set has lanes.
+static constexpr int counting[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
+template <class I> I in_all_lanes(int a) {
+    if constexpr (sizeof(I) == sizeof(int))
+        return a;
+    else
+        return I{decltype(I::v){} + a};
+}
+
+template <int N> IntLanes<N> operator-(IntLanes<N> a, IntLanes<N> b) { return {a.v - b.v}; }
+template <int N> IntLanes<N> operator-(int a, IntLanes<N> b) { return {a - b.v}; }
+template <int N> IntLanes<N> operator&(IntLanes<N> a, IntLanes<N> b) { return {a.v & b.v}; }
+template <int N> IntLanes<N> operator*(IntLanes<N> a, int b) { return {a.v * b}; }
+template <int N> IntLanes<N> operator*(IntLanes<N> a, IntLanes<N> b) { return {a.v * b.v}; }
+
+template <int N> IntLanes<N> operator>(IntLanes<N> a, IntLanes<N> b) { return {a.v > b.v}; }
+template <int N> IntLanes<N> not_negative(IntLanes<N> a) { return {a.v >= 0}; }
+template <int N> IntLanes<N> either(IntLanes<N> a, IntLanes<N> b) { return {a.v | b.v}; }
+template <int N> IntLanes<N> select(IntLanes<N> m, IntLanes<N> a, IntLanes<N> b) { return {m.v ? a.v : b.v}; }
+#ifdef __AVX512F__
+inline Mask16 operator>(IntLanes<16> a, IntLanes<16> b) {
+    return {_mm512_cmpgt_epi32_mask((__m512i)a.v, (__m512i)b.v)};
+}
+inline Mask16 not_negative(IntLanes<16> a) {
+    return {_mm512_cmpge_epi32_mask((__m512i)a.v, _mm512_setzero_si512())};
+}
+inline Mask16 either(Mask16 a, Mask16 b) { return {static_cast<unsigned short>(a.bits | b.bits)}; }
+inline IntLanes<16> select(Mask16 m, IntLanes<16> a, IntLanes<16> b) {
+    return {(LanesOf<16>::Ints)_mm512_mask_blend_epi32(m.bits, (__m512i)b.v, (__m512i)a.v)};
+}
+#endif
+inline bool not_negative(int a) { return a >= 0; }
+inline bool either(bool a, bool b) { return a || b; }
+inline int select(bool m, int a, int b) { return m ? a : b; }
+
+template <int N> IntLanes<N> larger(IntLanes<N> a, IntLanes<N> b) { return select(a > b, a, b); }
+template <int N> IntLanes<N> smaller(IntLanes<N> a, IntLanes<N> b) { return select(a > b, b, a); }
+inline int larger(int a, int b) { return a > b ? a : b; }
+inline int smaller(int a, int b) { return a > b ? b : a; }
+
+}  // namespace glint::inline GLINT_ISA

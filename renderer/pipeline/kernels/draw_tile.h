@@ -1,0 +1,96 @@
+#pragma once
+// All triangles of one tile: made ready several at once (triangle_lanes.h), then drawn one after the other.
+
+#include "renderer/pipeline/kernels/large_triangle.h"
+#include "renderer/pipeline/kernels/triangle_lanes.h"
+
+namespace glint::inline GLINT_ISA {
+
+/// Neighbours in the tile's list that belong to one object, or are clipped pieces.
+struct TileRun {
+    const TileEntry* entries;
+    unsigned count;
+    const ScreenVertex* screen;
+    std::uint32_t first_number;
+    const ClippedTriangle* pieces;  // null: of an object
+    bool mirrored;
+};
+
+/// The corners of the triangles i .. i + N - 1 of a run, those past its end repeating the last.
+template <Number F> CornerLanes<F> corner_lanes(const TileJob& job, const TileRun& run, unsigned i) {
+    constexpr unsigned width = NumberTraits<F>::width;
+    unsigned at[width], vertex[3][width];
+    for (unsigned lane = 0; lane < width; ++lane) at[lane] = i + lane < run.count ? i + lane : run.count - 1;
+    const Quad<F> entries = load_quads<F>(run.entries, at, sizeof(TileEntry));
+    store_ints(vertex[0], bits_of(entries.b));
+    store_ints(vertex[1], bits_of(entries.c));
+    store_ints(vertex[2], bits_of(entries.d));
+    CornerLanes<F> corners;
+    for (unsigned k = 0; k < 3; ++k) {
+        const Quad<F> v = load_quads<F>(run.screen, vertex[k], sizeof(ScreenVertex));
+        corners.x[k] = bits_of(v.a) - (job.x0 * subpixels + subpixels / 2 + job.offset_x);
+        corners.y[k] = bits_of(v.b) - (job.y0 * subpixels + subpixels / 2 + job.offset_y);
+        corners.nearness[k] = v.c;
+    }
+    return corners;
+}
+
+/// Draws one lane; `number`: its triangle's, global.
+template <Number F, unsigned N>
+void draw_lane(const TileJob& job, const TriangleLanes<N>& lanes, unsigned lane, std::uint32_t number,
+               bool mirrored, TilePixels& tile) {
+    TileTriangle t = triangle_of_lane(lanes, lane);
+    if (!lanes.small[lane]) t.area = doubled_area(t);
+    // Clockwise as seen is the back, unless the transform turned it over.
+    const bool back = (t.area > 0) != mirrored;
+    if (t.area == 0 || !(back ? job.draw_back : job.draw_front)) return;
+    t.code = static_cast<int>(seen_code(number, back));
+    if (t.area < 0) turn_over(t);
+    if (lanes.small[lane])
+        fill_patches<F>(edges_of_lane(lanes, lane), t, tile);
+    else
+        fill_large_triangle<F>(t, tile);
+}
+
+template <Number F> void draw_run(const TileJob& job, const TileRun& run, TilePixels& tile) {
+    constexpr unsigned width = NumberTraits<F>::width;
+    TriangleLanes<width> lanes;
+    for (unsigned i = 0; i < run.count; i += width) {
+        make_ready(corner_lanes<F>(job, run, i), lanes);
+        for (unsigned lane = 0; lane < width && i + lane < run.count; ++lane) {
+            if (lanes.empty[lane]) continue;
+            const std::uint32_t number = run.entries[i + lane].number;
+            const ClippedTriangle* piece = run.pieces ? run.pieces + (number - run.first_number) : nullptr;
+            draw_lane<F>(job, lanes, lane, piece ? piece->triangle : number,
+                         piece ? piece->mirrored : run.mirrored, tile);
+        }
+    }
+}
+
+template <Number F> void draw_tile(const TileJob& job, TilePixels& tile) {
+    for (int i = 0; i < tile_size * tile_size; ++i) {
+        tile.nearness[i] = 0;
+        tile.seen[i] = 0;
+    }
+    const DrawnObject* object = job.objects;
+    for (std::size_t begin = 0, end = 0; begin < job.count; begin = end) {
+        const std::uint32_t number = job.entries[begin].number;
+        TileRun run{job.entries + begin, 0, nullptr, job.triangle_count, nullptr, false};
+        std::uint32_t triangles = 0xffffffffu - job.triangle_count;
+        if (number >= job.triangle_count) {
+            run.screen = job.clipped->corner;
+            run.pieces = job.clipped;
+        } else {
+            while (number - object->first_triangle >= object->triangle_count) ++object;
+            run.screen = object->screen;
+            run.first_number = object->first_triangle;
+            run.mirrored = object->mirrored;
+            triangles = object->triangle_count;
+        }
+        for (end = begin; end < job.count && job.entries[end].number - run.first_number < triangles;) ++end;
+        run.count = static_cast<unsigned>(end - begin);
+        draw_run<F>(job, run, tile);
+    }
+}
+
+}  // namespace glint::inline GLINT_ISA

@@ -1,0 +1,110 @@
+#pragma once
+// One triangle into one tile. Vertices lie on a grid of 1/256 pixel and edge functions are integers, so the
+// fill rule is exact: a sample on an edge belongs to exactly one of the faces that share it (top-left rule).
+// Source: J. Pineda 1988.
+
+#include "renderer/lighting/whole_numbers.h"
+#include "renderer/pipeline/kernels/drawing_kernels.h"
+
+namespace glint::inline GLINT_ISA {
+
+/// A corner on the grid, relative to the sample of the tile's first pixel.
+struct TileCorner {
+    int x, y;
+    float nearness;
+};
+
+/// A triangle as it is drawn: turned so that it runs clockwise as seen (y down).
+struct TileTriangle {
+    TileCorner corner[3];
+    long long area;      // doubled
+    int x0, y0, x1, y1;  // the pixels of the tile whose samples its bounding box holds, inclusive
+    int code;            // what its pixels hold when it is seen (seen_code)
+};
+
+/// Positive when the corners run clockwise.
+inline long long doubled_area(const TileTriangle& t) {
+    const TileCorner *a = t.corner, *b = a + 1, *c = a + 2;
+    return static_cast<long long>(b->x - a->x) * (c->y - a->y) -
+           static_cast<long long>(b->y - a->y) * (c->x - a->x);
+}
+
+inline void turn_over(TileTriangle& t) {
+    const TileCorner second = t.corner[1];
+    t.corner[1] = t.corner[2];
+    t.corner[2] = second;
+    t.area = -t.area;
+}
+
+/// Nearness over the triangle, linear on the screen: value at the sample of pixel (x0, y0), steps a pixel.
+struct NearnessPlane {
+    float value, step_x, step_y;
+};
+
+inline NearnessPlane nearness_plane(const TileTriangle& t) {
+    const TileCorner *a = t.corner, *b = a + 1, *c = a + 2;
+    const double x1 = b->x - a->x, y1 = b->y - a->y, x2 = c->x - a->x, y2 = c->y - a->y;
+    const double q0 = a->nearness, q1 = b->nearness - q0, q2 = c->nearness - q0;
+    const double inverse = 1.0 / static_cast<double>(t.area);
+    const double per_x = (q1 * y2 - q2 * y1) * inverse, per_y = (q2 * x1 - q1 * x2) * inverse;
+    const double value = q0 + per_x * static_cast<double>(t.x0 * subpixels - a->x) +
+                         per_y * static_cast<double>(t.y0 * subpixels - a->y);
+    return {static_cast<float>(value), static_cast<float>(per_x * subpixels),
+            static_cast<float>(per_y * subpixels)};
+}
+
+/// Patches of a tile (TilePixels), columns x0..x1 and rows y0..y1, and the three edges as functions of the
+/// pixel, not negative inside: values at the first patch's first pixel, steps a pixel. In units of 256: steps
+/// from sample to sample are whole ones, so what is cut off below never changes a sign.
+struct PatchEdges {
+    int x0, y0, x1, y1;
+    int value[3], step_x[3], step_y[3];
+};
+
+/// The lanes' pixels within a patch: step s has those from s on.
+template <Number F> IntOf<F> patch_column(int s) { return load_ints<IntOf<F>>(counting + s) & 3; }
+template <Number F> IntOf<F> patch_row(int s) { return load_ints<IntOf<F>>(counting + s) >> 2; }
+
+/// Lanes of a patch: keeps the nearer of what is there and the triangle.
+template <Number F>
+void keep_nearer(MaskOf<F> inside, F nearness, int triangle_code, float* nearest, std::int32_t* seen) {
+    const F before = load<F>(nearest);
+    const IntOf<F> shown = load_ints<IntOf<F>>(seen), code = in_all_lanes<IntOf<F>>(triangle_code);
+    const auto wins = both(inside, either(nearness > before, both(nearness >= before, code > shown)));
+    store(nearest, select(wins, nearness, before));
+    store_ints(seen, select(wins, code, shown));
+}
+
+/// Draws what lies in the patches.
+template <Number F> void fill_patches(const PatchEdges& e, const TileTriangle& t, TilePixels& tile) {
+    constexpr int width = NumberTraits<F>::width, steps = patch_pixels / width;
+    IntOf<F> ramp[3][steps];
+    for (int k = 0; k < 3; ++k)
+        for (int s = 0; s < steps; ++s)
+            ramp[k][s] = patch_column<F>(s * width) * e.step_x[k] + patch_row<F>(s * width) * e.step_y[k];
+    bool planned = false;
+    NearnessPlane plane{};
+    for (int py = e.y0; py <= e.y1; ++py) {
+        for (int px = e.x0; px <= e.x1; ++px) {
+            const long long right = (px - e.x0) * patch_side, down = (py - e.y0) * patch_side;
+            const auto here = [&](int k) {
+                return static_cast<int>(e.value[k] + right * e.step_x[k] + down * e.step_y[k]);
+            };
+            const int first = (py * patches_a_row + px) * patch_pixels;
+            for (int s = 0; s < steps; ++s) {
+                const auto inside =
+                    not_negative((ramp[0][s] + here(0)) | (ramp[1][s] + here(1)) | (ramp[2][s] + here(2)));
+                if (!any(inside)) continue;
+                if (!planned) plane = nearness_plane(t);  // many of the smallest triangles hold no sample
+                planned = true;
+                const F column = to_number(patch_column<F>(s * width) + (px * patch_side - t.x0));
+                const F row = to_number(patch_row<F>(s * width) + (py * patch_side - t.y0));
+                const F nearness = (F(plane.value) + row * F(plane.step_y)) + column * F(plane.step_x);
+                keep_nearer<F>(inside, positive(nearness), t.code, tile.nearness + first + s * width,
+                               tile.seen + first + s * width);
+            }
+        }
+    }
+}
+
+}  // namespace glint::inline GLINT_ISA
