@@ -180,13 +180,18 @@ float faintest_cosine_squared(float shininess) {
                          : std::numeric_limits<float>::lowest();  // anything to the power 0 is 1
 }
 
-std::vector<LightSource> light_sources(const Scene& scene) {
+void light_sources(const Scene& scene, std::vector<LightSource>& sources) {
     const glm::dmat4 view = view_from_world(scene.camera);
     const double most = most_light(scene.objects);
-    std::vector<LightSource> sources;
+    sources.clear();
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
         if (scene.lights[i].enabled)
             add_light(sources, scene.lights[i], static_cast<int>(i), view, scene.shading.mistakes, most);
+}
+
+std::vector<LightSource> light_sources(const Scene& scene) {
+    std::vector<LightSource> sources;
+    light_sources(scene, sources);
     return sources;
 }
 

@@ -13,6 +13,9 @@ namespace glint {
 /// The enabled lights in the scene's order; an area light gives one source a sample.
 [[nodiscard]] std::vector<LightSource> light_sources(const Scene& scene);
 
+/// The same in the memory of `sources`.
+void light_sources(const Scene& scene, std::vector<LightSource>& sources);
+
 /// One object's part of the equation. `lights` must outlive the job. `at_corners`: the colours will be
 /// blended over faces, which OpenGL's rules clamp before.
 [[nodiscard]] LightJob light_job(const Scene& scene, PictureSize size, const Material& material,

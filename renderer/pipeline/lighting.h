@@ -13,8 +13,10 @@ namespace glint {
 
 struct Lighting {
     std::vector<LightSource> sources;
-    std::vector<LightJob> jobs;            // one an object
-    std::vector<ColorBlock> point_colors;  // Corners, Faces: of the lit points
+    std::vector<LightJob> jobs;             // one an object
+    std::vector<ColorBlock> point_colors;   // Corners, Faces: of the lit points
+    std::vector<std::uint32_t> point_rgba;  // Faces: the same as bytes, 16 a block
+    std::vector<std::size_t> run_groups;    // several samples a pixel: where runs of other pixels begin
     Picture picture;
     bool linear = false;  // picture.linear is kept up too
     // While one light alone changes: the sum of the others at each of the surface's points. Kept where shares

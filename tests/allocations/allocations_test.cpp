@@ -1,0 +1,73 @@
+// A frame of a drag works in the memory of the frame before: nothing of ours is allocated. Counted in
+// operator new itself, for all threads; the tasks of the thread library do not come from there.
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "models/scene_file.h"
+#include "renderer/renderer.h"
+#include "tests/catch.h"
+
+namespace {
+std::atomic<long> allocations{0};
+void* counted(std::size_t bytes, std::size_t alignment) {
+    ++allocations;
+    const std::size_t whole = (bytes + alignment - 1) / alignment * alignment;
+    void* memory = std::aligned_alloc(alignment, whole > 0 ? whole : alignment);
+    if (!memory) throw std::bad_alloc();
+    return memory;
+}
+}  // namespace
+
+void* operator new(std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+    return counted(bytes, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+using namespace glint;
+
+namespace {
+
+constexpr PictureSize size{320, 180};
+
+Scene knot() {
+    const std::string path = std::string(GLINT_SOURCE_DIR) + "/tests/bench/knot.json";
+    return std::get<SceneDocument>(open_document(path, {{"/objects/0/mesh/detail", "90"}})).scene;
+}
+
+/// What ten frames of a dragged light allocate, after some that may fill memory for the first time.
+long allocations_of_a_drag(Scene scene, bool keep_sums, int samples = 1, bool linear = false) {
+    Renderer renderer(2);
+    renderer.keep_sums(keep_sums);
+    long before = 0;
+    for (int frame = 0; frame < 15; ++frame) {
+        if (frame == 5) before = allocations;
+        scene.lights[0].position.x += 0.01f;
+        (void)renderer.render(scene, size, linear, samples);
+    }
+    return allocations - before;
+}
+
+}  // namespace
+
+TEST_CASE("what is counted is allocation", "[allocations]") {
+    const long before = allocations;
+    delete new int(1);
+    CHECK(allocations == before + 1);
+}
+
+TEST_CASE("a steady light drag allocates nothing", "[allocations]") {
+    for (const ShadingMode mode : {ShadingMode::Phong, ShadingMode::Gouraud, ShadingMode::Flat}) {
+        Scene scene = knot();
+        scene.shading.mode = mode;
+        CAPTURE(static_cast<int>(mode));
+        CHECK(allocations_of_a_drag(scene, true) == 0);
+        CHECK(allocations_of_a_drag(scene, false) == 0);
+        CHECK(allocations_of_a_drag(scene, true, 4) == 0);
+        CHECK(allocations_of_a_drag(scene, true, 1, true) == 0);
+    }
+}
