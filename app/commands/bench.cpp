@@ -27,7 +27,7 @@ struct BenchArguments {
     PictureSize size;
     int frames = 100;
     std::optional<Drag> drag;
-    bool relight = false;
+    bool relight = false, table = false;
 };
 
 /// What is dragged when nobody says: a light, else (a scene may have none) the camera.
@@ -55,7 +55,9 @@ double quantile(std::vector<double> values, double share) {
 struct Times {
     std::vector<double> frame;
     std::array<std::vector<double>, stage_count> stage;
+    std::array<int, stage_count> redone{};  // in how many of the frames
     std::vector<double> strokes;
+    int strokes_redone = 0;
 };
 
 Times measure(Renderer& renderer, const Scene& start, const BenchArguments& arguments, Drag drag) {
@@ -71,8 +73,12 @@ Times measure(Renderer& renderer, const Scene& start, const BenchArguments& argu
         if (frame < 0) continue;
         progress.at(static_cast<std::size_t>(frame) + 1);
         times.frame.push_back(took.count());
-        for (std::size_t i = 0; i < stage_count; ++i) times.stage[i].push_back(renderer.stats().ms[i]);
+        for (std::size_t i = 0; i < stage_count; ++i) {
+            times.stage[i].push_back(renderer.stats().ms[i]);
+            times.redone[i] += renderer.stats().redone[i] ? 1 : 0;
+        }
         times.strokes.push_back(renderer.stats().strokes_ms);
+        times.strokes_redone += renderer.stats().strokes_redone ? 1 : 0;
     }
     return times;
 }
@@ -81,6 +87,25 @@ std::uint64_t peak_bytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+/// The answer for people: the same numbers in lines and columns.
+std::string table_text(const nlohmann::ordered_json& json) {
+    const auto word = [&json](const char* key) { return json[key].get<std::string>(); };
+    const auto count = [&json](const char* key) { return json[key].get<std::uint64_t>(); };
+    std::string text = fmt::format(
+        "{} drag, {} x {}, {} frames, {} thread{}, {}, {} triangles, {} shaded pixels, {:.0f} MB at most\n\n",
+        word("drag"), count("width"), count("height"), count("frames"), count("threads"),
+        count("threads") == 1 ? "" : "s", word("instruction_set"), count("triangles"), count("shaded_pixels"),
+        json["peak_bytes"].get<double>() * 1e-6);
+    text += fmt::format("{:<11} {:>9}\n", "a frame", "ms");
+    for (const auto& [name, ms] : json["ms"].items())
+        text += fmt::format("{:<11} {:>9.3f}\n", name, ms.get<double>());
+    text += fmt::format("\n{:<11} {:>9}   {}\n", "stage", "median ms", "redone in");
+    for (const auto& [name, ms] : json["stages"].items())
+        text += fmt::format("{:<11} {:>9.3f}   {} of {} frames\n", name, ms.get<double>(),
+                            json["redone"][name].get<int>(), count("frames"));
+    return text;
 }
 
 Outcome bench(const BenchArguments& arguments) {
@@ -92,6 +117,7 @@ Outcome bench(const BenchArguments& arguments) {
     const FrameStats& stats = renderer.stats();
     const auto of = [&times](double share) { return quantile(times.frame, share); };
     const auto stage = [&times](Stage s) { return quantile(times.stage[static_cast<std::size_t>(s)], 0.5); };
+    const auto redone = [&times](Stage s) { return times.redone[static_cast<std::size_t>(s)]; };
     nlohmann::ordered_json json{
         {"frames", arguments.frames},
         {"ms", {{"min", of(0)}, {"median", of(0.5)}, {"p90", of(0.9)}, {"p99", of(0.99)}, {"max", of(1)}}},
@@ -100,6 +126,11 @@ Outcome bench(const BenchArguments& arguments) {
           {"visibility", stage(Stage::Visibility)},
           {"surface", stage(Stage::Surface)},
           {"lighting", stage(Stage::Lighting)}}},
+        {"redone",
+         {{"geometry", redone(Stage::Geometry)},
+          {"visibility", redone(Stage::Visibility)},
+          {"surface", redone(Stage::Surface)},
+          {"lighting", redone(Stage::Lighting)}}},
         {"threads", stats.threads},
         {"instruction_set", stats.instruction_set},
         {"triangles", stats.triangles},
@@ -109,8 +140,12 @@ Outcome bench(const BenchArguments& arguments) {
         {"drag", drag_names[static_cast<std::size_t>(drag)]},
         {"peak_bytes", peak_bytes()}};
     const Npr& npr = document.scene.npr;
-    if (npr.silhouettes || npr.creases) json["stages"]["strokes"] = quantile(times.strokes, 0.5);
-    Outcome outcome{json_text(json), document.warnings, ExitStatus::Done};
+    if (npr.silhouettes || npr.creases) {
+        json["stages"]["strokes"] = quantile(times.strokes, 0.5);
+        json["redone"]["strokes"] = times.strokes_redone;
+    }
+    Outcome outcome{arguments.table ? table_text(json) : json_text(json), document.warnings,
+                    ExitStatus::Done};
     outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());
     return outcome;
 }
@@ -127,6 +162,7 @@ Run declare(CLI::App& app) {
               [&drag = arguments->drag](const std::string& text) {
                   drag = static_cast<Drag>(read_word("--drag", text, drag_names));
               });
+    app.add_flag("--table", arguments->table, "the answer as a table for people instead of JSON");
     app.add_flag("--relight", arguments->relight,
                  "light every light again on each frame, also where the sum of the others could be kept");
     return [arguments] { return bench(*arguments); };
@@ -135,7 +171,7 @@ Run declare(CLI::App& app) {
 }  // namespace
 
 Command bench_command() {
-    return {"bench", "FILE", "measures frames while something is dragged, as JSON",
+    return {"bench", "FILE", "measures frames while something is dragged, as JSON or a table",
             "glint bench teapot.json --frames 200 --drag camera", declare};
 }
 

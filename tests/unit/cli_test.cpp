@@ -387,6 +387,8 @@ TEST_CASE("bench measures the frames that it was asked for", "[cli][bench]") {
         CHECK(answer["ms"]["p99"].get<double>() <= answer["ms"]["max"].get<double>());
         CHECK(answer["stages"]["lighting"].get<double>() > 0);
         CHECK((answer["stages"]["geometry"].get<double>() > 0) == (drag == "camera" || drag == "object"));
+        CHECK(answer["redone"]["lighting"] == 5);
+        CHECK(answer["redone"]["geometry"] == (drag == "camera" || drag == "object" ? 5 : 0));
         CHECK(answer["peak_bytes"].get<double>() > 1e6);
     }
     const std::string dark = directory.file("dark.json", R"({"glint": 1})");
@@ -395,6 +397,29 @@ TEST_CASE("bench measures the frames that it was asked for", "[cli][bench]") {
           "glint: error: --drag: the scene has no light; expected material, camera or object, or a scene "
           "with a "
           "light\n");
+}
+
+TEST_CASE("bench --table says what the JSON says, in columns", "[cli][bench]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", three_lights);
+    const std::string table =
+        must({"bench", scene, "--size", "64x48", "--frames", "7", "--drag", "camera", "-j", "2", "--table"})
+            .out;
+    CHECK(table.rfind("camera drag, 64 x 48, 7 frames, 2 threads, ", 0) == 0);
+    const auto line = [&table](const std::string& name) {
+        const std::size_t start = table.find("\n" + name + " ") + 1;
+        REQUIRE(start > 0);
+        return table.substr(start, table.find('\n', start) - start);
+    };
+    const auto number = [](const std::string& text) { return std::stod(text.substr(text.find(' '))); };
+    CHECK(number(line("median")) > 0);
+    CHECK(number(line("median")) <= number(line("p90")));
+    CHECK(number(line("p99")) <= number(line("max")));
+    for (const char* stage : {"geometry", "visibility", "surface", "lighting"})
+        CHECK(line(stage).find("7 of 7 frames") != std::string::npos);
+    const std::string light =
+        must({"bench", scene, "--size", "64x48", "--frames", "7", "--drag", "light", "--table"}).out;
+    CHECK(light.find("geometry        0.000   0 of 7 frames\n") != std::string::npos);
 }
 
 TEST_CASE("an explanation in words says why a light gives nothing", "[cli][explain]") {
