@@ -114,6 +114,39 @@ TEST_CASE("every command of the lecture map runs", "[docs][program]") {
     }
 }
 
+TEST_CASE("docs/explain.md names every field that an explanation has", "[docs][program]") {
+    const std::vector<std::string> words = in_backticks(text_of(source_dir / "docs" / "explain.md"));
+    const std::set<std::string> documented(words.begin(), words.end());
+    const TemporaryDirectory directory;
+    const std::string scene =
+        directory.file("scene.json", R"({"glint": 1, "objects": [{"name": "Ball"}], "lights": [
+        {"type": "directional", "position": [1, 1, 1]}, {"type": "spot"}, {"type": "area", "area": {"samples": 4}}]})");
+    std::set<std::string> given;
+    const std::regex key(R"re("([^"]+)":)re");
+    for (const std::vector<std::string>& how : std::vector<std::vector<std::string>>{
+             {"--pixel", "0,0"},
+             {"--pixel", "640,360", "--sensitivity"},
+             {"--pixel", "640,360", "--set", "/shading/mode=gouraud"},
+             {"--pixel", "640,360", "--set", "/shading/mode=flat"},
+             {"--pixel", "640,360", "--set", "/shading/reflection=none"},
+             {"--pixel", "640,360", "--set", R"(/npr={"cool_to_warm": true})"},
+             {"--pixel", "640,0", "--size", "1280x9", "--set",
+              R"(/npr={"silhouettes": true, "stroke_width_px": 20})"}}) {
+        std::vector<std::string> arguments{"explain", scene, "--format", "json"};
+        arguments.insert(arguments.end(), how.begin(), how.end());
+        const Ended ended = run_glint(arguments);
+        REQUIRE(ended.status == 0);
+        for (std::sregex_iterator i(ended.out.begin(), ended.out.end(), key), end; i != end; ++i)
+            given.insert((*i)[1]);
+    }
+    for (const char* rare : {"samples", "corners", "cool_to_warm", "stroke", "one_sided"})
+        CHECK(given.count(rare) == 1);
+    for (const std::string& field : given) {
+        CAPTURE(field);
+        CHECK(documented.count(field) == 1);
+    }
+}
+
 TEST_CASE("every picture that the gallery and the README show is there, and none is left unshown", "[docs]") {
     std::set<std::string> shown, made;
     const std::regex link(R"(\]\((?:docs/)?pictures/([^)]+)\))");
