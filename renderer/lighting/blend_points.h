@@ -8,7 +8,7 @@ namespace glint::inline GLINT_ISA {
 
 /// The colours of the lit points with these numbers.
 template <Number F> Vec3<F> colors_of(const ColorBlock* points, IntOf<F> number) {
-    static_assert(block_size == 16 && sizeof(ColorBlock) == 3 * 16 * sizeof(float));
+    static_assert(block_size == 16 && sizeof(ColorBlock) == 48 * sizeof(float));
     const IntOf<F> block = number >> 4;
     const IntOf<F> at = (block << 5) + (block << 4) + (number & 15);  // 48 floats a block
     return {gather<F>(points->r, at), gather<F>(points->g, at), gather<F>(points->b, at)};

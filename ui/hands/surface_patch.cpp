@@ -41,8 +41,9 @@ std::optional<SurfacePatch> surface_patch(const Renderer& renderer, PictureSize 
 }
 
 glm::dvec2 SurfacePatch::offset(std::size_t i) const {
-    const auto side = static_cast<std::size_t>(2 * radius + 1);
-    return {static_cast<double>(i % side) - radius, static_cast<double>(i / side) - radius};
+    const int side = 2 * radius + 1;
+    const int across = static_cast<int>(i) % side, down = static_cast<int>(i) / side;
+    return {across - radius, down - radius};
 }
 
 glm::dvec2 SurfacePatch::slope_of_log(const std::vector<double>& values, int within) const {

@@ -26,6 +26,7 @@ Reflector reflector_of(const PlotSubject& subject) {
 template <class Value>
 std::vector<glm::dvec2> polar(const std::vector<LobeSample>& slice, const Value& value) {
     std::vector<glm::dvec2> curve;
+    curve.reserve(slice.size());
     for (const LobeSample& s : slice) curve.emplace_back(s.view_deg, intensity_of(value(s.reflected)));
     return curve;
 }
