@@ -27,6 +27,11 @@ constexpr std::array table{
     ActionInfo{Action::AddLight, "Add a light", "L", {Key::L}, Menu::Edit},
     ActionInfo{Action::MoveByHand, "Move the object by hand", "G", {Key::G}, Menu::Edit, line},
     ActionInfo{Action::RotateByHand, "Rotate the object by hand", "R", {Key::R}, Menu::Edit},
+    ActionInfo{Action::RotateAboutPicked,
+               "Rotate it about the picked point",
+               "Shift+R",
+               {Key::R, !ctrl, shift},
+               Menu::Edit},
     ActionInfo{Action::ScaleByHand, "Scale the object by hand", "T", {Key::T}, Menu::Edit},
     ActionInfo{Action::Palette, "Find an action…", "Ctrl+K", {Key::K, ctrl}, Menu::Edit, line},
 

@@ -39,7 +39,15 @@ void copy_command(UiState& state) {
 /// The key of the gizmo that shows takes it away.
 void choose_gizmo(UiState& state, GizmoMode mode) {
     GizmoMode& shown = state.viewport.gizmo;
-    shown = shown == mode ? GizmoMode::None : mode;
+    shown = shown == mode && !state.viewport.pivot ? GizmoMode::None : mode;
+    state.viewport.pivot.reset();
+}
+
+/// The point stays where it was picked, so that the pixel there goes on showing it while all else turns.
+void rotate_about_picked(UiState& state) {
+    state.editor.selection = {Selection::Kind::Object, state.why->object_index};
+    state.viewport.gizmo = GizmoMode::Rotate;
+    state.viewport.pivot = glm::dvec3(state.why->spaces.world);
 }
 
 void run_file_action(UiState& state, Action action) {
@@ -88,6 +96,8 @@ void run_edit_action(UiState& state, Action action) {
         return choose_gizmo(state, GizmoMode::Move);
     case Action::RotateByHand:
         return choose_gizmo(state, GizmoMode::Rotate);
+    case Action::RotateAboutPicked:
+        return rotate_about_picked(state);
     case Action::ScaleByHand:
         return choose_gizmo(state, GizmoMode::Scale);
     case Action::Flat:
@@ -168,6 +178,8 @@ std::string why_not(const UiState& state, Action action) {
     case Action::ScaleByHand:
         return unless(state.editor.selection.kind == Selection::Kind::Object,
                       "No object is selected: double-click one");
+    case Action::RotateAboutPicked:
+        return unless(state.why && state.why->hit, "No point is picked: click one");
     case Action::Duplicate:
     case Action::Delete:
         return unless(is_item(state.editor.selection), "No light and no object is selected");
@@ -198,7 +210,9 @@ std::optional<bool> is_on(const UiState& state, Action action) {
     case Action::MoveByHand:
         return state.viewport.gizmo == GizmoMode::Move;
     case Action::RotateByHand:
-        return state.viewport.gizmo == GizmoMode::Rotate;
+        return state.viewport.gizmo == GizmoMode::Rotate && !state.viewport.pivot;
+    case Action::RotateAboutPicked:
+        return state.viewport.gizmo == GizmoMode::Rotate && state.viewport.pivot;
     case Action::ScaleByHand:
         return state.viewport.gizmo == GizmoMode::Scale;
     case Action::Fold:

@@ -26,6 +26,7 @@ enum class Action {
     AddLight,
     MoveByHand,
     RotateByHand,
+    RotateAboutPicked,
     ScaleByHand,
     FrameAll,
     FrameSelected,

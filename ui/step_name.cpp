@@ -50,6 +50,8 @@ const char* transform_step(const Transform& a, const Transform& b) {
     same = a;
     same.rotate_deg = b.rotate_deg;
     if (same == b) return "Rotate";
+    same.translate = b.translate;
+    if (same == b) return "Rotate";  // about a point that is not the object's origin
     same = a;
     same.scale = b.scale;
     return same == b ? "Scale" : "Transform";

@@ -166,6 +166,7 @@ void set_cursor(const ViewportState& state) {
 
 bool viewport_gestures(ViewportState& state, ViewportFrame frame, const UiInput& input) {
     frame.gizmo = state.gizmo;
+    frame.pivot = state.pivot;
     state.asked = false;
     state.hovered = ImGui::IsItemHovered() && ImGui::IsMousePosValid();
     if (state.gesture == Gesture::None) {

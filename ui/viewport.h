@@ -20,7 +20,9 @@ struct ViewportState {
     Grip hovered_grip, pressed_grip;  // under the cursor now, and when the button went down
     Held held;                        // under Gesture::Hand
     GizmoMode gizmo = GizmoMode::Move;
-    Scene before;                     // as it was when the gesture began: Esc brings it back
+    std::optional<glm::dvec3>
+        pivot;     // what GizmoMode::Rotate turns about, world coordinates; else the object's origin
+    Scene before;  // as it was when the gesture began: Esc brings it back
     std::optional<glm::dvec2> probe;  // the pixel asked about, as a share of the picture's size
     bool hovered = false;             // the cursor is over the picture
     bool asked = false;               // a pixel was clicked in this frame

@@ -48,7 +48,7 @@ void draw_gizmo_of_selected(ImDrawList& list, const ViewportState& state, const 
     const Grip& grip = held ? state.held.grip : state.hovered_grip;
     std::optional<GizmoPart> in_hand;
     if (grip.kind == GripKind::Object) in_hand = grip.part;
-    const auto gizmo = gizmo_of(frame.scene.objects[index].transform, state.gizmo, frame.view);
+    const auto gizmo = gizmo_of(frame.scene.objects[index].transform, state.gizmo, frame.view, state.pivot);
     if (gizmo) draw_object_gizmo(list, frame.view, *gizmo, state.gizmo, in_hand);
 }
 

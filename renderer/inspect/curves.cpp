@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
-#include <numbers>
 #include <optional>
 
 #include "renderer/inspect/lobes.h"
@@ -28,24 +27,6 @@ std::optional<LightAt<float>> equation_light(const Scene& scene, int light) {
 Vec3<float> across(Vec3<float> a) {
     const Vec3<float> helper = std::abs(a.x) < 0.6f ? Vec3<float>{1, 0, 0} : Vec3<float>{0, 1, 0};
     return unit(helper - dot(helper, a) * a);
-}
-
-double highlight_at(Reflection reflection, float shininess, double view_deg) {
-    Reflector reflector;
-    reflector.reflection = reflection;
-    reflector.material.specular = glm::vec3(1);
-    reflector.material.shininess = shininess;
-    return double(reflected(reflector, {0, 0, 1}, in_plane(view_deg)).specular.x);
-}
-
-double misfit(const std::vector<glm::dvec2>& phong, double blinn_shininess) {
-    double sum = 0;
-    for (const glm::dvec2 p : phong) {
-        const double away =
-            highlight_at(Reflection::BlinnPhong, static_cast<float>(blinn_shininess), p.x) - p.y;
-        sum += away * away;
-    }
-    return sum;
 }
 
 }  // namespace
@@ -90,20 +71,12 @@ std::vector<glm::dvec2> highlight_curve(Reflection reflection, float shininess, 
     return curve;
 }
 
-double blinn_shininess_like(float shininess) {
-    std::vector<glm::dvec2> phong;
-    for (int deg = 0; deg <= 90; ++deg)
-        phong.emplace_back(deg, highlight_at(Reflection::Phong, shininess, deg));
-    // The misfit has one valley: thirds of the interval until it is narrow.
-    double low = 0, high = 8.0 * double(shininess) + 8;
-    for (int i = 0; i < 60; ++i) {
-        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-        if (misfit(phong, a) < misfit(phong, b))
-            high = b;
-        else
-            low = a;
-    }
-    return (low + high) / 2;
+double highlight_at(Reflection reflection, float shininess, double view_deg) {
+    Reflector reflector;
+    reflector.reflection = reflection;
+    reflector.material.specular = glm::vec3(1);
+    reflector.material.shininess = shininess;
+    return double(reflected(reflector, {0, 0, 1}, in_plane(view_deg)).specular.x);
 }
 
 }  // namespace glint

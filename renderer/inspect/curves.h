@@ -23,8 +23,7 @@ namespace glint {
 /// the angle for Blinn-Phong. Reflection models without a power of a cosine give what they give.
 [[nodiscard]] std::vector<glm::dvec2> highlight_curve(Reflection reflection, float shininess, int steps);
 
-/// The shininess n' with which Blinn-Phong's highlight comes nearest to Phong's with `shininess` (>= 0), by
-/// least squares over angles from 0 to 90 degrees. About 4 n.
-[[nodiscard]] double blinn_shininess_like(float shininess);
+/// S of a surface with k_s = 1 in the direction `view_deg` from its normal, under a light at the normal.
+[[nodiscard]] double highlight_at(Reflection reflection, float shininess, double view_deg);
 
 }  // namespace glint

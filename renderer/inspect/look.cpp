@@ -176,6 +176,9 @@ const Picture& LookPainter::paint(LookChoice choice, const Scene& scene, const R
     case Look::Picture:
         terms_ = &renderer_->render(scene, size, true);
         return *terms_;
+    case Look::Silhouette:
+        terms_ = &renderer_->render(silhouette_scene(scene), size, true);
+        return *terms_;
     case Look::Emission:
     case Look::Ambient:
     case Look::Diffuse:

@@ -23,12 +23,13 @@ enum class Look {
     Depth,       // in front of the camera, scene units
     Face,        // which polygon: neighbours in different colours
     FacetAngle,  // between the facet's and the interpolated normal, degrees
+    Silhouette,  // the picture with its outline marked: polygons stay, whatever the shading
     Emission,    // single terms of the sum, as the picture shows them
     Ambient,
     Diffuse,
     Specular
 };
-inline constexpr int look_count = 10;
+inline constexpr int look_count = 11;
 
 struct LookChoice {
     Look look = Look::Picture;
@@ -44,6 +45,9 @@ struct LookChoice {
 [[nodiscard]] Scene n_dot_l_scene(const Scene& scene, int light);
 /// The scene with one term alone. Precondition: Emission, Ambient, Diffuse or Specular.
 [[nodiscard]] Scene term_scene(const Scene& scene, Look term);
+
+/// The scene with a stroke along its silhouettes in place of its own strokes.
+[[nodiscard]] Scene silhouette_scene(const Scene& scene);
 
 /// Numbers to colours for a colour bar: `low` to `high` in `unit`.
 struct LookScale {

@@ -57,6 +57,15 @@ Scene n_dot_l_scene(const Scene& scene, int light) {
     return s;
 }
 
+Scene silhouette_scene(const Scene& scene) {
+    Scene s = scene;
+    s.npr.silhouettes = true;
+    s.npr.creases = false;
+    s.npr.stroke_width_px = 2;
+    s.npr.stroke = {1, 0.25f, 0.6f};  // a hue that few materials have
+    return s;
+}
+
 Scene term_scene(const Scene& scene, Look term) {
     Scene s = scene;
     s.shading.terms = {term == Look::Emission, term == Look::Ambient, term == Look::Diffuse,

@@ -107,6 +107,41 @@ TEST_CASE("look: the facet's angle to the interpolated normal is that of the two
     CHECK(most > 5);
 }
 
+TEST_CASE("look: the silhouette is marked where surface meets background, in every mode at the same pixels",
+          "[look]") {
+    Scene scene = busy_scene();
+    scene.objects.resize(1);
+    scene.npr = {};
+    std::vector<int> first;
+    for (const ShadingMode mode : {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong}) {
+        scene.shading.mode = mode;
+        Renderer renderer(1);
+        const Picture plain = renderer.render(scene, size, true);
+        LookPainter painter(1);
+        const Picture& marked = painter.paint({Look::Silhouette, 0}, scene, renderer, size);
+        const auto near_outline = [&](int px, int py) {
+            bool surface = false, background = false;
+            for (int y = std::max(py - 2, 0); y <= std::min(py + 2, size.height - 1); ++y)
+                for (int x = std::max(px - 2, 0); x <= std::min(px + 2, size.width - 1); ++x)
+                    (renderer.object_at(x, y) < 0 ? background : surface) = true;
+            return surface && background;
+        };
+        std::vector<int> changed;
+        int astray = 0;
+        for (int i = 0; i < size.width * size.height; ++i) {
+            const int x = i % size.width, y = i / size.width;
+            if (marked.linear_at(x, y) == plain.linear_at(x, y)) continue;
+            changed.push_back(i);
+            // The stroke is two pixels wide; silhouettes in front of the object itself lie inside it.
+            astray += !near_outline(x, y);
+        }
+        CHECK(changed.size() > 100);
+        CHECK(static_cast<std::size_t>(astray) < changed.size() / 10);
+        if (first.empty()) first = changed;
+        CHECK(changed == first);
+    }
+}
+
 TEST_CASE("look: single terms add up to the picture", "[look]") {
     const Scene scene = busy_scene();
     Renderer renderer(1);

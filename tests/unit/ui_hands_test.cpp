@@ -4,6 +4,7 @@
 
 #include "tests/catch.h"
 #include "tests/unit/ui_bench.h"
+#include "ui/actions.h"
 
 using namespace glint;
 using test::Bench;
@@ -287,5 +288,43 @@ TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[
         if (part == ShapePart::Aim) CHECK(glm::length(place(part) - to) < 0.5);
         bench.key(Key::Z, true);
         CHECK(bench.scene() == before);
+    }
+}
+
+TEST_CASE(
+    "turned about the picked point, a skew quad changes its colour there under scanline interpolation alone",
+    "[ui][hands][window]") {
+    for (const Interpolation interpolation : {Interpolation::Scanline, Interpolation::Perspective}) {
+        Bench bench;
+        take_document(bench.state.editor,
+                      std::get<SceneDocument>(open_document(
+                          std::string(GLINT_SOURCE_DIR) + "/assets/scenes/skew-quad.json", {})));
+        bench.scene().shading.interpolation = interpolation;
+        bench.frames(2);
+        CHECK_FALSE(why_not(bench.state, Action::RotateAboutPicked).empty());
+        const glm::dvec2 pixel =
+            project(screen_map(bench.scene().camera, bench.state.picture->size), {-2.5, 0.1, 0}).pixel;
+        bench.click(bench.at_pixel(pixel));
+        bench.frames(2);
+        REQUIRE(bench.state.why);
+        const Explanation before = *bench.state.why;
+        bench.key(Key::R, false, true);
+        REQUIRE(bench.state.viewport.pivot);
+        CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, before.object_index});
+        // The outer ring, which turns round the line of sight, is 1.18 axes of 84 units out: by a right
+        // angle.
+        const double out = 84 * 1.18;
+        bench.drag(bench.at_pixel(pixel + glm::dvec2(out, 0)), bench.at_pixel(pixel + glm::dvec2(0, -out)));
+        bench.frames(2);
+        CHECK(bench.state.editor.history.undo_name() == "Rotate As it is");
+        const Explanation after = *bench.state.why;
+        CHECK(std::abs(bench.scene().objects[0].transform.rotate_deg.z) == Approx(90).margin(2));
+        CHECK(glm::length(after.spaces.object - before.spaces.object) < 0.03f);
+        const float change = glm::length(after.sum - before.sum);
+        INFO("change " << change);
+        CHECK((interpolation == Interpolation::Scanline ? change > 0.08f : change < 0.02f));
+        bench.key(Key::R);
+        CHECK_FALSE(bench.state.viewport.pivot);
+        CHECK(bench.state.viewport.gizmo == GizmoMode::Rotate);
     }
 }

@@ -4,6 +4,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "renderer/inspect/curves.h"
+#include "renderer/inspect/highlight_fit.h"
 #include "tests/catch.h"
 #include "tests/unit/scenes.h"
 #include "tests/unit/ui_why_bench.h"
@@ -124,6 +125,42 @@ TEST_CASE("plots: Blinn's shininess nearest to Phong's is about four times it", 
     };
     CHECK(misfit(like) < misfit(like * 1.02));
     CHECK(misfit(like) < misfit(like / 1.02));
+}
+
+TEST_CASE("plots: a curve drawn from a known power is fitted by that power", "[plots][lecture]") {
+    for (const double n : {0.0, 0.7, 5.0, 32.0, 400.0}) {
+        HighlightSketch sketch;
+        // As a hand would: from the right to the left, some degrees at a time.
+        const auto value = [n](double deg) { return std::pow(std::cos(glm::radians(deg)), n); };
+        for (int deg = 88; deg > 0; deg -= 2)
+            add_to_sketch(sketch, {deg, value(deg)}, {deg - 2, value(deg - 2)});
+        const auto points = points_of(sketch);
+        CHECK(points.size() == 89);
+        const auto fit = fitted_highlight(Reflection::Phong, points);
+        REQUIRE(fit);
+        CHECK(fit->shininess == Approx(n).epsilon(0.02).margin(0.01));
+        CHECK(fit->error < 0.02);
+    }
+    CHECK_FALSE(fitted_highlight(Reflection::Phong, {}));
+    CHECK(points_of({}).empty());
+}
+
+TEST_CASE("plots: the bell and the line are half as high where the power is", "[plots][lecture]") {
+    CHECK(half_angle_deg(1) == Approx(60));
+    CHECK(half_angle_deg(0) == 90);
+    for (const double n : {2.0, 20.0, 200.0}) {
+        const double half = half_angle_deg(n);
+        CHECK(std::pow(std::cos(glm::radians(half)), n) == Approx(0.5));
+        for (const HighlightShape shape : {HighlightShape::Gaussian, HighlightShape::Linear}) {
+            const auto curve = highlight_shape(shape, n, 9000);
+            CHECK(curve.front().y == 1);
+            CHECK(curve[static_cast<std::size_t>(std::lround(half * 100))].y == Approx(0.5).margin(2e-3));
+            const double twice =
+                curve[static_cast<std::size_t>(std::lround(std::min(2 * half, 90.0) * 100))].y;
+            if (2 * half <= 90)
+                CHECK(twice == Approx(shape == HighlightShape::Gaussian ? 1.0 / 16 : 0.0).margin(2e-3));
+        }
+    }
 }
 
 TEST_CASE("plots: under Gouraud shading the corner that counts most is marked", "[ui][plots]") {

@@ -195,6 +195,26 @@ TEST_CASE("an object turned by a ring turns round that axis by the angle of the 
     }
 }
 
+TEST_CASE("an object turned about a point keeps that point of it in its place", "[ui][hands]") {
+    const Stage stage;
+    const Transform start = busy_transform();
+    const glm::dvec3 pivot(0.6, 0.1, 0.2);
+    const glm::dvec4 in_object = glm::inverse(glm::dmat4(world_from_object(start))) * glm::dvec4(pivot, 1);
+    const auto gizmo = gizmo_of(start, GizmoMode::Rotate, stage.picture, pivot);
+    REQUIRE(gizmo);
+    CHECK(gizmo->origin == pivot);
+    CHECK(gizmo_of(start, GizmoMode::Move, stage.picture, pivot)->origin == glm::dvec3(start.translate));
+    for (const GizmoPart part : {GizmoPart::X, GizmoPart::Y, GizmoPart::Z, GizmoPart::Free}) {
+        const glm::dvec2 at = stage.pixel(pivot) + glm::dvec2(60, 20);
+        const ObjectDrag drag{start, *gizmo, GizmoMode::Rotate, part, at};
+        const Transform after = dragged_object(drag, stage.view, at + glm::dvec2(-30, 50), false);
+        CHECK(largest_difference(rotation(after.rotate_deg), rotation(start.rotate_deg)) > 0.1);
+        CHECK(glm::length(after.translate - start.translate) > 0.05f);
+        const glm::dvec4 there = glm::dmat4(world_from_object(after)) * in_object;
+        CHECK(glm::length(glm::dvec3(there) - pivot) < 2e-5);  // angles are kept to a thousandth of a degree
+    }
+}
+
 TEST_CASE("angles found for a rotation give it back, and stay near those it had", "[ui][hands][property]") {
     std::mt19937 random(5);
     for (int i = 0; i < 500; ++i) {

@@ -65,7 +65,7 @@ std::optional<Grip> object_grip_under(const ViewportFrame& frame, glm::dvec2 cur
     if (frame.selection.kind != Selection::Kind::Object) return {};
     const auto index = static_cast<std::size_t>(frame.selection.index);
     if (index >= frame.scene.objects.size()) return {};
-    const auto gizmo = gizmo_of(frame.scene.objects[index].transform, frame.gizmo, frame.view);
+    const auto gizmo = gizmo_of(frame.scene.objects[index].transform, frame.gizmo, frame.view, frame.pivot);
     if (!gizmo) return {};
     const auto part = gizmo_under(*gizmo, frame.gizmo, frame.view, cursor_px);
     if (!part) return {};
@@ -115,7 +115,7 @@ Held take_hold(const ViewportFrame& frame, Grip grip, glm::dvec2 cursor_px, cons
         break;
     case GripKind::Object: {
         const Transform& start = frame.scene.objects[static_cast<std::size_t>(grip.item)].transform;
-        if (const auto gizmo = gizmo_of(start, frame.gizmo, frame.view))
+        if (const auto gizmo = gizmo_of(start, frame.gizmo, frame.view, frame.pivot))
             held.drag = ObjectDrag{start, *gizmo, frame.gizmo, grip.part, cursor_px};
         break;
     }

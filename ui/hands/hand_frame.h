@@ -16,6 +16,7 @@ struct ViewportFrame {
     const Renderer* renderer = nullptr;  // of the last picture; null before the first
     PictureView view;
     GizmoMode gizmo = GizmoMode::Move;  // of the selected object
+    std::optional<glm::dvec3> pivot{};  // what Rotate turns it about, world coordinates; else its origin
 };
 
 struct HandKeys {

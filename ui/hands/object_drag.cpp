@@ -72,6 +72,8 @@ Transform turned(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor
     const glm::dmat3 turn(rotated({1, 0, 0}, axis, angle), rotated({0, 1, 0}, axis, angle),
                           rotated({0, 0, 1}, axis, angle));
     t.rotate_deg = euler_deg(turn * rotation_of(drag.start), drag.start.rotate_deg);
+    const glm::dvec3 arm = glm::dvec3(drag.start.translate) - g.origin;
+    if (arm != glm::dvec3(0)) t.translate = glm::vec3(g.origin + turn * arm);
     return t;
 }
 
@@ -157,10 +159,11 @@ std::optional<GizmoPart> plane_under(const ObjectGizmo& gizmo, const PictureView
 
 }  // namespace
 
-std::optional<ObjectGizmo> gizmo_of(const Transform& transform, GizmoMode mode, const PictureView& view) {
+std::optional<ObjectGizmo> gizmo_of(const Transform& transform, GizmoMode mode, const PictureView& view,
+                                    const std::optional<glm::dvec3>& pivot) {
     if (mode == GizmoMode::None) return {};
     ObjectGizmo gizmo;
-    gizmo.origin = glm::dvec3(transform.translate);
+    gizmo.origin = pivot && mode == GizmoMode::Rotate ? *pivot : glm::dvec3(transform.translate);
     const OnScreen at = project(view.map, gizmo.origin);
     if (!at.in_front || at.depth <= 0) return {};
     const double units = double(px(axis_units)) / double(view.units_per_pixel);

@@ -20,15 +20,17 @@ enum class GizmoPart { X, Y, Z, PlaneX, PlaneY, PlaneZ, Free };
 
 /// Where the gizmo stands, world coordinates.
 struct ObjectGizmo {
-    glm::dvec3 origin{0};              // of the object
+    glm::dvec3 origin{0};              // of the object, or what it is turned about
     std::array<glm::dvec3, 3> axes{};  // unit: the world's, or (Scale) the object's own
     double length = 1;                 // of an axis: the same on the screen wherever the object is
     glm::dvec3 to_eye{0, 0, 1};        // unit, from the origin
 };
 
-/// Nothing under None and where the object's origin is not in front of the eye.
+/// `pivot`: what Rotate turns about, world coordinates, in place of the object's origin; other modes have no
+/// use for it. Nothing under None and where the gizmo's origin is not in front of the eye.
 [[nodiscard]] std::optional<ObjectGizmo> gizmo_of(const Transform& transform, GizmoMode mode,
-                                                  const PictureView& view);
+                                                  const PictureView& view,
+                                                  const std::optional<glm::dvec3>& pivot = {});
 
 /// The part under the cursor (pixels of the picture), axes before planes before Free.
 [[nodiscard]] std::optional<GizmoPart> gizmo_under(const ObjectGizmo& gizmo, GizmoMode mode,

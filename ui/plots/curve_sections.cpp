@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "renderer/inspect/curves.h"
+#include "renderer/inspect/highlight_fit.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/sections.h"
 #include "ui/theme.h"

@@ -44,10 +44,12 @@ void plots_tab(UiState& state, const PictureView& view) {
         subject.material = scene.objects.front().material;
     if (subject.point.at == nullptr) small_dim("Pick a pixel to see where it lies on each curve.");
     if (subject.point.at != nullptr && subject.point.light == nullptr) small_dim("This light is off.");
+    cosine_section(plots, subject);
     falloff_section(subject);
     spot_section(subject);
     kinds_section(subject, view);
     highlight_section(plots, subject);
+    sketch_section(state, plots, subject);
     intensities_section(subject);
     lobe_section(plots, subject);
     brdf_section(plots, subject);

@@ -2,6 +2,7 @@
 // The tab of curves: falloff, highlight, cone, lobes and microfacets, with the picked point marked on each.
 // Curves are sampled from renderer/inspect; nothing is computed here.
 
+#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,8 +17,22 @@ namespace glint {
 struct UiState;
 struct PictureView;
 
+/// A highlight's fall-off as a hand drew it, a value 0 to 1 for each degree from its middle; negative: not
+/// drawn.
+struct HighlightSketch {
+    HighlightSketch() { value.fill(-1); }
+    std::array<float, 91> value{};
+    std::optional<glm::dvec2> last;  // where the hand was in the frame before, while it draws
+};
+/// Draws a straight stroke between two places (degrees 0 to 90, value).
+void add_to_sketch(HighlightSketch& sketch, glm::dvec2 from, glm::dvec2 to);
+/// What is drawn of it: (degrees, value), by degrees.
+[[nodiscard]] std::vector<glm::dvec2> points_of(const HighlightSketch& sketch);
+
 struct PlotsState {
-    int light = 0;                                                // whose curves are shown: in Scene::lights
+    int light = 0;        // whose curves are shown: in Scene::lights
+    float beam_deg = 50;  // of the slanting beam, where no point is picked
+    HighlightSketch sketch;
     MicrofacetOptions microfacets{.rays = 3000, .facets = 1000};  // of the profile
     bool follow_pick = true;                                      // its angles are those at the picked point
     // Kept until what they are of changes:

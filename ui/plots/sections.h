@@ -19,6 +19,8 @@ struct PlotSubject {
 
 void falloff_section(const PlotSubject& subject);
 void highlight_section(PlotsState& plots, const PlotSubject& subject);
+void cosine_section(PlotsState& plots, const PlotSubject& subject);
+void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subject);
 void spot_section(const PlotSubject& subject);
 void kinds_section(const PlotSubject& subject, const PictureView& view);
 void intensities_section(const PlotSubject& subject);

@@ -23,6 +23,8 @@ constexpr std::array<LookInfo, look_count> infos{{
     {Look::Face, "Faces", "Every polygon in a colour of its own"},
     {Look::FacetAngle, "Facet – normal",
      "Angle between the polygon's own normal and the interpolated one: where smooth shading pretends"},
+    {Look::Silhouette, "Silhouette",
+     "The outline drawn over the picture: a coarse mesh keeps its corners there, whatever the shading"},
     {Look::Emission, "Emission alone", "One term of the sum"},
     {Look::Ambient, "Ambient alone", "One term of the sum"},
     {Look::Diffuse, "Diffuse alone", "One term of the sum"},

@@ -105,7 +105,7 @@ void equation_tab(UiState& state, const PictureView&) {
         lit_at(state.why_column, why);
         const ExplainedPoint& point = asked_point(state.why_column, why);
         unlit(state, why, point);
-        for (const ExplainedLight& light : point.lights) light_card(state, why, light);
+        for (std::size_t i = 0; i < point.lights.size(); ++i) light_card(state, why, point, i);
         if (point.lights.empty()) wrapped_dim("No light is on: only ambient and emission are left.");
     }
     copy_buttons(why, state.editor.scene());

@@ -140,7 +140,8 @@ bool draw_term_line(const TermLine& term) {
     return edited;
 }
 
-void light_card(UiState& state, const Explanation& why, const ExplainedLight& explained) {
+void light_card(UiState& state, const Explanation& why, const ExplainedPoint& point, std::size_t which) {
+    const ExplainedLight& explained = point.lights[which];
     Scene& scene = state.editor.scene();
     const auto index = static_cast<std::size_t>(explained.index);
     if (index >= scene.lights.size()) return;
@@ -156,6 +157,7 @@ void light_card(UiState& state, const Explanation& why, const ExplainedLight& ex
     for (const TermLine& term : term_lines({scene, why, explained, state.why_column.channel}))
         edited |= light_term(state, term, explained.index);
     if (const std::string reason = why_dark(explained, before); !reason.empty()) warning_text(reason);
+    if (const std::string words = blocked_words(state, why, point, which); !words.empty()) wrapped_dim(words);
     ImGui::EndGroup();
     if (is_pointed_at(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()))
         state.why_column.pointed_light = explained.index;

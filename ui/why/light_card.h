@@ -9,9 +9,9 @@ struct UiState;
 struct TermLine;
 
 /// Name, angles, what all terms are multiplied by, and the three terms as products of the chosen channel.
-/// Numbers of the scene can be dragged; pointing at the name shows the light alone, at a term that term of
-/// this light alone, at a letter its arrow.
-void light_card(UiState& state, const Explanation& why, const ExplainedLight& light);
+/// `which`: of point.lights. Numbers of the scene can be dragged; pointing at the name shows the light alone,
+/// at a term that term of this light alone, at a letter its arrow.
+void light_card(UiState& state, const Explanation& why, const ExplainedPoint& point, std::size_t which);
 
 /// letter = factor × factor … = result. True when a number was edited.
 bool draw_term_line(const TermLine& line);

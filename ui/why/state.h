@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ui/theme.h"
+#include "ui/why/blocked.h"
 
 namespace glint {
 
@@ -22,6 +23,7 @@ struct WhyState {
     // What the mouse points at in the column, of the last frame: its arrow is drawn thick.
     std::optional<Symbol> pointed_vector;
     int pointed_light = -1;
+    BlockedState blocked;
     std::string preview_name;  // of what the picture shows in place of the scene; empty: the scene
 };
 

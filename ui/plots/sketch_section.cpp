@@ -1,0 +1,113 @@
+// How a highlight might fall off: other shapes beside cos^n, and the n that comes nearest to a curve drawn by
+// hand.
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/inspect/curves.h"
+#include "renderer/inspect/highlight_fit.h"
+#include "ui/plots/plot.h"
+#include "ui/plots/sections.h"
+#include "ui/theme.h"
+#include "ui/ui.h"
+#include "ui/why/parts.h"
+#include "ui/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr int steps = 90;
+
+/// The model whose power is fitted: the scene's, or Phong's where its model has none.
+Reflection fitted_model(const Scene& scene) {
+    return scene.shading.reflection == Reflection::BlinnPhong ? Reflection::BlinnPhong : Reflection::Phong;
+}
+
+/// The half of a model's highlight from its middle outwards.
+std::vector<glm::dvec2> half_highlight(Reflection reflection, float shininess) {
+    std::vector<glm::dvec2> curve;
+    for (int deg = 0; deg <= steps; ++deg) curve.emplace_back(deg, highlight_at(reflection, shininess, deg));
+    return curve;
+}
+
+/// What the hand draws while the button is down over the plot, a value for each degree.
+void draw_by_hand(HighlightSketch& sketch, const PlotArea& area) {
+    ImGui::SetCursorScreenPos(area.rect.low);
+    ImGui::InvisibleButton("##sketch", area.rect.size());
+    tooltip("Sketch", "Draw how the highlight shall fall off, from its middle outwards");
+    if (!ImGui::IsItemActive()) return sketch.last.reset();
+    const glm::dvec2 hand = area.value(ImGui::GetIO().MousePos);
+    const glm::dvec2 now{std::clamp(hand.x, 0.0, 90.0), std::clamp(hand.y, 0.0, 1.0)};
+    add_to_sketch(sketch, sketch.last.value_or(now), now);
+    sketch.last = now;
+}
+
+void fit_row(UiState& state, HighlightSketch& sketch) {
+    const std::vector<glm::dvec2> drawn = points_of(sketch);
+    const auto fit = fitted_highlight(fitted_model(state.editor.scene()), drawn);
+    if (!fit) return small_dim("Draw a curve over the plot: the power that comes nearest is found.");
+    figures(fmt::format("nearest: n = {:.4g}, {:.3f} off on average", fit->shininess, fit->error));
+    if (ImGui::SmallButton("Use this n")) {
+        const auto object =
+            state.why && state.why->hit ? static_cast<std::size_t>(state.why->object_index) : std::size_t{0};
+        if (object < state.editor.scene().objects.size())
+            state.editor.scene().objects[object].material.shininess = static_cast<float>(fit->shininess);
+    }
+    tooltip("Use this n", "As the shininess of the picked object, or of the first");
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Clear")) sketch = {};
+}
+
+}  // namespace
+
+void add_to_sketch(HighlightSketch& sketch, glm::dvec2 from, glm::dvec2 to) {
+    if (from.x > to.x) std::swap(from, to);
+    const int first = static_cast<int>(std::lround(from.x)), last = static_cast<int>(std::lround(to.x));
+    for (int deg = first; deg <= last; ++deg) {
+        const double share = last > first ? double(deg - first) / (last - first) : 1;
+        sketch.value[static_cast<std::size_t>(deg)] = static_cast<float>(from.y + share * (to.y - from.y));
+    }
+}
+
+std::vector<glm::dvec2> points_of(const HighlightSketch& sketch) {
+    std::vector<glm::dvec2> points;
+    for (std::size_t deg = 0; deg < sketch.value.size(); ++deg)
+        if (sketch.value[deg] >= 0) points.emplace_back(deg, sketch.value[deg]);
+    return points;
+}
+
+void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subject) {
+    section("How might a highlight fall off?");
+    const double n = double(subject.material.shininess);
+    const Reflection model = fitted_model(subject.scene);
+    const Symbol symbol = model == Reflection::Phong ? Symbol::R : Symbol::H;
+    const auto power = half_highlight(model, subject.material.shininess);
+    // As wide as the power at half its height: Blinn-Phong's is over twice the angle.
+    const double like = model == Reflection::Phong ? n : n / 4;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 cursor = ImGui::GetCursorScreenPos();
+    const PlotArea area = draw_axes(list, plot_room(120), {0, 90}, {0, 1.1},
+                                    {"from the highlight's middle", "degrees", true, 30}, {"S", ""});
+    const ImVec2 below = ImGui::GetCursorScreenPos();
+    draw_by_hand(plots.sketch, area);
+    ImGui::SetCursorScreenPos({cursor.x, below.y});
+    draw_curve(list, area, highlight_shape(HighlightShape::Linear, like, steps), theme().dim_text, 1.2f);
+    draw_curve(list, area, power, theme()[symbol], 3);
+    // Over it: for a large n the two are hard to tell apart.
+    draw_curve(list, area, highlight_shape(HighlightShape::Gaussian, like, steps), theme()[Symbol::L], 1.2f);
+    const auto drawn = points_of(plots.sketch);
+    draw_curve(list, area, drawn, theme().accent, 2.6f);
+    if (const auto fit = fitted_highlight(model, drawn))
+        draw_curve(list, area, half_highlight(model, static_cast<float>(fit->shininess)), theme().text, 1);
+    draw_y_name(list, area, {"S", ""});
+    coloured(symbol, fmt::format("{}^{:.4g}", model == Reflection::Phong ? "(r·v)" : "(n·h)", n).c_str());
+    ImGui::SameLine(0, px(8));
+    coloured(Symbol::L, "Gaussian");
+    ImGui::SameLine(0, px(8));
+    dim_text("linear");
+    fit_row(state, plots.sketch);
+}
+
+}  // namespace glint
