@@ -59,8 +59,14 @@ bool detail_field(Object& object, const std::string& pointer) {
 void mesh_facts(const Object& object) {
     if (!object.mesh) return;
     const Mesh& mesh = *object.mesh;
+    const std::size_t faces = mesh.face_count(), triangles = mesh.triangles.size();
     row("");
-    dim_text(fmt::format("{} faces, {} triangles", mesh.face_count(), mesh.triangles.size()).c_str());
+    // Where every face is a triangle one number says it all, and two need two lines.
+    if (faces != triangles) {
+        dim_text(fmt::format("{} {}", faces, faces == 1 ? "face" : "faces").c_str());
+        row("");
+    }
+    dim_text(fmt::format("{} {}", triangles, triangles == 1 ? "triangle" : "triangles").c_str());
     for (const std::string& warning : mesh.warnings) {
         row("");
         ImGui::PushTextWrapPos(0);

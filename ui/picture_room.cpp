@@ -12,12 +12,16 @@
 namespace glint {
 namespace {
 
+/// In one line, or in three where the picture is too narrow for that.
 void first_hints(const UiState& state, const PictureView& view) {
     if (state.viewport.touched) return;
     const char* text =
         "Drag a light or a highlight   ·   Click a pixel to ask why   ·   Drag elsewhere to orbit";
+    const float room = float(view.map.size.width) * view.units_per_pixel;
+    if (ImGui::CalcTextSize(text).x + px(40) > room)
+        text = "Drag a light or a highlight\nClick a pixel to ask why\nDrag elsewhere to orbit";
     const ImVec2 size = ImGui::CalcTextSize(text);
-    const float middle = view.origin.x + float(view.map.size.width) * view.units_per_pixel / 2;
+    const float middle = view.origin.x + room / 2;
     const float bottom = view.origin.y + float(view.map.size.height) * view.units_per_pixel - px(18);
     const ImVec2 low{middle - size.x / 2 - px(14), bottom - size.y - px(12)};
     ImDrawList& list = *ImGui::GetWindowDrawList();

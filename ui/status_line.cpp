@@ -31,10 +31,12 @@ std::string redone_stages(const FrameStats& stats) {
 
 std::string stats_text(const UiState& state, bool roomy) {
     const FrameStats& stats = state.renderer->stats();
-    std::string text =
-        fmt::format("{} triangles  ·  {} {}  ·  {:5.1f} ms", with_thousands(stats.triangles),
-                    state.drawn.lights.size(), state.drawn.lights.size() == 1 ? "light" : "lights",
-                    stats.total_ms);
+    const CompareState& compare = state.views.compare;
+    const double parts_ms = compare.choice.on ? compare.ms : 0;  // beside the picture itself
+    const std::size_t lights = state.drawn.lights.size();
+    std::string text = fmt::format("{} {}  ·  {} {}  ·  {:5.1f} ms", with_thousands(stats.triangles),
+                                   stats.triangles == 1 ? "triangle" : "triangles", lights,
+                                   lights == 1 ? "light" : "lights", stats.total_ms + parts_ms);
     if (roomy)
         text += fmt::format(" ({})  ·  {} × {}", redone_stages(stats), stats.instruction_set, stats.threads);
     return text;
