@@ -58,7 +58,7 @@ std::vector<Set> sets() {
 
 Set choose() {
     const char* forced = std::getenv("GLINT_ISA");
-    Set widest{nullptr, nullptr, false};
+    Set widest{&scalar::kernels, &scalar::drawing, false};
     for (const Set& set : sets()) {
         if (!set.usable) continue;
         if (forced && std::string(forced) == set.kernels->name) return set;

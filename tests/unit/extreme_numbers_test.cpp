@@ -37,7 +37,7 @@ Light light_at(LightKind kind, glm::vec3 place) {
 Explanation middle(const Scene& scene) {
     Renderer renderer(1);
     const Picture& picture = renderer.render(scene, size, true);
-    const Explanation e = renderer.explain(10, 10);
+    Explanation e = renderer.explain(10, 10);
     CHECK(same_bits(e.sum, picture.linear_at(10, 10)));
     return e;
 }
