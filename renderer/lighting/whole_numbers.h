@@ -37,6 +37,22 @@ inline IntLanes<16> select(Mask16 m, IntLanes<16> a, IntLanes<16> b) {
     return {(LanesOf<16>::Ints)_mm512_mask_blend_epi32(m.bits, (__m512i)b.v, (__m512i)a.v)};
 }
 #endif
+/// Lane i's truth as bit i.
+template <int N> unsigned mask_bits(IntLanes<N> m) {
+#ifdef __AVX__
+    if constexpr (N == 8) return static_cast<unsigned>(_mm256_movemask_ps((__m256)m.v));
+#endif
+#ifdef __SSE2__
+    if constexpr (N == 4) return static_cast<unsigned>(_mm_movemask_ps((__m128)m.v));
+#endif
+    unsigned bits = 0;
+    for (int i = 0; i < N; ++i) bits |= (m.v[i] & 1u) << i;
+    return bits;
+}
+#ifdef __AVX512F__
+inline unsigned mask_bits(Mask16 m) { return m.bits; }
+#endif
+inline unsigned mask_bits(bool m) { return m ? 1 : 0; }
 inline bool not_negative(int a) { return a >= 0; }
 inline bool either(bool a, bool b) { return a || b; }
 inline int select(bool m, int a, int b) { return m ? a : b; }

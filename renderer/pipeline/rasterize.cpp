@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace glint {
 namespace {
@@ -13,29 +12,19 @@ struct TilePlace {
     std::size_t x, y, width, height;  // pixels within the picture
 };
 
-/// Which pixels of one row of a tile show a triangle, from pixel x on.
-std::uint16_t covered_bits(const std::int32_t* row_of_patches, std::size_t x, std::size_t width) {
-    unsigned bits = 0;
-    for (std::size_t i = 0; i < std::min(block_size, width - x); ++i)
-        bits |= (row_of_patches[(x + i) / patch_side * patch_pixels + i % patch_side] ? 1u : 0u) << i;
-    return static_cast<std::uint16_t>(bits);
-}
-
-/// Takes one sample's plane of a tile out of its patches.
-void store_tile(const TilePixels& tile, const TilePlace& at, std::size_t picture_width, int sample,
+/// Puts a tile into one sample's plane of the picture.
+void store_tile(const TileRows& tile, const TilePlace& at, std::size_t picture_width, int sample,
                 Visibility& out) {
     for (std::size_t y = 0; y < at.height; ++y) {
-        const std::int32_t* patches =
-            tile.seen + y / patch_side * patches_a_row * patch_pixels + y % patch_side * patch_side;
-        std::uint32_t* to =
-            &out.seen[static_cast<std::size_t>(sample) * out.plane + (at.y + y) * picture_width + at.x];
-        for (std::size_t x = 0; x < at.width; x += patch_side)
-            std::memcpy(to + x, patches + x / patch_side * patch_pixels,
-                        sizeof(std::int32_t) * std::min<std::size_t>(patch_side, at.width - x));
+        const std::size_t pixel = (at.y + y) * picture_width + at.x;
+        std::copy_n(tile.seen[y], at.width, &out.seen[static_cast<std::size_t>(sample) * out.plane + pixel]);
         if (out.samples > 1) continue;
         std::uint16_t* covered = &out.covered[(at.y + y) * out.groups_a_row + at.x / block_size];
-        for (std::size_t x = 0; x < at.width; x += block_size)
-            covered[x / block_size] = covered_bits(patches, x, at.width);
+        for (std::size_t x = 0; x < at.width; x += block_size) {
+            const std::size_t beyond = block_size - std::min(block_size, at.width - x);
+            covered[x / block_size] =
+                static_cast<std::uint16_t>(tile.covered[y][x / block_size] & (0xFFFFu >> beyond));
+        }
     }
 }
 
@@ -77,7 +66,9 @@ void rasterize_tiles(const Geometry& g, Visibility& out) {
             job.offset_y = offset.y;
             TilePixels tile;
             drawing_kernels().draw(job, tile);
-            store_tile(tile, at, width, sample, out);
+            TileRows rows;
+            drawing_kernels().take_rows(tile, rows);
+            store_tile(rows, at, width, sample, out);
         }
     });
 }

@@ -262,6 +262,12 @@ void sort_and_draw(Numbers& number, float spread) {
     GLINT_ISA::drawing.draw(job, tile);
     for (const std::int32_t code : tile.seen) hash.add(static_cast<std::uint32_t>(code));
     for (const float nearness : tile.nearness) hash.add(nearness);
+    static TileRows rows;
+    GLINT_ISA::drawing.take_rows(tile, rows);
+    for (const auto& row : rows.seen)
+        for (const std::uint32_t code : row) hash.add(code);
+    for (const auto& row : rows.covered)
+        for (const std::uint16_t bits : row) hash.add(std::uint32_t{bits});
     hash.print("sort and draw", static_cast<int>(spread));
 }
 

@@ -46,16 +46,13 @@ void draw(const std::vector<ScreenVertex>& screen, int x0, int y0, TilePixels& t
     drawing_kernels().draw(job, tile);
 }
 
-std::size_t place_in_tile(int x, int y) {
-    return static_cast<std::size_t>((y / 4 * 16 + x / 4) * 16 + y % 4 * 4 + x % 4);
-}
-
 }  // namespace
 
 TEST_CASE("a triangle of any size covers the samples that the fill rule gives it", "[visibility][raster]") {
     std::mt19937 random(29);
     const int x0 = 128, y0 = 64;
     TilePixels tile;
+    TileRows rows;
     int covered = 0, wrong = 0;
     for (const int spread : {2, 9, 70, 3000, 400000}) {  // pixels; the last needs more than 32 bits
         for (int round = 0; round < 120; ++round) {
@@ -69,9 +66,11 @@ TEST_CASE("a triangle of any size covers the samples that the fill rule gives it
             std::vector<ScreenVertex> v(3);
             for (ScreenVertex& corner : v) corner = {place(mx), place(my), 0.5f};
             draw(v, x0, y0, tile);
+            drawing_kernels().take_rows(tile, rows);
             for (int y = 0; y < tile_size; ++y)
                 for (int x = 0; x < tile_size; ++x) {
-                    const auto code = static_cast<std::uint32_t>(tile.seen[place_in_tile(x, y)]);
+                    const std::uint32_t code = rows.seen[y][x];
+                    wrong += (rows.covered[y][x / 16] >> x % 16 & 1) != (code != 0);
                     wrong += code != expected(v, (x0 + x) * subpixels + 128, (y0 + y) * subpixels + 128);
                     covered += code != 0;
                 }

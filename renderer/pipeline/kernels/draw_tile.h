@@ -39,17 +39,22 @@ template <Number F> CornerLanes<F> corner_lanes(const TileJob& job, const TileRu
 template <Number F, unsigned N>
 void draw_lane(const TileJob& job, const TriangleLanes<N>& lanes, unsigned lane, std::uint32_t number,
                bool mirrored, TilePixels& tile) {
-    TileTriangle t = triangle_of_lane(lanes, lane);
-    if (!lanes.small[lane]) t.area = doubled_area(t);
+    const auto triangle = [&](long long area) {
+        TileTriangle t = triangle_of_lane(lanes, lane);
+        t.area = area;
+        t.code = static_cast<int>(seen_code(number, (area > 0) != mirrored));
+        if (area < 0) turn_over(t);
+        return t;
+    };
+    const long long area = lanes.small[lane] ? lanes.area[lane] : doubled_area(triangle_of_lane(lanes, lane));
     // Clockwise as seen is the back, unless the transform turned it over.
-    const bool back = (t.area > 0) != mirrored;
-    if (t.area == 0 || !(back ? job.draw_back : job.draw_front)) return;
-    t.code = static_cast<int>(seen_code(number, back));
-    if (t.area < 0) turn_over(t);
+    const bool back = (area > 0) != mirrored;
+    if (area == 0 || !(back ? job.draw_back : job.draw_front)) return;
     if (lanes.small[lane])
-        fill_patches<F>(edges_of_lane(lanes, lane), t, tile);
+        fill_patches<F>(
+            edges_of_lane(lanes, lane), [&] { return triangle(area); }, tile);
     else
-        fill_large_triangle<F>(t, tile);
+        fill_large_triangle<F>(triangle(area), tile);
 }
 
 template <Number F> void draw_run(const TileJob& job, const TileRun& run, TilePixels& tile) {
@@ -90,6 +95,25 @@ template <Number F> void draw_tile(const TileJob& job, TilePixels& tile) {
         for (end = begin; end < job.count && job.entries[end].number - run.first_number < triangles;) ++end;
         run.count = static_cast<unsigned>(end - begin);
         draw_run<F>(job, run, tile);
+    }
+}
+
+template <Number F> void take_rows(const TilePixels& tile, TileRows& out) {
+    constexpr int groups = tile_size / int(block_size);
+    for (int y = 0; y < tile_size; ++y) {
+        const std::int32_t* patches =
+            tile.seen + y / patch_side * patches_a_row * patch_pixels + y % patch_side * patch_side;
+        std::uint32_t* row = out.seen[y];
+        for (int p = 0; p < patches_a_row; ++p)
+            __builtin_memcpy(row + p * patch_side, patches + p * patch_pixels, sizeof(int) * patch_side);
+        for (int group = 0; group < groups; ++group) {
+            unsigned bits = 0;
+            for (int i = 0; i < int(block_size); i += NumberTraits<F>::width)
+                bits |= mask_bits(load_ints<IntOf<F>>(row + group * int(block_size) + i) >
+                                  in_all_lanes<IntOf<F>>(0))
+                        << i;
+            out.covered[y][group] = static_cast<std::uint16_t>(bits);
+        }
     }
 }
 

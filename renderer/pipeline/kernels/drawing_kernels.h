@@ -97,6 +97,12 @@ struct alignas(16) TileEntry {
     std::uint32_t vertex[3];
 };
 
+/// The same row by row, and which pixels of each 16 show a triangle: bit i the pixel i.
+struct alignas(64) TileRows {
+    std::uint32_t seen[tile_size][tile_size];
+    std::uint16_t covered[tile_size][tile_size / block_size];
+};
+
 struct DrawnObject {
     const ScreenVertex* screen = nullptr;
     std::uint32_t first_triangle = 0, triangle_count = 0;
@@ -137,6 +143,7 @@ struct DrawingKernels {
     void (*sort)(const SortJob& job, std::uint32_t begin, std::uint32_t end, SortedTriangles& out);
     /// Clears the tile and draws all of the job's triangles.
     void (*draw)(const TileJob& job, TilePixels& tile);
+    void (*take_rows)(const TilePixels& tile, TileRows& out);
     /// Places and normals of 16 pixels of one row from (x, y) on, given what they show (seen_code). False
     /// when one is none of the usual case: it shows a triangle that had to be clipped, or its normal is too
     /// short to tell; `out` is then of no use.

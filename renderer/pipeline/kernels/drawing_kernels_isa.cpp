@@ -24,6 +24,8 @@ GLINT_FLATTEN static void sort(const SortJob& job, std::uint32_t begin, std::uin
 
 GLINT_FLATTEN static void draw(const TileJob& job, TilePixels& tile) { draw_tile<Wide>(job, tile); }
 
+GLINT_FLATTEN static void rows(const TilePixels& tile, TileRows& out) { take_rows<Wide>(tile, out); }
+
 GLINT_FLATTEN static bool place(const PlaceJob& job, const std::uint32_t* seen, int x, int y,
                                 PointBlock& out) {
     bool all = true;
@@ -33,6 +35,6 @@ GLINT_FLATTEN static bool place(const PlaceJob& job, const std::uint32_t* seen, 
 }
 
 extern const DrawingKernels drawing;
-const DrawingKernels drawing{sort, draw, place};
+const DrawingKernels drawing{sort, draw, rows, place};
 
 }  // namespace glint::inline GLINT_ISA

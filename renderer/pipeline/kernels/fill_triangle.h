@@ -75,35 +75,47 @@ void keep_nearer(MaskOf<F> inside, F nearness, int triangle_code, float* nearest
     store_ints(seen, select(wins, code, shown));
 }
 
-/// Draws what lies in the patches.
-template <Number F> void fill_patches(const PatchEdges& e, const TileTriangle& t, TilePixels& tile) {
+/// Draws what lies in the patches. `triangle()` gives the TileTriangle: of the smallest many hold no sample,
+/// and it is never asked for.
+template <Number F, class GetTriangle>
+void fill_patches(const PatchEdges& e, const GetTriangle& triangle, TilePixels& tile) {
     constexpr int width = NumberTraits<F>::width, steps = patch_pixels / width;
-    IntOf<F> ramp[3][steps];
+    using I = IntOf<F>;
+    I of_row[3][steps];  // the edges at the lanes of the row's first patch
     for (int k = 0; k < 3; ++k)
         for (int s = 0; s < steps; ++s)
-            ramp[k][s] = patch_column<F>(s * width) * e.step_x[k] + patch_row<F>(s * width) * e.step_y[k];
+            of_row[k][s] =
+                patch_column<F>(s * width) * e.step_x[k] + patch_row<F>(s * width) * e.step_y[k] + e.value[k];
     bool planned = false;
-    NearnessPlane plane{};
-    for (int py = e.y0; py <= e.y1; ++py) {
-        for (int px = e.x0; px <= e.x1; ++px) {
-            const long long right = (px - e.x0) * patch_side, down = (py - e.y0) * patch_side;
-            const auto here = [&](int k) {
-                return static_cast<int>(e.value[k] + right * e.step_x[k] + down * e.step_y[k]);
-            };
+    TileTriangle t;
+    NearnessPlane plane;
+    for (int py = e.y0;; ++py) {
+        I edge[3][steps];
+        for (int k = 0; k < 3; ++k)
+            for (int s = 0; s < steps; ++s) edge[k][s] = of_row[k][s];
+        for (int px = e.x0;; ++px) {
             const int first = (py * patches_a_row + px) * patch_pixels;
             for (int s = 0; s < steps; ++s) {
-                const auto inside =
-                    not_negative((ramp[0][s] + here(0)) | (ramp[1][s] + here(1)) | (ramp[2][s] + here(2)));
+                const auto inside = not_negative(edge[0][s] | edge[1][s] | edge[2][s]);
                 if (!any(inside)) continue;
-                if (!planned) plane = nearness_plane(t);  // many of the smallest triangles hold no sample
-                planned = true;
+                if (!planned) {
+                    t = triangle();
+                    plane = nearness_plane(t);
+                    planned = true;
+                }
                 const F column = to_number(patch_column<F>(s * width) + (px * patch_side - t.x0));
                 const F row = to_number(patch_row<F>(s * width) + (py * patch_side - t.y0));
                 const F nearness = (F(plane.value) + row * F(plane.step_y)) + column * F(plane.step_x);
                 keep_nearer<F>(inside, positive(nearness), t.code, tile.nearness + first + s * width,
                                tile.seen + first + s * width);
             }
+            if (px == e.x1) break;  // before a step that may leave 32 bits
+            for (int k = 0; k < 3; ++k)
+                for (int s = 0; s < steps; ++s) edge[k][s] = edge[k][s] + patch_side * e.step_x[k];
         }
+        if (py == e.y1) break;
+        for (int k = 0; k < 3; ++k)
+            for (int s = 0; s < steps; ++s) of_row[k][s] = of_row[k][s] + patch_side * e.step_y[k];
     }
 }
 

@@ -48,7 +48,8 @@ bool fill_long_edges(const TileTriangle& t, const LongEdge (&edges)[3], int x0, 
         const Fit fit = fit_edge(edges[k], patches, k);
         if (fit != Fit::Fits) return fit == Fit::Outside;
     }
-    fill_patches<F>(patches, t, tile);
+    fill_patches<F>(
+        patches, [&t]() -> const TileTriangle& { return t; }, tile);
     return true;
 }
 
