@@ -43,7 +43,7 @@ template <Number F> F spot_factor(const LightAt<F>& light, Vec3<F> l) {
 /// the cosine times |to_light|^2, with room for rounding.
 template <Number F> bool may_be_inside(const LightAt<F>& light, Vec3<F> to_light) {
     const F along = -dot(to_light, light.axis);
-    const F least = light.cos_cutoff * light.cos_cutoff - F(1e-5f);
+    const F least = light.cos_cutoff * magnitude(light.cos_cutoff) - F(1e-5f);
     return any(along * magnitude(along) >= least * dot(to_light, to_light));
 }
 

@@ -207,8 +207,10 @@ void place_all(Numbers& number) {
     Hash hash;
     for (int which = 0; which < 200; ++which) {
         std::uint32_t seen[block_size];
-        for (std::uint32_t& code : seen)
-            code = seen_code(number.bits() % triangle_count, number.bits() % 2 != 0);
+        for (std::uint32_t& code : seen) {
+            const std::uint32_t triangle = number.bits() % triangle_count;  // before the other: in this order
+            code = seen_code(triangle, number.bits() % 2 != 0);
+        }
         job.two_sided = which % 2 != 0;
         PointBlock out{};
         const bool told = GLINT_ISA::drawing.place(job, seen, 16 * (which % 40), which, out);

@@ -44,6 +44,8 @@ TEST_CASE("every instruction set draws the same bytes, under every mode and mode
         scenes.push_back({std::string("/shading/mode=") + mode});
     scenes.push_back({"/shading/two_sided=true", "/shading/cull=front"});
     scenes.push_back({"/npr/cool_to_warm=true"});
+    // 60 taken for radians has a negative cosine: a cone wider than the half space before it.
+    scenes.push_back({"/shading/mistakes/degrees_for_radians=true", "/lights/7/spot/cutoff_deg=60"});
     for (const auto& scene : scenes) {
         std::string first;
         for (const char* set : {"scalar", "sse2", "avx2", "avx512"}) {
