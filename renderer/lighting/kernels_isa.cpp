@@ -4,18 +4,10 @@
 #include "renderer/lighting/blend_points.h"
 #include "renderer/lighting/display.h"
 #include "renderer/lighting/shade_point.h"
+#include "renderer/lighting/wide.h"
 
 namespace glint::inline GLINT_ISA {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define GLINT_FLATTEN  // one huge function full of checks would take minutes to compile
-#else
-#define GLINT_FLATTEN [[gnu::flatten]]
-#endif
-
-template <int N> struct NumberOf { using Type = Lanes<N>; };
-template <> struct NumberOf<1> { using Type = float; };
-using Wide = NumberOf<GLINT_LANES>::Type;
 constexpr int opaque = static_cast<int>(0xFF000000u);
 
 static void store_colors(ColorBlock& out, std::size_t k, Vec3<Wide> c) {

@@ -44,9 +44,7 @@ void draw_by_hand(HighlightSketch& sketch, const PlotArea& area) {
     sketch.last = now;
 }
 
-void fit_row(UiState& state, HighlightSketch& sketch) {
-    const std::vector<glm::dvec2> drawn = points_of(sketch);
-    const auto fit = fitted_highlight(fitted_model(state.editor.scene()), drawn);
+void fit_row(UiState& state, HighlightSketch& sketch, const std::optional<HighlightFit>& fit) {
     if (!fit) return small_dim("Draw a curve over the plot: the power that comes nearest is found.");
     figures(fmt::format("nearest: n = {:.4g}, {:.3f} off on average", fit->shininess, fit->error));
     if (ImGui::SmallButton("Use this n")) {
@@ -99,7 +97,8 @@ void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subjec
     draw_curve(list, area, highlight_shape(HighlightShape::Gaussian, like, steps), theme()[Symbol::L], 1.2f);
     const auto drawn = points_of(plots.sketch);
     draw_curve(list, area, drawn, theme().accent, 2.6f);
-    if (const auto fit = fitted_highlight(model, drawn))
+    const auto fit = fitted_highlight(model, drawn);
+    if (fit)
         draw_curve(list, area, half_highlight(model, static_cast<float>(fit->shininess)), theme().text, 1);
     draw_y_name(list, area, {"S", ""});
     coloured(symbol, fmt::format("{}^{:.4g}", model == Reflection::Phong ? "(r·v)" : "(n·h)", n).c_str());
@@ -107,7 +106,7 @@ void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subjec
     coloured(Symbol::L, "Gaussian");
     ImGui::SameLine(0, px(8));
     dim_text("linear");
-    fit_row(state, plots.sketch);
+    fit_row(state, plots.sketch, fit);
 }
 
 }  // namespace glint

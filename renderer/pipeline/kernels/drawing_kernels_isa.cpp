@@ -1,21 +1,12 @@
 // The kernels of geometry, visibility and surface, compiled once for each instruction set
 // (renderer/CMakeLists.txt, add_lighting). No standard library inside, as in lighting/kernels_isa.cpp.
 
+#include "renderer/lighting/wide.h"
 #include "renderer/pipeline/kernels/draw_tile.h"
 #include "renderer/pipeline/kernels/place_run.h"
 #include "renderer/pipeline/kernels/sort_triangles.h"
 
 namespace glint::inline GLINT_ISA {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define GLINT_FLATTEN  // one huge function full of checks would take minutes to compile
-#else
-#define GLINT_FLATTEN [[gnu::flatten]]
-#endif
-
-template <int N> struct NumberOf { using Type = Lanes<N>; };
-template <> struct NumberOf<1> { using Type = float; };
-using Wide = NumberOf<GLINT_LANES>::Type;
 
 GLINT_FLATTEN static void sort(const SortJob& job, std::uint32_t begin, std::uint32_t end,
                                SortedTriangles& out) {
