@@ -25,7 +25,7 @@ inline Row row(const char* from) {
 template <int N> struct Turn;
 template <> struct Turn<4> {
     using V = LanesOf<4>::Floats;
-    static V rows(const char* from, const unsigned* at, std::size_t step) { return row(from + at[0] * step); }
+    static V rows(const char* const* at, int offset) { return row(at[0] + offset); }
     static V low(V a, V b) { return __builtin_shufflevector(a, b, 0, 4, 1, 5); }
     static V high(V a, V b) { return __builtin_shufflevector(a, b, 2, 6, 3, 7); }
     static V low_pairs(V a, V b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5); }
@@ -33,9 +33,8 @@ template <> struct Turn<4> {
 };
 template <> struct Turn<8> {
     using V = LanesOf<8>::Floats;
-    static V rows(const char* from, const unsigned* at, std::size_t step) {
-        return __builtin_shufflevector(row(from + at[0] * step), row(from + at[4] * step), 0, 1, 2, 3, 4, 5,
-                                       6, 7);
+    static V rows(const char* const* at, int offset) {
+        return __builtin_shufflevector(row(at[0] + offset), row(at[1] + offset), 0, 1, 2, 3, 4, 5, 6, 7);
     }
     static V low(V a, V b) { return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13); }
     static V high(V a, V b) { return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15); }
@@ -44,9 +43,9 @@ template <> struct Turn<8> {
 };
 template <> struct Turn<16> {
     using V = LanesOf<16>::Floats;
-    static V rows(const char* from, const unsigned* at, std::size_t step) {
-        return __builtin_shufflevector(Turn<8>::rows(from, at, step), Turn<8>::rows(from, at + 8, step), 0, 1,
-                                       2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    static V rows(const char* const* at, int offset) {
+        return __builtin_shufflevector(Turn<8>::rows(at, offset), Turn<8>::rows(at + 2, offset), 0, 1, 2, 3,
+                                       4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
     }
     static V low(V a, V b) {
         return __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29);
@@ -62,6 +61,15 @@ template <> struct Turn<16> {
     }
 };
 
+/// From r[k], which holds the records of lanes k, k + 4, k + 8, ...
+template <Number F> Quad<F> turned(const typename Turn<NumberTraits<F>::width>::V* r) {
+    using T = Turn<NumberTraits<F>::width>;
+    const auto ab0 = T::low(r[0], r[1]), ab2 = T::low(r[2], r[3]);
+    const auto cd0 = T::high(r[0], r[1]), cd2 = T::high(r[2], r[3]);
+    return {F(T::low_pairs(ab0, ab2)), F(T::high_pairs(ab0, ab2)), F(T::low_pairs(cd0, cd2)),
+            F(T::high_pairs(cd0, cd2))};
+}
+
 }  // namespace quads
 
 /// Lane i: the four floats that lie at[i] * step bytes behind `from`.
@@ -73,14 +81,13 @@ template <Number F> Quad<F> load_quads(const void* from, const unsigned* at, std
         __builtin_memcpy(&record, bytes + at[0] * step, sizeof(record));
         return record;
     } else {
-        using T = quads::Turn<N>;
-        // Each holds a record in every row of four: those of lanes 0, 4, 8, 12 and so on.
-        const auto r0 = T::rows(bytes, at, step), r1 = T::rows(bytes, at + 1, step);
-        const auto r2 = T::rows(bytes, at + 2, step), r3 = T::rows(bytes, at + 3, step);
-        const auto ab0 = T::low(r0, r1), ab2 = T::low(r2, r3);
-        const auto cd0 = T::high(r0, r1), cd2 = T::high(r2, r3);
-        return {F(T::low_pairs(ab0, ab2)), F(T::high_pairs(ab0, ab2)), F(T::low_pairs(cd0, cd2)),
-                F(T::high_pairs(cd0, cd2))};
+        typename quads::Turn<N>::V rows[4];
+        for (int k = 0; k < 4; ++k) {
+            const char* record[N / 4];
+            for (int row = 0; row < N / 4; ++row) record[row] = bytes + at[k + 4 * row] * step;
+            rows[k] = quads::Turn<N>::rows(record, 0);
+        }
+        return quads::turned<F>(rows);
     }
 }
 

@@ -22,6 +22,7 @@ template <int N> IntLanes<N> operator*(IntLanes<N> a, int b) { return {a.v * b};
 template <int N> IntLanes<N> operator*(IntLanes<N> a, IntLanes<N> b) { return {a.v * b.v}; }
 
 template <int N> IntLanes<N> operator>(IntLanes<N> a, IntLanes<N> b) { return {a.v > b.v}; }
+template <int N> IntLanes<N> not_equal(IntLanes<N> a, IntLanes<N> b) { return {a.v != b.v}; }
 template <int N> IntLanes<N> not_negative(IntLanes<N> a) { return {a.v >= 0}; }
 template <int N> IntLanes<N> either(IntLanes<N> a, IntLanes<N> b) { return {a.v | b.v}; }
 template <int N> IntLanes<N> select(IntLanes<N> m, IntLanes<N> a, IntLanes<N> b) { return {m.v ? a.v : b.v}; }
@@ -29,14 +30,34 @@ template <int N> IntLanes<N> select(IntLanes<N> m, IntLanes<N> a, IntLanes<N> b)
 inline Mask16 operator>(IntLanes<16> a, IntLanes<16> b) {
     return {_mm512_cmpgt_epi32_mask((__m512i)a.v, (__m512i)b.v)};
 }
+inline Mask16 not_equal(IntLanes<16> a, IntLanes<16> b) {
+    return {_mm512_cmpneq_epi32_mask((__m512i)a.v, (__m512i)b.v)};
+}
 inline Mask16 not_negative(IntLanes<16> a) {
     return {_mm512_cmpge_epi32_mask((__m512i)a.v, _mm512_setzero_si512())};
 }
+inline bool any_bit(IntLanes<16> a) { return _mm512_test_epi32_mask((__m512i)a.v, (__m512i)a.v) != 0; }
 inline Mask16 either(Mask16 a, Mask16 b) { return {static_cast<unsigned short>(a.bits | b.bits)}; }
 inline IntLanes<16> select(Mask16 m, IntLanes<16> a, IntLanes<16> b) {
     return {(LanesOf<16>::Ints)_mm512_mask_blend_epi32(m.bits, (__m512i)b.v, (__m512i)a.v)};
 }
 #endif
+/// The lanes 0 .. count - 1.
+template <Number F> MaskOf<F> lanes_before(int count) {
+#ifdef __AVX512F__
+    if constexpr (NumberTraits<F>::width == 16) return {static_cast<unsigned short>((1u << count) - 1)};
+#endif
+    return in_all_lanes<IntOf<F>>(count) > load_ints<IntOf<F>>(counting);
+}
+/// Lane i gets lane i - 1; the first keeps its own.
+inline IntLanes<4> from_lane_before(IntLanes<4> a) { return {__builtin_shufflevector(a.v, a.v, 0, 0, 1, 2)}; }
+inline IntLanes<8> from_lane_before(IntLanes<8> a) {
+    return {__builtin_shufflevector(a.v, a.v, 0, 0, 1, 2, 3, 4, 5, 6)};
+}
+inline IntLanes<16> from_lane_before(IntLanes<16> a) {
+    return {__builtin_shufflevector(a.v, a.v, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14)};
+}
+inline int from_lane_before(int a) { return a; }
 /// Lane i's truth as bit i.
 template <int N> unsigned mask_bits(IntLanes<N> m) {
 #ifdef __AVX__
@@ -53,6 +74,7 @@ template <int N> unsigned mask_bits(IntLanes<N> m) {
 inline unsigned mask_bits(Mask16 m) { return m.bits; }
 #endif
 inline unsigned mask_bits(bool m) { return m ? 1 : 0; }
+inline bool not_equal(int a, int b) { return a != b; }
 inline bool not_negative(int a) { return a >= 0; }
 inline bool either(bool a, bool b) { return a || b; }
 inline int select(bool m, int a, int b) { return m ? a : b; }

@@ -9,6 +9,8 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <functional>
+#include <numeric>
 
 #include "renderer/pipeline/clip.h"
 
@@ -64,20 +66,23 @@ void place_one_by_one(const Surface& s, const Geometry& g, const Visibility& vis
 void place_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
     s.points.resize(s.runs.size());
     s.point_object.resize(s.runs.size());
-    s.point_count = 0;
-    for (const PixelRun& run : s.runs) s.point_count += static_cast<std::uint64_t>(std::popcount(run.mask));
+    s.point_count = s.pixel_count;
+    if (!s.run_samples.empty())
+        s.point_count = std::transform_reduce(
+            s.runs.begin(), s.runs.end(), std::uint64_t{0}, std::plus<>(),
+            [](const PixelRun& run) { return static_cast<std::uint64_t>(std::popcount(run.mask)); });
     const bool usual = s.run_samples.empty() && !s.choice.facet_normals &&
                        s.choice.interpolation == Interpolation::Perspective &&
                        !s.choice.mistakes.unnormalized_at_pixel;
     const auto width = static_cast<std::uint32_t>(g.size.width);
-    std::vector<PlaceJob> jobs;
+    s.place_jobs.clear();
     for (std::size_t o = 0; o < g.objects.size(); ++o)
-        jobs.push_back(g.objects[o].mesh->triangles.empty() ? PlaceJob{} : place_job(s, g, o));
+        s.place_jobs.push_back(g.objects[o].mesh->triangles.empty() ? PlaceJob{} : place_job(s, g, o));
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 256), [&](const auto& range) {
         for (std::size_t r = range.begin(); r != range.end(); ++r) {
             s.point_object[r] = s.runs[r].object;
             const PixelRun& run = s.runs[r];
-            if (!usual || !place_together(jobs[run.object], run, width, visibility, s.points[r]))
+            if (!usual || !place_together(s.place_jobs[run.object], run, width, visibility, s.points[r]))
                 place_one_by_one(s, g, visibility, r, s.points[r]);
         }
     });

@@ -40,21 +40,25 @@ void visit_row(const Geometry& g, const Visibility& visibility, int y, const Vis
 
 /// All runs of the picture, in reading order whatever the number of threads.
 void find_runs(Surface& s, const Geometry& g, const Visibility& visibility) {
-    std::vector<std::size_t> first(static_cast<std::size_t>(g.size.height) + 1, 0);
-    tbb::parallel_for(0, g.size.height, [&](int y) {
-        std::size_t count = 0;
-        visit_row(g, visibility, y, [&count](const PixelRun&) { ++count; });
-        first[static_cast<std::size_t>(y) + 1] = count;
+    const auto height = static_cast<std::size_t>(g.size.height);
+    s.row_runs.assign(height + 1, {});
+    tbb::parallel_for(std::size_t{0}, height, [&](std::size_t y) {
+        RowRuns counted;
+        visit_row(g, visibility, static_cast<int>(y), [&counted](const PixelRun& run) {
+            ++counted.first_run;
+            counted.pixels += static_cast<std::uint64_t>(std::popcount(run.mask));
+        });
+        s.row_runs[y + 1] = counted;
     });
-    for (std::size_t y = 1; y < first.size(); ++y) first[y] += first[y - 1];
-    s.runs.resize(first.back());
-    tbb::parallel_for(0, g.size.height, [&](int y) {
-        std::size_t next = first[static_cast<std::size_t>(y)];
-        visit_row(g, visibility, y, [&s, &next](const PixelRun& run) { s.runs[next++] = run; });
+    for (std::size_t y = 1; y <= height; ++y) s.row_runs[y].first_run += s.row_runs[y - 1].first_run;
+    s.runs.resize(s.row_runs[height].first_run);
+    tbb::parallel_for(std::size_t{0}, height, [&](std::size_t y) {
+        PixelRun* next = s.runs.data() + s.row_runs[y].first_run;
+        visit_row(g, visibility, static_cast<int>(y), [&next](const PixelRun& run) { *next++ = run; });
     });
     s.run_samples.clear();
     s.pixel_count = 0;
-    for (const PixelRun& run : s.runs) s.pixel_count += static_cast<std::uint64_t>(std::popcount(run.mask));
+    for (const RowRuns& row : s.row_runs) s.pixel_count += row.pixels;
 }
 
 }  // namespace

@@ -51,6 +51,12 @@ struct RunSamples {
     std::uint16_t back = 0;              // bit i: wound clockwise on the screen
 };
 
+/// Where the runs of a row of pixels begin, and how many pixels the row before shows a surface in.
+struct RowRuns {
+    std::size_t first_run = 0;
+    std::uint64_t pixels = 0;
+};
+
 struct FaceRefs {
     std::uint32_t point[block_size];
 };
@@ -68,6 +74,8 @@ struct Surface {
     std::vector<ObjectNormals> normals;
     std::vector<PixelRun> runs;               // those of one group of 16 pixels lie together
     std::vector<RunSamples> run_samples;      // one a run; empty with one sample a pixel
+    std::vector<RowRuns> row_runs;            // #rows + 1, with one sample a pixel
+    std::vector<PlaceJob> place_jobs;         // Pixels: one an object
     std::vector<PointBlock> points;           // lit points; Pixels: points[i] belongs to runs[i]
     std::vector<std::uint32_t> point_object;  // #points: the object whose material each block has
     std::vector<PointSource> sources;  // Corners, Faces: 16 a block of points; unused ones have no_index
