@@ -62,7 +62,7 @@ UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
     why_columns(state, layout, view);
     views_windows(state, layout);
     column_edges(state.layout, layout, px(1));
-    loading_panel(state);
+    loading_panel(state, layout.centre);
     recovery_panel(state);
     if (!state.layout.bare) status_line(state, layout.status);
     animate_panel(state);

@@ -5,7 +5,7 @@
 #include "models/file.h"
 #include "tests/catch.h"
 #include "tests/unit/program.h"
-#include "tests/unit/ui_bench.h"
+#include "tests/unit/ui_why_bench.h"
 #include "ui/actions.h"
 #include "ui/files/end_jobs.h"
 
@@ -55,6 +55,22 @@ TEST_CASE("while a file is loaded the scene in hand stays, and can be worked on"
     bench.wait_for_loads();
     CHECK(bench.scene().lights.empty());
     CHECK(bench.state.editor.document.path == "slow.json");
+}
+
+TEST_CASE("what is being loaded is said over the picture, and covers no row of buttons", "[ui][loading]") {
+    Bench bench;
+    bench.frames(2);
+    Gate gate;
+    bench.state.loading.document = gate.job(first_scene());
+    bench.frames(30);  // half a second
+    const ImGuiWindow* panel = test::window_named("##loading");
+    REQUIRE(panel != nullptr);
+    const Rect picture = lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).centre;
+    CHECK(panel->Pos.y >= picture.low.y);
+    CHECK(panel->Pos.x >= picture.low.x);
+    CHECK(panel->Pos.x + panel->Size.x <= picture.high.x);
+    gate.open.set_value();
+    bench.wait_for_loads();
 }
 
 TEST_CASE("Escape ends a load, and what it would have brought is dropped", "[ui][loading]") {

@@ -5,6 +5,7 @@
 #include "tests/unit/ui_bench.h"
 #include "ui/actions.h"
 #include "ui/hands/camera_views.h"
+#include "ui/hands/outside_lines.h"
 #include "ui/hands/outside_view.h"
 #include "ui/orbit.h"
 
@@ -138,7 +139,7 @@ TEST_CASE("F frames the selected object, and all where none is selected", "[ui][
     CHECK(bench.scene().camera.target.x < 3);
 }
 
-TEST_CASE("from outside the eye, its target and every light are in sight", "[ui][hands]") {
+TEST_CASE("from outside the eye, what it sees, all axes and every light are in sight", "[ui][hands]") {
     Scene scene = first_scene().scene;
     REQUIRE(problem_of(load_meshes(scene, "", "")) == nullptr);
     for (const LightKind kind : {LightKind::Directional, LightKind::Spot, LightKind::Area})
@@ -160,6 +161,15 @@ TEST_CASE("from outside the eye, its target and every light are in sight", "[ui]
             CHECK(in_sight(scene.camera.eye));
             CHECK(in_sight(scene.camera.target));
             for (const Light& light : scene.lights) CHECK(in_sight(handle_of(light, main.dome, main.map)));
+            for (const glm::dvec2 corner : {glm::dvec2(0, 0), {900, 0}, {900, 600}, {0, 600}})
+                CHECK(in_sight(unproject(main.map, corner, drawn_depth(scene.camera))));
+            for (int axis = 0; axis < 3; ++axis) {
+                const double length = axis_length(scene.camera);
+                CHECK(in_sight(glm::dvec3(scene.camera.eye) +
+                               length * glm::dvec3(world_from_view(scene.camera)[axis])));
+                CHECK(in_sight(glm::dvec3(length * double(axis == 0), length * double(axis == 1),
+                                          length * double(axis == 2))));
+            }
         }
     }
 }

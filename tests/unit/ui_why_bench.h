@@ -1,13 +1,23 @@
 #pragma once
 // What tests of the WHY column share.
 
+#include <imgui_internal.h>
+
 #include <functional>
+#include <string>
 
 #include "tests/catch.h"
 #include "tests/unit/ui_bench.h"
 #include "ui/why/tabs.h"
 
 namespace glint::test {
+
+/// The window of ImGui whose name holds `part`, in its last frame; null when there was none.
+inline const ImGuiWindow* window_named(const std::string& part) {
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+        if (window->WasActive && std::string(window->Name).find(part) != std::string::npos) return window;
+    return nullptr;
+}
 
 /// Opens a tab and picks the pixel at this share of the picture.
 inline void ask(Bench& bench, WhyTab tab, glm::dvec2 share = {0.5, 0.5}) {

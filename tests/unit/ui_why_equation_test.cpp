@@ -155,3 +155,27 @@ TEST_CASE("the copy buttons fill the clipboard", "[ui][window][why]") {
     });
     CHECK(ImGui::GetClipboardText() == explain_text(asked_apart(bench), bench.scene()));
 }
+
+TEST_CASE("the tabs of WHY stay where they are when a pixel is picked, and when it is forgotten",
+          "[ui][why]") {
+    Bench bench;
+    bench.frames(3);
+    const auto tab_top = [] {
+        const ImGuiWindow* tab = test::window_named("/Equation");
+        REQUIRE(tab != nullptr);
+        return tab->Pos.y;
+    };
+    const float before = tab_top();
+    bench.click(bench.at_pixel({320, 240}));
+    bench.frames(2);
+    REQUIRE(bench.state.why);
+    CHECK(tab_top() == before);
+    bench.click(bench.at_pixel({3, 3}));
+    bench.frames(2);
+    REQUIRE_FALSE(bench.state.why->hit);
+    CHECK(tab_top() == before);
+    bench.state.viewport.probe.reset();
+    bench.frames(2);
+    REQUIRE_FALSE(bench.state.why);
+    CHECK(tab_top() == before);
+}

@@ -9,6 +9,7 @@
 
 #include "ui/editor.h"
 #include "ui/files/job.h"
+#include "ui/layout.h"
 
 namespace glint {
 
@@ -50,7 +51,7 @@ void tend_loads(UiState& state);
 void cancel_loads(UiState& state);
 
 /// The bar that says what is being loaded, in the middle of the window's upper part.
-void loading_panel(UiState& state);
+void loading_panel(UiState& state, const Rect& picture);
 
 /// Whether a primitive is made in a few milliseconds.
 [[nodiscard]] bool is_quick(const PrimitiveMesh& mesh);

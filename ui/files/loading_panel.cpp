@@ -33,14 +33,14 @@ void bar(float share) {
 
 }  // namespace
 
-void loading_panel(UiState& state) {
+void loading_panel(UiState& state, const Rect& picture) {
     const LoadJob* job = state.loading.document ? state.loading.document.get() : state.loading.meshes.get();
     if (job == nullptr) return;
     wish_frame_in(seconds_a_frame);
     if (ImGui::GetTime() - state.loading.since < shown_after) return;
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const float width = std::min(px(400), window.x - px(20));
-    ImGui::SetNextWindowPos({window.x / 2, px(top_height + 14)}, ImGuiCond_Always, {0.5f, 0});
+    const float width = std::min(px(400), ImGui::GetIO().DisplaySize.x - px(20));
+    const ImVec2 top{(picture.low.x + picture.high.x) / 2, picture.low.y + px(14)};
+    ImGui::SetNextWindowPos({std::max(top.x, width / 2), top.y}, ImGuiCond_Always, {0.5f, 0});
     ImGui::SetNextWindowSize({width, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
     ImGui::Begin("##loading", nullptr,

@@ -72,15 +72,14 @@ void draw_axes(const LabelledPen& pen, const glm::dmat4& frame, double length,
     }
 }
 
-/// The eye and the volume it sees, cut off a little behind the target: the far plane may be anywhere.
+/// The eye and the volume it sees.
 void draw_camera(const LabelledPen& pen, const OutsideScene& what, double size) {
     const ScreenMap& map = what.main.map;
     const Camera& camera = what.scene.camera;
     const double w = map.size.width, h = map.size.height;
     const std::array<glm::dvec2, 4> corners{{{0, 0}, {w, 0}, {w, h}, {0, h}}};
     const double near = double(near_of(camera.projection));
-    const double depths[] = {near, target_depth(camera),
-                             std::min(1.35 * target_depth(camera), double(far_of(camera.projection)))};
+    const double depths[] = {near, target_depth(camera), drawn_depth(camera)};
     const ImU32 strong = packed(ink), weak = packed(ink, 0.55f);
     for (int k = 0; k < 3; ++k)
         for (std::size_t i = 0; i < 4; ++i)
@@ -131,6 +130,12 @@ void draw_light(const LabelledPen& pen, const OutsideScene& what, int index) {
 
 }  // namespace
 
+double drawn_depth(const Camera& camera) {
+    return std::min(1.35 * target_depth(camera), double(far_of(camera.projection)));
+}
+
+double axis_length(const Camera& camera) { return 0.22 * target_depth(camera); }
+
 void draw_outside(ImDrawList& list, const PictureView& view, const OutsideScene& what) {
     const PictureSize size_px = view.map.size;
     LabelRoom room({view.to_window({3, 2}), view.to_window({size_px.width - 3, size_px.height - 2})});
@@ -140,7 +145,7 @@ void draw_outside(ImDrawList& list, const PictureView& view, const OutsideScene&
     const std::size_t count = std::max<std::size_t>(what.scene.objects.size(), 1);
     for (std::size_t i = 0; i < std::min<std::size_t>(count, 300) && i < what.scene.objects.size(); ++i)
         draw_mesh(pen, what.scene.objects[i], most_lines / std::min<std::size_t>(count, 300));
-    const double size = 0.22 * target_depth(what.scene.camera);
+    const double size = axis_length(what.scene.camera);
     for (std::size_t i = 0; i < lights; ++i) draw_light(pen, what, static_cast<int>(i));
     draw_camera(pen, what, size);
     draw_axes(pen, glm::dmat4(1), size, {"X", "Y", "Z"});

@@ -19,12 +19,28 @@ namespace {
 
 constexpr double grip_units = 11;  // of the design: how near to a light a click selects it
 
-/// What must be in sight: eye, target and lights, and of the objects what is no farther from the target than
-/// these. A wide floor would make all else too small to see.
+/// The ends of what is drawn of the camera, and of the world's axes.
+void add_drawn(std::vector<glm::dvec3>& places, const Scene& scene, const PictureView& main) {
+    const double w = main.map.size.width, h = main.map.size.height, deep = drawn_depth(scene.camera);
+    for (const glm::dvec2 corner : {glm::dvec2(0, 0), {w, 0}, {w, h}, {0, h}})
+        places.push_back(unproject(main.map, corner, deep));
+    const double length = axis_length(scene.camera);
+    const glm::dvec3 eye(scene.camera.eye);
+    for (int i = 0; i < 3; ++i) {
+        glm::dvec3 axis(0);
+        axis[i] = length;
+        places.push_back(axis);
+        places.push_back(eye + length * glm::dvec3(main.map.world_from_view[i]));
+    }
+}
+
+/// What must be in sight: eye, target, lights and what is drawn of the camera, and of the objects what is no
+/// farther from the target than these. A wide floor would make all else too small to see.
 std::vector<glm::dvec3> all_places(const Scene& scene, const PictureView& main) {
     const glm::dvec3 target(scene.camera.target);
     std::vector<glm::dvec3> places{target, glm::dvec3(scene.camera.eye)};
     for (const Light& light : scene.lights) places.push_back(handle_of(light, main.dome, main.map));
+    add_drawn(places, scene, main);
     double reach = 0;
     for (const glm::dvec3& place : places) reach = std::max(reach, 0.7 * glm::length(place - target));
     const Bounds& box = main.bounds;
@@ -73,24 +89,31 @@ void legend() {
 }  // namespace
 
 Camera outside_camera(const Scene& scene, const PictureView& main, PictureSize size) {
-    const std::vector<glm::dvec3> places = all_places(scene, main);
-    glm::dvec3 low = places[0], high = places[0];
-    for (const glm::dvec3& place : places) low = glm::min(low, place), high = glm::max(high, place);
-    const glm::dvec3 middle = (low + high) / 2.0;
-    double radius = 1e-3;
-    for (const glm::dvec3& place : places) radius = std::max(radius, glm::length(place - middle));
     // Sixty degrees to the right of the eye, thirty above.
     const glm::dvec3 back(main.map.world_from_view[2]), level{back.x, 0, back.z};
     const glm::dvec3 front = glm::length(level) > 1e-6 ? glm::normalize(level) : glm::dvec3(0, 0, 1);
     const glm::dvec3 side = rotated(front, {0, 1, 0}, std::numbers::pi / 3);
     const glm::dvec3 way = glm::normalize(0.866 * side + glm::dvec3(0, 0.5, 0));
-    constexpr double half = 20 * std::numbers::pi / 180;
-    const double narrow = std::min(1.0, double(size.width) / size.height);
-    const double distance = 1.08 * radius / std::sin(std::atan(std::tan(half) * narrow));
+    const glm::dvec3 right = glm::normalize(glm::cross({0, 1, 0}, way)), up = glm::cross(way, right);
+    const glm::dmat3 seen_from_world = glm::transpose(glm::dmat3(right, up, way));
+    std::vector<glm::dvec3> seen;
+    for (const glm::dvec3& place : all_places(scene, main)) seen.push_back(seen_from_world * place);
+    glm::dvec3 low = seen[0], high = seen[0];
+    for (const glm::dvec3& place : seen) low = glm::min(low, place), high = glm::max(high, place);
+    const glm::dvec3 middle = (low + high) / 2.0;
+    // As near as the place that is farthest out allows, a tenth left for the words beside the marks.
+    constexpr double fov_y_deg = 40, used = 0.9;
+    const double half_y = used * std::tan(fov_y_deg / 360 * std::numbers::pi);
+    const double half_x = half_y * size.width / size.height;
+    double distance = 1e-3;
+    for (const glm::dvec3& place : seen) {
+        const glm::dvec3 off = place - middle;
+        distance = std::max(distance, off.z + std::max(std::abs(off.x) / half_x, std::abs(off.y) / half_y));
+    }
     Camera camera;
-    camera.target = glm::vec3(middle);
-    camera.eye = glm::vec3(middle + distance * way);
-    camera.projection = Perspective{40, float(distance * 1e-3), float(distance * 100)};
+    camera.target = glm::vec3(glm::transpose(seen_from_world) * middle);
+    camera.eye = camera.target + glm::vec3(distance * way);
+    camera.projection = Perspective{float(fov_y_deg), float(distance * 1e-3), float(distance * 100)};
     return camera;
 }
 

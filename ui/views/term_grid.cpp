@@ -107,11 +107,26 @@ void row_heading(const Scene& scene, int light) {
     small_dim(l.name + (l.enabled ? "" : " (off)"));
 }
 
+/// The words above the columns of all lights.
+void column_headings(float width, float gap) {
+    static constexpr std::array symbols{Symbol::Ambient, Symbol::Diffuse, Symbol::Specular};
+    const float left = ImGui::GetCursorPosX();
+    ImGui::Dummy({0, px(2)});
+    ImGui::PushFont(fonts().small);
+    for (int term = 0; term < 3; ++term) {
+        if (term > 0) ImGui::SameLine(left + float(term) * (width + gap));
+        coloured(symbols[static_cast<std::size_t>(term)], name_of({0, term}));
+    }
+    ImGui::PopFont();
+}
+
 void sum_note(const Scene& scene) {
     if (scene.npr.cool_to_warm) return warning_text("Cool to warm: the tones take the place of the sum.");
     if (scene.shading.mistakes.clamp_each_light)
         return warning_text("Each light is clamped (a mistake): the cells do not add up.");
-    small_dim("Linear, and before anything is cut off, the cells add up to the picture.");
+    small_dim(
+        "Rest on a cell to see it alone; click: keep it so; right click: leave it out. Linear, and before "
+        "anything is cut off, the cells add up to the picture.");
 }
 
 }  // namespace
@@ -160,14 +175,17 @@ void term_grid_tab(UiState& state, const PictureView& view) {
     const Scene& scene = state.editor.scene();
     update_term_grid(grid, scene, view.map.size);
     sum_note(scene);
-    const float width = (ImGui::GetContentRegionAvail().x - px(10)) / 3;
+    const float gap = px(4), width = (ImGui::GetContentRegionAvail().x - px(10)) / 3;
     std::optional<GridCell> pointed;
     int row = -2;
     for (const GridCell cell : grid_cells(scene)) {
-        if (cell.light != row)
-            row_heading(scene, row = cell.light);
-        else
-            ImGui::SameLine(0, px(4));
+        if (cell.light != row) {
+            row = cell.light;
+            if (row == 0) column_headings(width, gap);
+            row_heading(scene, row);
+        } else {
+            ImGui::SameLine(0, gap);
+        }
         if (cell_button(grid, cell, width)) pointed = cell;
     }
     std::vector<GridCell> shown;

@@ -12,14 +12,33 @@
 
 namespace glint {
 
-void why_heading(UiState& state, const Explanation& why) {
-    const float edge = 2 * ImGui::GetTextLineHeight() + px(6);
-    const ImVec2 low = ImGui::GetCursorScreenPos();
+namespace {
+
+/// Where the heading's square of colour lies.
+struct Square {
+    ImVec2 low;
+    float edge;
+    [[nodiscard]] ImVec2 high() const { return {low.x + edge, low.y + edge}; }
+};
+
+void nothing_picked(const Square& square) {
+    ImGui::GetWindowDrawList()->AddRect(square.low, square.high(), packed(theme().line), px(4));
+    ImGui::Dummy({square.edge, square.edge});
+    ImGui::SameLine(0, px(10));
+    ImGui::BeginGroup();
+    dim_text("no pixel picked");
+    ImGui::PushFont(fonts().title);
+    ImGui::TextUnformatted("Click the picture to ask why");
+    ImGui::PopFont();
+    ImGui::EndGroup();
+}
+
+void picked(UiState& state, const Explanation& why, const Square& square) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto [r, g, b] = why.byte;
-    list.AddRectFilled(low, {low.x + edge, low.y + edge}, IM_COL32(r, g, b, 255), px(4));
-    list.AddRect(low, {low.x + edge, low.y + edge}, packed(theme().line), px(4));
-    ImGui::Dummy({edge, edge});
+    list.AddRectFilled(square.low, square.high(), IM_COL32(r, g, b, 255), px(4));
+    list.AddRect(square.low, square.high(), packed(theme().line), px(4));
+    ImGui::Dummy({square.edge, square.edge});
     tooltip("Colour", "As it is on the screen: red, green, blue from 0 to 255",
             fmt::format("{} {} {}   #{:02x}{:02x}{:02x}", r, g, b, r, g, b));
     ImGui::SameLine(0, px(10));
@@ -36,17 +55,24 @@ void why_heading(UiState& state, const Explanation& why) {
     }
     ImGui::EndGroup();
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::GetFrameHeight());
-    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, low.y});
+    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, square.low.y});
     if (icon_button("##forget", Icon::Close)) state.viewport.probe.reset();
     tooltip("Forget this pixel", "Click the picture to pick another");
-    ImGui::SetCursorScreenPos({low.x, low.y + edge + px(8)});
+}
+
+}  // namespace
+
+void why_heading(UiState& state) {
+    const Square square{ImGui::GetCursorScreenPos(), 2 * ImGui::GetTextLineHeight() + px(6)};
+    if (state.why)
+        picked(state, *state.why, square);
+    else
+        nothing_picked(square);
+    ImGui::SetCursorScreenPos({square.low.x, square.high().y + px(8)});
 }
 
 void why_empty_state(const char* promise) {
-    ImGui::Dummy({0, px(10)});
-    ImGui::PushFont(fonts().title);
-    ImGui::TextUnformatted("Click the picture to ask why");
-    ImGui::PopFont();
+    ImGui::Dummy({0, px(4)});
     wrapped_dim(promise);
     ImGui::Dummy({0, px(6)});
     wrapped_dim("The pixel stays picked while you drag lights and sliders, and the numbers follow.");

@@ -8,10 +8,11 @@ namespace glint {
 struct UiState;
 
 /// A square of the pixel's colour with its byte values, the pixel, and what it shows. A click on the object
-/// selects it, a click on the cross forgets the pixel.
-void why_heading(UiState& state, const Explanation& why);
+/// selects it, a click on the cross forgets the pixel. As high while no pixel is picked, when it says how to
+/// pick one: the tabs below it stay where they are.
+void why_heading(UiState& state);
 
-/// How to ask, where no pixel is picked: `promise` says what this tab would show.
+/// What a tab that needs a pixel shows while none is picked: `promise` says what it would.
 void why_empty_state(const char* promise);
 
 }  // namespace glint

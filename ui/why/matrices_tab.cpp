@@ -20,7 +20,7 @@ namespace {
 
 /// Four columns of figures; what each row means stands in its tooltip.
 void matrix(const char* id, const glm::dmat4& m, const std::array<const char*, 4>& meaning) {
-    if (!ImGui::BeginTable(id, 4, ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_BordersOuterV)) return;
+    if (!ImGui::BeginTable(id, 4, ImGuiTableFlags_PadOuterX | ImGuiTableFlags_BordersOuterV)) return;
     for (int row = 0; row < 4; ++row) {
         ImGui::TableNextRow();
         for (int column = 0; column < 4; ++column) {

@@ -87,7 +87,7 @@ void why_column(UiState& state, const PictureView& view) {
     const std::optional<Symbol> pointed_vector = std::exchange(state.why_column.pointed_vector, std::nullopt);
     const int pointed_light = std::exchange(state.why_column.pointed_light, -1);
     state.why_column.preview_name.clear();
-    if (state.why) why_heading(state, *state.why);
+    why_heading(state);
     tab_bar(state.why_column);
     for (const WhyTabInfo& info : tabs) {
         if (info.tab != state.why_column.tab) continue;
