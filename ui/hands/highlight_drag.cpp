@@ -20,8 +20,8 @@ constexpr int patch_radius = 3;  // pixels
 // Where a hollow surface brings the light's own mirror image near, its term hardly changes in one direction
 // and the falloff's slope leaves no peak at all: then the light stands a little nearer or farther, by as
 // little as needed.
-constexpr double other_distances[] = {1, 1.25, 0.8, 1.6,  0.63, 2,   0.5, 3,   0.33,
-                                      4, 0.25, 6,   0.16, 10,   0.1, 16,  0.06};
+constexpr double other_distances[] = {1, 1.25, 0.8, 1.6,  0.63, 2,  0.5,  3,    0.33, 4,    0.25,
+                                      6, 0.16, 10,  0.13, 0.1,  16, 0.08, 0.06, 0.04, 0.025};
 
 glm::dvec3 in_world(const ScreenMap& map, glm::vec3 camera, double w) {
     return glm::dvec3(map.world_from_view * glm::dvec4(glm::dvec3(camera), w));
@@ -85,9 +85,12 @@ class PeakSearch {
     }
 
   private:
+    /// Steeper than any where the middle is dark: what is nowhere lit is level, but no peak.
     [[nodiscard]] glm::dvec2 slope(int radius, glm::dvec3 away) const {
-        return patch_.slope_of_log(highlight_at(view_.scene, view_.map.size, light(away), patch_.points),
-                                   radius);
+        const std::vector<double> values =
+            highlight_at(view_.scene, view_.map.size, light(away), patch_.points);
+        if (!(values[values.size() / 2] > 0)) return glm::dvec2(1e9);
+        return patch_.slope_of_log(values, radius);
     }
 
     const HighlightDrag& drag_;
@@ -128,6 +131,35 @@ std::vector<glm::dvec3> first_directions(const HighlightDrag& drag, const Surfac
             all.push_back(glm::normalize(drag.distance * nearer * mirror - sample));
         }
     return all;
+}
+
+/// Where the peak is to lie.
+struct Sought {
+    const SurfaceView& view;
+    const SurfacePatch& patch;
+    glm::dvec3 place, mirror;  // world; where Phong's factor is largest
+};
+
+void look_over_distances(const HighlightDrag& drag, const Sought& sought, BestLight& best) {
+    for (const double farther : other_distances) {
+        const double nearer = drag.nearer * farther;
+        const PeakSearch search(drag, sought.view, sought.patch, nearer);
+        best.take(search, sought.mirror);
+        for (const glm::dvec3 first :
+             first_directions(drag, sought.view, sought.place, sought.mirror, nearer))
+            for (int radius = patch_radius; radius > 0 && best.miss > 1; --radius)
+                best.take(search, search.level_from(first, radius));
+        if (best.miss <= 1 || drag.start.kind == LightKind::Directional) return;
+    }
+}
+
+/// The same grab, with the spot's axis through the place that was grabbed.
+HighlightDrag aimed_at_grabbed(const HighlightDrag& drag, const SurfaceView& view) {
+    HighlightDrag aimed = drag;
+    const glm::dvec3 axis = glm::normalize(to_world(drag.start, drag.start.spot.direction, 0, view.map));
+    const glm::dvec3 way = glm::normalize(drag.grabbed - handle_of(drag.start, view.dome, view.map));
+    turn_shape(aimed.start, rotation_between(axis, way), view.map);
+    return aimed;
 }
 
 }  // namespace
@@ -186,17 +218,13 @@ std::optional<Light> dragged_highlight(const HighlightDrag& drag, const SurfaceV
     if (!patch) return {};
     const glm::vec3 mirror = peak_direction(view.scene, view.map.size, patch->middle());
     if (mirror == glm::vec3(0)) return {};
-    const glm::dvec3 place = in_world(view.map, patch->middle().place, 1),
-                     away = in_world(view.map, mirror, 0);
+    const Sought sought{view, *patch, in_world(view.map, patch->middle().place, 1),
+                        in_world(view.map, mirror, 0)};
     BestLight best;
-    for (const double farther : other_distances) {
-        const PeakSearch search(drag, view, *patch, drag.nearer * farther);
-        best.take(search, away);
-        for (const glm::dvec3 first : first_directions(drag, view, place, away, drag.nearer * farther))
-            for (int radius = patch_radius; radius > 0 && best.miss > 1; --radius)
-                best.take(search, search.level_from(first, radius));
-        if (best.miss <= 1 || drag.start.kind == LightKind::Directional) break;
-    }
+    look_over_distances(drag, sought, best);
+    // Off the axis of a spot its own profile is a slope, at every distance: then it is aimed at the cursor.
+    if (best.miss > 1 && drag.start.kind == LightKind::Spot)
+        look_over_distances(aimed_at_grabbed(drag, view), sought, best);
     return best.light;
 }
 
