@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "renderer/renderer.h"
 #include "ui/theme.h"
 
@@ -15,14 +17,32 @@ void option_tooltip(const Option& option, const Help& help) {
     tooltip(option.label, option.what, option.refused, key);
 }
 
-float segment_width(const Option& option) { return ImGui::CalcTextSize(option.label).x + px(16); }
+float segment_width(const Option& option, float padding) {
+    return ImGui::CalcTextSize(option.label).x + 2 * padding;
+}
 
-/// One of the joined buttons; its outer corners are round. True when it was pressed.
-bool segment(const Option& option, bool on, ImDrawFlags corners) {
+/// Room on either side of a segment's word: less where the row is too narrow for all of them.
+float segment_padding(std::span<const Option> options) {
+    const float wanted = segments_width(options), room = ImGui::GetContentRegionAvail().x;
+    const float missing = std::max(wanted - room, 0.0f) / (2 * static_cast<float>(options.size()));
+    return std::max(px(8) - missing, px(2));
+}
+
+/// How one of the joined buttons looks: its outer corners are round.
+struct Segment {
+    bool on;
+    ImDrawFlags corners;
+    float padding;
+};
+
+/// True when it was pressed.
+bool segment(const Option& option, const Segment& look) {
+    const auto [on, corners, padding] = look;
     const bool refused = !option.refused.empty();
     ImGui::BeginDisabled(refused);
     const bool pressed =
-        ImGui::InvisibleButton(option.word, {segment_width(option), ImGui::GetFrameHeight()}) && !refused;
+        ImGui::InvisibleButton("##segment", {segment_width(option, padding), ImGui::GetFrameHeight()}) &&
+        !refused;
     ImGui::EndDisabled();
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const Theme& t = theme();
@@ -30,7 +50,7 @@ bool segment(const Option& option, bool on, ImDrawFlags corners) {
     const ImVec4& ink = refused ? t.disabled_text : on ? t.accent_text : t.text;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, high, packed(fill), ImGui::GetStyle().FrameRounding, corners);
-    list.AddText({low.x + px(8), low.y + ImGui::GetStyle().FramePadding.y}, packed(ink), option.label);
+    list.AddText({low.x + padding, low.y + ImGui::GetStyle().FramePadding.y}, packed(ink), option.label);
     return pressed;
 }
 
@@ -63,22 +83,25 @@ int choose(const char* label, int chosen, std::span<const Option> options, const
 
 float segments_width(std::span<const Option> options) {
     float width = 0;
-    for (const Option& option : options) width += segment_width(option) + px(1);
+    for (const Option& option : options) width += segment_width(option, px(8)) + px(1);
     return width;
 }
 
 int segments(const char* id, int chosen, std::span<const Option> options, const Help& help) {
     ImGui::PushID(id);
     int result = chosen;
+    const float padding = segment_padding(options);
     for (int i = 0; i < static_cast<int>(options.size()); ++i) {
+        ImGui::PushID(i);  // words may be empty
         const Option& option = options[static_cast<std::size_t>(i)];
         const bool first = i == 0, last = i + 1 == static_cast<int>(options.size());
         if (!first) ImGui::SameLine(0, px(1));
         const ImDrawFlags corners = first  ? ImDrawFlags_RoundCornersLeft
                                     : last ? ImDrawFlags_RoundCornersRight
                                            : ImDrawFlags_RoundCornersNone;
-        if (segment(option, i == chosen, corners)) result = i;
+        if (segment(option, {i == chosen, corners, padding})) result = i;
         option_tooltip(option, help);
+        ImGui::PopID();
     }
     ImGui::PopID();
     return result;

@@ -93,12 +93,13 @@ void scene_column(UiState& state, const PictureView& view) {
     ImGui::PushFont(fonts().title);
     ImGui::TextUnformatted(selected_title(scene, state.editor.selection).c_str());
     ImGui::PopFont();
-    ImGui::BeginChild("##panel");
-    // What is edited is told apart by the selection, so that no field keeps its focus for another item.
+    // What is edited is told apart by the selection: no field keeps its focus for another item, and each
+    // panel its own place of scrolling.
     ImGui::PushID(static_cast<int>(state.editor.selection.kind) * 100'000 + state.editor.selection.index);
+    ImGui::BeginChild("##panel");
     selected_panel(state, view);
-    ImGui::PopID();
     ImGui::EndChild();
+    ImGui::PopID();
 }
 
 void column_tab(const char* name, bool chosen, bool& wanted) {

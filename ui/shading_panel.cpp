@@ -55,7 +55,7 @@ bool shading_panel(Shading& shading, glm::vec3& global_ambient) {
                           {"Where the lighting equation is evaluated (keys 1 to 4)", "/shading/mode"});
     edited |= tried_field("Reflection", shading, &Shading::reflection, reflection_choices,
                           {"The lighting equation's highlight", "/shading/reflection"});
-    edited |= tried_field("Between", shading, &Shading::interpolation, interpolation_choices,
+    edited |= tried_field("Interpolate", shading, &Shading::interpolation, interpolation_choices,
                           {"How values between corners are found", "/shading/interpolation"});
     edited |= tried_field("Flat point", shading, &Shading::flat_point, flat_point_choices,
                           {"Which point of a polygon is lit under flat", "/shading/flat_point"});

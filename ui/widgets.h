@@ -51,7 +51,7 @@ struct Option {
 /// The index chosen, `chosen` when nothing changed. As a drop-down in a row, or as joined buttons.
 [[nodiscard]] int choose(const char* label, int chosen, std::span<const Option> options, const Help& help);
 [[nodiscard]] int segments(const char* id, int chosen, std::span<const Option> options, const Help& help);
-/// Width that segments() takes.
+/// Width that segments() takes where there is room; in less its words stand closer together.
 [[nodiscard]] float segments_width(std::span<const Option> options);
 
 /// A tooltip for the item drawn last, after the pointer rested on it: title, explanation, and two lower lines

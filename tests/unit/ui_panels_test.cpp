@@ -1,10 +1,12 @@
 // Panels under a random hand: whatever is dragged, typed or clicked, what is saved opens again and undo leads
 // home.
+#include <array>
 #include <cmath>
 #include <random>
 
 #include "tests/catch.h"
 #include "tests/unit/ui_bench.h"
+#include "ui/widgets.h"
 
 using namespace glint;
 using test::Bench;
@@ -173,4 +175,40 @@ TEST_CASE("lists that are emptied leave a usable window", "[ui][window]") {
     REQUIRE(bench.state.why);
     CHECK_FALSE(bench.state.why->hit);
     check_saves(bench.scene());
+}
+
+TEST_CASE("each of joined buttons answers a click, whether its word stands in the file or not",
+          "[ui][panels]") {
+    Bench bench;
+    const std::array<glint::Option, 4> options{
+        glint::Option{"none", "", "", ""}, glint::Option{"left", "", "", ""},
+        glint::Option{"right", "", "", ""}, glint::Option{"both", "", "", ""}};
+    int chosen = 0;
+    std::array<float, 4> middles{};
+    for (const float room : {400.0f, 170.0f}) {  // enough, and too little
+        const auto frame = [&] {
+            ImGui::NewFrame();
+            ImGui::SetNextWindowPos({100, 100});
+            ImGui::SetNextWindowSize({room, 60});
+            ImGui::Begin("##test", nullptr, ImGuiWindowFlags_NoTitleBar);
+            chosen = segments("##row", chosen, options, {"", ""});
+            CHECK(ImGui::GetItemRectMax().x <= 100 + room);
+            const float left = ImGui::GetWindowContentRegionMin().x + 100;
+            const float all = ImGui::GetItemRectMax().x - left;
+            for (std::size_t i = 0; i < 4; ++i) middles[i] = left + all * (float(i) + 0.5f) / 4;
+            ImGui::End();
+            ImGui::Render();
+        };
+        frame();
+        frame();
+        for (const std::size_t i : {3u, 1u, 2u, 0u}) {
+            ImGui::GetIO().MousePos = {middles[i], 100 + ImGui::GetStyle().WindowPadding.y + 8};
+            frame();
+            for (const bool down : {true, false}) {
+                ImGui::GetIO().MouseDown[0] = down;
+                frame();
+            }
+            CHECK(chosen == static_cast<int>(i));
+        }
+    }
 }

@@ -162,9 +162,10 @@ TEST_CASE("the grey card lies beside the sharpest bend and leaves the picture al
 
 TEST_CASE("ticks are round numbers inside their range", "[ui][plot]") {
     CHECK(ticks({0, 1}, 6) == std::vector<double>{0, 0.2, 0.4, 0.6000000000000001, 0.8, 1});
-    CHECK(ticks({-0.3, 0.3}, 3) == std::vector<double>{0});
-    CHECK(ticks({12, 948}, 5) == std::vector<double>{500});
-    CHECK(ticks({12, 948}, 6) == std::vector<double>{200, 400, 600, 800});
+    CHECK(ticks({-0.3, 0.3}, 3) == std::vector<double>{-0.2, 0, 0.2});
+    CHECK(ticks({12, 948}, 5) == std::vector<double>{200, 400, 600, 800});
+    CHECK(ticks({12, 948}, 3) == std::vector<double>{500});
+    CHECK(ticks({0.12, 0.62}, 3) == std::vector<double>{0.2, 0.4, 0.6000000000000001});  // the scope's I
     CHECK(ticks({1e30, 1.0001e30}, 4).size() <= 4);
     CHECK(tick_text(-1e-18, 0.1) == "0");
     CHECK(tick_text(0.25, 0.05) == "0.25");

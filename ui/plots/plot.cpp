@@ -15,13 +15,16 @@ namespace {
 /// More points than this on one curve are thinned: ImGui counts the corners of a list in 16 bits.
 constexpr std::size_t most_points = 1500;
 
-/// The step of at most `most` ticks: 1, 2 or 5 times a power of ten.
+double multiples_in(Range range, double step) {
+    return std::floor(range.high / step + 1e-9) - std::ceil(range.low / step - 1e-9) + 1;
+}
+
+/// The smallest step of at most `most` ticks: 1, 2 or 5 times a power of ten.
 double tick_step(Range range, int most) {
-    const double least = range.length() / std::max(most - 1, 1);
-    const double power = std::pow(10, std::floor(std::log10(least)));
-    for (const double step : {1.0, 2.0, 5.0, 10.0})
-        if (step * power >= least * (1 - 1e-9)) return step * power;
-    return 10 * power;
+    const double power = std::pow(10, std::floor(std::log10(range.length() / (most + 1))));
+    for (const double step : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0})
+        if (multiples_in(range, step * power) <= most) return step * power;
+    return 100 * power;
 }
 
 /// Whole multiples of `step` in the range, so that 0 is 0 and no error adds up; at most 40.
@@ -39,6 +42,9 @@ ImVec2 text_size(const std::string& text) {
     return fonts().small->CalcTextSizeA(text_height(), 1e9f, 0, text.c_str());
 }
 
+/// Between the curves' room and the right edge of all.
+float right_margin() { return px(6); }
+
 std::string axis_title(const AxisText& axis) {
     return *axis.unit != 0 ? fmt::format("{}, {}", axis.name, axis.unit) : std::string(axis.name);
 }
@@ -50,8 +56,11 @@ void draw_x_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
     for (const double v : multiples(area.x, step)) {
         const float x = area.at({v, area.y.low}).x;
         list.AddLine({x, area.rect.low.y}, {x, y}, packed(theme().line));
-        if (text.numbers)
-            plot_text(list, {x, y + px(3) + text_height() / 2}, theme().dim_text, tick_text(v, step), true);
+        if (!text.numbers) continue;
+        const std::string number = tick_text(v, step);
+        const float half = text_size(number).x / 2, right = area.rect.high.x + right_margin();
+        plot_text(list, {std::min(x, right - half), y + px(3) + text_height() / 2}, theme().dim_text, number,
+                  true);
     }
     if (*text.name == 0) return;
     const std::string title = axis_title(text);
@@ -160,7 +169,8 @@ PlotArea draw_axes(ImDrawList& list, const Rect& all, Range x, Range y, const Ax
     const float left = y_text.numbers ? px(44) : px(4);
     const float below =
         (x_text.numbers ? text_height() + px(3) : 0) + (*x_text.name != 0 ? text_height() + px(2) : px(2));
-    PlotArea area{{{all.low.x + left, all.low.y + px(2)}, {all.high.x - px(6), all.high.y - below}}, x, y};
+    PlotArea area{
+        {{all.low.x + left, all.low.y + px(2)}, {all.high.x - right_margin(), all.high.y - below}}, x, y};
     area.rect.high.x = std::max(area.rect.high.x, area.rect.low.x + 1);
     area.rect.high.y = std::max(area.rect.high.y, area.rect.low.y + 1);
     list.AddRectFilled(area.rect.low, area.rect.high, packed(theme().window));

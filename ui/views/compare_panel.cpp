@@ -29,7 +29,7 @@ const std::vector<Preset>& presets() {
 }
 
 void presets_popup(CompareChoice& choice) {
-    if (ImGui::SmallButton("…##presets")) ImGui::OpenPopup("##presets");
+    if (ImGui::SmallButton("Parts##presets")) ImGui::OpenPopup("##presets");
     tooltip("What is compared", "Or click a label on the picture to choose one part");
     ImGui::SameLine(0, px(4));
     if (!ImGui::BeginPopup("##presets")) return;

@@ -149,6 +149,7 @@ std::string views_hint(const ViewsState& views) {
 void run_views_action(UiState& state, Action action) {
     CompareChoice& choice = state.views.compare.choice;
     LookSet& look = state.views.look.set;
+    state.viewport.touched = true;  // no hints for beginners over what was asked for
     switch (action) {
     case Action::Scope:
         return toggle_scope(state.views.scope);
