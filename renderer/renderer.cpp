@@ -79,7 +79,7 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
     const Clock::time_point start = Clock::now();
     k.arena.execute([&] {
         const bool geometry =
-            k.run(Stage::Geometry, [&] { return update_geometry(s.geometry, scene, size, samples > 1); });
+            k.run(Stage::Geometry, [&] { return update_geometry(s.geometry, scene, size); });
         const bool visibility = k.run(Stage::Visibility, [&] {
             return update_visibility(s.visibility, s.geometry, scene.shading.cull, samples, geometry);
         });

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "renderer/pipeline/clip.h"
+#include "renderer/pipeline/to_screen.h"
 
 namespace glint {
 namespace {
@@ -12,38 +13,41 @@ namespace {
 constexpr std::uint32_t chunk_size = 8192;  // triangles that one task sorts
 
 /// One chunk more, at the back.
-SortedChunk& add_chunk(Geometry& g, std::size_t& count) {
-    if (count == g.chunks.size()) g.chunks.emplace_back();  // else as the frame before left it
-    return g.chunks[count++];
+SortedChunk& add_chunk(TileLists& lists, std::size_t& count) {
+    if (count == lists.chunks.size()) lists.chunks.emplace_back();  // else as the frame before left it
+    return lists.chunks[count++];
 }
 
-void lay_out_chunks(Geometry& g) {
+/// `like`: what is the same for all of the picture.
+SortJob sort_job(const ObjectGeometry& object, const SortJob& like, Cull cull) {
+    SortJob job = like;
+    job.triangle_vertices = object.triangle_vertices.data();
+    job.screen = object.screen.data();
+    job.first_triangle = object.first_triangle;
+    // Clockwise as seen is the back, unless the transform turned it over.
+    job.drop_clockwise = cull == (object.mirrored ? Cull::Front : Cull::Back);
+    job.drop_counterclockwise = cull == (object.mirrored ? Cull::Back : Cull::Front);
+    return job;
+}
+
+void lay_out_chunks(TileLists& lists, const Geometry& g, const SortJob& like, Cull cull) {
     std::size_t count = 0;
     for (std::uint32_t o = 0; o < g.objects.size(); ++o) {
         const auto triangles = static_cast<std::uint32_t>(g.objects[o].mesh->triangles.size());
         for (std::uint32_t begin = 0; begin < triangles; begin += chunk_size) {
-            SortedChunk& chunk = add_chunk(g, count);
+            SortedChunk& chunk = add_chunk(lists, count);
             chunk.object = o;
             chunk.begin = begin;
             chunk.end = std::min(begin + chunk_size, triangles);
+            chunk.job = sort_job(g.objects[o], like, cull);
         }
     }
-    g.chunks.resize(count);
-}
-
-SortJob sort_job(const Geometry& g) {
-    SortJob job;
-    job.width = g.size.width;
-    job.height = g.size.height;
-    job.margin = g.multisampled ? subpixels / 2 : 0;
-    job.clipped_bits = needs_clipping;
-    job.beyond_bits = ~std::uint32_t{OutsideGuard};
-    return job;
+    lists.chunks.resize(count);
 }
 
 /// Calls visit(tile, number) for every triangle of a chunk and every tile that its box meets.
-template <class Visit> void visit_tiles(const Geometry& g, const SortedChunk& chunk, const Visit& visit) {
-    const auto row = static_cast<std::uint32_t>(g.tiles_x);
+template <class Visit> void visit_tiles(int tiles_x, const SortedChunk& chunk, const Visit& visit) {
+    const auto row = static_cast<std::uint32_t>(tiles_x);
     for (std::size_t i = 0; i < chunk.box_count; ++i) {
         const TriangleBox& box = chunk.boxes[i];
         const std::uint32_t x0 = box.tiles & 255u, y0 = box.tiles >> 8 & 255u, x1 = box.tiles >> 16 & 255u;
@@ -52,7 +56,8 @@ template <class Visit> void visit_tiles(const Geometry& g, const SortedChunk& ch
     }
 }
 
-void sort_chunk(const Geometry& g, SortedChunk& chunk) {
+/// Finds a chunk's boxes, and how many of them each tile meets.
+void sort_chunk(const TileLists& lists, SortedChunk& chunk) {
     const std::size_t room = std::size_t{chunk.end} - chunk.begin + 1;
     if (chunk.boxes.size() < room) chunk.boxes.resize(room);
     if (chunk.to_clip.size() < room) chunk.to_clip.resize(room);
@@ -60,71 +65,93 @@ void sort_chunk(const Geometry& g, SortedChunk& chunk) {
     drawing_kernels().sort(chunk.job, chunk.begin, chunk.end, out);
     chunk.box_count = out.box_count;
     chunk.clip_count = out.to_clip_count;
-    chunk.next.assign(static_cast<std::size_t>(g.tiles_x) * static_cast<std::size_t>(g.tiles_y), 0);
-    visit_tiles(g, chunk, [&chunk](std::uint32_t tile, std::uint32_t) { ++chunk.next[tile]; });
+    chunk.next.assign(static_cast<std::size_t>(lists.tiles_x) * static_cast<std::size_t>(lists.tiles_y), 0);
+    visit_tiles(lists.tiles_x, chunk, [&chunk](std::uint32_t tile, std::uint32_t) { ++chunk.next[tile]; });
+}
+
+/// Cuts the triangles that cross the near or far plane or leave the guard band into pieces that do not.
+void clip_triangles(TileLists& lists, const Geometry& g) {
+    const glm::dmat4 projection = clip_from_view(g.camera.projection, g.size);
+    const ToScreen to_screen{g.size, is_orthographic(g.camera.projection)};
+    std::vector<glm::dvec4>& polygon = lists.polygon;
+    lists.clipped.clear();
+    for (const SortedChunk& chunk : lists.chunks) {
+        const ObjectGeometry& object = g.objects[chunk.object];
+        for (std::size_t n = 0; n < chunk.clip_count; ++n) {
+            const std::uint32_t t = chunk.to_clip[n];
+            polygon.clear();
+            for (std::size_t k = 0; k < 3; ++k) {
+                const glm::vec3& p = object.mesh->positions[object.triangle_vertices[3 * std::size_t{t} + k]];
+                polygon.push_back(projection * (object.view_from_object * glm::dvec4(glm::dvec3(p), 1.0)));
+            }
+            clip_polygon(polygon, lists.spare_polygon);
+            for (std::size_t i = 2; i < polygon.size(); ++i)
+                lists.clipped.push_back(
+                    {{to_screen(polygon[0]), to_screen(polygon[i - 1]), to_screen(polygon[i])},
+                     object.first_triangle + t,
+                     object.mirrored});
+        }
+    }
 }
 
 /// The clipped pieces as one more chunk. To the kernel they are an object whose every triangle has vertices
-/// of its own, four records apart.
-void add_pieces(Geometry& g) {
+/// of its own, four records apart; which of them are culled is found where they are drawn.
+void add_pieces(TileLists& lists, const Geometry& g, const SortJob& like) {
     static_assert(sizeof(ClippedTriangle) == 4 * sizeof(ScreenVertex));
-    if (g.clipped.empty()) return;
-    const auto count = static_cast<std::uint32_t>(g.clipped.size());
-    g.clipped_vertices.clear();
+    if (lists.clipped.empty()) return;
+    const auto count = static_cast<std::uint32_t>(lists.clipped.size());
+    lists.clipped_vertices.clear();
     for (std::uint32_t i = 0; i < count; ++i)
-        for (std::uint32_t k = 0; k < 3; ++k) g.clipped_vertices.push_back(4 * i + k);
-    SortedChunk& chunk = g.chunks.emplace_back();
+        for (std::uint32_t k = 0; k < 3; ++k) lists.clipped_vertices.push_back(4 * i + k);
+    SortedChunk& chunk = lists.chunks.emplace_back();
     chunk.end = count;
-    chunk.job = sort_job(g);
-    chunk.job.triangle_vertices = g.clipped_vertices.data();
-    chunk.job.screen = g.clipped.front().corner;
+    chunk.job = like;
+    chunk.job.triangle_vertices = lists.clipped_vertices.data();
+    chunk.job.screen = lists.clipped.front().corner;
     chunk.job.first_triangle = g.triangle_count;
-    sort_chunk(g, chunk);
+    sort_chunk(lists, chunk);
 }
 
-/// Turns each chunk's counts into where its numbers begin, so that the order never depends on threads.
-void number_places(Geometry& g) {
-    const auto tiles = static_cast<std::size_t>(g.tiles_x) * static_cast<std::size_t>(g.tiles_y);
-    g.tile_first.resize(tiles + 1);
+/// Turns each chunk's counts into where its entries begin, so that the order never depends on threads.
+void number_places(TileLists& lists) {
+    const auto tiles = static_cast<std::size_t>(lists.tiles_x) * static_cast<std::size_t>(lists.tiles_y);
+    lists.tile_first.resize(tiles + 1);
     std::uint32_t next = 0;
     for (std::size_t tile = 0; tile < tiles; ++tile) {
-        g.tile_first[tile] = next;
-        for (SortedChunk& chunk : g.chunks) {
+        lists.tile_first[tile] = next;
+        for (SortedChunk& chunk : lists.chunks) {
             const std::uint32_t count = chunk.next[tile];
             chunk.next[tile] = next;
             next += count;
         }
     }
-    g.tile_first[tiles] = next;
-    g.tile_triangles.resize(next);
+    lists.tile_first[tiles] = next;
+    lists.entries.resize(next);
 }
 
 }  // namespace
 
-void find_boxes(Geometry& g) {
-    g.tiles_x = (g.size.width + tile_size - 1) / tile_size;
-    g.tiles_y = (g.size.height + tile_size - 1) / tile_size;
-    lay_out_chunks(g);
-    tbb::parallel_for(std::size_t{0}, g.chunks.size(), [&g](std::size_t i) {
-        SortedChunk& chunk = g.chunks[i];
-        const ObjectGeometry& object = g.objects[chunk.object];
-        chunk.job = sort_job(g);
-        chunk.job.triangle_vertices = object.triangle_vertices.data();
-        chunk.job.screen = object.screen.data();
-        chunk.job.first_triangle = object.first_triangle;
-        sort_chunk(g, chunk);
-    });
-}
-
-void sort_into_tiles(Geometry& g) {
-    add_pieces(g);
-    number_places(g);
-    tbb::parallel_for(std::size_t{0}, g.chunks.size(), [&g](std::size_t i) {
-        SortedChunk& chunk = g.chunks[i];
-        visit_tiles(g, chunk, [&g, &chunk](std::uint32_t tile, std::uint32_t number) {
+void sort_into_tiles(TileLists& lists, const Geometry& g, Cull cull, bool multisampled) {
+    lists.tiles_x = (g.size.width + tile_size - 1) / tile_size;
+    lists.tiles_y = (g.size.height + tile_size - 1) / tile_size;
+    SortJob like;
+    like.width = g.size.width;
+    like.height = g.size.height;
+    like.margin = multisampled ? subpixels / 2 : 0;
+    like.clipped_bits = needs_clipping;
+    like.beyond_bits = ~std::uint32_t{OutsideGuard};
+    lay_out_chunks(lists, g, like, cull);
+    tbb::parallel_for(std::size_t{0}, lists.chunks.size(),
+                      [&lists](std::size_t i) { sort_chunk(lists, lists.chunks[i]); });
+    clip_triangles(lists, g);
+    add_pieces(lists, g, like);
+    number_places(lists);
+    tbb::parallel_for(std::size_t{0}, lists.chunks.size(), [&lists](std::size_t i) {
+        SortedChunk& chunk = lists.chunks[i];
+        visit_tiles(lists.tiles_x, chunk, [&lists, &chunk](std::uint32_t tile, std::uint32_t number) {
             const std::uint32_t* vertex =
                 chunk.job.triangle_vertices + 3 * std::size_t{number - chunk.job.first_triangle};
-            g.tile_triangles[chunk.next[tile]++] = {number, {vertex[0], vertex[1], vertex[2]}};
+            lists.entries[chunk.next[tile]++] = {number, {vertex[0], vertex[1], vertex[2]}};
         });
     });
 }

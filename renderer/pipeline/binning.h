@@ -1,16 +1,35 @@
 #pragma once
-// Which triangles may touch which tile of the screen.
+// Which triangles may be seen in which tile of the screen: those in view, clipped where they must be, without
+// the ones that are culled or have no area.
 
 #include "renderer/pipeline/geometry.h"
 
 namespace glint {
 
-/// Fills `chunks`, from all objects' vertices on the screen: for each triangle that is not out of view the
-/// tiles that its bounding box meets, or that it has to be clipped.
-void find_boxes(Geometry& geometry);
+/// Neighbouring triangles of one object, which one task sorts.
+struct SortedChunk {
+    std::uint32_t object = 0, begin = 0, end = 0;  // triangles, numbers within the object
+    SortJob job;
+    std::vector<TriangleBox> boxes;      // box_count, of those that may be seen, rising
+    std::vector<std::uint32_t> to_clip;  // clip_count numbers within the object, rising
+    std::size_t box_count = 0, clip_count = 0;
+    std::vector<std::uint32_t>
+        next;  // #tiles: where in tile_triangles its next number goes (first: how many)
+};
 
-/// Fills tile_first and tile_triangles from `chunks` and `clipped`: for each tile the numbers of the
-/// triangles (and clipped pieces) whose bounding box meets it, in rising order.
-void sort_into_tiles(Geometry& geometry);
+struct TileLists {
+    int tiles_x = 0, tiles_y = 0;
+    std::vector<std::uint32_t> tile_first;  // #tiles + 1, into entries
+    std::vector<TileEntry> entries;         // numbers rising within a tile
+    std::vector<ClippedTriangle> clipped;   // numbered Geometry::triangle_count and on in the entries
+    // What they were made of.
+    std::vector<SortedChunk> chunks;                 // of all triangles, in rising order
+    std::vector<std::uint32_t> clipped_vertices;     // three a piece: to sorting they are one more object
+    std::vector<glm::dvec4> polygon, spare_polygon;  // while a triangle is clipped
+};
+
+/// Makes the lists anew in the memory of the old ones. `multisampled`: for samples anywhere in their pixels,
+/// not at the centres alone.
+void sort_into_tiles(TileLists& lists, const Geometry& geometry, Cull cull, bool multisampled);
 
 }  // namespace glint

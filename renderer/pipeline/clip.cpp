@@ -12,9 +12,9 @@ constexpr std::array<Plane, 6> planes{Plane{0, 0, 1, 1},          Plane{0, 0, -1
                                       Plane{1, 0, 0, guard_band}, Plane{-1, 0, 0, guard_band},
                                       Plane{0, 1, 0, guard_band}, Plane{0, -1, 0, guard_band}};
 
-void clip_to_plane(std::vector<glm::dvec4>& polygon, const Plane& plane) {
-    std::vector<glm::dvec4> kept;
-    kept.reserve(polygon.size() + 1);
+/// `kept`: its memory is used for what stays.
+void clip_to_plane(std::vector<glm::dvec4>& polygon, std::vector<glm::dvec4>& kept, const Plane& plane) {
+    kept.clear();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const glm::dvec4 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
         const double da = glm::dot(plane, a), db = glm::dot(plane, b);
@@ -28,8 +28,8 @@ void clip_to_plane(std::vector<glm::dvec4>& polygon, const Plane& plane) {
 
 }  // namespace
 
-void clip_polygon(std::vector<glm::dvec4>& polygon) {
-    for (const Plane& plane : planes) clip_to_plane(polygon, plane);
+void clip_polygon(std::vector<glm::dvec4>& polygon, std::vector<glm::dvec4>& spare) {
+    for (const Plane& plane : planes) clip_to_plane(polygon, spare, plane);
 }
 
 }  // namespace glint

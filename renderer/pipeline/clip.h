@@ -39,7 +39,7 @@ inline constexpr double guard_band = 64;
 
 /// The part of a convex polygon (clip coordinates) inside near, far and guard band, in the same order around;
 /// empty when nothing is left. A cut edge gives the same new corner whichever of its two faces is clipped, so
-/// that no crack opens. Source: I. Sutherland, G. Hodgman 1974.
-void clip_polygon(std::vector<glm::dvec4>& polygon);
+/// that no crack opens. `spare` is memory to work in. Source: I. Sutherland, G. Hodgman 1974.
+void clip_polygon(std::vector<glm::dvec4>& polygon, std::vector<glm::dvec4>& spare);
 
 }  // namespace glint

@@ -4,35 +4,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <glm/matrix.hpp>
 
-#include "renderer/pipeline/binning.h"
 #include "renderer/pipeline/clip.h"
+#include "renderer/pipeline/to_screen.h"
 
 namespace glint {
 namespace {
-
-/// To the nearest whole number, halves away from zero: std::lround, which is a call and slower than all else
-/// that a vertex needs.
-std::int32_t nearest(double x) {
-    const auto towards_zero = static_cast<std::int64_t>(x);
-    const double rest = x - static_cast<double>(towards_zero);  // exact
-    return static_cast<std::int32_t>(towards_zero + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0));
-}
-
-/// From clip coordinates to the rasteriser's grid.
-struct ToScreen {
-    PictureSize size;
-    bool orthographic;
-
-    [[nodiscard]] ScreenVertex operator()(const glm::dvec4& clip) const {
-        const double x = (clip.x / clip.w + 1) * 0.5 * size.width * subpixels;
-        const double y = (1 - clip.y / clip.w) * 0.5 * size.height * subpixels;
-        const double nearness = orthographic ? 0.5 * (1 - clip.z / clip.w) : 1 / clip.w;
-        return {nearest(x), nearest(y), static_cast<float>(nearness)};
-    }
-};
 
 void transform_vertices(ObjectGeometry& object, const glm::dmat4& clip_from_view, const ToScreen& to_screen) {
     const std::vector<glm::vec3>& from = object.mesh->positions;
@@ -89,33 +67,7 @@ void place_objects(Geometry& g, const Scene& scene) {
     }
 }
 
-/// Cuts the triangles that cross the near or far plane or leave the guard band into pieces that do not.
-void clip_triangles(Geometry& g) {
-    const glm::dmat4 projection = clip_from_view(g.camera.projection, g.size);
-    const ToScreen to_screen{g.size, is_orthographic(g.camera.projection)};
-    g.clipped.clear();
-    std::vector<glm::dvec4> polygon;
-    for (const SortedChunk& chunk : g.chunks) {
-        const ObjectGeometry& object = g.objects[chunk.object];
-        for (std::size_t n = 0; n < chunk.clip_count; ++n) {
-            const std::uint32_t t = chunk.to_clip[n];
-            polygon.clear();
-            for (std::size_t k = 0; k < 3; ++k) {
-                const glm::vec3& p = object.mesh->positions[object.triangle_vertices[3 * std::size_t{t} + k]];
-                polygon.push_back(projection * (object.view_from_object * glm::dvec4(glm::dvec3(p), 1.0)));
-            }
-            clip_polygon(polygon);
-            for (std::size_t i = 2; i < polygon.size(); ++i)
-                g.clipped.push_back(
-                    {{to_screen(polygon[0]), to_screen(polygon[i - 1]), to_screen(polygon[i])},
-                     object.first_triangle + t,
-                     object.mirrored});
-        }
-    }
-}
-
-bool same_inputs(const Geometry& kept, const Scene& scene, PictureSize size, bool multisampled) {
-    if (kept.multisampled != multisampled) return false;
+bool same_inputs(const Geometry& kept, const Scene& scene, PictureSize size) {
     if (kept.size != size || kept.camera != scene.camera || kept.objects.size() != scene.objects.size())
         return false;
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
@@ -134,15 +86,11 @@ std::uint32_t Geometry::object_of(std::uint32_t triangle) const {
     return static_cast<std::uint32_t>(after - objects.begin()) - 1;
 }
 
-bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size, bool multisampled) {
-    if (same_inputs(kept, scene, size, multisampled)) return false;
-    kept.multisampled = multisampled;
+bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size) {
+    if (same_inputs(kept, scene, size)) return false;
     kept.size = size;
     kept.camera = scene.camera;
     place_objects(kept, scene);
-    find_boxes(kept);
-    clip_triangles(kept);
-    sort_into_tiles(kept);
     return true;
 }
 

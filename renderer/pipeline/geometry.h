@@ -1,6 +1,6 @@
 #pragma once
-// Stage 1. Vertex positions in camera and clip coordinates and on the screen; triangles clipped where they
-// must be and sorted into tiles. Inputs: mesh, transform, camera, size.
+// Stage 1. Vertex positions in camera and clip coordinates and on the screen. Inputs: mesh, transform,
+// camera, size.
 
 #include <array>
 #include <cstdint>
@@ -33,29 +33,11 @@ struct ObjectGeometry {
     }
 };
 
-/// Neighbouring triangles of one object, which one task sorts.
-struct SortedChunk {
-    std::uint32_t object = 0, begin = 0, end = 0;  // triangles, numbers within the object
-    SortJob job;
-    std::vector<TriangleBox> boxes;      // box_count, of those that may be seen, rising
-    std::vector<std::uint32_t> to_clip;  // clip_count numbers within the object, rising
-    std::size_t box_count = 0, clip_count = 0;
-    std::vector<std::uint32_t>
-        next;  // #tiles: where in tile_triangles its next number goes (first: how many)
-};
-
 struct Geometry {
     Camera camera;
     PictureSize size{0, 0};
-    bool multisampled = false;  // tiles then hold what any sample of their pixels may see
     std::vector<ObjectGeometry> objects;
     std::uint32_t triangle_count = 0;
-    std::vector<SortedChunk> chunks;              // of all triangles, in rising order
-    std::vector<std::uint32_t> clipped_vertices;  // three a piece: to sorting they are one more object
-    std::vector<ClippedTriangle> clipped;  // numbered triangle_count, triangle_count + 1, ... in the tiles
-    int tiles_x = 0, tiles_y = 0;
-    std::vector<std::uint32_t> tile_first;  // #tiles + 1, into tile_triangles
-    std::vector<TileEntry> tile_triangles;
 
     /// The object that a global triangle number belongs to.
     [[nodiscard]] std::uint32_t object_of(std::uint32_t triangle) const;
@@ -71,6 +53,6 @@ struct Geometry {
 };
 
 /// Does again what differs from what `kept` was made of; true when anything did.
-bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size, bool multisampled);
+bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size);
 
 }  // namespace glint

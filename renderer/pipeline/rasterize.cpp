@@ -28,33 +28,33 @@ void store_tile(const TileRows& tile, const TilePlace& at, std::size_t picture_w
     }
 }
 
-std::vector<DrawnObject> drawn_objects(const Geometry& g) {
-    std::vector<DrawnObject> drawn;
+void list_objects(const Geometry& g, std::vector<DrawnObject>& drawn) {
+    drawn.clear();
     for (const ObjectGeometry& o : g.objects)
         drawn.push_back({o.screen.data(), o.first_triangle,
                          static_cast<std::uint32_t>(o.mesh->triangles.size()), o.mirrored});
-    return drawn;
 }
 
 }  // namespace
 
 void rasterize_tiles(const Geometry& g, Visibility& out) {
-    const std::vector<DrawnObject> objects = drawn_objects(g);
+    const TileLists& lists = out.tiles;
+    list_objects(g, out.objects);
     const auto width = static_cast<std::size_t>(g.size.width),
                height = static_cast<std::size_t>(g.size.height);
     tbb::parallel_for(std::size_t{0}, out.tile_drawn.size(), [&](std::size_t number) {
-        const std::uint32_t first = g.tile_first[number], count = g.tile_first[number + 1] - first;
+        const std::uint32_t first = lists.tile_first[number], count = lists.tile_first[number + 1] - first;
         if (count == 0 && !out.tile_drawn[number]) return;  // background before and now
         out.tile_drawn[number] = count > 0;
-        TilePlace at{number % static_cast<std::size_t>(g.tiles_x) * tile_size,
-                     number / static_cast<std::size_t>(g.tiles_x) * tile_size, 0, 0};
+        TilePlace at{number % static_cast<std::size_t>(lists.tiles_x) * tile_size,
+                     number / static_cast<std::size_t>(lists.tiles_x) * tile_size, 0, 0};
         at.width = std::min<std::size_t>(tile_size, width - at.x);
         at.height = std::min<std::size_t>(tile_size, height - at.y);
         TileJob job;
-        job.objects = objects.data();
-        job.clipped = g.clipped.data();
+        job.objects = out.objects.data();
+        job.clipped = lists.clipped.data();
         job.triangle_count = g.triangle_count;
-        job.entries = g.tile_triangles.data() + first;
+        job.entries = lists.entries.data() + first;
         job.count = count;
         job.x0 = static_cast<int>(at.x);
         job.y0 = static_cast<int>(at.y);

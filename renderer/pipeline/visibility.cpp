@@ -27,10 +27,11 @@ bool update_visibility(Visibility& kept, const Geometry& g, Cull cull, int sampl
     if (!geometry_redone && kept.cull == cull && kept.samples == samples) return false;
     kept.cull = cull;
     kept.samples = samples;
+    sort_into_tiles(kept.tiles, g, cull, samples > 1);
     kept.plane = static_cast<std::size_t>(g.size.width) * static_cast<std::size_t>(g.size.height);
     kept.groups_a_row = (static_cast<std::size_t>(g.size.width) + block_size - 1) / block_size;
     const std::size_t codes = kept.plane * static_cast<std::size_t>(samples);
-    const auto tiles = static_cast<std::size_t>(g.tiles_x) * static_cast<std::size_t>(g.tiles_y);
+    const std::size_t tiles = kept.tiles.tile_first.size() - 1;
     const std::size_t groups = kept.groups_a_row * static_cast<std::size_t>(g.size.height);
     if (kept.seen.size() != codes || kept.tile_drawn.size() != tiles || kept.covered.size() != groups) {
         kept.seen.assign(codes, 0);

@@ -1,17 +1,20 @@
 #pragma once
-// Stage 2. Which triangle is at each sample: an exact fill rule on integers, nearest wins, ties go to the
-// lower object and then the lower face. Inputs: the geometry and `cull`.
+// Stage 2. Which triangle is at each sample: triangles are clipped, culled and sorted into tiles, then drawn
+// by an exact fill rule on integers; nearest wins, ties go to the lower object and then the lower face.
+// Inputs: the geometry and `cull`.
 
 #include <cstdint>
 #include <vector>
 
-#include "renderer/pipeline/geometry.h"
+#include "renderer/pipeline/binning.h"
 
 namespace glint {
 
 struct Visibility {
     Cull cull = Cull::None;
-    int samples = 1;                  // a pixel: 1, 2, 4 or 8; each has a plane of width x height of its own
+    int samples = 1;  // a pixel: 1, 2, 4 or 8; each has a plane of width x height of its own
+    TileLists tiles;
+    std::vector<DrawnObject> objects;
     std::size_t plane = 0;            // width x height
     std::vector<std::uint32_t> seen;  // samples planes: seen_code of the nearest triangle; 0: none
     // With one sample a pixel: which pixels of each group of 16 in a row show a triangle, groups_a_row a row.

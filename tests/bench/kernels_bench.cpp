@@ -34,7 +34,7 @@ std::vector<PointBlock> points_of(const Scene& scene) {
     Geometry geometry;
     Visibility visibility;
     Surface surface;
-    update_geometry(geometry, scene, {1920, 1080}, false);
+    update_geometry(geometry, scene, {1920, 1080});
     update_visibility(visibility, geometry, scene.shading.cull, 1, true);
     update_surface(surface, scene, geometry, visibility, true);
     std::vector<PointBlock> points;
@@ -70,7 +70,7 @@ void draw(benchmark::State& state, Stage last, int detail) {
     Surface surface;
     for (auto _ : state) {
         scene.camera.eye.x = scene.camera.eye.x > 0 ? -0.01f : 0.01f;
-        update_geometry(geometry, scene, {1920, 1080}, false);
+        update_geometry(geometry, scene, {1920, 1080});
         if (last >= Stage::Visibility) update_visibility(visibility, geometry, scene.shading.cull, 1, true);
         if (last >= Stage::Surface) update_surface(surface, scene, geometry, visibility, true);
     }

@@ -207,9 +207,11 @@ void place_all(Numbers& number) {
     Hash hash;
     for (int which = 0; which < 200; ++which) {
         std::uint32_t seen[block_size];
-        for (std::uint32_t& code : seen) {
+        const int alike = 1 + which % 12;  // neighbours that show the same
+        for (int i = 0; i < static_cast<int>(block_size); ++i) {
             const std::uint32_t triangle = number.bits() % triangle_count;  // before the other: in this order
-            code = seen_code(triangle, number.bits() % 2 != 0);
+            seen[i] = seen_code(triangle, number.bits() % 2 != 0);
+            if (i % alike != 0) seen[i] = seen[i - 1];
         }
         job.two_sided = which % 2 != 0;
         PointBlock out{};
@@ -241,6 +243,7 @@ void sort_and_draw(Numbers& number, float spread) {
     sort.height = 480;
     sort.clipped_bits = 0x70;
     sort.beyond_bits = 0x3f;
+    sort.drop_clockwise = spread > 50;
     std::vector<TriangleBox> boxes(triangle_count + 1);
     std::vector<std::uint32_t> to_clip(triangle_count + 1);
     SortedTriangles sorted{boxes.data(), 0, to_clip.data(), 0};

@@ -50,6 +50,9 @@ struct SortJob {
     int margin = 0;                    // 1/256 pixel, by which boxes are made larger on every side
     std::uint32_t clipped_bits = 0;    // a triangle with one of these at some corner has to be clipped
     std::uint32_t beyond_bits = 0;     // with one of these at all corners it is out of view
+    // Culled: of the triangles less than a tile wide and high, which fit 32 bits; the rest are left to
+    // drawing.
+    bool drop_clockwise = false, drop_counterclockwise = false;
 };
 
 /// The tiles x0..x1, y0..y1 (inclusive) that a triangle's bounding box meets.
