@@ -1,7 +1,7 @@
 #pragma once
 // The number type of the equation: `float`, or N floats side by side (`Lanes<N>`), with the same operations
-// and, bit for bit, the same results. Only this header and its two additions (quads.h,
-// whole_numbers.h) know the compiler's vector types and the processor's intrinsics. Everything here lives in a
+// and, bit for bit, the same results. Only this header and its three additions (doubles.h,
+// quads.h, whole_numbers.h) know the compiler's vector types and the processor's intrinsics. Everything here lives in a
 // namespace of its own instruction set, so that the linker can never take AVX code for the baseline's
 // (docs/architecture.md, "Same bytes everywhere").
 //

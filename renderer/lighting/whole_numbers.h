@@ -74,6 +74,35 @@ template <int N> unsigned mask_bits(IntLanes<N> m) {
 inline unsigned mask_bits(Mask16 m) { return m.bits; }
 #endif
 inline unsigned mask_bits(bool m) { return m ? 1 : 0; }
+
+/// The lanes of the mask, beside each other; room for all lanes. How many they are.
+template <int N> unsigned store_chosen(IntLanes<N> mask, IntLanes<N> a, int* to) {
+    const unsigned bits = mask_bits(mask);
+    unsigned count = 0;
+    for (int i = 0; i < N; ++i) {  // without a branch, which nobody could guess
+        to[count] = a.v[i];
+        count += bits >> i & 1u;
+    }
+    return count;
+}
+#ifdef __AVX512F__
+inline unsigned store_chosen(Mask16 mask, IntLanes<16> a, int* to) {
+    _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(mask.bits, (__m512i)a.v));
+    return static_cast<unsigned>(__builtin_popcount(mask.bits));
+}
+#endif
+inline unsigned store_chosen(bool mask, int a, int* to) {
+    *to = a;
+    return mask ? 1 : 0;
+}
+
+/// The largest lane.
+template <int N> int largest(IntLanes<N> a) {
+    int most = a.v[0];
+    for (int i = 1; i < N; ++i) most = a.v[i] > most ? a.v[i] : most;
+    return most;
+}
+inline int largest(int a) { return a; }
 inline bool not_equal(int a, int b) { return a != b; }
 inline bool not_negative(int a) { return a >= 0; }
 inline bool either(bool a, bool b) { return a || b; }

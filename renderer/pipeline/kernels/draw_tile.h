@@ -2,7 +2,7 @@
 // All triangles of one tile: made ready several at once (triangle_lanes.h), then drawn one after the other.
 
 #include "renderer/pipeline/kernels/large_triangle.h"
-#include "renderer/pipeline/kernels/triangle_lanes.h"
+#include "renderer/pipeline/kernels/tiny_triangles.h"
 
 namespace glint::inline GLINT_ISA {
 
@@ -26,6 +26,7 @@ template <Number F> CornerLanes<F> corner_lanes(const TileJob& job, const TileRu
     store_ints(vertex[1], bits_of(entries.c));
     store_ints(vertex[2], bits_of(entries.d));
     CornerLanes<F> corners;
+    corners.number = bits_of(entries.a);
     for (unsigned k = 0; k < 3; ++k) {
         const Quad<F> v = load_quads<F>(run.screen, vertex[k], sizeof(ScreenVertex));
         corners.x[k] = bits_of(v.a) - (job.x0 * subpixels + subpixels / 2 + job.offset_x);
@@ -39,32 +40,61 @@ template <Number F> CornerLanes<F> corner_lanes(const TileJob& job, const TileRu
 template <Number F, unsigned N>
 void draw_lane(const TileJob& job, const TriangleLanes<N>& lanes, unsigned lane, std::uint32_t number,
                bool mirrored, TilePixels& tile) {
-    const auto triangle = [&](long long area) {
-        TileTriangle t = triangle_of_lane(lanes, lane);
-        t.area = area;
-        t.code = static_cast<int>(seen_code(number, (area > 0) != mirrored));
-        if (area < 0) turn_over(t);
-        return t;
-    };
     const long long area = lanes.small[lane] ? lanes.area[lane] : doubled_area(triangle_of_lane(lanes, lane));
     // Clockwise as seen is the back, unless the transform turned it over.
     const bool back = (area > 0) != mirrored;
     if (area == 0 || !(back ? job.draw_back : job.draw_front)) return;
-    if (lanes.small[lane])
-        fill_patches<F>(
-            edges_of_lane(lanes, lane), [&] { return triangle(area); }, tile);
-    else
-        fill_large_triangle<F>(triangle(area), tile);
+    const int code = static_cast<int>(seen_code(number, back));
+    if (lanes.small[lane]) {
+        fill_patches<F>(edges_of_lane(lanes, lane), plane_of_lane(lanes, lane, code), tile);
+        return;
+    }
+    TileTriangle large = triangle_of_lane(lanes, lane);
+    large.area = area;
+    large.code = code;
+    if (area < 0) turn_over(large);
+    fill_large_triangle<F>(large, tile);
+}
+
+/// Draws together those of the first `count` lanes that are tiny; the lanes that are left to be drawn alone,
+/// as bits. The lanes are of one object.
+template <Number F>
+unsigned draw_tiny(const TileJob& job, const TriangleLanes<NumberTraits<F>::width>& lanes, unsigned count,
+                   bool mirrored, TilePixels& tile) {
+    using I = IntOf<F>;
+    const I drawable =
+        negative(load_ints<I>(counting) - static_cast<int>(count)) & inverted(load_ints<I>(lanes.empty));
+    const I wide = load_ints<I>(lanes.x1) - load_ints<I>(lanes.x0) - tiny_side;
+    const I high = load_ints<I>(lanes.y1) - load_ints<I>(lanes.y0) - tiny_side;
+    const I tiny = drawable & load_ints<I>(lanes.small) & negative(wide & high);
+    const I area = load_ints<I>(lanes.area), clockwise = negative(0 - area),
+            counterclockwise = negative(area);
+    const I back = mirrored ? counterclockwise : clockwise, front = mirrored ? clockwise : counterclockwise;
+    const I drawn = tiny & ((back & (job.draw_back ? -1 : 0)) | (front & (job.draw_front ? -1 : 0)));
+    const I code = 0x7fffffff - ((load_ints<I>(lanes.number) << 1) - back);  // as seen_code has it
+    if (any_bit(drawn)) fill_tiny<F>(lanes, drawn, code, tile);
+    return mask_bits(not_equal(drawable & inverted(tiny), in_all_lanes<I>(0)));
+}
+
+/// Asks for the vertices of the triangles begin .. end - 1 of a run, which lie anywhere in memory.
+inline void ask_early(const TileRun& run, unsigned begin, unsigned end) {
+    for (unsigned i = begin; i < end && i < run.count; ++i)
+        for (const std::uint32_t vertex : run.entries[i].vertex) __builtin_prefetch(run.screen + vertex);
 }
 
 template <Number F> void draw_run(const TileJob& job, const TileRun& run, TilePixels& tile) {
     constexpr unsigned width = NumberTraits<F>::width;
     TriangleLanes<width> lanes;
     for (unsigned i = 0; i < run.count; i += width) {
+        ask_early(run, i + width, i + 2 * width);
         make_ready(corner_lanes<F>(job, run, i), lanes);
-        for (unsigned lane = 0; lane < width && i + lane < run.count; ++lane) {
+        const unsigned count = run.count - i < width ? run.count - i : width;
+        unsigned left = (1u << count) - 1;
+        if (!run.pieces) left = draw_tiny<F>(job, lanes, count, run.mirrored, tile);
+        for (; left; left &= left - 1) {
+            const auto lane = static_cast<unsigned>(__builtin_ctz(left));
             if (lanes.empty[lane]) continue;
-            const std::uint32_t number = run.entries[i + lane].number;
+            const auto number = static_cast<std::uint32_t>(lanes.number[lane]);
             const ClippedTriangle* piece = run.pieces ? run.pieces + (number - run.first_number) : nullptr;
             draw_lane<F>(job, lanes, lane, piece ? piece->triangle : number,
                          piece ? piece->mirrored : run.mirrored, tile);

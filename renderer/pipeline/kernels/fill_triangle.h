@@ -3,6 +3,7 @@
 // fill rule is exact: a sample on an edge belongs to exactly one of the faces that share it (top-left rule).
 // Source: J. Pineda 1988.
 
+#include "renderer/lighting/doubles.h"
 #include "renderer/lighting/whole_numbers.h"
 #include "renderer/pipeline/kernels/drawing_kernels.h"
 
@@ -36,21 +37,42 @@ inline void turn_over(TileTriangle& t) {
     t.area = -t.area;
 }
 
-/// Nearness over the triangle, linear on the screen: value at the sample of pixel (x0, y0), steps a pixel.
-struct NearnessPlane {
-    float value, step_x, step_y;
+/// Nearness over a triangle, linear on the screen: value at the sample of pixel (x0, y0), steps a pixel.
+template <class D> struct NearnessPlane { D value, step_x, step_y; };
+
+/// A corner on the grid, and pixel (x0, y0) of the tile.
+template <class D> struct PlaneCorner { D x, y, nearness; };
+template <class D> struct TilePixel { D x0, y0; };
+
+/// `area`: doubled, positive when the corners run clockwise; either way round gives the same plane.
+template <class D>
+NearnessPlane<D> nearness_plane(const PlaneCorner<D> (&corner)[3], D area, const TilePixel<D>& pixel) {
+    const auto& [a, b, c] = corner;
+    const D x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;
+    const D q0 = a.nearness, q1 = b.nearness - q0, q2 = c.nearness - q0, inverse = D(1) / area;
+    const D per_x = (q1 * y2 - q2 * y1) * inverse, per_y = (q2 * x1 - q1 * x2) * inverse;
+    const D value = q0 + per_x * (pixel.x0 * D(subpixels) - a.x) + per_y * (pixel.y0 * D(subpixels) - a.y);
+    return {value, per_x * D(subpixels), per_y * D(subpixels)};
+}
+
+/// What the pixels get where a triangle is seen.
+struct TilePlane {
+    NearnessPlane<float> nearness;
+    TilePixel<int> from;  // where its value is
+    int code;             // seen_code
 };
 
-inline NearnessPlane nearness_plane(const TileTriangle& t) {
-    const TileCorner *a = t.corner, *b = a + 1, *c = a + 2;
-    const double x1 = b->x - a->x, y1 = b->y - a->y, x2 = c->x - a->x, y2 = c->y - a->y;
-    const double q0 = a->nearness, q1 = b->nearness - q0, q2 = c->nearness - q0;
-    const double inverse = 1.0 / static_cast<double>(t.area);
-    const double per_x = (q1 * y2 - q2 * y1) * inverse, per_y = (q2 * x1 - q1 * x2) * inverse;
-    const double value = q0 + per_x * static_cast<double>(t.x0 * subpixels - a->x) +
-                         per_y * static_cast<double>(t.y0 * subpixels - a->y);
-    return {static_cast<float>(value), static_cast<float>(per_x * subpixels),
-            static_cast<float>(per_y * subpixels)};
+inline TilePlane plane_of(const TileTriangle& t) {
+    PlaneCorner<double> corner[3];
+    for (int k = 0; k < 3; ++k)
+        corner[k] = {static_cast<double>(t.corner[k].x), static_cast<double>(t.corner[k].y),
+                     t.corner[k].nearness};
+    const NearnessPlane<double> plane = nearness_plane<double>(
+        corner, static_cast<double>(t.area), {static_cast<double>(t.x0), static_cast<double>(t.y0)});
+    return {
+        {static_cast<float>(plane.value), static_cast<float>(plane.step_x), static_cast<float>(plane.step_y)},
+        {t.x0, t.y0},
+        t.code};
 }
 
 /// Patches of a tile (TilePixels), columns x0..x1 and rows y0..y1, and the three edges as functions of the
@@ -65,6 +87,14 @@ struct PatchEdges {
 template <Number F> IntOf<F> patch_column(int s) { return load_ints<IntOf<F>>(counting + s) & 3; }
 template <Number F> IntOf<F> patch_row(int s) { return load_ints<IntOf<F>>(counting + s) >> 2; }
 
+/// Pixels right of and below the one that the plane begins at.
+template <Number F> F nearness_at(const NearnessPlane<F>& plane, F column, F row) {
+    return positive((plane.value + row * plane.step_y) + column * plane.step_x);
+}
+template <Number F> NearnessPlane<F> in_all_lanes(const NearnessPlane<float>& plane) {
+    return {F(plane.value), F(plane.step_x), F(plane.step_y)};
+}
+
 /// Lanes of a patch: keeps the nearer of what is there and the triangle.
 template <Number F>
 void keep_nearer(MaskOf<F> inside, F nearness, int triangle_code, float* nearest, std::int32_t* seen) {
@@ -75,10 +105,8 @@ void keep_nearer(MaskOf<F> inside, F nearness, int triangle_code, float* nearest
     store_ints(seen, select(wins, code, shown));
 }
 
-/// Draws what lies in the patches. `triangle()` gives the TileTriangle: of the smallest many hold no sample,
-/// and it is never asked for.
-template <Number F, class GetTriangle>
-void fill_patches(const PatchEdges& e, const GetTriangle& triangle, TilePixels& tile) {
+/// Draws what lies in the patches.
+template <Number F> void fill_patches(const PatchEdges& e, const TilePlane& plane, TilePixels& tile) {
     constexpr int width = NumberTraits<F>::width, steps = patch_pixels / width;
     using I = IntOf<F>;
     I of_row[3][steps];  // the edges at the lanes of the row's first patch
@@ -86,9 +114,6 @@ void fill_patches(const PatchEdges& e, const GetTriangle& triangle, TilePixels& 
         for (int s = 0; s < steps; ++s)
             of_row[k][s] =
                 patch_column<F>(s * width) * e.step_x[k] + patch_row<F>(s * width) * e.step_y[k] + e.value[k];
-    bool planned = false;
-    TileTriangle t;
-    NearnessPlane plane;
     for (int py = e.y0;; ++py) {
         I edge[3][steps];
         for (int k = 0; k < 3; ++k)
@@ -98,15 +123,10 @@ void fill_patches(const PatchEdges& e, const GetTriangle& triangle, TilePixels& 
             for (int s = 0; s < steps; ++s) {
                 const auto inside = not_negative(edge[0][s] | edge[1][s] | edge[2][s]);
                 if (!any(inside)) continue;
-                if (!planned) {
-                    t = triangle();
-                    plane = nearness_plane(t);
-                    planned = true;
-                }
-                const F column = to_number(patch_column<F>(s * width) + (px * patch_side - t.x0));
-                const F row = to_number(patch_row<F>(s * width) + (py * patch_side - t.y0));
-                const F nearness = (F(plane.value) + row * F(plane.step_y)) + column * F(plane.step_x);
-                keep_nearer<F>(inside, positive(nearness), t.code, tile.nearness + first + s * width,
+                const F column = to_number(patch_column<F>(s * width) + (px * patch_side - plane.from.x0));
+                const F row = to_number(patch_row<F>(s * width) + (py * patch_side - plane.from.y0));
+                const F nearness = nearness_at<F>(in_all_lanes<F>(plane.nearness), column, row);
+                keep_nearer<F>(inside, nearness, plane.code, tile.nearness + first + s * width,
                                tile.seen + first + s * width);
             }
             if (px == e.x1) break;  // before a step that may leave 32 bits

@@ -41,26 +41,26 @@ inline Fit fit_edge(const LongEdge& edge, PatchEdges& out, int k) {
 
 /// Draws the patches x0..x1, y0..y1. False, and nothing is drawn, when an edge does not fit.
 template <Number F>
-bool fill_long_edges(const TileTriangle& t, const LongEdge (&edges)[3], int x0, int y0, int x1, int y1,
+bool fill_long_edges(const TilePlane& plane, const LongEdge (&edges)[3], int x0, int y0, int x1, int y1,
                      TilePixels& tile) {
     PatchEdges patches{x0, y0, x1, y1, {}, {}, {}};
     for (int k = 0; k < 3; ++k) {
         const Fit fit = fit_edge(edges[k], patches, k);
         if (fit != Fit::Fits) return fit == Fit::Outside;
     }
-    fill_patches<F>(
-        patches, [&t]() -> const TileTriangle& { return t; }, tile);
+    fill_patches<F>(patches, plane, tile);
     return true;
 }
 
 template <Number F> void fill_large_triangle(const TileTriangle& t, TilePixels& tile) {
     const LongEdge edges[3] = {edge_from(t.corner[0], t.corner[1]), edge_from(t.corner[1], t.corner[2]),
                                edge_from(t.corner[2], t.corner[0])};
+    const TilePlane plane = plane_of(t);
     const int x0 = t.x0 / patch_side, y0 = t.y0 / patch_side;
     const int x1 = t.x1 / patch_side, y1 = t.y1 / patch_side;
-    if (fill_long_edges<F>(t, edges, x0, y0, x1, y1, tile)) return;
+    if (fill_long_edges<F>(plane, edges, x0, y0, x1, y1, tile)) return;
     for (int y = y0; y <= y1; ++y)  // 100 000 pixels long: one patch always fits
-        for (int x = x0; x <= x1; ++x) fill_long_edges<F>(t, edges, x, y, x, y, tile);
+        for (int x = x0; x <= x1; ++x) fill_long_edges<F>(plane, edges, x, y, x, y, tile);
 }
 
 }  // namespace glint::inline GLINT_ISA

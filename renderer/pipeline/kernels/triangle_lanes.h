@@ -9,12 +9,14 @@ namespace glint::inline GLINT_ISA {
 
 /// Their corners, on the grid, relative to the sample of the tile's first pixel.
 template <Number F> struct CornerLanes {
+    IntOf<F> number;  // their triangle's
     IntOf<F> x[3], y[3];
     F nearness[3];
 };
 
 /// What drawing them needs. Not -1: 0.
 template <unsigned N> struct TriangleLanes {
+    int number[N];
     int x[3][N], y[3][N];
     float nearness[3][N];
     int x0[N], y0[N], x1[N], y1[N];  // as in TileTriangle
@@ -22,6 +24,7 @@ template <unsigned N> struct TriangleLanes {
     int small[N];                    // -1: what follows has been found, else it may not fit
     int area[N];
     int value[3][N], step_x[3][N], step_y[3][N];  // as in PatchEdges, of the triangle turned clockwise
+    NearnessPlane<float[N]> plane;                // at pixel (x0, y0)
 };
 
 /// A triangle less high and wide than this is small: within 2^14 of the grid of each other and so 2^15 of the
@@ -43,6 +46,20 @@ void store_edge(TriangleLanes<N>& out, int k, I ax, I ay, I bx, I by, I patch_x,
     store_ints(out.step_y[k], dx);
 }
 
+template <Number F> void store_planes(TriangleLanes<NumberTraits<F>::width>& out) {
+    using D = typename HalfAsMany<F>::Type;
+    for (int i = 0; i < NumberTraits<F>::width; i += HalfAsMany<F>::width) {
+        PlaneCorner<D> corner[3];
+        for (int k = 0; k < 3; ++k)
+            corner[k] = {widened<D>(out.x[k] + i), widened<D>(out.y[k] + i), widened<D>(out.nearness[k] + i)};
+        const NearnessPlane<D> plane = nearness_plane<D>(corner, widened<D>(out.area + i),
+                                                         {widened<D>(out.x0 + i), widened<D>(out.y0 + i)});
+        store_narrowed(out.plane.value + i, plane.value);
+        store_narrowed(out.plane.step_x + i, plane.step_x);
+        store_narrowed(out.plane.step_y + i, plane.step_y);
+    }
+}
+
 template <Number F> void make_ready(const CornerLanes<F>& in, TriangleLanes<NumberTraits<F>::width>& out) {
     using I = IntOf<F>;
     const I(&x)[3] = in.x;
@@ -60,6 +77,7 @@ template <Number F> void make_ready(const CornerLanes<F>& in, TriangleLanes<Numb
         sy[k] = small & y[k];
     }
     const I area = (sx[1] - sx[0]) * (sy[2] - sy[0]) - (sy[1] - sy[0]) * (sx[2] - sx[0]);
+    store_ints(out.number, in.number);
     for (int k = 0; k < 3; ++k) {
         store_ints(out.x[k], x[k]);
         store_ints(out.y[k], y[k]);
@@ -79,6 +97,7 @@ template <Number F> void make_ready(const CornerLanes<F>& in, TriangleLanes<Numb
     store_edge(out, 0, sx[0], sy[0], bx, by, patch_x, patch_y);
     store_edge(out, 1, bx, by, cx, cy, patch_x, patch_y);
     store_edge(out, 2, cx, cy, sx[0], sy[0], patch_x, patch_y);
+    store_planes<F>(out);
 }
 
 template <unsigned N> TileTriangle triangle_of_lane(const TriangleLanes<N>& lanes, unsigned i) {
@@ -91,6 +110,12 @@ template <unsigned N> TileTriangle triangle_of_lane(const TriangleLanes<N>& lane
     t.y1 = lanes.y1[i];
     t.code = 0;
     return t;
+}
+
+template <unsigned N> TilePlane plane_of_lane(const TriangleLanes<N>& lanes, unsigned i, int code) {
+    return {{lanes.plane.value[i], lanes.plane.step_x[i], lanes.plane.step_y[i]},
+            {lanes.x0[i], lanes.y0[i]},
+            code};
 }
 
 template <unsigned N> PatchEdges edges_of_lane(const TriangleLanes<N>& lanes, unsigned i) {
