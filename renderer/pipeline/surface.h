@@ -57,6 +57,13 @@ struct RowRuns {
     std::uint64_t pixels = 0;
 };
 
+/// The runs of one row of pixels, with several samples.
+struct SampledRow {
+    std::vector<PixelRun> runs;
+    std::vector<RunSamples> samples;  // one a run
+    std::uint64_t pixels = 0;         // that show a surface
+};
+
 struct FaceRefs {
     std::uint32_t point[block_size];
 };
@@ -69,17 +76,30 @@ struct PointSource {
     bool operator==(const PointSource&) const = default;
 };
 
+/// All that could be lit of a scene, its objects one after the other, each item twice: as it is and turned.
+struct LitItems {
+    std::vector<std::size_t> first;    // #objects + 1
+    std::vector<std::uint8_t> seen;    // 1: some pixel shows it
+    std::vector<std::uint32_t> point;  // the lit point's number, or no_index
+
+    [[nodiscard]] std::size_t number(const PointSource& s) const {
+        return first[s.object] + 2 * std::size_t{s.item} + (s.turned ? 1 : 0);
+    }
+};
+
 struct Surface {
     SurfaceChoice choice;
     std::vector<ObjectNormals> normals;
     std::vector<PixelRun> runs;               // those of one group of 16 pixels lie together
     std::vector<RunSamples> run_samples;      // one a run; empty with one sample a pixel
     std::vector<RowRuns> row_runs;            // #rows + 1, with one sample a pixel
+    std::vector<SampledRow> sampled_rows;     // #rows, with several
     std::vector<PlaceJob> place_jobs;         // Pixels: one an object
     std::vector<PointBlock> points;           // lit points; Pixels: points[i] belongs to runs[i]
     std::vector<std::uint32_t> point_object;  // #points: the object whose material each block has
     std::vector<PointSource> sources;  // Corners, Faces: 16 a block of points; unused ones have no_index
     std::vector<FaceRefs> face_refs;   // Faces: one a run
+    LitItems lit_items;                // Corners, Faces: how they got their numbers
     // Corners: what each pixel blends; entry k of lane i of a run is at corner_ref(run, k) + i.
     int refs_per_pixel = 3;                // 8 under scanline interpolation
     std::vector<std::uint32_t> ref_point;  // numbers of lit points

@@ -20,18 +20,25 @@ template <Number F> ScreenPoint<F> screen_point(F x, F y, F width, F height) {
     return {F(2) * x / width - F(1), F(1) - F(2) * y / height};
 }
 
+/// What the weights of three corners are in proportion to where the ray through `at` meets their plane: not
+/// negative inside the triangle, from whichever side it is seen.
+template <Number F>
+Vec3<F> edge_functions(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, ScreenPoint<F> at) {
+    // Corners relative to the ray: differences first, so that a small triangle far away keeps its digits.
+    const F ax = a.x - at.x * a.w, ay = a.y - at.y * a.w;
+    const F bx = b.x - at.x * b.w, by = b.y - at.y * b.w;
+    const F cx = c.x - at.x * c.w, cy = c.y - at.y * c.w;
+    const Vec3<F> e{bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx};
+    return select<F>(e.x + e.y + e.z < F(0), -e, e);  // seen from behind
+}
+
 /// Perspective-correct weights (of points, colours or normals in space) of three corners where the ray
 /// through `at` meets their plane; they sum to 1. A sample just outside the triangle, as the 1/256 pixel grid
 /// of the rasteriser may choose, gets the nearest weights inside; a triangle seen exactly edge-on gets 1/3
 /// each.
 template <Number F>
 Vec3<F> perspective_weights(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, ScreenPoint<F> at) {
-    // Corners relative to the ray: differences first, so that a small triangle far away keeps its digits.
-    const F ax = a.x - at.x * a.w, ay = a.y - at.y * a.w;
-    const F bx = b.x - at.x * b.w, by = b.y - at.y * b.w;
-    const F cx = c.x - at.x * c.w, cy = c.y - at.y * c.w;
-    Vec3<F> e{bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx};
-    e = select<F>(e.x + e.y + e.z < F(0), -e, e);  // seen from behind
+    Vec3<F> e = edge_functions(a, b, c, at);
     e = {positive(e.x), positive(e.y), positive(e.z)};
     const F inverse = inverse_or_zero(e.x + e.y + e.z), third = F(1.0f / 3);
     return select<F>(inverse > F(0), inverse * e, Vec3<F>{third, third, third});

@@ -117,3 +117,77 @@ TEST_CASE("with several samples, too, threads and history leave no trace", "[mul
         draw_as_fresh(kept, scene, {101, 67}, true, samples);
     }
 }
+
+namespace {
+
+/// A convex polygon that fills the picture, of a shape whose fan's inner edges cross many pixels, under a
+/// light so near that a highlight changes from pixel to pixel.
+Scene lit_polygon() {
+    Scene scene =
+        white_quad({{-2, -2, 0}, {2, -2.2f, 0}, {2.3f, 0.4f, 0}, {0.6f, 2.1f, 0}, {-2.1f, 1.7f, 0}});
+    std::vector<std::uint32_t> corners{0, 1, 2, 3, 4};
+    scene.objects[0] = object_of(polygon_mesh(
+        {{-2, -2, 0}, {2, -2.2f, 0}, {2.3f, 1.4f, 0}, {0.6f, 2.1f, 0}, {-2.1f, 1.7f, 0}}, {corners}));
+    scene.objects[0].material.shininess = 60;
+    Light light;
+    light.position = {0.1f, 0.2f, 0.5f, 1};
+    scene.lights = {light};
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a face is lit once in a pixel, whatever triangles it is drawn as", "[multisample]") {
+    for (const ShadingMode mode : {ShadingMode::Phong, ShadingMode::Facet}) {
+        Scene scene = lit_polygon();
+        scene.shading.mode = mode;
+        Renderer one(2), many(2);
+        const PictureSize size{31, 23};
+        const Picture& a = one.render(scene, size, true);
+        REQUIRE(one.stats().shaded_pixels == 31 * 23);
+        for (const int samples : {2, 4, 8}) {
+            const Picture& b = many.render(scene, size, true, samples);
+            CHECK(many.stats().evaluations == 31 * 23);  // one light
+            double worst = 0;  // all samples show the face: their mean is the centre
+            for (std::size_t i = 0; i < a.linear.size(); ++i)
+                worst = std::max(worst, static_cast<double>(std::abs(a.linear[i] - b.linear[i])));
+            CHECK(worst < 2e-6);
+        }
+    }
+}
+
+TEST_CASE("faces that share an edge are each lit in its pixels", "[multisample]") {
+    // Two quads that meet at x = 0, in the middle of the pixels' column 2 of 5: two lit points in each of its
+    // rows.
+    Scene scene = white_quad({{-2, -2, 0}, {0, -2, 0}, {0, 2, 0}, {-2, 2, 0}});
+    scene.objects[0] =
+        object_of(polygon_mesh({{-2, -2, 0}, {0, -2, 0}, {0, 2, 0}, {-2, 2, 0}, {2, -2, 0}, {2, 2, 0}},
+                               {{0, 1, 2, 3}, {1, 4, 5, 2}}));
+    scene.lights = {Light{}};
+    Renderer renderer(2);
+    (void)renderer.render(scene, {5, 5}, true, 4);
+    CHECK(renderer.stats().evaluations == 5 * 5 + 5);
+}
+
+TEST_CASE("a face half in a pixel is lit at the mean of its own samples, in the triangle that holds it",
+          "[multisample]") {
+    // The colour is the place: a vertex colour that is x from -1 at the left of the picture to 1 at its
+    // right, which both triangles of the quad agree on. The quad ends within column 3 of 4, at x = 3/4.
+    Scene scene = white_quad({{-2, -2, 0}, {0.75f, -2, 0}, {0.75f, 2, 0}, {-2, 2, 0}});
+    auto mesh = std::make_shared<Mesh>(*scene.objects[0].mesh);
+    for (const glm::vec3& p : mesh->positions) mesh->colors.push_back(glm::vec3(p.x + 2));
+    scene.objects[0].mesh = mesh;
+    scene.shading.reflection = Reflection::None;
+    Renderer renderer(2);
+    const Picture& p = renderer.render(scene, {4, 4}, true, 8);
+    double sum = 0;
+    int count = 0;
+    for (int s = 0; s < 8; ++s) {
+        const double x = 0.5 + 0.5 * (0.5 + sample_offset(8, s).x / 256.0);  // of the sample, in the world
+        if (x >= 0.75) continue;
+        sum += x;
+        ++count;
+    }
+    REQUIRE(count == 4);
+    for (int y = 0; y < 4; ++y) CHECK(p.linear_at(3, y).x == Approx(0.5 * (sum / count + 2)));
+}
