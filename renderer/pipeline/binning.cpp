@@ -94,20 +94,19 @@ void clip_triangles(TileLists& lists, const Geometry& g) {
     }
 }
 
-/// The clipped pieces as one more chunk. To the kernel they are an object whose every triangle has vertices
-/// of its own, four records apart; which of them are culled is found where they are drawn.
-void add_pieces(TileLists& lists, const Geometry& g, const SortJob& like) {
+/// The clipped pieces as one more chunk, the last. To the kernel they are an object whose every triangle has
+/// vertices of its own, four records apart; which of them are culled is found where they are drawn.
+void sort_pieces(TileLists& lists, const Geometry& g, const SortJob& like) {
     static_assert(sizeof(ClippedTriangle) == 4 * sizeof(ScreenVertex));
-    if (lists.clipped.empty()) return;
     const auto count = static_cast<std::uint32_t>(lists.clipped.size());
     lists.clipped_vertices.clear();
     for (std::uint32_t i = 0; i < count; ++i)
         for (std::uint32_t k = 0; k < 3; ++k) lists.clipped_vertices.push_back(4 * i + k);
-    SortedChunk& chunk = lists.chunks.emplace_back();
+    SortedChunk& chunk = lists.pieces;
     chunk.end = count;
     chunk.job = like;
     chunk.job.triangle_vertices = lists.clipped_vertices.data();
-    chunk.job.screen = lists.clipped.front().corner;
+    chunk.job.screen = count > 0 ? lists.clipped.front().corner : nullptr;
     chunk.job.first_triangle = g.triangle_count;
     sort_chunk(lists, chunk);
 }
@@ -119,14 +118,24 @@ void number_places(TileLists& lists) {
     std::uint32_t next = 0;
     for (std::size_t tile = 0; tile < tiles; ++tile) {
         lists.tile_first[tile] = next;
-        for (SortedChunk& chunk : lists.chunks) {
+        const auto place = [&next, tile](SortedChunk& chunk) {
             const std::uint32_t count = chunk.next[tile];
             chunk.next[tile] = next;
             next += count;
-        }
+        };
+        std::for_each(lists.chunks.begin(), lists.chunks.end(), place);
+        place(lists.pieces);
     }
     lists.tile_first[tiles] = next;
     lists.entries.resize(next);
+}
+
+void put_into_tiles(TileLists& lists, SortedChunk& chunk) {
+    visit_tiles(lists.tiles_x, chunk, [&lists, &chunk](std::uint32_t tile, std::uint32_t number) {
+        const std::uint32_t* vertex =
+            chunk.job.triangle_vertices + 3 * std::size_t{number - chunk.job.first_triangle};
+        lists.entries[chunk.next[tile]++] = {number, {vertex[0], vertex[1], vertex[2]}};
+    });
 }
 
 }  // namespace
@@ -144,16 +153,11 @@ void sort_into_tiles(TileLists& lists, const Geometry& g, Cull cull, bool multis
     tbb::parallel_for(std::size_t{0}, lists.chunks.size(),
                       [&lists](std::size_t i) { sort_chunk(lists, lists.chunks[i]); });
     clip_triangles(lists, g);
-    add_pieces(lists, g, like);
+    sort_pieces(lists, g, like);
     number_places(lists);
-    tbb::parallel_for(std::size_t{0}, lists.chunks.size(), [&lists](std::size_t i) {
-        SortedChunk& chunk = lists.chunks[i];
-        visit_tiles(lists.tiles_x, chunk, [&lists, &chunk](std::uint32_t tile, std::uint32_t number) {
-            const std::uint32_t* vertex =
-                chunk.job.triangle_vertices + 3 * std::size_t{number - chunk.job.first_triangle};
-            lists.entries[chunk.next[tile]++] = {number, {vertex[0], vertex[1], vertex[2]}};
-        });
-    });
+    tbb::parallel_for(std::size_t{0}, lists.chunks.size(),
+                      [&lists](std::size_t i) { put_into_tiles(lists, lists.chunks[i]); });
+    put_into_tiles(lists, lists.pieces);
 }
 
 }  // namespace glint

@@ -23,8 +23,9 @@ struct TileLists {
     std::vector<TileEntry> entries;         // numbers rising within a tile
     std::vector<ClippedTriangle> clipped;   // numbered Geometry::triangle_count and on in the entries
     // What they were made of.
-    std::vector<SortedChunk> chunks;                 // of all triangles, in rising order
-    std::vector<std::uint32_t> clipped_vertices;     // three a piece: to sorting they are one more object
+    std::vector<SortedChunk> chunks;  // of all triangles, in rising order
+    SortedChunk pieces;               // of the clipped ones: to sorting they are one more object, with
+    std::vector<std::uint32_t> clipped_vertices;     // three vertices each of their own
     std::vector<glm::dvec4> polygon, spare_polygon;  // while a triangle is clipped
 };
 

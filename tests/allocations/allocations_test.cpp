@@ -39,17 +39,34 @@ Scene knot() {
     return std::get<SceneDocument>(open_document(path, {{"/objects/0/mesh/detail", "90"}})).scene;
 }
 
-/// What ten frames of a dragged light allocate, after some that may fill memory for the first time.
-long allocations_of_a_drag(Scene scene, bool keep_sums, int samples = 1, bool linear = false) {
-    Renderer renderer(2);
-    renderer.keep_sums(keep_sums);
+/// What ten frames allocate, after some that may fill memory for the first time. `drag(scene, frame)` moves
+/// something.
+template <class Drag>
+long allocations_of(Renderer& renderer, Scene scene, const Drag& drag, int samples = 1, bool linear = false) {
     long before = 0;
-    for (int frame = 0; frame < 15; ++frame) {
-        if (frame == 5) before = allocations;
-        scene.lights[0].position.x += 0.01f;
+    for (int frame = 0; frame < 30; ++frame) {
+        if (frame == 20) before = allocations;
+        drag(scene, frame);
         (void)renderer.render(scene, size, linear, samples);
     }
     return allocations - before;
+}
+
+long allocations_of_a_light_drag(const Scene& scene, bool keep_sums, int samples = 1, bool linear = false) {
+    Renderer renderer(2);
+    renderer.keep_sums(keep_sums);
+    const auto drag = [](Scene& s, int) { s.lights[0].position.x += 0.01f; };
+    return allocations_of(renderer, scene, drag, samples, linear);
+}
+
+/// The eye goes to and fro over the same ten places, so that no frame needs more room than all before it.
+long allocations_of_a_camera_drag(const Scene& scene, int samples = 1) {
+    Renderer renderer(2);
+    const glm::vec3 eye = scene.camera.eye;
+    const auto drag = [eye](Scene& s, int frame) {
+        s.camera.eye = eye + glm::vec3(0.02f * static_cast<float>(frame % 10), 0, 0);
+    };
+    return allocations_of(renderer, scene, drag, samples);
 }
 
 }  // namespace
@@ -65,9 +82,27 @@ TEST_CASE("a steady light drag allocates nothing", "[allocations]") {
         Scene scene = knot();
         scene.shading.mode = mode;
         CAPTURE(static_cast<int>(mode));
-        CHECK(allocations_of_a_drag(scene, true) == 0);
-        CHECK(allocations_of_a_drag(scene, false) == 0);
-        CHECK(allocations_of_a_drag(scene, true, 4) == 0);
-        CHECK(allocations_of_a_drag(scene, true, 1, true) == 0);
+        CHECK(allocations_of_a_light_drag(scene, true) == 0);
+        CHECK(allocations_of_a_light_drag(scene, false) == 0);
+        CHECK(allocations_of_a_light_drag(scene, true, 4) == 0);
+        CHECK(allocations_of_a_light_drag(scene, true, 1, true) == 0);
     }
+}
+
+TEST_CASE("a steady camera drag allocates nothing", "[allocations]") {
+    for (const ShadingMode mode : {ShadingMode::Phong, ShadingMode::Gouraud, ShadingMode::Flat}) {
+        Scene scene = knot();
+        scene.shading.mode = mode;
+        CAPTURE(static_cast<int>(mode));
+        CHECK(allocations_of_a_camera_drag(scene) == 0);
+        CHECK(allocations_of_a_camera_drag(scene, 4) == 0);
+    }
+}
+
+TEST_CASE("nor does one through an object that the near plane cuts", "[allocations]") {
+    Scene scene = knot();
+    std::get<Perspective>(scene.camera.projection).near = 2;
+    scene.objects.push_back(scene.objects.front());
+    scene.objects.back().transform.translate.x = 0.5f;
+    CHECK(allocations_of_a_camera_drag(scene) == 0);
 }
