@@ -61,7 +61,7 @@ class ObjReader {
         } else if (has(free_form, keyword)) {
             ++free_form_;
         } else {
-            cursor_.fail(fmt::format("{} is no statement of an OBJ file", quoted(keyword)),
+            cursor_.fail(fmt::format("{} is no statement of an OBJ file", quoted_word(keyword)),
                          "v, vt, vn, f, l, p, g, o, s, usemtl or mtllib");
         }
     }
@@ -95,7 +95,7 @@ class ObjReader {
 
     void end_line(const char* expected) {
         if (!cursor_.end_of_line())
-            cursor_.fail(fmt::format("{} is one too many", quoted(cursor_.word())), expected);
+            cursor_.fail(fmt::format("{} is one too many", quoted_word(cursor_.word())), expected);
     }
 
     void face() {
@@ -120,7 +120,8 @@ class ObjReader {
             }
         }
         if (!good || at != end)
-            cursor_.fail(fmt::format("{} is no corner of a face", quoted(word)), "v, v/vt, v//vn or v/vt/vn");
+            cursor_.fail(fmt::format("{} is no corner of a face", quoted_word(word)),
+                         "v, v/vt, v//vn or v/vt/vn");
         add_vertex(vertex);
         if (has_normal) add_normal(normal);
     }

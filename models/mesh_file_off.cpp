@@ -44,7 +44,7 @@ class OffReader {
         const auto* kind =
             std::find_if(kinds.begin(), kinds.end(), [&](const OffKind& k) { return k.keyword == keyword; });
         if (kind == kinds.end())
-            cursor_.fail(fmt::format("{} is no kind of OFF file that is read here", quoted(keyword)),
+            cursor_.fail(fmt::format("{} is no kind of OFF file that is read here", quoted_word(keyword)),
                          expected);
         colors_ = kind->colors;
         normals_ = kind->normals;
@@ -73,7 +73,7 @@ class OffReader {
 
     void end_line(const char* expected) {
         if (!cursor_.end_of_line())
-            cursor_.fail(fmt::format("{} is one too many", quoted(cursor_.word())), expected);
+            cursor_.fail(fmt::format("{} is one too many", quoted_word(cursor_.word())), expected);
     }
 
     glm::vec3 three(const char* x, const char* y, const char* z) {

@@ -148,7 +148,7 @@ class AsciiStl {
         const std::string_view word = cursor_.word();
         if (!is(keyword, word))
             cursor_.fail(
-                word.empty() ? "the line ends early" : fmt::format("{} is out of place", quoted(word)),
+                word.empty() ? "the line ends early" : fmt::format("{} is out of place", quoted_word(word)),
                 fmt::format("\"{}\"", keyword));
     }
 
@@ -163,7 +163,8 @@ class AsciiStl {
             const std::string_view word = cursor_.word();
             if (is("endsolid", word)) return;
             if (!is("facet", word))
-                cursor_.fail(fmt::format("{} is out of place", quoted(word)), "\"facet\" or \"endsolid\"");
+                cursor_.fail(fmt::format("{} is out of place", quoted_word(word)),
+                             "\"facet\" or \"endsolid\"");
             read_facet();
         }
     }
@@ -189,7 +190,7 @@ class AsciiStl {
     glm::vec3 three() {
         const float x = cursor_.number("x"), y = cursor_.number("y"), z = cursor_.number("z");
         if (!cursor_.end_of_line())
-            cursor_.fail(fmt::format("{} is one too many", quoted(cursor_.word())), "3 numbers");
+            cursor_.fail(fmt::format("{} is one too many", quoted_word(cursor_.word())), "3 numbers");
         return {x, y, z};
     }
 

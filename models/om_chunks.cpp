@@ -37,7 +37,7 @@ class ChunkFilter {
             fail("this is no OM file", "\"OM\" and its counts");
         kind_ = bytes[2];
         if (kind_ != 'T' && kind_ != 'Q' && kind_ != 'P')
-            fail(fmt::format("{} is no kind of mesh", quoted(bytes.substr(2, 1))), "T, Q or P");
+            fail(fmt::format("{} is no kind of mesh", quoted_word(bytes.substr(2, 1))), "T, Q or P");
         version_ = static_cast<unsigned char>(bytes[3]);
         if (version_ > newest) fail("the file is of a newer version", "2.2 at most");
         vertices_ = little_endian(4, 4);

@@ -33,8 +33,9 @@ PlyType read_type(TextCursor& cursor) {
     const std::string_view word = cursor.word();
     for (const auto& [name, type] : type_names)
         if (name == word) return type;
-    cursor.fail(word.empty() ? "the property's type is missing" : fmt::format("{} is no type", quoted(word)),
-                "char, uchar, short, ushort, int, uint, float or double");
+    cursor.fail(
+        word.empty() ? "the property's type is missing" : fmt::format("{} is no type", quoted_word(word)),
+        "char, uchar, short, ushort, int, uint, float or double");
 }
 
 PlyFormat read_format(TextCursor& cursor) {
@@ -42,7 +43,7 @@ PlyFormat read_format(TextCursor& cursor) {
     if (word == "ascii") return PlyFormat::Ascii;
     if (word == "binary_little_endian") return PlyFormat::LittleEndian;
     if (word == "binary_big_endian") return PlyFormat::BigEndian;
-    cursor.fail(fmt::format("{} is no format of a PLY file", quoted(word)),
+    cursor.fail(fmt::format("{} is no format of a PLY file", quoted_word(word)),
                 "ascii, binary_little_endian or binary_big_endian");
 }
 
@@ -71,7 +72,7 @@ PlyElement read_element(TextCursor& cursor, const PlyHeader& header) {
     if (element.name.empty()) cursor.fail("the element's name is missing", "\"element NAME COUNT\"");
     for (const PlyElement& other : header.elements)
         if (other.name == element.name)
-            cursor.fail(fmt::format("element {} comes twice", quoted(element.name)), "one");
+            cursor.fail(fmt::format("element {} comes twice", quoted_word(element.name)), "one");
     const std::int64_t count = cursor.integer("the element's count");
     if (count < 0 || count > static_cast<std::int64_t>(most_corners))
         cursor.fail(fmt::format("a count of {} is out of range", count),
@@ -97,10 +98,10 @@ void read_property(TextCursor& cursor, PlyHeader& header) {
     if (property.name.empty()) cursor.fail("the property's name is missing", "\"property TYPE NAME\"");
     for (const PlyProperty& other : element.properties)
         if (other.name == property.name)
-            cursor.fail(fmt::format("property {} comes twice", quoted(property.name)), "one");
+            cursor.fail(fmt::format("property {} comes twice", quoted_word(property.name)), "one");
     property.role = role_of(element.name, property);
     if (property.role == PlyRole::Indices && (!property.is_list || !is_integer(property.type)))
-        cursor.fail(fmt::format("{} is no list of whole numbers", quoted(property.name)),
+        cursor.fail(fmt::format("{} is no list of whole numbers", quoted_word(property.name)),
                     "a list of an integer type");
     element.properties.push_back(std::move(property));
 }
@@ -151,7 +152,7 @@ PlyHeader read_ply_header(TextCursor& cursor) {
         } else if (keyword == "property") {
             read_property(cursor, header);
         } else {
-            cursor.fail(fmt::format("{} is no keyword of a PLY header", quoted(keyword)),
+            cursor.fail(fmt::format("{} is no keyword of a PLY header", quoted_word(keyword)),
                         "format, element, property, comment, obj_info or end_header");
         }
     }

@@ -24,12 +24,12 @@ class AsciiRows {
 
     void begin_row(const PlyElement& element, std::size_t row) {
         if (!cursor_.next_line())
-            cursor_.fail(fmt::format("the file ends after {} of element {}", row, quoted(element.name)),
+            cursor_.fail(fmt::format("the file ends after {} of element {}", row, quoted_word(element.name)),
                          fmt::format("{}", element.count));
     }
     void end_row() {
         if (!cursor_.end_of_line())
-            cursor_.fail(fmt::format("{} is one too many", quoted(cursor_.word())),
+            cursor_.fail(fmt::format("{} is one too many", quoted_word(cursor_.word())),
                          "the header's properties only");
     }
     float number(const PlyProperty& p) {

@@ -18,7 +18,7 @@ void TextCursor::fail_missing(std::string_view name, const char* expected) const
 void TextCursor::fail_integer() {
     const std::string_view text = word();
     const bool digits = text.find_first_not_of("-0123456789") == std::string_view::npos;
-    fail(fmt::format("{} is {}", quoted(text), digits ? "out of range" : "no whole number"),
+    fail(fmt::format("{} is {}", quoted_word(text), digits ? "out of range" : "no whole number"),
          "a whole number");
 }
 
@@ -58,16 +58,16 @@ float TextCursor::unusual_number() {
     double value = 0;
     const auto [last, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const bool whole = last == digits.data() + digits.size() && error != std::errc::invalid_argument;
-    if (!whole || std::isnan(value)) fail(fmt::format("{} is no number", quoted(text)), "a number");
+    if (!whole || std::isnan(value)) fail(fmt::format("{} is no number", quoted_word(text)), "a number");
     if (error == std::errc() && std::abs(value) <= static_cast<double>(largest_number))
         return static_cast<float>(value);
     const std::size_t exponent = std::min(digits.find_first_of("eE"), digits.size());
     const bool tiny = digits.size() < 64 && digits.substr(exponent, 2).find('-') != std::string_view::npos;
     if (error == std::errc::result_out_of_range && tiny) return 0;
-    fail(fmt::format("{} is out of range", quoted(text)), "-1e30 to 1e30");
+    fail(fmt::format("{} is out of range", quoted_word(text)), "-1e30 to 1e30");
 }
 
-std::string quoted(std::string_view word) {
+std::string quoted_word(std::string_view word) {
     constexpr std::size_t longest = 40;
     if (word.size() <= longest) return fmt::format("\"{}\"", word);
     std::size_t cut = longest;

@@ -113,6 +113,6 @@ class TextCursor {
 };
 
 /// A word of a file for a message: in quotes, cut when long.
-[[nodiscard]] std::string quoted(std::string_view word);
+[[nodiscard]] std::string quoted_word(std::string_view word);
 
 }  // namespace glint
