@@ -3,7 +3,9 @@
 
 #include "renderer/lighting/blend_points.h"
 #include "renderer/lighting/display.h"
+#include "renderer/lighting/reach.h"
 #include "renderer/lighting/shade_point.h"
+#include "renderer/lighting/whole_numbers.h"
 #include "renderer/lighting/wide.h"
 
 namespace glint::inline GLINT_ISA {
@@ -118,6 +120,23 @@ static void light(const LightJob& job, const PointBlock* points, const ColorBloc
     light_with<false>(job, points, begun, colors, blocks);
 }
 
+GLINT_FLATTEN static void find_lit(const LightSource& source, const ReachBlock* bounds, std::uint16_t* lit,
+                                   std::size_t count) {
+    const LightAt<Wide> light = light_at<Wide>(source);
+    for (std::size_t i = 0; i < count; ++i) {
+        const ReachBlock& b = bounds[i];
+        unsigned behind = 0;
+        for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
+            const Reach<Wide> reach{{load<Wide>(b.x + k), load<Wide>(b.y + k), load<Wide>(b.z + k)},
+                                    load<Wide>(b.radius + k),
+                                    {load<Wide>(b.nx + k), load<Wide>(b.ny + k), load<Wide>(b.nz + k)},
+                                    load<Wide>(b.spread + k)};
+            behind |= mask_bits(certainly_behind(light, reach)) << k;
+        }
+        lit[i] = static_cast<std::uint16_t>(~behind);
+    }
+}
+
 GLINT_FLATTEN static void encode(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba,
                                  std::size_t blocks) {
     for (std::size_t i = 0; i < blocks; ++i) {
@@ -131,7 +150,7 @@ GLINT_FLATTEN static void encode(const DisplayJob& job, const ColorBlock* colors
     }
 }
 
-GLINT_FLATTEN static void blend_runs(const ColorBlock* points, const std::uint32_t* numbers,
+GLINT_FLATTEN static void blend_runs(const ColorRecord* points, const std::uint32_t* numbers,
                                      const float* weights, int each, ColorBlock* colors, std::size_t runs) {
     for (std::size_t i = 0; i < runs; ++i) {
         const std::size_t first = i * static_cast<std::size_t>(each) * block_size;
@@ -141,17 +160,16 @@ GLINT_FLATTEN static void blend_runs(const ColorBlock* points, const std::uint32
     }
 }
 
-GLINT_FLATTEN static void pick_runs(const ColorBlock* points, const std::uint32_t* numbers,
+GLINT_FLATTEN static void pick_runs(const ColorRecord* points, const std::uint32_t* numbers,
                                     ColorBlock* colors, std::size_t runs) {
     for (std::size_t i = 0; i < runs; ++i)
         for (std::size_t k = 0; k < block_size; k += GLINT_LANES)
-            store_colors(colors[i], k,
-                         colors_of<Wide>(points, load_ints<IntOf<Wide>>(numbers + i * block_size + k)));
+            store_colors(colors[i], k, colors_of<Wide>(points, numbers + i * block_size + k));
 }
 
 #define GLINT_TEXT_(name) #name
 #define GLINT_TEXT(name) GLINT_TEXT_(name)
 extern const LightingKernels kernels;
-const LightingKernels kernels{GLINT_TEXT(GLINT_ISA), light, blend_runs, pick_runs, encode};
+const LightingKernels kernels{GLINT_TEXT(GLINT_ISA), light, find_lit, blend_runs, pick_runs, encode};
 
 }  // namespace glint::inline GLINT_ISA

@@ -15,6 +15,7 @@ inline constexpr std::size_t block_size = 16;  // points side by side; a multipl
 struct LightSource {
     struct Rgb {
         float x = 0, y = 0, z = 0;
+        bool operator==(const Rgb&) const = default;
     };
     Rgb xyz;
     float w = 0;
@@ -26,6 +27,7 @@ struct LightSource {
     float distance_scale = 1;  // more where a place too far for floats stands that many times nearer
     bool has_falloff = false, has_cone = false, is_patch = false;
     int light = 0;  // index in Scene::lights
+    bool operator==(const LightSource&) const = default;
 };
 
 /// One object's material as the equation sees it.
@@ -44,6 +46,17 @@ struct alignas(64) PointBlock {
 /// Their colours: linear RGB, not clamped.
 struct alignas(64) ColorBlock {
     float r[block_size], g[block_size], b[block_size];
+};
+
+/// The same of one point, to be read whole.
+struct ColorRecord {
+    float r = 0, g = 0, b = 0, unused = 0;
+};
+
+/// Bounds of 16 blocks of points, block by block: a ball around their places and one around their normals.
+struct alignas(64) ReachBlock {
+    float x[block_size], y[block_size], z[block_size], radius[block_size];
+    float nx[block_size], ny[block_size], nz[block_size], spread[block_size];
 };
 
 /// Cool-to-warm shading (renderer/shading/cool_to_warm.h) in place of emission, ambient and diffuse.
@@ -91,11 +104,14 @@ struct LightingKernels {
     /// any light. May be the same as `colors`.
     void (*light)(const LightJob& job, const PointBlock* points, const ColorBlock* begun, ColorBlock* colors,
                   std::size_t blocks);
+    /// Bit i of lit[k]: whether the light may be in front of some point of block i of bounds[k].
+    void (*find_lit)(const LightSource& light, const ReachBlock* bounds, std::uint16_t* lit,
+                     std::size_t count);
     /// Colours of runs of 16 pixels from those of lit points: the blend of `each` points, numbers and weights
     /// [run][which][pixel]; or one point, numbers [run][pixel].
-    void (*blend)(const ColorBlock* points, const std::uint32_t* numbers, const float* weights, int each,
+    void (*blend)(const ColorRecord* points, const std::uint32_t* numbers, const float* weights, int each,
                   ColorBlock* colors, std::size_t runs);
-    void (*pick)(const ColorBlock* points, const std::uint32_t* numbers, ColorBlock* colors,
+    void (*pick)(const ColorRecord* points, const std::uint32_t* numbers, ColorBlock* colors,
                  std::size_t runs);
     /// 16 pixels a block as bytes r, g, b, 255 in memory order.
     void (*encode)(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba, std::size_t blocks);

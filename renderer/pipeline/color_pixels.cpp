@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 
 #include "renderer/pipeline/light_points.h"
+#include "renderer/pipeline/runs_to_do.h"
 
 namespace glint {
 namespace {
@@ -58,28 +60,51 @@ void show_faces(Lighting& l, const Surface& s) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 8 * batch), [&](const auto& range) {
         std::array<std::uint32_t, block_size> rgba;
         for (std::size_t r = range.begin(); r != range.end(); ++r) {
+            if (!l.again(s.runs[r].object)) continue;
             for (std::size_t i = 0; i < block_size; ++i) rgba[i] = l.point_rgba[s.face_refs[r].point[i]];
             write_run(l, s.runs[r], {}, rgba.data());
         }
     });
 }
 
-/// Block by block: colour, strokes over it, bytes.
-void color_runs_to_bytes(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 8 * batch), [&](const auto& range) {
-        std::array<ColorBlock, batch> colors;
-        std::array<std::uint32_t, batch * block_size> rgba;
-        for (std::size_t first = range.begin(); first < range.end(); first += batch) {
-            const std::size_t count = std::min(batch, range.end() - first);
-            color_runs(l, s, first, count, colors.data());
-            for (std::size_t i = 0; i < count; ++i) {
-                const PixelRun& run = s.runs[first + i];
-                draw_over(strokes, l.npr.stroke, run.first_pixel, run.mask, colors[i]);
-            }
-            lighting_kernels().encode(display, colors.data(), rgba.data(), count);
-            for (std::size_t i = 0; i < count; ++i)
-                write_run(l, s.runs[first + i], colors[i], &rgba[i * block_size]);
+/// Calls visit(first, count) for each stretch of set bits.
+template <class Visit> void for_stretches(unsigned bits, const Visit& visit) {
+    while (bits != 0) {
+        const int first = std::countr_zero(bits), count = std::countr_one(bits >> first);
+        visit(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
+        bits &= ~(((1u << count) - 1) << first);
+    }
+}
+
+/// Up to 16 runs from `first` on: colour, strokes over it, bytes. Those that show already what they should
+/// are left alone.
+void color_batch(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display,
+                 std::size_t first) {
+    std::array<ColorBlock, batch> colors;
+    std::array<std::uint32_t, batch * block_size> rgba;
+    const unsigned there = 0xFFFFu >> (batch - std::min(batch, s.runs.size() - first));
+    const RunsToDo todo = runs_to_do(l, s, first / batch);
+    for_stretches(todo.light & there,
+                  [&](std::size_t i, std::size_t count) { color_runs(l, s, first + i, count, &colors[i]); });
+    for_stretches(todo.leave_dark & there, [&](std::size_t i, std::size_t count) {
+        std::copy_n(&l.others[first + i], count, &colors[i]);
+    });
+    for_stretches((todo.light | todo.leave_dark) & there, [&](std::size_t begin, std::size_t count) {
+        for (std::size_t i = begin; i < begin + count; ++i) {
+            const PixelRun& run = s.runs[first + i];
+            draw_over(strokes, l.npr.stroke, run.first_pixel, run.mask, colors[i]);
         }
+        lighting_kernels().encode(display, &colors[begin], &rgba[begin * block_size], count);
+        for (std::size_t i = begin; i < begin + count; ++i)
+            write_run(l, s.runs[first + i], colors[i], &rgba[i * block_size]);
+    });
+}
+
+void color_runs_to_bytes(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display) {
+    const std::size_t batches = (s.runs.size() + batch - 1) / batch;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, batches, 8), [&](const auto& range) {
+        for (std::size_t b = range.begin(); b != range.end(); ++b)
+            color_batch(l, s, strokes, display, b * batch);
     });
 }
 

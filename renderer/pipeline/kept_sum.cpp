@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "renderer/pipeline/light_points.h"
+#include "renderer/pipeline/point_bounds.h"
 
 namespace glint {
 namespace {
@@ -54,12 +55,16 @@ int changed_light(const std::vector<Light>& kept, const std::vector<Light>& now)
 void keep_others(Lighting& l, const Surface& s, int moving, bool same_grids) {
     const bool exact =
         std::all_of(l.jobs.begin(), l.jobs.end(), [](const LightJob& j) { return j.grid > 0; });
-    if (!l.keep_sums || moving < 0 || !exact || s.choice.kind != SurfaceKind::Pixels) {
+    if (!l.keep_sums || moving < 0 || !exact) {
         l.moving = -1;
         return;
     }
     split_lights(l, moving);
-    if (l.moving != moving || !same_grids) light_others(l, s);
+    if (l.moving != moving || !same_grids) {
+        light_others(l, s);
+        bound_pixels(s, l.reach);
+        l.shown_lit.assign(l.reach.size(), 0xFFFF);
+    }
     l.moving = moving;
 }
 

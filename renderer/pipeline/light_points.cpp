@@ -3,6 +3,9 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <array>
+
 namespace glint {
 
 void light_blocks(const std::vector<LightJob>& jobs, const Surface& s, std::size_t first, std::size_t count,
@@ -23,29 +26,47 @@ void light_points(const Lighting& l, const Surface& s, std::size_t first, std::s
     light_blocks(l.moving_jobs, s, first, count, &l.others[first], colors);
 }
 
+namespace {
+
+constexpr std::size_t batch = 16;  // blocks whose colours stay in the first-level cache between the steps
+
 /// The colours of the mesh itself.
-void take_vertex_colors(Lighting& l, const Surface& s, const Geometry& g, std::size_t block) {
+void take_vertex_colors(const Surface& s, const Geometry& g, std::size_t block, ColorBlock& colors) {
     for (std::size_t i = 0; i < block_size; ++i) {
         const PointSource& source = s.sources[block * block_size + i];
         const glm::vec3 c = source.item == no_index ? glm::vec3(0) : vertex_color(s, g, source);
-        l.point_colors[block].r[i] = c.x;
-        l.point_colors[block].g[i] = c.y;
-        l.point_colors[block].b[i] = c.z;
+        colors.r[i] = c.x;
+        colors.g[i] = c.y;
+        colors.b[i] = c.z;
     }
 }
 
+void color_batch(Lighting& l, const Surface& s, const Geometry& g, const DisplayJob& display,
+                 std::size_t first, std::size_t count) {
+    std::array<ColorBlock, batch> colors;
+    if (l.shading.reflection != Reflection::None) {
+        light_points(l, s, first, count, colors.data());
+    } else {
+        for (std::size_t b = 0; b < count; ++b) take_vertex_colors(s, g, first + b, colors[b]);
+    }
+    for (std::size_t i = 0; i < count * block_size; ++i) {
+        const ColorBlock& from = colors[i / block_size];
+        const std::size_t k = i % block_size;
+        l.point_colors[first * block_size + i] = {from.r[k], from.g[k], from.b[k], 0};
+    }
+    if (!l.point_rgba.empty())
+        lighting_kernels().encode(display, colors.data(), &l.point_rgba[first * block_size], count);
+}
+
+}  // namespace
+
 void color_points(Lighting& l, const Surface& s, const Geometry& g, const DisplayJob& display) {
-    const bool lit = l.shading.reflection != Reflection::None;
-    const bool encoded = s.choice.kind == SurfaceKind::Faces;
-    l.point_colors.resize(s.points.size());
-    l.point_rgba.resize(encoded ? s.points.size() * block_size : 0);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.points.size(), 64), [&](const auto& range) {
-        const std::size_t first = range.begin();
-        if (lit) light_points(l, s, first, range.size(), &l.point_colors[first]);
-        for (std::size_t b = first; !lit && b != range.end(); ++b) take_vertex_colors(l, s, g, b);
-        if (encoded)
-            lighting_kernels().encode(display, &l.point_colors[first], &l.point_rgba[first * block_size],
-                                      range.size());
+    const std::size_t all = s.points.size(), batches = (all + batch - 1) / batch;
+    l.point_colors.resize(all * block_size);
+    l.point_rgba.resize(s.choice.kind == SurfaceKind::Faces ? all * block_size : 0);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, batches, 4), [&](const auto& range) {
+        for (std::size_t b = range.begin(); b != range.end(); ++b)
+            color_batch(l, s, g, display, b * batch, std::min(batch, all - b * batch));
     });
 }
 

@@ -15,6 +15,14 @@ bool same_materials(const std::vector<Material>& kept, const Scene& scene) {
                       [](const Material& m, const Object& o) { return m == o.material; });
 }
 
+/// Notes whose material differs; none when any of the lights does.
+void find_objects_again(Lighting& l, const Scene& scene, bool same_but_materials) {
+    l.objects_again.clear();
+    if (!same_but_materials || l.materials.size() != scene.objects.size()) return;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        l.objects_again.push_back(l.materials[i] != scene.objects[i].material);
+}
+
 bool same_tone(const Npr& a, const Npr& b) {
     return a.cool_to_warm == b.cool_to_warm && a.cool == b.cool && a.warm == b.warm && a.alpha == b.alpha &&
            a.beta == b.beta;
@@ -22,7 +30,9 @@ bool same_tone(const Npr& a, const Npr& b) {
 
 /// Makes sources and jobs anew in the memory of the old ones; false when some object's grid differs.
 bool take_jobs(Lighting& kept, const Scene& scene, PictureSize size, bool at_corners) {
+    std::swap(kept.sources, kept.sources_before);
     light_sources(scene, kept.sources);
+    if (kept.sources != kept.sources_before) kept.objects_again.clear();  // a material may bound the lights
     bool same_grids = kept.jobs.size() == scene.objects.size();
     kept.materials.resize(scene.objects.size());
     kept.jobs.resize(scene.objects.size());
@@ -47,10 +57,12 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, cons
         !redone.strokes && (strokes.coverage.empty() || kept.npr.stroke == scene.npr.stroke);
     const bool same_display =
         kept.display == scene.display && kept.linear == linear && !redone.visibility && same_strokes;
-    const bool same_but_lights = !redone.surface && kept.global_ambient == scene.global_ambient &&
-                                 kept.shading == scene.shading && same_tone(kept.npr, scene.npr) &&
-                                 same_materials(kept.materials, scene);
-    if (same_display && same_but_lights && kept.lights == scene.lights) return false;
+    const bool same_equation = !redone.surface && kept.global_ambient == scene.global_ambient &&
+                               kept.shading == scene.shading && same_tone(kept.npr, scene.npr);
+    const bool same_but_lights = same_equation && same_materials(kept.materials, scene);
+    const bool same_lights = kept.lights == scene.lights;
+    if (same_display && same_but_lights && same_lights) return false;
+    find_objects_again(kept, scene, same_display && same_equation && same_lights);
     const int moving = same_but_lights ? changed_light(kept.lights, scene.lights) : -1;
     kept.lights = scene.lights;
     kept.global_ambient = scene.global_ambient;
@@ -62,7 +74,10 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, cons
     const bool same_grids = take_jobs(kept, scene, g.size, at_corners);
     keep_others(kept, surface, moving, same_grids);
     const DisplayJob display = display_job(scene.display);
-    if (!same_display) clear_picture(kept, g.size, strokes, display);
+    if (!same_display) {
+        clear_picture(kept, g.size, strokes, display);
+        std::fill(kept.shown_lit.begin(), kept.shown_lit.end(), 0xFFFF);
+    }
     if (at_corners) color_points(kept, surface, g, display);
     color_pixels(kept, surface, strokes, display);
     return true;

@@ -12,18 +12,24 @@
 namespace glint {
 
 struct Lighting {
-    std::vector<LightSource> sources;
+    std::vector<LightSource> sources, sources_before;
     std::vector<LightJob> jobs;             // one an object
-    std::vector<ColorBlock> point_colors;   // Corners, Faces: of the lit points
+    std::vector<ColorRecord> point_colors;  // Corners, Faces: of the lit points
     std::vector<std::uint32_t> point_rgba;  // Faces: the same as bytes, 16 a block
     std::vector<std::size_t> run_groups;    // several samples a pixel: where runs of other pixels begin
     Picture picture;
     bool linear = false;  // picture.linear is kept up too
+    // Where a material alone changes: the objects to light again, by index; empty: all.
+    std::vector<std::uint8_t> objects_again;
     // While one light alone changes: the sum of the others at each of the surface's points. Kept where shares
     // lie on a grid (LightJob::grid), so that the order of the sum does not matter.
     bool keep_sums = true;
     int moving = -1;                 // index in Scene::lights of the light that `others` leaves out; -1: none
     std::vector<ColorBlock> others;  // #points
+    std::vector<ReachBlock> reach;   // bounds of 16 blocks of points each
+    // Bit i of word b: block 16 b + i holds, in the kept picture, more than `others`; all: the picture is
+    // older.
+    std::vector<std::uint16_t> shown_lit;
     std::vector<LightSource> moving_sources, other_sources;
     std::vector<LightJob> moving_jobs;  // with the moving light alone, one an object
     // What the kept picture was made of, beside the surface and the strokes.
@@ -33,6 +39,10 @@ struct Lighting {
     Shading shading;
     Npr npr;
     Display display;
+
+    [[nodiscard]] bool again(std::uint32_t object) const {
+        return objects_again.empty() || objects_again[object] != 0;
+    }
 };
 
 /// Which of the stages before were done again.

@@ -278,7 +278,10 @@ void sort_and_draw(Numbers& number, float spread) {
 
 void blend_all(Numbers& number, const std::vector<PointBlock>& points) {
     const std::vector<LightSource> lights = some_lights(number);
-    const std::vector<ColorBlock> corners = lit(some_job(number, lights, Reflection::Phong), points);
+    const std::vector<ColorBlock> lit_points = lit(some_job(number, lights, Reflection::Phong), points);
+    std::vector<ColorRecord> corners;
+    for (const ColorBlock& c : lit_points)
+        for (std::size_t i = 0; i < block_size; ++i) corners.push_back({c.r[i], c.g[i], c.b[i], 0});
     constexpr int each = 3;
     std::vector<std::uint32_t> numbers(blocks * each * block_size);
     std::vector<float> weights(numbers.size());

@@ -4,6 +4,7 @@
 #include "models/scene_file.h"
 #include "renderer/renderer.h"
 #include "tests/catch.h"
+#include "tests/unit/as_fresh.h"
 
 using namespace glint;
 
@@ -17,16 +18,12 @@ Scene eight_lights() {
     return std::get<SceneDocument>(opened).scene;
 }
 
-/// Draws each step by a renderer that keeps sums and by one that lights every light again.
+/// Draws each step by a renderer that keeps what it can, and by a new one that has nothing to keep.
 void check_same_bytes(Scene scene, const std::vector<std::function<void(Scene&)>>& steps) {
-    Renderer keeping(2), relighting(1);
-    relighting.keep_sums(false);
+    Renderer keeping(2);
     for (const auto& step : steps) {
         step(scene);
-        const Picture& kept = keeping.render(scene, size, true);
-        const Picture& again = relighting.render(scene, size, true);
-        CHECK(kept.rgba == again.rgba);
-        CHECK(kept.linear == again.linear);
+        test::draw_as_fresh(keeping, scene, size, true);
     }
 }
 
@@ -47,6 +44,42 @@ TEST_CASE("dragging a light over kept sums gives the bytes of lighting every lig
              [](Scene& s) { s.lights[5].enabled = true; }, [](Scene& s) { s.display.exposure = 2; }, move(5),
              [](Scene& s) { s.objects[0].material.diffuse.x = 0.1f; }, move(5),
              [](Scene& s) { s.camera.eye.x += 0.1f; }, move(5), move(5)});
+    }
+}
+
+TEST_CASE("a light that is carried round the object lights and leaves every part of it", "[renderer]") {
+    std::vector<std::function<void(Scene&)>> steps{[](Scene&) {}};
+    for (std::size_t light = 0; light < 8; ++light)
+        for (int step = 0; step < 6; ++step)
+            steps.emplace_back([light](Scene& s) {  // a sixth of a turn about y
+                const glm::vec4 p = s.lights[light].position;
+                s.lights[light].position = {0.5f * p.x + 0.8660254f * p.z, p.y, 0.5f * p.z - 0.8660254f * p.x,
+                                            p.w};
+            });
+    steps.emplace_back([](Scene& s) { s.display.background = {0.3f, 0, 0}, s.lights[7].position.x += 1; });
+    steps.emplace_back([](Scene& s) { s.lights[7].ambient = glm::vec3(0.2f); });
+    check_same_bytes(eight_lights(), steps);
+    Scene drawn_over = eight_lights();
+    drawn_over.npr.silhouettes = true;
+    check_same_bytes(drawn_over, steps);
+}
+
+TEST_CASE("a material that changes lights its own pixels alone, whatever changes with it", "[renderer]") {
+    Scene scene = eight_lights();
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects[1].transform.translate = {0.5f, 0.2f, 0.3f};
+    const auto redden = [](std::size_t object, float red) {
+        return [object, red](Scene& s) { s.objects[object].material.diffuse.x = red; };
+    };
+    for (const ShadingMode mode : {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong}) {
+        scene.shading.mode = mode;
+        check_same_bytes(scene, {[](Scene&) {}, redden(0, 0.1f), redden(1, 0.2f), redden(0, 0.3f),
+                                 [&](Scene& s) { redden(1, 0.4f)(s), s.display.exposure = 2; },
+                                 [&](Scene& s) { redden(0, 0.5f)(s), s.lights[0].position.x += 1; },
+                                 [&](Scene& s) { redden(1, 0.6f)(s), s.camera.eye.x += 0.1f; },
+                                 [&](Scene& s) { redden(0, 0.7f)(s), s.global_ambient = glm::vec3(0.3f); },
+                                 [](Scene& s) { s.lights[3].intensity = 1e30f; },
+                                 redden(1, 1e20f)});  // bounds what all lights may be
     }
 }
 
