@@ -17,10 +17,43 @@ template <int N> struct Doubles {
     Doubles(double a) : v(a - V{}) {}  // NOLINT: a number stands for itself in all lanes
     explicit Doubles(V a) : v(a) {}
 };
+template <int N> struct DoubleMask { typename Vector<long long, N>::Type v; };
+template <int N> struct NumberTraits<Doubles<N>> {
+    using Mask = DoubleMask<N>;
+    using Int = IntLanes<N>;
+    static constexpr int width = N;
+};
 template <int N> Doubles<N> operator+(Doubles<N> a, Doubles<N> b) { return Doubles<N>(a.v + b.v); }
 template <int N> Doubles<N> operator-(Doubles<N> a, Doubles<N> b) { return Doubles<N>(a.v - b.v); }
 template <int N> Doubles<N> operator*(Doubles<N> a, Doubles<N> b) { return Doubles<N>(a.v * b.v); }
 template <int N> Doubles<N> operator/(Doubles<N> a, Doubles<N> b) { return Doubles<N>(a.v / b.v); }
+
+template <int N> Doubles<N> operator-(Doubles<N> a) { return Doubles<N>(-a.v); }
+
+template <int N> DoubleMask<N> operator<(Doubles<N> a, Doubles<N> b) { return {a.v < b.v}; }
+template <int N> DoubleMask<N> operator>(Doubles<N> a, Doubles<N> b) { return {a.v > b.v}; }
+template <int N> DoubleMask<N> operator<=(Doubles<N> a, Doubles<N> b) { return {a.v <= b.v}; }
+template <int N> DoubleMask<N> operator>=(Doubles<N> a, Doubles<N> b) { return {a.v >= b.v}; }
+template <int N> Doubles<N> select(DoubleMask<N> m, Doubles<N> a, Doubles<N> b) {
+    return Doubles<N>(m.v ? a.v : b.v);
+}
+
+/// Correctly rounded, as IEEE 754 demands, in every width.
+inline double square_root(double a) { return __builtin_sqrt(a); }
+template <int N> Doubles<N> square_root(Doubles<N> a) {
+#ifdef __AVX512F__
+    if constexpr (N == 8) return Doubles<N>((typename Doubles<N>::V)_mm512_maskz_sqrt_pd(0xFF, (__m512d)a.v));
+#endif
+#ifdef __AVX__
+    if constexpr (N == 4) return Doubles<N>((typename Doubles<N>::V)_mm256_sqrt_pd((__m256d)a.v));
+#endif
+#ifdef __SSE2__
+    if constexpr (N == 2) return Doubles<N>((typename Doubles<N>::V)_mm_sqrt_pd((__m128d)a.v));
+#endif
+    Doubles<N> root;
+    for (int i = 0; i < N; ++i) root.v[i] = __builtin_sqrt(a.v[i]);
+    return root;
+}
 
 /// The doubles that go with a number type: as many as `width`.
 template <int N> struct DoublesOf {
@@ -51,6 +84,17 @@ inline void store_narrowed(float* to, double a) { *to = static_cast<float>(a); }
 template <int N> void store_narrowed(float* to, Doubles<N> a) {
     const auto few = __builtin_convertvector(a.v, typename Vector<float, N>::Type);
     __builtin_memcpy(to, &few, sizeof(few));
+}
+/// Whole numbers of less than 2^31, as ints; and what is left of such a number without its fraction.
+inline void store_whole(void* to, double a) { store_ints(to, static_cast<int>(a)); }
+template <int N> void store_whole(void* to, Doubles<N> a) {
+    const auto few = __builtin_convertvector(a.v, typename Vector<int, N>::Type);
+    __builtin_memcpy(to, &few, sizeof(few));
+}
+inline double whole_part(double a) { return static_cast<double>(static_cast<int>(a)); }
+template <int N> Doubles<N> whole_part(Doubles<N> a) {
+    return Doubles<N>(__builtin_convertvector(__builtin_convertvector(a.v, typename Vector<int, N>::Type),
+                                              typename Doubles<N>::V));
 }
 
 }  // namespace glint::inline GLINT_ISA

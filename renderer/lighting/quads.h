@@ -91,4 +91,16 @@ template <Number F> Quad<F> load_quads(const void* from, const unsigned* at, std
     }
 }
 
+/// The other way: four lists of N numbers of four bytes become N records, `step` bytes apart.
+template <int N> void turn_into_records(const float (&lists)[4][N], void* records, std::size_t step) {
+    auto* to = static_cast<char*>(records);
+    for (int i = 0; i < N; i += 4) {
+        quads::Row list[4];
+        for (int k = 0; k < 4; ++k) __builtin_memcpy(&list[k], lists[k] + i, sizeof(quads::Row));
+        const Quad<Lanes<4>> turned = quads::turned<Lanes<4>>(list);
+        const Lanes<4> record[4] = {turned.a, turned.b, turned.c, turned.d};
+        for (int k = 0; k < 4; ++k, to += step) __builtin_memcpy(to, &record[k].v, sizeof(quads::Row));
+    }
+}
+
 }  // namespace glint::inline GLINT_ISA

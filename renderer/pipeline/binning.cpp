@@ -72,7 +72,8 @@ void sort_chunk(const TileLists& lists, SortedChunk& chunk) {
 /// Cuts the triangles that cross the near or far plane or leave the guard band into pieces that do not.
 void clip_triangles(TileLists& lists, const Geometry& g) {
     const glm::dmat4 projection = clip_from_view(g.camera.projection, g.size);
-    const ToScreen to_screen{g.size, is_orthographic(g.camera.projection)};
+    const ScreenJob screen = screen_job(g.camera, g.size);
+    const auto corner = [&screen](const glm::dvec4& clip) { return to_screen(screen, clip); };
     std::vector<glm::dvec4>& polygon = lists.polygon;
     lists.clipped.clear();
     for (const SortedChunk& chunk : lists.chunks) {
@@ -86,10 +87,9 @@ void clip_triangles(TileLists& lists, const Geometry& g) {
             }
             clip_polygon(polygon, lists.spare_polygon);
             for (std::size_t i = 2; i < polygon.size(); ++i)
-                lists.clipped.push_back(
-                    {{to_screen(polygon[0]), to_screen(polygon[i - 1]), to_screen(polygon[i])},
-                     object.first_triangle + t,
-                     object.mirrored});
+                lists.clipped.push_back({{corner(polygon[0]), corner(polygon[i - 1]), corner(polygon[i])},
+                                         object.first_triangle + t,
+                                         object.mirrored});
         }
     }
 }

@@ -6,32 +6,23 @@
 #include <algorithm>
 #include <glm/matrix.hpp>
 
-#include "renderer/pipeline/clip.h"
 #include "renderer/pipeline/to_screen.h"
 
 namespace glint {
 namespace {
 
-void transform_vertices(ObjectGeometry& object, const glm::dmat4& clip_from_view, const ToScreen& to_screen) {
+void transform_vertices(ObjectGeometry& object, VertexJob job) {
     const std::vector<glm::vec3>& from = object.mesh->positions;
+    static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
     object.vertices.resize(from.size());
     object.screen.resize(from.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from.size(), 4096), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            const glm::dvec4 view = object.view_from_object * glm::dvec4(glm::dvec3(from[i]), 1.0);
-            const glm::dvec4 clip = clip_from_view * view;
-            PlacedVertex& v = object.vertices[i];
-            v.clip_x = static_cast<float>(clip.x);
-            v.clip_y = static_cast<float>(clip.y);
-            v.clip_w = static_cast<float>(clip.w);
-            v.x = static_cast<float>(view.x);
-            v.y = static_cast<float>(view.y);
-            v.z = static_cast<float>(view.z);
-            v.outside = outside_bits(clip);
-            ScreenVertex& s = object.screen[i];
-            if (!(v.outside & needs_clipping)) s = to_screen(clip);
-            s.outside = v.outside;
-        }
+    if (from.empty()) return;
+    job.positions = &from.front().x;
+    job.view_from_object = matrix_of(object.view_from_object);
+    job.vertices = object.vertices.data();
+    job.on_screen = object.screen.data();
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from.size(), 4096), [&job](const auto& range) {
+        drawing_kernels().place_vertices(job, range.begin(), range.end());
     });
 }
 
@@ -46,8 +37,9 @@ void list_triangle_vertices(ObjectGeometry& object) {
 
 void place_objects(Geometry& g, const Scene& scene) {
     const glm::dmat4 view = view_from_world(scene.camera);
-    const glm::dmat4 projection = clip_from_view(scene.camera.projection, g.size);
-    const ToScreen to_screen{g.size, is_orthographic(scene.camera.projection)};
+    VertexJob job;
+    job.clip_from_view = matrix_of(clip_from_view(scene.camera.projection, g.size));
+    job.screen = screen_job(scene.camera, g.size);
     g.objects.resize(scene.objects.size());
     g.triangle_count = 0;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -63,7 +55,7 @@ void place_objects(Geometry& g, const Scene& scene) {
         o.normal_matrix = glm::transpose(glm::inverse(linear));
         o.first_triangle = g.triangle_count;
         g.triangle_count += static_cast<std::uint32_t>(o.mesh->triangles.size());
-        transform_vertices(o, projection, to_screen);
+        transform_vertices(o, job);
     }
 }
 

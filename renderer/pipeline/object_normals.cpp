@@ -5,23 +5,29 @@
 
 #include <glm/geometric.hpp>
 
+#include "renderer/pipeline/kernels/camera_normal.h"
+
 namespace glint {
 namespace {
 
 constexpr glm::vec3 opengl_default_normal{0, 0, 1};  // what OpenGL takes while no normal was given
 
-/// An object's normal in camera coordinates, as long as the matrix leaves it.
-glm::dvec3 to_camera(const ObjectGeometry& object, glm::vec3 n, const NormalMistakes& mistakes) {
-    const glm::dmat3 matrix =
+/// From an object's normals to camera coordinates.
+Matrix3 camera_matrix(const ObjectGeometry& object, const NormalMistakes& mistakes) {
+    const glm::dmat3 m =
         mistakes.by_model_matrix ? glm::dmat3(object.view_from_object) : object.normal_matrix;
-    const glm::dvec3 m = matrix * glm::dvec3(mistakes.none_given ? opengl_default_normal : n);
-    return mistakes.flipped ? -m : m;
+    Matrix3 out;
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r) out.column[c][r] = mistakes.flipped ? -m[c][r] : m[c][r];
+    return out;
 }
 
-glm::vec3 unit_or_zero(glm::dvec3 v) {
-    const double length = glm::length(v);
-    return length > 0 ? glm::vec3(v / length) : glm::vec3(0);
+Vec3<double> object_normal(glm::vec3 n, const NormalMistakes& mistakes) {
+    const glm::vec3 taken = mistakes.none_given ? opengl_default_normal : n;
+    return {taken.x, taken.y, taken.z};
 }
+
+glm::vec3 to_glm(Vec3<double> v) { return {v.x, v.y, v.z}; }
 
 /// Lengths that a file's normals had before they were made unit, one for each of `of_mesh.normals`.
 std::vector<float> given_lengths(const ObjectNormals& normals) {
@@ -41,6 +47,30 @@ std::vector<float> given_lengths(const ObjectNormals& normals) {
     return lengths;
 }
 
+/// As the mistakes would have them.
+void misplace_normals(ObjectNormals& normals, const Matrix3& matrix, const NormalMistakes& mistakes) {
+    std::vector<float> lengths;
+    if (mistakes.unnormalized) lengths = given_lengths(normals);
+    tbb::parallel_for(std::size_t{0}, normals.normals.size(), [&](std::size_t i) {
+        const Vec3<double> n = to_camera(matrix, object_normal(normals.of_mesh.normals[i], mistakes));
+        const glm::vec3 taken =
+            to_glm(mistakes.unnormalized ? static_cast<double>(lengths[i]) * n : unit_or_zero(n));
+        normals.normals[i] = {taken.x, taken.y, taken.z};
+    });
+}
+
+void place_normals(ObjectNormals& normals, const ObjectGeometry& object, const NormalMistakes& mistakes) {
+    const std::vector<glm::vec3>& from = normals.of_mesh.normals;
+    normals.normals.resize(from.size());
+    const Matrix3 matrix = camera_matrix(object, mistakes);
+    if (mistakes.unnormalized || mistakes.none_given) return misplace_normals(normals, matrix, mistakes);
+    if (from.empty()) return;
+    const NormalJob job{&from.front().x, matrix, normals.normals.data()};
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from.size(), 4096), [&job](const auto& range) {
+        drawing_kernels().place_normals(job, range.begin(), range.end());
+    });
+}
+
 }  // namespace
 
 NormalMistakes normal_mistakes(const Mistakes& m) {
@@ -58,18 +88,7 @@ void update_normals(std::vector<ObjectNormals>& kept, const Scene& scene, const 
             normals.options = scene.objects[o].normals;
             normals.of_mesh = corner_normals(*normals.mesh, normals.options);
         }
-        std::vector<float> lengths;
-        if (mistakes.unnormalized) lengths = given_lengths(normals);
-        normals.normals.resize(normals.of_mesh.normals.size());
-        using Range = tbb::blocked_range<std::size_t>;
-        tbb::parallel_for(Range(0, normals.normals.size(), 4096), [&](const Range& range) {
-            for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                const glm::dvec3 n = to_camera(g.objects[o], normals.of_mesh.normals[i], mistakes);
-                const glm::vec3 taken =
-                    mistakes.unnormalized ? glm::vec3(static_cast<double>(lengths[i]) * n) : unit_or_zero(n);
-                normals.normals[i] = {taken.x, taken.y, taken.z};
-            }
-        });
+        place_normals(normals, g.objects[o], mistakes);
     }
 }
 
@@ -83,7 +102,8 @@ bool same_normals(const std::vector<ObjectNormals>& kept, const Scene& scene) {
 
 glm::vec3 camera_facet_normal(const ObjectGeometry& object, std::uint32_t face,
                               const NormalMistakes& mistakes) {
-    return unit_or_zero(to_camera(object, facet_normal(*object.mesh, face), mistakes));
+    const Vec3<double> n = object_normal(facet_normal(*object.mesh, face), mistakes);
+    return to_glm(unit_or_zero(to_camera(camera_matrix(object, mistakes), n)));
 }
 
 }  // namespace glint

@@ -1,33 +1,31 @@
 #pragma once
-// Where a vertex lies on the rasteriser's grid. For those of triangles and of clipped pieces alike, so that
-// no crack opens between them.
+// The kernels' ways of a vertex to the screen, for one vertex alone: those of triangles and of clipped pieces
+// go the same way, so that no crack opens between them.
 
-#include <glm/vec4.hpp>
+#include <glm/mat4x4.hpp>
 
 #include "models/camera.h"
-#include "renderer/pipeline/kernels/drawing_kernels.h"
+#include "renderer/pipeline/kernels/way_to_screen.h"
 
 namespace glint {
 
-/// To the nearest whole number, halves away from zero: std::lround, which is a call and slower than all else
-/// that a vertex needs.
-inline std::int32_t nearest(double x) {
-    const auto towards_zero = static_cast<std::int64_t>(x);
-    const double rest = x - static_cast<double>(towards_zero);  // exact
-    return static_cast<std::int32_t>(towards_zero + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0));
+[[nodiscard]] inline Matrix4 matrix_of(const glm::dmat4& m) {
+    Matrix4 out;
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r) out.column[c][r] = m[c][r];
+    return out;
 }
 
-/// From clip coordinates to the rasteriser's grid.
-struct ToScreen {
-    PictureSize size;
-    bool orthographic;
+[[nodiscard]] inline ScreenJob screen_job(const Camera& camera, PictureSize size) {
+    return {static_cast<double>(size.width), static_cast<double>(size.height),
+            is_orthographic(camera.projection)};
+}
 
-    [[nodiscard]] ScreenVertex operator()(const glm::dvec4& clip) const {
-        const double x = (clip.x / clip.w + 1) * 0.5 * size.width * subpixels;
-        const double y = (1 - clip.y / clip.w) * 0.5 * size.height * subpixels;
-        const double nearness = orthographic ? 0.5 * (1 - clip.z / clip.w) : 1 / clip.w;
-        return {nearest(x), nearest(y), static_cast<float>(nearness)};
-    }
-};
+/// Precondition: inside the guard band and before the eye.
+[[nodiscard]] inline ScreenVertex to_screen(const ScreenJob& screen, const glm::dvec4& clip) {
+    const GridPoint<double> at = grid_point(screen, Point4<double>{clip.x, clip.y, clip.z, clip.w});
+    return {static_cast<std::int32_t>(nearest(at.x)), static_cast<std::int32_t>(nearest(at.y)),
+            static_cast<float>(at.nearness)};
+}
 
 }  // namespace glint

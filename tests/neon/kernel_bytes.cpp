@@ -224,6 +224,40 @@ void place_all(Numbers& number) {
     hash.print("place", 200);
 }
 
+void place_vertices_and_normals(Numbers& number) {
+    constexpr std::size_t count = 203;  // not a multiple of anything
+    std::vector<float> numbers;
+    for (std::size_t i = 0; i < 3 * count; ++i) numbers.push_back(number.between(-6, 6));
+    std::vector<PlacedVertex> vertices(count);
+    std::vector<ScreenVertex> on_screen(count);
+    VertexJob job;
+    job.positions = numbers.data();
+    job.view_from_object = {{{0.8, 0.6, 0, 0}, {-0.6, 0.8, 0, 0}, {0, 0, 1, 0}, {0.1, 0.2, -4, 1}}};
+    job.clip_from_view = {{{1.4, 0, 0, 0}, {0, 2.4, 0, 0}, {0, 0, -1.02, -1}, {0, 0, -0.2, 0}}};
+    job.screen = {640, 480, false};
+    job.vertices = vertices.data();
+    job.on_screen = on_screen.data();
+    GLINT_ISA::drawing.place_vertices(job, 0, count);
+    Hash hash;
+    for (const PlacedVertex& v : vertices) {
+        for (const float a : {v.clip_x, v.clip_y, v.clip_w, v.x, v.y, v.z}) hash.add(a);
+        hash.add(v.outside);
+    }
+    for (const ScreenVertex& v : on_screen) {
+        hash.add(static_cast<std::uint32_t>(v.x));
+        hash.add(static_cast<std::uint32_t>(v.y));
+        hash.add(v.nearness);
+    }
+    hash.print("vertices", count);
+    std::vector<CameraNormal> in_camera(count);
+    const Matrix3 matrix{{{0.8, 0.6, 0}, {-1.2, 1.6, 0}, {0, 0, 1}}};
+    GLINT_ISA::drawing.place_normals({numbers.data(), matrix, in_camera.data()}, 0, count);
+    Hash normals;
+    for (const CameraNormal& n : in_camera)
+        for (const float a : {n.x, n.y, n.z}) normals.add(a);
+    normals.print("normals", count);
+}
+
 /// A vertex up to `spread` pixels from the middle of the first tile.
 ScreenVertex some_vertex(Numbers& number, float spread) {
     const float x = 32 + number.between(-spread, spread), y = 32 + number.between(-spread, spread);
@@ -304,6 +338,7 @@ int main() {
     const std::vector<PointBlock> points = some_points(number);
     light_all(number, points);
     place_all(number);
+    place_vertices_and_normals(number);
     for (const float spread : {4.0f, 40.0f, 400.0f, 400000.0f}) sort_and_draw(number, spread);
     blend_all(number, points);
 }

@@ -3,10 +3,20 @@
 
 #include "renderer/lighting/wide.h"
 #include "renderer/pipeline/kernels/draw_tile.h"
+#include "renderer/pipeline/kernels/place_normals.h"
 #include "renderer/pipeline/kernels/place_run.h"
+#include "renderer/pipeline/kernels/place_vertices.h"
 #include "renderer/pipeline/kernels/sort_triangles.h"
 
 namespace glint::inline GLINT_ISA {
+
+GLINT_FLATTEN static void vertices(const VertexJob& job, std::size_t begin, std::size_t end) {
+    place_vertices<Wide>(job, begin, end);
+}
+
+GLINT_FLATTEN static void normals(const NormalJob& job, std::size_t begin, std::size_t end) {
+    place_normals<Wide>(job, begin, end);
+}
 
 GLINT_FLATTEN static void sort(const SortJob& job, std::uint32_t begin, std::uint32_t end,
                                SortedTriangles& out) {
@@ -26,6 +36,6 @@ GLINT_FLATTEN static bool place(const PlaceJob& job, const std::uint32_t* seen, 
 }
 
 extern const DrawingKernels drawing;
-const DrawingKernels drawing{sort, draw, rows, place};
+const DrawingKernels drawing{vertices, normals, sort, draw, rows, place};
 
 }  // namespace glint::inline GLINT_ISA
