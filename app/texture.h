@@ -8,6 +8,11 @@
 
 namespace glint {
 
+/// Pixels of the window, from its upper left corner; right and bottom are the first ones outside.
+struct PixelRect {
+    int left = 0, top = 0, right = 0, bottom = 0;
+};
+
 /// A GL texture of the current context. GL is loaded through GLFW: the program links none.
 class Texture {
   public:
@@ -22,7 +27,13 @@ class Texture {
     /// The name by which ImGui's backend draws it.
     [[nodiscard]] void* id() const { return std::bit_cast<void*>(std::uintptr_t{name_}); }
 
+    /// Copies all of it to `to` in the window's framebuffer of this height, the nearest pixel where the sizes
+    /// differ, and changes nothing outside `clip`. Software that stands in for a graphics card does this
+    /// several times as fast as it draws a textured rectangle.
+    void copy_to_window(const PixelRect& to, const PixelRect& clip, int height);
+
   private:
+    unsigned frame_ = 0;  // reads from the texture; made when first needed
     unsigned name_ = 0;
     PictureSize size_{0, 0};
 };

@@ -184,7 +184,7 @@ class Window {
         if (feed_button(input_)) frames_due_ = frames_after_event;
         ImGui::NewFrame();
         state_.views.grid.texture = thumbnails_->id();
-        UiRequests wants = ui_frame(state_, input_.ui, texture_->id());
+        UiRequests wants = ui_frame(state_, input_.ui);
         ImGui::Render();
         input_.ui = {};
         if (state_.picture_serial != uploaded_ && state_.shown != nullptr) texture_->upload(*state_.shown);
@@ -201,8 +201,14 @@ class Window {
     void draw() {
         int width = 0, height = 0;
         glfwGetFramebufferSize(window_, &width, &height);
-        const ImVec4& back = theme().window;
+        const ImVec4& back = theme().panel;
         clear_framebuffer(width, height, back.x, back.y, back.z);
+        const ImVec2 dots = ImGui::GetIO().DisplayFramebufferScale;
+        const auto in_pixels = [dots](const Rect& rect) {
+            return PixelRect{int(std::lround(rect.low.x * dots.x)), int(std::lround(rect.low.y * dots.y)),
+                             int(std::lround(rect.high.x * dots.x)), int(std::lround(rect.high.y * dots.y))};
+        };
+        texture_->copy_to_window(in_pixels(state_.placed.picture), in_pixels(state_.placed.room), height);
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
         glfwSwapBuffers(window_);
     }

@@ -7,9 +7,11 @@
 
 namespace glint {
 
-inline constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                                 ImGuiWindowFlags_NoSavedSettings |
-                                                 ImGuiWindowFlags_NoBringToFrontOnFocus;
+/// Without a ground of their own: the window is cleared to the colour of panels, which a graphics card of
+/// software does far faster than it blends a rectangle of the same size.
+inline constexpr ImGuiWindowFlags fixed_window =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground;
 
 /// Begins the part named `id` over `area`; ImGui::End() ends it.
 inline void begin_area(const char* id, const Rect& area, ImGuiWindowFlags further = 0) {

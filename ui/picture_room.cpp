@@ -29,6 +29,18 @@ void first_hints(const UiState& state, const PictureView& view) {
     list.AddText({low.x + px(14), low.y + px(6)}, packed(theme().text), text);
 }
 
+/// What of the room the picture leaves free.
+void draw_surround(ImDrawList& list, const Rect& room, const Rect& picture) {
+    const ImU32 colour = packed(theme().surround);
+    const auto fill = [&](ImVec2 low, ImVec2 high) {
+        if (low.x < high.x && low.y < high.y) list.AddRectFilled(low, high, colour);
+    };
+    fill(room.low, {room.high.x, picture.low.y});
+    fill({room.low.x, picture.high.y}, room.high);
+    fill({room.low.x, picture.low.y}, {picture.low.x, picture.high.y});
+    fill({picture.high.x, picture.low.y}, {room.high.x, picture.high.y});
+}
+
 }  // namespace
 
 PictureView picture_view(const Rect& centre, const UiState& state) {
@@ -47,13 +59,15 @@ PictureView picture_view(const Rect& centre, const UiState& state) {
     return view;
 }
 
-bool picture_room(UiState& state, const Layout& layout, const UiInput& input, ImTextureID texture) {
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme().surround);
+bool picture_room(UiState& state, const Layout& layout, const UiInput& input) {
     begin_area("##view", layout.centre);
-    ImGui::PopStyleColor();
     const PictureView view = picture_view(layout.centre, state);
     const ImVec2 high = view.to_window({view.map.size.width, view.map.size.height});
-    ImGui::GetWindowDrawList()->AddImage(texture, view.origin, high);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(layout.centre.low, layout.centre.high);  // ImGui's own leaves out some of the border
+    draw_surround(list, layout.centre, {view.origin, high});
+    state.placed = {{view.origin, high}, layout.centre};
+    list.PopClipRect();
     // Magnified, the picture goes on behind the columns.
     const ImVec2 low{std::max(view.origin.x, layout.centre.low.x),
                      std::max(view.origin.y, layout.centre.low.y)};

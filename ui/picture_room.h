@@ -12,9 +12,8 @@ struct UiState;
 /// Where the picture goes and how large it is in real pixels.
 [[nodiscard]] PictureView picture_view(const Rect& centre, const UiState& state);
 
-/// Shows the picture and reads what a hand does on it. True while a gesture has the scene in hand.
-[[nodiscard]] bool picture_room(UiState& state, const Layout& layout, const UiInput& input,
-                                ImTextureID texture);
+/// Places the picture and reads what a hand does on it. True while a gesture has the scene in hand.
+[[nodiscard]] bool picture_room(UiState& state, const Layout& layout, const UiInput& input);
 
 /// Handles, vectors, views, the pen; notifications. After the picture was drawn, so that they agree with it.
 void picture_overlay(UiState& state, const Layout& layout, const PictureView& view);

@@ -39,7 +39,7 @@ UiRequests requests(UiState& state) {
 
 }  // namespace
 
-UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
+UiRequests ui_frame(UiState& state, const UiInput& input) {
     frame_wish_reset();
     if (input.close_asked) run_action(state, Action::Quit);
     take_dropped(state, input);
@@ -50,7 +50,7 @@ UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture) {
     begin_views(state);
     const Layout layout = lay_out(ImGui::GetIO().DisplaySize, state.layout, px(1));
     if (!state.layout.bare) toolbar(state, layout.top);
-    const bool in_hand = picture_room(state, layout, input, texture);
+    const bool in_hand = picture_room(state, layout, input);
     state.left_shows_why |= state.viewport.asked;
     left_column(state, layout, picture_view(layout.centre, state));
     dialogs(state, input);

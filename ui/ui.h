@@ -39,6 +39,11 @@ struct Pending {
     bool asking = false;  // the question is on the screen; else the changes are being saved
 };
 
+/// Where the picture goes, in the window: to all of `picture`, cut off at `room`.
+struct PlacedPicture {
+    Rect picture, room;
+};
+
 struct UiState {
     explicit UiState(int threads) : renderer(std::make_unique<Renderer>(threads)) { views.threads = threads; }
 
@@ -70,6 +75,7 @@ struct UiState {
     const Picture* picture = nullptr;  // the last one drawn
     const Picture* shown = nullptr;    // what the window shows: `picture`, or what ui/views made of it
     std::uint64_t picture_serial = 0;  // counts what was shown: the texture follows it
+    PlacedPicture placed;              // where it lies in the window
     Scene drawn;                       // what `picture` shows
     std::optional<Explanation> why;    // of the probe in a picture of the edited scene
     /// A panel that wants another scene on the screen than the edited one (one term alone, one light alone)
@@ -84,8 +90,8 @@ struct UiRequests {
     double sleep_s = std::numeric_limits<double>::infinity();  // until the next frame, if no event comes
 };
 
-/// Between ImGui::NewFrame() and ImGui::Render(). `texture` shows UiState::shown: upload it when
-/// picture_serial has changed, after this call and before ImGui's draw data are drawn.
-[[nodiscard]] UiRequests ui_frame(UiState& state, const UiInput& input, ImTextureID texture);
+/// Between ImGui::NewFrame() and ImGui::Render(). The caller fills the window with theme().panel, puts
+/// UiState::shown where UiState::placed says, and draws ImGui's data over both.
+[[nodiscard]] UiRequests ui_frame(UiState& state, const UiInput& input);
 
 }  // namespace glint

@@ -32,7 +32,7 @@ class Bench {
 
     UiRequests frame(const UiInput& input = {}) {
         ImGui::NewFrame();
-        UiRequests wants = ui_frame(state, input, nullptr);
+        UiRequests wants = ui_frame(state, input);
         ImGui::Render();
         return wants;
     }
