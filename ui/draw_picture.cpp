@@ -18,15 +18,15 @@ bool shows_pictures(const UiState& state) {
     return from.compare.on && !from.compare.difference && from.look == LookSet{};
 }
 
-/// Whether a smaller picture may stand for the whole one for a moment: nothing is read off its pixels.
+/// Whether a smaller picture may stand for the whole one for a moment: no numbers of many pixels are shown.
 bool may_be_small(const UiState& state) {
     const bool camera = state.viewport.gesture == Gesture::Orbit || state.viewport.gesture == Gesture::Pan ||
                         state.viewport.gesture == Gesture::Dolly;
     const bool light =
         state.viewport.gesture == Gesture::Hand && state.viewport.held.grip.kind == GripKind::Light;
     const bool field = state.viewport.gesture == Gesture::None && ImGui::IsAnyItemActive();
-    return (camera || light || field) && !state.viewport.probe && !state.preview &&
-           !views_need_linear(state.views) && shows_pictures(state);
+    return (camera || light || field) && !state.preview && !views_need_linear(state.views) &&
+           !(state.views.magnifier.zoom > 1) && shows_pictures(state);
 }
 
 /// The size of the next picture of a scene that differs (`changed`) from the last one or does not.
@@ -45,6 +45,19 @@ PictureSize paced_size(UiState& state, PictureSize full, bool changed) {
     if (!small_now || rest <= 0) return full;
     wish_frame_in(rest);
     return state.picture->size;
+}
+
+/// Explains the pixel that shows at the asked one's place: of a smaller picture a larger pixel, which is the
+/// colour on the screen then.
+void explain_asked(UiState& state, const PictureView& view) {
+    state.why.reset();
+    const auto asked = asked_pixel(state, view);
+    if (!asked) return;
+    const PictureSize whole = view.map.size, drawn = state.picture->size;
+    const glm::ivec2 shown{asked->x * drawn.width / whole.width, asked->y * drawn.height / whole.height};
+    state.why = state.renderer->explain(shown.x, shown.y);
+    state.why->spaces.pixel *= glm::vec2(whole.width, whole.height) / glm::vec2(drawn.width, drawn.height);
+    state.asked = *asked;
 }
 
 }  // namespace
@@ -68,9 +81,7 @@ void draw_picture(UiState& state, const PictureView& view) {
         if (moves && changed) state.pace.drawn_at = size == view.map.size ? 1 : state.pace.divisor;
     }
     if (preview) return;
-    state.why.reset();
-    if (!(size == view.map.size)) return;
-    if (const auto pixel = asked_pixel(state, view)) state.why = state.renderer->explain(pixel->x, pixel->y);
+    explain_asked(state, view);
 }
 
 void learn_pace(UiState& state) {

@@ -83,3 +83,33 @@ TEST_CASE("a slow picture is small while a camera drag moves, and whole when the
     CHECK(bench.state.picture->size == full);
     CHECK(bench.state.drawn == bench.scene());
 }
+
+TEST_CASE("while the picture is small the picked pixel is explained by what shows there", "[ui][pace]") {
+    test::Bench bench;
+    bench.frames(2);
+    const PictureSize full = bench.state.picture->size;
+    bench.click(bench.at_pixel({321, 243}));
+    REQUIRE(bench.state.why);
+    const std::array<int, 3> whole = bench.state.why->byte;
+    CHECK(bench.state.asked == glm::ivec2(321, 243));
+    bench.move(bench.at_pixel({40, 40}));
+    bench.button(true);
+    bench.move(bench.at_pixel({60, 44}));
+    bench.state.pace.divisor = 3;  // as if it had been slow
+    bench.state.pace.full_ms = 80;
+    bench.move(bench.at_pixel({90, 50}));
+    const Picture& small = *bench.state.picture;
+    REQUIRE(small.size == divided(full, 3));
+    REQUIRE(bench.state.why);
+    CHECK(bench.state.asked == glm::ivec2(321, 243));
+    const std::size_t at =
+        4 * small.pixel(321 * small.size.width / full.width, 243 * small.size.height / full.height);
+    for (std::size_t c = 0; c < 3; ++c) CHECK(bench.state.why->byte[c] == int(small.rgba[at + c]));
+    CHECK(bench.state.why->byte != whole);  // the camera turned
+    bench.button(false);
+    bench.frame();
+    CHECK(bench.state.picture->size == full);
+    REQUIRE(bench.state.why);
+    CHECK(bench.state.why->x == 321);
+    CHECK(bench.state.why->y == 243);
+}

@@ -43,8 +43,8 @@ void picked(UiState& state, const Explanation& why, const Square& square) {
             fmt::format("{} {} {}   #{:02x}{:02x}{:02x}", r, g, b, r, g, b));
     ImGui::SameLine(0, px(10));
     ImGui::BeginGroup();
-    figures(fmt::format("{} {}, {}   {} {} {}", ImGui::GetIO().KeyAlt ? "under" : "pixel", why.x, why.y, r, g,
-                        b));
+    figures(fmt::format("{} {}, {}   {} {} {}", ImGui::GetIO().KeyAlt ? "under" : "pixel", state.asked.x,
+                        state.asked.y, r, g, b));
     if (why.hit) {
         if (ImGui::Selectable(fmt::format("{}, face {}", why.object, why.face).c_str(), false, 0,
                               {ImGui::GetContentRegionAvail().x - px(26), 0}))

@@ -102,7 +102,7 @@ void sensitivity_tab(UiState& state, const PictureView& view) {
     if (!state.why)
         return why_empty_state("Here every number of the scene is sorted by how much it matters there.");
     SensitivityState& job = state.sensitivity;
-    tend_sensitivity(job, state.editor.document, view.map.size, {state.why->x, state.why->y});
+    tend_sensitivity(job, state.editor.document, view.map.size, state.asked);
     if (!job.current) progress(job);
     if (!job.shown) {
         if (job.current)
