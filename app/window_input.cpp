@@ -31,6 +31,8 @@ Key key_of(int key, int scancode, int mods) {
     case GLFW_KEY_ENTER:
     case GLFW_KEY_KP_ENTER:
         return Key::Enter;
+    case GLFW_KEY_TAB:
+        return Key::Tab;
     case GLFW_KEY_UP:
         return Key::Up;
     case GLFW_KEY_DOWN:

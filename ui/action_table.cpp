@@ -33,7 +33,8 @@ constexpr std::array table{
                {Key::R, !ctrl, shift},
                Menu::Edit},
     ActionInfo{Action::ScaleByHand, "Scale the object by hand", "T", {Key::T}, Menu::Edit},
-    ActionInfo{Action::Palette, "Find an action…", "Ctrl+K", {Key::K, ctrl}, Menu::Edit, line},
+    ActionInfo{Action::TypeNumbers, "Type into the panel's fields", "Tab", {Key::Tab}, Menu::Edit, line},
+    ActionInfo{Action::Palette, "Find an action…", "Ctrl+K", {Key::K, ctrl}, Menu::Edit},
 
     ActionInfo{Action::FrameSelected, "Frame the selected object, or all", "F", {Key::F}, Menu::View},
     ActionInfo{Action::FrameSelected, "Frame the selected object, or all", "pad .", {Key::PadPoint}},

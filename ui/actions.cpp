@@ -139,6 +139,10 @@ void run_view_action(UiState& state, Action action) {
     case Action::Vectors:
         state.why_column.shows_vectors ^= true;
         return;
+    case Action::TypeNumbers:
+        state.layout.left = state.types_into_panel = true;
+        state.layout.folded = state.left_shows_why = false;
+        return;
     case Action::LeftColumn:
         state.layout.left = !state.layout.left, state.layout.folded = false;
         return;

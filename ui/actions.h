@@ -55,6 +55,7 @@ enum class Action {
     PreviousScene,
     StepWedge,
     Animate,
+    TypeNumbers,
     Shortcuts,
     Palette,
     Scope,

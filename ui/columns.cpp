@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "ui/area.h"
 #include "ui/camera_panel.h"
@@ -97,6 +98,10 @@ void scene_column(UiState& state, const PictureView& view) {
     // panel its own place of scrolling.
     ImGui::PushID(static_cast<int>(state.editor.selection.kind) * 100'000 + state.editor.selection.index);
     ImGui::BeginChild("##panel");
+    if (std::exchange(state.types_into_panel, false)) {
+        ImGui::SetWindowFocus();
+        ImGui::SetKeyboardFocusHere();
+    }
     selected_panel(state, view);
     ImGui::EndChild();
     ImGui::PopID();

@@ -18,6 +18,7 @@ enum class Key {
     Delete,
     Escape,
     Enter,
+    Tab,
     Up,
     Down,
     PageUp,

@@ -63,7 +63,7 @@ UiRequests ui_frame(UiState& state, const UiInput& input) {
     views_windows(state, layout);
     column_edges(state.layout, layout, px(1));
     loading_panel(state, layout.centre);
-    recovery_panel(state);
+    recovery_panel(state, layout.centre);
     if (!state.layout.bare) status_line(state, layout.status);
     animate_panel(state);
     step_wedge(state.lecture.wedge);

@@ -65,6 +65,7 @@ struct UiState {
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
     int mesh_for_object = -1;    // whose mesh the file dialog chooses; -1: a new object's
     bool dark = true, shows_shortcuts = false, left_shows_why = false;
+    bool types_into_panel = false;  // asked for: the selected item's first field takes the keys
     bool quits = false;
 
     FramePace pace;

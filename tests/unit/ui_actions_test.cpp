@@ -95,3 +95,33 @@ TEST_CASE("what cannot be done now is shown with its reason and stays undone", "
     bench.key(Key::Escape);
     CHECK_FALSE(bench.state.palette.open);
 }
+
+TEST_CASE("by keys alone a light is selected, its kind and space chosen, and a number typed",
+          "[ui][actions]") {
+    Bench bench;
+    bench.frames(2);
+    const auto choose = [&](const char* letters) {
+        bench.key(Key::K, true);
+        bench.frame();
+        type(bench, letters);
+        bench.key(Key::Enter);
+        bench.frames(2);
+    };
+    const std::string name = bench.scene().lights[0].name;
+    choose(("select " + name).c_str());
+    REQUIRE(selected_light(bench.state.editor.selection) == 0);
+    const LightKind before = bench.scene().lights[0].kind;
+    choose((name + ": spot").c_str());
+    CHECK(bench.scene().lights[0].kind == LightKind::Spot);
+    CHECK(before != LightKind::Spot);
+    choose((name + ": ride").c_str());
+    CHECK(bench.scene().lights[0].space == LightSpace::Camera);
+
+    choose("select camera");
+    bench.key(Key::Tab);
+    bench.frames(2);
+    CHECK(ImGui::GetIO().WantTextInput);
+    type(bench, "7");  // over what the first field, the eye's x, held
+    CHECK(bench.scene().camera.eye.x == 7);
+    CHECK_FALSE(bench.scene().shading.mode == ShadingMode::Flat);  // keys are text now
+}

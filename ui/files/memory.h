@@ -8,6 +8,7 @@
 
 #include "ui/files/autosave.h"
 #include "ui/files/settings.h"
+#include "ui/layout.h"
 
 namespace glint {
 
@@ -46,7 +47,7 @@ void end_memory(UiState& state);
 void reset_layout(UiState& state);
 
 /// The offer to take up the work that a crash interrupted.
-void recovery_panel(UiState& state);
+void recovery_panel(UiState& state, const Rect& picture);
 
 /// Takes up a copy that a window left behind: its scene is in hand, not saved.
 void take_up_copy(UiState& state, const std::string& path);

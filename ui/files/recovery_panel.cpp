@@ -11,12 +11,13 @@
 #include "ui/widgets.h"
 
 namespace glint {
-void recovery_panel(UiState& state) {
+
+void recovery_panel(UiState& state, const Rect& picture) {
     auto& left = state.memory.left;
     if (left.empty() || state.pending.asking) return;
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const float width = std::min(px(470), window.x - px(20));
-    ImGui::SetNextWindowPos({window.x / 2, px(top_height + 14)}, ImGuiCond_Always, {0.5f, 0});
+    const float width = std::min(px(470), ImGui::GetIO().DisplaySize.x - px(20));
+    const float middle = std::max((picture.low.x + picture.high.x) / 2, width / 2);
+    ImGui::SetNextWindowPos({middle, picture.low.y + px(14)}, ImGuiCond_Always, {0.5f, 0});
     ImGui::SetNextWindowSize({width, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
     ImGui::Begin("##recovery", nullptr,

@@ -15,7 +15,7 @@ namespace glint {
 namespace {
 
 constexpr double enough_share = 0.5;  // of the peak: what may be taken hold of
-constexpr double enough_light = 0.05;
+constexpr double enough_light = 0.15;  // a fainter one is hardly seen, and turning the camera is meant
 constexpr int patch_radius = 3;  // pixels
 // Where a hollow surface brings the light's own mirror image near, its term hardly changes in one direction
 // and the falloff's slope leaves no peak at all: then the light stands a little nearer or farther, by as

@@ -40,7 +40,7 @@ struct HoveredHighlight {
     double share = 0;  // of the most that the highlight could be there, above 0
 };
 
-/// The light whose highlight covers the pixel: it must be seen (a twentieth of full brightness) and near its
+/// The light whose highlight covers the pixel: it must be seen (three twentieths of full brightness) and near its
 /// peak there (half of it). The brightest wins. Nothing on the background, without the specular term,
 /// and under models that have no highlight.
 [[nodiscard]] std::optional<HoveredHighlight> highlight_under(const SurfaceView& view, glm::dvec2 pixel);

@@ -5,6 +5,7 @@
 #include "models/mistakes.h"
 #include "ui/actions.h"
 #include "ui/choices.h"
+#include "ui/light_place.h"
 #include "ui/menu/palette.h"
 #include "ui/shading_panel.h"
 
@@ -82,6 +83,32 @@ void add_presets(Entries& entries, const UiState& state) {
                            }});
 }
 
+/// What a click in the list or the panel does to a light.
+void add_light_choices(Entries& entries, const UiState& state) {
+    const int index = selected_light(state.editor.selection);
+    if (index < 0) return;
+    const Light& light = state.editor.scene().lights[static_cast<std::size_t>(index)];
+    const auto light_of = [index](UiState& s) -> Light& {
+        return s.editor.scene().lights[static_cast<std::size_t>(index)];
+    };
+    const bool rides = light.space == LightSpace::Camera;
+    entries.push_back(
+        {fmt::format("{}: {}", light.name, rides ? "leave it in the world" : "ride with the camera"), "Light",
+         "", "", [light_of, rides](UiState& s) {
+             Light& l = light_of(s);
+             l = in_space(l, rides ? LightSpace::World : LightSpace::Camera, s.editor.scene().camera);
+         }});
+    for (const Choice<LightKind>& choice : light_kind_choices)
+        entries.push_back({fmt::format("{}: {}", light.name, choice.label),
+                           light.kind == choice.value ? "Light · chosen" : "Light", "", "",
+                           [light_of, kind = choice.value](UiState& s) {
+                               const Scene& scene = s.editor.scene();
+                               const ScreenMap map = screen_map(scene.camera, s.picture->size);
+                               const Dome dome = sun_dome(scene.camera.target, scene_bounds(scene), map);
+                               light_of(s) = as_kind(light_of(s), kind, dome, map);
+                           }});
+}
+
 void add_items(Entries& entries, const UiState& state) {
     constexpr std::size_t most = 50;
     const Scene& scene = state.editor.scene();
@@ -140,6 +167,7 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
     add_choices(entries, state, "Cull", &Shading::cull, cull_choices);
     add_choices(entries, state, "Rules", &Shading::rules, rules_choices);
     add_switches(entries, state);
+    add_light_choices(entries, state);
     add_items(entries, state);
     add_presets(entries, state);
     add_scenes(entries, state);
