@@ -301,11 +301,14 @@ void sort_and_draw(Numbers& number, float spread) {
     GLINT_ISA::drawing.draw(job, tile);
     for (const std::int32_t code : tile.seen) hash.add(static_cast<std::uint32_t>(code));
     for (const float nearness : tile.nearness) hash.add(nearness);
-    static TileRows rows;
-    GLINT_ISA::drawing.take_rows(tile, rows);
-    for (const auto& row : rows.seen)
+    static std::uint32_t seen[tile_size][tile_size];
+    static std::uint16_t covered[tile_size][tile_size / block_size];
+    const int within = spread < 100 ? tile_size : 53;  // of a tile at the picture's border
+    GLINT_ISA::drawing.take_rows(
+        tile, {&seen[0][0], &covered[0][0], tile_size, tile_size / block_size, within, within});
+    for (const auto& row : seen)
         for (const std::uint32_t code : row) hash.add(code);
-    for (const auto& row : rows.covered)
+    for (const auto& row : covered)
         for (const std::uint16_t bits : row) hash.add(std::uint32_t{bits});
     hash.print("sort and draw", static_cast<int>(spread));
 }

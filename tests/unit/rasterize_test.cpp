@@ -52,7 +52,9 @@ TEST_CASE("a triangle of any size covers the samples that the fill rule gives it
     std::mt19937 random(29);
     const int x0 = 128, y0 = 64;
     TilePixels tile;
-    TileRows rows;
+    std::vector<std::uint32_t> seen(tile_size * tile_size);
+    std::vector<std::uint16_t> groups(tile_size * tile_size / 16);
+    const TileRows rows{seen.data(), groups.data(), tile_size, tile_size / 16, tile_size, tile_size};
     int covered = 0, wrong = 0;
     for (const int spread : {2, 9, 70, 3000, 400000}) {  // pixels; the last needs more than 32 bits
         for (int round = 0; round < 120; ++round) {
@@ -69,8 +71,9 @@ TEST_CASE("a triangle of any size covers the samples that the fill rule gives it
             drawing_kernels().take_rows(tile, rows);
             for (int y = 0; y < tile_size; ++y)
                 for (int x = 0; x < tile_size; ++x) {
-                    const std::uint32_t code = rows.seen[y][x];
-                    wrong += (rows.covered[y][x / 16] >> x % 16 & 1) != (code != 0);
+                    const auto at = static_cast<std::size_t>(y * tile_size + x);
+                    const std::uint32_t code = seen[at];
+                    wrong += (groups[at / 16] >> at % 16 & 1) != (code != 0);
                     wrong += code != expected(v, (x0 + x) * subpixels + 128, (y0 + y) * subpixels + 128);
                     covered += code != 0;
                 }
@@ -102,5 +105,26 @@ TEST_CASE("the order in which a tile's triangles are drawn changes nothing", "[v
         std::shuffle(entries.begin(), entries.end(), random);
         drawing_kernels().draw(job, again);
         CHECK(std::equal(first.seen, first.seen + 4096, again.seen));
+    }
+}
+
+TEST_CASE("a tile at the picture's border leaves alone what lies beyond it", "[visibility][raster]") {
+    TilePixels tile;
+    draw({{-9000000, -9000000, 0.5f}, {9000000, -9000000, 0.5f}, {0, 9000000, 0.5f}}, 0, 0, tile);
+    for (int width = 1; width <= tile_size; width += 7) {
+        std::vector<std::uint32_t> seen(tile_size * tile_size, 7);
+        std::vector<std::uint16_t> groups(tile_size * tile_size / 16, 7);
+        const int height = tile_size + 1 - width;
+        drawing_kernels().take_rows(tile,
+                                    {seen.data(), groups.data(), tile_size, tile_size / 16, width, height});
+        int wrong = 0;
+        for (int y = 0; y < tile_size; ++y)
+            for (int x = 0; x < tile_size; ++x) {
+                const auto at = static_cast<std::size_t>(y * tile_size + x);
+                wrong += (seen[at] == 7) != (x >= width || y >= height);
+                if (y < height && x / 16 * 16 < width)
+                    wrong += (groups[at / 16] >> x % 16 & 1) != (x < width);
+            }
+        CHECK(wrong == 0);
     }
 }

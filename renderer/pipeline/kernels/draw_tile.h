@@ -128,23 +128,41 @@ template <Number F> void draw_tile(const TileJob& job, TilePixels& tile) {
     }
 }
 
-template <Number F> void take_rows(const TilePixels& tile, TileRows& out) {
-    constexpr int groups = tile_size / int(block_size);
-    for (int y = 0; y < tile_size; ++y) {
-        const std::int32_t* patches =
-            tile.seen + y / patch_side * patches_a_row * patch_pixels + y % patch_side * patch_side;
-        std::uint32_t* row = out.seen[y];
-        for (int p = 0; p < patches_a_row; ++p)
-            __builtin_memcpy(row + p * patch_side, patches + p * patch_pixels, sizeof(int) * patch_side);
-        for (int group = 0; group < groups; ++group) {
-            unsigned bits = 0;
-            for (int i = 0; i < int(block_size); i += NumberTraits<F>::width)
-                bits |= mask_bits(load_ints<IntOf<F>>(row + group * int(block_size) + i) >
-                                  in_all_lanes<IntOf<F>>(0))
-                        << i;
-            out.covered[y][group] = static_cast<std::uint16_t>(bits);
+/// Which pixels of a patch show a triangle: bit i the pixel i.
+template <Number F> unsigned covered_of_patch(const std::int32_t* seen) {
+    unsigned bits = 0;
+    for (int i = 0; i < patch_pixels; i += NumberTraits<F>::width)
+        bits |= mask_bits(load_ints<IntOf<F>>(seen + i) > in_all_lanes<IntOf<F>>(0)) << i;
+    return bits;
+}
+
+/// The rows of a line of patches, from `y` on.
+template <Number F> void take_patches(const TilePixels& tile, int y, const TileRows& out) {
+    const std::int32_t* patches = tile.seen + y / patch_side * patches_a_row * patch_pixels;
+    std::uint64_t covered[patch_side] = {};  // of each row: bit i the pixel i
+    for (int p = 0; p < patches_a_row && p * patch_side < out.width; ++p) {
+        const std::int32_t* patch = patches + p * patch_pixels;
+        const int x = p * patch_side, within = smaller(out.width - x, patch_side);
+        const std::uint64_t bits = covered_of_patch<F>(patch);
+        for (int row = 0; row < patch_side && y + row < out.height; ++row) {
+            std::uint32_t* to = out.seen + static_cast<std::size_t>(y + row) * out.row + x;
+            const std::int32_t* from = patch + row * patch_side;
+            if (within == patch_side)
+                __builtin_memcpy(to, from, sizeof(int) * patch_side);
+            else
+                for (int i = 0; i < within; ++i) to[i] = static_cast<std::uint32_t>(from[i]);
+            covered[row] |= (bits >> row * patch_side & ((1u << within) - 1)) << x;
         }
     }
+    if (!out.covered) return;
+    for (int row = 0; row < patch_side && y + row < out.height; ++row)
+        for (int x = 0; x < out.width; x += static_cast<int>(block_size))
+            out.covered[static_cast<std::size_t>(y + row) * out.groups_a_row +
+                        x / static_cast<int>(block_size)] = static_cast<std::uint16_t>(covered[row] >> x);
+}
+
+template <Number F> void take_rows(const TilePixels& tile, const TileRows& out) {
+    for (int y = 0; y < out.height; y += patch_side) take_patches<F>(tile, y, out);
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -130,10 +130,13 @@ struct alignas(16) TileEntry {
     std::uint32_t vertex[3];
 };
 
-/// The same row by row, and which pixels of each 16 show a triangle: bit i the pixel i.
-struct alignas(64) TileRows {
-    std::uint32_t seen[tile_size][tile_size];
-    std::uint16_t covered[tile_size][tile_size / block_size];
+/// Where a tile goes in the picture: what its pixels show (as in TilePixels) row by row, and which pixels of
+/// each 16 show a triangle, bit i the pixel i.
+struct TileRows {
+    std::uint32_t* seen = nullptr;          // of the tile's first pixel
+    std::uint16_t* covered = nullptr;       // of its first 16; null: not wanted
+    std::size_t row = 0, groups_a_row = 0;  // from one row to the next in either
+    int width = 0, height = 0;              // of what lies within the picture
 };
 
 struct DrawnObject {
@@ -180,7 +183,7 @@ struct DrawingKernels {
     void (*sort)(const SortJob& job, std::uint32_t begin, std::uint32_t end, SortedTriangles& out);
     /// Clears the tile and draws all of the job's triangles.
     void (*draw)(const TileJob& job, TilePixels& tile);
-    void (*take_rows)(const TilePixels& tile, TileRows& out);
+    void (*take_rows)(const TilePixels& tile, const TileRows& out);
     /// Places and normals of 16 pixels of one row from (x, y) on, given what they show (seen_code). False
     /// when one is none of the usual case: it shows a triangle that had to be clipped, or its normal is too
     /// short to tell; `out` is then of no use.

@@ -25,7 +25,7 @@ GLINT_FLATTEN static void sort(const SortJob& job, std::uint32_t begin, std::uin
 
 GLINT_FLATTEN static void draw(const TileJob& job, TilePixels& tile) { draw_tile<Wide>(job, tile); }
 
-GLINT_FLATTEN static void rows(const TilePixels& tile, TileRows& out) { take_rows<Wide>(tile, out); }
+GLINT_FLATTEN static void rows(const TilePixels& tile, const TileRows& out) { take_rows<Wide>(tile, out); }
 
 GLINT_FLATTEN static bool place(const PlaceJob& job, const std::uint32_t* seen, int x, int y,
                                 PointBlock& out) {
