@@ -12,6 +12,12 @@ if(GLINT_SANITIZE)
                                                  -fno-omit-frame-pointer)
   target_link_options(glint_options INTERFACE -fsanitize=${GLINT_SANITIZE})
 endif()
+# Under the sanitizers (build type Debug) most of the time goes into compiling. What draws is optimised all the same, the
+# command line and the window are not: they wait for JSON and for people.
+function(compile_quickly target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)
+endfunction()
+
 find_program(GLINT_CCACHE ccache)
 if(GLINT_CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${GLINT_CCACHE})
