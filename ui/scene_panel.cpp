@@ -1,7 +1,8 @@
 #include "ui/scene_panel.h"
 
-#include <imgui.h>
+#include <imgui_internal.h>
 
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,10 @@ bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float in
                            packed(selected ? theme().accent : theme().field_hovered, selected ? 0.3f : 0.6f),
                            ImGui::GetStyle().FrameRounding);
     draw_icon(list, icon, {low.x + indent + 0.5f * height, low.y + 0.5f * height}, 0.58f * height, colour);
-    const ImVec4 clip{low.x, low.y, low.x + width - reserve, low.y + height};
-    list.AddText(nullptr, 0, {low.x + indent + 1.15f * height, low.y + ImGui::GetStyle().FramePadding.y},
-                 ImGui::GetColorU32(ImGuiCol_Text), name, nullptr, 0, &clip);
+    const float right = low.x + width - reserve;
+    const ImVec2 from{low.x + indent + 1.15f * height, low.y + ImGui::GetStyle().FramePadding.y};
+    ImGui::RenderTextEllipsis(&list, from, {right, from.y + ImGui::GetTextLineHeight()}, right, right, name,
+                              name + std::strlen(name), nullptr);
     return clicked;
 }
 

@@ -81,8 +81,8 @@ void light_rows(UiState& state) {
                 fmt::format("{}, given in {} coordinates", light.name, world ? "world" : "camera").c_str()))
             state.editor.selection = {Selection::Kind::Light, static_cast<int>(i)};
         tooltip("Light", "Click: its panel", "", fmt::format("/lights/{}/position", i));
-        row_of(world ? "world" : "→ world", both.world);
-        row_of(world ? "→ camera" : "camera", both.camera);
+        row_of("world", both.world);
+        row_of("camera", both.camera);
         ImGui::PopID();
     }
     small_dim("The last number is w: 0 is a direction, which no translation moves.");
@@ -93,6 +93,14 @@ void stop(const char* name, const std::string& numbers, const char* what) {
     ImGui::SameLine(px(56));
     figures(numbers);
     tooltip(name, what);
+}
+
+void small_text(const char* text) {
+    ImGui::PushFont(fonts().small);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
 }
 
 /// The road from the mesh to the pixel.
@@ -107,7 +115,7 @@ void carried_point(const UiState& state) {
     stop("world", three(s.world), "After the object's transform");
     stop("camera", three(s.camera), "After view_from_world");
     ImGui::PushStyleColor(ImGuiCol_Text, theme()[Symbol::L]);
-    ImGui::TextUnformatted("   ↳ lit here: angles and distances are still true");
+    small_text("↳ lit here: angles and distances are still true");
     ImGui::PopStyleColor();
     stop("clip", three(glm::vec3(s.clip)) + " " + shown_number(s.clip.w), "After clip_from_view; w last");
     stop("NDC", three(s.ndc), "Divided by w: −1 to 1");

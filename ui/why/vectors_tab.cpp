@@ -34,10 +34,12 @@ void frame_switch(WhyState& why) {
 }
 
 void switches(WhyState& why) {
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     (void)ImGui::Checkbox("draw them in the picture", &why.shows_vectors);
     tooltip("Vectors in the picture", "n, l, v and r or h at the picked point, with their angles",
             "v, which points at the eye, is a circle there");
-    ImGui::SameLine(0, px(16));
+    const float facet = ImGui::GetFrameHeight() + px(8) + ImGui::CalcTextSize("its facet").x;
+    if (ImGui::GetItemRectMax().x + px(16) + facet <= right) ImGui::SameLine(0, px(16));
     (void)ImGui::Checkbox("its facet", &why.shows_facet);
     tooltip("Facet in the picture", "Its corners in their order, two edges, and its normal");
 }
@@ -54,21 +56,27 @@ void vector_row(WhyState& why, Symbol symbol, const char* letter, const InBothFr
         ImGui::TableNextColumn();
         figures(shown_number(v[i]));
     }
-    ImGui::TableNextColumn();
-    ImGui::PushFont(fonts().small);
-    dim_text(meaning);
-    ImGui::PopFont();
+    if (ImGui::TableGetColumnCount() > 4) {
+        ImGui::TableNextColumn();
+        ImGui::PushFont(fonts().small);
+        dim_text(meaning);
+        ImGui::PopFont();
+    } else {
+        tooltip(letter, meaning);
+    }
     const ImVec2 high{ImGui::GetItemRectMax().x, low.y + ImGui::GetTextLineHeight()};
     if (is_pointed_at(low, high) && *letter != 'p') why.pointed_vector = symbol;
 }
 
 void vector_table(WhyState& why, const ExplainedPoint& point, const ExplainedLight* light) {
-    if (!ImGui::BeginTable("##vectors", 5, ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_SizingFixedFit))
+    const bool roomy = ImGui::GetContentRegionAvail().x > px(290);  // for what each of them is
+    if (!ImGui::BeginTable("##vectors", roomy ? 5 : 4,
+                           ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_SizingFixedFit))
         return;
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, px(14));
     for (const char* part : {"x", "y", "z"})
         ImGui::TableSetupColumn(part, ImGuiTableColumnFlags_WidthFixed, px(part_width));
-    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+    if (roomy) ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
     vector_row(why, Symbol::Emission, "p", point.point, "the point");
     vector_row(why, Symbol::N, "n", point.normal, "normal");
     vector_row(why, Symbol::V, "v", point.view, "to the eye");
