@@ -74,18 +74,18 @@ template <Number F> Quad<F> turned(const typename Turn<NumberTraits<F>::width>::
 
 /// Lane i: the four floats that lie at[i] * step bytes behind `from`.
 template <Number F> Quad<F> load_quads(const void* from, const unsigned* at, std::size_t step) {
-    constexpr int N = NumberTraits<F>::width;
+    constexpr int width = NumberTraits<F>::width;
     const auto* bytes = static_cast<const char*>(from);
-    if constexpr (N == 1) {
+    if constexpr (width == 1) {
         Quad<F> record;
         __builtin_memcpy(&record, bytes + at[0] * step, sizeof(record));
         return record;
     } else {
-        typename quads::Turn<N>::V rows[4];
+        typename quads::Turn<width>::V rows[4];
         for (int k = 0; k < 4; ++k) {
-            const char* record[N / 4];
-            for (int row = 0; row < N / 4; ++row) record[row] = bytes + at[k + 4 * row] * step;
-            rows[k] = quads::Turn<N>::rows(record, 0);
+            const char* record[width / 4];
+            for (int row = 0; row < width / 4; ++row) record[row] = bytes + at[k + 4 * row] * step;
+            rows[k] = quads::Turn<width>::rows(record, 0);
         }
         return quads::turned<F>(rows);
     }

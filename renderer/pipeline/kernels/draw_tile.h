@@ -138,15 +138,15 @@ template <Number F> unsigned covered_of_patch(const std::int32_t* seen) {
 
 /// The rows of a line of patches, from `y` on.
 template <Number F> void take_patches(const TilePixels& tile, int y, const TileRows& out) {
-    const std::int32_t* patches = tile.seen + y / patch_side * patches_a_row * patch_pixels;
+    const std::ptrdiff_t first = std::ptrdiff_t{y / patch_side} * patches_a_row * patch_pixels;
     std::uint64_t covered[patch_side] = {};  // of each row: bit i the pixel i
     for (int p = 0; p < patches_a_row && p * patch_side < out.width; ++p) {
-        const std::int32_t* patch = patches + p * patch_pixels;
+        const std::int32_t* patch = tile.seen + first + std::ptrdiff_t{p} * patch_pixels;
         const int x = p * patch_side, within = smaller(out.width - x, patch_side);
         const std::uint64_t bits = covered_of_patch<F>(patch);
         for (int row = 0; row < patch_side && y + row < out.height; ++row) {
             std::uint32_t* to = out.seen + static_cast<std::size_t>(y + row) * out.row + x;
-            const std::int32_t* from = patch + row * patch_side;
+            const std::int32_t* from = patch + std::ptrdiff_t{row} * patch_side;
             if (within == patch_side)
                 __builtin_memcpy(to, from, sizeof(int) * patch_side);
             else

@@ -126,8 +126,8 @@ template <Number F> void fill_patches(const PatchEdges& e, const TilePlane& plan
                 const F column = to_number(patch_column<F>(s * width) + (px * patch_side - plane.from.x0));
                 const F row = to_number(patch_row<F>(s * width) + (py * patch_side - plane.from.y0));
                 const F nearness = nearness_at<F>(in_all_lanes<F>(plane.nearness), column, row);
-                keep_nearer<F>(inside, nearness, plane.code, tile.nearness + first + s * width,
-                               tile.seen + first + s * width);
+                const std::ptrdiff_t at = first + std::ptrdiff_t{s} * width;
+                keep_nearer<F>(inside, nearness, plane.code, tile.nearness + at, tile.seen + at);
             }
             if (px == e.x1) break;  // before a step that may leave 32 bits
             for (int k = 0; k < 3; ++k)
