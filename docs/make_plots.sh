@@ -40,7 +40,7 @@ plot() {
         function at(v) { return scale == "log" ? log(v) : v }
         function px(v) { return 46 + 240 * (at(v) - x0) / (x1 - x0) }
         function py(v) { return 158 - 124 * v / top }
-        function label(v) { return v >= 1e6 ? v / 1e6 " M" : v >= 1e3 ? int(v / 1e3 + 0.5) " k" : v }
+        function label(v) { return v >= 1e6 ? sprintf("%.3g M", v / 1e6) : v >= 1e3 ? int(v / 1e3 + 0.5) " k" : v }
         { x[NR] = $1; y[NR] = $2; sorted[NR] = $2; if ($2 > most) most = $2 }
         END {
             n = NR
@@ -49,10 +49,9 @@ plot() {
             top = step * (int(most / step) + 1)
             print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"310\" height=\"200\" font-family=\"sans-serif\" font-size=\"11\" fill=\"#333\">"
             print "<rect width=\"310\" height=\"200\" fill=\"white\"/>"
-            printf "<text x=\"10\" y=\"18\" font-size=\"12\">%s</text>\n", title
+            printf "<text x=\"10\" y=\"18\" font-size=\"12\">%s, ms</text>\n", title
             for (v = 0; v <= top; v += step)
                 printf "<path d=\"M46 %.1fH286\" stroke=\"#ddd\"/><text x=\"40\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n", py(v), py(v) + 4, v
-            print "<text x=\"10\" y=\"34\" fill=\"#777\">ms</text>"
             for (i = 1; i <= n; ++i) if (i == n || px(x[n]) - px(x[i]) > 34 && (i == 1 || px(x[i]) - last > 34)) {
                 last = px(x[i])
                 printf "<text x=\"%.1f\" y=\"176\" text-anchor=\"middle\">%s</text>\n", last, label(x[i])
