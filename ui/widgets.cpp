@@ -123,7 +123,7 @@ void tooltip(const char* title, const char* what, const std::string& range, cons
 }
 
 float row(const char* label) {
-    const float label_width = px(84);
+    const float label_width = px(88);
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, theme().dim_text);

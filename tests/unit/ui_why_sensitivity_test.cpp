@@ -74,7 +74,7 @@ TEST_CASE("the panel of strokes and tones sets each of its keys, one step each",
     const Layout layout = lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1);
     bool tones = false, silhouettes = false, creases = false, width = false, angle = false;
     for (float y = layout.left.low.y + 300; y < layout.left.high.y; y += 9) {
-        const ImVec2 at{layout.left.low.x + 96, y};
+        const ImVec2 at{layout.left.low.x + 100, y};
         bench.drag(at, {at.x + 6, at.y});
         bench.frames(1);
         const Npr npr = bench.scene().npr;
