@@ -82,8 +82,10 @@ template <Number F> Quad<F> load_quads(const void* from, const unsigned* at, std
         return record;
     } else {
         typename quads::Turn<width>::V rows[4];
+#pragma GCC unroll 4  // or the rows would go through memory
         for (int k = 0; k < 4; ++k) {
             const char* record[width / 4];
+#pragma GCC unroll 4
             for (int row = 0; row < width / 4; ++row) record[row] = bytes + at[k + 4 * row] * step;
             rows[k] = quads::Turn<width>::rows(record, 0);
         }
