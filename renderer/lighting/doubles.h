@@ -23,20 +23,6 @@ template <int N> struct NumberTraits<Doubles<N>> {
     using Int = IntLanes<N>;
     static constexpr int width = N;
 };
-template <int N> Doubles<N> operator+(Doubles<N> a, Doubles<N> b) { return Doubles<N>(a.v + b.v); }
-template <int N> Doubles<N> operator-(Doubles<N> a, Doubles<N> b) { return Doubles<N>(a.v - b.v); }
-template <int N> Doubles<N> operator*(Doubles<N> a, Doubles<N> b) { return Doubles<N>(a.v * b.v); }
-template <int N> Doubles<N> operator/(Doubles<N> a, Doubles<N> b) { return Doubles<N>(a.v / b.v); }
-
-template <int N> Doubles<N> operator-(Doubles<N> a) { return Doubles<N>(-a.v); }
-
-template <int N> DoubleMask<N> operator<(Doubles<N> a, Doubles<N> b) { return {a.v < b.v}; }
-template <int N> DoubleMask<N> operator>(Doubles<N> a, Doubles<N> b) { return {a.v > b.v}; }
-template <int N> DoubleMask<N> operator<=(Doubles<N> a, Doubles<N> b) { return {a.v <= b.v}; }
-template <int N> DoubleMask<N> operator>=(Doubles<N> a, Doubles<N> b) { return {a.v >= b.v}; }
-template <int N> Doubles<N> select(DoubleMask<N> m, Doubles<N> a, Doubles<N> b) {
-    return Doubles<N>(m.v ? a.v : b.v);
-}
 
 /// Correctly rounded, as IEEE 754 demands, in every width.
 inline double square_root(double a) { return __builtin_sqrt(a); }

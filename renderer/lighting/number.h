@@ -1,9 +1,9 @@
 #pragma once
 // The number type of the equation: `float`, or N floats side by side (`Lanes<N>`), with the same operations
 // and, bit for bit, the same results. Only this header and its three additions (doubles.h,
-// quads.h, whole_numbers.h) know the compiler's vector types and the processor's intrinsics. Everything here lives in a
-// namespace of its own instruction set, so that the linker can never take AVX code for the baseline's
-// (docs/architecture.md, "Same bytes everywhere").
+// quads.h, whole_numbers.h) know the compiler's vector types and the processor's intrinsics. Everything here
+// lives in a namespace of its own instruction set, so that the linker can never take AVX code for the
+// baseline's (docs/architecture.md, "Same bytes everywhere").
 //
 // Allowed in the equation: + - * / square_root, comparisons, select, and the bit moves of power.h. Nothing
 // else, and -ffp-contract=off: then every width and every optimisation level gives the same bits.
@@ -27,7 +27,8 @@ template <int N> struct LanesOf {  // N floats and N ints as the compiler's vect
 template <int N> struct IntLanes { typename LanesOf<N>::Ints v; };
 
 template <int N> struct Lanes {
-    typename LanesOf<N>::Floats v;
+    using V = typename LanesOf<N>::Floats;
+    V v;
     Lanes() : v{} {}
     Lanes(float a)
         : v(a - typename LanesOf<N>::Floats{}) {}  // NOLINT: a number stands for itself in all lanes
@@ -69,18 +70,24 @@ concept Number = requires {
 template <Number F> using MaskOf = typename NumberTraits<F>::Mask;
 template <Number F> using IntOf = typename NumberTraits<F>::Int;
 
+/// Numbers side by side in one vector: Lanes, and Doubles (doubles.h).
+template <class L>
+concept SideBySide = Number<L> && requires {
+    typename L::V;
+};
+
 // Arithmetic.
-template <int N> Lanes<N> operator+(Lanes<N> a, Lanes<N> b) { return Lanes<N>(a.v + b.v); }
-template <int N> Lanes<N> operator-(Lanes<N> a, Lanes<N> b) { return Lanes<N>(a.v - b.v); }
-template <int N> Lanes<N> operator*(Lanes<N> a, Lanes<N> b) { return Lanes<N>(a.v * b.v); }
-template <int N> Lanes<N> operator/(Lanes<N> a, Lanes<N> b) { return Lanes<N>(a.v / b.v); }
-template <int N> Lanes<N> operator-(Lanes<N> a) { return Lanes<N>(-a.v); }
+template <SideBySide L> L operator+(L a, L b) { return L(a.v + b.v); }
+template <SideBySide L> L operator-(L a, L b) { return L(a.v - b.v); }
+template <SideBySide L> L operator*(L a, L b) { return L(a.v * b.v); }
+template <SideBySide L> L operator/(L a, L b) { return L(a.v / b.v); }
+template <SideBySide L> L operator-(L a) { return L(-a.v); }
 
 // Comparisons give masks.
-template <int N> IntLanes<N> operator<(Lanes<N> a, Lanes<N> b) { return {a.v < b.v}; }
-template <int N> IntLanes<N> operator>(Lanes<N> a, Lanes<N> b) { return {a.v > b.v}; }
-template <int N> IntLanes<N> operator<=(Lanes<N> a, Lanes<N> b) { return {a.v <= b.v}; }
-template <int N> IntLanes<N> operator>=(Lanes<N> a, Lanes<N> b) { return {a.v >= b.v}; }
+template <SideBySide L> MaskOf<L> operator<(L a, L b) { return {a.v < b.v}; }
+template <SideBySide L> MaskOf<L> operator>(L a, L b) { return {a.v > b.v}; }
+template <SideBySide L> MaskOf<L> operator<=(L a, L b) { return {a.v <= b.v}; }
+template <SideBySide L> MaskOf<L> operator>=(L a, L b) { return {a.v >= b.v}; }
 #ifdef __AVX512F__
 template <int comparison> Mask16 compared(Lanes<16> a, Lanes<16> b) {
     return {_mm512_cmp_ps_mask((__m512)a.v, (__m512)b.v, comparison)};
@@ -99,7 +106,7 @@ template <int N> IntLanes<N> both(IntLanes<N> a, IntLanes<N> b) { return {a.v & 
 inline bool both(bool a, bool b) { return a && b; }
 
 /// a where the mask holds, else b; neither side is skipped.
-template <int N> Lanes<N> select(IntLanes<N> m, Lanes<N> a, Lanes<N> b) { return Lanes<N>(m.v ? a.v : b.v); }
+template <SideBySide L> L select(MaskOf<L> m, L a, L b) { return L(m.v ? a.v : b.v); }
 inline float select(bool m, float a, float b) { return m ? a : b; }
 inline double select(bool m, double a, double b) { return m ? a : b; }
 
