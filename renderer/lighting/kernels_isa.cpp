@@ -120,21 +120,18 @@ static void light(const LightJob& job, const PointBlock* points, const ColorBloc
     light_with<false>(job, points, begun, colors, blocks);
 }
 
-GLINT_FLATTEN static void find_lit(const LightSource& source, const ReachBlock* bounds, std::uint16_t* lit,
-                                   std::size_t count) {
+GLINT_FLATTEN static std::uint16_t find_lit(const LightSource& source, const ReachBlock& b) {
     const LightAt<Wide> light = light_at<Wide>(source);
-    for (std::size_t i = 0; i < count; ++i) {
-        const ReachBlock& b = bounds[i];
-        unsigned behind = 0;
-        for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
-            const Reach<Wide> reach{{load<Wide>(b.x + k), load<Wide>(b.y + k), load<Wide>(b.z + k)},
-                                    load<Wide>(b.radius + k),
-                                    {load<Wide>(b.nx + k), load<Wide>(b.ny + k), load<Wide>(b.nz + k)},
-                                    load<Wide>(b.spread + k)};
-            behind |= mask_bits(certainly_behind(light, reach)) << k;
-        }
-        lit[i] = static_cast<std::uint16_t>(~behind);
+    if (light.has_ambient) return 0xFFFF;
+    unsigned behind = 0;
+    for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
+        const Reach<Wide> reach{{load<Wide>(b.x + k), load<Wide>(b.y + k), load<Wide>(b.z + k)},
+                                load<Wide>(b.radius + k),
+                                {load<Wide>(b.nx + k), load<Wide>(b.ny + k), load<Wide>(b.nz + k)},
+                                load<Wide>(b.spread + k)};
+        behind |= mask_bits(certainly_behind(light, reach)) << k;
     }
+    return static_cast<std::uint16_t>(~behind);
 }
 
 GLINT_FLATTEN static void encode(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba,

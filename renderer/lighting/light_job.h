@@ -104,9 +104,8 @@ struct LightingKernels {
     /// any light. May be the same as `colors`.
     void (*light)(const LightJob& job, const PointBlock* points, const ColorBlock* begun, ColorBlock* colors,
                   std::size_t blocks);
-    /// Bit i of lit[k]: whether the light may be in front of some point of block i of bounds[k].
-    void (*find_lit)(const LightSource& light, const ReachBlock* bounds, std::uint16_t* lit,
-                     std::size_t count);
+    /// Bit i: whether the light may add something at some point of block i.
+    std::uint16_t (*find_lit)(const LightSource& light, const ReachBlock& bounds);
     /// Colours of runs of 16 pixels from those of lit points: the blend of `each` points, numbers and weights
     /// [run][which][pixel]; or one point, numbers [run][pixel].
     void (*blend)(const ColorRecord* points, const std::uint32_t* numbers, const float* weights, int each,

@@ -93,6 +93,12 @@ template <Number F> Quad<F> load_quads(const void* from, const unsigned* at, std
     }
 }
 
+/// `count` triples of numbers as three lists of N; in place of those past the count stands the first.
+template <int N> void lists_of_triples(const float* triples, std::size_t count, float (&lists)[3][N]) {
+    for (std::size_t i = 0; i < N; ++i)
+        for (std::size_t k = 0; k < 3; ++k) lists[k][i] = triples[3 * (i < count ? i : 0) + k];
+}
+
 /// The other way: four lists of N numbers of four bytes become N records, `step` bytes apart.
 template <int N> void turn_into_records(const float (&lists)[4][N], void* records, std::size_t step) {
     auto* to = static_cast<char*>(records);

@@ -14,7 +14,7 @@ struct SortedChunk {
     std::vector<std::uint32_t> to_clip;  // clip_count numbers within the object, rising
     std::size_t box_count = 0, clip_count = 0;
     std::vector<std::uint32_t>
-        next;  // #tiles: where in tile_triangles its next number goes (first: how many)
+        next;  // #tiles: where in TileLists::entries its next one goes (first: how many)
 };
 
 struct TileLists {

@@ -12,16 +12,11 @@ unsigned of_objects_again(const Lighting& l, const Surface& s, std::size_t batch
     return again;
 }
 
-/// Those in front of which the moving light may be; all when it adds ambient light everywhere.
+/// Those where the moving light may add something.
 unsigned of_moving_light(const Lighting& l, std::size_t batch) {
     unsigned lit = 0;
-    for (const LightSource& source : l.moving_sources) {
-        const LightSource::Rgb& a = source.ambient;
-        std::uint16_t reached = 0xFFFF;
-        if (a.x == 0 && a.y == 0 && a.z == 0)
-            lighting_kernels().find_lit(source, &l.reach[batch], &reached, 1);
-        lit |= reached;
-    }
+    for (const LightSource& source : l.moving_sources)
+        lit |= lighting_kernels().find_lit(source, l.reach[batch]);
     return lit;
 }
 

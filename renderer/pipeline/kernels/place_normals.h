@@ -12,8 +12,7 @@ void eight_normals(const NormalJob& job, std::size_t first, std::size_t count, C
     using D = typename HalfAsMany<F>::Type;
     constexpr int eight = 8;
     float n[3][eight], lists[4][eight] = {};
-    for (std::size_t i = 0; i < eight; ++i)
-        for (std::size_t k = 0; k < 3; ++k) n[k][i] = job.normals[3 * (first + (i < count ? i : 0)) + k];
+    lists_of_triples(job.normals + 3 * first, count, n);
     for (int i = 0; i < eight; i += HalfAsMany<F>::width) {
         const Vec3<D> object{widened<D>(n[0] + i), widened<D>(n[1] + i), widened<D>(n[2] + i)};
         const Vec3<D> camera = unit_or_zero(to_camera(job.matrix, object));

@@ -41,8 +41,7 @@ template <Number F>
 void place_eight(const VertexJob& job, std::size_t first, std::size_t count, PlacedVertex* vertices,
                  ScreenVertex* on_screen) {
     float p[3][together];
-    for (std::size_t i = 0; i < together; ++i)
-        for (std::size_t k = 0; k < 3; ++k) p[k][i] = job.positions[3 * (first + (i < count ? i : 0)) + k];
+    lists_of_triples(job.positions + 3 * first, count, p);
     VertexLists lists;
     for (int i = 0; i < together; i += HalfAsMany<F>::width)
         place_lanes<typename HalfAsMany<F>::Type>(job, p, i, lists);
