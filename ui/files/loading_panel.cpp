@@ -1,9 +1,9 @@
 // What is being loaded, how far it has come, and the way to end it.
 #include <imgui.h>
 
-#include <algorithm>
 #include <cmath>
 
+#include "ui/files/over_picture.h"
 #include "ui/fonts.h"
 #include "ui/theme.h"
 #include "ui/ui.h"
@@ -38,15 +38,7 @@ void loading_panel(UiState& state, const Rect& picture) {
     if (job == nullptr) return;
     wish_frame_in(seconds_a_frame);
     if (ImGui::GetTime() - state.loading.since < shown_after) return;
-    const float width = std::min(px(400), ImGui::GetIO().DisplaySize.x - px(20));
-    const ImVec2 top{(picture.low.x + picture.high.x) / 2, picture.low.y + px(14)};
-    ImGui::SetNextWindowPos({std::max(top.x, width / 2), top.y}, ImGuiCond_Always, {0.5f, 0});
-    ImGui::SetNextWindowSize({width, 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
-    ImGui::Begin("##loading", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
-                     ImGuiWindowFlags_NoNav);
+    const float width = begin_over_picture("##loading", px(400), picture, ImGuiWindowFlags_NoNav);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(job->name().c_str());
     ImGui::SameLine(width - px(90));
@@ -56,8 +48,7 @@ void loading_panel(UiState& state, const Rect& picture) {
     dim_text(progress_words(job->progress()).c_str());
     ImGui::PopFont();
     bar(progress_share(job->progress()));
-    ImGui::End();
-    ImGui::PopStyleVar();
+    end_over_picture();
     if (cancelled) cancel_loads(state);
 }
 

@@ -2,10 +2,10 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "ui/actions.h"
+#include "ui/files/over_picture.h"
 #include "ui/theme.h"
 #include "ui/ui.h"
 #include "ui/widgets.h"
@@ -15,14 +15,7 @@ namespace glint {
 void recovery_panel(UiState& state, const Rect& picture) {
     auto& left = state.memory.left;
     if (left.empty() || state.pending.asking) return;
-    const float width = std::min(px(470), ImGui::GetIO().DisplaySize.x - px(20));
-    const float middle = std::max((picture.low.x + picture.high.x) / 2, width / 2);
-    ImGui::SetNextWindowPos({middle, picture.low.y + px(14)}, ImGuiCond_Always, {0.5f, 0});
-    ImGui::SetNextWindowSize({width, 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
-    ImGui::Begin("##recovery", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+    const float width = begin_over_picture("##recovery", px(470), picture);
     ImGui::PushTextWrapPos(width - px(14));
     ImGui::TextUnformatted(
         fmt::format("Glint ended while {} had changes that were not saved. A copy of {} was kept.",
@@ -37,8 +30,7 @@ void recovery_panel(UiState& state, const Rect& picture) {
     ImGui::SameLine();
     const bool later = ImGui::Button("Not now", {px(110), 0});
     tooltip("Not now", "Asks again at the next start");
-    ImGui::End();
-    ImGui::PopStyleVar();
+    end_over_picture();
     std::error_code failed;
     if (discard) std::filesystem::remove(left.front().lock.path(), failed);
     if (discard || later) left.erase(left.begin());
