@@ -18,6 +18,15 @@ std::vector<int> divisors(FramePace& pace, double fixed, double per_pixels) {
     return used;
 }
 
+/// A camera drag after which pictures are drawn smaller, as if they had been slow.
+void begin_slow_drag(test::Bench& bench, int divisor) {
+    bench.move(bench.at_pixel({40, 40}));
+    bench.button(true);
+    bench.move(bench.at_pixel({60, 44}));
+    bench.state.pace.divisor = divisor;
+    bench.state.pace.full_ms = divisor > 2 ? 80 : 40;
+}
+
 }  // namespace
 
 TEST_CASE("a picture is drawn smaller only when a full one takes more than 33 ms", "[ui][pace]") {
@@ -64,11 +73,7 @@ TEST_CASE("a slow picture is small while a camera drag moves, and whole when the
     test::Bench bench;
     bench.frames(2);
     const PictureSize full = bench.state.picture->size;
-    bench.move(bench.at_pixel({40, 40}));
-    bench.button(true);
-    bench.move(bench.at_pixel({60, 44}));
-    bench.state.pace.divisor = 2;  // as if it had been slow
-    bench.state.pace.full_ms = 40;
+    begin_slow_drag(bench, 2);
     bench.move(bench.at_pixel({80, 50}));
     CHECK(bench.state.picture->size == divided(full, 2));
     const UiRequests wants = bench.frame();  // the hand rests
@@ -92,11 +97,7 @@ TEST_CASE("while the picture is small the picked pixel is explained by what show
     REQUIRE(bench.state.why);
     const std::array<int, 3> whole = bench.state.why->byte;
     CHECK(bench.state.asked == glm::ivec2(321, 243));
-    bench.move(bench.at_pixel({40, 40}));
-    bench.button(true);
-    bench.move(bench.at_pixel({60, 44}));
-    bench.state.pace.divisor = 3;  // as if it had been slow
-    bench.state.pace.full_ms = 80;
+    begin_slow_drag(bench, 3);
     bench.move(bench.at_pixel({90, 50}));
     const Picture& small = *bench.state.picture;
     REQUIRE(small.size == divided(full, 3));
