@@ -170,7 +170,7 @@ void explain_display(Explanation& e, const ExplainedStages& stages, std::size_t 
     const DisplayJob job = display_job(stages.lighting.display);
     for (int i = 0; i < 3; ++i) {
         e.displayed[i] = displayed(job, e.sum[i]);
-        e.byte[static_cast<std::size_t>(i)] = static_cast<int>(byte_value(e.displayed[i]));
+        e.byte[static_cast<std::size_t>(i)] = byte_of(e.displayed[i]);
     }
 }
 

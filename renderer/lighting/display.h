@@ -20,12 +20,7 @@ template <Number F> F displayed(const DisplayJob& job, F linear) {
     return job.srgb ? srgb_encoded(exposed) : exposed;
 }
 
-/// 0 to 255 as a number, from a displayed value in 0..1.
-template <Number F> F byte_value(F shown) {
-    const F scaled = shown * F(255) + F(0.5f);
-    const F magic = F(8388608.0f);  // 2^23: adding it leaves whole numbers, rounded to nearest
-    const F nearest = (scaled + magic) - magic;
-    return select(nearest > scaled, nearest - F(1), nearest);  // floor
-}
+/// 0 to 255 from a displayed value in 0..1.
+template <Number F> IntOf<F> byte_of(F shown) { return to_int(shown * F(255) + F(0.5f)); }
 
 }  // namespace glint::inline GLINT_ISA

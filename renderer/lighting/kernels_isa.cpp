@@ -30,6 +30,20 @@ union Slot {  // a group that is not filled with zeros first
     Slot() {}
 };
 
+/// Group i's part of the batch that lies behind this one in memory, and may be the next to be lit. Asked for
+/// group by group while the first light is added, so that memory works while the processor computes; all at
+/// once, more would be asked for than it can wait for.
+[[gnu::always_inline]] static inline void ask_for_next(const PointBlock* points, const ColorBlock* begun,
+                                                       std::size_t i) {
+    constexpr std::size_t share = block_size / GLINT_LANES;
+    const auto part_of = [i](const auto* blocks) __attribute__((always_inline)) {
+        constexpr std::size_t bytes = sizeof(*blocks) / share;
+        ask_early(reinterpret_cast<const char*>(blocks) + batch * sizeof(*blocks) + i * bytes, bytes);
+    };
+    part_of(points);
+    if (begun) part_of(begun);
+}
+
 /// One reflection model, so that the compiler leaves out what the others need; the text of the equation is
 /// one. flatten: it is many small functions, and each call would pass its vectors through memory.
 /// Light by light over a batch of points: the light stays in registers, whether it reaches the points is
@@ -60,8 +74,10 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
     for (std::size_t l = 0; l < job.light_count; ++l) {
         const auto add = [&](const LightAt<Wide>& light) {
             const LightColors<Wide> reflected = colors_on(material, light);
-            for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t i = 0; i < count; ++i) {
+                if (l == 0) ask_for_next(points, begun, i);
                 add_light(slots[i].group.sum, equation, light, material, reflected, slots[i].group.at);
+            }
         };
         // Said once for each usual kind, so that the compiler leaves out what the others need.
         LightAt<Wide> light = light_at<Wide>(job.lights[l]);
@@ -139,7 +155,7 @@ GLINT_FLATTEN static void encode(const DisplayJob& job, const ColorBlock* colors
     for (std::size_t i = 0; i < blocks; ++i) {
         for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
             const auto byte = [&job](const float* linear) {
-                return to_int(byte_value(displayed(job, load<Wide>(linear))));
+                return byte_of(displayed(job, load<Wide>(linear)));
             };
             const auto r = byte(colors[i].r + k), g = byte(colors[i].g + k), b = byte(colors[i].b + k);
             store_ints(rgba + i * block_size + k, r | g << 8 | b << 16 | opaque);
