@@ -250,6 +250,7 @@ template <int N> void store(float* to, Lanes<N> a) { __builtin_memcpy(to, &a.v, 
 [[gnu::always_inline]] inline void ask_early(const void* from, unsigned long bytes) {
     for (unsigned long i = 0; i < bytes; i += 64) __builtin_prefetch(static_cast<const char*>(from) + i);
 }
+[[gnu::always_inline]] inline void ask_early_to_write(void* to) { __builtin_prefetch(to, 1); }  // one line
 inline float lane(float a, int) { return a; }
 template <int N> float lane(Lanes<N> a, int i) { return a.v[i]; }
 

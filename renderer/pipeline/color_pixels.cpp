@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstring>
 
+#include "renderer/lighting/number.h"
 #include "renderer/pipeline/light_points.h"
 #include "renderer/pipeline/runs_to_do.h"
 
@@ -95,8 +96,11 @@ void color_batch(Lighting& l, const Surface& s, const Strokes& strokes, const Di
             draw_over(strokes, l.npr.stroke, run.first_pixel, run.mask, colors[i]);
         }
         lighting_kernels().encode(display, &colors[begin], &rgba[begin * block_size], count);
-        for (std::size_t i = begin; i < begin + count; ++i)
+        for (std::size_t i = begin; i < begin + count; ++i) {
             write_run(l, s.runs[first + i], colors[i], &rgba[i * block_size]);
+            if (first + i + batch < s.runs.size())  // the next batch's pixels
+                ask_early_to_write(&l.picture.rgba[4 * std::size_t{s.runs[first + i + batch].first_pixel}]);
+        }
     });
 }
 
