@@ -56,14 +56,27 @@ void color_runs(Lighting& l, const Surface& s, std::size_t first, std::size_t co
     }
 }
 
+/// What the lit points show, as bytes. Unrolled, and with plain pointers: a byte written might change any
+/// other, which would have to be read anew.
+void show_points(const std::uint32_t* point_rgba, const std::uint32_t (&points)[block_size],
+                 std::uint16_t mask, std::uint8_t* to) {
+    if (mask == 0xFFFF) {
+#pragma GCC unroll 16
+        for (std::size_t i = 0; i < block_size; ++i) std::memcpy(to + 4 * i, point_rgba + points[i], 4);
+        return;
+    }
+    for (std::size_t i = 0; i < block_size; ++i)
+        if (mask >> i & 1u) std::memcpy(to + 4 * i, point_rgba + points[i], 4);
+}
+
 /// Flat, with nothing drawn over it: a pixel shows the bytes of its lit point.
 void show_faces(Lighting& l, const Surface& s) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 8 * batch), [&](const auto& range) {
-        std::array<std::uint32_t, block_size> rgba;
         for (std::size_t r = range.begin(); r != range.end(); ++r) {
-            if (!l.again(s.runs[r].object)) continue;
-            for (std::size_t i = 0; i < block_size; ++i) rgba[i] = l.point_rgba[s.face_refs[r].point[i]];
-            write_run(l, s.runs[r], {}, rgba.data());
+            const PixelRun& run = s.runs[r];
+            if (!l.again(run.object)) continue;
+            show_points(l.point_rgba.data(), s.face_refs[r].point, run.mask,
+                        &l.picture.rgba[4 * std::size_t{run.first_pixel}]);
         }
     });
 }
