@@ -91,7 +91,7 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
         k.stats.strokes_redone = strokes;
         k.stats.strokes_ms = strokes ? ms_since(strokes_start) : 0;
         const bool lighting = k.run(Stage::Lighting, [&] {
-            return update_lighting(s.lighting, scene, s.geometry, s.surface, s.strokes, linear,
+            return update_lighting(s.lighting, scene, s.geometry, s.visibility, s.surface, s.strokes, linear,
                                    {visibility, surface, strokes});
         });
         if (surface || lighting) k.collect_warnings(scene);

@@ -17,13 +17,18 @@ namespace {
 
 constexpr std::size_t batch = 16;  // runs whose colours stay in the first-level cache between the steps
 
-ColorBlock uniform_block(const glm::vec3& c) {
-    ColorBlock block;
-    std::fill_n(block.r, block_size, c.x);
-    std::fill_n(block.g, block_size, c.y);
-    std::fill_n(block.b, block_size, c.z);
-    return block;
-}
+/// 16 pixels of one colour.
+struct UniformBlock {
+    ColorBlock color;
+    std::array<std::uint32_t, block_size> rgba{};
+
+    UniformBlock(const glm::vec3& c, const DisplayJob& display) {
+        std::fill_n(color.r, block_size, c.x);
+        std::fill_n(color.g, block_size, c.y);
+        std::fill_n(color.b, block_size, c.z);
+        lighting_kernels().encode(display, &color, rgba.data(), 1);
+    }
+};
 
 void write_run(Lighting& l, const PixelRun& run, const ColorBlock& color, const std::uint32_t* rgba) {
     if (run.mask == 0xFFFF && !l.linear) {  // the usual case
@@ -182,9 +187,7 @@ void color_pixels(Lighting& l, const Surface& s, const Strokes& strokes, const D
 }
 
 void clear_picture(Lighting& l, PictureSize size, const Strokes& strokes, const DisplayJob& display) {
-    const ColorBlock color = uniform_block(l.display.background);
-    std::array<std::uint32_t, block_size> rgba{};
-    lighting_kernels().encode(display, &color, rgba.data(), 1);
+    const UniformBlock ground(l.display.background, display);
     l.picture.size = size;
     const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     l.picture.rgba.resize(4 * pixels);
@@ -195,14 +198,28 @@ void clear_picture(Lighting& l, PictureSize size, const Strokes& strokes, const 
             const std::size_t left = std::min(block_size, pixels - b * block_size);
             const PixelRun run{static_cast<std::uint32_t>(b * block_size), 0,
                                static_cast<std::uint16_t>(0xFFFFu >> (block_size - left))};
-            ColorBlock drawn = color;
+            ColorBlock drawn = ground.color;
             if (!draw_over(strokes, l.npr.stroke, run.first_pixel, run.mask, drawn)) {
-                write_run(l, run, color, rgba.data());
+                write_run(l, run, ground.color, ground.rgba.data());
                 continue;
             }
             std::array<std::uint32_t, block_size> drawn_rgba{};
             lighting_kernels().encode(display, &drawn, drawn_rgba.data(), 1);
             write_run(l, run, drawn, drawn_rgba.data());
+        }
+    });
+}
+
+void uncover(Lighting& l, const Visibility& v, const DisplayJob& display) {
+    const UniformBlock ground(l.display.background, display);
+    const auto width = static_cast<std::size_t>(l.picture.size.width);
+    tbb::parallel_for(std::size_t{0}, static_cast<std::size_t>(l.picture.size.height), [&](std::size_t y) {
+        for (std::size_t i = 0; i < v.groups_a_row; ++i) {
+            const std::size_t group = y * v.groups_a_row + i;
+            const auto bare = static_cast<std::uint16_t>(l.covered[group] & ~v.covered[group]);
+            if (bare == 0) continue;
+            const PixelRun run{static_cast<std::uint32_t>(y * width + i * block_size), 0, bare};
+            write_run(l, run, ground.color, ground.rgba.data());
         }
     });
 }

@@ -45,18 +45,32 @@ bool take_jobs(Lighting& kept, const Scene& scene, PictureSize size, bool at_cor
     return same_grids;
 }
 
+/// The background wherever no surface will be shown. `same_ground`: only the view changed since the last
+/// picture; then most of it is there already.
+void prepare_picture(Lighting& kept, PictureSize size, const Visibility& visibility, const Strokes& strokes,
+                     bool same_ground) {
+    const DisplayJob display = display_job(kept.display);
+    const bool plain = visibility.samples == 1 && strokes.coverage.empty();
+    if (same_ground && plain && kept.picture.size == size && kept.covered.size() == visibility.covered.size())
+        uncover(kept, visibility, display);
+    else
+        clear_picture(kept, size, strokes, display);
+    kept.covered.clear();
+    if (plain) kept.covered = visibility.covered;
+}
+
 }  // namespace
 
 DisplayJob display_job(const Display& display) {
     return {display.exposure, display.transfer == Transfer::Srgb};
 }
 
-bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, const Surface& surface,
-                     const Strokes& strokes, bool linear, RedoneStages redone) {
+bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, const Visibility& visibility,
+                     const Surface& surface, const Strokes& strokes, bool linear, RedoneStages redone) {
     const bool same_strokes =
         !redone.strokes && (strokes.coverage.empty() || kept.npr.stroke == scene.npr.stroke);
-    const bool same_display =
-        kept.display == scene.display && kept.linear == linear && !redone.visibility && same_strokes;
+    const bool same_ground = kept.display == scene.display && kept.linear == linear && same_strokes;
+    const bool same_display = same_ground && !redone.visibility;
     const bool same_equation = !redone.surface && kept.global_ambient == scene.global_ambient &&
                                kept.shading == scene.shading && same_tone(kept.npr, scene.npr);
     const bool same_but_lights = same_equation && same_materials(kept.materials, scene);
@@ -75,7 +89,7 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, cons
     keep_others(kept, surface, moving, same_grids);
     const DisplayJob display = display_job(scene.display);
     if (!same_display) {
-        clear_picture(kept, g.size, strokes, display);
+        prepare_picture(kept, g.size, visibility, strokes, same_ground);
         std::fill(kept.shown_lit.begin(), kept.shown_lit.end(), 0xFFFF);
     }
     if (at_corners) color_points(kept, surface, g, display);

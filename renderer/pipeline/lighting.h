@@ -18,6 +18,9 @@ struct Lighting {
     std::vector<std::uint32_t> point_rgba;  // Faces: the same as bytes, 16 a block
     std::vector<std::size_t> run_groups;    // several samples a pixel: where runs of other pixels begin
     Picture picture;
+    // Visibility::covered as the picture shows it; empty where strokes or several samples a pixel have no
+    // such thing.
+    std::vector<std::uint16_t> covered;
     bool linear = false;  // picture.linear is kept up too
     // Where a material alone changes: the objects to light again, by index; empty: all.
     std::vector<std::uint8_t> objects_again;
@@ -51,8 +54,9 @@ struct RedoneStages {
 };
 
 /// Does the stage again when anything it reads differs; true when it did.
-bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& geometry, const Surface& surface,
-                     const Strokes& strokes, bool linear, RedoneStages redone);
+bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& geometry,
+                     const Visibility& visibility, const Surface& surface, const Strokes& strokes,
+                     bool linear, RedoneStages redone);
 
 /// Colour of a lit point under reflection `none`: the mesh's vertex colour (white where it has none); for a
 /// polygon the mean of its corners.
