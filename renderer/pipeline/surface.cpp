@@ -46,7 +46,8 @@ void find_runs(Surface& s, const Geometry& g, const Visibility& visibility) {
         RowRuns counted;
         visit_row(g, visibility, static_cast<int>(y), [&counted](const PixelRun& run) {
             ++counted.first_run;
-            counted.pixels += static_cast<std::uint64_t>(std::popcount(run.mask));
+            counted.pixels +=
+                run.mask == 0xFFFF ? block_size : static_cast<unsigned>(std::popcount(run.mask));
         });
         s.row_runs[y + 1] = counted;
     });
