@@ -27,16 +27,17 @@ struct Equation {
     Terms terms;
     const Mistakes* mistakes = nullptr;  // null: none is made, and no table is used
     int power_table = 0;                 // Shading::power_table
-    float grid = 0;                      // of the shares; 0: they are not rounded
+    float near = 0;                      // shares are rounded as on_grid(share, near) says
 };
 
-/// To the nearest multiple of the grid, a power of two, when |c| <= 2^22 grid: numbers near 3 * 2^22 grid
-/// have just these steps. Sums of multiples up to 2^24 grid are exact in float, whatever their order: the sum
-/// of all lights but one can then be kept while that one is dragged.
-template <Number F> Vec3<F> on_grid(Vec3<F> c, float grid) {
-    const F high = F(grid * 12582912.0f);
-    return {(c.x + high) - high, (c.y + high) - high, (c.z + high) - high};
+/// To the nearest multiple of a grid, a power of two, when |c| <= 2^22 grid: numbers near 3 * 2^22 grid,
+/// which is `near`, have just these steps. Sums of multiples up to 2^24 grid are exact in float, whatever
+/// their order: the sum of all lights but one can then be kept while that one is dragged. near = 0: c as it
+/// is.
+template <Number F> Vec3<F> on_grid(Vec3<F> c, float near) {
+    return {(c.x + F(near)) - F(near), (c.y + F(near)) - F(near), (c.z + F(near)) - F(near)};
 }
+inline float numbers_near(float grid) { return grid * 12582912.0f; }
 
 /// A light's colours times the material's.
 template <Number F> struct LightColors { Vec3<F> ambient, diffuse, specular; };
@@ -49,20 +50,29 @@ template <Number F> ToLight<F> to_light(const LightAt<F>& light, const PointAt<F
     return {xyz, dot(at.n, xyz)};
 }
 
+template <Number F> Arrival<F> arrival(const LightAt<F>& light, const ToLight<F>& to_light) {
+    Arrival<F> a;
+    if (is_place(light)) {
+        a.distance = length(to_light.xyz);
+        a.inverse = inverse_or_zero(a.distance);
+    }
+    if (light.has_falloff) a.falloff = falloff(light, a.distance);
+    return a;
+}
+
 /// `colors`: colors_on(m, light), which is the same at all points. Degenerate input: a light at the point has
 /// l = 0, so only its ambient share is left; n = 0 likewise; l = -v gives h = 0. No result is NaN while
 /// products of light, material and falloff stay finite.
 template <Number F>
 LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, const MaterialAt<F>& m,
-                         const LightColors<F>& colors, const ToLight<F>& to_light, const PointAt<F>& at) {
+                         const LightColors<F>& colors, const ToLight<F>& to_light, const Arrival<F>& arrival,
+                         const PointAt<F>& at) {
     LightTerms<F> t;
-    t.distance = is_place(light) ? length(to_light.xyz) : F(1);
-    const F inverse = is_place(light) ? inverse_or_zero(t.distance) : F(1);
-    t.directions = directions_for(to_light, t.distance, inverse, at);
+    t.distance = arrival.distance;
+    t.directions = directions_for(to_light, arrival, at);
     if (equation.mistakes) spoil_directions(*equation.mistakes, t.directions, to_light, at);
 
-    t.falloff = F(1);
-    if (light.has_falloff) t.falloff = falloff(light, t.distance);
+    t.falloff = arrival.falloff;
     if (light.is_patch) t.falloff = patch_factor(light, t.directions.l, t.distance);
     t.spot = light.has_cone ? spot_factor(light, t.directions.l) : F(1);
     const F share = t.falloff * t.spot;  // of all three terms, as in OpenGL 2.1, section 2.14.1
@@ -83,7 +93,8 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
 template <Number F>
 LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, const MaterialAt<F>& m,
                          const PointAt<F>& at) {
-    return illuminate(equation, light, m, colors_on(m, light), to_light(light, at), at);
+    const ToLight<F> towards = to_light(light, at);
+    return illuminate(equation, light, m, colors_on(m, light), towards, arrival(light, towards), at);
 }
 
 /// False when the light can add nothing in any lane: it is behind the surface there and has no ambient share,
@@ -105,7 +116,7 @@ Vec3<F> share_of(const Equation& equation, const LightAt<F>& light, const LightT
     Vec3<F> share = t.diffuse + t.specular;
     if (light.has_ambient) share = share + t.ambient;
     if (equation.mistakes && equation.mistakes->clamp_each_light) share = clamped(share);
-    return on_grid(share, equation.grid);
+    return on_grid(share, equation.near);
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -52,7 +52,7 @@ template <Reflection model, bool any_mistake>
 GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* points, const ColorBlock* begun,
                                       ColorBlock* colors, std::size_t blocks) {
     const Equation equation{model, job.terms, any_mistake ? &job.mistakes : nullptr, job.power_table,
-                            job.grid};
+                            numbers_near(job.grid)};
     const MaterialAt<Wide> material = material_at<Wide>(job.material);
     Slot slots[batch * block_size / GLINT_LANES];
     const std::size_t count = blocks * block_size / GLINT_LANES;
@@ -74,10 +74,27 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
     for (std::size_t l = 0; l < job.light_count; ++l) {
         const auto add = [&](const LightAt<Wide>& light) {
             const LightColors<Wide> reflected = colors_on(material, light);
+            // One group behind: its root and quotients were begun before the group in front was finished, and
+            // are there when they are needed. The processor alone looks ahead no farther than a group or two.
+            std::size_t behind = count;
+            ToLight<Wide> towards_behind;
+            Arrival<Wide> arrival_behind;
+            const auto finish = [&] {
+                Group& group = slots[behind].group;
+                add_light(group.sum, equation, light, material, reflected, towards_behind, arrival_behind,
+                          group.at);
+            };
             for (std::size_t i = 0; i < count; ++i) {
                 if (l == 0) ask_for_next(points, begun, i);
-                add_light(slots[i].group.sum, equation, light, material, reflected, slots[i].group.at);
+                const ToLight<Wide> towards = to_light(light, slots[i].group.at);
+                if (!may_add(equation, light, towards)) continue;
+                const Arrival<Wide> begins = arrival(light, towards);
+                if (behind < count) finish();
+                behind = i;
+                towards_behind = towards;
+                arrival_behind = begins;
             }
+            if (behind < count) finish();
         };
         // Said once for each usual kind, so that the compiler leaves out what the others need.
         LightAt<Wide> light = light_at<Wide>(job.lights[l]);

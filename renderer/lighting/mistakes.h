@@ -13,7 +13,7 @@ namespace glint::inline GLINT_ISA {
 template <Number F>
 void spoil_directions(const Mistakes& wrong, Directions<F>& d, const ToLight<F>& to_light,
                       const PointAt<F>& at) {
-    if (wrong.unnormalized_light) d = directions_for(to_light, F(1), F(1), at);
+    if (wrong.unnormalized_light) d = directions_for(to_light, Arrival<F>{}, at);
     if (wrong.unnormalized_half) {  // half of l + v, whatever its length
         d.h = F(0.5f) * (d.l + at.v);
         d.n_dot_h = dot(at.n, d.h);

@@ -50,22 +50,23 @@ template <Number F> Vec3<F> unlit(const SurfaceMaterial& material, const Terms& 
 
 /// The part of a job that is the same for every point.
 inline Equation equation_of(const LightJob& job) {
-    return {job.model, job.terms, job.any_mistake ? &job.mistakes : nullptr, job.power_table, job.grid};
+    return {job.model, job.terms, job.any_mistake ? &job.mistakes : nullptr, job.power_table,
+            numbers_near(job.grid)};
 }
 
 /// What the sum begins with: emission and global ambient light, or the tone that stands in their place.
 template <Number F> Vec3<F> before_lights(const LightJob& job, const PointAt<F>& at) {
     if (job.tone.on) return cool_to_warm(job.tone, same<F>(job.material.k_d), at).color;
-    return on_grid(unlit<F>(job.material, job.terms), job.grid);
+    return on_grid(unlit<F>(job.material, job.terms), numbers_near(job.grid));
 }
 
 /// Adds one light's share to the sum.
 template <Number F>
 void add_light(Vec3<F>& sum, const Equation& equation, const LightAt<F>& light, const MaterialAt<F>& material,
-               const LightColors<F>& colors, const PointAt<F>& at) {
-    const ToLight<F> towards = to_light(light, at);
-    if (may_add(equation, light, towards))
-        sum = sum + share_of(equation, light, illuminate(equation, light, material, colors, towards, at));
+               const LightColors<F>& colors, const ToLight<F>& towards, const Arrival<F>& arrival,
+               const PointAt<F>& at) {
+    sum =
+        sum + share_of(equation, light, illuminate(equation, light, material, colors, towards, arrival, at));
 }
 
 /// The whole equation at one point.
@@ -74,7 +75,10 @@ template <Number F> Vec3<F> shade_point(const LightJob& job, const Equation& equ
     Vec3<F> sum = before_lights(job, at);
     for (std::size_t i = 0; i < job.light_count; ++i) {
         const LightAt<F> light = light_at<F>(job.lights[i]);
-        add_light(sum, equation, light, material, colors_on(material, light), at);
+        const ToLight<F> towards = to_light(light, at);
+        if (may_add(equation, light, towards))
+            add_light(sum, equation, light, material, colors_on(material, light), towards,
+                      arrival(light, towards), at);
     }
     return job.clamp ? clamped(sum) : sum;
 }

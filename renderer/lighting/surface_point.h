@@ -44,11 +44,18 @@ template <Number F> struct ToLight {
     F n_dot{};
 };
 
-/// All of them for l = to_light / distance, `inverse` being 1 / distance. Lecture: "Calculating R Vector",
+/// What the distance to a light alone decides.
+template <Number F> struct Arrival {
+    F distance{1}, inverse{1};  // scene units, and 1 / distance; 1 for a directional light
+    F falloff{1};               // 1 where the light has none
+};
+
+/// All of them for l = to_light / distance. Lecture: "Calculating R Vector",
 /// "Blinn-Phong Model". r.v = (2 n (n.l) - l).v = 2 (n.l)(n.v) - l.v, and h has the direction of l + v, which
 /// to_light + distance v has too without a division.
 template <Number F>
-Directions<F> directions_for(const ToLight<F>& to_light, F distance, F inverse, const PointAt<F>& at) {
+Directions<F> directions_for(const ToLight<F>& to_light, const Arrival<F>& arrival, const PointAt<F>& at) {
+    const F distance = arrival.distance, inverse = arrival.inverse;
     Directions<F> d;
     d.l = inverse * to_light.xyz;
     d.n_dot_l = inverse * to_light.n_dot;
@@ -67,7 +74,7 @@ Directions<F> directions_for(const ToLight<F>& to_light, F distance, F inverse, 
 
 /// The same for a unit l.
 template <Number F> Directions<F> directions_for(Vec3<F> l, const PointAt<F>& at) {
-    return directions_for(ToLight<F>{l, dot(at.n, l)}, F(1), F(1), at);
+    return directions_for(ToLight<F>{l, dot(at.n, l)}, Arrival<F>{}, at);
 }
 
 /// c^shininess for the cosine c = scaled / length, of any sign, as (c^2)^(shininess / 2), so that no root has
