@@ -6,6 +6,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -20,7 +21,7 @@ namespace {
 // The kernels read a mesh's triangles as plain numbers.
 static_assert(sizeof(Triangle) == 4 * sizeof(std::uint32_t) && offsetof(Triangle, corner) == 0);
 
-PlaceJob place_job(const Surface& s, const Geometry& g, std::size_t o) {
+PlaceJob place_job(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t o) {
     const ObjectGeometry& object = g.objects[o];
     PlaceJob job;
     job.vertices = object.vertices.data();
@@ -32,25 +33,11 @@ PlaceJob place_job(const Surface& s, const Geometry& g, std::size_t o) {
     }
     job.width = static_cast<float>(g.size.width);
     job.height = static_cast<float>(g.size.height);
+    job.seen = visibility.seen.data();
     job.clipped_bits = needs_clipping;
     job.first_triangle = object.first_triangle;
     job.two_sided = s.choice.two_sided;
     return job;
-}
-
-/// All pixels of a run at once; false when some are none of the usual case. Lanes that the run leaves out
-/// take the face of its first.
-bool place_together(const PlaceJob& job, const PixelRun& run, std::uint32_t width,
-                    const Visibility& visibility, PointBlock& out) {
-    const std::uint32_t* seen = &visibility.seen[run.first_pixel];
-    std::array<std::uint32_t, block_size> filled;
-    if (run.mask != 0xFFFF) {
-        const auto first = static_cast<std::size_t>(std::countr_zero(run.mask));
-        for (std::size_t i = 0; i < block_size; ++i) filled[i] = seen[run.mask >> i & 1u ? i : first];
-        seen = filled.data();
-    }
-    return drawing_kernels().place(job, seen, static_cast<int>(run.first_pixel % width),
-                                   static_cast<int>(run.first_pixel / width), out);
 }
 
 void place_one_by_one(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t run,
@@ -59,6 +46,26 @@ void place_one_by_one(const Surface& s, const Geometry& g, const Visibility& vis
     for (unsigned i = 0; i < block_size; ++i) {
         if (s.runs[run].mask >> i & 1u) pixel_point(s, g, face_of_lane(s, g, visibility, run, i)).put(out, i);
     }
+}
+
+constexpr std::size_t most_together = 64;  // runs
+
+/// Runs first .. first + count - 1, all of one object.
+void place_together(Surface& s, const Geometry& g, const Visibility& visibility, std::size_t first,
+                    std::size_t count) {
+    std::array<std::uint8_t, most_together> usual;
+    drawing_kernels().place(s.place_jobs[s.runs[first].object], &s.runs[first], count, &s.points[first],
+                            usual.data());
+    for (std::size_t i = 0; i < count; ++i)
+        if (!usual[i]) place_one_by_one(s, g, visibility, first + i, s.points[first + i]);
+}
+
+/// How many runs from `first` on, and before `end`, are of one object and can be placed together.
+std::size_t count_together(const Surface& s, std::size_t first, std::size_t end) {
+    std::size_t count = 1;
+    const std::size_t most = std::min(most_together, end - first);
+    while (count < most && s.runs[first + count].object == s.runs[first].object) ++count;
+    return count;
 }
 
 }  // namespace
@@ -74,16 +81,19 @@ void place_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
     const bool usual = s.run_samples.empty() && !s.choice.facet_normals &&
                        s.choice.interpolation == Interpolation::Perspective &&
                        !s.choice.mistakes.unnormalized_at_pixel;
-    const auto width = static_cast<std::uint32_t>(g.size.width);
     s.place_jobs.clear();
     for (std::size_t o = 0; o < g.objects.size(); ++o)
-        s.place_jobs.push_back(g.objects[o].mesh->triangles.empty() ? PlaceJob{} : place_job(s, g, o));
+        s.place_jobs.push_back(g.objects[o].mesh->triangles.empty() ? PlaceJob{}
+                                                                    : place_job(s, g, visibility, o));
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 256), [&](const auto& range) {
-        for (std::size_t r = range.begin(); r != range.end(); ++r) {
-            s.point_object[r] = s.runs[r].object;
-            const PixelRun& run = s.runs[r];
-            if (!usual || !place_together(s.place_jobs[run.object], run, width, visibility, s.points[r]))
+        for (std::size_t r = range.begin(); r != range.end(); ++r) s.point_object[r] = s.runs[r].object;
+        for (std::size_t r = range.begin(); r != range.end();) {
+            const std::size_t count = usual ? count_together(s, r, range.end()) : 1;
+            if (usual)
+                place_together(s, g, visibility, r, count);
+            else
                 place_one_by_one(s, g, visibility, r, s.points[r]);
+            r += count;
         }
     });
 }

@@ -35,13 +35,6 @@ struct SurfaceChoice {
 };
 [[nodiscard]] SurfaceChoice surface_choice(const Shading& shading);
 
-/// Up to 16 neighbouring pixels of one row that show the same object.
-struct PixelRun {
-    std::uint32_t first_pixel = 0;  // a multiple of 16 in x
-    std::uint32_t object = 0;
-    std::uint16_t mask = 0;  // bit i: pixel first_pixel + i
-};
-
 /// With several samples a pixel: what each lane of a run shows. A pixel then has a run for each face seen in
 /// it.
 struct RunSamples {

@@ -215,7 +215,10 @@ void place_all(Numbers& number) {
         }
         job.two_sided = which % 2 != 0;
         PointBlock out{};
-        const bool told = GLINT_ISA::drawing.place(job, seen, 16 * (which % 40), which, out);
+        std::uint8_t told = 0;
+        const PixelRun run{static_cast<std::uint32_t>(640 * which + 16 * (which % 40)), 0, 0xFFFF};
+        job.seen = seen - run.first_pixel;
+        GLINT_ISA::drawing.place(job, &run, 1, &out, &told);
         hash.add(std::uint32_t{told});
         if (!told) continue;
         for (const auto& numbers : {&out.x, &out.y, &out.z, &out.nx, &out.ny, &out.nz})

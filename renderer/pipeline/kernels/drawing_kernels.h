@@ -158,6 +158,13 @@ struct TileJob {
 
 // What the pixels show.
 
+/// Up to 16 neighbouring pixels of one row that show the same object.
+struct PixelRun {
+    std::uint32_t first_pixel = 0;  // a multiple of 16 in x
+    std::uint32_t object = 0;
+    std::uint16_t mask = 0;  // bit i: pixel first_pixel + i
+};
+
 /// One object, as the pixels that show it look their corners up.
 struct PlaceJob {
     const PlacedVertex* vertices = nullptr;
@@ -167,10 +174,11 @@ struct PlaceJob {
     // without use) and each corner's normal.
     const std::uint32_t* triangle_corners = nullptr;
     const std::uint32_t* corner_normal = nullptr;
-    std::uint32_t first_triangle = 0;  // global number of the object's first
-    float width = 0, height = 0;       // of the picture
-    std::uint32_t clipped_bits = 0;    // a vertex with one of these in `outside` needs doubles
-    bool two_sided = false;            // a triangle seen from behind has its normals turned round
+    std::uint32_t first_triangle = 0;     // global number of the object's first
+    float width = 0, height = 0;          // of the picture
+    const std::uint32_t* seen = nullptr;  // seen_code of each of its pixels, row by row
+    std::uint32_t clipped_bits = 0;       // a vertex with one of these in `outside` needs doubles
+    bool two_sided = false;               // a triangle seen from behind has its normals turned round
 };
 
 /// The kernels of one instruction set.
@@ -184,10 +192,11 @@ struct DrawingKernels {
     /// Clears the tile and draws all of the job's triangles.
     void (*draw)(const TileJob& job, TilePixels& tile);
     void (*take_rows)(const TilePixels& tile, const TileRows& out);
-    /// Places and normals of 16 pixels of one row from (x, y) on, given what they show (seen_code). False
-    /// when one is none of the usual case: it shows a triangle that had to be clipped, or its normal is too
-    /// short to tell; `out` is then of no use.
-    bool (*place)(const PlaceJob& job, const std::uint32_t* seen, int x, int y, PointBlock& out);
+    /// Places and normals of the pixels of `count` runs of one object, a block a run. usual[i] becomes 0
+    /// where a pixel of run i is none of the usual case: it shows a triangle that had to be clipped, or its
+    /// normal is too short to tell; the block is then of no use. Else 1.
+    void (*place)(const PlaceJob& job, const PixelRun* runs, std::size_t count, PointBlock* out,
+                  std::uint8_t* usual);
 };
 
 /// Of the same instruction set as lighting_kernels().

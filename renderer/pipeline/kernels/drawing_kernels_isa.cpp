@@ -27,12 +27,9 @@ GLINT_FLATTEN static void draw(const TileJob& job, TilePixels& tile) { draw_tile
 
 GLINT_FLATTEN static void rows(const TilePixels& tile, const TileRows& out) { take_rows<Wide>(tile, out); }
 
-GLINT_FLATTEN static bool place(const PlaceJob& job, const std::uint32_t* seen, int x, int y,
-                                PointBlock& out) {
-    bool all = true;
-    for (std::size_t k = 0; k < block_size; k += GLINT_LANES)
-        all &= place_lanes<Wide>(job, seen, k, x, y, out);
-    return all;
+GLINT_FLATTEN static void place(const PlaceJob& job, const PixelRun* runs, std::size_t count, PointBlock* out,
+                                std::uint8_t* usual) {
+    place_runs<Wide>(job, runs, count, out, usual);
 }
 
 extern const DrawingKernels drawing;
