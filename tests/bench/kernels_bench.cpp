@@ -8,6 +8,7 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -45,12 +46,43 @@ std::vector<PointBlock> points_of(const Scene& scene) {
     return points;
 }
 
-void light(benchmark::State& state, Reflection model) {
+/// Which of the eight lights reach the points.
+enum class Reached { Some, All, None };
+
+/// All like the first, a point with falloff, and before the points or behind them.
+void put_all(std::vector<LightSource>& sources, float z) {
+    const LightSource first = sources.front();
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        sources[i] = first;
+        sources[i].xyz = {0.1f * static_cast<float>(i), 0.3f, z};
+    }
+}
+
+/// A wall of random places 5 to 6 away that faces the eye.
+void make_wall(std::vector<PointBlock>& points) {
+    std::minstd_rand random(1);
+    std::uniform_real_distribution<float> around(-0.5f, 0.5f);
+    for (PointBlock& block : points) {
+        for (std::size_t i = 0; i < block_size; ++i) {
+            block.x[i] = around(random);
+            block.y[i] = around(random);
+            block.z[i] = around(random) - 5.5f;
+            block.nx[i] = block.ny[i] = 0;
+            block.nz[i] = 1;
+        }
+    }
+}
+
+void light(benchmark::State& state, Reflection model, Reached reached) {
     Scene scene = knot();
     scene.shading.reflection = model;
-    const std::vector<LightSource> sources = light_sources(scene);
+    std::vector<LightSource> sources = light_sources(scene);
+    std::vector<PointBlock> points = points_of(scene);
+    if (reached != Reached::Some) {
+        put_all(sources, reached == Reached::All ? 1.0f : -20.0f);
+        make_wall(points);
+    }
     const LightJob job = light_job(scene, {1920, 1080}, scene.objects.front().material, sources, false);
-    const std::vector<PointBlock> points = points_of(scene);
     std::vector<ColorBlock> colors(blocks);
     for (auto _ : state) {
         lighting_kernels().light(job, points.data(), nullptr, colors.data(), blocks);
@@ -80,8 +112,8 @@ void draw(benchmark::State& state, Stage last, int detail) {
 
 double least(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
 
-void declare(const char* name, Reflection model) {
-    benchmark::RegisterBenchmark(name, light, model)
+void declare(const char* name, Reflection model, Reached reached = Reached::Some) {
+    benchmark::RegisterBenchmark(name, light, model, reached)
         ->Repetitions(200)
         ->MinTime(0.003)
         ->ComputeStatistics("least", least)
@@ -109,6 +141,9 @@ int main(int count, char** words) {
     glint::bench::declare("light/retro", Reflection::Retro);
     glint::bench::declare("light/oren-nayar", Reflection::OrenNayar);
     glint::bench::declare("light/cook-torrance", Reflection::CookTorrance);
+    glint::bench::declare("all lit/lambert", Reflection::Lambert, glint::bench::Reached::All);
+    glint::bench::declare("all lit/blinn-phong", Reflection::BlinnPhong, glint::bench::Reached::All);
+    glint::bench::declare("none lit/blinn-phong", Reflection::BlinnPhong, glint::bench::Reached::None);
     for (const int detail : {90, 572, 2000}) {
         glint::bench::declare_drawing("geometry", glint::Stage::Geometry, detail);
         glint::bench::declare_drawing("to visibility", glint::Stage::Visibility, detail);
