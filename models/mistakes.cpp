@@ -13,12 +13,12 @@ constexpr std::array names{
                 "h = (l + v)/2, as the slide first writes it, without making it unit: highlights shrink and "
                 "darken where l and v part."},
     MistakeName{"specular_behind_surface", &Mistakes::specular_behind_surface,
-                "No test of n.l: a highlight shines on the side that the light cannot reach."},
+                "No test of n·l: a highlight shines on the side that the light cannot reach."},
     MistakeName{"no_clamp_of_cosine", &Mistakes::no_clamp_of_cosine,
                 "Negative cosines are used as they are: the dark side takes light away, and an even "
                 "shininess makes a ghost highlight there."},
     MistakeName{"half_angle_with_phong_shininess", &Mistakes::half_angle_with_phong_shininess,
-                "n.h in place of r.v with the same shininess: the highlight is about twice as wide (four "
+                "n·h in place of r·v with the same shininess: the highlight is about twice as wide (four "
                 "times the exponent would match)."},
     MistakeName{"ambient_per_light_added_twice", &Mistakes::ambient_per_light_added_twice,
                 "Each light's ambient share counts twice: shadows turn grey."},
