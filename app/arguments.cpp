@@ -166,13 +166,4 @@ SceneDocument open_scene(const SceneArguments& arguments) {
     return take(open_document(arguments.file, arguments.assignments));
 }
 
-SceneDocument open_drawable_scene(const SceneArguments& arguments) {
-    SceneDocument document = open_scene(arguments);
-    if (auto problem = unsupported(document.scene)) {
-        if (problem->file.empty()) problem->file = arguments.file;
-        throw Failure{ExitStatus::Impossible, *problem};
-    }
-    return document;
-}
-
 }  // namespace glint

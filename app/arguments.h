@@ -56,8 +56,6 @@ void add_samples(CLI::App& app, int& samples);
 
 /// The scene with its meshes, everything checked. Throws Failure.
 [[nodiscard]] SceneDocument open_scene(const SceneArguments& arguments);
-/// The same, and the engine can draw it.
-[[nodiscard]] SceneDocument open_drawable_scene(const SceneArguments& arguments);
 
 /// Throws the Failure of a command that was given no OUT, FILE or the like.
 void require_given(const std::string& value, const std::string& option, const std::string& expected);

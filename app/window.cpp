@@ -231,10 +231,6 @@ void run_window(const WindowOptions& options) {
     UiState state(options.threads);
     take_document(state.editor, take(first_document(options)));
     state.shipped_scenes = fs::path(default_scene_path()).parent_path().string();
-    if (auto refused = unsupported(state.editor.scene())) {
-        refused->file = options.file;
-        throw Failure{ExitStatus::Impossible, *refused};
-    }
     for (const std::string& warning : state.editor.document.warnings)
         fmt::print(stderr, "glint: warning: {}\n", warning);
     begin_memory(state, state_folder());

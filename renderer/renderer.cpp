@@ -1,5 +1,6 @@
 #include "renderer/renderer.h"
 
+#include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
@@ -58,13 +59,14 @@ struct Renderer::Kept {
         if ((scene.npr.silhouettes || scene.npr.creases) && scene.npr.stroke_width_px > most_stroke_width_px)
             add("a stroke wider than 100 pixels is drawn 100 pixels wide");
         if (scene.shading.rules != Rules::OpenGL2) return;
-        for (const Object& o : scene.objects)
-            if (o.material.shininess > opengl_max_shininess)
-                add("a shininess above 128 is used as 128 under the rules opengl2");
+        const auto clamped = std::count_if(scene.objects.begin(), scene.objects.end(), [](const Object& o) {
+            return o.material.shininess > opengl_max_shininess;
+        });
+        if (clamped > 0)
+            add(fmt::format("{} with a shininess above 128, used as 128 under the rules opengl2",
+                            clamped == 1 ? "1 material" : fmt::format("{} materials", clamped)));
     }
 };
-
-std::optional<Problem> unsupported(const Scene&) { return std::nullopt; }
 
 Renderer::Renderer(int threads)
     : kept_(std::make_unique<Kept>(threads > 0 ? std::min(threads, most_threads)

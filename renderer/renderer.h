@@ -32,10 +32,6 @@ struct FrameStats {
     const char* instruction_set = "";  // "sse2", "avx2", "avx512"
 };
 
-/// Something the engine cannot draw yet, as the one-line problem to report; nothing when it can draw the
-/// scene, which is always so today.
-[[nodiscard]] std::optional<Problem> unsupported(const Scene& scene);
-
 /// What shows at a pixel. Camera coordinates, scene units.
 struct SeenPoint {
     int object = 0;          // in Scene::objects

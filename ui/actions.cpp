@@ -6,17 +6,12 @@
 #include "ui/files/command_text.h"
 #include "ui/hands/camera_actions.h"
 #include "ui/menu/palette.h"
-#include "ui/shading_panel.h"
 #include "ui/views/views.h"
 
 namespace glint {
 namespace {
 
-void set_mode(UiState& state, ShadingMode mode) {
-    Shading trial = state.editor.scene().shading;
-    trial.mode = mode;
-    if (refused_shading(trial).empty()) state.editor.scene().shading = trial;
-}
+void set_mode(UiState& state, ShadingMode mode) { state.editor.scene().shading.mode = mode; }
 
 void frame(UiState& state, int object) {
     Scene& scene = state.editor.scene();

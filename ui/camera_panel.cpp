@@ -121,9 +121,9 @@ bool camera_panel(Camera& camera, PictureSize size) {
     edited |= look_from(camera);
     section("Projection");
     static const std::array<Option, 3> kinds{
-        Option{"Perspective", "perspective", "Lines of sight meet in the eye", ""},
-        Option{"Orthographic", "orthographic", "Lines of sight are parallel", ""},
-        Option{"Frustum", "frustum", "A window on the near plane, maybe off the middle", ""}};
+        Option{"Perspective", "perspective", "Lines of sight meet in the eye"},
+        Option{"Orthographic", "orthographic", "Lines of sight are parallel"},
+        Option{"Frustum", "frustum", "A window on the near plane, maybe off the middle"}};
     const int kind = static_cast<int>(camera.projection.index());
     const int chosen =
         choose("Kind", kind, kinds, {"How the view volume is projected", "/camera/projection/type"});

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "renderer/renderer.h"
 #include "ui/theme.h"
 
 namespace glint {
@@ -14,7 +13,7 @@ namespace {
 
 void option_tooltip(const Option& option, const Help& help) {
     const std::string key = help.pointer.empty() ? "" : fmt::format("{} = \"{}\"", help.pointer, option.word);
-    tooltip(option.label, option.what, option.refused, key);
+    tooltip(option.label, option.what, "", key);
 }
 
 float segment_width(const Option& option, float padding) {
@@ -38,16 +37,12 @@ struct Segment {
 /// True when it was pressed.
 bool segment(const Option& option, const Segment& look) {
     const auto [on, corners, padding] = look;
-    const bool refused = !option.refused.empty();
-    ImGui::BeginDisabled(refused);
     const bool pressed =
-        ImGui::InvisibleButton("##segment", {segment_width(option, padding), ImGui::GetFrameHeight()}) &&
-        !refused;
-    ImGui::EndDisabled();
+        ImGui::InvisibleButton("##segment", {segment_width(option, padding), ImGui::GetFrameHeight()});
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const Theme& t = theme();
     const ImVec4& fill = on ? t.accent : ImGui::IsItemHovered() ? t.field_hovered : t.field;
-    const ImVec4& ink = refused ? t.disabled_text : on ? t.accent_text : t.text;
+    const ImVec4& ink = on ? t.accent_text : t.text;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, high, packed(fill), ImGui::GetStyle().FrameRounding, corners);
     list.AddText({low.x + padding, low.y + ImGui::GetStyle().FramePadding.y}, packed(ink), option.label);
@@ -55,11 +50,6 @@ bool segment(const Option& option, const Segment& look) {
 }
 
 }  // namespace
-
-std::string refusal(const Scene& trial) {
-    const auto problem = unsupported(trial);
-    return problem ? problem->text() : std::string();
-}
 
 int choose(const char* label, int chosen, std::span<const Option> options, const Help& help) {
     ImGui::PushID(label);
@@ -70,9 +60,7 @@ int choose(const char* label, int chosen, std::span<const Option> options, const
     if (open) {
         for (int i = 0; i < static_cast<int>(options.size()); ++i) {
             const Option& option = options[static_cast<std::size_t>(i)];
-            const auto flags =
-                option.refused.empty() ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
-            if (ImGui::Selectable(option.label, i == chosen, flags)) result = i;
+            if (ImGui::Selectable(option.label, i == chosen)) result = i;
             option_tooltip(option, help);
         }
         ImGui::EndCombo();

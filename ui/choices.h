@@ -93,14 +93,9 @@ inline constexpr std::array weighting_choices{
     Choice<NormalWeighting>{NormalWeighting::Area, "Area", "area", "By the facet's area"},
     Choice<NormalWeighting>{NormalWeighting::Angle, "Angle", "angle", "By the facet's angle at the vertex"}};
 
-/// The one line that says why the engine cannot draw `trial` yet; empty when it can.
-[[nodiscard]] std::string refusal(const Scene& trial);
-
-template <class E, std::size_t N, class Refuse>
-std::vector<Option> options_of(const std::array<Choice<E>, N>& choices, Refuse refuse) {
-    std::vector<Option> options;
-    options.reserve(N);
-    for (const Choice<E>& c : choices) options.push_back({c.label, c.word, c.what, refuse(c.value)});
+template <class E, std::size_t N> std::array<Option, N> options_of(const std::array<Choice<E>, N>& choices) {
+    std::array<Option, N> options;
+    for (std::size_t i = 0; i < N; ++i) options[i] = {choices[i].label, choices[i].word, choices[i].what};
     return options;
 }
 
@@ -110,25 +105,21 @@ template <class E, std::size_t N> int index_of(const std::array<Choice<E>, N>& c
     return 0;
 }
 
-inline constexpr auto never_refused = [](auto) { return std::string(); };
-
 /// A drop-down for one of `choices`.
-template <class E, std::size_t N, class Refuse = decltype(never_refused)>
-bool choice_field(const char* label, E& value, const std::array<Choice<E>, N>& choices, const Help& help,
-                  Refuse refuse = never_refused) {
+template <class E, std::size_t N>
+bool choice_field(const char* label, E& value, const std::array<Choice<E>, N>& choices, const Help& help) {
     const int before = index_of(choices, value);
-    const int after = choose(label, before, options_of(choices, refuse), help);
+    const int after = choose(label, before, options_of(choices), help);
     value = choices[static_cast<std::size_t>(after)].value;
     return after != before;
 }
 
 /// Joined buttons for one of `choices`, in a row with a label.
-template <class E, std::size_t N, class Refuse = decltype(never_refused)>
-bool segment_field(const char* label, E& value, const std::array<Choice<E>, N>& choices, const Help& help,
-                   Refuse refuse = never_refused) {
+template <class E, std::size_t N>
+bool segment_field(const char* label, E& value, const std::array<Choice<E>, N>& choices, const Help& help) {
     row(label);
     const int before = index_of(choices, value);
-    const int after = segments(label, before, options_of(choices, refuse), help);
+    const int after = segments(label, before, options_of(choices), help);
     value = choices[static_cast<std::size_t>(after)].value;
     return after != before;
 }

@@ -45,19 +45,15 @@ std::optional<Problem> save_file(Editor& editor, std::string path) {
 
 std::optional<Problem> settle(Editor& editor) {
     Scene& scene = editor.scene();
-    const auto back = [&editor](Problem problem) {
-        editor.document.scene = editor.history.present();
-        editor.selection = valid_selection(editor.selection, editor.scene());
-        return problem;
-    };
     const bool missing =
         std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& o) { return !o.mesh; });
-    if (missing) {
-        Result<Warnings> loaded = load_meshes(scene, editor.document.path, editor.document.mesh_dir);
-        if (const Problem* problem = problem_of(loaded)) return back(*problem);
-    }
-    if (const auto refused = unsupported(scene)) return back(*refused);
-    return {};
+    if (!missing) return {};
+    Result<Warnings> loaded = load_meshes(scene, editor.document.path, editor.document.mesh_dir);
+    const Problem* problem = problem_of(loaded);
+    if (!problem) return {};
+    editor.document.scene = editor.history.present();
+    editor.selection = valid_selection(editor.selection, editor.scene());
+    return *problem;
 }
 
 bool undo(Editor& editor) {

@@ -89,21 +89,12 @@ bool colour_fields(Light& light, const std::string& pointer) {
 
 }  // namespace
 
-std::string refused_kind(LightKind kind) {
-    Scene trial;
-    Light light;
-    light.kind = kind;
-    if (kind == LightKind::Directional) light.position.w = 0;
-    trial.lights.push_back(light);
-    return refusal(trial);
-}
-
 bool light_panel(Light& light, const std::string& pointer, const Camera& camera, const Dome& dome,
                  const ScreenMap& map) {
     const Light before = light;
     bool edited = name_field("Name", light.name, {"What the light is called", pointer + "/name"});
     LightKind kind = light.kind;
-    if (choice_field("Type", kind, light_kind_choices, {"Kind of light", pointer + "/type"}, refused_kind)) {
+    if (choice_field("Type", kind, light_kind_choices, {"Kind of light", pointer + "/type"})) {
         light = as_kind(light, kind, dome, map);
         edited = true;
     }

@@ -13,7 +13,4 @@ namespace glint {
 [[nodiscard]] bool light_panel(Light& light, const std::string& pointer, const Camera& camera,
                                const Dome& dome, const ScreenMap& map);
 
-/// Why a light of this kind cannot be drawn yet; empty when it can.
-[[nodiscard]] std::string refused_kind(LightKind kind);
-
 }  // namespace glint

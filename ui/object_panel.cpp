@@ -78,10 +78,10 @@ void mesh_facts(const Object& object) {
 /// Which gizmo stands on the object in the picture.
 void gizmo_field(GizmoMode& gizmo) {
     static const std::array<Option, 4> modes{
-        Option{"–", "", "No gizmo in the picture", ""},
-        Option{"Move", "", "Arrows, planes and the middle move it (key G)", ""},
-        Option{"Turn", "", "Rings turn it round an axis or the line of sight (key R)", ""},
-        Option{"Scale", "", "Boxes scale it along its own axes, the middle as a whole (key T)", ""}};
+        Option{"–", "", "No gizmo in the picture"},
+        Option{"Move", "", "Arrows, planes and the middle move it (key G)"},
+        Option{"Turn", "", "Rings turn it round an axis or the line of sight (key R)"},
+        Option{"Scale", "", "Boxes scale it along its own axes, the middle as a whole (key T)"}};
     row("By hand");
     gizmo = static_cast<GizmoMode>(
         segments("##gizmo", static_cast<int>(gizmo), modes, {"What drags in the picture do to it", ""}));

@@ -109,14 +109,12 @@ bool add_light_menu(Scene& scene, Selection& selection) {
     bool edited = false;
     if (!ImGui::BeginPopup("##add-light")) return false;
     for (const auto& choice : light_kind_choices) {
-        const std::string refused = refused_kind(choice.value);
-        if (ImGui::MenuItem(choice.label, choice.value == LightKind::Point ? "L" : nullptr, false,
-                            refused.empty()))
+        if (ImGui::MenuItem(choice.label, choice.value == LightKind::Point ? "L" : nullptr))
             if (const auto index = add_light(scene, choice.value)) {
                 selection = {Selection::Kind::Light, *index};
                 edited = true;
             }
-        tooltip(choice.label, choice.what, refused);
+        tooltip(choice.label, choice.what);
     }
     ImGui::EndPopup();
     return edited;

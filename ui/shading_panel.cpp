@@ -6,17 +6,6 @@
 namespace glint {
 namespace {
 
-/// A drop-down whose choices are each tried on the engine.
-template <class E, std::size_t N>
-bool tried_field(const char* label, Shading& shading, E Shading::*member,
-                 const std::array<Choice<E>, N>& choices, const Help& help) {
-    return choice_field(label, shading.*member, choices, help, [&](E value) {
-        Shading trial = shading;
-        trial.*member = value;
-        return refused_shading(trial);
-    });
-}
-
 bool term_fields(Terms& terms) {
     section("Terms of the equation");
     bool edited = false;
@@ -43,27 +32,19 @@ bool power_table_field(Shading& shading) {
 
 }  // namespace
 
-std::string refused_shading(const Shading& shading) {
-    Scene trial;
-    trial.shading = shading;
-    return refusal(trial);
-}
-
 bool shading_panel(Shading& shading, glm::vec3& global_ambient) {
     bool edited = false;
-    edited |= tried_field("Mode", shading, &Shading::mode, mode_choices,
-                          {"Where the lighting equation is evaluated (keys 1 to 4)", "/shading/mode"});
-    edited |= tried_field("Reflection", shading, &Shading::reflection, reflection_choices,
-                          {"The lighting equation's highlight", "/shading/reflection"});
-    edited |= tried_field("Interpolate", shading, &Shading::interpolation, interpolation_choices,
-                          {"How values between corners are found", "/shading/interpolation"});
-    edited |= tried_field("Flat point", shading, &Shading::flat_point, flat_point_choices,
-                          {"Which point of a polygon is lit under flat", "/shading/flat_point"});
-    edited |=
-        tried_field("Rules", shading, &Shading::rules, rules_choices, {"Whose rules", "/shading/rules"});
+    edited |= choice_field("Mode", shading.mode, mode_choices,
+                           {"Where the lighting equation is evaluated (keys 1 to 4)", "/shading/mode"});
+    edited |= choice_field("Reflection", shading.reflection, reflection_choices,
+                           {"The lighting equation's highlight", "/shading/reflection"});
+    edited |= choice_field("Interpolate", shading.interpolation, interpolation_choices,
+                           {"How values between corners are found", "/shading/interpolation"});
+    edited |= choice_field("Flat point", shading.flat_point, flat_point_choices,
+                           {"Which point of a polygon is lit under flat", "/shading/flat_point"});
+    edited |= choice_field("Rules", shading.rules, rules_choices, {"Whose rules", "/shading/rules"});
     section("Sides and viewer");
-    edited |= tried_field("Cull", shading, &Shading::cull, cull_choices,
-                          {"Which side is left out", "/shading/cull"});
+    edited |= choice_field("Cull", shading.cull, cull_choices, {"Which side is left out", "/shading/cull"});
     edited |= switch_field("Two-sided", shading.two_sided,
                            {"Seen from behind, the normal is turned round", "/shading/two_sided"});
     edited |= switch_field("Local view", shading.local_viewer,

@@ -9,7 +9,4 @@ namespace glint {
 [[nodiscard]] bool shading_panel(Shading& shading, glm::vec3& global_ambient);
 [[nodiscard]] bool display_panel(Display& display);
 
-/// Why the engine cannot shade so yet; empty when it can.
-[[nodiscard]] std::string refused_shading(const Shading& shading);
-
 }  // namespace glint

@@ -5,22 +5,11 @@
 #include "ui/fonts.h"
 #include "ui/icons.h"
 #include "ui/menu/menu_bar.h"
-#include "ui/shading_panel.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
 namespace glint {
 namespace {
-
-template <class E, std::size_t N>
-std::vector<Option> tried(const Shading& shading, E Shading::*member,
-                          const std::array<Choice<E>, N>& choices) {
-    return options_of(choices, [&](E value) {
-        Shading trial = shading;
-        trial.*member = value;
-        return refused_shading(trial);
-    });
-}
 
 /// A small word before a switch, in the middle of the row.
 void caption(const char* text) {
@@ -36,7 +25,7 @@ void caption(const char* text) {
 }
 
 void mode_switch(Shading& shading) {
-    const auto options = tried(shading, &Shading::mode, mode_choices);
+    const auto options = options_of(mode_choices);
     const int chosen =
         segments("##mode", index_of(mode_choices, shading.mode), options, {"", "/shading/mode"});
     shading.mode = mode_choices[static_cast<std::size_t>(chosen)].value;
@@ -44,7 +33,7 @@ void mode_switch(Shading& shading) {
 
 /// All models side by side where there is room, else a drop-down.
 void reflection_switch(Shading& shading, float room) {
-    const auto options = tried(shading, &Shading::reflection, reflection_choices);
+    const auto options = options_of(reflection_choices);
     int chosen = index_of(reflection_choices, shading.reflection);
     const Help help{"The lighting equation's highlight", "/shading/reflection"};
     if (segments_width(options) <= room) {
@@ -54,9 +43,8 @@ void reflection_switch(Shading& shading, float room) {
         if (ImGui::BeginCombo("##reflection", options[static_cast<std::size_t>(chosen)].label)) {
             for (int i = 0; i < static_cast<int>(options.size()); ++i) {
                 const Option& option = options[static_cast<std::size_t>(i)];
-                const auto flags = option.refused.empty() ? 0 : ImGuiSelectableFlags_Disabled;
-                if (ImGui::Selectable(option.label, i == chosen, flags)) chosen = i;
-                tooltip(option.label, option.what, option.refused);
+                if (ImGui::Selectable(option.label, i == chosen)) chosen = i;
+                tooltip(option.label, option.what);
             }
             ImGui::EndCombo();
         } else {

@@ -46,7 +46,6 @@ struct Option {
     const char* label;
     const char* word;  // in the scene file
     const char* what;
-    std::string refused;  // why it cannot be chosen; empty when it can
 };
 /// The index chosen, `chosen` when nothing changed. As a drop-down in a row, or as joined buttons.
 [[nodiscard]] int choose(const char* label, int chosen, std::span<const Option> options, const Help& help);

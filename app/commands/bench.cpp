@@ -109,7 +109,7 @@ std::string table_text(const nlohmann::ordered_json& json) {
 }
 
 Outcome bench(const BenchArguments& arguments) {
-    const SceneDocument document = open_drawable_scene(arguments.scene);
+    const SceneDocument document = open_scene(arguments.scene);
     const Drag drag = drag_of(arguments, document.scene);
     Renderer renderer(arguments.scene.threads);
     renderer.keep_sums(!arguments.relight);

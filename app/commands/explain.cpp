@@ -58,7 +58,7 @@ Outcome explain(const ExplainArguments& arguments) {
     require_inside("--pixel", pixel, arguments.size);
     if (arguments.sensitivity && arguments.format == Format::Latex)
         throw wrong_usage("--sensitivity", "is not set in LaTeX", "--format text or json");
-    const SceneDocument document = open_drawable_scene(arguments.scene);
+    const SceneDocument document = open_scene(arguments.scene);
 
     Renderer renderer(arguments.scene.threads);
     (void)renderer.render(document.scene, arguments.size);

@@ -26,7 +26,7 @@ Outcome profile(const ProfileArguments& arguments) {
     require_file(arguments.scene);
     const glm::ivec2 from = end_of("--from", arguments.from, arguments.size);
     const glm::ivec2 to = end_of("--to", arguments.to, arguments.size);
-    const SceneDocument document = open_drawable_scene(arguments.scene);
+    const SceneDocument document = open_scene(arguments.scene);
 
     Renderer renderer(arguments.scene.threads);
     const Picture& picture = renderer.render(document.scene, arguments.size, true);

@@ -90,7 +90,7 @@ Outcome render(const RenderArguments& arguments) {
                   "a file to write, .png, .pfm or .exr, or - for a PNG on standard output");
     const PictureFormat format = format_of(arguments.out);
     require_possible(arguments);
-    const SceneDocument document = open_drawable_scene(arguments.scene);
+    const SceneDocument document = open_scene(arguments.scene);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 
     Renderer renderer(arguments.scene.threads);

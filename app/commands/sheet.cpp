@@ -53,9 +53,7 @@ Scene scene_of_cell(const SceneDocument& document, const SheetAxis& rows, const 
         problem.file = problem.pointer.starts_with(columns.pointer) ? "--cols" : "--rows";
         throw Failure{ExitStatus::WrongUsage, problem};
     }
-    Scene scene = std::get<Scene>(std::move(made));
-    if (auto problem = unsupported(scene)) throw Failure{ExitStatus::Impossible, *problem};
-    return scene;
+    return std::get<Scene>(std::move(made));
 }
 
 void require_fitting(const SheetAxis& rows, const SheetAxis& columns, PictureSize cell, const Font& font) {
@@ -81,7 +79,7 @@ Outcome sheet(const SheetArguments& arguments) {
                           "a name that ends in .png, or - for standard output");
     const Font font = take(Font::find());
     require_fitting(rows, columns, arguments.cell, font);
-    const SceneDocument document = open_drawable_scene(arguments.scene);
+    const SceneDocument document = open_scene(arguments.scene);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 
     Renderer renderer(arguments.scene.threads);

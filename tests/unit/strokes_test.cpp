@@ -368,5 +368,4 @@ TEST_CASE("edges through the eye, giant strokes and strokes without width do no 
                   return text == "a stroke wider than 100 pixels is drawn 100 pixels wide";
               }) == (width > 100));
     }
-    CHECK_FALSE(unsupported(scene));
 }

@@ -62,7 +62,7 @@ void export_dialog(UiState& state) {
     size_rows(state, exporting.options);
     std::vector<Option> options;
     constexpr const char* names[] = {"1", "2", "4", "8"};
-    for (const char* name : names) options.push_back({name, name, "Samples a pixel", ""});
+    for (const char* name : names) options.push_back({name, name, "Samples a pixel"});
     const auto at = std::find(samples.begin(), samples.end(), exporting.options.samples) - samples.begin();
     row("Samples");
     const int chosen = segments("##samples", static_cast<int>(at), options,

@@ -188,16 +188,8 @@ void begin_open(UiState& state, const std::string& path) {
     leave(loading, loading.document);
     loading.scene_then = state.editor.scene();
     loading.since = ImGui::GetTime();
-    loading.document = std::make_unique<LoadJob>(
-        fs::path(path).filename().string(), [path](LoadProgress&) -> Result<SceneDocument> {
-            Result<SceneDocument> opened = open_document(path);
-            if (const auto* document = std::get_if<SceneDocument>(&opened))
-                if (std::optional<Problem> refused = unsupported(document->scene)) {
-                    refused->file = path;
-                    return *refused;
-                }
-            return opened;
-        });
+    loading.document = std::make_unique<LoadJob>(fs::path(path).filename().string(),
+                                                 [path](LoadProgress&) { return open_document(path); });
 }
 
 void begin_mesh(UiState& state, const MeshSource& source, int index) {

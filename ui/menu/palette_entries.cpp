@@ -33,11 +33,9 @@ void add_choices(Entries& entries, const UiState& state, const char* what, E Sha
                  const std::array<Choice<E>, N>& choices) {
     const Shading& shading = state.editor.scene().shading;
     for (const Choice<E>& choice : choices) {
-        Shading trial = shading;
-        trial.*member = choice.value;
         entries.push_back(
             {fmt::format("{}: {}", what, choice.label),
-             shading.*member == choice.value ? "Shading · chosen" : "Shading", "", refused_shading(trial),
+             shading.*member == choice.value ? "Shading · chosen" : "Shading", "", "",
              [member, value = choice.value](UiState& s) { s.editor.scene().shading.*member = value; }});
     }
 }

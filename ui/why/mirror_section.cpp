@@ -18,9 +18,9 @@ namespace {
 /// Made when first asked for.
 const std::array<Option, 5>& step_options() {
     static const std::array<Option, 5> options{
-        Option{"off", "", "r itself is drawn", ""}, Option{"N, L", "", "What is given", ""},
-        Option{"P", "", "P = N (N·L): the shadow of L on N", ""}, Option{"2P", "", "Twice as far", ""},
-        Option{"R", "", "R = 2P − L", ""}};
+        Option{"off", "", "r itself is drawn"}, Option{"N, L", "", "What is given"},
+        Option{"P", "", "P = N (N·L): the shadow of L on N"}, Option{"2P", "", "Twice as far"},
+        Option{"R", "", "R = 2P − L"}};
     return options;
 }
 

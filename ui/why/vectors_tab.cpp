@@ -26,9 +26,8 @@ constexpr float part_width = 62;
 void frame_switch(WhyState& why) {
     const std::array options{Option{"Camera", "camera",
                                     "Where illumination is computed: the eye at the origin, "
-                                    "looking down −z",
-                                    ""},
-                             Option{"World", "world", "As the scene file says where things are", ""}};
+                                    "looking down −z"},
+                             Option{"World", "world", "As the scene file says where things are"}};
     row("Frame");
     why.world_frame = segments("##frame", why.world_frame ? 1 : 0, options, {"", ""}) == 1;
 }
