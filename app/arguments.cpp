@@ -10,7 +10,6 @@
 #include <optional>
 
 #include "app/failure.h"
-#include "renderer/renderer.h"
 
 namespace glint {
 namespace {

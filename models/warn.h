@@ -1,5 +1,5 @@
 #pragma once
-// Counted warnings: one line a kind. Inside models/ only.
+// Counted warnings: one line a kind.
 
 #include <fmt/core.h>
 

@@ -1,6 +1,5 @@
 #include "renderer/renderer.h"
 
-#include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
@@ -9,6 +8,7 @@
 #include <chrono>
 
 #include "models/scene_names.h"
+#include "models/warn.h"
 #include "renderer/inspect/explain.h"
 #include "renderer/kept_stages.h"
 #include "renderer/pipeline/light_sources.h"
@@ -62,9 +62,9 @@ struct Renderer::Kept {
         const auto clamped = std::count_if(scene.objects.begin(), scene.objects.end(), [](const Object& o) {
             return o.material.shininess > opengl_max_shininess;
         });
-        if (clamped > 0)
-            add(fmt::format("{} with a shininess above 128, used as 128 under the rules opengl2",
-                            clamped == 1 ? "1 material" : fmt::format("{} materials", clamped)));
+        warn(warnings, static_cast<std::size_t>(clamped),
+             "material with a shininess above 128, used as 128 under the rules opengl2",
+             "materials with a shininess above 128, used as 128 under the rules opengl2");
     }
 };
 

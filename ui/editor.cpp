@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "renderer/renderer.h"
-
 namespace glint {
 namespace {
 

@@ -32,8 +32,8 @@ void take_document(Editor& editor, SceneDocument document);
 /// Saves as a scene file. ".json" is added to a name without it.
 [[nodiscard]] std::optional<Problem> save_file(Editor& editor, std::string path);
 
-/// Loads meshes that an edit left unloaded and checks that the engine can draw the scene. On a problem the
-/// scene goes back to the newest step of the history.
+/// Loads meshes that an edit left unloaded. On a problem the scene goes back to the newest step of the
+/// history.
 [[nodiscard]] std::optional<Problem> settle(Editor& editor);
 
 /// One step back or forward; false when there is none.

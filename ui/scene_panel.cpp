@@ -8,7 +8,6 @@
 
 #include "ui/choices.h"
 #include "ui/icons.h"
-#include "ui/light_panel.h"
 #include "ui/light_place.h"
 #include "ui/limits.h"
 #include "ui/object_panel.h"

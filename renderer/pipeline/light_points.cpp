@@ -11,11 +11,9 @@ namespace glint {
 void light_blocks(const std::vector<LightJob>& jobs, const Surface& s, std::size_t first, std::size_t count,
                   const ColorBlock* begun, ColorBlock* colors) {
     for (std::size_t i = 0; i < count;) {  // neighbouring blocks of one object go in one call
-        const std::uint32_t object = s.point_object[first + i];
-        std::size_t same = 1;
-        while (i + same < count && s.point_object[first + i + same] == object) ++same;
-        lighting_kernels().light(jobs[object], &s.points[first + i], begun ? begun + i : nullptr, colors + i,
-                                 same);
+        const std::size_t same = s.count_of_one_object(first + i, first + count);
+        lighting_kernels().light(jobs[s.point_object[first + i]], &s.points[first + i],
+                                 begun ? begun + i : nullptr, colors + i, same);
         i += same;
     }
 }

@@ -48,15 +48,16 @@ bool take_jobs(Lighting& kept, const Scene& scene, PictureSize size, bool at_cor
 /// The background wherever no surface will be shown. `same_ground`: only the view changed since the last
 /// picture; then most of it is there already.
 void prepare_picture(Lighting& kept, PictureSize size, const Visibility& visibility, const Strokes& strokes,
-                     bool same_ground) {
-    const DisplayJob display = display_job(kept.display);
+                     const DisplayJob& display, bool same_ground) {
     const bool plain = visibility.samples == 1 && strokes.coverage.empty();
     if (same_ground && plain && kept.picture.size == size && kept.covered.size() == visibility.covered.size())
         uncover(kept, visibility, display);
     else
         clear_picture(kept, size, strokes, display);
-    kept.covered.clear();
-    if (plain) kept.covered = visibility.covered;
+    if (plain)
+        kept.covered = visibility.covered;
+    else
+        kept.covered.clear();
 }
 
 }  // namespace
@@ -89,7 +90,7 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, cons
     keep_others(kept, surface, moving, same_grids);
     const DisplayJob display = display_job(scene.display);
     if (!same_display) {
-        prepare_picture(kept, g.size, visibility, strokes, same_ground);
+        prepare_picture(kept, g.size, visibility, strokes, display, same_ground);
         std::fill(kept.shown_lit.begin(), kept.shown_lit.end(), 0xFFFF);
     }
     if (at_corners) color_points(kept, surface, g, display);

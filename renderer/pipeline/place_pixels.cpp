@@ -60,14 +60,6 @@ void place_together(Surface& s, const Geometry& g, const Visibility& visibility,
         if (!usual[i]) place_one_by_one(s, g, visibility, first + i, s.points[first + i]);
 }
 
-/// How many runs from `first` on, and before `end`, are of one object and can be placed together.
-std::size_t count_together(const Surface& s, std::size_t first, std::size_t end) {
-    std::size_t count = 1;
-    const std::size_t most = std::min(most_together, end - first);
-    while (count < most && s.runs[first + count].object == s.runs[first].object) ++count;
-    return count;
-}
-
 }  // namespace
 
 void place_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
@@ -88,11 +80,13 @@ void place_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 256), [&](const auto& range) {
         for (std::size_t r = range.begin(); r != range.end(); ++r) s.point_object[r] = s.runs[r].object;
         for (std::size_t r = range.begin(); r != range.end();) {
-            const std::size_t count = usual ? count_together(s, r, range.end()) : 1;
-            if (usual)
-                place_together(s, g, visibility, r, count);
-            else
+            if (!usual) {
                 place_one_by_one(s, g, visibility, r, s.points[r]);
+                ++r;
+                continue;
+            }
+            const std::size_t count = s.count_of_one_object(r, std::min(range.end(), r + most_together));
+            place_together(s, g, visibility, r, count);
             r += count;
         }
     });

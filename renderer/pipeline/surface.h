@@ -100,6 +100,12 @@ struct Surface {
     std::uint64_t pixel_count = 0;         // that show a surface
     std::uint64_t point_count = 0;         // lit
 
+    /// How many blocks of points from `first` on, and before `end`, are of the same object: at least 1.
+    [[nodiscard]] std::size_t count_of_one_object(std::size_t first, std::size_t end) const {
+        std::size_t next = first + 1;
+        while (next < end && point_object[next] == point_object[first]) ++next;
+        return next - first;
+    }
     [[nodiscard]] std::size_t corner_ref(std::size_t run, int k) const {
         return (run * static_cast<std::size_t>(refs_per_pixel) + static_cast<std::size_t>(k)) * block_size;
     }

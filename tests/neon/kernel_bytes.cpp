@@ -205,8 +205,11 @@ void place_all(Numbers& number) {
     job.width = 640;
     job.height = 480;
     Hash hash;
+    std::vector<std::uint32_t> plane(640 * 200);
+    job.seen = plane.data();
     for (int which = 0; which < 200; ++which) {
-        std::uint32_t seen[block_size];
+        const PixelRun run{static_cast<std::uint32_t>(640 * which + 16 * (which % 40)), 0, 0xFFFF};
+        std::uint32_t* seen = &plane[run.first_pixel];
         const int alike = 1 + which % 12;  // neighbours that show the same
         for (int i = 0; i < static_cast<int>(block_size); ++i) {
             const std::uint32_t triangle = number.bits() % triangle_count;  // before the other: in this order
@@ -216,8 +219,6 @@ void place_all(Numbers& number) {
         job.two_sided = which % 2 != 0;
         PointBlock out{};
         std::uint8_t told = 0;
-        const PixelRun run{static_cast<std::uint32_t>(640 * which + 16 * (which % 40)), 0, 0xFFFF};
-        job.seen = seen - run.first_pixel;
         GLINT_ISA::drawing.place(job, &run, 1, &out, &told);
         hash.add(std::uint32_t{told});
         if (!told) continue;

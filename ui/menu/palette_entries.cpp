@@ -7,7 +7,6 @@
 #include "ui/choices.h"
 #include "ui/light_place.h"
 #include "ui/menu/palette.h"
-#include "ui/shading_panel.h"
 
 namespace glint {
 namespace {

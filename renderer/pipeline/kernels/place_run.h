@@ -47,29 +47,28 @@ template <Number F> bool make_normals_unit(PointBlock& block) {
     return long_enough;
 }
 
-/// What the pixels of a run show; those that it leaves out, what its first does.
-struct SeenInRun {
-    std::uint32_t filled[block_size];
-    const std::uint32_t* codes;
-    SeenInRun(const PlaceJob& job, const PixelRun& run) : codes(job.seen + run.first_pixel) {
-        if (run.mask == 0xFFFF) return;
-        const std::uint32_t first = codes[__builtin_ctz(run.mask)];
-        for (std::size_t i = 0; i < block_size; ++i) filled[i] = run.mask >> i & 1u ? codes[i] : first;
-        codes = filled;
-    }
-};
+/// What the pixels of a run show; those that it leaves out, what its first does: then in `filled`.
+inline const std::uint32_t* seen_in_run(const PlaceJob& job, const PixelRun& run,
+                                        std::uint32_t (&filled)[block_size]) {
+    const std::uint32_t* seen = job.seen + run.first_pixel;
+    if (run.mask == 0xFFFF) return seen;
+    const std::uint32_t first = seen[__builtin_ctz(run.mask)];
+    for (std::size_t i = 0; i < block_size; ++i) filled[i] = run.mask >> i & 1u ? seen[i] : first;
+    return filled;
+}
 
 template <Number F>
 void place_runs(const PlaceJob& job, const PixelRun* runs, std::size_t count, PointBlock* out,
                 std::uint8_t* usual) {
     const auto row = static_cast<std::uint32_t>(job.width);
     for (std::size_t i = 0; i < count; ++i) {
-        const SeenInRun seen(job, runs[i]);
+        std::uint32_t filled[block_size];
+        const std::uint32_t* seen = seen_in_run(job, runs[i], filled);
         const auto x = static_cast<int>(runs[i].first_pixel % row);
         const auto y = static_cast<int>(runs[i].first_pixel / row);
         bool all = true;
         for (std::size_t k = 0; k < block_size; k += NumberTraits<F>::width)
-            all &= blend_lanes<F>(job, seen.codes, k, x, y, out[i]);
+            all &= blend_lanes<F>(job, seen, k, x, y, out[i]);
         usual[i] = all;
         // One run behind: a root and a quotient that would otherwise be waited for.
         if (i > 0) usual[i - 1] &= make_normals_unit<F>(out[i - 1]);
