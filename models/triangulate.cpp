@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "models/polygon.h"
 
@@ -11,6 +12,8 @@ namespace {
 
 // Sine of a turn below which a corner counts as straight: floats that lie on a line do so to about 1e-7.
 constexpr double straight = 1e-6;
+
+constexpr std::size_t no_corner = static_cast<std::size_t>(-1);  // past either end of the sweep
 
 void add(const Mesh& mesh, const Triangle& t, std::vector<Triangle>& triangles) {
     const auto place = [&](int i) { return mesh.positions[mesh.corner_position[t.corner[i]]]; };
@@ -76,24 +79,66 @@ Cut Triangulator::cut(const Mesh& mesh, std::uint32_t face, const std::vector<st
     return fan ? Cut::Fan : Cut::LongFan;
 }
 
-double Triangulator::sine(std::size_t i) const {
-    return turn(points_[i], points_[after_[i]], points_[before_[i]]);
+void Triangulator::make_ring() {
+    const std::size_t n = points_.size();
+    before_.resize(n);
+    after_.resize(n);
+    sine_.resize(n);
+    is_ear_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        before_[i] = (i + n - 1) % n;
+        after_[i] = (i + 1) % n;
+    }
 }
 
-/// An ear: a left turn whose triangle holds no other corner, nor has one on its cutting edge (a corner at the
-/// same place as one of its own is none: that is how holes are joined to the outline).
-bool Triangulator::ear(std::size_t i) const {
-    if (sine(i) <= straight) return false;
-    const Point &a = points_[before_[i]], &b = points_[i], &c = points_[after_[i]];
-    const auto same = [](const Point& p, const Point& q) { return p.x == q.x && p.y == q.y; };
-    const double min_x = std::min({a.x, b.x, c.x}), max_x = std::max({a.x, b.x, c.x});
-    for (std::size_t k = after_[after_[i]]; k != before_[i]; k = after_[k]) {
-        const Point& p = points_[k];
-        if (p.x < min_x || p.x > max_x) continue;
-        if (cross(a, b, p) < 0 || cross(b, c, p) < 0 || cross(c, a, p) < 0) continue;
-        if (!same(p, a) && !same(p, b) && !same(p, c)) return false;
+/// Orders the corners by x.
+void Triangulator::make_sweep() {
+    const std::size_t n = points_.size();
+    order_.resize(n);
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::sort(order_.begin(), order_.end(), [this](std::size_t i, std::size_t k) {
+        return points_[i].x != points_[k].x ? points_[i].x < points_[k].x : i < k;
+    });
+    lower_.assign(n, no_corner);
+    higher_.assign(n, no_corner);
+    for (std::size_t k = 1; k < n; ++k) {
+        lower_[order_[k]] = order_[k - 1];
+        higher_[order_[k - 1]] = order_[k];
     }
+}
+
+/// Takes a corner out of the ring and out of the sweep.
+void Triangulator::clip(std::size_t i) {
+    after_[before_[i]] = after_[i];
+    before_[after_[i]] = before_[i];
+    if (lower_[i] != no_corner) higher_[lower_[i]] = higher_[i];
+    if (higher_[i] != no_corner) lower_[higher_[i]] = lower_[i];
+}
+
+/// A corner that keeps the triangle a, b, c from being an ear: within it or on its edge. A corner at the same
+/// place as one of its own does not: that is how holes are joined to the outline.
+bool Triangulator::blocks(std::size_t k, const Point& a, const Point& b, const Point& c) const {
+    const Point& p = points_[k];
+    if (cross(a, b, p) < 0 || cross(b, c, p) < 0 || cross(c, a, p) < 0) return false;
+    const auto at_p = [&p](const Point& q) { return p.x == q.x && p.y == q.y; };
+    return !at_p(a) && !at_p(b) && !at_p(c);
+}
+
+/// An ear: a left turn that no other corner of the ring blocks.
+bool Triangulator::ear(std::size_t i) const {
+    if (sine_[i] <= straight) return false;
+    const Point &a = points_[before_[i]], &b = points_[i], &c = points_[after_[i]];
+    const double min_x = std::min({a.x, b.x, c.x}), max_x = std::max({a.x, b.x, c.x});
+    for (std::size_t k = lower_[i]; k != no_corner && points_[k].x >= min_x; k = lower_[k])
+        if (blocks(k, a, b, c)) return false;
+    for (std::size_t k = higher_[i]; k != no_corner && points_[k].x <= max_x; k = higher_[k])
+        if (blocks(k, a, b, c)) return false;
     return true;
+}
+
+void Triangulator::look_at(std::size_t i) {
+    sine_[i] = turn(points_[i], points_[after_[i]], points_[before_[i]]);
+    is_ear_[i] = ear(i) ? 1 : 0;
 }
 
 /// The first ear at or after `start`, of a ring of `left` corners. Where there is none (the polygon crosses
@@ -103,9 +148,8 @@ std::size_t Triangulator::next_ear(std::size_t start, std::size_t left) const {
     double best_sine = -2;
     for (; left > 0; --left, i = after_[i]) {
         if (is_ear_[i] != 0) return i;
-        const double s = sine(i);
-        if (s > best_sine) {
-            best_sine = s;
+        if (sine_[i] > best_sine) {
+            best_sine = sine_[i];
             best = i;
         }
     }
@@ -114,23 +158,16 @@ std::size_t Triangulator::next_ear(std::size_t start, std::size_t left) const {
 
 void Triangulator::clip_ears(const Mesh& mesh, std::uint32_t face, const std::vector<std::uint32_t>& corners,
                              std::vector<Triangle>& triangles) {
-    const std::size_t n = corners.size();
-    before_.resize(n);
-    after_.resize(n);
-    is_ear_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        before_[i] = (i + n - 1) % n;
-        after_[i] = (i + 1) % n;
-    }
-    for (std::size_t i = 0; i < n; ++i) is_ear_[i] = ear(i) ? 1 : 0;
+    make_ring();
+    make_sweep();
+    for (std::size_t i = 0; i < corners.size(); ++i) look_at(i);
     std::size_t start = 0;
-    for (std::size_t left = n; left >= 3; --left) {
+    for (std::size_t left = corners.size(); left >= 3; --left) {
         const std::size_t i = next_ear(start, left), b = before_[i], a = after_[i];
         add(mesh, {{corners[b], corners[i], corners[a]}, face}, triangles);
-        after_[b] = a;
-        before_[a] = b;
-        is_ear_[b] = ear(b) ? 1 : 0;  // only the neighbours can have changed
-        is_ear_[a] = ear(a) ? 1 : 0;
+        clip(i);
+        look_at(b);  // only the neighbours can have changed
+        look_at(a);
         start = a;
     }
 }

@@ -30,15 +30,23 @@ class Triangulator {
     };
     void project(const Mesh& mesh, const std::vector<std::uint32_t>& corners, const glm::dvec3& normal);
     [[nodiscard]] bool convex() const;
+    void make_ring();
+    void make_sweep();
+    void clip(std::size_t i);
+    [[nodiscard]] bool blocks(std::size_t k, const Point& a, const Point& b, const Point& c) const;
     [[nodiscard]] bool ear(std::size_t i) const;
-    [[nodiscard]] double sine(std::size_t i) const;
+    void look_at(std::size_t i);
     [[nodiscard]] std::size_t next_ear(std::size_t start, std::size_t left) const;
     void clip_ears(const Mesh& mesh, std::uint32_t face, const std::vector<std::uint32_t>& corners,
                    std::vector<Triangle>& triangles);
 
     std::vector<Point> points_;                // the corners in the Newell plane, counter-clockwise
     std::vector<std::size_t> before_, after_;  // ring of the corners not clipped yet
+    std::vector<double> sine_;                 // of each corner's turn
     std::vector<char> is_ear_;
+    // The same corners in the order of their x, as a list: only those between the ends of an ear can lie in
+    // it.
+    std::vector<std::size_t> order_, lower_, higher_;
 };
 
 }  // namespace glint
