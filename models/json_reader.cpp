@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "models/json_syntax.h"
+#include "models/progress.h"
 #include "models/utf8.h"
 
 namespace glint {
@@ -40,7 +41,7 @@ struct CountingIterator {
 class Builder {
   public:
     Builder(std::string_view text, const std::string& file)
-        : text_(text), file_(file), reached_(text.data()) {}
+        : text_(text), file_(file), reached_(text.data()), parsed_(text.size()) {}
 
     Json take() && { return std::move(root_); }
     [[nodiscard]] CountingIterator begin() { return {text_.data(), &reached_}; }
@@ -91,6 +92,7 @@ class Builder {
     Json& put(Json v) {
         if (++count_ > max_json_values)
             fail({"", "", "too many values", fmt::format("at most {} in a scene", max_json_values)});
+        parsed_.at(place());
         understood(JsonEvent::Value);
         if (open_.empty()) return root_ = std::move(v);
         Json& into = *open_.back();
@@ -149,6 +151,7 @@ class Builder {
     std::string_view text_;
     const std::string& file_;
     const char* reached_;
+    ParsedBytes parsed_;
     Json root_;
     std::vector<Json*> open_;             // containers around the place, outermost first
     std::vector<std::string> open_keys_;  // the key under which each stands; unused in arrays
@@ -172,7 +175,11 @@ Json read_json(std::string_view text, const std::string& file) {
     if (text.starts_with(byte_order_mark))  // the library would pass over this one
         throw ProblemFound{{file, "", "a second byte-order mark", "at most one before the text", 1}};
     Builder builder(text, file);
-    Json::sax_parse(builder.begin(), builder.end(), &builder);  // what is wrong is thrown
+    try {
+        Json::sax_parse(builder.begin(), builder.end(), &builder);  // what is wrong is thrown
+    } catch (const LoadCancelled&) {
+        throw ProblemFound{{file, "", cancelled_words, ""}};
+    }
     return std::move(builder).take();
 }
 

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "models/mesh_file.h"
+#include "models/progress.h"
 #include "models/scene_file.h"
 #include "models/scene_names.h"
 
@@ -33,6 +34,8 @@ Result<Mesh> load(const MeshSource& source, const std::string& mesh_dir) {
         if (const auto* mesh = std::get_if<PrimitiveMesh>(&source))
             return make_primitive(mesh->primitive, mesh->detail);
         return read_mesh(resolved(std::get<MeshFile>(source).path, mesh_dir));
+    } catch (const LoadCancelled&) {
+        return Problem{"", "", cancelled_words, ""};
     } catch (const std::bad_alloc&) {
         return Problem{"", "", "the mesh does not fit in memory", "a smaller detail"};
     }
@@ -100,6 +103,7 @@ Result<Warnings> load_meshes(Scene& scene, const std::string& file, const std::s
             meshes.push_back(scene.objects[i].mesh);
             continue;
         }
+        if (load_cancelled()) return Problem{file, "", cancelled_words, ""};
         Result<MeshPtr> mesh = loader.mesh_of(scene.objects[i], i);
         if (const Problem* problem = problem_of(mesh)) return *problem;
         meshes.push_back(std::get<MeshPtr>(std::move(mesh)));

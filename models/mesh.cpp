@@ -4,11 +4,15 @@
 #include <glm/common.hpp>
 
 #include "models/polygon.h"
+#include "models/progress.h"
 #include "models/triangulate.h"
 #include "models/warn.h"
 
 namespace glint {
 namespace {
+
+// A corner takes at most about a thousand steps of ear clipping: a few milliseconds from report to report.
+constexpr std::size_t corners_between_reports = 1 << 14;
 
 Bounds bounds_of_faces(const Mesh& mesh) {
     if (mesh.corner_position.empty()) return {};
@@ -29,8 +33,13 @@ void finish_mesh(Mesh& mesh) {
     Triangulator triangulator;
     std::vector<std::uint32_t> corners;
     std::size_t without_area = 0, repeating = 0, long_fans = 0;
+    std::size_t next_report = corners_between_reports;
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
         const std::uint32_t first = mesh.first_corner[f], size = mesh.first_corner[f + 1] - first;
+        if (first >= next_report) {
+            report_or_leave(LoadStage::Building, f, mesh.face_count());
+            next_report = first + corners_between_reports;
+        }
         const PolygonPlane plane = polygon_plane(mesh, f);
         if (!(plane.area > 0)) {
             ++without_area;

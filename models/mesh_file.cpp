@@ -44,7 +44,6 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
         return Problem{path, "", "the extension is that of no mesh", ".obj, .ply, .off, .stl or .om", 0};
     if (bytes.empty()) return Problem{path, "", "the file is empty", "a mesh", 0};
     try {
-        (void)report_progress(LoadStage::Building, 0);
         Mesh mesh = read(bytes, path);
         if (mesh.face_count() == 0) return Problem{path, "", "the mesh has no faces", "at least one", 0};
         finish_mesh(mesh);
@@ -53,6 +52,8 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
         return mesh;
     } catch (const Unreadable& unreadable) {
         return unreadable.problem;
+    } catch (const LoadCancelled&) {
+        return Problem{path, "", cancelled_words, ""};
     } catch (const std::bad_alloc&) {
         return Problem{path, "", "the mesh does not fit in memory", "a smaller one", 0};
     }
@@ -77,10 +78,6 @@ void close_face(Mesh& mesh, const std::string& file, int line) {
     if (mesh.corner_position.size() > most_corners)
         throw Unreadable{
             {file, "", "the mesh has too many corners", fmt::format("at most {}", most_corners), line}};
-    constexpr std::size_t faces_between_reports = 4096;
-    if (mesh.first_corner.size() % faces_between_reports == 0 &&
-        !report_progress(LoadStage::Building, mesh.first_corner.size()))
-        throw Unreadable{{file, "", cancelled_words, ""}};
     mesh.first_corner.push_back(static_cast<std::uint32_t>(mesh.corner_position.size()));
 }
 

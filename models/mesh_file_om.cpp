@@ -41,34 +41,46 @@ class OmImporter final : public OpenMesh::IO::BaseImporter {
     using Vec3uc = OpenMesh::Vec3uc;
     using Vec4uc = OpenMesh::Vec4uc;
 
+    /// `stream` is what the reader reads: its place tells the progress. Throws LoadCancelled out of the
+    /// reader.
+    OmImporter(std::istream& stream, std::size_t bytes) : stream_(stream), parsed_(bytes) {}
+
     std::vector<glm::vec3> positions, normals, colors;
     std::vector<std::vector<int>> polygons;  // versions before 2: the vertices of each face
     std::vector<OmHalfedge> halfedges;       // version 2: half-edges 2e and 2e + 1 are edge e
     std::vector<int> face_halfedges;         // version 2: one half-edge of each face
 
     Vertex add_vertex(const Vec3f& p) override {
+        report();
         positions.emplace_back(p[0], p[1], p[2]);
         return Vertex(static_cast<int>(positions.size() - 1));
     }
     Vertex add_vertex() override { return add_vertex(Vec3f(0, 0, 0)); }
     Half add_edge(Vertex from, Vertex to) override {
+        report();
         halfedges.push_back({to.idx(), -1});
         halfedges.push_back({from.idx(), -1});
         return Half(static_cast<int>(halfedges.size() - 2));
     }
     Face add_face(const VHandles& vertices) override {
+        report();
         polygons.emplace_back();
         for (const Vertex v : vertices) polygons.back().push_back(v.idx());
         return Face(static_cast<int>(polygons.size() - 1));
     }
     Face add_face(Half half) override {
+        report();
         face_halfedges.push_back(half.idx());
         return Face(static_cast<int>(face_halfedges.size() - 1));
     }
     void set_next(Half half, Half next) override { at(half).next = next.idx(); }
-    void set_normal(Vertex /*v*/, const Vec3f& n) override { normals.emplace_back(n[0], n[1], n[2]); }
+    void set_normal(Vertex /*v*/, const Vec3f& n) override {
+        report();
+        normals.emplace_back(n[0], n[1], n[2]);
+    }
     void set_normal(Vertex /*v*/, const Vec3d& n) override { normals.emplace_back(n[0], n[1], n[2]); }
     void set_color(Vertex /*v*/, const Vec3uc& c) override {
+        report();
         colors.push_back(glm::vec3(c[0], c[1], c[2]) / 255.f);
     }
     std::size_t n_vertices() const override { return positions.size(); }
@@ -108,8 +120,15 @@ class OmImporter final : public OpenMesh::IO::BaseImporter {
     void add_texture_information(int, std::string) override {}
 
   private:
+    void report() {
+        constexpr std::size_t calls_between_reports = 4096;
+        if (++calls_ % calls_between_reports == 0) parsed_.at(static_cast<std::size_t>(stream_.tellg()));
+    }
     OmHalfedge& at(Half half) { return halfedges.at(static_cast<std::size_t>(half.idx())); }
 
+    std::istream& stream_;
+    ParsedBytes parsed_;
+    std::size_t calls_ = 0;
     OpenMesh::PolyConnectivity scratch_;  // the reader insists on a kernel; it stays empty
 };
 
@@ -135,6 +154,9 @@ class OmPolygons {
         if (vertex < 0 || static_cast<std::size_t>(vertex) >= from_.positions.size())
             fail(fmt::format("vertex index {} is out of range", vertex),
                  from_.positions.empty() ? "vertices" : fmt::format("0 to {}", from_.positions.size() - 1));
+        constexpr std::size_t corners_between_reports = 1 << 16;
+        if (mesh_.corner_position.size() % corners_between_reports == 0)
+            report_or_leave(LoadStage::Building, mesh_.face_count(), from_.n_faces());
         mesh_.corner_position.push_back(static_cast<std::uint32_t>(vertex));
     }
 
@@ -178,7 +200,7 @@ Mesh read_om(std::string_view bytes, const std::string& file) {
     Mesh mesh;
     mesh.first_corner.push_back(0);
     std::istringstream stream(sound_om_chunks(bytes, file, mesh.warnings));
-    OmImporter importer;
+    OmImporter importer(stream, bytes.size());
     OpenMesh::IO::Options options = OpenMesh::IO::Options::Binary;
     options += OpenMesh::IO::Options::VertexNormal;
     options += OpenMesh::IO::Options::VertexColor;

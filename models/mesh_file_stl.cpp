@@ -106,21 +106,29 @@ float little_endian_float(const char* at) {
 Mesh read_binary(std::string_view bytes, const std::string& file) {
     const std::size_t count = facet_count(bytes);
     Facets facets(file);
+    ParsedBytes parsed(bytes.size());
+    std::size_t bad_normals = 0;
     for (std::size_t f = 0; f < count; ++f) {
+        parsed.at(f * binary_facet);
         const char* at = bytes.data() + binary_header + f * binary_facet;
         std::array<glm::vec3, 4> v;  // normal, three corners
+        bool good_normal = true;
         for (int i = 0; i < 12; ++i, at += 4) {
             const float x = little_endian_float(at);
             if (i >= 3 && !(std::abs(x) <= largest_number))
                 throw Unreadable{
                     {file, "", fmt::format("facet {}: a coordinate is {}", f, x), "-1e30 to 1e30", 0}};
-            v[static_cast<std::size_t>(i / 3)][i % 3] = std::abs(x) <= largest_number ? x : 0;
+            v[static_cast<std::size_t>(i / 3)][i % 3] = x;
+            good_normal = good_normal && std::abs(x) <= largest_number;
         }
+        if (!good_normal) v[0] = glm::vec3(0), ++bad_normals;
         for (const std::size_t i : {1u, 2u, 3u}) facets.corner(v[i]);
         facets.close(v[0], 0);
     }
     if (bytes.size() > binary_header + count * binary_facet)
         facets.warnings().emplace_back("data after the last facet is ignored");
+    warn(facets.warnings(), bad_normals, "facet has a normal that is out of range, which is ignored",
+         "facets have normals that are out of range, which are ignored");
     return facets.finish();
 }
 

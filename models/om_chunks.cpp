@@ -32,7 +32,8 @@ struct ChunkHeader {
 /// Walks the chunks, checks that each is there whole, and copies those that make up the mesh.
 class ChunkFilter {
   public:
-    ChunkFilter(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {
+    ChunkFilter(std::string_view bytes, const std::string& file)
+        : bytes_(bytes), file_(file), parsed_(bytes.size()) {
         if (bytes.substr(0, 2) != "OM" || bytes.size() < header_size)
             fail("this is no OM file", "\"OM\" and its counts");
         kind_ = bytes[2];
@@ -52,6 +53,7 @@ class ChunkFilter {
         std::string out(bytes_.substr(0, header_size));
         at_ = header_size;
         while (at_ < bytes_.size()) {
+            parsed_.at(at_);
             const std::size_t start = at_;
             const ChunkHeader header{static_cast<unsigned>(little_endian(at_, 2))};
             at_ += 2;
@@ -66,6 +68,8 @@ class ChunkFilter {
             at_ += size;
             if (wanted(header)) out += bytes_.substr(start, at_ - start);
         }
+        if (other_normals_) warnings.emplace_back("vertex normals of an unusual type are ignored");
+        if (other_colors_) warnings.emplace_back("vertex colours of an unusual type are ignored");
         if (!has_places_ && vertices_ > 0)
             fail("the file has no places of its vertices", "a chunk of positions");
         return out.append({static_cast<char>(Chunk::Entity_Sentinel << Chunk::OFF_ENTITY), 0});
@@ -103,7 +107,7 @@ class ChunkFilter {
         }
     }
 
-    std::size_t data_size(const ChunkHeader& header) const {
+    std::size_t data_size(const ChunkHeader& header) {
         if (header.type() == Chunk::Type_Status) return 4 * count(header);
         if (header.type() != Chunk::Type_Topology) return count(header) * header.vector_bytes();
         const std::size_t size = header.integer_bytes();
@@ -112,7 +116,10 @@ class ChunkFilter {
         if (header.entity() != Chunk::Entity_Face || version_ >= version_2) return size * count(header);
         if (kind_ != 'P') return (kind_ == 'T' ? 3 : 4) * size * faces_;
         std::size_t total = 0;  // each face: 2 bytes of a count, then the vertices
-        for (std::size_t f = 0; f < faces_; ++f) total += 2 + size * little_endian(at_ + total, 2);
+        for (std::size_t f = 0; f < faces_; ++f) {
+            parsed_.at(at_ + total);
+            total += 2 + size * little_endian(at_ + total, 2);
+        }
         return total;
     }
 
@@ -132,18 +139,24 @@ class ChunkFilter {
             if (!floats) fail("the places are of an unusual type", "three 4-byte floats each");
             return once(has_places_);
         }
-        if (header.type() == Chunk::Type_Normal) return floats && once(has_normals_);
+        if (header.type() == Chunk::Type_Normal) {
+            if (!floats) other_normals_ = true;
+            return floats && once(has_normals_);
+        }
         const bool bytes = !header.is_float() && header.integer_bytes() == 1 && header.dimensions() == 3;
-        return header.type() == Chunk::Type_Color && bytes && once(has_colors_);
+        if (header.type() != Chunk::Type_Color) return false;
+        if (!bytes) other_colors_ = true;
+        return bytes && once(has_colors_);
     }
 
     std::string_view bytes_;
     const std::string& file_;
+    ParsedBytes parsed_;
     char kind_ = 'P';
     unsigned version_ = 0;
     std::size_t vertices_ = 0, faces_ = 0, edges_ = 0, at_ = 0;
     bool has_places_ = false, has_normals_ = false, has_colors_ = false, has_faces_ = false,
-         has_halfedges_ = false;
+         has_halfedges_ = false, other_normals_ = false, other_colors_ = false;
 };
 
 }  // namespace

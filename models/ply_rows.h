@@ -55,7 +55,8 @@ class AsciiRows {
 /// Values of a binary body, the bytes of each turned round or not.
 template <bool swap> class BinaryRows {
   public:
-    BinaryRows(TextCursor& cursor, const std::string& file) : file_(file), left_(cursor.rest()) {
+    BinaryRows(TextCursor& cursor, const std::string& file)
+        : file_(file), left_(cursor.rest()), bytes_(left_.size()), parsed_(bytes_) {
         if (left_.substr(0, 1) == "\r") left_.remove_prefix(1);
         if (left_.substr(0, 1) == "\n") left_.remove_prefix(1);
     }
@@ -105,6 +106,7 @@ template <bool swap> class BinaryRows {
         return 1;  // not reached
     }
     const char* take(std::size_t bytes) {
+        parsed_.at(bytes_ - left_.size());
         if (bytes > left_.size()) fail("the file ends early", fmt::format("{} of them", element_->count));
         const char* at = left_.data();
         left_.remove_prefix(bytes);
@@ -140,6 +142,8 @@ template <bool swap> class BinaryRows {
 
     const std::string& file_;
     std::string_view left_;
+    std::size_t bytes_;  // of the whole body
+    ParsedBytes parsed_;
     const PlyElement* element_ = nullptr;
     std::size_t row_ = 0;
 };

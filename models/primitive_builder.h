@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "models/mesh.h"
+#include "models/progress.h"
 
 namespace glint {
 
-/// A polygon mesh under construction, in double until it has been centred.
+/// A polygon mesh under construction, in double until it has been centred. Adding to it reports the load's
+/// progress now and then and may throw LoadCancelled.
 struct PrimitiveBuilder {
     std::vector<glm::dvec3> positions, normals;
     std::vector<std::uint32_t> first_corner{0}, corner_position;
@@ -19,6 +21,7 @@ struct PrimitiveBuilder {
 
     /// Adds a position with its normal; returns its index.
     std::uint32_t vertex(const glm::dvec3& position, const glm::dvec3& normal) {
+        if (positions.size() % between_reports == 0) report_or_leave(LoadStage::Building, face_count());
         positions.push_back(position);
         normals.push_back(normal);
         return static_cast<std::uint32_t>(positions.size() - 1);
@@ -33,7 +36,13 @@ struct PrimitiveBuilder {
         corner_position.push_back(position);
         corner_normal.push_back(normal);
     }
-    void close_face() { first_corner.push_back(static_cast<std::uint32_t>(corner_position.size())); }
+    void close_face() {
+        if (first_corner.size() % between_reports == 0) report_or_leave(LoadStage::Building, face_count());
+        first_corner.push_back(static_cast<std::uint32_t>(corner_position.size()));
+    }
+    [[nodiscard]] std::size_t face_count() const { return first_corner.size() - 1; }
+
+    static constexpr std::size_t between_reports = 1 << 14;  // vertices, faces
 };
 
 /// A closed grid of quads, `columns` to the right by `rows` up as seen from outside, that meets itself at

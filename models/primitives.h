@@ -35,6 +35,7 @@ enum class Primitive {
 /// x 3 (torus), 3 slices (cylinder, cone), 12 x 3 (knot), 2 x 2 a patch (teapot). Spheres and cubes have
 /// quads with triangles at the poles; caps are one polygon; the teapot, which is open, is cut into triangles.
 /// Precondition: 1 <= detail <= max_detail(primitive).
+/// Throws LoadCancelled (models/progress.h) when this thread's load shall end.
 [[nodiscard]] Mesh make_primitive(Primitive primitive, int detail);
 
 }  // namespace glint

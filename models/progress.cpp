@@ -18,4 +18,15 @@ bool report_progress(LoadStage stage, std::uint64_t done, std::uint64_t total) {
     return !listening->cancelled;
 }
 
+bool load_cancelled() { return listening != nullptr && listening->cancelled; }
+
+void report_or_leave(LoadStage stage, std::uint64_t done, std::uint64_t total) {
+    if (!report_progress(stage, done, total)) throw LoadCancelled();
+}
+
+void ParsedBytes::report(std::size_t done) {
+    next_ = done + between_reports;
+    report_or_leave(LoadStage::Parsing, done, total_);
+}
+
 }  // namespace glint

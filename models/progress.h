@@ -4,15 +4,17 @@
 // ends.
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <exception>
 
 namespace glint {
 
-enum class LoadStage { Reading, Building };
+enum class LoadStage { Reading, Parsing, Building };
 
 struct LoadProgress {
     std::atomic<LoadStage> stage{LoadStage::Reading};
-    std::atomic<std::uint64_t> done{0}, total{0};  // Reading: bytes; Building: faces, total not known (0)
+    std::atomic<std::uint64_t> done{0}, total{0};  // bytes; Building: faces; total is 0 when not known
     std::atomic<bool> cancelled{false};
 };
 
@@ -30,5 +32,33 @@ class ProgressScope {
 
 /// Problem::what of a load that was ended early.
 inline constexpr const char* cancelled_words = "loading was cancelled";
+
+/// How a load ends early from deep inside. read_mesh(), parse_mesh() and load_meshes() make a Problem of it.
+struct LoadCancelled : std::exception {
+    [[nodiscard]] const char* what() const noexcept override { return cancelled_words; }
+};
+
+/// report_progress(), but throws LoadCancelled when the load shall end.
+void report_or_leave(LoadStage stage, std::uint64_t done, std::uint64_t total = 0);
+
+/// Whether this thread's load shall end; for steps that have nothing to tell.
+[[nodiscard]] bool load_cancelled();
+
+/// Reports how many bytes of a file have been parsed, after every 64 KiB: cheap enough to be told of each
+/// word.
+class ParsedBytes {
+  public:
+    explicit ParsedBytes(std::size_t total) : total_(total) {}
+    /// Throws LoadCancelled when the load shall end.
+    void at(std::size_t done) {
+        if (done >= next_) report(done);
+    }
+
+  private:
+    void report(std::size_t done);
+
+    static constexpr std::size_t between_reports = 1 << 16;
+    std::size_t total_, next_ = between_reports;
+};
 
 }  // namespace glint

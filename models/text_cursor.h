@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "models/problem.h"
+#include "models/progress.h"
 
 namespace glint {
 
@@ -21,12 +22,18 @@ struct Unreadable {
 /// The largest size of a number in a mesh file.
 inline constexpr float largest_number = 1e30f;
 
+/// Tells the load's progress as it goes: every member that moves it may throw LoadCancelled.
 class TextCursor {
   public:
     /// `file` is for messages. With `continued` a backslash before the end of a line joins it with the next.
     /// '#' begins a comment that ends with its line.
     TextCursor(std::string_view text, std::string file, bool continued)
-        : at_(text.data()), end_(at_ + text.size()), file_(std::move(file)), continued_(continued) {}
+        : at_(text.data()),
+          begin_(at_),
+          end_(at_ + text.size()),
+          parsed_(text.size()),
+          file_(std::move(file)),
+          continued_(continued) {}
 
     /// Moves to the next line that has a word; false when there is none.
     bool next_line() {
@@ -41,6 +48,7 @@ class TextCursor {
 
     /// Whether no further word is on this line.
     bool end_of_line() {
+        parsed_.at(static_cast<std::size_t>(at_ - begin_));
         skip_blanks();
         return at_ == end_ || *at_ == '\n' || *at_ == '#';
     }
@@ -56,7 +64,7 @@ class TextCursor {
     /// The next word as a finite number within +-1e30. `name` says what is missing where there is none.
     float number(std::string_view name) {
         if (end_of_line()) fail_missing(name, "a number");
-        const char* first = at_ + (*at_ == '+' ? 1 : 0);
+        const char* first = at_ + (*at_ == '+' && !(end_ - at_ > 1 && at_[1] == '-') ? 1 : 0);
         float value = 0;
         const auto [last, error] = std::from_chars(first, end_, value);
         if (error == std::errc() && (last == end_ || is_space(*last)) && std::abs(value) <= largest_number) {
@@ -105,14 +113,17 @@ class TextCursor {
     [[noreturn]] void fail_integer();
 
     const char* at_;
+    const char* begin_;
     const char* end_;
+    ParsedBytes parsed_;
     std::string file_;
     int line_ = 1;
     bool continued_;
     bool started_ = false;
 };
 
-/// A word of a file for a message: in quotes, cut when long.
+/// A word of a file for a message: in quotes when it is a short printable one, else its length. A scene may
+/// name any file that its reader can read, and a message is no place for what else stands there.
 [[nodiscard]] std::string quoted_word(std::string_view word);
 
 }  // namespace glint
