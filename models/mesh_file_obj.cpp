@@ -39,6 +39,8 @@ class ObjReader {
         check_ahead();
         finish_normals();
         if (!mesh_.colors.empty()) mesh_.colors.resize(mesh_.positions.size(), glm::vec3(1));
+        warn(mesh_.warnings, slashes_, "corner ends in a slash, which is ignored",
+             "corners end in a slash, which is ignored");
         warn(mesh_.warnings, weights_, "vertex has a weight, which is ignored",
              "vertices have weights, which are ignored");
         warn(mesh_.warnings, lines_, "line element is ignored", "line elements are ignored");
@@ -104,7 +106,7 @@ class ObjReader {
         close_face(mesh_, file_, cursor_.line());
     }
 
-    /// "v", "v/vt", "v//vn" or "v/vt/vn".
+    /// "v", "v/vt", "v//vn" or "v/vt/vn"; some writers leave a slash at the end.
     void corner(std::string_view word) {
         const char* at = word.data();
         const char* end = at + word.size();
@@ -113,6 +115,7 @@ class ObjReader {
         bool has_normal = false;
         if (good && at < end && *at == '/') {
             ++at;
+            if (at == end) ++slashes_;
             if (at < end && *at != '/') good = integer(at, end, texture);
             if (good && at < end && *at == '/') {
                 ++at;
@@ -147,6 +150,7 @@ class ObjReader {
         const auto count = static_cast<std::int64_t>(mesh_.normals.size());
         const std::int64_t from_zero = index < 0 ? count + index : index - 1;
         const bool possible = from_zero >= 0 && from_zero < std::int64_t{no_index};
+        ++named_normals_;
         mesh_.corner_normal.resize(mesh_.corner_position.size() - 1, no_index);
         mesh_.corner_normal.push_back(possible ? static_cast<std::uint32_t>(from_zero) : no_index);
     }
@@ -167,9 +171,12 @@ class ObjReader {
         if (mesh_.normals.empty() || mesh_.corner_normal.empty()) {
             mesh_.normals.clear();
             mesh_.corner_normal.clear();
+            warn(mesh_.warnings, named_normals_,
+                 "corner names a normal, and the file has none; its vertex normal is used",
+                 "corners name normals, and the file has none; their vertex normals are used");
             return;
         }
-        mesh_.given_normals = GivenNormals::File;
+        mesh_.given_normals = GivenNormals::File;  // corner_normals() counts the corners that have none
         mesh_.corner_normal.resize(mesh_.corner_position.size(), no_index);
         for (std::uint32_t& index : mesh_.corner_normal)
             if (index >= mesh_.normals.size()) index = no_index;
@@ -182,7 +189,7 @@ class ObjReader {
     const std::string& file_;
     Mesh mesh_;
     std::vector<AheadOfVertex> ahead_;
-    std::size_t weights_ = 0, lines_ = 0, points_ = 0, free_form_ = 0;
+    std::size_t named_normals_ = 0, slashes_ = 0, weights_ = 0, lines_ = 0, points_ = 0, free_form_ = 0;
 };
 
 }  // namespace

@@ -60,6 +60,12 @@ template <class Rows> class PlyBody {
             warn(mesh_.warnings, element.count,
                  "vertex has a colour of a signed or 32-bit type, which is ignored",
                  "vertices have colours of a signed or 32-bit type, which are ignored");
+        if (element.has_part_of_three(PlyRole::Nx))
+            warn(mesh_.warnings, element.count, "vertex has a part of a normal only, which is ignored",
+                 "vertices have a part of a normal only, which is ignored");
+        if (element.has_part_of_three(PlyRole::Red))
+            warn(mesh_.warnings, element.count, "vertex has a part of a colour only, which is ignored",
+                 "vertices have a part of a colour only, which is ignored");
         mesh_.positions.reserve(std::min(element.count, rows_.bytes_left() / 3));
         std::array<float, 11> value{};  // by role
         for (std::size_t row = 0; row < element.count; ++row) {

@@ -54,7 +54,8 @@ bool TextCursor::skip_continuation() {
 /// 0.
 float TextCursor::unusual_number() {
     const std::string_view text = word();
-    const std::string_view digits = text.substr(text.substr(0, 1) == "+" ? 1 : 0);
+    const bool plus = text.starts_with('+') && !text.starts_with("+-");
+    const std::string_view digits = text.substr(plus ? 1 : 0);
     double value = 0;
     const auto [last, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const bool whole = last == digits.data() + digits.size() && error != std::errc::invalid_argument;
@@ -68,12 +69,9 @@ float TextCursor::unusual_number() {
 }
 
 std::string quoted_word(std::string_view word) {
-    constexpr std::size_t longest = 40;
-    if (word.size() <= longest) return fmt::format("\"{}\"", word);
-    std::size_t cut = longest;
-    while (cut > 0 && (static_cast<unsigned char>(word[cut]) & 0xC0) == 0x80)
-        --cut;  // not inside a UTF-8 character
-    return fmt::format("\"{}…\"", word.substr(0, cut));
+    constexpr std::size_t longest = 24;  // bytes: of any number that is written without waste
+    if (word.size() <= longest && on_one_line(word) == word) return fmt::format("\"{}\"", word);
+    return fmt::format("a word of {} bytes", word.size());
 }
 
 }  // namespace glint

@@ -1,4 +1,9 @@
 // PLY, OFF and STL: what they hold, and the one line that each malformed one is answered with.
+#include <fmt/format.h>
+
+#include <ctime>
+#include <limits>
+
 #include "models/mesh_file.h"
 #include "models/normals.h"
 #include "tests/catch.h"
@@ -55,6 +60,60 @@ TEST_CASE("what a PLY has besides is told", "[mesh_file][ply]") {
     CHECK(mesh.warnings == Warnings{"3 vertices have colours of a signed or 32-bit type, which are ignored",
                                     "1 face has a colour, which is ignored",
                                     "data after the last element is ignored"});
+}
+
+TEST_CASE("normals and colours that are not whole or not numbers are told of", "[mesh_file]") {
+    const Mesh ply = read_text(
+        "m.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "property float nx\nproperty float ny\nproperty uchar red\nelement face 1\n"
+        "property list uchar int vertex_indices\nend_header\n"
+        "0 0 0 1 1 1\n1 0 0 1 1 1\n0 1 0 1 1 1\n3 0 1 2\n");
+    CHECK(ply.warnings == Warnings{"3 vertices have a part of a normal only, which is ignored",
+                                   "3 vertices have a part of a colour only, which is ignored"});
+    std::string stl = test::binary_stl();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::memcpy(stl.data() + 84, &nan, sizeof nan);
+    CHECK(read_text("m.stl", stl).warnings ==
+          Warnings{"1 facet has a normal that is out of range, which is ignored"});
+    // Three doubles for each vertex, as a normal and as a colour.
+    for (const auto& [kind, words] :
+         {std::pair(std::uint16_t{0x5620}, "vertex normals of an unusual type are ignored"),
+          std::pair(std::uint16_t{0x5680}, "vertex colours of an unusual type are ignored")}) {
+        const std::string om = test::old_om();
+        const std::string odd = test::Bytes().u16({kind}).str() + std::string(4 * 3 * 8, '\0');
+        const Mesh mesh = read_text("m.om", om.substr(0, 16) + odd + om.substr(16));
+        CHECK(mesh.warnings == Warnings{words});
+        CHECK(mesh.given_normals == GivenNormals::None);
+    }
+}
+
+TEST_CASE("a PLY header takes time in step with its names, and holds no more than real ones do",
+          "[mesh_file][ply]") {
+    const auto header = [](int count, const std::string& kind) {
+        std::string text = "ply\nformat ascii 1.0\nelement vertex 1\n";
+        for (int i = 0; i < count; ++i)
+            text +=
+                kind == "element" ? fmt::format("element e{} 0\n", i) : fmt::format("property int p{}\n", i);
+        return text;
+    };
+    const auto work = [](const std::string& text) {  // processor time: others may be at work too
+        std::clock_t least = std::numeric_limits<std::clock_t>::max();
+        for (int i = 0; i < 5; ++i) {
+            const std::clock_t start = std::clock();
+            CHECK(error_of("m.ply", text).find("the header does not end") != std::string::npos);
+            least = std::min(least, std::clock() - start);
+        }
+        return static_cast<double>(least);
+    };
+    for (const char* kind : {"property", "element"}) {
+        // 10 times the names: 10 to 15 times the work, 100 times where each is compared with all before it.
+        const double few = work(header(4000, kind)), many = work(header(40000, kind));
+        INFO(kind << ": " << few << " and " << many);
+        CHECK(many < 40 * few);
+        CHECK(error_of("m.ply", header(70000, kind)) ==
+              "m.ply:65539: the header has too many elements and properties; expected at most 65536");
+    }
 }
 
 TEST_CASE("a malformed PLY is answered with what was expected", "[mesh_file][ply]") {

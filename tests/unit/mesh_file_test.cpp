@@ -56,6 +56,38 @@ TEST_CASE("an OBJ's normals are by corner; one that the file does not have is no
           1);
 }
 
+TEST_CASE("normals that are named and not there are told of with their count, as all that is tolerated",
+          "[mesh_file][obj]") {
+    const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    const auto told = [&v](const std::string& text) {
+        return mesh_info(read_text("m.obj", v + text)).warnings;
+    };
+    CHECK(told("f 1 2 3\n").empty());
+    CHECK(told("f 1//0 2 3\n") ==
+          Warnings{"1 corner names a normal, and the file has none; its vertex normal is used"});
+    CHECK(told("f 1//1 2//-1 3//7\n") ==
+          Warnings{"3 corners name normals, and the file has none; their vertex normals are used"});
+    CHECK(told("vn 0 0 1\nf 1//0 2//1 3//9\n") ==
+          Warnings{"2 corners have no normal; their vertex normals are used"});
+    CHECK(told("f 1/ 2/1 3/\n") == Warnings{"2 corners end in a slash, which is ignored"});
+}
+
+TEST_CASE("a message quotes no more of a file than a short word", "[mesh_file]") {
+    const std::string secret = "AKIAIOSFODNN7EXAMPLE/wJalrXUtnFEMI";
+    for (const char* name : {"m.obj", "m.ply", "m.off", "m.stl"}) {
+        const std::string line = error_of(name, "solid x\n" + secret + " more\n");
+        INFO(line);
+        CHECK_FALSE(line.empty());
+        CHECK(line.find("AKIA") == std::string::npos);
+    }
+    CHECK(error_of("m.obj", secret) ==
+          "m.obj:1: a word of 34 bytes is no statement of an OBJ file; expected v, vt, vn, f, l, p, g, o, s, "
+          "usemtl "
+          "or mtllib");
+    CHECK(error_of("m.obj", "v 1 \x1b[2J 3").find("a word of 4 bytes") != std::string::npos);
+    CHECK(error_of("m.obj", "Ölförderung").find("\"Ölförderung\"") != std::string::npos);
+}
+
 TEST_CASE("an OBJ's colours come after the place, white where there are none", "[mesh_file][obj]") {
     const Mesh mesh = read_text("m.obj", "v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0\nf 1 2 3\n");
     CHECK(mesh.colors == std::vector<glm::vec3>{{1, 1, 1}, {1, 0.5f, 0}, {1, 1, 1}});
@@ -101,6 +133,10 @@ TEST_CASE("a malformed OBJ is answered with its line and what was expected", "[m
     CHECK(line_4("v 1 2") == "m.obj:4: z is missing; expected a number");
     CHECK(line_4("v 1 two 3") == "m.obj:4: \"two\" is no number; expected a number");
     CHECK(line_4("v 1 2,5 3") == "m.obj:4: \"2,5\" is no number; expected a number");
+    CHECK(line_4("v 1 +-1 3") == "m.obj:4: \"+-1\" is no number; expected a number");
+    CHECK(line_4("v 1 +-1e400 3") == "m.obj:4: \"+-1e400\" is no number; expected a number");
+    CHECK(line_4("v 1 ++1 3") == "m.obj:4: \"++1\" is no number; expected a number");
+    CHECK(read_text("m.obj", "v +1 -2 +0.5\nf 1 1 1\n").positions[0] == glm::vec3(1, -2, 0.5f));
     CHECK(line_4("v 1 nan 3") == "m.obj:4: \"nan\" is no number; expected a number");
     CHECK(line_4("v 1 inf 3") == "m.obj:4: \"inf\" is out of range; expected -1e30 to 1e30");
     CHECK(line_4("v 1 -1.1e30 3") == "m.obj:4: \"-1.1e30\" is out of range; expected -1e30 to 1e30");

@@ -18,6 +18,8 @@ TEST_CASE("a problem is one line: file, line, pointer, what is wrong, what was e
 TEST_CASE("control characters and invalid bytes are escaped, other characters stay", "[problem]") {
     const auto text_of = [](std::string what) { return Problem{"", "", std::move(what), ""}.text(); };
     CHECK(text_of("a\nb\tc\rd\x1b[0m\x7f") == "a\\nb\\tc\\rd\\x1b[0m\\x7f");
+    // Marks that turn the order of what is shown round: U+202E and U+2066.
+    CHECK(text_of("a\xE2\x80\xAE.\xE2\x81\xA6z") == "a\\xe2\\x80\\xae.\\xe2\\x81\\xa6z");
     CHECK(text_of(std::string("a\0b", 3)) == "a\\x00b");
     CHECK(text_of("π ≤ 4, 茶壺, 😀") == "π ≤ 4, 茶壺, 😀");
     CHECK(text_of("\xff|\xc3|\xc0\xaf|\xed\xa0\x80|\xf5") == "\\xff|\\xc3|\\xc0\\xaf|\\xed\\xa0\\x80|\\xf5");
