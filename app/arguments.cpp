@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "app/failure.h"
+#include "models/file.h"
 
 namespace glint {
 namespace {
@@ -142,6 +143,10 @@ void require_given(const std::string& value, const std::string& option, const st
 
 void require_file(const SceneArguments& arguments) {
     require_given(arguments.file, "FILE", "a scene, a mesh, or - for a scene on standard input");
+}
+
+void require_writable(const std::string& out) {
+    if (const auto problem = why_not_writable(out)) throw Failure{ExitStatus::Impossible, *problem};
 }
 
 bool has_extension(const std::string& path, const std::string& extension) {

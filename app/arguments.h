@@ -61,6 +61,9 @@ void add_samples(CLI::App& app, int& samples);
 void require_given(const std::string& value, const std::string& option, const std::string& expected);
 void require_file(const SceneArguments& arguments);
 
+/// Throws the Failure of an output file that could not be written when the work is done; "-" can.
+void require_writable(const std::string& out);
+
 /// True when the last part of a path ends in `extension` (".png"), in any case.
 [[nodiscard]] bool has_extension(const std::string& path, const std::string& extension);
 

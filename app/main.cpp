@@ -1,11 +1,9 @@
 // Where the program starts: prepares the process, runs the command line, says in one line what went wrong.
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <new>
@@ -15,7 +13,9 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/say.h"
 #include "models/file.h"
+#include "models/temporary.h"
 #include "renderer/instruction_set.h"
 
 namespace {
@@ -33,15 +33,6 @@ void occupy_closed_descriptors() {
     }
 }
 
-/// One line of at most 4096 bytes, with control characters escaped. When standard error is gone nobody is
-/// told.
-void say(const char* kind, Problem problem) {
-    const std::string head = fmt::format("glint: {}: ", kind);
-    // The whole line has the limit, so what is too long is cut with its beginning in place.
-    problem.file.empty() ? problem.what.insert(0, head) : problem.file.insert(0, head);
-    std::fputs((problem.text() + "\n").c_str(), stderr);
-}
-
 /// What nobody could catch, such as a thread that the system refuses to the library that asked for it, is
 /// told in one line like any other error. Leaves at once: other threads may still be at work.
 [[noreturn]] void end_without_a_trace() {
@@ -54,6 +45,7 @@ void say(const char* kind, Problem problem) {
         what += ": an error of unknown kind";
     }
     say("error", {.file = {}, .pointer = {}, .what = what, .expected = {}});
+    remove_temporaries();
     std::_Exit(static_cast<int>(ExitStatus::Impossible));
 }
 
@@ -70,8 +62,7 @@ int run(const std::vector<std::string>& arguments) {
     if (!outcome.output.empty()) print(outcome.output);
     std::set<std::string> said;  // the same mesh may stand in a scene twice
     for (const std::string& warning : outcome.warnings) {
-        if (said.insert(warning).second)
-            say("warning", {.file = {}, .pointer = {}, .what = warning, .expected = {}});
+        if (said.insert(warning).second) say_warning(warning);
     }
     return static_cast<int>(outcome.status);
 }
@@ -84,6 +75,9 @@ int main(int argc, char** argv) {
     // A reader that went away and a file grown too large are errors that we can name.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
+    // However the process ends, no half-written file stays.
+    remove_temporaries_on_signals();
+    std::at_quick_exit(remove_temporaries);
     try {
         return run({argv + 1, argv + argc});
     } catch (const Failure& failure) {

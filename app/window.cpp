@@ -9,11 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
 #include "app/failure.h"
+#include "app/say.h"
 #include "app/texture.h"
 #include "app/window_input.h"
 #include "ui/files/end_jobs.h"
@@ -231,8 +231,7 @@ void run_window(const WindowOptions& options) {
     UiState state(options.threads);
     take_document(state.editor, take(first_document(options)));
     state.shipped_scenes = fs::path(default_scene_path()).parent_path().string();
-    for (const std::string& warning : state.editor.document.warnings)
-        fmt::print(stderr, "glint: warning: {}\n", warning);
+    for (const std::string& warning : state.editor.document.warnings) say_warning(warning);
     begin_memory(state, state_folder());
     const Glfw glfw;
     if (!glfw.ready) throw impossible("no display to open a window on");

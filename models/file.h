@@ -2,9 +2,11 @@
 // Whole files in and out, safely.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "models/problem.h"
 
@@ -15,10 +17,35 @@ namespace glint {
 [[nodiscard]] Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
 
 /// Writes beside the target and renames into place, so that a crash or a full disk leaves the old file whole.
-/// The old file's permission bits are kept; a symbolic link stays, and what it names is replaced.
+/// The old file's permission bits are kept, and its owner and group where the system lets us (where it does
+/// not, the group gets no more than all others have); until then nobody else can read what is written. A
+/// symbolic link stays, and what it names is replaced; further hard links to the old file keep the old bytes.
 /// A target that is no regular file (a pipe, a device) is written straight through; "-" is standard output,
 /// and so is /dev/stdout. A reader that has gone is a problem, not a signal. On failure nothing is left
 /// behind and the problem names the path and the reason.
 [[nodiscard]] Result<std::monostate> write_file(const std::string& path, std::string_view bytes);
+
+/// Why write_file() could not write there, as far as that can be told before there is anything to write;
+/// nothing when it could. For long work that ends in a file. Changes nothing.
+[[nodiscard]] std::optional<Problem> why_not_writable(const std::string& path);
+
+/// Several files that are written as by write_file() but appear together: what goes wrong with one before the
+/// last is written leaves none.
+class FilesTogether {
+  public:
+    FilesTogether();
+    ~FilesTogether();  // what has not been put in place is gone
+    FilesTogether(const FilesTogether&) = delete;
+    FilesTogether& operator=(const FilesTogether&) = delete;
+
+    /// Writes the bytes beside their target; those for a pipe or a device wait in memory.
+    [[nodiscard]] Result<std::monostate> add(const std::string& path, std::string bytes);
+    /// Writes to pipes and devices, then renames all the others, in the order in which they were added.
+    [[nodiscard]] Result<std::monostate> put_in_place();
+
+  private:
+    struct Staged;
+    std::vector<Staged> files_;
+};
 
 }  // namespace glint

@@ -45,6 +45,7 @@ Outcome compare(const CompareArguments& arguments) {
     require_given(arguments.a, "A.png", "two pictures to compare");
     require_given(arguments.b, "B.png", "a second picture to compare with");
     require_png_file(arguments.out);
+    if (!arguments.out.empty()) require_writable(arguments.out);
     const Picture a = take(read_png(arguments.a)), b = take(read_png(arguments.b));
     Result<Comparison> compared = glint::compare(a, b);
     if (Problem* problem = std::get_if<Problem>(&compared)) problem->file = arguments.b;

@@ -23,6 +23,7 @@ struct RenderArguments {
     std::string buffers;  // a directory
     int samples = 1;
     bool stats = false;
+    bool no_scene = false;
 };
 
 /// So many pixels have ten buffers in less than 2 GiB of memory.
@@ -43,17 +44,23 @@ std::string scene_for(const SceneDocument& document, const std::string& out) {
 }
 
 std::string picture_bytes(const Picture& picture, PictureFormat format, const SceneDocument& document,
-                          const std::string& out) {
+                          const RenderArguments& arguments) {
     const float exposure = document.scene.display.exposure;
     switch (format) {
     case PictureFormat::Png:
-        return png_bytes(picture, scene_for(document, out));
+        return png_bytes(picture, arguments.no_scene ? "" : scene_for(document, arguments.out));
     case PictureFormat::Pfm:
         return pfm_bytes(picture, exposure);
     case PictureFormat::Exr:
         return exr_bytes(picture, exposure);
     }
     return {};  // not reached
+}
+
+/// Where a buffer of that name goes.
+std::string buffer_path(const RenderArguments& arguments, const std::string& name) {
+    const bool exr = format_of(arguments.out) == PictureFormat::Exr;
+    return (std::filesystem::path(arguments.buffers) / (name + (exr ? ".exr" : ".pfm"))).string();
 }
 
 void require_possible(const RenderArguments& arguments) {
@@ -90,6 +97,8 @@ Outcome render(const RenderArguments& arguments) {
                   "a file to write, .png, .pfm or .exr, or - for a PNG on standard output");
     const PictureFormat format = format_of(arguments.out);
     require_possible(arguments);
+    require_writable(arguments.out);
+    if (!arguments.buffers.empty()) require_writable(buffer_path(arguments, "sum"));
     const SceneDocument document = open_scene(arguments.scene);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 
@@ -97,20 +106,20 @@ Outcome render(const RenderArguments& arguments) {
     const bool linear = format != PictureFormat::Png;
     const Picture& picture = renderer.render(document.scene, arguments.size, linear, arguments.samples);
     outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());
-    std::string bytes = picture_bytes(picture, format, document, arguments.out);
+    std::string bytes = picture_bytes(picture, format, document, arguments);
+    FilesTogether files;  // a full disk leaves none of them
     if (arguments.out == "-") {
         outcome.output = std::move(bytes);
     } else {
-        (void)take(write_file(arguments.out, bytes));
+        (void)take(files.add(arguments.out, std::move(bytes)));
     }
     if (!arguments.buffers.empty()) {
         const bool exr = format == PictureFormat::Exr;
-        for (const PixelBuffer& buffer : pixel_buffers(renderer, arguments.size)) {
-            const std::string name = buffer.name + (exr ? ".exr" : ".pfm");
-            (void)take(write_file((std::filesystem::path(arguments.buffers) / name).string(),
-                                  exr ? exr_bytes(buffer.picture, 1) : pfm_bytes(buffer.picture, 1)));
-        }
+        for (const PixelBuffer& buffer : pixel_buffers(renderer, arguments.size))
+            (void)take(files.add(buffer_path(arguments, buffer.name),
+                                 exr ? exr_bytes(buffer.picture, 1) : pfm_bytes(buffer.picture, 1)));
     }
+    (void)take(files.put_in_place());
     if (arguments.stats) outcome.output = stats_text(renderer, arguments.size);
     return outcome;
 }
@@ -128,6 +137,8 @@ Run declare(CLI::App& app) {
     add_text(app, "--buffers", "DIR",
              "also write what lies behind the pixels in this directory: EXR files beside an .exr, else PFM",
              arguments->buffers);
+    app.add_flag("--no-scene", arguments->no_scene,
+                 "leave the scene, which names its mesh files, out of a PNG");
     app.add_flag("--stats", arguments->stats, "print evaluations, pixels and times as JSON");
     return [arguments] { return render(*arguments); };
 }

@@ -79,6 +79,7 @@ Outcome sheet(const SheetArguments& arguments) {
                           "a name that ends in .png, or - for standard output");
     const Font font = take(Font::find());
     require_fitting(rows, columns, arguments.cell, font);
+    require_writable(arguments.out);
     const SceneDocument document = open_scene(arguments.scene);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 

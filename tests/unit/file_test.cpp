@@ -2,10 +2,13 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <array>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <thread>
 
 #include "tests/catch.h"
@@ -13,6 +16,35 @@
 
 using namespace glint;
 namespace fs = std::filesystem;
+
+namespace {
+
+/// What the library does to files, seen through the functions below that stand in for the system's.
+struct Watch {
+    std::optional<mode_t> mode_while_writing;  // of the regular file that was written to last
+    std::function<void()> directory_synced;
+};
+Watch* watch = nullptr;
+
+struct stat status_of(int descriptor) {
+    struct stat status {};
+    ::fstat(descriptor, &status);
+    return status;
+}
+
+}  // namespace
+
+extern "C" ssize_t write(int descriptor, const void* bytes, size_t count) {
+    if (watch != nullptr && S_ISREG(status_of(descriptor).st_mode))
+        watch->mode_while_writing = status_of(descriptor).st_mode & 07777;
+    return ::syscall(SYS_write, descriptor, bytes, count);
+}
+
+extern "C" int fsync(int descriptor) {
+    if (watch != nullptr && watch->directory_synced && S_ISDIR(status_of(descriptor).st_mode))
+        watch->directory_synced();
+    return static_cast<int>(::syscall(SYS_fsync, descriptor));
+}
 
 namespace {
 
@@ -138,4 +170,90 @@ TEST_CASE("a pipe is written straight through, and one without a reader is a pro
     CHECK(problem_text(write_file(name, "x")) ==
           name + ": cannot write: the reader of the pipe has gone; expected a place that can be written");
     ::close(ends[1]);
+}
+
+TEST_CASE("while a file is replaced nobody can read the new one who could not read the old one", "[file]") {
+    const Place place;
+    REQUIRE(problem_of(write_file(place / "a", "old")) == nullptr);
+    REQUIRE(::chmod((place / "a").c_str(), 0600) == 0);
+    const mode_t umask_before = ::umask(0);
+    Watch seen;
+    watch = &seen;
+    const auto written = write_file(place / "a", "new");
+    watch = nullptr;
+    ::umask(umask_before);
+    CHECK(problem_of(written) == nullptr);
+    CHECK(seen.mode_while_writing == mode_t{0600});
+    CHECK(read_back(place / "a") == "new");
+}
+
+TEST_CASE("owner and group of the old file are kept where the system lets us", "[file]") {
+    if (::geteuid() != 0) return;  // only root may give files away
+    constexpr uid_t somebody = 4242, some_group = 4343;
+    const Place place;
+    REQUIRE(problem_of(write_file(place / "a", "old")) == nullptr);
+    REQUIRE(::chown((place / "a").c_str(), somebody, some_group) == 0);
+    REQUIRE(::chmod((place / "a").c_str(), 04750) == 0);
+    REQUIRE(problem_of(write_file(place / "a", "new")) == nullptr);
+    struct stat status {};
+    REQUIRE(::stat((place / "a").c_str(), &status) == 0);
+    CHECK(status.st_uid == somebody);
+    CHECK(status.st_gid == some_group);
+    CHECK((status.st_mode & 07777) == 04750);
+}
+
+TEST_CASE("the directory is put on the disk when the new file is in its place", "[file]") {
+    const Place place;
+    REQUIRE(problem_of(write_file(place / "a", "old")) == nullptr);
+    std::string found;
+    Watch seen;
+    seen.directory_synced = [&] { found = bytes_of(place / "a"); };
+    watch = &seen;
+    const auto written = write_file(place / "a", "new");
+    watch = nullptr;
+    CHECK(problem_of(written) == nullptr);
+    CHECK(found == "new");
+}
+
+TEST_CASE("files that go together appear together or not at all", "[file]") {
+    const Place place;
+    {
+        FilesTogether files;
+        CHECK(problem_of(files.add(place / "a", "1")) == nullptr);
+        CHECK(problem_of(files.add(place / "no/b", "2")) != nullptr);
+    }
+    CHECK(place.count() == 0);
+    {
+        FilesTogether files;
+        CHECK(problem_of(files.add(place / "a", "1")) == nullptr);
+        CHECK(problem_of(files.add("/dev/full", "2")) == nullptr);  // known only when it is written
+        CHECK(problem_text(files.put_in_place()) ==
+              "/dev/full: cannot write: no space left on the device; expected a place that can be written");
+    }
+    CHECK(place.count() == 0);
+    FilesTogether files;
+    CHECK(problem_of(files.add(place / "a", "1")) == nullptr);
+    CHECK(problem_of(files.add(place / "b", "2")) == nullptr);
+    CHECK_FALSE(fs::exists(place / "a"));
+    CHECK(problem_of(files.put_in_place()) == nullptr);
+    CHECK(read_back(place / "a") == "1");
+    CHECK(read_back(place / "b") == "2");
+    CHECK(place.count() == 2);
+}
+
+TEST_CASE("what could not be written is known beforehand, in the same words", "[file]") {
+    const Place place;
+    for (const std::string& path : {place / "no/a", place.path.string(), std::string(), place / "new/"}) {
+        INFO(path);
+        const std::optional<Problem> known = why_not_writable(path);
+        REQUIRE(known.has_value());
+        CHECK(known->text() == problem_text(write_file(path, "x")));
+    }
+    for (const std::string& path : {place / "a", std::string("-"), std::string("/dev/null")})
+        CHECK_FALSE(why_not_writable(path).has_value());
+    CHECK(place.count() == 0);
+    if (::geteuid() == 0) return;  // root may write anywhere
+    REQUIRE(::chmod(place.path.c_str(), 0500) == 0);
+    CHECK(why_not_writable(place / "a").has_value());
+    REQUIRE(::chmod(place.path.c_str(), 0700) == 0);
 }

@@ -147,6 +147,11 @@ TEST_CASE("a picture that is damaged anywhere is a problem and never a crash", "
 TEST_CASE("a file of another kind is a problem that lists the kinds", "[scene_document]") {
     const Place place;
     const std::string expected = "; expected a scene (.json, .png) or a mesh (.obj, .ply, .off, .stl, .om)";
+    for (const char* name : {"a.txt", "name"}) {  // missing first, then there
+        CHECK(problem_at(place / name) ==
+              place / name + ": cannot read: no such file or directory" + expected);
+        REQUIRE(problem_of(write_file(place / name, "x")) == nullptr);
+    }
     CHECK(problem_at(place / "a.txt") == place / "a.txt: has another extension" + expected);
     CHECK(problem_at(place / "name") == place / "name: has no extension" + expected);
     CHECK(problem_at(place / "deep") == place / "deep: is a directory" + expected);

@@ -1,0 +1,53 @@
+#pragma once
+// The file that is written beside a target and then takes its place: `.glint-PID-N.tmp`. Whatever ends the
+// process, no such file stays for long: its own destructor removes it, a signal's handler does, and what a
+// killed process has left is removed by the next one that writes in the same directory.
+
+#include <sys/types.h>
+
+#include <string>
+
+namespace glint {
+
+/// A new file, locked (flock) while it is held, so that other processes can tell it from one that was left.
+class Temporary {
+  public:
+    /// In the directory of `target`, empty, open for writing. `mode` as for open(): the umask is taken off.
+    /// Also removes, once for each directory, what killed processes of this user have left there.
+    Temporary(const std::string& target, mode_t mode);
+    /// Removes the file unless it has been put in place.
+    ~Temporary();
+    Temporary(Temporary&& other) noexcept;
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+    Temporary& operator=(Temporary&&) = delete;
+
+    /// 0, or the errno that kept it from being made.
+    [[nodiscard]] int error() const { return error_; }
+    [[nodiscard]] int descriptor() const { return descriptor_; }
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+    /// Ends the writing; it stays locked. 0, or the errno of closing: some file systems report a full disk
+    /// only here.
+    int close();
+    /// Renames it to `target`. 0, or an errno.
+    int put_in_place(const std::string& target);
+
+  private:
+    bool make(const std::string& path, mode_t mode);
+
+    std::string path_;
+    int descriptor_ = -1, lock_ = -1, error_ = 0;
+    int slot_ = -1;          // where the signal handler finds it; -1 when there was no room
+    bool is_there_ = false;  // the file, under its own name
+};
+
+/// Removes every Temporary of this process. Only for a process that ends now: threads that still write wait
+/// for that. Calls nothing but async-signal-safe functions.
+void remove_temporaries();
+
+/// From here on SIGHUP, SIGINT, SIGQUIT and SIGTERM remove the temporaries and then do what they do by
+/// default, so that a shell is told the signal. A signal that is ignored (nohup) stays ignored.
+void remove_temporaries_on_signals();
+
+}  // namespace glint
