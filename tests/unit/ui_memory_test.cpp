@@ -246,6 +246,14 @@ TEST_CASE("what is no copy is passed over", "[ui][memory]") {
     (void)folder.file("c.autosave", std::string(100'000, '['));
     std::filesystem::create_directories(folder.path("d.autosave"));
     CHECK(left_copies(folder.path("")).empty());
+    // Nested so deep that whatever calls itself once a level would end the program.
+    const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
+    (void)folder.file("f.autosave", R"({"path": "", "scene": {"lights": )" + deep + "}}");
+    CHECK(left_copies(folder.path("")).empty());
+    CHECK(problem_of(open_autosave(folder.path("f.autosave"))) != nullptr);
+    const std::string less_deep = std::string(32'000, '[') + std::string(32'000, ']');
+    CHECK(read_settings(R"({"height": 9, "view": {"kept_views": [)" + less_deep + "]}}") == Settings());
+    CHECK(read_recent_files(less_deep).empty());
     const std::string bad = folder.file("e.autosave", R"({"path": "", "scene": {"glint": 1, "lights": 3}})");
     CHECK(left_copies(folder.path("")).size() == 1);
     CHECK(problem_of(open_autosave(bad)) != nullptr);

@@ -9,17 +9,15 @@
 #include <algorithm>
 #include <ctime>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "models/file.h"
+#include "ui/files/json_read.h"
 
 namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t longest_copy = std::size_t{64} << 20;
 constexpr const char* ending = ".autosave";
 
@@ -38,7 +36,7 @@ std::string time_words(std::time_t when) {
 Json read_copy(const std::string& path) {
     const Result<std::string> text = read_file(path, longest_copy);
     if (problem_of(text) != nullptr) return {};
-    Json json = Json::parse(std::get<std::string>(text), nullptr, false);
+    Json json = parse_untrusted(std::get<std::string>(text));
     const bool whole = json.is_object() && json.contains("path") && json["path"].is_string() &&
                        json.contains("scene") && json["scene"].is_object();
     return whole ? json : Json();

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+
+#include "ui/files/json_read.h"
 
 namespace glint {
 namespace {
@@ -26,16 +27,16 @@ void add(std::vector<std::string>& paths, std::string path) {
 
 std::vector<std::string> read_recent_files(const std::string& text) {
     std::vector<std::string> paths;
-    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+    const Json json = parse_untrusted(text);
     if (!json.is_array()) return paths;
-    for (const nlohmann::json& item : json)
+    for (const Json& item : json)
         if (item.is_string()) add(paths, item.get<std::string>());
     return paths;
 }
 
 std::string recent_files_text(const std::vector<std::string>& paths) {
     // A path need not be UTF-8; then it stands with a replacement, is not found again, and falls out.
-    return nlohmann::json(paths).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    return Json(paths).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::vector<std::string> with_recent_file(std::vector<std::string> paths, const std::string& path) {

@@ -21,7 +21,7 @@ std::string settings_text(const Settings& s) {
 
 Settings read_settings(const std::string& text) {
     Settings s;
-    const Json json = Json::parse(text, nullptr, false);
+    const Json json = parse_untrusted(text);
     if (!json.is_object()) return s;
     if (const auto theme = json.find("theme"); theme != json.end()) s.dark = *theme != "light";
     read(json, "scene_column", s.layout.left);
