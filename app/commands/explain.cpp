@@ -5,6 +5,7 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
+#include "app/progress.h"
 #include "renderer/inspect/explain_json.h"
 #include "renderer/inspect/explain_latex.h"
 #include "renderer/inspect/explain_text.h"
@@ -66,8 +67,14 @@ Outcome explain(const ExplainArguments& arguments) {
     Outcome outcome{formatted(explanation, document.scene, arguments.format), document.warnings,
                     ExitStatus::Done};
     if (arguments.sensitivity) {
+        std::optional<Progress> progress;
         const Sensitivities s =
-            take(sensitivities(document, arguments.size, pixel.x, pixel.y, arguments.scene.threads));
+            take(sensitivities(document, arguments.size, pixel.x, pixel.y, arguments.scene.threads,
+                               [&progress](std::size_t done, std::size_t all) {
+                                   if (!progress) progress.emplace("number", all);
+                                   progress->at(done);
+                               }));
+        progress.reset();
         outcome.output = arguments.format == Format::Json ? with_sensitivities(outcome.output, s)
                                                           : outcome.output + "\n" + sensitivity_text(s);
     }

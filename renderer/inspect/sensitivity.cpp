@@ -159,14 +159,16 @@ Sensitivities SensitivityRun::result() const {
 }
 
 Result<Sensitivities> sensitivities(const SceneDocument& document, PictureSize size, int x, int y,
-                                    int threads) {
+                                    int threads, const SensitivityProgress& measured) {
     const std::size_t lights = document.scene.lights.size();
     if (lights > max_sensitivity_lights)
         return Problem{document.path, "/lights",
                        fmt::format("{} lights are too many for the sensitivity", lights),
                        fmt::format("at most {}", max_sensitivity_lights), 0};
     SensitivityRun run(document, size, x, y, threads);
-    while (run.step()) {
+    while (run.measured() < run.count()) {
+        run.step();
+        if (measured) measured(run.measured(), run.count());
     }
     return run.result();
 }

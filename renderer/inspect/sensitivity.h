@@ -2,6 +2,7 @@
 // How much a pixel changes with each number of its scene: the equation's derivatives, by differences of the
 // picture itself, so that whatever the engine does is in them.
 
+#include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <string>
@@ -52,10 +53,12 @@ class SensitivityRun {
 
 /// Central differences over a thousandth of each number. The face at the pixel is pinned: the other objects,
 /// which under local illumination could change the pixel only by hiding it, are left out and have no effect.
-/// `document.scene` must be drawable, the pixel inside the picture. Problem: more than
-/// max_sensitivity_lights.
+/// `document.scene` must be drawable, the pixel inside the picture. `measured` is told how many numbers of
+/// how many are done, after each. Problem: more than max_sensitivity_lights.
+using SensitivityProgress = std::function<void(std::size_t done, std::size_t all)>;
 [[nodiscard]] Result<Sensitivities> sensitivities(const SceneDocument& document, PictureSize size, int x,
-                                                  int y, int threads);
+                                                  int y, int threads,
+                                                  const SensitivityProgress& measured = {});
 
 /// A table for people; ends with a newline.
 [[nodiscard]] std::string sensitivity_text(const Sensitivities& s);

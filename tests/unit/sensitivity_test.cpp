@@ -108,6 +108,21 @@ TEST_CASE("sensitivity: of the second object the numbers keep their pointers", "
     CHECK(lists(s.no_effect, "/objects/0"));
 }
 
+TEST_CASE("sensitivity: how far it has come is told after each number", "[sensitivity]") {
+    std::vector<std::size_t> told;
+    std::size_t all = 0;
+    const auto made = sensitivities(balls(), size, 24, 16, 1, [&](std::size_t done, std::size_t of) {
+        told.push_back(done);
+        all = of;
+    });
+    REQUIRE(problem_of(made) == nullptr);
+    const auto& found = std::get<Sensitivities>(made);
+    const std::size_t other_objects = 1;  // named without effect, and not measured
+    CHECK(all == found.numbers.size() + found.no_effect.size() + found.fixed.size() - other_objects);
+    REQUIRE(told.size() == all);
+    for (std::size_t i = 0; i < told.size(); ++i) CHECK(told[i] == i + 1);
+}
+
 TEST_CASE("sensitivity: more lights than it takes time for are a problem", "[sensitivity][bad-input]") {
     SceneDocument document = balls();
     document.scene.lights.resize(max_sensitivity_lights + 1);
