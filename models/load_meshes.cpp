@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "models/mesh_file.h"
+#include "models/scene/choices.h"
 #include "models/scene_file.h"
-#include "models/scene_names.h"
 
 namespace glint {
 namespace {

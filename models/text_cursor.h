@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "models/problem.h"
+#include "models/scene/range.h"
 
 namespace glint {
 
@@ -17,9 +18,6 @@ namespace glint {
 struct Unreadable {
     Problem problem;
 };
-
-/// The largest size of a number in a mesh file.
-inline constexpr float largest_number = 1e30f;
 
 class TextCursor {
   public:
@@ -59,7 +57,8 @@ class TextCursor {
         const char* first = at_ + (*at_ == '+' ? 1 : 0);
         float value = 0;
         const auto [last, error] = std::from_chars(first, end_, value);
-        if (error == std::errc() && (last == end_ || is_space(*last)) && std::abs(value) <= largest_number) {
+        if (error == std::errc() && (last == end_ || is_space(*last)) &&
+            std::abs(value) <= static_cast<float>(max_number)) {
             at_ = last;
             return value;
         }
