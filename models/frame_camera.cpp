@@ -7,14 +7,15 @@
 #include <numbers>
 #include <optional>
 
+#include "models/scene/range.h"
+#include "models/scene/scene_rules.h"
 #include "models/scene_file.h"
 #include "models/utf8.h"
 
 namespace glint {
 namespace {
 
-constexpr double largest = 1e30;  // of any number in a scene
-constexpr double margin = 1.08;   // between the sphere and the picture's edge
+constexpr double margin = 1.08;  // between the sphere and the picture's edge
 
 struct Sphere {
     glm::dvec3 center{0};
@@ -36,7 +37,7 @@ template <class F> void each_corner(const Scene& scene, int object, F f) {
 /// Around the middle of the bounds; not the least sphere, but at most a seventh larger in the worst of
 /// ordinary cases.
 std::optional<Sphere> bounding_sphere(const Scene& scene, int object) {
-    glm::dvec3 low(2 * largest), high(-2 * largest);
+    glm::dvec3 low(2 * max_number), high(-2 * max_number);
     bool any = false;
     each_corner(scene, object, [&](glm::dvec3 p) {
         low = glm::min(low, p);
@@ -86,17 +87,6 @@ Projection with_planes(Projection projection, double distance, double radius) {
     return projection;
 }
 
-/// What the scene file would take.
-bool is_valid(const Camera& camera) {
-    const auto within = [](float x) {
-        return std::isfinite(x) && std::abs(x) <= static_cast<float>(largest);
-    };
-    const bool places = within(camera.eye.x) && within(camera.eye.y) && within(camera.eye.z) &&
-                        within(camera.target.x) && within(camera.target.y) && within(camera.target.z);
-    const float near = near_of(camera.projection), far = far_of(camera.projection);
-    return places && camera.eye != camera.target && near > 0 && near < far && within(far);
-}
-
 }  // namespace
 
 void frame_camera(Scene& scene, int object) {
@@ -108,7 +98,7 @@ void frame_camera(Scene& scene, int object) {
     camera.target = glm::vec3(sphere->center);
     camera.eye = glm::vec3(sphere->center + distance * back);
     camera.projection = with_planes(camera.projection, distance, sphere->radius);
-    if (is_valid(camera)) scene.camera = camera;
+    if (is_within_ranges(camera) && !violation_of(camera)) scene.camera = camera;
 }
 
 Scene scene_of_mesh(MeshPtr mesh, const std::string& path) {

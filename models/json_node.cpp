@@ -8,18 +8,10 @@
 namespace glint {
 namespace {
 
-/// Compared in the precision of x.
-template <class Real> bool contains(const Range& range, Real x) {
-    const auto low = static_cast<Real>(range.low), high = static_cast<Real>(range.high);
-    const bool above = range.low_open ? x > low : x >= low;
-    const bool below = range.high_open ? x < high : x <= high;
-    return (above && below) || (range.also && x == static_cast<Real>(*range.also));
-}
-
 double checked_number(const Node& node, const Range& range, std::string_view expected) {
     if (!node.value().is_number()) node.wrong_type(std::string(expected));
     const double x = node.value().get<double>();
-    if (!contains(range, x) || !contains(range, static_cast<float>(x)))
+    if (!range.contains(x) || !range.contains(static_cast<float>(x)))
         node.fail(fmt::format("{} is out of range", x), std::string(range.words));
     return x;
 }
@@ -87,17 +79,6 @@ std::vector<double> numbers(const Node& node, std::size_t least, std::size_t mos
     for (std::size_t i = 0; i < value.size(); ++i)
         result.push_back(checked_number(Node(value[i], node, i), range, "a number"));
     return result;
-}
-
-int whole_number(const Node& node, int low, int high) {
-    const Range range{static_cast<double>(low), static_cast<double>(high), ""};
-    const std::string expected =
-        low == high ? fmt::format("{}", low) : fmt::format("a whole number from {} to {}", low, high);
-    if (!node.value().is_number()) node.wrong_type(expected);
-    const double x = node.value().get<double>();
-    if (x != std::floor(x)) node.fail(fmt::format("{} is not whole", x), expected);
-    if (!contains(range, x)) node.fail(fmt::format("{} is out of range", x), expected);
-    return static_cast<int>(x);
 }
 
 const std::string& text(const Node& node, std::string_view expected) {

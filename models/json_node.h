@@ -4,27 +4,15 @@
 
 #include <array>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "models/json_reader.h"
-#include "models/scene_names.h"
+#include "models/scene/choices.h"
+#include "models/scene/range.h"
 
 namespace glint {
-
-/// Numbers from `low` to `high`, their ends taken in unless they are open; and one more where a key has one.
-struct Range {
-    double low, high;
-    std::string_view words;  // for "expected ..."
-    bool low_open = false, high_open = false;
-    std::optional<double> also = std::nullopt;
-};
-inline constexpr double largest_number = 1e30;
-inline constexpr Range any_number{-largest_number, largest_number, "a number within -1e30 and 1e30"};
-inline constexpr Range at_least_zero{0, largest_number, "0 to 1e30"};
-inline constexpr Range above_zero{0, largest_number, "more than 0, up to 1e30", true};
 
 /// A value in a document, and the way to it. Lives on the stack below its parent.
 class Node {
@@ -68,7 +56,6 @@ class Node {
 /// Between `least` and `most` numbers of `range`, unrounded.
 [[nodiscard]] std::vector<double> numbers(const Node& node, std::size_t least, std::size_t most,
                                           const Range& range = any_number);
-[[nodiscard]] int whole_number(const Node& node, int low, int high);
 [[nodiscard]] const std::string& text(const Node& node, std::string_view expected = "a string");
 
 /// Each of these reads the value of a key into `to`, and leaves it when the key is not there.
@@ -84,8 +71,7 @@ void read(const Node& object, std::string_view key, glm::vec3& to, const Range& 
 template <class Enum> [[nodiscard]] Enum enumerator(const Node& node) {
     const std::vector<std::string> names = names_of<Enum>();
     const std::string& name = text(node, listed(names));
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (names[i] == name) return static_cast<Enum>(i);
+    if (const std::optional<Enum> value = from_name<Enum>(name)) return *value;
     node.fail(in_quotes(name) + " is not known", listed(names));
 }
 template <class Enum> void read_enum(const Node& object, std::string_view key, Enum& to) {

@@ -7,8 +7,8 @@
 
 #include "models/mesh_file.h"
 #include "models/progress.h"
+#include "models/scene/choices.h"
 #include "models/scene_file.h"
-#include "models/scene_names.h"
 
 namespace glint {
 namespace {

@@ -188,7 +188,7 @@ class OmPolygons {
 void check_finite(const std::vector<glm::vec3>& vectors, const char* what, const std::string& file) {
     for (std::size_t v = 0; v < vectors.size(); ++v)
         for (int i = 0; i < 3; ++i)
-            if (!(std::abs(vectors[v][i]) <= largest_number))
+            if (!(std::abs(vectors[v][i]) <= static_cast<float>(max_number)))
                 throw Unreadable{{file, "",
                                   fmt::format("vertex {}: {} of {} is out of range", v, what, vectors[v][i]),
                                   "-1e30 to 1e30", 0}};

@@ -115,11 +115,11 @@ Mesh read_binary(std::string_view bytes, const std::string& file) {
         bool good_normal = true;
         for (int i = 0; i < 12; ++i, at += 4) {
             const float x = little_endian_float(at);
-            if (i >= 3 && !(std::abs(x) <= largest_number))
+            if (i >= 3 && !(std::abs(x) <= static_cast<float>(max_number)))
                 throw Unreadable{
                     {file, "", fmt::format("facet {}: a coordinate is {}", f, x), "-1e30 to 1e30", 0}};
             v[static_cast<std::size_t>(i / 3)][i % 3] = x;
-            good_normal = good_normal && std::abs(x) <= largest_number;
+            good_normal = good_normal && std::abs(x) <= static_cast<float>(max_number);
         }
         if (!good_normal) v[0] = glm::vec3(0), ++bad_normals;
         for (const std::size_t i : {1u, 2u, 3u}) facets.corner(v[i]);

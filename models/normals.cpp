@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "models/polygon.h"
-#include "models/scene_names.h"
+#include "models/scene/choices.h"
 #include "models/vertex_normals.h"
 #include "models/warn.h"
 

@@ -68,7 +68,7 @@ template <bool swap> class BinaryRows {
     void end_row() {}
     float number(const PlyProperty& p) {
         const double value = scalar(p.type);
-        if (p.role != PlyRole::Other && !(std::abs(value) <= static_cast<double>(largest_number)))
+        if (p.role != PlyRole::Other && !(std::abs(value) <= max_number))
             fail(fmt::format("{} = {} is out of range", p.name, value), "-1e30 to 1e30");
         return static_cast<float>(value);
     }

@@ -63,6 +63,9 @@ struct Display {
     bool operator==(const Display&) const = default;
 };
 
+/// A scene file may hold as many.
+inline constexpr std::size_t max_lights = 4096, max_objects = 10'000;
+
 struct Scene {
     Camera camera;
     glm::vec3 global_ambient{0.1f};

@@ -42,6 +42,9 @@ struct SceneDocument {
 /// equal, ends with a newline.
 [[nodiscard]] std::string scene_text(const Scene& scene);
 
+/// The shortest decimals that read back as the same float, as scene_text() writes them: "0.1", "-0.0".
+[[nodiscard]] std::string number_text(float x);
+
 /// Loads the mesh of every object whose `mesh` is null. A mesh named twice is loaded once. Paths are relative
 /// to `mesh_dir`. `file` and the object's pointer stand in messages about paths that cannot be read; what
 /// is wrong inside a mesh file has that file and its line. On a problem the scene is left as it was.

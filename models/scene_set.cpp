@@ -6,7 +6,8 @@
 #include <charconv>
 #include <optional>
 
-#include "models/scene_read.h"
+#include "models/scene/scene_fields.h"
+#include "models/scene_file/read_scene.h"
 #include "models/utf8.h"
 
 namespace glint {
@@ -21,7 +22,7 @@ using Tokens = std::vector<std::string>;
 /// "/a~1b/0" -> "a/b", "0" (RFC 6901, section 4).
 Tokens tokens_of(const std::string& pointer) {
     Tokens tokens;
-    if (first_invalid_utf8(pointer) < pointer.size()) fail(pointer, "the pointer is no UTF-8", "UTF-8 text");
+    if (first_invalid_utf8(pointer) < pointer.size()) fail(pointer, "the pointer is not UTF-8", "UTF-8 text");
     for (std::size_t i = 0; i < pointer.size(); ++i) {
         if (pointer[i] == '/') {
             tokens.emplace_back();
@@ -58,32 +59,50 @@ Json value_of(const Assignment& a) {
     }
 }
 
-/// A scene in which every list has one element, to look up what stands where.
-const Json& example() {
-    static const Json document = [] {
+/// What a missing parent starts as: an empty list, the default numbers of a vector, or an empty object.
+class MissingParent {
+  public:
+    explicit MissingParent(const Tokens& path) : path_(path) {}
+
+    [[nodiscard]] Json made() const {
         Scene scene;
-        scene.lights.emplace_back();
-        scene.objects.emplace_back();
-        Json made = read_json(scene_text(scene), "");
-        made["lights"][0]["position"].erase(3);  // the default has no w of its own
-        return made;
-    }();
-    return document;
-}
+        Json found = Json::object();
+        descend(scene, 0, found);
+        return found;
+    }
 
-const Json* child_in_example(const Json* at, const std::string& token) {
-    if (at == nullptr) return nullptr;
-    if (at->is_array()) return at->front().is_object() ? &at->front() : nullptr;
-    const auto found = at->find(token);
-    return found == at->end() ? nullptr : &*found;
-}
+  private:
+    template <class T> void descend(const T& value, std::size_t step, Json& found) const {
+        fields(value, [&](const Row& row, const auto& kind, const auto& member) {
+            if (row.key == path_[step]) at(kind, member, step + 1, found);
+        });
+    }
+    /// The member that the first `step` tokens lead to.
+    void at(const Colour&, const glm::vec3& v, std::size_t step, Json& found) const {
+        vector(v, step, found);
+    }
+    void at(const Vector&, const glm::vec3& v, std::size_t step, Json& found) const {
+        vector(v, step, found);
+    }
+    /// Without its w, which belongs to the light's type.
+    void at(const Homogeneous&, const glm::vec4& v, std::size_t step, Json& found) const {
+        vector(glm::vec3(v), step, found);
+    }
+    template <class T> void at(const List&, const std::vector<T>&, std::size_t step, Json& found) const {
+        if (step == path_.size()) found = Json::array();
+        if (step + 1 < path_.size()) descend(T{}, step + 1, found);  // past the element's number
+    }
+    template <class T> void at(const Group&, const T& value, std::size_t step, Json& found) const {
+        if (step < path_.size()) descend(value, step, found);
+    }
+    template <class Kind, class T> void at(const Kind&, const T&, std::size_t, Json&) const {}
 
-/// What a missing parent starts as: no lights or objects, the default numbers of a vector, or an empty
-/// object.
-Json new_parent(const Json* in_example) {
-    if (in_example == nullptr || !in_example->is_array()) return Json::object();
-    return in_example->front().is_object() ? Json::array() : *in_example;
-}
+    void vector(const glm::vec3& v, std::size_t step, Json& found) const {
+        if (step == path_.size()) found = {v.x, v.y, v.z};
+    }
+
+    const Tokens& path_;
+};
 
 /// The number of an element, or the one past the last, for which "-" stands too.
 std::size_t index_of(const std::string& token, const Json& array, const std::string& pointer) {
@@ -93,7 +112,8 @@ std::size_t index_of(const std::string& token, const Json& array, const std::str
     const auto [rest, error] = std::from_chars(token.data(), end, index);
     const bool number = error == std::errc{} && rest == end && (token == "0" || token.front() != '0');
     if (number && index <= array.size()) return index;
-    fail(pointer, in_quotes(token) + (number ? " is past the end of the array" : " is no index of an array"),
+    fail(pointer,
+         in_quotes(token) + (number ? " is past the end of the array" : " is not an index of an array"),
          array.empty() ? "0 or -, for a new one"
                        : fmt::format("0 to {}, or - for a new one at the end", array.size() - 1));
 }
@@ -113,10 +133,9 @@ void assign(Json& document, const Assignment& a) {
     const Tokens tokens = tokens_of(a.pointer);
     Json value = value_of(a);
     Json* at = &document;
-    const Json* in_example = &example();
-    for (const std::string& token : tokens) {
-        in_example = child_in_example(in_example, token);
-        at = &child_of(*at, token, new_parent(in_example), a.pointer);
+    for (std::size_t step = 0; step < tokens.size(); ++step) {
+        const Tokens path(tokens.begin(), tokens.begin() + static_cast<std::ptrdiff_t>(step) + 1);
+        at = &child_of(*at, tokens[step], MissingParent(path).made(), a.pointer);
     }
     *at = std::move(value);
 }
@@ -141,9 +160,11 @@ void drop_w(Json& light) {
 /// A projection whose type is set keeps no keys of the other types, unless they are set too.
 void drop_other_projections(Json& projection, const std::string& type,
                             const std::vector<Assignment>& assignments) {
-    const Tokens kept = projection_keys(type);
-    for (const char* other : {"perspective", "orthographic", "frustum"})
-        for (const std::string& key : projection_keys(other))
+    const std::optional<ProjectionKind> kind = from_name<ProjectionKind>(type);
+    if (!kind) return;
+    const Tokens kept = projection_keys(*kind);
+    for (std::size_t other = 0; other < count_of<ProjectionKind>(); ++other)
+        for (const std::string& key : projection_keys(static_cast<ProjectionKind>(other)))
             if (std::find(kept.begin(), kept.end(), key) == kept.end() &&
                 !is_set("/camera/projection/" + key, assignments))
                 projection.erase(key);

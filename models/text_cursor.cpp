@@ -60,8 +60,7 @@ float TextCursor::unusual_number() {
     const auto [last, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const bool whole = last == digits.data() + digits.size() && error != std::errc::invalid_argument;
     if (!whole || std::isnan(value)) fail(fmt::format("{} is no number", quoted_word(text)), "a number");
-    if (error == std::errc() && std::abs(value) <= static_cast<double>(largest_number))
-        return static_cast<float>(value);
+    if (error == std::errc() && std::abs(value) <= max_number) return static_cast<float>(value);
     const std::size_t exponent = std::min(digits.find_first_of("eE"), digits.size());
     const bool tiny = digits.size() < 64 && digits.substr(exponent, 2).find('-') != std::string_view::npos;
     if (error == std::errc::result_out_of_range && tiny) return 0;

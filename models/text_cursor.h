@@ -11,6 +11,7 @@
 
 #include "models/problem.h"
 #include "models/progress.h"
+#include "models/scene/range.h"
 
 namespace glint {
 
@@ -18,9 +19,6 @@ namespace glint {
 struct Unreadable {
     Problem problem;
 };
-
-/// The largest size of a number in a mesh file.
-inline constexpr float largest_number = 1e30f;
 
 /// Tells the load's progress as it goes: every member that moves it may throw LoadCancelled.
 class TextCursor {
@@ -67,7 +65,8 @@ class TextCursor {
         const char* first = at_ + (*at_ == '+' && !(end_ - at_ > 1 && at_[1] == '-') ? 1 : 0);
         float value = 0;
         const auto [last, error] = std::from_chars(first, end_, value);
-        if (error == std::errc() && (last == end_ || is_space(*last)) && std::abs(value) <= largest_number) {
+        if (error == std::errc() && (last == end_ || is_space(*last)) &&
+            std::abs(value) <= static_cast<float>(max_number)) {
             at_ = last;
             return value;
         }

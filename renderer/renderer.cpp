@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "models/scene_names.h"
+#include "models/scene/choices.h"
 #include "models/warn.h"
 #include "renderer/inspect/explain.h"
 #include "renderer/kept_stages.h"

@@ -11,17 +11,17 @@
 namespace glint {
 namespace {
 
-void option_tooltip(const Option& option, const Help& help) {
+void option_tooltip(const Choice& option, const Help& help) {
     const std::string key = help.pointer.empty() ? "" : fmt::format("{} = \"{}\"", help.pointer, option.word);
-    tooltip(option.label, option.what, "", key);
+    tooltip(option.label, option.meaning, "", key);
 }
 
-float segment_width(const Option& option, float padding) {
+float segment_width(const Choice& option, float padding) {
     return ImGui::CalcTextSize(option.label).x + 2 * padding;
 }
 
 /// Room on either side of a segment's word: less where the row is too narrow for all of them.
-float segment_padding(std::span<const Option> options) {
+float segment_padding(std::span<const Choice> options) {
     const float wanted = segments_width(options), room = ImGui::GetContentRegionAvail().x;
     const float missing = std::max(wanted - room, 0.0f) / (2 * static_cast<float>(options.size()));
     return std::max(px(8) - missing, px(2));
@@ -35,7 +35,7 @@ struct Segment {
 };
 
 /// True when it was pressed.
-bool segment(const Option& option, const Segment& look) {
+bool segment(const Choice& option, const Segment& look) {
     const auto [on, corners, padding] = look;
     const bool pressed =
         ImGui::InvisibleButton("##segment", {segment_width(option, padding), ImGui::GetFrameHeight()});
@@ -51,15 +51,15 @@ bool segment(const Option& option, const Segment& look) {
 
 }  // namespace
 
-int choose(const char* label, int chosen, std::span<const Option> options, const Help& help) {
+int choose(const char* label, int chosen, std::span<const Choice> options, const Help& help) {
     ImGui::PushID(label);
     ImGui::SetNextItemWidth(row(label));
     int result = chosen;
     const bool open = ImGui::BeginCombo("##choice", options[static_cast<std::size_t>(chosen)].label);
-    if (!open) tooltip(label, help.what, options[static_cast<std::size_t>(chosen)].what, help.pointer);
+    if (!open) tooltip(label, help.what, options[static_cast<std::size_t>(chosen)].meaning, help.pointer);
     if (open) {
         for (int i = 0; i < static_cast<int>(options.size()); ++i) {
-            const Option& option = options[static_cast<std::size_t>(i)];
+            const Choice& option = options[static_cast<std::size_t>(i)];
             if (ImGui::Selectable(option.label, i == chosen)) result = i;
             option_tooltip(option, help);
         }
@@ -69,19 +69,19 @@ int choose(const char* label, int chosen, std::span<const Option> options, const
     return result;
 }
 
-float segments_width(std::span<const Option> options) {
+float segments_width(std::span<const Choice> options) {
     float width = 0;
-    for (const Option& option : options) width += segment_width(option, px(8)) + px(1);
+    for (const Choice& option : options) width += segment_width(option, px(8)) + px(1);
     return width;
 }
 
-int segments(const char* id, int chosen, std::span<const Option> options, const Help& help) {
+int segments(const char* id, int chosen, std::span<const Choice> options, const Help& help) {
     ImGui::PushID(id);
     int result = chosen;
     const float padding = segment_padding(options);
     for (int i = 0; i < static_cast<int>(options.size()); ++i) {
         ImGui::PushID(i);  // words may be empty
-        const Option& option = options[static_cast<std::size_t>(i)];
+        const Choice& option = options[static_cast<std::size_t>(i)];
         const bool first = i == 0, last = i + 1 == static_cast<int>(options.size());
         if (!first) ImGui::SameLine(0, px(1));
         const ImDrawFlags corners = first  ? ImDrawFlags_RoundCornersLeft

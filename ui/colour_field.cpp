@@ -7,6 +7,7 @@
 #include <array>
 #include <glm/common.hpp>
 
+#include "models/scene/scene_fields.h"
 #include "ui/colour_presets.h"
 #include "ui/fonts.h"
 #include "ui/theme.h"
@@ -87,9 +88,9 @@ bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const 
     bool changed = false;
     for (int i = 0; i < 3; ++i) {
         constexpr std::array channels{"red", "green", "blue"};
-        const Number share{0, 1e30f, initial[i], 0.004f, "%.2f"};
         changed |= bare_number(fmt::format("{}: {}", label, channels[static_cast<std::size_t>(i)]).c_str(),
-                               value[i], share, {help.what, help.pointer + "/" + std::to_string(i)}, width);
+                               value[i], channel_field, initial[i],
+                               {help.what, help.pointer + "/" + std::to_string(i)}, width);
         ImGui::SameLine(0, gap);
     }
     glm::vec3 picked = value;

@@ -83,9 +83,9 @@ SceneDocument first_scene() {
     scene.lights = {sun, bulb};
     Object ball;
     ball.name = "Ball";
-    ball.source = PrimitiveMesh{Primitive::Sphere, default_detail(Primitive::Sphere)};
-    ball.mesh =
-        std::make_shared<const Mesh>(make_primitive(Primitive::Sphere, default_detail(Primitive::Sphere)));
+    ball.source = PrimitiveMesh{Primitive::Sphere, info_of(Primitive::Sphere).default_detail};
+    ball.mesh = std::make_shared<const Mesh>(
+        make_primitive(Primitive::Sphere, info_of(Primitive::Sphere).default_detail));
     ball.material.diffuse = {0.8f, 0.35f, 0.25f};
     scene.objects = {ball};
     return document;

@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "ui/field_panel.h"
 #include "ui/fonts.h"
-#include "ui/scene_numbers.h"
 #include "ui/theme.h"
 
 namespace glint {
@@ -54,7 +54,7 @@ bool preset_field(Material& material) {
     const MaterialPreset* present = preset_of(material);
     bool edited = false;
     ImGui::SetNextItemWidth(row("Preset"));
-    const std::string shown = present != nullptr ? std::string(present->name) : "own numbers";
+    const std::string shown = present != nullptr ? std::string(present->name) : "Custom";
     const bool open = ImGui::BeginCombo("##preset", shown.c_str(), ImGuiComboFlags_HeightLarge);
     if (!open) {
         tooltip("Preset", "One of the classic materials; sets ambient, diffuse, specular and shininess");
@@ -64,9 +64,7 @@ bool preset_field(Material& material) {
     for (const MaterialPreset& preset : material_presets()) {
         if (preset.family != family) section(std::string(family = preset.family).c_str());
         if (!preset_row(preset, &preset == present)) continue;
-        const Material& m = preset.material;
-        material.ambient = m.ambient, material.diffuse = m.diffuse, material.specular = m.specular;
-        material.shininess = m.shininess;
+        apply(preset, material);
         edited = true;
     }
     ImGui::EndCombo();
@@ -75,37 +73,20 @@ bool preset_field(Material& material) {
 
 }  // namespace
 
+void apply(const MaterialPreset& preset, Material& material) {
+    const Material& m = preset.material;
+    material.ambient = m.ambient, material.diffuse = m.diffuse, material.specular = m.specular;
+    material.shininess = m.shininess;
+}
+
 bool material_panel(Material& material, const std::string& pointer, Reflection reflection) {
+    const ReflectionInfo uses = info_of(reflection);
     bool edited = preset_field(material);
-    edited |= colour_field("Ambient", material.ambient, glm::vec3(0.2f),
-                           {"k_a: share of ambient light reflected", pointer + "/ambient"});
-    edited |= colour_field("Diffuse", material.diffuse, glm::vec3(0.8f),
-                           {"k_d: share reflected evenly in all directions", pointer + "/diffuse"});
-    edited |= colour_field("Specular", material.specular, glm::vec3(1),
-                           {"k_s: share reflected into the highlight", pointer + "/specular"});
-    edited |= colour_field("Emission", material.emission, glm::vec3(0),
-                           {"Colour it shines by itself", pointer + "/emission"});
-    const bool rough = reflection == Reflection::OrenNayar || reflection == Reflection::CookTorrance;
-    const bool power = reflection == Reflection::Phong || reflection == Reflection::BlinnPhong ||
-                       reflection == Reflection::Retro;
-    const auto dimmed = [&edited](bool unused, auto field) {
-        if (unused) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5f);
-        edited |= field();
-        if (unused) ImGui::PopStyleVar();
-    };
-    dimmed(!power, [&] {
-        return number_field("Shininess", material.shininess, shininess_spec.number,
-                            {shininess_spec.what, pointer + "/shininess"});
-    });
-    dimmed(!rough, [&] {
-        return number_field("Roughness", material.roughness, roughness_spec.number,
-                            {roughness_spec.what, pointer + "/roughness"});
-    });
-    dimmed(reflection != Reflection::CookTorrance, [&] {
-        return colour_field("F0", material.f0, glm::vec3(0.04f),
-                            {"Reflectance seen head-on; Cook–Torrance", pointer + "/f0"});
-    });
-    return edited;
+    FieldPanel panel(material, pointer);
+    panel.dim("shininess", uses.uses_shininess())
+        .dim("roughness", uses.uses_roughness)
+        .dim("f0", uses.uses_f0);
+    return panel.rest().edited() || edited;
 }
 
 }  // namespace glint

@@ -12,4 +12,7 @@ namespace glint {
 /// does not use are dimmed.
 [[nodiscard]] bool material_panel(Material& material, const std::string& pointer, Reflection reflection);
 
+/// Gives the material a preset's ambient, diffuse, specular and shininess; the rest stays.
+void apply(const MaterialPreset& preset, Material& material);
+
 }  // namespace glint

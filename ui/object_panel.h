@@ -19,10 +19,4 @@ struct ObjectWishes {
 [[nodiscard]] bool object_panel(Object& object, const std::string& pointer, Reflection reflection,
                                 ObjectWishes& wishes);
 
-inline constexpr std::array all_primitives{
-    Primitive::Sphere,   Primitive::BumpySphere,     Primitive::Icosphere, Primitive::Cube,
-    Primitive::Plane,    Primitive::TessellatedQuad, Primitive::Torus,     Primitive::Cylinder,
-    Primitive::Cone,     Primitive::Teapot,          Primitive::Knot,      Primitive::SkewQuad,
-    Primitive::TJunction};
-
 }  // namespace glint

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "models/scene/choices.h"
 #include "models/utf8.h"
 #include "ui/light_place.h"
 #include "ui/limits.h"
@@ -35,7 +36,7 @@ std::string name_of(const MeshSource& source) {
         name = file->path.substr(file->path.find_last_of('/') + 1);
         name = with_invalid_replaced(name.substr(0, name.find_last_of('.')));
     } else {
-        name = primitive_name(std::get<PrimitiveMesh>(source).primitive);
+        name = name_of(std::get<PrimitiveMesh>(source).primitive);
     }
     if (name.empty()) return "Object";
     name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));

@@ -107,13 +107,14 @@ bool light_row(Scene& scene, int index, Selection& selection) {
 bool add_light_menu(Scene& scene, Selection& selection) {
     bool edited = false;
     if (!ImGui::BeginPopup("##add-light")) return false;
-    for (const auto& choice : light_kind_choices) {
-        if (ImGui::MenuItem(choice.label, choice.value == LightKind::Point ? "L" : nullptr))
-            if (const auto index = add_light(scene, choice.value)) {
+    for (const LightKind kind : enumerators<LightKind>) {
+        const Choice choice = choice_of(kind);
+        if (ImGui::MenuItem(choice.label, kind == LightKind::Point ? "L" : nullptr))
+            if (const auto index = add_light(scene, kind)) {
                 selection = {Selection::Kind::Light, *index};
                 edited = true;
             }
-        tooltip(choice.label, choice.what);
+        tooltip(choice.label, choice.meaning);
     }
     ImGui::EndPopup();
     return edited;
@@ -124,10 +125,11 @@ bool add_object_menu(Scene& scene, Selection& selection, SceneWishes& wishes) {
     if (!ImGui::BeginPopup("##add-object")) return false;
     if (ImGui::MenuItem("Mesh file…")) wishes.browse_mesh = true;
     ImGui::Separator();
-    for (const Primitive primitive : all_primitives) {
-        const std::string name(primitive_name(primitive));
+    for (const Primitive primitive : enumerators<Primitive>) {
+        const std::string name(name_of(primitive));
         if (!ImGui::MenuItem(name.c_str())) continue;
-        if (const auto index = add_object(scene, PrimitiveMesh{primitive, default_detail(primitive)})) {
+        if (const auto index =
+                add_object(scene, PrimitiveMesh{primitive, info_of(primitive).default_detail})) {
             selection = {Selection::Kind::Object, *index};
             edited = true;
         }

@@ -25,16 +25,15 @@ void caption(const char* text) {
 }
 
 void mode_switch(Shading& shading) {
-    const auto options = options_of(mode_choices);
     const int chosen =
-        segments("##mode", index_of(mode_choices, shading.mode), options, {"", "/shading/mode"});
-    shading.mode = mode_choices[static_cast<std::size_t>(chosen)].value;
+        segments("##mode", static_cast<int>(shading.mode), choices<ShadingMode>, {"", "/shading/mode"});
+    shading.mode = static_cast<ShadingMode>(chosen);
 }
 
 /// All models side by side where there is room, else a drop-down.
 void reflection_switch(Shading& shading, float room) {
-    const auto options = options_of(reflection_choices);
-    int chosen = index_of(reflection_choices, shading.reflection);
+    const auto& options = choices<Reflection>;
+    int chosen = static_cast<int>(shading.reflection);
     const Help help{"The lighting equation's highlight", "/shading/reflection"};
     if (segments_width(options) <= room) {
         chosen = segments("##reflection", chosen, options, help);
@@ -42,16 +41,16 @@ void reflection_switch(Shading& shading, float room) {
         ImGui::SetNextItemWidth(std::max(std::min(room, px(130)), px(40)));
         if (ImGui::BeginCombo("##reflection", options[static_cast<std::size_t>(chosen)].label)) {
             for (int i = 0; i < static_cast<int>(options.size()); ++i) {
-                const Option& option = options[static_cast<std::size_t>(i)];
+                const Choice& option = options[static_cast<std::size_t>(i)];
                 if (ImGui::Selectable(option.label, i == chosen)) chosen = i;
-                tooltip(option.label, option.what);
+                tooltip(option.label, option.meaning);
             }
             ImGui::EndCombo();
         } else {
-            tooltip("Reflection", help.what, options[static_cast<std::size_t>(chosen)].what, help.pointer);
+            tooltip("Reflection", help.what, options[static_cast<std::size_t>(chosen)].meaning, help.pointer);
         }
     }
-    shading.reflection = reflection_choices[static_cast<std::size_t>(chosen)].value;
+    shading.reflection = static_cast<Reflection>(chosen);
 }
 
 /// A round switch with the term's letter in its colour.

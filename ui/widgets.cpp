@@ -23,27 +23,36 @@ double& wished() {
     return seconds;
 }
 
-std::string range_text(const Number& n) {
-    const auto shown = [&n](float v) {
-        return fmt::format("{:.6g}{}{}", v, *n.unit != 0 ? " " : "", n.unit);
+/// The ends of a range as floats that are in it.
+float lowest(const Range& range) {
+    const auto low = static_cast<float>(range.low);
+    return range.low_open ? std::nextafter(low, static_cast<float>(range.high)) : low;
+}
+float highest(const Range& range) {
+    const auto high = static_cast<float>(range.high);
+    return range.high_open ? std::nextafter(high, static_cast<float>(range.low)) : high;
+}
+
+std::string range_text(const Real& kind, float initial) {
+    const Range& range = kind.range;
+    const auto shown = [&kind](float v) {
+        return fmt::format("{:.6g}{}{}", v, *kind.unit != 0 ? " " : "", kind.unit);
     };
-    std::string text;
-    if (n.min > -1e29f && n.max < 1e29f)
-        text = fmt::format("{:.6g} to {}", n.min, shown(n.max));
-    else if (n.min > -1e29f)
-        text = fmt::format("{:.6g} and above", n.min);
-    else if (*n.unit != 0)
-        text = n.unit;
-    return text.empty() ? fmt::format("default {}", shown(n.initial))
-                        : fmt::format("{}, default {}", text, shown(n.initial));
+    std::string text = kind.unit;
+    if (range.low > -max_number && range.high < max_number)
+        text = fmt::format("{}{}{}", range.words, *kind.unit != 0 ? " " : "", kind.unit);
+    else if (range.low > -max_number)
+        text = range.low_open ? fmt::format("above {:.6g}", range.low)
+                              : fmt::format("{:.6g} and above", range.low);
+    return fmt::format("{}{}default {}", text, text.empty() ? "" : ", ", shown(initial));
 }
 
 /// The bar behind a number that says how much of its usual range it takes.
-void share_bar(float value, const Number& n, ImVec2 low, float width) {
-    const float range = n.shown_max - n.min;
-    if (range <= 0) return;
-    float share = (value - n.min) / range;
-    if (n.logarithmic && n.shown_max > 1) share = std::log1p(value - n.min) / std::log1p(range);
+void share_bar(float value, const Real& kind, ImVec2 low, float width) {
+    const float first = lowest(kind.range), range = kind.usual_max - first;
+    if (kind.usual_max <= 0 || range <= 0 || kind.range.low <= -max_number) return;
+    float share = (value - first) / range;
+    if (kind.logarithmic && kind.usual_max > 1) share = std::log1p(value - first) / std::log1p(range);
     share = std::clamp(share, 0.0f, 1.0f);
     if (share * width < 1) return;
     const float height = ImGui::GetFrameHeight();
@@ -52,7 +61,7 @@ void share_bar(float value, const Number& n, ImVec2 low, float width) {
 }
 
 /// The bare draggable number, `width` wide. Double-click and right-click return to the default.
-bool drag_number(const char* id, float& value, const Number& n, float initial, float width) {
+bool drag_number(const char* id, float& value, const Real& kind, float initial, float width) {
     ImGuiIO& io = ImGui::GetIO();
     const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + width, low.y + ImGui::GetFrameHeight()};
     const bool inside = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high);
@@ -61,13 +70,15 @@ bool drag_number(const char* id, float& value, const Number& n, float initial, f
     const bool double_clicked = io.MouseDoubleClicked[0];
     if (reset) io.MouseDoubleClicked[0] = false;  // ImGui would open its text entry
     float edited = value;
-    const float magnitude = n.logarithmic ? std::max(std::abs(value), n.speed * 10) : 1;
+    const float scale = kind.logarithmic ? std::max(std::abs(value), kind.step * 10) : 1;
     // ImGui makes drags with Shift ten times faster; here they are ten times finer.
-    const float speed = n.speed * magnitude * (io.KeyShift ? 0.01f : 1.0f);
+    const float speed = kind.step * scale * (io.KeyShift ? 0.01f : 1.0f);
+    const float least = lowest(kind.range), most = highest(kind.range);
     ImGui::PushFont(fonts().figures);
     ImGui::SetNextItemWidth(width);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(4), ImGui::GetStyle().FramePadding.y});
-    bool changed = ImGui::DragFloat(id, &edited, speed, n.min, n.max, n.format, ImGuiSliderFlags_AlwaysClamp);
+    bool changed =
+        ImGui::DragFloat(id, &edited, speed, least, most, kind.format, ImGuiSliderFlags_AlwaysClamp);
     ImGui::PopStyleVar();
     ImGui::PopFont();
     io.MouseDoubleClicked[0] = double_clicked;
@@ -77,13 +88,13 @@ bool drag_number(const char* id, float& value, const Number& n, float initial, f
         changed = value != initial;
         edited = initial;
     }
-    if (changed && std::isfinite(edited)) value = std::clamp(edited, n.min, n.max);
+    if (changed && std::isfinite(edited)) value = std::clamp(edited, least, most);
     return changed;
 }
 
-void number_tooltip(const char* label, const Number& number, const Help& help) {
+void number_tooltip(const char* label, const Real& kind, float initial, const Help& help) {
     tooltip(label, help.what,
-            range_text(number) + "\nDrag · Shift: fine · Ctrl+click: type · double-click: default",
+            range_text(kind, initial) + "\nDrag · Shift: fine · Ctrl+click: type · double-click: default",
             help.pointer);
 }
 
@@ -133,38 +144,42 @@ float row(const char* label) {
     return ImGui::GetContentRegionAvail().x;
 }
 
-bool number_field(const char* label, float& value, const Number& number, const Help& help) {
+bool number_field(const char* label, float& value, const Real& kind, float initial, const Help& help) {
     ImGui::PushID(label);
     const float width = row(label);
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const bool changed = drag_number("##number", value, number, number.initial, width);
-    share_bar(value, number, low, width);
-    number_tooltip(label, number, help);
+    const bool changed = drag_number("##number", value, kind, initial, width);
+    share_bar(value, kind, low, width);
+    number_tooltip(label, kind, initial, help);
     ImGui::PopID();
     return changed;
 }
 
-bool bare_number(const char* label, float& value, const Number& number, const Help& help, float width) {
+bool bare_number(const char* label, float& value, const Real& kind, float initial, const Help& help,
+                 float width) {
     ImGui::PushID(label);
-    const bool changed = drag_number("##number", value, number, number.initial, width);
-    number_tooltip(label, number, help);
+    const bool changed = drag_number("##number", value, kind, initial, width);
+    number_tooltip(label, kind, initial, help);
     ImGui::PopID();
     return changed;
 }
 
 bool integer_field(const char* label, int& value, int low, int high, int initial, const Help& help) {
+    const std::string words = fmt::format("{} to {}", low, high);
     // A drag over 300 pixels goes from the default to four times the default, whatever the limit is.
-    Number number{float(low), float(high), float(initial), std::max(0.03f, float(initial) / 100), "%.0f"};
-    number.shown_max = high <= 64 ? float(high) : 0;
+    const Real kind{.range = {double(low), double(high), words},
+                    .step = std::max(0.03f, float(initial) / 100),
+                    .format = "%.0f",
+                    .usual_max = high <= 64 ? float(high) : 0};
     float real = float(value);
-    if (!number_field(label, real, number, help)) return false;
+    if (!number_field(label, real, kind, float(initial), help)) return false;
     const int whole = std::clamp(int(std::lround(real)), low, high);
     const bool changed = whole != value;
     value = whole;
     return changed;
 }
 
-bool vector_field(const char* label, glm::vec3& value, const Number& number, glm::vec3 initial,
+bool vector_field(const char* label, glm::vec3& value, const Real& kind, glm::vec3 initial,
                   const Help& help) {
     ImGui::PushID(label);
     const float gap = px(3), width = (row(label) - 2 * gap) / 3;
@@ -172,11 +187,9 @@ bool vector_field(const char* label, glm::vec3& value, const Number& number, glm
     for (int i = 0; i < 3; ++i) {
         ImGui::PushID(i);
         if (i > 0) ImGui::SameLine(0, gap);
-        changed |= drag_number("##part", value[i], number, initial[i], width);
-        Number part = number;
-        part.initial = initial[i];
+        changed |= drag_number("##part", value[i], kind, initial[i], width);
         const char* const names[] = {"x", "y", "z"};
-        number_tooltip(fmt::format("{} {}", label, names[i]).c_str(), part,
+        number_tooltip(fmt::format("{} {}", label, names[i]).c_str(), kind, initial[i],
                        {help.what, help.pointer + "/" + std::to_string(i)});
         ImGui::PopID();
     }

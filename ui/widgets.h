@@ -8,6 +8,9 @@
 #include <span>
 #include <string>
 
+#include "models/scene/choice.h"
+#include "models/scene/field_kinds.h"
+
 namespace glint {
 
 /// What a control is. `pointer` is the JSON pointer of its value in the scene file.
@@ -16,42 +19,27 @@ struct Help {
     std::string pointer;
 };
 
-/// A number's range and habits. Values never leave min .. max, however they are entered.
-struct Number {
-    float min = -1e30f, max = 1e30f;
-    float initial = 0;    // what double-click returns to
-    float speed = 0.01f;  // per pixel of drag; Shift: a tenth
-    const char* format = "%.3f";
-    const char* unit = "";
-    float shown_max = 0;       // > min: the field shows the value's share of this as a bar
-    bool logarithmic = false;  // drags multiply instead of adding
-};
-
-/// Label and draggable number. Ctrl+click types, double-click or right-click returns to the default.
-[[nodiscard]] bool number_field(const char* label, float& value, const Number& number, const Help& help);
+/// Label and draggable number of that kind. Values never leave its range, however they are entered. Ctrl+click types,
+/// double-click or right-click returns to `initial`; Shift drags ten times finer.
+[[nodiscard]] bool number_field(const char* label, float& value, const Real& kind, float initial, const Help& help);
 /// The bare draggable number, `width` wide, for one that stands in a text; the same habits and tooltip.
-[[nodiscard]] bool bare_number(const char* label, float& value, const Number& number, const Help& help,
+[[nodiscard]] bool bare_number(const char* label, float& value, const Real& kind, float initial, const Help& help,
                                float width);
 [[nodiscard]] bool integer_field(const char* label, int& value, int low, int high, int initial,
                                  const Help& help);
-[[nodiscard]] bool vector_field(const char* label, glm::vec3& value, const Number& number, glm::vec3 initial,
+/// Three numbers of that kind.
+[[nodiscard]] bool vector_field(const char* label, glm::vec3& value, const Real& kind, glm::vec3 initial,
                                 const Help& help);
 /// Linear RGB, each >= 0, with a swatch that opens a picker and presets.
 [[nodiscard]] bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const Help& help);
 [[nodiscard]] bool switch_field(const char* label, bool& value, const Help& help);
 [[nodiscard]] bool name_field(const char* label, std::string& name, const Help& help);
 
-/// One of a closed set.
-struct Option {
-    const char* label;
-    const char* word;  // in the scene file
-    const char* what;
-};
 /// The index chosen, `chosen` when nothing changed. As a drop-down in a row, or as joined buttons.
-[[nodiscard]] int choose(const char* label, int chosen, std::span<const Option> options, const Help& help);
-[[nodiscard]] int segments(const char* id, int chosen, std::span<const Option> options, const Help& help);
+[[nodiscard]] int choose(const char* label, int chosen, std::span<const Choice> options, const Help& help);
+[[nodiscard]] int segments(const char* id, int chosen, std::span<const Choice> options, const Help& help);
 /// Width that segments() takes where there is room; in less its words stand closer together.
-[[nodiscard]] float segments_width(std::span<const Option> options);
+[[nodiscard]] float segments_width(std::span<const Choice> options);
 
 /// A tooltip for the item drawn last, after the pointer rested on it: title, explanation, and two lower lines
 /// (range and default; the key). Empty ones are left out.

@@ -4,7 +4,7 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "models/scene_names.h"
+#include "models/scene/choices.h"
 #include "renderer/inspect/json_text.h"
 #include "renderer/inspect/lobes.h"
 

@@ -68,7 +68,7 @@ ExplainedLight explain_light(const LightTerms<float>& t, const LightSource& sour
     return e;
 }
 
-/// Puts the samples of an area light under one entry that holds their sums and means.
+/// Puts the samples of an area light under one entry that holds their sums.
 void join_samples(ExplainedLight& joined, const ExplainedLight& sample) {
     if (joined.samples.empty()) {
         joined.name = sample.name;
@@ -100,14 +100,17 @@ ExplainedPoint explain_point(const ExplainedStages& stages, const LightJob& job,
     if (job.terms.ambient) e.global_ambient = to_glm(same<float>(job.material.global_ambient));
     if (job.tone.on) e.cool_to_warm = explain_tone(job, at);
     Vec sum = before_lights(job, at);
+    e.base = to_glm(sum);
     const Equation equation = equation_of(job);
     const MaterialAt<float> material = material_at<float>(job.material);
     for (std::size_t i = 0; i < job.light_count; ++i) {
         const LightSource& source = job.lights[i];
         const LightAt<float> light_here = light_at<float>(source);
         const LightTerms<float> t = illuminate(equation, light_here, material, at);
-        sum = sum + share_of(equation, light_here, t);
+        const Vec share = share_of(equation, light_here, t);
+        sum = sum + share;
         ExplainedLight light = explain_light(t, source, frames);
+        light.share = to_glm(share);
         light.name = stages.lighting.lights[static_cast<std::size_t>(source.light)].name;
         if (!source.is_patch) {
             e.lights.push_back(light);
@@ -150,7 +153,7 @@ void explain_stroke(Explanation& e, const ExplainedStages& stages, std::size_t p
         e.sum = to_glm(drawn_over(to_vec(e.sum), e.stroke.coverage, to_vec(e.stroke.color)));
 }
 
-/// From the shaded sum to what is seen.
+/// The point on its way from the mesh to the screen.
 ExplainedSpaces explain_spaces(const Geometry& g, const SampleFace& face) {
     const glm::dvec4 camera(glm::dvec3(face.p), 1);
     const glm::dvec4 clip = clip_from_view(g.camera.projection, g.size) * camera;
@@ -165,6 +168,7 @@ ExplainedSpaces explain_spaces(const Geometry& g, const SampleFace& face) {
     return s;
 }
 
+/// From the shaded sum to what is seen.
 void explain_display(Explanation& e, const ExplainedStages& stages, std::size_t pixel) {
     explain_stroke(e, stages, pixel);
     const DisplayJob job = display_job(stages.lighting.display);

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "models/scene_names.h"
+#include "models/scene/choices.h"
 #include "renderer/inspect/json_text.h"
 
 namespace glint {
@@ -35,6 +35,7 @@ Json json_of(const ExplainedLight& light) {
     json["ambient"] = json_of(light.ambient);
     json["diffuse"] = json_of(light.diffuse);
     json["specular"] = json_of(light.specular);
+    if (light.samples.empty()) json["share"] = json_of(light.share);
     if (!light.samples.empty()) {
         json["samples"] = Json::array();
         for (const ExplainedLight& sample : light.samples) json["samples"].push_back(json_of(sample));
@@ -49,6 +50,7 @@ void add_place(Json& json, const ExplainedPoint& at) {
 }
 
 void add_terms(Json& json, const ExplainedPoint& at) {
+    json["base"] = json_of(at.base);
     json["lights"] = Json::array();
     for (const ExplainedLight& light : at.lights) json["lights"].push_back(json_of(light));
     json["emission"] = json_of(at.emission);

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "models/problem.h"
-#include "models/scene_names.h"
+#include "models/scene/choices.h"
 
 namespace glint {
 namespace {
@@ -70,24 +70,13 @@ std::string row(std::string_view left, std::string_view right) {
 
 /// The specular factor S as its model writes it.
 std::string highlight(const Explanation& e, const ExplainedLight& light) {
-    const auto power = [&](std::string_view cosine, float value) {
-        return fmt::format("({})^{{{}}} = ({})^{{{}}}", cosine, number(e.material.shininess), number(value),
-                           number(e.material.shininess));
-    };
-    switch (e.reflection) {
-    case Reflection::Phong:
-        return power("r \\cdot v", light.r_dot_v);
-    case Reflection::BlinnPhong:
-        return power("n \\cdot h", light.n_dot_h);
-    case Reflection::Retro:
-        return "(l \\cdot v)^{" + number(e.material.shininess) + "}";
-    case Reflection::None:
-    case Reflection::Lambert:
-    case Reflection::OrenNayar:
-    case Reflection::CookTorrance:
-        break;
-    }
-    return "S";
+    const ReflectionInfo info = info_of(e.reflection);
+    if (!info.uses_shininess()) return "S";
+    const std::string power = fmt::format("^{{{}}}", number(e.material.shininess));
+    const std::string formula = fmt::format("({}){}", info.highlight_latex, power);
+    if (info.cosine == HighlightCosine::LV) return formula;
+    const float cosine = info.cosine == HighlightCosine::RV ? light.r_dot_v : light.n_dot_h;
+    return fmt::format("{} = ({}){}", formula, number(cosine), power);
 }
 
 std::string light_rows(const Explanation& e, const ExplainedLight& light, const Light& source,
@@ -99,7 +88,7 @@ std::string light_rows(const Explanation& e, const ExplainedLight& light, const 
         if (light.falloff != 1 || light.spot != 1 || source.intensity != 1)
             text += row("f" + index, fmt::format("{} \\cdot {} \\cdot {}", number(light.falloff),
                                                  number(light.spot), number(source.intensity)));
-        if (e.reflection != Reflection::Lambert && e.reflection != Reflection::OrenNayar)
+        if (info_of(e.reflection).has_highlight)
             text += row("S" + index, highlight(e, light) + " = " + column(light.specular_factor));
     }
     text += row(fmt::format("f{0} \\, k_a A{0}", index), column(light.ambient));
@@ -128,7 +117,7 @@ std::string place(const ExplainedPoint& at) {
 }
 
 std::string lit_points(const Explanation& e, const Scene& scene) {
-    if (e.reflection == Reflection::None) return "No lighting: the mesh's own colour.\n";
+    if (!info_of(e.reflection).is_lit) return "No lighting: the mesh's own colour.\n";
     if (!e.lit_per_corner) return place(e.at) + equation(e, e.at, scene);
     std::string text, mix;
     for (std::size_t i = 0; i < e.corners.size(); ++i) {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "models/problem.h"
-#include "models/scene_names.h"
+#include "models/scene/choices.h"
 
 namespace glint {
 namespace {
@@ -43,23 +43,9 @@ std::string vector(std::string_view symbol, const InBothFrames& v, std::string_v
 
 /// What the highlight is made of, as the equation writes it.
 std::string highlight(Reflection reflection, const Material& material, glm::vec3 factor) {
-    const auto power = [&](std::string_view cosine) {
-        return fmt::format("{}^{} = {}", cosine, brief(material.shininess), brief(factor));
-    };
-    switch (reflection) {
-    case Reflection::Phong:
-        return power("(r·v)");
-    case Reflection::BlinnPhong:
-        return power("(n·h)");
-    case Reflection::Retro:
-        return power("(l·v)");
-    case Reflection::None:
-    case Reflection::Lambert:
-    case Reflection::OrenNayar:
-    case Reflection::CookTorrance:
-        break;
-    }
-    return "S = " + brief(factor);
+    const ReflectionInfo info = info_of(reflection);
+    if (!info.uses_shininess()) return "S = " + brief(factor);
+    return fmt::format("{}^{} = {}", info.highlight, brief(material.shininess), brief(factor));
 }
 
 /// One light (or one sample of an area light) in words, where its numbers alone would not say why.
@@ -122,7 +108,7 @@ class Writer {
 
     /// The terms of one point, without their sum.
     [[nodiscard]] std::string equation(const ExplainedPoint& at) const {
-        if (e_.reflection == Reflection::None) return "  no lighting: the mesh's own colour\n\n";
+        if (!info_of(e_.reflection).is_lit) return "  no lighting: the mesh's own colour\n\n";
         std::string text =
             fmt::format("  {:<{}}{:>10}{:>10}{:>10}\n", "", product_width + 10, "red", "green", "blue");
         text += at.cool_to_warm.used ? tone(at.cool_to_warm) : unlit(at);

@@ -32,7 +32,9 @@ struct ExplainedLight {
     float diffuse_factor = 0;      // what multiplies light.diffuse * k_d: <n.l> for Lambert
     glm::vec3 specular_factor{0};  // S of docs/interface.md, per channel; 0 where n.l <= 0
     glm::vec3 ambient{0}, diffuse{0}, specular{0};  // what reaches the eye
-    std::vector<ExplainedLight> samples;            // of an area light; then the fields above are their sums
+    glm::vec3 share{0};  // what is added to the sum: the three terms together, rounded as the picture rounds
+                         // them; of an area light each sample has one, and this is 0
+    std::vector<ExplainedLight> samples;  // of an area light; then the fields above are their sums
 };
 
 /// Cool-to-warm shading: what the sum begins with in place of emission, ambient and diffuse terms.
@@ -50,6 +52,8 @@ struct ExplainedPoint {
     std::vector<ExplainedLight> lights;  // enabled ones, in the scene's order
     glm::vec3 emission{0}, global_ambient{0};
     ExplainedTone cool_to_warm;
+    glm::vec3 base{
+        0};  // what the sum begins with: emission + global ambient light, rounded likewise, or the tone
     glm::vec3 sum{0};
 };
 

@@ -1,5 +1,6 @@
 #include "renderer/inspect/highlight.h"
 
+#include "models/scene/reflection_info.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/pipeline/light_sources.h"
 
@@ -67,7 +68,8 @@ glm::vec3 peak_direction(const Scene& scene, PictureSize size, const SeenPoint& 
     const LightJob job = light_job(with_light_alone(scene, {}), size, mirror_like(scene, point), {}, false);
     const PointAt<float> at = seen_from_eye(job, to_vec(point.place), to_vec(point.normal));
     if (!(dot(at.n, at.v) > 0)) return glm::vec3(0);
-    const Vec l = scene.shading.reflection == Reflection::Retro ? at.v : directions_for(at.v, at).r;
+    const bool back = info_of(scene.shading.reflection).peak == HighlightPeak::Light;
+    const Vec l = back ? at.v : directions_for(at.v, at).r;
     return {l.x, l.y, l.z};
 }
 

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "models/scene/reflection_info.h"
 #include "renderer/inspect/seeded.h"
 #include "renderer/lighting/illuminate.h"
 #include "renderer/pipeline/light_sources.h"
@@ -56,7 +57,7 @@ glm::dvec3 over_hemisphere(glm::dvec3 axis, const std::function<glm::dvec3(glm::
 }
 
 glm::dvec3 lobe_axis(const Reflector& reflector, double light_deg) {
-    const bool back = reflector.reflection == Reflection::Retro;
+    const bool back = info_of(reflector.reflection).peak == HighlightPeak::Light;
     return glm::normalize(glm::dvec3(in_plane(back ? -light_deg : light_deg)));
 }
 

@@ -4,31 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
-#include "models/scene_variant.h"
+#include "models/scene/scene_numbers.h"
 #include "renderer/renderer.h"
 
 namespace glint {
 namespace {
-
-using Json = nlohmann::json;
-
-/// Calls visit(pointer, value) for every number, in the order of the pointers.
-void visit_numbers(const Json& at, const std::string& pointer,
-                   const std::function<void(const std::string&, double)>& visit) {
-    if (at.is_number()) visit(pointer, at.get<double>());
-    if (at.is_array())
-        for (std::size_t i = 0; i < at.size(); ++i)
-            visit_numbers(at[i], fmt::format("{}/{}", pointer, i), visit);
-    if (at.is_object())
-        for (const auto& [key, value] : at.items())
-            visit_numbers(value, fmt::format("{}/{}", pointer, key), visit);
-}
 
 /// The scene with only the object that shows, and the names of numbers in the whole scene.
 struct PinnedScene {
@@ -42,15 +26,6 @@ struct PinnedScene {
     }
 };
 
-/// True when a number decides which face the pixel shows, or what is drawn over it: then the picture has to
-/// be drawn anew, else the one pixel is lit anew.
-bool moves_faces(const std::string& pointer) {
-    for (const std::string_view lights_only :
-         {"/lights/", "/objects/0/material/", "/global_ambient/", "/display/"})
-        if (pointer.starts_with(lights_only)) return false;
-    return true;
-}
-
 /// One pixel of many scenes.
 class PixelProbe {
   public:
@@ -61,11 +36,13 @@ class PixelProbe {
 
     [[nodiscard]] glm::dvec3 color_now() const { return color_of(still_.explain(x_, y_), document_.scene); }
     /// With another value of one number; nothing where the scene does not allow it.
-    [[nodiscard]] std::optional<glm::dvec3> color_with(const std::string& pointer, double value) {
-        const Result<Scene> made = scene_variant(document_, {{pointer, fmt::format("{}", value)}});
-        if (problem_of(made) != nullptr) return std::nullopt;
-        const Scene& scene = std::get<Scene>(made);
-        if (!moves_faces(pointer)) return color_of(still_.explain_as(scene, x_, y_), scene);
+    [[nodiscard]] std::optional<glm::dvec3> color_with(const SceneNumber& number, double value) {
+        Scene scene = document_.scene;
+        if (set_number(scene, number.pointer, value)) return std::nullopt;
+        if (problem_of(load_meshes(scene, document_.path, document_.mesh_dir)) != nullptr)
+            return std::nullopt;
+        if (!number.moves_faces) return color_of(still_.explain_as(scene, x_, y_), scene);
+        // What decides which face the pixel shows, or what is drawn over it: the picture is drawn anew.
         (void)moved_.render(scene, size_);
         return color_of(moved_.explain(x_, y_), scene);
     }
@@ -84,10 +61,11 @@ class PixelProbe {
 double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 void measure(Sensitivities& s, PixelProbe& probe, const PinnedScene& pinned, const glm::dvec3& now,
-             const std::string& pointer, double value) {
-    const double h = 1e-3 * std::max(std::abs(value), 0.1);
-    const auto less = probe.color_with(pointer, value - h), more = probe.color_with(pointer, value + h);
-    Sensitivity number{pinned.pointer_in_whole(pointer), value, glm::dvec3(0), !less || !more};
+             const SceneNumber& moved) {
+    const double h = 1e-3 * std::max(std::abs(moved.value), 0.1);
+    const auto less = probe.color_with(moved, moved.value - h),
+               more = probe.color_with(moved, moved.value + h);
+    Sensitivity number{pinned.pointer_in_whole(moved.pointer), moved.value, glm::dvec3(0), !less || !more};
     if (!less && !more) {
         s.fixed.push_back(number.pointer);
         return;
@@ -117,10 +95,8 @@ struct SensitivityRun::State {
     State(const SceneDocument& document, PictureSize size, int x, int y, int threads)
         : pinned(pinned_scene(document, size, x, y, threads)),
           probe(pinned.document, size, x, y, threads),
-          now(probe.color_now()) {
-        visit_numbers(
-            Json::parse(scene_text(pinned.document.scene)), "",
-            [this](const std::string& pointer, double value) { numbers.emplace_back(pointer, value); });
+          now(probe.color_now()),
+          numbers(numbers_of(pinned.document.scene)) {
         for (std::size_t i = 0; i < document.scene.objects.size(); ++i)
             if (static_cast<int>(i) != pinned.object) others.push_back(fmt::format("/objects/{}", i));
     }
@@ -128,7 +104,7 @@ struct SensitivityRun::State {
     PinnedScene pinned;
     PixelProbe probe;
     glm::dvec3 now;
-    std::vector<std::pair<std::string, double>> numbers;
+    std::vector<SceneNumber> numbers;
     std::vector<std::string> others;  // objects that do not show at the pixel
     std::size_t measured = 0;
     Sensitivities found;
@@ -141,8 +117,7 @@ SensitivityRun::~SensitivityRun() = default;
 bool SensitivityRun::step() {
     State& s = *state_;
     if (s.measured == s.numbers.size()) return false;
-    const auto& [pointer, value] = s.numbers[s.measured++];
-    measure(s.found, s.probe, s.pinned, s.now, pointer, value);
+    measure(s.found, s.probe, s.pinned, s.now, s.numbers[s.measured++]);
     return s.measured < s.numbers.size();
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "models/scene/reflection_info.h"
 #include "renderer/pipeline/mistaken_lights.h"
 
 namespace glint {
@@ -145,19 +146,18 @@ float largest(const LightSource::Rgb& a, const LightSource::Rgb& b) {
 
 /// An upper bound of one light's share anywhere; infinite where the light has none.
 double most_of(const LightJob& job, const LightSource& light) {
-    // Oren-Nayar's diffuse factor stays below 1.45, the others' and the highlights below 1, but for rounding.
-    constexpr double most_diffuse = 1.5, most_highlight = 1.01;
+    const ReflectionInfo model = info_of(job.model);
     const SurfaceMaterial& m = job.material;
     const double falloff = light.has_falloff ? 1.0 / light.constant : 1.0;
-    return falloff * (largest(m.k_a, light.ambient) + most_diffuse * largest(m.k_d, light.diffuse) +
-                      most_highlight * largest(m.k_s, light.specular));
+    return falloff * (largest(m.k_a, light.ambient) + model.max_diffuse * largest(m.k_d, light.diffuse) +
+                      model.max_specular * largest(m.k_s, light.specular));
 }
 
 /// The grid for LightJob::grid. None where a share has no bound (near a light without constant falloff, an
 /// area light, Cook-Torrance), and none for so few lights that keeping a sum would not pay.
 float share_grid(const LightJob& job) {
     constexpr std::size_t fewest_lights = 3;
-    const bool bounded = job.model != Reflection::None && job.model != Reflection::CookTorrance;
+    const bool bounded = info_of(job.model).is_bounded();
     if (job.light_count < fewest_lights || !bounded || job.tone.on || job.any_mistake || job.clamp) return 0;
     const SurfaceMaterial& m = job.material;
     const double begun = std::max({m.emission.x + m.global_ambient.x, m.emission.y + m.global_ambient.y,

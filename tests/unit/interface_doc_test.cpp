@@ -1,12 +1,14 @@
 // docs/interface.md says what the program takes: its examples read, and no key or word is left out.
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "models/file.h"
 #include "models/mistakes.h"
+#include "models/scene/choices.h"
 #include "models/scene_file.h"
-#include "models/scene_names.h"
 #include "tests/catch.h"
+#include "tests/unit/field_table.h"
 
 using namespace glint;
 
@@ -89,4 +91,37 @@ TEST_CASE("the documentation names every word that a key takes", "[interface_doc
     check_names<Cull>(text);
     check_names<Rules>(text);
     check_names<Transfer>(text);
+}
+
+namespace {
+
+/// The lines between `<!-- rows: NAME -->` and the next `<!-- end -->`; where GLINT_UPDATE is set they are
+/// written anew.
+void check_table(const std::string& name, const std::string& expected) {
+    INFO("GLINT_UPDATE=1 writes this table of docs/interface.md anew: " << name);
+    std::string text = document();
+    const std::string begin = "<!-- rows: " + name + " -->\n";
+    const std::size_t start = text.find(begin);
+    REQUIRE(start != std::string::npos);
+    const std::size_t from = start + begin.size(), end = text.find("<!-- end -->", from);
+    REQUIRE(end != std::string::npos);
+    if (std::getenv("GLINT_UPDATE") != nullptr) {
+        text.replace(from, end - from, expected);
+        REQUIRE(problem_of(write_file(GLINT_SOURCE_DIR "/docs/interface.md", text)) == nullptr);
+        return;
+    }
+    CHECK(text.substr(from, end - from) == expected);
+}
+
+}  // namespace
+
+TEST_CASE("the tables of the documentation are the rows of the fields", "[interface_doc]") {
+    check_table("camera", test::field_table(Camera{}));
+    check_table("light", test::field_table(Light{}));
+    check_table("object", test::field_table(Object{}));
+    check_table("primitives", test::primitive_table());
+    check_table("shading", test::field_table(Shading{}));
+    check_table("mistakes", test::mistake_table());
+    check_table("npr", test::field_table(Npr{}));
+    check_table("display", test::field_table(Display{}));
 }

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "models/normals.h"
+#include "models/scene/choices.h"
 #include "tests/catch.h"
 #include "tests/unit/mesh_helpers.h"
 
@@ -63,9 +64,9 @@ void check_normals(const Mesh& mesh) {
 
 TEST_CASE("every primitive is sound at every detail", "[primitives]") {
     for (const Primitive p : all)
-        for (int detail : {1, 2, 3, 4, 5, 7, 8, 11, 16, 33, default_detail(p)}) {
-            if (detail > max_detail(p) || (p == Primitive::Icosphere && detail > 5)) continue;
-            INFO(primitive_name(p) << " " << detail);
+        for (int detail : {1, 2, 3, 4, 5, 7, 8, 11, 16, 33, info_of(p).default_detail}) {
+            if (detail > info_of(p).max_detail || (p == Primitive::Icosphere && detail > 5)) continue;
+            INFO(name_of(p) << " " << detail);
             const Mesh mesh = make_primitive(p, detail);
             const MeshInfo info = mesh_info(mesh);
             CHECK(info.degenerate_faces == 0);
@@ -87,7 +88,7 @@ TEST_CASE("every primitive is sound at every detail", "[primitives]") {
 }
 
 TEST_CASE("primitives have the sizes and faces that the contract names", "[primitives]") {
-    const auto bounds = [](Primitive p) { return make_primitive(p, default_detail(p)).bounds; };
+    const auto bounds = [](Primitive p) { return make_primitive(p, info_of(p).default_detail).bounds; };
     const auto info = [](Primitive p, int d) { return mesh_info(make_primitive(p, d)); };
     CHECK(bounds(Primitive::Sphere) == Bounds{{-1, -1, -1}, {1, 1, 1}});
     CHECK(bounds(Primitive::Cube) == Bounds{{-1, -1, -1}, {1, 1, 1}});
@@ -139,7 +140,7 @@ TEST_CASE("fine primitives tend to the areas and volumes of their surfaces", "[p
 TEST_CASE("analytic normals agree with the averages of a fine mesh", "[primitives][normals]") {
     for (const Primitive p : {Primitive::Sphere, Primitive::BumpySphere, Primitive::Icosphere,
                               Primitive::Torus, Primitive::Knot, Primitive::Plane}) {
-        INFO(primitive_name(p));
+        INFO(name_of(p));
         const Mesh mesh = make_primitive(p, p == Primitive::Icosphere ? 6
                                             : p == Primitive::Knot    ? 1600
                                                                       : 500);

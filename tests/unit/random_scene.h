@@ -9,7 +9,7 @@
 
 #include "models/mistakes.h"
 #include "models/scene.h"
-#include "models/scene_names.h"
+#include "models/scene/choices.h"
 
 namespace glint {
 
@@ -96,7 +96,7 @@ class RandomScene {
         Object o;
         o.name = name();
         const auto primitive = one_of<Primitive>();
-        const auto most = static_cast<std::size_t>(max_detail(primitive));
+        const auto most = static_cast<std::size_t>(info_of(primitive).max_detail);
         if (flag())
             o.source = PrimitiveMesh{primitive, 1 + static_cast<int>(below(most))};
         else

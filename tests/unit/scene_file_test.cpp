@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "models/scene/choices.h"
 #include "tests/catch.h"
 
 using namespace glint;
@@ -126,7 +127,7 @@ TEST_CASE("every primitive has its own default detail", "[scene_file]") {
     for (const auto& [name, detail] : defaults) {
         const Scene scene =
             scene_of(std::string(R"({"glint": 1, "objects": [{"mesh": {"primitive": ")") + name + "\"}}]}");
-        CHECK(primitive_name(std::get<PrimitiveMesh>(scene.objects[0].source).primitive) == name);
+        CHECK(name_of(std::get<PrimitiveMesh>(scene.objects[0].source).primitive) == name);
         CHECK(std::get<PrimitiveMesh>(scene.objects[0].source).detail == detail);
     }
 }

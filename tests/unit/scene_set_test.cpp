@@ -106,7 +106,7 @@ TEST_CASE("a projection's type set alone drops the keys of the other projections
         scene_with(text, {"/camera/projection/type=orthographic", "/camera/projection/height=3"});
     CHECK(std::get<Orthographic>(scene.camera.projection) == Orthographic{3, 2, 9});
     CHECK(problem_with(text, {"/camera/projection/type=orthographic", "/camera/projection/fov_y_deg=3"}) ==
-          "--set: /camera/projection/fov_y_deg: no key of the projection \"orthographic\"; expected type, "
+          "--set: /camera/projection/fov_y_deg: not a key of the projection \"orthographic\"; expected type, "
           "height, near "
           "or far");
 }
@@ -143,9 +143,9 @@ TEST_CASE("a pointer that leads nowhere is a problem", "[scene_set]") {
     CHECK(problem_with(R"({"glint": 1, "lights": [{}, {}]})", {"/lights/3/name=a"}) ==
           "--set: /lights/3/name: \"3\" is past the end of the array; expected 0 to 1, or - for a new one at "
           "the end");
-    CHECK(problem_with(smallest, {"/lights/00/name=a"}).find("\"00\" is no index of an array") !=
+    CHECK(problem_with(smallest, {"/lights/00/name=a"}).find("\"00\" is not an index of an array") !=
           std::string::npos);
-    CHECK(problem_with(smallest, {"/lights/99999999999999999999/name=a"}).find("is no index") !=
+    CHECK(problem_with(smallest, {"/lights/99999999999999999999/name=a"}).find("is not an index") !=
           std::string::npos);
     CHECK(problem_with(smallest, {"/glint/x=1"}) ==
           "--set: /glint/x: \"x\" is to go into a value that holds no others; expected a pointer to a value "

@@ -70,7 +70,7 @@ TEST_CASE("every number of a scene can be chosen, by its key", "[ui][animate]") 
     const SceneDocument document = busy_document();
     const auto numbers = numbers_of(document.scene);
     CHECK(numbers.size() > 100);
-    for (const MovableNumber& number : numbers) {
+    for (const SceneNumber& number : numbers) {
         const Animation still{Motion::PingPong, number.pointer, number.value, number.value, 2};
         INFO(number.pointer);
         CHECK(at(document, still, 0) == document.scene);

@@ -96,7 +96,7 @@ class Grab {
 };
 
 Object object_of(Primitive primitive, glm::vec3 scale = glm::vec3(1)) {
-    Object object = test::object_of(test::primitive(primitive, default_detail(primitive)));
+    Object object = test::object_of(test::primitive(primitive, info_of(primitive).default_detail));
     object.transform.scale = scale;
     return object;
 }

@@ -89,7 +89,7 @@ TEST_CASE("settings are read back equal, and from nonsense what makes sense is t
         CHECK(read.layout.left_width >= least_column_width);
         CHECK(read.width <= 16384);
         CHECK(read.views.compare.wipes.size() + 1 == read.views.compare.parts.size());
-        for (const Camera& camera : read.views.kept) CHECK(is_valid(camera));
+        for (const Camera& camera : read.views.kept) CHECK_FALSE(violation_of(camera));
     }
 }
 

@@ -180,8 +180,8 @@ TEST_CASE("lists that are emptied leave a usable window", "[ui][window]") {
 TEST_CASE("each of joined buttons answers a click, whether its word stands in the file or not",
           "[ui][panels]") {
     Bench bench;
-    const std::array<glint::Option, 4> options{glint::Option{"none", "", ""}, glint::Option{"left", "", ""},
-                                               glint::Option{"right", "", ""}, glint::Option{"both", "", ""}};
+    const std::array<glint::Choice, 4> options{Choice{"", "none", ""}, Choice{"", "left", ""},
+                                               Choice{"", "right", ""}, Choice{"", "both", ""}};
     int chosen = 0;
     std::array<float, 4> middles{};
     for (const float room : {400.0f, 170.0f}) {  // enough, and too little

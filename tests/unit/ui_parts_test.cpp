@@ -148,38 +148,38 @@ TEST_CASE("another kind of projection shows the target at the same size", "[ui]"
     const PictureSize size{800, 500};
     const glm::dvec3 place{0.7, 0.4, 0};
     const OnScreen before = project(screen_map(camera, size), place);
-    for (int kind = 0; kind < 3; ++kind) {
+    for (const ProjectionKind kind : enumerators<ProjectionKind>) {
         Camera other = camera;
         other.projection = as_projection(camera, kind, size);
-        CHECK(other.projection.index() == static_cast<std::size_t>(kind));
+        CHECK(kind_of(other.projection) == kind);
         const OnScreen after = project(screen_map(other, size), place);
         CHECK(after.pixel.x == Approx(before.pixel.x).epsilon(1e-4));
         CHECK(after.pixel.y == Approx(before.pixel.y).epsilon(1e-4));
-        CHECK(is_valid(other));
+        CHECK_FALSE(violation_of(other));
     }
 }
 
 TEST_CASE("what the scene file would refuse is not valid here either", "[ui]") {
     Camera camera;
     camera.target = camera.eye;
-    CHECK_FALSE(is_valid(camera));
+    CHECK(violation_of(camera));
     camera = {};
     camera.up = camera.eye;
-    CHECK_FALSE(is_valid(camera));
+    CHECK(violation_of(camera));
     camera = {};
     camera.projection = Perspective{45, 2, 1};
-    CHECK_FALSE(is_valid(camera));
+    CHECK(violation_of(camera));
     Light light;
-    CHECK(is_valid(light));
+    CHECK_FALSE(violation_of(light));
     light.falloff = {0, 0, 0};
-    CHECK_FALSE(is_valid(light));
+    CHECK(violation_of(light));
     light = {};
     light.position = {0, 0, 0, 0};
-    CHECK_FALSE(is_valid(light));
+    CHECK(violation_of(light));
     light = {};
     light.area.edge_v = 2.0f * light.area.edge_u;
-    CHECK_FALSE(is_valid(light));
+    CHECK(violation_of(light));
     Object object;
     object.transform.scale.y = 0;
-    CHECK_FALSE(is_valid(object));
+    CHECK(violation_of(object));
 }

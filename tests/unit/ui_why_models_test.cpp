@@ -14,7 +14,7 @@ TEST_CASE("the models' values are those of the pixel drawn under each mode", "[u
     Renderer renderer(1);
     for (std::size_t i = 0; i < all.size(); ++i) {
         Scene scene = bench.scene();
-        scene.shading.mode = mode_choices[i].value;
+        scene.shading.mode = static_cast<ShadingMode>(i);
         (void)renderer.render(scene, bench.state.picture->size);
         const Explanation drawn = renderer.explain(bench.state.why->x, bench.state.why->y);
         CHECK(all[i].sum == drawn.sum);

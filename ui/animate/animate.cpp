@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "models/scene/scene_numbers.h"
 #include "ui/actions.h"
 #include "ui/choices.h"
 #include "ui/menu/fuzzy.h"
@@ -20,17 +21,13 @@ namespace {
 constexpr int most_frames = 2000;
 constexpr int numbers_listed = 7;
 
-constexpr std::array motion_choices{
-    Choice<Motion>{Motion::Turntable, "Turntable", "", "The camera once round its target"},
-    Choice<Motion>{Motion::PingPong, "To and fro", "", "One number of the scene between two values"}};
-
 /// The numbers that match what was typed, best first.
-std::vector<MovableNumber> matching(const std::vector<MovableNumber>& numbers, const std::string& text) {
+std::vector<SceneNumber> matching(const std::vector<SceneNumber>& numbers, const std::string& text) {
     std::vector<std::pair<int, std::size_t>> scored;
     for (std::size_t i = 0; i < numbers.size(); ++i)
         if (const auto match = fuzzy_match(text, numbers[i].pointer)) scored.emplace_back(-match->score, i);
     std::sort(scored.begin(), scored.end());
-    std::vector<MovableNumber> found;
+    std::vector<SceneNumber> found;
     for (const auto& [score, i] : scored) {
         found.push_back(numbers[i]);
         if (found.size() == numbers_listed) break;
@@ -44,7 +41,7 @@ void choose_number(AnimateState& animate, const Scene& scene) {
     ImGui::InputTextWithHint("##search", "type a part of its name: roughness, intensity …", &animate.search);
     tooltip("Number", "What goes to and fro, by its key in the scene file");
     const auto found = matching(numbers_of(scene), animate.search);
-    for (const MovableNumber& number : found) {
+    for (const SceneNumber& number : found) {
         const std::string label = fmt::format("{}  =  {:.5g}", number.pointer, number.value);
         if (!ImGui::Selectable(label.c_str(), number.pointer == animation.pointer)) continue;
         animation.pointer = number.pointer;
@@ -54,13 +51,11 @@ void choose_number(AnimateState& animate, const Scene& scene) {
     }
     if (animation.pointer.empty()) return;
     ImGui::Separator();
-    Number ends;
-    ends.speed = 0.01f;
-    ends.format = "%.4g";
+    const Real ends{.format = "%.4g"};
     float from = static_cast<float>(animation.from), to = static_cast<float>(animation.to);
     const Help help{"An end of its way", animation.pointer};
-    if (number_field("From", from, ends, help)) animation.from = double(from);
-    if (number_field("To", to, ends, help)) animation.to = double(to);
+    if (number_field("From", from, ends, 0, help)) animation.from = double(from);
+    if (number_field("To", to, ends, 0, help)) animation.to = double(to);
 }
 
 void write_buttons(UiState& state) {
@@ -103,7 +98,7 @@ void animate_panel(UiState& state) {
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_AlwaysAutoResize)) {
         const Animation before = animate.animation;
-        (void)segment_field("Motion", animate.animation.motion, motion_choices, {"What moves", ""});
+        (void)segment_field("Motion", animate.animation.motion, {"What moves", ""});
         if (animate.animation.motion == Motion::PingPong) choose_number(animate, state.editor.scene());
         (void)integer_field("Frames", animate.animation.frames, 1, most_frames, 48,
                             {"Of one period, after which it begins anew", ""});

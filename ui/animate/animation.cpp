@@ -1,21 +1,17 @@
 #include "ui/animate/animation.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat4x4.hpp>
-#include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 
-#include "models/scene_variant.h"
+#include "models/scene/scene_numbers.h"
 
 namespace glint {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// 0 .. frames - 1.
 int within_period(const Animation& animation, int frame) {
@@ -31,18 +27,6 @@ Scene turned(Scene scene, double angle) {
     return scene;
 }
 
-void append_numbers(std::vector<MovableNumber>& numbers, const Json& json, const std::string& pointer) {
-    if (json.is_number()) {
-        numbers.push_back({pointer, json.get<double>()});
-    } else if (json.is_object()) {
-        for (const auto& item : json.items())
-            if (item.key() != "glint") append_numbers(numbers, item.value(), pointer + "/" + item.key());
-    } else if (json.is_array()) {
-        for (std::size_t i = 0; i < json.size(); ++i)
-            append_numbers(numbers, json[i], fmt::format("{}/{}", pointer, i));
-    }
-}
-
 }  // namespace
 
 double value_at(const Animation& animation, int frame) {
@@ -55,20 +39,15 @@ Result<Scene> scene_at(const SceneDocument& document, const Animation& animation
     if (animation.motion == Motion::Turntable)
         return at == 0 ? document.scene
                        : turned(document.scene, 2 * std::numbers::pi * at / std::max(animation.frames, 1));
-    // Whole numbers where the scene has whole numbers: samples of an area light, the detail of a shape.
+    Scene scene = document.scene;
+    const std::optional<SceneNumber> number = number_at(scene, animation.pointer);
     const double value = value_at(animation, frame);
-    const Json old = Json::parse(scene_text(document.scene));
-    const Json::json_pointer pointer(animation.pointer);
-    const bool whole = old.contains(pointer) && old[pointer].is_number_integer() &&
-                       (animation.pointer.ends_with("/detail") || animation.pointer.ends_with("/samples"));
-    const std::string text = whole ? std::to_string(std::lround(value)) : Json(value).dump();
-    return scene_variant(document, {{animation.pointer, text}});
-}
-
-std::vector<MovableNumber> numbers_of(const Scene& scene) {
-    std::vector<MovableNumber> numbers;
-    append_numbers(numbers, Json::parse(scene_text(scene)), "");
-    return numbers;
+    if (const auto problem =
+            set_number(scene, animation.pointer, number && number->is_whole ? std::round(value) : value))
+        return *problem;
+    const Result<Warnings> warned = load_meshes(scene, document.path, document.mesh_dir);
+    if (const Problem* problem = problem_of(warned)) return *problem;
+    return scene;
 }
 
 }  // namespace glint

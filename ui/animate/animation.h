@@ -2,13 +2,22 @@
 // A scene that moves: the camera round its target, or one number of the scene to and fro. No drawing.
 
 #include <string>
-#include <vector>
 
+#include "models/scene/choice.h"
 #include "models/scene_file.h"
 
 namespace glint {
 
 enum class Motion { Turntable, PingPong };
+constexpr Choice choice_of(Motion motion) {
+    switch (motion) {
+    case Motion::Turntable:
+        return {"turntable", "Turntable", "The camera once round its target"};
+    case Motion::PingPong:
+        return {"to-and-fro", "To and fro", "One number of the scene between two values"};
+    }
+    return {};
+}
 
 struct Animation {
     Motion motion = Motion::Turntable;
@@ -25,12 +34,5 @@ struct Animation {
 
 /// The value at a frame of a PingPong.
 [[nodiscard]] double value_at(const Animation& animation, int frame);
-
-/// A number of a scene, for the choice of what shall move.
-struct MovableNumber {
-    std::string pointer;
-    double value = 0;
-};
-[[nodiscard]] std::vector<MovableNumber> numbers_of(const Scene& scene);
 
 }  // namespace glint

@@ -60,7 +60,7 @@ void export_dialog(UiState& state) {
             ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove))
         return;
     size_rows(state, exporting.options);
-    std::vector<Option> options;
+    std::vector<Choice> options;
     constexpr const char* names[] = {"1", "2", "4", "8"};
     for (const char* name : names) options.push_back({name, name, "Samples a pixel"});
     const auto at = std::find(samples.begin(), samples.end(), exporting.options.samples) - samples.begin();

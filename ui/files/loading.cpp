@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "models/scene/choices.h"
 #include "renderer/renderer.h"
 #include "ui/actions.h"
 #include "ui/ui.h"
@@ -24,7 +25,7 @@ bool is_quick(const MeshSource& source) {
 
 std::string short_name(const MeshSource& source) {
     if (const auto* file = std::get_if<MeshFile>(&source)) return fs::path(file->path).filename().string();
-    return std::string(primitive_name(std::get<PrimitiveMesh>(source).primitive));
+    return std::string(name_of(std::get<PrimitiveMesh>(source).primitive));
 }
 
 void leave(Loading& loading, std::unique_ptr<LoadJob>& job) {
@@ -173,7 +174,7 @@ void tend_document(UiState& state) {
 
 bool is_quick(const PrimitiveMesh& mesh) {
     // Triangles go with the square of the detail; a largest one has about 8 million (models/primitives.cpp).
-    const int most = max_detail(mesh.primitive);
+    const int most = info_of(mesh.primitive).max_detail;
     if (mesh.primitive == Primitive::Icosphere) return mesh.detail <= 6;  // there with its power of 4
     return most <= 8 || mesh.detail <= most / 6;
 }

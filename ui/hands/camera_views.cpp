@@ -36,11 +36,14 @@ Camera seen_from(Camera camera, ViewFrom from) {
     const glm::dvec3 way = glm::normalize(way_to_eye(from));
     camera.eye = glm::vec3(glm::dvec3(camera.target) + target_depth(camera) * way);
     camera.up = {0, 1, 0};
-    return is_valid(camera) ? camera : before;
+    return violation_of(camera) ? before : camera;
 }
 
 Camera other_projection(Camera camera, PictureSize size) {
-    camera.projection = as_projection(camera, is_orthographic(camera.projection) ? 0 : 1, size);
+    camera.projection = as_projection(camera,
+                                      is_orthographic(camera.projection) ? ProjectionKind::Perspective
+                                                                         : ProjectionKind::Orthographic,
+                                      size);
     return camera;
 }
 

@@ -6,6 +6,7 @@
 #include "ui/actions.h"
 #include "ui/choices.h"
 #include "ui/light_place.h"
+#include "ui/material_panel.h"
 #include "ui/menu/palette.h"
 
 namespace glint {
@@ -27,15 +28,13 @@ void add_actions(Entries& entries, const UiState& state) {
 }
 
 /// One entry for each value of a closed set that is a member of Shading.
-template <class E, std::size_t N>
-void add_choices(Entries& entries, const UiState& state, const char* what, E Shading::*member,
-                 const std::array<Choice<E>, N>& choices) {
+template <class E>
+void add_choices(Entries& entries, const UiState& state, const char* what, E Shading::*member) {
     const Shading& shading = state.editor.scene().shading;
-    for (const Choice<E>& choice : choices) {
-        entries.push_back(
-            {fmt::format("{}: {}", what, choice.label),
-             shading.*member == choice.value ? "Shading · chosen" : "Shading", "", "",
-             [member, value = choice.value](UiState& s) { s.editor.scene().shading.*member = value; }});
+    for (const E value : enumerators<E>) {
+        entries.push_back({fmt::format("{}: {}", what, choice_of(value).label),
+                           shading.*member == value ? "Shading · chosen" : "Shading", "", "",
+                           [member, value](UiState& s) { s.editor.scene().shading.*member = value; }});
     }
 }
 
@@ -63,10 +62,9 @@ void add_switches(Entries& entries, const UiState& state) {
         add_switch(entries, state, name, "Mistake",
                    [flag = mistake.flag](Scene& s) -> bool& { return s.shading.mistakes.*flag; });
     }
-    for (const Choice<Transfer>& choice : transfer_choices)
-        entries.push_back(
-            {fmt::format("Transfer: {}", choice.label), "Display", "", "",
-             [value = choice.value](UiState& s) { s.editor.scene().display.transfer = value; }});
+    for (const Transfer value : enumerators<Transfer>)
+        entries.push_back({fmt::format("Transfer: {}", choice_of(value).label), "Display", "", "",
+                           [value](UiState& s) { s.editor.scene().display.transfer = value; }});
 }
 
 void add_presets(Entries& entries, const UiState& state) {
@@ -75,8 +73,8 @@ void add_presets(Entries& entries, const UiState& state) {
         entries.push_back({fmt::format("Material: {}", preset.name), "Preset", "",
                            object ? "" : "No object is selected", [&preset](UiState& s) {
                                auto& objects = s.editor.scene().objects;
-                               objects[static_cast<std::size_t>(s.editor.selection.index)].material =
-                                   preset.material;
+                               apply(preset,
+                                     objects[static_cast<std::size_t>(s.editor.selection.index)].material);
                            }});
 }
 
@@ -95,10 +93,10 @@ void add_light_choices(Entries& entries, const UiState& state) {
              Light& l = light_of(s);
              l = in_space(l, rides ? LightSpace::World : LightSpace::Camera, s.editor.scene().camera);
          }});
-    for (const Choice<LightKind>& choice : light_kind_choices)
-        entries.push_back({fmt::format("{}: {}", light.name, choice.label),
-                           light.kind == choice.value ? "Light · chosen" : "Light", "", "",
-                           [light_of, kind = choice.value](UiState& s) {
+    for (const LightKind kind : enumerators<LightKind>)
+        entries.push_back({fmt::format("{}: {}", light.name, choice_of(kind).label),
+                           light.kind == kind ? "Light · chosen" : "Light", "", "",
+                           [light_of, kind](UiState& s) {
                                const Scene& scene = s.editor.scene();
                                const ScreenMap map = screen_map(scene.camera, s.picture->size);
                                const Dome dome = sun_dome(scene.camera.target, scene_bounds(scene), map);
@@ -158,11 +156,11 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
     Entries entries;
     add_actions(entries, state);
     add_recent(entries, state);
-    add_choices(entries, state, "Reflection", &Shading::reflection, reflection_choices);
-    add_choices(entries, state, "Interpolation", &Shading::interpolation, interpolation_choices);
-    add_choices(entries, state, "Flat point", &Shading::flat_point, flat_point_choices);
-    add_choices(entries, state, "Cull", &Shading::cull, cull_choices);
-    add_choices(entries, state, "Rules", &Shading::rules, rules_choices);
+    add_choices(entries, state, "Reflection", &Shading::reflection);
+    add_choices(entries, state, "Interpolation", &Shading::interpolation);
+    add_choices(entries, state, "Flat point", &Shading::flat_point);
+    add_choices(entries, state, "Cull", &Shading::cull);
+    add_choices(entries, state, "Rules", &Shading::rules);
     add_switches(entries, state);
     add_light_choices(entries, state);
     add_items(entries, state);

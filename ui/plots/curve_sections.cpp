@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/scene/reflection_info.h"
 #include "renderer/inspect/curves.h"
 #include "renderer/inspect/highlight_fit.h"
 #include "ui/plots/plot.h"
@@ -28,7 +29,8 @@ double farthest_of(const PlotSubject& subject) {
 }
 
 bool raises_a_cosine(Reflection reflection) {
-    return reflection == Reflection::Phong || reflection == Reflection::BlinnPhong;
+    return info_of(reflection).cosine == HighlightCosine::RV ||
+           info_of(reflection).cosine == HighlightCosine::NH;
 }
 
 }  // namespace

@@ -101,16 +101,16 @@ void kinds_section(const PlotSubject& subject, const PictureView& view) {
     if (!ImGui::BeginTable("##kinds", 6, ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_SizingStretchProp))
         return;
     header();
-    for (const auto& choice : light_kind_choices) {
+    for (const LightKind kind : enumerators<LightKind>) {
         const LightNeeds needs = light_needs(
-            subject.scene, view.map.size, of_kind_at(light, choice.value, *subject.point.at, view),
+            subject.scene, view.map.size, of_kind_at(light, kind, *subject.point.at, view),
             *subject.point.material, subject.point.at->point.camera, subject.point.at->normal.camera);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::PushStyleColor(ImGuiCol_Text, choice.value == light.kind ? theme().text : theme().dim_text);
-        ImGui::TextUnformatted(choice.label);
+        ImGui::PushStyleColor(ImGuiCol_Text, kind == light.kind ? theme().text : theme().dim_text);
+        ImGui::TextUnformatted(choice_of(kind).label);
         ImGui::PopStyleColor();
-        for (const Column& column : columns) cell(choice.value, column, needs);
+        for (const Column& column : columns) cell(kind, column, needs);
         figure_cell(needs.falloff);
         figure_cell(needs.spot);
     }

@@ -121,8 +121,8 @@ void fields(PlotsState& plots, const PlotSubject& subject) {
     ImGui::EndDisabled();
     const auto angle = [](const char* label, double& deg, float initial, const char* what) {
         auto value = static_cast<float>(deg);
-        const Number number{0, 89, initial, 0.25f, "%.0f", "degrees", 89};
-        if (number_field(label, value, number, {what, ""})) deg = value;
+        const Real number{.range = {0, 89, "0 to 89"}, .unit = "degrees", .step = 0.25f, .format = "%.0f", .usual_max = 89};
+        if (number_field(label, value, number, initial, {what, ""})) deg = value;
     };
     if (can_follow && plots.follow_pick) {
         options.light_deg = std::round(local.light_deg);
@@ -134,8 +134,8 @@ void fields(PlotsState& plots, const PlotSubject& subject) {
           "From the normal, on the other side: facets whose normal is h shine");
     ImGui::EndDisabled();
     auto roughness = static_cast<float>(options.roughness);
-    const Number number{0, 1, 0.25f, 0.005f, "%.2f", "", 1};
-    if (number_field("Roughness", roughness, number,
+    const Real number{.range = zero_to_one, .step = 0.005f, .format = "%.2f", .usual_max = 1};
+    if (number_field("Roughness", roughness, number, 0.25f,
                      {"Tilts have a standard deviation of this times 90 degrees", ""}))
         options.roughness = double(roughness);
 }

@@ -15,12 +15,12 @@ namespace {
 /// More points than this on one curve are thinned: ImGui counts the corners of a list in 16 bits.
 constexpr std::size_t most_points = 1500;
 
-double multiples_in(Range range, double step) {
+double multiples_in(Interval range, double step) {
     return std::floor(range.high / step + 1e-9) - std::ceil(range.low / step - 1e-9) + 1;
 }
 
 /// The smallest step of at most `most` ticks: 1, 2 or 5 times a power of ten.
-double tick_step(Range range, int most) {
+double tick_step(Interval range, int most) {
     const double power = std::pow(10, std::floor(std::log10(range.length() / (most + 1))));
     for (const double step : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0})
         if (multiples_in(range, step * power) <= most) return step * power;
@@ -28,7 +28,7 @@ double tick_step(Range range, int most) {
 }
 
 /// Whole multiples of `step` in the range, so that 0 is 0 and no error adds up; at most 40.
-std::vector<double> multiples(Range range, double step) {
+std::vector<double> multiples(Interval range, double step) {
     std::vector<double> values;
     const double first = std::ceil(range.low / step - 1e-9);
     for (int i = 0; i < 40 && (first + i) * step <= range.high + 1e-9 * step; ++i)
@@ -98,7 +98,7 @@ std::vector<glm::dvec2> thinned(std::span<const glm::dvec2> points, std::size_t 
 
 }  // namespace
 
-Range range_of(std::span<const double> values, double least, double margin) {
+Interval range_of(std::span<const double> values, double least, double margin) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const double v : values) {
         if (!std::isfinite(v)) continue;
@@ -115,7 +115,7 @@ Range range_of(std::span<const double> values, double least, double margin) {
     return {low - more, high + more};
 }
 
-std::vector<double> ticks(Range range, int most) {
+std::vector<double> ticks(Interval range, int most) {
     std::vector<double> values = multiples(range, tick_step(range, most));
     if (values.size() > static_cast<std::size_t>(most)) values.resize(static_cast<std::size_t>(most));
     return values;
@@ -164,7 +164,7 @@ void draw_y_name(ImDrawList& list, const PlotArea& area, const AxisText& text) {
     plot_text(list, at, theme().text, title);
 }
 
-PlotArea draw_axes(ImDrawList& list, const Rect& all, Range x, Range y, const AxisText& x_text,
+PlotArea draw_axes(ImDrawList& list, const Rect& all, Interval x, Interval y, const AxisText& x_text,
                    const AxisText& y_text) {
     const float left = y_text.numbers ? px(44) : px(4);
     const float below =

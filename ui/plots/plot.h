@@ -13,18 +13,18 @@
 namespace glint {
 
 /// An interval of a quantity, low < high.
-struct Range {
+struct Interval {
     double low = 0, high = 1;
     [[nodiscard]] double length() const { return high - low; }
 };
 
 /// The least interval that holds the values, widened to at least `least` about its middle and by a margin of
 /// `margin` of its length on each side. Values that are not finite are left out; without any: 0 to 1.
-[[nodiscard]] Range range_of(std::span<const double> values, double least = 1e-9, double margin = 0.06);
+[[nodiscard]] Interval range_of(std::span<const double> values, double least = 1e-9, double margin = 0.06);
 
 /// Round numbers inside the range, at most `most` (>= 2) of them, whose step is 1, 2 or 5 times a power of
 /// ten.
-[[nodiscard]] std::vector<double> ticks(Range range, int most);
+[[nodiscard]] std::vector<double> ticks(Interval range, int most);
 
 /// A tick's number with as many places as its step asks for; "0" without a sign.
 [[nodiscard]] std::string tick_text(double value, double step);
@@ -40,7 +40,7 @@ struct AxisText {
 /// A rectangle of the window with a quantity along each side; y upwards.
 struct PlotArea {
     Rect rect;
-    Range x, y;
+    Interval x, y;
 
     [[nodiscard]] ImVec2 at(glm::dvec2 value) const;
     [[nodiscard]] glm::dvec2 value(ImVec2 at) const;
@@ -48,7 +48,7 @@ struct PlotArea {
 };
 
 /// Draws frame, grid, ticks and numbers inside `all`; returns what is left for curves.
-[[nodiscard]] PlotArea draw_axes(ImDrawList& list, const Rect& all, Range x, Range y, const AxisText& x_text,
+[[nodiscard]] PlotArea draw_axes(ImDrawList& list, const Rect& all, Interval x, Interval y, const AxisText& x_text,
                                  const AxisText& y_text);
 
 /// The name of the y axis, in the area's upper left corner: after the curves, so that it can be read.

@@ -57,7 +57,7 @@ struct Reading {
 void draw_bar(ImDrawList& list, const LookState& state, const Rect& bar, std::span<const Reading> readings) {
     const LookScale& scale = state.painter->scale();
     constexpr int steps = 64;
-    const Range range{scale.low, scale.high};
+    const Interval range{scale.low, scale.high};
     const auto x_of = [&](double value) {
         const double share = (value - range.low) / range.length();
         return bar.low.x + static_cast<float>(std::clamp(share, 0.0, 1.0)) * bar.size().x;

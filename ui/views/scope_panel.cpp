@@ -31,7 +31,7 @@ double or_nan(const std::optional<double>& number) {
     return number.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-Range range_of_curves(std::initializer_list<const Points*> curves, bool around_zero) {
+Interval range_of_curves(std::initializer_list<const Points*> curves, bool around_zero) {
     std::vector<double> values;
     for (const Points* points : curves)
         for (const glm::dvec2 p : *points) values.push_back(p.y);
@@ -41,12 +41,12 @@ Range range_of_curves(std::initializer_list<const Points*> curves, bool around_z
 
 struct Strip {
     Rect rect;
-    Range x;
+    Interval x;
     bool last = false;  // the one with the axis along the line
     AxisText y;
 };
 
-PlotArea begin_strip(ImDrawList& list, const Strip& strip, Range y, const ScopeState& scope) {
+PlotArea begin_strip(ImDrawList& list, const Strip& strip, Interval y, const ScopeState& scope) {
     const PlotArea area = draw_axes(list, strip.rect, strip.x, y, {"", "", strip.last}, strip.y);
     for (const double at : face_boundaries(scope.samples))
         draw_upright(list, area, at, theme().dim_text, 0.45f);
@@ -70,7 +70,7 @@ void intensity_strip(ImDrawList& list, const Strip& strip, const ScopeState& sco
     for (std::size_t c = 0; scope.channels && c < 3; ++c)
         channel[c] = curve(samples, [&](std::size_t i) { return double(samples[i].color[int(c)]); });
     if (!scope.channels) luminance = curve(samples, [&](std::size_t i) { return samples[i].intensity; });
-    const Range y = range_of_curves({&luminance, &channel[0], &channel[1], &channel[2], &eye}, false);
+    const Interval y = range_of_curves({&luminance, &channel[0], &channel[1], &channel[2], &eye}, false);
     const PlotArea area = begin_strip(list, strip, y, scope);
     strip_curve(list, area, luminance, scope, theme().text);
     for (int c = 0; c < 3; ++c)
@@ -111,7 +111,7 @@ std::vector<ZeroCurve> zero_curves(const ScopeState& scope) {
 }
 
 /// The sample nearest to the cursor, or -1 when it is not over the strips.
-int sample_under(const ScopeState& scope, const Rect& strips, Range x) {
+int sample_under(const ScopeState& scope, const Rect& strips, Interval x) {
     if (!ImGui::IsItemHovered() || scope.samples.empty()) return -1;
     const PlotArea area{
         {{strips.low.x + px(44), strips.low.y}, {strips.high.x - px(6), strips.high.y}}, x, {}};
@@ -125,7 +125,7 @@ int sample_under(const ScopeState& scope, const Rect& strips, Range x) {
 
 void strips(ScopeState& scope, const Rect& area) {
     const double length = scope.samples.empty() ? 1 : std::max(scope.samples.back().position, 1.0);
-    const Range x{0, length};
+    const Interval x{0, length};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float axis = fonts().small->FontSize * ImGui::GetIO().FontGlobalScale + px(5);
     const std::vector<ZeroCurve> curves = zero_curves(scope);

@@ -1,28 +1,27 @@
 #include "ui/views/setting.h"
 
-#include "ui/choices.h"
+#include "models/scene/choices.h"
 
 namespace glint {
 namespace {
 
-template <class E, std::size_t N>
-void add_settings(std::vector<Setting>& all, Setting::Kind kind, const std::array<Choice<E>, N>& choices) {
-    for (int i = 0; i < static_cast<int>(choices.size()); ++i) all.push_back({kind, i});
+template <class E> void add_settings(std::vector<Setting>& all, Setting::Kind kind) {
+    for (std::size_t i = 0; i < count_of<E>(); ++i) all.push_back({kind, static_cast<int>(i)});
 }
 
 }  // namespace
 
-Setting setting_of(ShadingMode mode) { return {Setting::Kind::Mode, index_of(mode_choices, mode)}; }
+Setting setting_of(ShadingMode mode) { return {Setting::Kind::Mode, static_cast<int>(mode)}; }
 
 Setting setting_of(Reflection reflection) {
-    return {Setting::Kind::Reflection, index_of(reflection_choices, reflection)};
+    return {Setting::Kind::Reflection, static_cast<int>(reflection)};
 }
 
 std::vector<Setting> all_settings() {
     std::vector<Setting> all{{}};
-    add_settings(all, Setting::Kind::Mode, mode_choices);
-    add_settings(all, Setting::Kind::Reflection, reflection_choices);
-    add_settings(all, Setting::Kind::Interpolation, interpolation_choices);
+    add_settings<ShadingMode>(all, Setting::Kind::Mode);
+    add_settings<Reflection>(all, Setting::Kind::Reflection);
+    add_settings<Interpolation>(all, Setting::Kind::Interpolation);
     all.push_back({Setting::Kind::Stored, 0});
     return all;
 }
@@ -33,11 +32,11 @@ std::string word_of(Setting setting) {
     case Setting::Kind::Edited:
         return "edited";
     case Setting::Kind::Mode:
-        return std::string("mode ") + mode_choices[index].word;
+        return std::string("mode ").append(choices<ShadingMode>[index].word);
     case Setting::Kind::Reflection:
-        return std::string("reflection ") + reflection_choices[index].word;
+        return std::string("reflection ").append(choices<Reflection>[index].word);
     case Setting::Kind::Interpolation:
-        return std::string("interpolation ") + interpolation_choices[index].word;
+        return std::string("interpolation ").append(choices<Interpolation>[index].word);
     case Setting::Kind::Stored:
         return "stored";
     }
@@ -56,11 +55,11 @@ std::string label_of(Setting setting) {
     case Setting::Kind::Edited:
         return "As edited";
     case Setting::Kind::Mode:
-        return std::string(mode_choices[index].label) + " shading";
+        return std::string(choices<ShadingMode>[index].label) + " shading";
     case Setting::Kind::Reflection:
-        return std::string(reflection_choices[index].label) + " lighting";
+        return std::string(choices<Reflection>[index].label) + " lighting";
     case Setting::Kind::Interpolation:
-        return std::string(interpolation_choices[index].label) + " interpolation";
+        return std::string(choices<Interpolation>[index].label) + " interpolation";
     case Setting::Kind::Stored:
         return "B, stored";
     }
@@ -74,13 +73,13 @@ Scene scene_under(Setting setting, const Scene& edited, const std::optional<Scen
     case Setting::Kind::Edited:
         break;
     case Setting::Kind::Mode:
-        scene.shading.mode = mode_choices[index].value;
+        scene.shading.mode = static_cast<ShadingMode>(index);
         break;
     case Setting::Kind::Reflection:
-        scene.shading.reflection = reflection_choices[index].value;
+        scene.shading.reflection = static_cast<Reflection>(index);
         break;
     case Setting::Kind::Interpolation:
-        scene.shading.interpolation = interpolation_choices[index].value;
+        scene.shading.interpolation = static_cast<Interpolation>(index);
         break;
     case Setting::Kind::Stored:
         if (!stored) break;

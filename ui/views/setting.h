@@ -13,7 +13,7 @@ namespace glint {
 struct Setting {
     enum class Kind { Edited, Mode, Reflection, Interpolation, Stored };
     Kind kind = Kind::Edited;
-    int index = 0;  // in mode_choices, reflection_choices or interpolation_choices
+    int index = 0;  // in choices<ShadingMode>, choices<Reflection> or choices<Interpolation>
     bool operator==(const Setting&) const = default;
 };
 

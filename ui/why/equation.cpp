@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "models/scene/reflection_info.h"
 #include "ui/fonts.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -38,27 +39,21 @@ class Formula {
 };
 
 void highlight_formula(Formula& f, Reflection reflection) {
-    const auto power = [&f](Symbol a, const char* name_a, Symbol b, const char* name_b) {
-        f.plain(" + ").term(Symbol::Specular, "k", "s").dot(a, name_a, b, name_b).plain("ⁿ");
-    };
-    switch (reflection) {
-    case Reflection::None:
-    case Reflection::Lambert:
-    case Reflection::OrenNayar:
+    const ReflectionInfo info = info_of(reflection);
+    if (!info.has_highlight) return;
+    f.plain(" + ").term(Symbol::Specular, "k", "s");
+    switch (info.cosine) {
+    case HighlightCosine::RV:
+        f.dot(Symbol::R, "r", Symbol::V, "v").plain("ⁿ");
         return;
-    case Reflection::Phong:
-        return power(Symbol::R, "r", Symbol::V, "v");
-    case Reflection::BlinnPhong:
-        return power(Symbol::N, "n", Symbol::H, "h");
-    case Reflection::Retro:
-        return power(Symbol::L, "l", Symbol::V, "v");
-    case Reflection::CookTorrance:
-        f.plain(" + ")
-            .term(Symbol::Specular, "k", "s")
-            .plain(" π D G F / 4(")
-            .term(Symbol::N, "n")
-            .plain("·");
-        f.term(Symbol::V, "v").plain(")");
+    case HighlightCosine::NH:
+        f.dot(Symbol::N, "n", Symbol::H, "h").plain("ⁿ");
+        return;
+    case HighlightCosine::LV:
+        f.dot(Symbol::L, "l", Symbol::V, "v").plain("ⁿ");
+        return;
+    case HighlightCosine::None:
+        f.plain(" ").plain(info.highlight);
         return;
     }
 }
@@ -66,12 +61,12 @@ void highlight_formula(Formula& f, Reflection reflection) {
 }  // namespace
 
 void equation(Reflection reflection) {
-    if (reflection == Reflection::None) return dim_text("No lighting: the mesh's own colours.");
+    if (!info_of(reflection).is_lit) return dim_text("No lighting: the mesh's own colours.");
     Formula f;
     f.plain("I = ").term(Symbol::Emission, "e").plain(" + ").term(Symbol::Ambient, "k", "a");
     f.term(Symbol::Ambient, "I", "a").plain(" + Σ F (").term(Symbol::Diffuse, "k", "d");
     f.dot(Symbol::N, "n", Symbol::L, "l");
-    if (reflection == Reflection::OrenNayar) f.plain(" (A + B…)");
+    if (info_of(reflection).rough_diffuse) f.plain(" (A + B…)");
     highlight_formula(f, reflection);
     f.plain(")");
 }

@@ -82,7 +82,7 @@ void mistakes_note(const Scene& scene) {
 std::string section_title(const WhyState& state, const Explanation& why) {
     constexpr std::array channels{"red", "green", "blue"};
     return fmt::format("In {}, under {} shading", channels[static_cast<std::size_t>(state.channel)],
-                       mode_choices[static_cast<std::size_t>(index_of(mode_choices, why.mode))].label);
+                       choice_of(why.mode).label);
 }
 
 }  // namespace

@@ -3,48 +3,32 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 
-#include "ui/scene_numbers.h"
+#include "models/scene/reflection_info.h"
+#include "ui/why/pointer_words.h"
 
 namespace glint {
 namespace {
 
-constexpr std::array channel_names{"red", "green", "blue"};
-
 Light& light_in(Scene& scene, int light) { return scene.lights[static_cast<std::size_t>(light)]; }
 
-/// A channel of a colour.
-SceneNumber colour_number(glm::vec3& colour, int channel, const std::string& name, const char* what,
-                          const std::string& pointer, glm::vec3 initial) {
-    const char* shown = channel_names[static_cast<std::size_t>(channel)];
-    return {&colour[channel],
-            fmt::format("{}: {}", name, shown),
-            {.min = 0, .initial = initial[channel], .speed = 0.004f, .format = "%.2f"},
-            {what, fmt::format("{}/{}", pointer, channel)}};
+NumberHandle material_number(Scene& scene, const Explanation& why, const std::string& key) {
+    return number_handle(scene, fmt::format("/objects/{}/material/{}", why.object_index, key));
+}
+NumberHandle material_colour(Scene& scene, const Explanation& why, const char* key, int channel) {
+    return material_number(scene, why, fmt::format("{}/{}", key, channel));
+}
+NumberHandle light_colour(const LightInEquation& in, const char* key) {
+    return number_handle(in.scene, fmt::format("/lights/{}/{}/{}", in.light.index, key, in.channel));
 }
 
-SceneNumber material_number(Scene& scene, const Explanation& why, glm::vec3 Material::*colour, int channel,
-                            const char* key, const char* what) {
-    Material& material = scene.objects[static_cast<std::size_t>(why.object_index)].material;
-    return colour_number(material.*colour, channel, fmt::format("{} of {}", key, why.object), what,
-                         fmt::format("/objects/{}/material/{}", why.object_index, key), Material{}.*colour);
-}
-
-SceneNumber light_colour(const LightInEquation& in, glm::vec3 Light::*colour, const char* key) {
-    Light& light = light_in(in.scene, in.light.index);
-    return colour_number(light.*colour, in.channel, fmt::format("{} colour of {}", key, light.name),
-                         "Colour of the light, for this term",
-                         fmt::format("/lights/{}/{}", in.light.index, key), Light{}.*colour);
-}
-
-Factor scene_factor(Symbol symbol, const char* letter, const char* index, const SceneNumber& number) {
-    return {symbol, letter, index, *number.value, number, {}, 0, {}};
+Factor scene_factor(Symbol symbol, const char* letter, const char* index, const NumberHandle& handle) {
+    return {symbol, letter, index, *handle.number.place, handle, {}, 0, {}};
 }
 
 /// F, the light's colour, the surface's colour: what every term begins with.
 std::vector<Factor> common_factors(const LightInEquation& in, Symbol symbol, const char* index,
-                                   const SceneNumber& of_light, const SceneNumber& of_surface) {
+                                   const NumberHandle& of_light, const NumberHandle& of_surface) {
     std::vector<Factor> factors;
     const Light& light = light_in(in.scene, in.light.index);
     if (light.kind != LightKind::Area)
@@ -54,20 +38,10 @@ std::vector<Factor> common_factors(const LightInEquation& in, Symbol symbol, con
     return factors;
 }
 
-SceneNumber shininess_number(const LightInEquation& in) {
-    Material& material = in.scene.objects[static_cast<std::size_t>(in.why.object_index)].material;
-    return {&material.shininess,
-            fmt::format("shininess of {}", in.why.object),
-            shown_as(shininess_spec.number, "%.4g"),
-            {shininess_spec.what, fmt::format("/objects/{}/material/shininess", in.why.object_index)}};
-}
-
-SceneNumber roughness_number(const LightInEquation& in) {
-    Material& material = in.scene.objects[static_cast<std::size_t>(in.why.object_index)].material;
-    return {&material.roughness,
-            fmt::format("roughness of {}", in.why.object),
-            roughness_spec.number,
-            {roughness_spec.what, fmt::format("/objects/{}/material/roughness", in.why.object_index)}};
+NumberHandle shininess_number(const LightInEquation& in) {
+    NumberHandle handle = material_number(in.scene, in.why, "shininess");
+    handle.number.kind.format = "%.4g";
+    return handle;
 }
 
 Factor cosine_factor(Symbol a, Symbol b, float cosine) {
@@ -77,19 +51,20 @@ Factor cosine_factor(Symbol a, Symbol b, float cosine) {
     return f;
 }
 
-/// <n·l>, and under Oren-Nayar what roughness makes of it.
+/// <n·l>, and what roughness makes of it.
 void add_cosine(std::vector<Factor>& factors, const LightInEquation& in) {
     const float cosine = in.light.n_dot_l;
     Factor n_dot_l = cosine_factor(Symbol::N, Symbol::L, in.light.diffuse_factor);
     n_dot_l.clamped_from = std::min(cosine, 0.0f);
-    if (in.why.reflection != Reflection::OrenNayar || cosine <= 0) {
+    if (!info_of(in.why.reflection).rough_diffuse || cosine <= 0) {
         factors.push_back(n_dot_l);
         return;
     }
     n_dot_l.value = cosine;
     factors.push_back(n_dot_l);
     factors.push_back({Symbol::Diffuse, "A+B…", "", in.light.diffuse_factor / cosine, {}, {}, 0, {}});
-    factors.push_back({Symbol::Diffuse, "by roughness", "", 1, roughness_number(in), {}, 0, {}});
+    factors.push_back(
+        {Symbol::Diffuse, "by roughness", "", 1, material_number(in.scene, in.why, "roughness"), {}, 0, {}});
 }
 
 void add_highlight(std::vector<Factor>& factors, const LightInEquation& in) {
@@ -105,23 +80,26 @@ void add_highlight(std::vector<Factor>& factors, const LightInEquation& in) {
         }
         factors.push_back(base);
     };
-    switch (in.why.reflection) {
-    case Reflection::None:
-    case Reflection::Lambert:
-    case Reflection::OrenNayar:
-        factors.push_back({Symbol::Specular, "S", "", strength, {}, {}, 0, {}});
-        return;
-    case Reflection::Phong:
+    const ReflectionInfo info = info_of(in.why.reflection);
+    switch (info.cosine) {
+    case HighlightCosine::RV:
         return power(Symbol::R, Symbol::V, in.light.r_dot_v);
-    case Reflection::BlinnPhong:
+    case HighlightCosine::NH:
         return power(Symbol::N, Symbol::H, in.light.n_dot_h);
-    case Reflection::Retro:
-    case Reflection::CookTorrance:
+    case HighlightCosine::LV:
+    case HighlightCosine::None:
         factors.push_back({Symbol::Specular, "S", "", strength, {}, {}, 0, {}});
-        factors.push_back(
-            in.why.reflection == Reflection::Retro
-                ? Factor{Symbol::Specular, "by shininess", "", 1, shininess_number(in), {}, 0, {}}
-                : Factor{Symbol::Specular, "by roughness", "", 1, roughness_number(in), {}, 0, {}});
+        if (info.uses_shininess())
+            factors.push_back({Symbol::Specular, "by shininess", "", 1, shininess_number(in), {}, 0, {}});
+        if (info.has_highlight && info.uses_roughness)
+            factors.push_back({Symbol::Specular,
+                               "by roughness",
+                               "",
+                               1,
+                               material_number(in.scene, in.why, "roughness"),
+                               {},
+                               0,
+                               {}});
         return;
     }
 }
@@ -133,18 +111,14 @@ std::vector<TermLine> term_lines(const LightInEquation& in) {
     const bool area = light_in(in.scene, in.light.index).kind == LightKind::Area;
     const int c = in.channel;
     TermLine ambient{Symbol::Ambient, "a", on.ambient, {}, in.light.ambient[c]};
-    ambient.factors = common_factors(in, Symbol::Ambient, "a", light_colour(in, &Light::ambient, "ambient"),
-                                     material_number(in.scene, in.why, &Material::ambient, c, "ambient",
-                                                     "k_a: share of ambient light reflected"));
+    ambient.factors = common_factors(in, Symbol::Ambient, "a", light_colour(in, "ambient"),
+                                     material_colour(in.scene, in.why, "ambient", c));
     TermLine diffuse{Symbol::Diffuse, "d", on.diffuse, {}, in.light.diffuse[c]};
-    diffuse.factors = common_factors(in, Symbol::Diffuse, "d", light_colour(in, &Light::diffuse, "diffuse"),
-                                     material_number(in.scene, in.why, &Material::diffuse, c, "diffuse",
-                                                     "k_d: share reflected evenly in all directions"));
+    diffuse.factors = common_factors(in, Symbol::Diffuse, "d", light_colour(in, "diffuse"),
+                                     material_colour(in.scene, in.why, "diffuse", c));
     TermLine specular{Symbol::Specular, "s", on.specular, {}, in.light.specular[c]};
-    specular.factors =
-        common_factors(in, Symbol::Specular, "s", light_colour(in, &Light::specular, "specular"),
-                       material_number(in.scene, in.why, &Material::specular, c, "specular",
-                                       "k_s: share reflected into the highlight"));
+    specular.factors = common_factors(in, Symbol::Specular, "s", light_colour(in, "specular"),
+                                      material_colour(in.scene, in.why, "specular", c));
     if (!area) {
         add_cosine(diffuse.factors, in);
         add_highlight(specular.factors, in);
@@ -156,59 +130,23 @@ float share_of(const ExplainedLight& explained, const Light& light) {
     return light.intensity * explained.falloff * explained.spot;
 }
 
-SceneNumber intensity_number(Scene& scene, int light) {
-    Light& item = light_in(scene, light);
-    return {&item.intensity,
-            fmt::format("intensity of {}", item.name),
-            shown_as(intensity_spec.number, "%.2f"),
-            {intensity_spec.what, fmt::format("/lights/{}/intensity", light)}};
-}
-
-std::vector<SceneNumber> falloff_numbers(Scene& scene, int light) {
-    Light& item = light_in(scene, light);
-    const auto number = [&](float& value, const char* key, const NumberSpec& spec) {
-        return SceneNumber{&value,
-                           fmt::format("{} falloff of {}", key, item.name),
-                           shown_as(spec.number, "%.2f"),
-                           {spec.what, fmt::format("/lights/{}/falloff/{}", light, key)}};
-    };
-    return {number(item.falloff.constant, "constant", falloff_constant_spec),
-            number(item.falloff.linear, "linear", falloff_linear_spec),
-            number(item.falloff.quadratic, "quadratic", falloff_quadratic_spec)};
-}
-
-SceneNumber cutoff_number(Scene& scene, int light) {
-    Light& item = light_in(scene, light);
-    return {&item.spot.cutoff_deg,
-            fmt::format("cutoff of {}", item.name),
-            cutoff_spec.number,
-            {cutoff_spec.what, fmt::format("/lights/{}/spot/cutoff_deg", light)}};
-}
-
-SceneNumber spot_exponent_number(Scene& scene, int light) {
-    Light& item = light_in(scene, light);
-    return {&item.spot.exponent,
-            fmt::format("exponent of {}", item.name),
-            shown_as(spot_exponent_spec.number, "%.3g"),
-            {spot_exponent_spec.what, fmt::format("/lights/{}/spot/exponent", light)}};
+NumberHandle number_handle(Scene& scene, const std::string& pointer) {
+    const NamedNumber named = named_number(pointer, scene);
+    return {number_at(scene, pointer).value(),
+            named.owner == "Scene" ? named.what : fmt::format("{} of {}", named.what, named.owner)};
 }
 
 std::vector<TermLine> unlit_lines(Scene& scene, const Explanation& why, const ExplainedPoint& point,
                                   int channel) {
     const Terms& on = scene.shading.terms;
     TermLine emission{Symbol::Emission, "e", on.emission, {}, point.emission[channel]};
-    emission.factors.push_back(
-        scene_factor(Symbol::Emission, "", "",
-                     material_number(scene, why, &Material::emission, channel, "emission",
-                                     "What the surface shines by itself")));
     TermLine ambient{Symbol::Ambient, "a", on.ambient, {}, point.global_ambient[channel]};
-    ambient.factors.push_back(scene_factor(
-        Symbol::Ambient, "I", "a",
-        colour_number(scene.global_ambient, channel, "global ambient",
-                      "Light from everywhere, apart from all lights", "/global_ambient", glm::vec3(0.1f))));
-    ambient.factors.push_back(scene_factor(Symbol::Ambient, "k", "a",
-                                           material_number(scene, why, &Material::ambient, channel, "ambient",
-                                                           "k_a: share of ambient light reflected")));
+    emission.factors.push_back(
+        scene_factor(Symbol::Emission, "", "", material_colour(scene, why, "emission", channel)));
+    ambient.factors.push_back(scene_factor(Symbol::Ambient, "I", "a",
+                                           number_handle(scene, fmt::format("/global_ambient/{}", channel))));
+    ambient.factors.push_back(
+        scene_factor(Symbol::Ambient, "k", "a", material_colour(scene, why, "ambient", channel)));
     return {emission, ambient};
 }
 

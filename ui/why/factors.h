@@ -8,19 +8,20 @@
 #include <vector>
 
 #include "models/scene.h"
+#include "models/scene/scene_numbers.h"
 #include "renderer/inspect/explanation.h"
 #include "ui/theme.h"
-#include "ui/widgets.h"
+
 
 namespace glint {
 
 /// A number of the scene where it stands in the equation. Valid while the scene's lists do not change.
-struct SceneNumber {
-    float* value = nullptr;
-    std::string name;
-    Number range;
-    Help help;
+struct NumberHandle {
+    SceneNumber number;  // with its place
+    std::string name;    // "shininess of Teapot"
 };
+/// The number at `pointer` of the scene, named by its keys and its light's or object's name. Precondition: it exists.
+[[nodiscard]] NumberHandle number_handle(Scene& scene, const std::string& pointer);
 
 /// One factor of a term.
 struct Factor {
@@ -28,8 +29,8 @@ struct Factor {
     const char* letter = "";  // in the symbol's colour: "k"
     const char* index = "";   // its subscript
     float value = 1;
-    std::optional<SceneNumber> number;             // set: the value is the scene's
-    std::optional<SceneNumber> exponent;           // `value` is then a base, raised to this
+    std::optional<NumberHandle> number;             // set: the value is the scene's
+    std::optional<NumberHandle> exponent;           // `value` is then a base, raised to this
     float clamped_from = 0;                        // below 0: what the value was before it was clamped to 0
     std::optional<std::pair<Symbol, Symbol>> dot;  // set: the value is the cosine between these vectors
 };
@@ -57,13 +58,6 @@ struct LightInEquation {
 
 /// What all three terms of a light are multiplied by: intensity, falloff, spot factor.
 [[nodiscard]] float share_of(const ExplainedLight& explained, const Light& light);
-
-/// Handles of a light's own numbers.
-[[nodiscard]] SceneNumber intensity_number(Scene& scene, int light);
-[[nodiscard]] std::vector<SceneNumber> falloff_numbers(Scene& scene,
-                                                       int light);  // constant, linear, quadratic
-[[nodiscard]] SceneNumber cutoff_number(Scene& scene, int light);
-[[nodiscard]] SceneNumber spot_exponent_number(Scene& scene, int light);
 
 /// k_a · global ambient, and the emission: what there is without a light. Emission first.
 [[nodiscard]] std::vector<TermLine> unlit_lines(Scene& scene, const Explanation& why,

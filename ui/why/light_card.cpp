@@ -15,6 +15,7 @@
 #include "ui/why/previews.h"
 #include "ui/why/text_line.h"
 #include "ui/why/words.h"
+#include "ui/widgets.h"
 
 namespace glint {
 namespace {
@@ -43,22 +44,26 @@ bool share_lines(UiState& state, const ExplainedLight& explained) {
     const Light& light = scene.lights[static_cast<std::size_t>(index)];
     const bool falls_off = light.kind == LightKind::Point || light.kind == LightKind::Spot;
     const bool cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
+    const auto number = [&](const char* key, const char* format) {
+        NumberHandle handle = number_handle(scene, fmt::format("/lights/{}/{}", index, key));
+        handle.number.kind.format = format;
+        return handle;
+    };
     bool edited = false;
     TextLine line;
     line.plain("F = I");
-    edited |= line.handle(intensity_number(scene, index), theme().text);
+    edited |= line.handle(number("intensity", "%.2f"), theme().text);
     if (falls_off) line.times().plain("falloff").number(shown_number(explained.falloff), theme().text);
     if (cone) line.times().plain("spot").number(shown_number(explained.spot), theme().text);
     if (light.kind != LightKind::Area) line.result(shown_number(share_of(explained, light)), theme().text);
     if (falls_off) {
         TextLine below;
-        const auto numbers = falloff_numbers(scene, index);
         below.gap(14).plain("falloff 1/(");
-        edited |= below.handle(numbers[0], theme().text);
+        edited |= below.handle(number("falloff/constant", "%.2f"), theme().text);
         below.plain("+");
-        edited |= below.handle(numbers[1], theme().text);
+        edited |= below.handle(number("falloff/linear", "%.2f"), theme().text);
         below.plain("r +");
-        edited |= below.handle(numbers[2], theme().text);
+        edited |= below.handle(number("falloff/quadratic", "%.2f"), theme().text);
         below.plain("r²),  r").number(fmt::format(" {:.2f}", explained.distance), theme().text);
     }
     if (cone) {
@@ -67,9 +72,9 @@ bool share_lines(UiState& state, const ExplainedLight& explained) {
             .plain("spot (cos ")
             .number(fmt::format("{:.1f}°", explained.spot_angle_deg), theme().text);
         below.plain(")");
-        edited |= below.exponent(spot_exponent_number(scene, index), theme().text);
+        edited |= below.exponent(number("spot/exponent", "%.3g"), theme().text);
         below.plain(" within");
-        edited |= below.handle(cutoff_number(scene, index), theme().text);
+        edited |= below.handle(number("spot/cutoff_deg", "%.1f°"), theme().text);
     }
     return edited;
 }
@@ -101,7 +106,7 @@ bool light_term(UiState& state, const TermLine& term, int light) {
     ImGui::EndGroup();
     ImGui::PopID();
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    // Only its letter and its result: between them stand numbers with deeds of their own.
+    // Only its letter and its result: the numbers in between can be dragged themselves.
     const bool ends =
         is_pointed_at(low, {low.x + px(14), high.y}) || is_pointed_at({high.x - px(52), low.y}, high);
     if (ends && term.on)

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <vector>
 
+#include "models/scene/reflection_info.h"
 #include "renderer/inspect/lobes.h"
 #include "ui/fonts.h"
 #include "ui/ui.h"
@@ -115,16 +116,16 @@ void lobe_diagram(const UiState& state, const ExplainedPoint& point, const Expla
     diagram.ground();
     const double light_deg = angle_deg(light.n_dot_l);
     if (light_deg < 89.5) diagram.lobe(lobe_outline(state, light_deg), theme()[Symbol::Specular]);
-    const Reflection model = state.why->reflection;
+    const ReflectionInfo model = info_of(state.why->reflection);
     const auto arrow = [&](Symbol symbol, const InBothFrames& v) {
         diagram.arrow(plane.of(v.camera), symbol, pointed == symbol);
     };
     arrow(Symbol::N, point.normal);
-    if (model == Reflection::Phong) {
+    if (model.uses_r()) {
         arrow(Symbol::R, light.r);
         diagram.arc(light_deg, 0.5, Symbol::R);
     }
-    if (model == Reflection::BlinnPhong || model == Reflection::CookTorrance) arrow(Symbol::H, light.h);
+    if (model.uses_h) arrow(Symbol::H, light.h);
     arrow(Symbol::L, light.l);
     arrow(Symbol::V, point.view);
     diagram.arc(-light_deg, 0.5, Symbol::L);

@@ -16,11 +16,11 @@ namespace glint {
 namespace {
 
 /// Made when first asked for.
-const std::array<Option, 5>& step_options() {
-    static const std::array<Option, 5> options{
-        Option{"off", "", "r itself is drawn"}, Option{"N, L", "", "What is given"},
-        Option{"P", "", "P = N (N·L): the shadow of L on N"}, Option{"2P", "", "Twice as far"},
-        Option{"R", "", "R = 2P − L"}};
+const std::array<Choice, 5>& step_options() {
+    static const std::array<Choice, 5> options{
+        Choice{"", "off", "r itself is drawn"}, Choice{"", "N, L", "What is given"},
+        Choice{"", "P", "P = N (N·L): the shadow of L on N"}, Choice{"", "2P", "Twice as far"},
+        Choice{"", "R", "R = 2P − L"}};
     return options;
 }
 
@@ -32,7 +32,7 @@ void mirror_section(WhyState& state, const ExplainedPoint& point, const Explaine
     if (state.mirror_step == 0) return;
     (void)number_field(
         "|N|", state.normal_length,
-        {.min = 0.25f, .max = 2, .initial = 1, .speed = 0.005f, .format = "%.2f", .shown_max = 2},
+        {.range = {0.25, 2, "0.25 to 2"}, .step = 0.005f, .format = "%.2f", .usual_max = 2}, 1,
         {"Length of the normal here; a normal is to be unit. Not part of the scene", ""});
     const bool world = state.world_frame;
     const glm::vec3 n = state.normal_length * (world ? point.normal.world : point.normal.camera);

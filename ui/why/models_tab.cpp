@@ -73,10 +73,10 @@ void normal_line(const WhyState& state, const Explanation& why) {
     figures(three(state.world_frame ? n.world : n.camera));
 }
 
-void mode_block(UiState& state, const Explanation& why, const Choice<ShadingMode>& choice,
-                const Explanation& phong) {
+void mode_block(UiState& state, const Explanation& why, ShadingMode mode, const Explanation& phong) {
     Shading& shading = state.editor.scene().shading;
-    const bool chosen = shading.mode == choice.value;
+    const Choice choice = choice_of(mode);
+    const bool chosen = shading.mode == mode;
     ImGui::PushID(choice.label);
     ImGui::BeginGroup();
     const auto [r, g, b] = why.byte;
@@ -85,21 +85,21 @@ void mode_block(UiState& state, const Explanation& why, const Choice<ShadingMode
     ImGui::SameLine(0, px(8));
     ImGui::BeginGroup();
     ImGui::PushFont(chosen ? fonts().title : fonts().body);
-    if (ImGui::Selectable(choice.label, chosen)) shading.mode = choice.value;
+    if (ImGui::Selectable(choice.label, chosen)) shading.mode = mode;
     ImGui::PopFont();
     const bool pointed = is_pointed_at();
-    tooltip(choice.label, choice.what, "Rest here: the picture under it. Click: take it", "/shading/mode");
+    tooltip(choice.label, choice.meaning, "Rest here: the picture under it. Click: take it", "/shading/mode");
     figures(three(why.sum));
     ImGui::EndGroup();
     how(why, shading.flat_point, shading.rules);
     normal_line(state.why_column, why);
-    if (choice.value != ShadingMode::Phong) small_dim("minus Phong: " + three(why.sum - phong.sum));
+    if (mode != ShadingMode::Phong) small_dim("minus Phong: " + three(why.sum - phong.sum));
     ImGui::EndGroup();
     ImGui::PopID();
     ImGui::Dummy({0, px(4)});
     if (!pointed) return;
     Scene other = state.editor.scene();
-    other.shading.mode = choice.value;
+    other.shading.mode = mode;
     show_instead(state, other, fmt::format("{} shading", choice.label));
 }
 
@@ -118,7 +118,7 @@ std::array<Explanation, 4> under_each_mode(const UiState& state, const Explanati
     std::array<Explanation, 4> all;
     Scene other = state.editor.scene();
     for (std::size_t i = 0; i < all.size(); ++i) {
-        other.shading.mode = mode_choices[i].value;
+        other.shading.mode = static_cast<ShadingMode>(i);
         all[i] = state.renderer->explain_as(other, why.x, why.y);
     }
     return all;
@@ -136,7 +136,8 @@ void models_tab(UiState& state, const PictureView&) {
     small_dim(fmt::format("Sums of the same pixel, red green blue; {} triangle of face {}, at the weights {}",
                           why.front_facing ? "front" : "back", why.face, three(why.weights)));
     ImGui::Dummy({0, px(2)});
-    for (std::size_t i = 0; i < all.size(); ++i) mode_block(state, all[i], mode_choices[i], all.back());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        mode_block(state, all[i], static_cast<ShadingMode>(i), all.back());
 }
 
 }  // namespace glint

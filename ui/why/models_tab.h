@@ -14,7 +14,7 @@ struct PictureView;
 /// Pointing at a model shows the whole picture under it, a click takes it.
 void models_tab(UiState& state, const PictureView& view);
 
-/// The pixel under each mode of `mode_choices`, in their order, whatever the scene's own mode is.
+/// The pixel under each mode of ShadingMode, in its order, whatever the scene's own mode is.
 /// Precondition: the picture is of the edited scene, or of one with other lights, materials or shading.
 [[nodiscard]] std::array<Explanation, 4> under_each_mode(const UiState& state, const Explanation& why);
 

@@ -1,5 +1,7 @@
 #include "ui/why/text_line.h"
 
+#include "ui/widgets.h"
+
 #include <algorithm>
 #include <cstdio>
 
@@ -11,9 +13,9 @@ namespace {
 constexpr float padding_x = 2, padding_y = 1;  // of a handle, units of the design
 
 /// As wide as the number is now, and at least as two figures: enough to take hold of.
-float handle_width(const SceneNumber& number) {
+float handle_width(const NumberHandle& handle) {
     char text[64];
-    std::snprintf(text, sizeof text, number.range.format, double(*number.value));
+    std::snprintf(text, sizeof text, handle.number.kind.format, double(*handle.number.place));
     ImGui::PushFont(fonts().figures);
     const float width = std::max(ImGui::CalcTextSize(text).x, ImGui::CalcTextSize("00").x);
     ImGui::PopFont();
@@ -91,23 +93,25 @@ TextLine& TextLine::gap(float width) {
     return *this;
 }
 
-bool TextLine::edit(const SceneNumber& number, const ImVec4& colour, float down) {
-    const float width = handle_width(number);
+bool TextLine::edit(const NumberHandle& handle, const ImVec4& colour, float down) {
+    const float width = handle_width(handle);
+    const SceneNumber& n = handle.number;
     place(width);
     ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y + down});
     ImGui::PushStyleColor(ImGuiCol_FrameBg, {0, 0, 0, 0});
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(padding_x), px(padding_y)});
-    const bool changed = bare_number(number.name.c_str(), *number.value, number.range, number.help, width);
+    const bool changed = bare_number(handle.name.c_str(), *n.place, n.kind, static_cast<float>(n.initial),
+                                     {n.help, n.pointer}, width);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);
     dotted_line(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), packed(colour, 0.8f));
     return changed;
 }
 
-bool TextLine::handle(const SceneNumber& number, const ImVec4& colour) { return edit(number, colour, 0); }
-bool TextLine::exponent(const SceneNumber& number, const ImVec4& colour) {
-    return edit(number, colour, -px(4));
+bool TextLine::handle(const NumberHandle& handle, const ImVec4& colour) { return edit(handle, colour, 0); }
+bool TextLine::exponent(const NumberHandle& handle, const ImVec4& colour) {
+    return edit(handle, colour, -px(4));
 }
 
 void TextLine::result(const std::string& text, const ImVec4& colour) {

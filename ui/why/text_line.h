@@ -25,9 +25,9 @@ class TextLine {
     TextLine& dot(Symbol a, Symbol b);
     TextLine& times();
     /// A number to drag, dotted below. True when it was edited.
-    bool handle(const SceneNumber& number, const ImVec4& colour);
+    bool handle(const NumberHandle& number, const ImVec4& colour);
     /// A handle raised like an exponent.
-    bool exponent(const SceneNumber& number, const ImVec4& colour);
+    bool exponent(const NumberHandle& number, const ImVec4& colour);
     /// At the right edge of the column.
     void result(const std::string& text, const ImVec4& colour);
     TextLine& gap(float width);
@@ -37,7 +37,7 @@ class TextLine {
   private:
     void place(float width);
     TextLine& piece(const std::string& text, const ImVec4& colour, ImFont* font, float down);
-    bool edit(const SceneNumber& number, const ImVec4& colour, float down);
+    bool edit(const NumberHandle& number, const ImVec4& colour, float down);
 
     float x_, y_, left_, right_, indent_;
 };

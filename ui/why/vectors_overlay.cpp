@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "models/scene/reflection_info.h"
 #include "renderer/inspect/mirror.h"
 #include "ui/ui.h"
 #include "ui/why/arrows.h"
@@ -48,11 +49,8 @@ class PointDrawing {
     void arc(const InBothFrames& a, const InBothFrames& b, double radius, Symbol symbol) {
         draw_arc(pen_, glm::dvec3(a.world), glm::dvec3(b.world), radius, theme_colour(symbol), words_);
     }
-    [[nodiscard]] bool has_r() const { return state_.why->reflection == Reflection::Phong; }
-    [[nodiscard]] bool has_h() const {
-        const Reflection model = state_.why->reflection;
-        return model == Reflection::BlinnPhong || model == Reflection::CookTorrance;
-    }
+    [[nodiscard]] bool has_r() const { return info_of(state_.why->reflection).uses_r(); }
+    [[nodiscard]] bool has_h() const { return info_of(state_.why->reflection).uses_h; }
     void arrows_of(const ExplainedLight& light) {
         if (has_r()) arrow(Symbol::R, light.r);
         if (has_h()) arrow(Symbol::H, light.h);

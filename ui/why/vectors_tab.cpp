@@ -24,10 +24,10 @@ namespace {
 constexpr float part_width = 62;
 
 void frame_switch(WhyState& why) {
-    const std::array options{Option{"Camera", "camera",
+    const std::array options{Choice{"camera", "Camera",
                                     "Where illumination is computed: the eye at the origin, "
                                     "looking down −z"},
-                             Option{"World", "world", "As the scene file says where things are"}};
+                             Choice{"world", "World", "As the scene file says where things are"}};
     row("Frame");
     why.world_frame = segments("##frame", why.world_frame ? 1 : 0, options, {"", ""}) == 1;
 }

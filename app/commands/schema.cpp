@@ -1,0 +1,20 @@
+// glint schema: what a scene file may hold, for editors and other programs.
+#include "models/scene_file/schema.h"
+
+#include "app/commands/command.h"
+
+namespace glint {
+namespace {
+
+Run declare(CLI::App& /*app*/) {
+    return [] { return Outcome{scene_schema(), {}, ExitStatus::Done}; };
+}
+
+}  // namespace
+
+Command schema_command() {
+    return {"schema", "", "prints the JSON Schema (2020-12) of the scene file",
+            "glint schema > scene.schema.json", declare};
+}
+
+}  // namespace glint

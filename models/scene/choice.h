@@ -1,0 +1,14 @@
+#pragma once
+// One member of a closed set, as people meet it.
+
+#include <string_view>
+
+namespace glint {
+
+struct Choice {
+    std::string_view word;     // in the scene file; ends with '\0', as all literals
+    const char* label = "";    // in the window
+    const char* meaning = "";  // for tooltips, the documentation and the JSON Schema
+};
+
+}  // namespace glint

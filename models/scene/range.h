@@ -1,0 +1,35 @@
+#pragma once
+// Which values a number may have, said once: the reader refuses others, the window's fields stop there, the
+// documentation and the JSON Schema print it.
+
+#include <optional>
+#include <string_view>
+
+namespace glint {
+
+/// No number of a scene or a mesh is further from 0 (docs/interface.md, "Limits").
+inline constexpr double max_number = 1e30;
+
+/// Numbers from `low` to `high`, ends included unless they are open; and one more where a field has one.
+struct Range {
+    double low, high;
+    std::string_view words;  // for "expected ..."
+    bool low_open = false, high_open = false;
+    std::optional<double> also = std::nullopt;
+
+    /// Compared in the precision of x: what a rule wants above 0 must be so as a float too.
+    template <class Real> [[nodiscard]] constexpr bool contains(Real x) const {
+        const auto from = static_cast<Real>(low), to = static_cast<Real>(high);
+        const bool above = low_open ? x > from : x >= from;
+        const bool below = high_open ? x < to : x <= to;
+        return (above && below) || (also && x == static_cast<Real>(*also));
+    }
+};
+
+inline constexpr Range any_number{-max_number, max_number, "a number within -1e30 and 1e30"};
+inline constexpr Range at_least_zero{0, max_number, "0 to 1e30"};
+inline constexpr Range above_zero{0, max_number, "more than 0, up to 1e30", true};
+inline constexpr Range zero_to_one{0, 1, "0 to 1"};
+inline constexpr Range half_turn_deg{0, 180, "0 to 180"};
+
+}  // namespace glint

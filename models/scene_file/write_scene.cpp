@@ -1,0 +1,129 @@
+// A scene as text, by its fields, laid out as a person would: one line for what belongs together.
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "models/scene/scene_fields.h"
+#include "models/scene_file.h"
+#include "models/utf8.h"
+
+namespace glint {
+
+// The reader goes by way of a double, which for a few floats (7.0385307e-26 is one) rounds the shortest
+// decimals of the float to its neighbour: those get more digits.
+std::string number_text(float x) {
+    if (x == 0 && std::signbit(x)) return "-0.0";  // "-0" is a whole number, which has no sign
+    std::string text = fmt::format("{}", x);
+    double read = 0;
+    std::from_chars(text.data(), text.data() + text.size(), read);
+    return static_cast<float>(read) == x ? text : fmt::format("{}", static_cast<double>(x));
+}
+
+namespace {
+
+/// A JSON string; bytes that are not UTF-8 become U+FFFD.
+std::string string_text(std::string_view raw) {
+    std::string text = "\"";
+    for (std::size_t i = 0; i < raw.size();) {
+        const std::size_t length = utf8_length(raw.substr(i, 4));
+        const char c = raw[i];
+        if (length == 0)
+            text += "\uFFFD";
+        else if (c == '"' || c == '\\')
+            text.append(1, '\\').append(1, c);
+        else if (c == '\n')
+            text += "\\n";
+        else if (c == '\t')
+            text += "\\t";
+        else if (static_cast<unsigned char>(c) < 0x20 || c == '\x7f')
+            text += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        else
+            text += raw.substr(i, length);
+        i += std::max<std::size_t>(1, length);
+    }
+    return text + "\"";
+}
+
+/// Where an object's text breaks into lines.
+struct Layout {
+    std::string_view open = "{", new_line = "", close = "}";
+    std::array<std::string_view, 6> break_before = {};  // keys that begin a line
+};
+
+// A struct that is not named here is one line.
+template <class T> constexpr Layout layout_of(const T&) { return {}; }
+constexpr Layout layout_of(const Camera&) { return {"{\n    ", "\n    ", "\n  }", {"projection"}}; }
+constexpr Layout layout_of(const Light&) {
+    return {"{", "\n     ", "}", {"ambient", "falloff", "spot", "area"}};
+}
+constexpr Layout layout_of(const Object&) {
+    return {"{", "\n     ", "}", {"transform", "normals", "material"}};
+}
+constexpr Layout layout_of(const Material&) { return {"{", "\n                  ", "}", {"emission"}}; }
+constexpr Layout layout_of(const Shading&) {
+    return {"{\n    ", "\n    ", "\n  }", {"flat_point", "terms", "power_table"}};
+}
+constexpr Layout layout_of(const Npr&) { return {"{\n    ", "\n    ", "\n  }", {"silhouettes"}}; }
+constexpr Layout layout_of(const Scene&) {
+    return {"{\n  \"glint\": 1,\n  ",
+            "\n  ",
+            "\n}\n",
+            {"global_ambient", "lights", "objects", "shading", "npr", "display"}};
+}
+
+template <class T> std::string text_of(const T& value);
+
+std::string text_of_value(const Text&, const std::string& s) { return string_text(s); }
+std::string text_of_value(const Path&, const std::string& s) { return string_text(escaped_bytes(s)); }
+std::string text_of_value(const Switch&, bool b) { return b ? "true" : "false"; }
+std::string text_of_value(const Real&, float x) { return number_text(x); }
+std::string text_of_value(const Count&, int n) { return fmt::format("{}", n); }
+std::string vector_text(const float* v, int size) {
+    std::string text;
+    for (int i = 0; i < size; ++i) text += (i == 0 ? "" : ", ") + number_text(v[i]);
+    return "[" + text + "]";
+}
+std::string text_of_value(const Colour&, const glm::vec3& v) { return vector_text(&v.x, 3); }
+std::string text_of_value(const Vector&, const glm::vec3& v) { return vector_text(&v.x, 3); }
+std::string text_of_value(const Homogeneous&, const glm::vec4& v) { return vector_text(&v.x, 4); }
+template <class E> std::string text_of_value(const OneOf&, E value) { return string_text(name_of(value)); }
+template <class T> std::string text_of_value(const Group&, const T& value) { return text_of(value); }
+std::string text_of_value(const OneProjection&, const Projection& p) {
+    std::string text = text_of(p);
+    return text.insert(1, fmt::format("\"type\": \"{}\", ", name_of(kind_of(p))));
+}
+std::string text_of_value(const OneMesh&, const MeshSource& m) { return text_of(m); }
+/// One element a line.
+template <class T> std::string text_of_value(const List&, const std::vector<T>& elements) {
+    if (elements.empty()) return "[]";
+    std::string text;
+    for (const T& element : elements) text += (text.empty() ? "\n    " : ",\n    ") + text_of(element);
+    return "[" + text + "\n  ]";
+}
+
+bool is_default(const Switch&, bool value) { return !value; }
+bool is_default(const Count&, int value) { return value == 0; }
+template <class Kind, class T> bool is_default(const Kind&, const T&) { return false; }
+
+template <class T> std::string text_of(const T& value) {
+    const Layout layout = layout_of(value);
+    std::string text;
+    // A line begins where the layout says so, also when the key there is left out.
+    bool breaks = false;
+    fields(value, [&](const Row& row, const auto& kind, const auto& member) {
+        for (const std::string_view key : layout.break_before) breaks |= key == row.key;
+        if (row.omit_default && is_default(kind, member)) return;
+        if (!text.empty()) text += breaks ? fmt::format(",{}", layout.new_line) : ", ";
+        text += fmt::format("\"{}\": {}", row.key, text_of_value(kind, member));
+        breaks = false;
+    });
+    return fmt::format("{}{}{}", layout.open, text, layout.close);
+}
+
+}  // namespace
+
+std::string scene_text(const Scene& scene) { return text_of(scene); }
+
+}  // namespace glint
