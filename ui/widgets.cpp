@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "models/saturate.h"
 #include "ui/fonts.h"
 #include "ui/theme.h"
 
@@ -158,7 +159,7 @@ bool integer_field(const char* label, int& value, int low, int high, int initial
     number.shown_max = high <= 64 ? float(high) : 0;
     float real = float(value);
     if (!number_field(label, real, number, help)) return false;
-    const int whole = std::clamp(int(std::lround(real)), low, high);
+    const int whole = std::clamp(saturated_int(std::round(real)), low, high);
     const bool changed = whole != value;
     value = whole;
     return changed;

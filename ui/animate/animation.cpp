@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "models/saturate.h"
 #include "models/scene_variant.h"
 
 namespace glint {
@@ -61,7 +62,7 @@ Result<Scene> scene_at(const SceneDocument& document, const Animation& animation
     const Json::json_pointer pointer(animation.pointer);
     const bool whole = old.contains(pointer) && old[pointer].is_number_integer() &&
                        (animation.pointer.ends_with("/detail") || animation.pointer.ends_with("/samples"));
-    const std::string text = whole ? std::to_string(std::lround(value)) : Json(value).dump();
+    const std::string text = whole ? std::to_string(saturated_int(std::round(value))) : Json(value).dump();
     return scene_variant(document, {{animation.pointer, text}});
 }
 
