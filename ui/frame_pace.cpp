@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/saturate.h"
+
 namespace glint {
 
 void end_of_motion(FramePace& pace) {
@@ -25,7 +27,7 @@ void picture_took(FramePace& pace, int divisor, double ms) {
         pace.divisor = 1;
         return;
     }
-    const int wanted = static_cast<int>(std::ceil(std::sqrt(pace.full_ms / wanted_picture_ms)));
+    const int wanted = saturated_int(std::ceil(std::sqrt(pace.full_ms / wanted_picture_ms)));
     // Within a motion it only gets coarser: a picture that changes its grain is worse than a coarse one.
     pace.divisor = std::clamp(std::max(wanted, divisor), 2, largest_divisor);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "models/saturate.h"
 #include "ui/area.h"
 #include "ui/theme.h"
 #include "ui/ui.h"
@@ -48,7 +49,9 @@ PictureView picture_view(const Rect& centre, const UiState& state) {
     const float dots = std::max(ImGui::GetIO().DisplayFramebufferScale.x, 0.1f);
     const Rect area = picture_area(centre, px(1));
     const ImVec2 room = area.size();
-    const auto pixels = [dots](float units) { return std::clamp(static_cast<int>(units * dots), 1, 16384); };
+    const auto pixels = [dots](float units) {
+        return std::clamp(saturated_int(units * dots), 1, max_picture_side);
+    };
     PictureView view;
     view.origin = area.low;
     view.units_per_pixel = 1 / dots;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "models/saturate.h"
 #include "ui/orbit.h"
 #include "ui/theme.h"
 
@@ -123,8 +124,8 @@ void release(ViewportState& state, ViewportFrame& frame) {
 void select_object_under(ViewportFrame& frame, glm::dvec2 pixel) {
     if (frame.renderer == nullptr) return;
     const PictureSize size = frame.view.map.size;
-    const int x = std::clamp(int(pixel.x), 0, size.width - 1),
-              y = std::clamp(int(pixel.y), 0, size.height - 1);
+    const int x = std::clamp(saturated_int(pixel.x), 0, size.width - 1),
+              y = std::clamp(saturated_int(pixel.y), 0, size.height - 1);
     if (const int object = frame.renderer->object_at(x, y); object >= 0)
         frame.selection = {Selection::Kind::Object, object};
 }
@@ -196,8 +197,8 @@ bool cancel_gesture(ViewportState& state, Scene& scene) {
 
 std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size) {
     if (!state.probe) return {};
-    return glm::ivec2(std::clamp(int(state.probe->x * size.width), 0, size.width - 1),
-                      std::clamp(int(state.probe->y * size.height), 0, size.height - 1));
+    return glm::ivec2(std::clamp(saturated_int(state.probe->x * size.width), 0, size.width - 1),
+                      std::clamp(saturated_int(state.probe->y * size.height), 0, size.height - 1));
 }
 
 }  // namespace glint

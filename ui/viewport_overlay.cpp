@@ -1,8 +1,10 @@
 // What is drawn over the picture, and what the status line says of it.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "models/saturate.h"
 #include "ui/hands/object_gizmo_draw.h"
 #include "ui/icons.h"
 #include "ui/theme.h"
@@ -15,8 +17,8 @@ namespace {
 bool is_hidden(const Handle& handle, const ViewportFrame& frame) {
     if (!handle.in_picture || frame.renderer == nullptr) return false;
     const PictureSize size = frame.view.map.size;
-    const int x = std::min(int(handle.at.pixel.x), size.width - 1),
-              y = std::min(int(handle.at.pixel.y), size.height - 1);
+    const int x = std::clamp(saturated_int(handle.at.pixel.x), 0, size.width - 1),
+              y = std::clamp(saturated_int(handle.at.pixel.y), 0, size.height - 1);
     const double depth = frame.renderer->depth_at(x, y);
     return depth > 0 && handle.at.depth > depth * 1.01;
 }

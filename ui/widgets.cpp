@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "models/saturate.h"
 #include "ui/fonts.h"
 #include "ui/theme.h"
 
@@ -173,7 +174,7 @@ bool integer_field(const char* label, int& value, int low, int high, int initial
                     .usual_max = high <= 64 ? float(high) : 0};
     float real = float(value);
     if (!number_field(label, real, kind, float(initial), help)) return false;
-    const int whole = std::clamp(int(std::lround(real)), low, high);
+    const int whole = std::clamp(saturated_int(std::round(real)), low, high);
     const bool changed = whole != value;
     value = whole;
     return changed;

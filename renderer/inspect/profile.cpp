@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "models/saturate.h"
+
 namespace glint {
 namespace {
 
@@ -24,7 +26,7 @@ void difference(std::vector<ProfileSample>& s) {
 /// both sides, so that an even rise stays one.
 double gaussian_mean(const std::vector<ProfileSample>& samples, std::ptrdiff_t at, double deviation_px,
                      double step_px) {
-    const auto wanted = static_cast<std::ptrdiff_t>(std::ceil(4 * deviation_px / step_px));
+    const std::ptrdiff_t wanted = saturated_int(std::ceil(4 * deviation_px / step_px));
     const auto last = static_cast<std::ptrdiff_t>(samples.size()) - 1;
     const std::ptrdiff_t reach = std::min({wanted, at, last - at});
     double sum = 0, weights = 0;

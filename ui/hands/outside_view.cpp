@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "models/saturate.h"
 #include "ui/hands/drag_math.h"
 #include "ui/hands/outside_lines.h"
 #include "ui/orbit.h"
@@ -123,7 +124,8 @@ void outside_tab(UiState& state, const PictureView& main) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const ImVec2 extent{std::max(room.x, px(60)),
                         std::clamp(room.y - px(90), px(120), 1.15f * std::max(room.x, px(120)))};
-    const PictureSize size{int(extent.x), int(extent.y)};
+    const PictureSize size{std::clamp(saturated_int(extent.x), 1, max_picture_side),
+                           std::clamp(saturated_int(extent.y), 1, max_picture_side)};
     PictureView view = main;
     view.origin = ImGui::GetCursorScreenPos();
     view.units_per_pixel = 1;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/saturate.h"
 #include "ui/plots/polar.h"
 #include "ui/plots/sections.h"
 #include "ui/theme.h"
@@ -35,7 +36,7 @@ struct Section {
 
 void dashed(ImDrawList& list, ImVec2 a, ImVec2 b, ImU32 colour) {
     const float length = std::max(std::hypot(b.x - a.x, b.y - a.y), 1.0f);
-    const int pieces = std::min(static_cast<int>(length / px(6)) + 1, 60);
+    const int pieces = std::min(saturated_int(length / px(6)), 59) + 1;
     for (int i = 0; i < pieces; ++i) {
         const float from = float(i) / float(pieces), to = (float(i) + 0.5f) / float(pieces);
         list.AddLine({a.x + from * (b.x - a.x), a.y + from * (b.y - a.y)},

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "models/saturate.h"
 #include "ui/fonts.h"
 #include "ui/theme.h"
 
@@ -123,7 +124,7 @@ std::vector<double> ticks(Interval range, int most) {
 
 std::string tick_text(double value, double step) {
     if (std::abs(value) < step * 1e-6) return "0";
-    const int places = static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
+    const int places = saturated_int(std::ceil(-std::log10(step) - 1e-9));
     if (places > 4 || step >= 1e5) return fmt::format("{:.3g}", value);
     return fmt::format("{:.{}f}", value, std::max(places, 0));
 }

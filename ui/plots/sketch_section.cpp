@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/saturate.h"
 #include "renderer/inspect/curves.h"
 #include "renderer/inspect/highlight_fit.h"
 #include "ui/plots/plot.h"
@@ -62,7 +63,9 @@ void fit_row(UiState& state, HighlightSketch& sketch, const std::optional<Highli
 
 void add_to_sketch(HighlightSketch& sketch, glm::dvec2 from, glm::dvec2 to) {
     if (from.x > to.x) std::swap(from, to);
-    const int first = static_cast<int>(std::lround(from.x)), last = static_cast<int>(std::lround(to.x));
+    const int most = static_cast<int>(sketch.value.size()) - 1;
+    const int first = std::clamp(saturated_int(std::round(from.x)), 0, most);
+    const int last = std::clamp(saturated_int(std::round(to.x)), 0, most);
     for (int deg = first; deg <= last; ++deg) {
         const double share = last > first ? double(deg - first) / (last - first) : 1;
         sketch.value[static_cast<std::size_t>(deg)] = static_cast<float>(from.y + share * (to.y - from.y));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/saturate.h"
 #include "ui/theme.h"
 
 namespace glint {
@@ -55,7 +56,7 @@ int first_of(const CompareChoice& choice, int part, int length) {
     if (part <= 0) return 0;
     if (part >= static_cast<int>(choice.parts.size())) return length;
     const double share = choice.wipes[static_cast<std::size_t>(part - 1)];
-    return std::clamp(static_cast<int>(std::lround(share * length)), 0, length);
+    return std::clamp(saturated_int(std::round(share * length)), 0, length);
 }
 
 int part_at(const CompareChoice& choice, int along, int length) {

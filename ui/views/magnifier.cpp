@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "models/saturate.h"
 #include "models/transform.h"
 #include "ui/fonts.h"
 #include "ui/theme.h"
@@ -22,10 +23,10 @@ struct PixelRange {
 PixelRange visible(const ImDrawList& list, const PictureView& view) {
     const glm::dvec2 low = view.to_pixel(list.GetClipRectMin()), high = view.to_pixel(list.GetClipRectMax());
     const PictureSize size = view.map.size;
-    return {std::clamp(static_cast<int>(std::floor(low.x)), 0, size.width),
-            std::clamp(static_cast<int>(std::floor(low.y)), 0, size.height),
-            std::clamp(static_cast<int>(std::ceil(high.x)), 0, size.width),
-            std::clamp(static_cast<int>(std::ceil(high.y)), 0, size.height)};
+    return {std::clamp(saturated_int(std::floor(low.x)), 0, size.width),
+            std::clamp(saturated_int(std::floor(low.y)), 0, size.height),
+            std::clamp(saturated_int(std::ceil(high.x)), 0, size.width),
+            std::clamp(saturated_int(std::ceil(high.y)), 0, size.height)};
 }
 
 std::pair<int, std::int64_t> face_at(const Renderer& renderer, PictureSize size, int x, int y) {

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "models/saturate.h"
 #include "ui/shell_word.h"
 #include "ui/theme.h"
 
@@ -124,8 +125,8 @@ void draw_card(ImDrawList& list, const ScopeState& scope, const PictureView& vie
 }  // namespace
 
 glm::ivec2 pixel_of(glm::dvec2 share, PictureSize size) {
-    return {std::clamp(static_cast<int>(share.x * size.width), 0, size.width - 1),
-            std::clamp(static_cast<int>(share.y * size.height), 0, size.height - 1)};
+    return {std::clamp(saturated_int(share.x * size.width), 0, size.width - 1),
+            std::clamp(saturated_int(share.y * size.height), 0, size.height - 1)};
 }
 
 void toggle_scope(ScopeState& scope) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "models/saturate.h"
 #include "ui/ui.h"
 
 namespace glint {
@@ -14,7 +15,8 @@ std::optional<glm::ivec2> asked_pixel(const UiState& state, const PictureView& v
     if (!io.KeyAlt || !state.viewport.hovered || state.viewport.gesture != Gesture::None)
         return probe_pixel(state.viewport, size);
     const glm::dvec2 at = view.to_pixel(io.MousePos);
-    return glm::ivec2(std::clamp(int(at.x), 0, size.width - 1), std::clamp(int(at.y), 0, size.height - 1));
+    return glm::ivec2(std::clamp(saturated_int(at.x), 0, size.width - 1),
+                      std::clamp(saturated_int(at.y), 0, size.height - 1));
 }
 
 const ExplainedPoint& asked_point(const WhyState& state, const Explanation& why) {

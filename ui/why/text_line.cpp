@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "models/saturate.h"
 #include "ui/fonts.h"
 
 namespace glint {
@@ -24,7 +25,7 @@ float handle_width(const NumberHandle& handle) {
 
 void dotted_line(ImVec2 low, ImVec2 high, ImU32 colour) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const int dots = static_cast<int>((high.x - low.x - px(4)) / px(3));
+    const int dots = saturated_int((high.x - low.x - px(4)) / px(3));
     for (int i = 0; i <= dots; ++i) {
         const float x = low.x + px(2) + px(3) * float(i);
         list.AddRectFilled({x, high.y - px(1)}, {x + px(1.5f), high.y}, colour);
