@@ -69,6 +69,14 @@ void sort_chunk(const TileLists& lists, SortedChunk& chunk) {
     visit_tiles(lists.tiles_x, chunk, [&chunk](std::uint32_t tile, std::uint32_t) { ++chunk.next[tile]; });
 }
 
+/// Room for so many entries is asked for before it is taken; the rest is what there is already.
+void ask_for_room(TileLists& lists, std::uint64_t entries) {
+    constexpr std::size_t a_piece = sizeof(ClippedTriangle) + 3 * sizeof(std::uint32_t);
+    const std::uint64_t kept = std::max<std::uint64_t>(entries, lists.entries.capacity());
+    lists.share.set(
+        memory_need(MemoryUse::Tiles, kept * sizeof(TileEntry) + lists.clipped.capacity() * a_piece));
+}
+
 /// Cuts the triangles that cross the near or far plane or leave the guard band into pieces that do not.
 void clip_triangles(TileLists& lists, const Geometry& g) {
     const glm::dmat4 projection = clip_from_view(g.camera.projection, g.size);
@@ -91,6 +99,7 @@ void clip_triangles(TileLists& lists, const Geometry& g) {
                                          object.first_triangle + t,
                                          object.mirrored});
         }
+        if (chunk.clip_count > 0) ask_for_room(lists, 0);
     }
 }
 
@@ -127,6 +136,7 @@ void number_places(TileLists& lists) {
         place(lists.pieces);
     }
     lists.tile_first[tiles] = next;
+    ask_for_room(lists, next);
     lists.entries.resize(next);
 }
 
@@ -139,6 +149,12 @@ void put_into_tiles(TileLists& lists, SortedChunk& chunk) {
 }
 
 }  // namespace
+
+std::uint64_t bytes_to_sort(std::uint64_t triangles, std::uint64_t tiles) {
+    const std::uint64_t chunks = (triangles + chunk_size - 1) / chunk_size;
+    constexpr std::uint64_t a_triangle = sizeof(TriangleBox) + sizeof(std::uint32_t);
+    return (triangles + chunks) * a_triangle + chunks * (sizeof(SortedChunk) + tiles * sizeof(std::uint32_t));
+}
 
 void sort_into_tiles(TileLists& lists, const Geometry& g, Cull cull, bool multisampled) {
     lists.tiles_x = (g.size.width + tile_size - 1) / tile_size;

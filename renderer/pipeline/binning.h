@@ -2,6 +2,7 @@
 // Which triangles may be seen in which tile of the screen: those in view, clipped where they must be, without
 // the ones that are culled or have no area.
 
+#include "models/memory_limit.h"
 #include "renderer/pipeline/geometry.h"
 
 namespace glint {
@@ -27,10 +28,15 @@ struct TileLists {
     SortedChunk pieces;               // of the clipped ones: to sorting they are one more object, with
     std::vector<std::uint32_t> clipped_vertices;     // three vertices each of their own
     std::vector<glm::dvec4> polygon, spare_polygon;  // while a triangle is clipped
+    MemoryShare share;                               // of the entries and the clipped triangles
 };
 
-/// Makes the lists anew in the memory of the old ones. `multisampled`: for samples anywhere in their pixels,
-/// not at the centres alone.
+/// Bytes that sorting takes of an object of so many triangles, whatever its place, in a picture of so many
+/// tiles.
+[[nodiscard]] std::uint64_t bytes_to_sort(std::uint64_t triangles, std::uint64_t tiles);
+
+/// Makes the lists anew in the memory of the old ones; throws MemoryRefused where they do not fit.
+/// `multisampled`: for samples anywhere in their pixels, not at the centres alone.
 void sort_into_tiles(TileLists& lists, const Geometry& geometry, Cull cull, bool multisampled);
 
 }  // namespace glint
