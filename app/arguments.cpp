@@ -11,6 +11,7 @@
 
 #include "app/failure.h"
 #include "models/file.h"
+#include "models/memory_limit.h"
 
 namespace glint {
 namespace {
@@ -108,6 +109,12 @@ void add_threads(CLI::App& app, int& threads) {
         [&threads](const std::string& text) { threads = read_count("--threads", text, 0, max_threads); });
 }
 
+void add_memory(CLI::App& app) {
+    add_value(app, "--memory", "SIZE",
+              "how much memory the scene may need, as in 8G; three quarters of the machine's when not given",
+              [](const std::string& text) { set_memory_limit(take(parse_memory_size("--memory", text))); });
+}
+
 void add_size(CLI::App& app, PictureSize& size) {
     add_value(app, "--size", "WxH", "size of the picture in pixels; 1280x720 when not given",
               [&size](const std::string& text) { size = read_size("--size", text); });
@@ -135,6 +142,7 @@ void add_scene(CLI::App& app, SceneArguments& arguments) {
         ->type_name("POINTER=JSON")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add_threads(app, arguments.threads);
+    add_memory(app);
 }
 
 void require_given(const std::string& value, const std::string& option, const std::string& expected) {

@@ -48,9 +48,10 @@ CLI::Option* add_value(CLI::App& app, const std::string& names, const std::strin
 /// The same where the text is the value.
 CLI::Option* add_text(CLI::App& app, const std::string& names, const std::string& value_name,
                       const std::string& help, std::string& value);
-/// FILE, --set and --threads. `arguments` must live as long as the app.
+/// FILE, --set, --threads and --memory. `arguments` must live as long as the app.
 void add_scene(CLI::App& app, SceneArguments& arguments);
 void add_threads(CLI::App& app, int& threads);
+void add_memory(CLI::App& app);
 void add_size(CLI::App& app, PictureSize& size);
 void add_samples(CLI::App& app, int& samples);
 

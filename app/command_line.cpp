@@ -18,7 +18,7 @@ std::size_t first_word(const Arguments& arguments) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string& a = arguments[i];
         if (a == "--") break;  // from here on all are files
-        if (a == "-j" || a == "--threads" || a == "--set") {
+        if (a == "-j" || a == "--threads" || a == "--set" || a == "--memory") {
             ++i;
         } else if (a.size() < 2 || a[0] != '-') {
             return i;
@@ -39,6 +39,7 @@ std::string general_help() {
     text +=
         "\n  --set POINTER=JSON              changes the scene; may be repeated\n"
         "  -j, --threads N                 threads to draw with; 0, the default, is all cores\n"
+        "  --memory SIZE                   how much memory a scene may need, as in 8G\n"
         "  --version                       prints the version\n"
         "\nFILE is a scene (.json, or a .png that Glint wrote), a mesh (.obj .ply .off .stl .om), or - for a "
         "scene on\n"

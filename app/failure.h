@@ -27,10 +27,11 @@ struct Failure {
     return {ExitStatus::WrongUsage, std::move(problem)};
 }
 
-/// The value of a result, or its problem thrown. A problem of --set is wrong usage, any other is the input's.
+/// The value of a result, or its problem thrown. A problem of an option's value is wrong usage, any other is
+/// the input's.
 template <class T> [[nodiscard]] T take(Result<T> result) {
     if (Problem* problem = std::get_if<Problem>(&result)) {
-        const bool usage = problem->file == "--set";
+        const bool usage = problem->file == "--set" || problem->file == "--memory";
         throw Failure{usage ? ExitStatus::WrongUsage : ExitStatus::Impossible, std::move(*problem)};
     }
     return std::get<T>(std::move(result));

@@ -15,6 +15,7 @@
 #include "app/command_line.h"
 #include "app/say.h"
 #include "models/file.h"
+#include "models/memory_limit.h"
 #include "models/temporary.h"
 #include "renderer/instruction_set.h"
 
@@ -58,6 +59,7 @@ void print(const std::string& output) {
 int run(const std::vector<std::string>& arguments) {
     if (const auto found = instruction_set_problem())
         throw Failure{found->unknown ? ExitStatus::WrongUsage : ExitStatus::Impossible, found->problem};
+    if (auto problem = memory_limit_problem()) throw Failure{ExitStatus::WrongUsage, *problem};
     const Outcome outcome = run_command_line(arguments);
     if (!outcome.output.empty()) print(outcome.output);
     std::set<std::string> said;  // the same mesh may stand in a scene twice
@@ -83,9 +85,8 @@ int main(int argc, char** argv) {
     } catch (const Failure& failure) {
         say("error", failure.problem);
         return static_cast<int>(failure.status);
-    } catch (const std::bad_alloc&) {
-        say("error",
-            {.file = {}, .pointer = {}, .what = "there is not enough memory for this", .expected = {}});
+    } catch (const std::bad_alloc& error) {
+        say("error", memory_problem(error));
     } catch (const std::exception& error) {
         say("error", {.file = {}, .pointer = {}, .what = error.what(), .expected = {}});
     }

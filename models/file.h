@@ -2,6 +2,7 @@
 // Whole files in and out, safely.
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,9 +13,19 @@
 
 namespace glint {
 
-/// The bytes of a regular file, or of standard input for "-". A directory, a device, a pipe, a missing file
-/// or one longer than `max_bytes` is a problem.
-[[nodiscard]] Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
+/// A part of a file as it comes in: `bytes` from `at` on, of a file of `size` bytes (0 for standard input).
+struct FileBlock {
+    std::string_view bytes;
+    std::size_t at = 0, size = 0;
+};
+/// Looks at each block before the next one is read, and before there is room for them all; a problem ends the
+/// reading.
+using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>;
+
+/// The bytes of a regular file, or of standard input for "-". A directory, a device, a pipe, a missing file,
+/// one longer than `max_bytes` (of which nothing is read) or one that `check` refuses is a problem.
+[[nodiscard]] Result<std::string> read_file(const std::string& path, std::size_t max_bytes,
+                                            const CheckBlock& check = {});
 
 /// Writes beside the target and renames into place, so that a crash or a full disk leaves the old file whole.
 /// The old file's permission bits are kept, and its owner and group where the system lets us (where it does

@@ -71,6 +71,7 @@ class ObjReader {
     /// x y z, then nothing, a weight, or a colour.
     void vertex() {
         mesh_.positions.push_back(three());
+        vertex_read(mesh_);
         if (cursor_.end_of_line()) return;
         glm::vec3 color(1);
         color.r = cursor_.number("a number");

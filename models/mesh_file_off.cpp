@@ -84,6 +84,7 @@ class OffReader {
     void read_vertex(std::size_t row) {
         next_row("vertices", row, vertex_count_);
         mesh_.positions.push_back(three("x", "y", "z"));
+        vertex_read(mesh_);
         if (normals_) mesh_.normals.push_back(three("a normal's x", "a normal's y", "a normal's z"));
         if (colors_) {
             const std::string_view before = cursor_.rest();

@@ -82,6 +82,7 @@ template <class Rows> class PlyBody {
                 return glm::vec3(value[i], value[i + 1], value[i + 2]);
             };
             mesh_.positions.push_back(three(PlyRole::X));
+            vertex_read(mesh_);
             if (normals) mesh_.normals.push_back(three(PlyRole::Nx));
             if (scale != 0) mesh_.colors.push_back(scale * three(PlyRole::Red));
         }

@@ -22,6 +22,14 @@ namespace glint {
 
 inline constexpr std::size_t most_corners = std::numeric_limits<std::int32_t>::max();
 
+/// Throws Refused when what the mesh holds so far does not fit in the memory that there is for it.
+void require_room(const Mesh& mesh);
+/// After each vertex: now and then the above.
+inline void vertex_read(const Mesh& mesh) {
+    constexpr std::size_t vertices_between = 1 << 16;
+    if (mesh.positions.size() % vertices_between == 0) require_room(mesh);
+}
+
 /// Ends the polygon that the corners appended last make up.
 void close_face(Mesh& mesh, const std::string& file, int line = 0);
 

@@ -65,12 +65,17 @@ std::string_view take_field(std::string_view& rest) {
 
 }  // namespace
 
+std::optional<Problem> why_no_png(std::string_view bytes, const std::string& file) {
+    if (bytes.starts_with(signature)) return {};
+    return Problem{file, "", "is no PNG picture", "one that Glint wrote"};
+}
+
 Result<std::string> png_text(std::string_view bytes, std::string_view keyword, std::size_t max_bytes,
                              const std::string& file) {
     const auto problem = [&file](std::string what, std::string expected) {
         return Problem{file, "", std::move(what), std::move(expected)};
     };
-    if (!bytes.starts_with(signature)) return problem("is no PNG picture", "one that Glint wrote");
+    if (auto no_png = why_no_png(bytes, file)) return *no_png;
     bytes.remove_prefix(signature.size());
     while (const std::optional<Chunk> chunk = take_chunk(bytes)) {
         if (chunk->type == "IEND") return problem("the picture carries no scene", "a PNG that Glint wrote");

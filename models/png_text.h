@@ -2,12 +2,16 @@
 // The text that a PNG picture carries: Glint writes the scene of a picture into it (docs/interface.md).
 // Source: PNG Specification (Second Edition), sections 5 "Datastream structure" and 11.3.4.5 "iTXt".
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "models/problem.h"
 
 namespace glint {
+
+/// What is wrong with a file that begins with `bytes`, and so is no PNG; nothing when it may be one.
+[[nodiscard]] std::optional<Problem> why_no_png(std::string_view bytes, const std::string& file);
 
 /// Text of the first iTXt chunk with that keyword, compressed or not, wherever it stands. Problems, with
 /// `file`: no PNG, a chunk that is cut off or whose checksum is wrong, no such chunk, more than `max_bytes`

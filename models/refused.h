@@ -1,5 +1,5 @@
 #pragma once
-// Work that is not begun because it would be far too much.
+// Work that is not begun because it would be far too much, or would take memory past the limit.
 
 #include <memory>
 #include <new>

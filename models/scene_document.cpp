@@ -2,11 +2,13 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 #include "models/file.h"
 #include "models/json_reader.h"
 #include "models/mesh_file.h"
+#include "models/mesh_memory.h"
 #include "models/png_text.h"
 #include "models/scene_file.h"
 #include "models/scene_set.h"
@@ -53,7 +55,14 @@ Result<SceneDocument> open_scene(const std::string& path, const std::vector<Assi
 }
 
 Result<SceneDocument> open_picture(const std::string& path, const std::vector<Assignment>& assignments) {
-    const Result<std::string> bytes = read_file(path, max_png_bytes);
+    MemoryShare share;
+    const auto check = [&share, &path](const FileBlock& block) -> std::optional<Problem> {
+        if (block.at > 0) return {};
+        if (auto problem = why_no_png(block.bytes, path)) return problem;
+        share.set(memory_need(MemoryUse::Files, block.size));
+        return {};
+    };
+    const Result<std::string> bytes = read_file(path, max_png_bytes, check);
     if (const Problem* problem = problem_of(bytes)) return *problem;
     const Result<std::string> text =
         png_text(std::get<std::string>(bytes), png_scene_keyword, max_json_bytes, path);
@@ -64,7 +73,12 @@ Result<SceneDocument> open_picture(const std::string& path, const std::vector<As
 Result<SceneDocument> open_mesh(const std::string& path, const std::vector<Assignment>& assignments) {
     Result<Mesh> read = read_mesh(path);
     if (const Problem* problem = problem_of(read)) return *problem;
-    const auto mesh = std::make_shared<const Mesh>(std::get<Mesh>(std::move(read)));
+    MeshPtr mesh;
+    try {
+        mesh = share_mesh(std::get<Mesh>(std::move(read)));
+    } catch (const Refused& refused) {
+        return memory_problem(refused, path);
+    }
     const std::string name = fs::path(path).filename().string();
     SceneDocument document{scene_of_mesh(mesh, name), path, directory_of(path), {}};
     if (!assignments.empty()) {

@@ -2,11 +2,15 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
+#include <optional>
+#include <string_view>
 
 #include "models/file.h"
+#include "models/memory_limit.h"
 #include "models/scene_file.h"
 
 namespace glint {
@@ -70,11 +74,47 @@ class PngWriter {
     png_infop info_ = nullptr;
 };
 
+std::uint64_t pixels_of(PictureSize size) {
+    return static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
+}
+constexpr std::uint64_t bytes_beside_pixels = 1 << 20;  // of the libraries
+
 Problem unreadable(const std::string& path, const std::string& what) {
     return {.file = path, .pointer = {}, .what = what, .expected = "a PNG picture of 1x1 to 16384x16384"};
 }
 
+/// libpng's reader of a whole picture.
+struct PngImage {
+    PngImage() { image.version = PNG_IMAGE_VERSION; }
+    ~PngImage() { png_image_free(&image); }
+    PngImage(const PngImage&) = delete;
+    PngImage& operator=(const PngImage&) = delete;
+
+    [[nodiscard]] std::optional<Problem> begin(std::string_view bytes, const std::string& path) {
+        if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) != 0) return {};
+        return unreadable(path, std::string("cannot be read as a PNG (") + image.message + ")");
+    }
+    png_image image{};
+};
+
+/// Before the rest of the file is read.
+std::optional<Problem> check_first_block(const FileBlock& block, const std::string& path,
+                                         MemoryShare& share) {
+    constexpr std::size_t signature_bytes = 8;
+    if (block.at > 0) return {};
+    const auto* first = reinterpret_cast<png_const_bytep>(block.bytes.data());
+    if (png_sig_cmp(first, 0, std::min(signature_bytes, block.bytes.size())) != 0)
+        if (auto problem = PngImage().begin(block.bytes, path)) return problem;
+    share.set(memory_need(MemoryUse::Files, block.size));
+    return {};
+}
+
 }  // namespace
+
+// Strings that grow have up to twice the room that they need.
+std::uint64_t png_memory(PictureSize size) { return 2 * 3 * pixels_of(size) + bytes_beside_pixels; }
+std::uint64_t pfm_memory(PictureSize size) { return 12 * pixels_of(size) + bytes_beside_pixels; }
+std::uint64_t exr_memory(PictureSize size) { return 3 * 12 * pixels_of(size) + bytes_beside_pixels; }
 
 std::string png_bytes(const Picture& picture, const std::string& scene_json) {
     std::string bytes;
@@ -102,20 +142,16 @@ std::string pfm_bytes(const Picture& picture, float exposure) {
 }
 
 Result<Picture> read_png(const std::string& path) {
-    auto file = read_file(path, max_png_bytes);
+    MemoryShare share;
+    const auto check = [&](const FileBlock& block) { return check_first_block(block, path, share); };
+    const auto file = read_file(path, max_png_bytes, check);
     if (const Problem* problem = problem_of(file)) return *problem;
     const std::string& bytes = std::get<std::string>(file);
     if (bytes.empty()) return unreadable(path, "is empty");
 
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) {
-        return unreadable(path, std::string("cannot be read as a PNG (") + image.message + ")");
-    }
-    const struct Freed {
-        png_image* image;
-        ~Freed() { png_image_free(image); }
-    } freed{&image};
+    PngImage png;
+    png_image& image = png.image;
+    if (auto problem = png.begin(bytes, path)) return *problem;
     const std::size_t pixels = std::size_t{image.width} * image.height;
     if (image.width > max_picture_side || image.height > max_picture_side) {
         return unreadable(
@@ -127,6 +163,11 @@ Result<Picture> read_png(const std::string& path) {
 
     image.format = PNG_FORMAT_RGBA;
     image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // else 16-bit samples would be taken as linear light
+    try {
+        require_memory(memory_need(MemoryUse::Pixels, 4 * pixels));
+    } catch (const Refused& refused) {
+        return memory_problem(refused, path);
+    }
     Picture picture{{static_cast<int>(image.width), static_cast<int>(image.height)}, {}, {}};
     picture.rgba.resize(4 * pixels);
     if (png_image_finish_read(&image, nullptr, picture.rgba.data(), 0, nullptr) == 0) {

@@ -9,6 +9,12 @@
 
 namespace glint {
 
+/// At least the bytes that making a file of a picture of that size takes: as PNG (which is never longer than
+/// the colours that go into it, but for a little), PFM, EXR.
+[[nodiscard]] std::uint64_t png_memory(PictureSize size);
+[[nodiscard]] std::uint64_t pfm_memory(PictureSize size);
+[[nodiscard]] std::uint64_t exr_memory(PictureSize size);
+
 /// PNG bytes of the red, green and blue of `rgba`; `scene_json` goes into a text chunk (iTXt, not compressed,
 /// keyword png_scene_keyword of models/scene_file.h) unless empty. Same input, same bytes. Precondition: the
 /// size is 1x1 to 16384x16384. Source: PNG specification (W3C, second edition), sections 5.3 and 11.3.4.5.

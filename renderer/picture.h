@@ -26,4 +26,9 @@ struct Picture {
     }
 };
 
+/// Bytes of `rgba` of a picture of that size.
+[[nodiscard]] inline std::uint64_t picture_memory(PictureSize size) {
+    return 4 * static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
+}
+
 }  // namespace glint

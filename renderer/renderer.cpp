@@ -8,7 +8,9 @@
 #include <chrono>
 
 #include "models/scene/choices.h"
+#include "models/memory_limit.h"
 #include "models/warn.h"
+#include "renderer/drawing_memory.h"
 #include "renderer/inspect/explain.h"
 #include "renderer/kept_stages.h"
 #include "renderer/pipeline/light_sources.h"
@@ -38,7 +40,46 @@ struct Renderer::Kept {
     KeptStages stages;
     FrameStats stats;
     Warnings warnings;
+    MemoryShare share;  // of what is certain of drawing_memory()
     bool drawn = false;
+
+    /// Whether the next picture needs what the last one did, as far as that can be told before.
+    [[nodiscard]] bool needs_the_same(const Scene& scene, PictureSize size, bool linear, int samples) const {
+        const Npr& npr = stages.lighting.npr;
+        const auto same_mesh = [](const ObjectGeometry& g, const Object& o) { return g.mesh == o.mesh; };
+        return drawn && stages.geometry.size == size && stages.lighting.linear == linear &&
+               stages.visibility.samples == samples &&
+               stages.surface.choice == surface_choice(scene.shading) &&
+               npr.silhouettes == scene.npr.silhouettes && npr.creases == scene.npr.creases &&
+               same_normals(stages.surface.normals, scene) &&
+               std::equal(stages.geometry.objects.begin(), stages.geometry.objects.end(),
+                          scene.objects.begin(), scene.objects.end(), same_mesh);
+    }
+
+    void ask_for_memory(const Scene& scene, PictureSize size, bool linear, int samples) {
+        if (needs_the_same(scene, size, linear, samples)) return;
+        const DrawingMemory memory = drawing_memory(scene, size, linear, samples);
+        MemoryNeed all = memory.certain;
+        all += memory.guessed;
+        MemoryNeed own = share.need();
+        own += stages.visibility.tiles.share.need();
+        own += stages.surface.share.need();
+        own += stages.lighting.share.need();
+        require_memory(all, own);
+        share.set(memory.certain);
+    }
+
+    /// As if nothing had ever been drawn, and all memory given back.
+    void forget() {
+        const bool keep_sums = stages.lighting.keep_sums;
+        stages = KeptStages{};
+        stages.lighting.keep_sums = keep_sums;
+        warnings.clear();
+        share = {};
+        drawn = false;
+    }
+
+    void draw(const Scene& scene, PictureSize size, bool linear, int samples);
 
     template <class Update> bool run(Stage stage, const Update& update) {
         const auto i = static_cast<std::size_t>(stage);
@@ -54,7 +95,7 @@ struct Renderer::Kept {
             if (std::find(warnings.begin(), warnings.end(), w) == warnings.end()) warnings.push_back(w);
         };
         for (std::size_t o = 0; o < scene.objects.size(); ++o)
-            for (const std::string& w : stages.surface.normals[o].of_mesh.warnings)
+            for (const std::string& w : stages.surface.normals[o].of_mesh->warnings)
                 add(source_name(scene.objects[o].source) + ": " + w);
         if ((scene.npr.silhouettes || scene.npr.creases) && scene.npr.stroke_width_px > most_stroke_width_px)
             add("a stroke wider than 100 pixels is drawn 100 pixels wide");
@@ -75,31 +116,41 @@ Renderer::Renderer(int threads)
 }
 Renderer::~Renderer() = default;
 
-const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linear, int samples) {
-    Kept& k = *kept_;
-    KeptStages& s = k.stages;
-    const Clock::time_point start = Clock::now();
-    k.arena.execute([&] {
-        const bool geometry =
-            k.run(Stage::Geometry, [&] { return update_geometry(s.geometry, scene, size); });
-        const bool visibility = k.run(Stage::Visibility, [&] {
+void Renderer::Kept::draw(const Scene& scene, PictureSize size, bool linear, int samples) {
+    KeptStages& s = stages;
+    arena.execute([&] {
+        const bool geometry = run(Stage::Geometry, [&] { return update_geometry(s.geometry, scene, size); });
+        const bool visibility = run(Stage::Visibility, [&] {
             return update_visibility(s.visibility, s.geometry, scene.shading.cull, samples, geometry);
         });
-        const bool surface = k.run(Stage::Surface, [&] {
+        const bool surface = run(Stage::Surface, [&] {
             return update_surface(s.surface, scene, s.geometry, s.visibility, visibility);
         });
         const Clock::time_point strokes_start = Clock::now();
         const bool strokes = update_strokes(s.strokes, scene, s.geometry, s.visibility, visibility);
-        k.stats.strokes_redone = strokes;
-        k.stats.strokes_ms = strokes ? ms_since(strokes_start) : 0;
-        const bool lighting = k.run(Stage::Lighting, [&] {
+        stats.strokes_redone = strokes;
+        stats.strokes_ms = strokes ? ms_since(strokes_start) : 0;
+        const bool lighting = run(Stage::Lighting, [&] {
             return update_lighting(s.lighting, scene, s.geometry, s.visibility, s.surface, s.strokes, linear,
                                    {visibility, surface, strokes});
         });
-        if (surface || lighting) k.collect_warnings(scene);
+        if (surface || lighting) collect_warnings(scene);
     });
-    if (!k.drawn || s.scene != scene) s.scene = scene;
-    k.drawn = true;
+    if (!drawn || s.scene != scene) s.scene = scene;
+    drawn = true;
+}
+
+const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linear, int samples) {
+    Kept& k = *kept_;
+    KeptStages& s = k.stages;
+    const Clock::time_point start = Clock::now();
+    k.ask_for_memory(scene, size, linear, samples);
+    try {
+        k.draw(scene, size, linear, samples);
+    } catch (...) {  // some stages are of this scene, others of the one before
+        k.forget();
+        throw;
+    }
     k.stats.total_ms = ms_since(start);
     k.stats.triangles = s.geometry.triangle_count;
     k.stats.shaded_pixels = s.surface.pixel_count;

@@ -48,8 +48,11 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Draws the scene; meshes must be loaded and `unsupported` must be empty. The picture stays valid and
-    /// unchanged until the next call. `linear` asks for Picture::linear too.
+    /// Draws the scene; meshes must be loaded. The picture stays valid and unchanged until the next call.
+    /// `linear` asks for Picture::linear too. Throws Refused (models/memory_limit.h) where there is not
+    /// enough memory, mostly before anything is done, and std::bad_alloc where the machine has less than it
+    /// says. Then there is no picture, nothing is kept, and the next call draws as the first one does; but
+    /// where nothing was done the last picture stays.
     /// `samples`: 1, 2, 4 or 8 a pixel; each face seen in a pixel is lit once, at the mean of its covered
     /// samples, and weighted by their count, in linear light.
     const Picture& render(const Scene& scene, PictureSize size, bool linear = false, int samples = 1);

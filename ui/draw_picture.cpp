@@ -1,8 +1,10 @@
 #include "ui/draw_picture.h"
 
+#include <exception>
 #include <optional>
 #include <utility>
 
+#include "ui/take_back.h"
 #include "ui/ui.h"
 #include "ui/views/views.h"
 #include "ui/why/asked.h"
@@ -47,6 +49,19 @@ PictureSize paced_size(UiState& state, PictureSize full, bool changed) {
     return state.picture->size;
 }
 
+/// The size of the next picture where there is not memory for a whole one.
+PictureSize size_for_memory(FramePace& pace, PictureSize paced, PictureSize full) {
+    pace.memory_tries_again = false;
+    if (full != pace.memory_divided) pace.memory_divisor = 1;
+    if (pace.memory_divisor == 1) return paced;
+    const double rest = pace.memory_rests_until - ImGui::GetTime();
+    pace.memory_tries_again = rest <= 0;
+    if (pace.memory_tries_again) pace.memory_divisor /= 2;
+    wish_frame_in(std::max(rest, 0.0));
+    const PictureSize fitting = divided(full, pace.memory_divisor);
+    return paced.width < fitting.width ? paced : fitting;
+}
+
 /// Explains the pixel that shows at the asked one's place: of a smaller picture a larger pixel, which is the
 /// colour on the screen then.
 void explain_asked(UiState& state, const PictureView& view) {
@@ -68,19 +83,28 @@ void draw_picture(UiState& state, const PictureView& view) {
     const bool moves = may_be_small(state);
     state.pace.drawn_at = 0;
     const bool changed = !(state.drawn == (state.preview ? *state.preview : state.editor.scene()));
-    const PictureSize size = paced_size(state, view.map.size, changed);
+    if (state.editor.before) state.pace.memory_divisor = 1;  // another document may be a smaller one
+    const PictureSize size =
+        size_for_memory(state.pace, paced_size(state, view.map.size, changed), view.map.size);
     const std::optional<Scene> preview = std::exchange(state.preview, std::nullopt);
     const Scene& shown = preview ? *preview : state.editor.scene();
     const bool same_size = state.picture != nullptr && state.picture->size == size;
     const bool linear = views_need_linear(state.views);
     const bool has_linear = state.picture != nullptr && !state.picture->linear.empty();
     if (!same_size || changed || (linear && !has_linear)) {
-        state.picture = &state.renderer->render(shown, size, linear);
+        try {
+            state.picture = &state.renderer->render(shown, size, linear);
+        } catch (const std::exception& error) {
+            take_back(state, error, view.map.size, preview.has_value());
+            return;
+        }
         state.drawn = shown;
+        state.drawn_is_edited = !preview;
         ++state.picture_serial;
         if (moves && changed) state.pace.drawn_at = size == view.map.size ? 1 : state.pace.divisor;
     }
     if (preview) return;
+    state.editor.before.reset();
     explain_asked(state, view);
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "models/mesh_memory.h"
+
 namespace glint {
 namespace {
 
@@ -24,6 +26,11 @@ std::string Editor::title() const {
 bool Editor::has_scene_file() const { return ends_with_json(document.path); }
 
 void take_document(Editor& editor, SceneDocument document) {
+    // Of two documents that were not drawn yet the older one goes: what could be drawn stays.
+    std::unique_ptr<Editor> before = std::move(editor.before);
+    if (!before) before = std::make_unique<Editor>(std::move(editor));
+    editor = {};
+    editor.before = std::move(before);
     editor.document = std::move(document);
     editor.saved = editor.document.scene;
     editor.history.reset(editor.document.scene);
@@ -84,8 +91,7 @@ SceneDocument first_scene() {
     Object ball;
     ball.name = "Ball";
     ball.source = PrimitiveMesh{Primitive::Sphere, info_of(Primitive::Sphere).default_detail};
-    ball.mesh = std::make_shared<const Mesh>(
-        make_primitive(Primitive::Sphere, info_of(Primitive::Sphere).default_detail));
+    ball.mesh = share_mesh(make_primitive(Primitive::Sphere, info_of(Primitive::Sphere).default_detail));
     ball.material.diffuse = {0.8f, 0.35f, 0.25f};
     scene.objects = {ball};
     return document;

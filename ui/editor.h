@@ -1,6 +1,7 @@
 #pragma once
 // The document in hand: a scene, where it came from, whether it was saved, and how it came to be. No drawing.
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -16,6 +17,7 @@ struct Editor {
     Scene saved;             // as it was opened or saved last
     History history;
     Selection selection;
+    std::unique_ptr<Editor> before;  // what was in hand, until this document has been drawn; then null
 
     [[nodiscard]] Scene& scene() { return document.scene; }
     [[nodiscard]] const Scene& scene() const { return document.scene; }
@@ -26,7 +28,7 @@ struct Editor {
     [[nodiscard]] bool has_scene_file() const;
 };
 
-/// Puts a document in hand, with a fresh history.
+/// Puts a document in hand, with a fresh history; `before` keeps what was.
 void take_document(Editor& editor, SceneDocument document);
 
 /// Saves as a scene file. ".json" is added to a name without it.

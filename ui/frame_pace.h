@@ -12,6 +12,12 @@ struct FramePace {
     bool in_vain = false;    // smaller ones are not faster: the time goes elsewhere
     double rests_since = 0;  // seconds on the clock that the caller keeps: the last change
     int drawn_at = 0;        // divisor of the picture drawn in this frame; 0: none was, or nothing moves
+    // For want of memory, pictures of this size are divided by that, hand or no hand. Now and then a larger
+    // one is tried.
+    PictureSize memory_divided{0, 0};
+    int memory_divisor = 1;
+    double memory_wait = 0, memory_rests_until = 0;  // seconds, on the clock as above
+    bool memory_tries_again = false;
 };
 
 /// A picture at full size that takes longer than this is drawn smaller while something moves.

@@ -1,7 +1,9 @@
 #pragma once
-// Undo and redo: a list of scenes. Meshes are shared, so a step costs what its plain data costs.
+// Undo and redo: a list of scenes. A step costs what its plain data costs, and the meshes that it alone
+// keeps: those that the present scene has lost or changed.
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,9 @@ class History {
         Scene scene;
     };
     void forget_oldest();
+    [[nodiscard]] bool is_too_large() const;
+    /// Of the meshes of all steps that the present scene does not have, each once.
+    [[nodiscard]] std::uint64_t bytes_of_lost_meshes() const;
 
     std::vector<Step> steps_ = std::vector<Step>(1);
     std::size_t at_ = 0;

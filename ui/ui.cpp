@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <exception>
 
 #include "ui/actions.h"
 #include "ui/animate/animate.h"
@@ -11,6 +12,7 @@
 #include "ui/draw_picture.h"
 #include "ui/fonts.h"
 #include "ui/picture_room.h"
+#include "ui/take_back.h"
 #include "ui/theme.h"
 #include "ui/toolbar.h"
 #include "ui/views/views.h"
@@ -37,9 +39,7 @@ UiRequests requests(UiState& state) {
     return wants;
 }
 
-}  // namespace
-
-UiRequests ui_frame(UiState& state, const UiInput& input) {
+UiRequests whole_frame(UiState& state, const UiInput& input) {
     frame_wish_reset();
     if (input.close_asked) run_action(state, Action::Quit);
     take_dropped(state, input);
@@ -73,6 +73,18 @@ UiRequests ui_frame(UiState& state, const UiInput& input) {
     keep_frozen(state);
     ImGui::PopFont();
     return requests(state);
+}
+
+}  // namespace
+
+UiRequests ui_frame(UiState& state, const UiInput& input) {
+    try {
+        return whole_frame(state, input);
+    } catch (const std::exception& error) {  // most of all, that there is no memory
+        give_up_frame(state, error);
+        wish_frame_in(0);
+        return requests(state);
+    }
 }
 
 }  // namespace glint

@@ -78,6 +78,7 @@ struct UiState {
     std::uint64_t picture_serial = 0;  // counts what was shown: the texture follows it
     PlacedPicture placed;              // where it lies in the window
     Scene drawn;                       // what `picture` shows
+    bool drawn_is_edited = false;      // that was the edited scene, not a preview
     std::optional<Explanation> why;    // of the probe in `picture`, where that shows the edited scene
     glm::ivec2 asked{0};               // the pixel of the whole picture that `why` is about
     /// A panel that wants another scene on the screen than the edited one (one term alone, one light alone)

@@ -8,6 +8,7 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "models/file.h"
+#include "models/memory_limit.h"
 #include "renderer/image_file.h"
 #include "renderer/inspect/json_text.h"
 
@@ -46,7 +47,13 @@ Outcome compare(const CompareArguments& arguments) {
     require_given(arguments.b, "B.png", "a second picture to compare with");
     require_png_file(arguments.out);
     if (!arguments.out.empty()) require_writable(arguments.out);
-    const Picture a = take(read_png(arguments.a)), b = take(read_png(arguments.b));
+    const Picture a = take(read_png(arguments.a));
+    // With the picture of the differences; the other one asks for its own.
+    const std::uint64_t output = arguments.out.empty() ? 0 : picture_memory(a.size) + png_memory(a.size);
+    MemoryNeed need = memory_need(MemoryUse::Pixels, picture_memory(a.size));
+    need += memory_need(MemoryUse::Output, output);
+    const MemoryShare share(need);
+    const Picture b = take(read_png(arguments.b));
     Result<Comparison> compared = glint::compare(a, b);
     if (Problem* problem = std::get_if<Problem>(&compared)) problem->file = arguments.b;
     const Comparison result = take(std::move(compared));
@@ -70,6 +77,7 @@ Run declare(CLI::App& app) {
                   max_error = read_amount("--max-error", text);
               });
     add_threads(app, arguments->threads);
+    add_memory(app);
     return [arguments] { return compare(*arguments); };
 }
 

@@ -6,6 +6,7 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "models/file.h"
+#include "models/memory_limit.h"
 #include "renderer/image_file.h"
 #include "renderer/inspect/buffers.h"
 #include "renderer/inspect/json_text.h"
@@ -41,6 +42,24 @@ PictureFormat format_of(const std::string& out) {
 /// The scene that the picture carries; its mesh paths lead to the meshes from where the picture is.
 std::string scene_for(const SceneDocument& document, const std::string& out) {
     return scene_text(with_mesh_paths_from(document.scene, document.mesh_dir, directory_of(out)));
+}
+
+/// Asked for before anything is drawn, which may take long.
+MemoryShare share_of_output(const RenderArguments& arguments, PictureFormat format) {
+    const auto bytes = [&]() -> std::uint64_t {
+        switch (format) {
+        case PictureFormat::Png:
+            return png_memory(arguments.size);
+        case PictureFormat::Pfm:
+            return pfm_memory(arguments.size);
+        case PictureFormat::Exr:
+            return exr_memory(arguments.size);
+        }
+        return 0;  // not reached
+    };
+    const std::uint64_t buffers =
+        arguments.buffers.empty() ? 0 : buffers_memory(arguments.size) + exr_memory(arguments.size);
+    return MemoryShare(memory_need(MemoryUse::Output, bytes() + buffers));
 }
 
 std::string picture_bytes(const Picture& picture, PictureFormat format, const SceneDocument& document,
@@ -102,6 +121,7 @@ Outcome render(const RenderArguments& arguments) {
     const SceneDocument document = open_scene(arguments.scene);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 
+    const MemoryShare share = share_of_output(arguments, format);
     Renderer renderer(arguments.scene.threads);
     const bool linear = format != PictureFormat::Png;
     const Picture& picture = renderer.render(document.scene, arguments.size, linear, arguments.samples);

@@ -9,6 +9,7 @@
 #include "app/commands/command.h"
 #include "app/progress.h"
 #include "models/file.h"
+#include "models/memory_limit.h"
 #include "models/scene_variant.h"
 #include "renderer/image_file.h"
 #include "renderer/renderer.h"
@@ -83,6 +84,8 @@ Outcome sheet(const SheetArguments& arguments) {
     const SceneDocument document = open_scene(arguments.scene);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 
+    const PictureSize size = sheet_size(rows, columns, arguments.cell, font);
+    const MemoryShare share(memory_need(MemoryUse::Output, png_memory(size) + picture_memory(size)));
     Renderer renderer(arguments.scene.threads);
     Progress progress("picture", rows.values.size() * columns.values.size());
     const Picture picture =

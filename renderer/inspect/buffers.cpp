@@ -38,6 +38,11 @@ PixelValues values_at(const Renderer& renderer, int x, int y) {
 
 }  // namespace
 
+std::uint64_t buffers_memory(PictureSize size) {
+    return names.size() * 3 * sizeof(float) * static_cast<std::uint64_t>(size.width) *
+           static_cast<std::uint64_t>(size.height);
+}
+
 std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, PictureSize size) {
     std::vector<PixelBuffer> buffers;
     const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);

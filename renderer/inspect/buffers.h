@@ -25,4 +25,7 @@ struct PixelBuffer {
 ///   sum                the pixel's linear colour before exposure, background too
 [[nodiscard]] std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, PictureSize size);
 
+/// Bytes that they take.
+[[nodiscard]] std::uint64_t buffers_memory(PictureSize size);
+
 }  // namespace glint

@@ -108,6 +108,14 @@ void sort_chunk(const CellGrid& grid, SortedChunk& chunk) {
                 });
 }
 
+/// Room for so many entries is asked for before it is taken; the rest is what there is already.
+void ask_for_room(TileLists& lists, std::uint64_t entries) {
+    constexpr std::size_t a_piece = sizeof(ClippedTriangle) + 3 * sizeof(std::uint32_t);
+    const std::uint64_t kept = std::max<std::uint64_t>(entries, lists.entries.capacity());
+    lists.share.set(
+        memory_need(MemoryUse::Tiles, kept * sizeof(TileEntry) + lists.clipped.capacity() * a_piece));
+}
+
 /// Cuts the triangles that cross the near or far plane or leave the guard band into pieces that do not.
 class Clipper {
   public:
@@ -155,6 +163,7 @@ void clip_triangles(TileLists& lists, const Geometry& g) {
         std::size_t n = 0;
         for (const ChunkPart& part : chunk.parts)
             for (; n < part.clip_end; ++n) clipper.clip(g.objects[part.object], chunk.to_clip[n]);
+        if (n > 0) ask_for_room(lists, 0);
     }
 }
 
@@ -200,6 +209,7 @@ void number_places(TileLists& lists) {
             first += place;
         }
     lists.cell_first.back() = first;
+    ask_for_room(lists, first);
     lists.entries.resize(first);
 }
 
@@ -219,6 +229,15 @@ void put_into_cells(TileLists& lists, SortedChunk& chunk) {
 }
 
 }  // namespace
+
+std::uint64_t bytes_to_sort(std::uint64_t triangles, std::uint64_t tiles) {
+    const std::uint64_t chunks = (triangles + chunk_size - 1) / chunk_size;
+    constexpr std::uint64_t a_triangle = sizeof(TriangleBox) + sizeof(std::uint32_t);
+    // The cells of all levels are less than twice the tiles, and one a level.
+    const std::uint64_t cells = 2 * tiles + CellGrid::levels;
+    return (triangles + chunks) * a_triangle +
+           chunks * (sizeof(SortedChunk) + sizeof(ChunkPart) + cells * sizeof(std::uint32_t));
+}
 
 CellGrid::CellGrid(PictureSize size)
     : tiles_x(static_cast<std::uint32_t>((size.width + tile_size - 1) / tile_size)),

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "models/memory_limit.h"
 #include "renderer/pipeline/geometry.h"
 
 namespace glint {
@@ -57,6 +58,7 @@ struct TileLists {
     SortedChunk pieces;               // of the clipped ones: to sorting they are one more object, with
     std::vector<std::uint32_t> clipped_vertices;     // three vertices each of their own
     std::vector<glm::dvec4> polygon, spare_polygon;  // while a triangle is clipped
+    MemoryShare share;                               // of the entries and the clipped triangles
 
     [[nodiscard]] std::size_t count_in_cell(std::uint32_t cell) const {
         return cell_first[cell + 1] - cell_first[cell];
@@ -66,8 +68,13 @@ struct TileLists {
 /// Tiles that triangles may meet, of all together: each is a step of drawing, and so many take minutes.
 inline constexpr std::uint64_t most_met_tiles = std::uint64_t{1} << 30;
 
+/// Bytes that sorting takes of an object of so many triangles, whatever its place, in a picture of so many
+/// tiles.
+[[nodiscard]] std::uint64_t bytes_to_sort(std::uint64_t triangles, std::uint64_t tiles);
+
 /// Makes the lists anew in the memory of the old ones. `multisampled`: for samples anywhere in their pixels,
-/// not at the centres alone. Throws Refused when the triangles meet more than most_met_tiles.
+/// not at the centres alone. Throws Refused where they do not fit, and when the triangles meet more than
+/// most_met_tiles.
 void sort_into_tiles(TileLists& lists, const Geometry& geometry, Cull cull, bool multisampled);
 
 }  // namespace glint

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <map>
+#include <utility>
 
 #include "models/refused.h"
 #include "renderer/pipeline/not_too_far.h"
@@ -30,13 +32,32 @@ void transform_vertices(ObjectGeometry& object, VertexJob job) {
     });
 }
 
+using VertexList = std::shared_ptr<const std::vector<std::uint32_t>>;
+
 /// The corners' vertices, once a mesh: a triangle's own list of corners is one step further away.
-void list_triangle_vertices(ObjectGeometry& object) {
-    object.triangle_vertices.clear();
-    object.triangle_vertices.reserve(3 * object.mesh->triangles.size());
-    for (const Triangle& t : object.mesh->triangles)
-        for (const std::uint32_t c : t.corner)
-            object.triangle_vertices.push_back(object.mesh->corner_position[c]);
+VertexList list_triangle_vertices(const Mesh& mesh) {
+    std::vector<std::uint32_t> list;
+    list.reserve(3 * mesh.triangles.size());
+    for (const Triangle& t : mesh.triangles)
+        for (const std::uint32_t c : t.corner) list.push_back(mesh.corner_position[c]);
+    return std::make_shared<const std::vector<std::uint32_t>>(std::move(list));
+}
+
+/// Objects whose mesh is another now get it, with its list, which all objects of one mesh share.
+void take_meshes(std::vector<ObjectGeometry>& objects, const Scene& scene) {
+    std::map<const Mesh*, VertexList> lists;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const MeshPtr& mesh = scene.objects[i].mesh;
+        if (objects[i].mesh == mesh) continue;
+        if (lists.empty())
+            for (const ObjectGeometry& o : objects)
+                if (o.mesh) lists.emplace(o.mesh.get(), o.vertices_of_mesh);
+        VertexList& list = lists[mesh.get()];
+        if (!list) list = list_triangle_vertices(*mesh);
+        objects[i].mesh = mesh;
+        objects[i].vertices_of_mesh = list;
+        objects[i].triangle_vertices = *list;
+    }
 }
 
 void place_objects(Geometry& g, const Scene& scene) {
@@ -45,13 +66,10 @@ void place_objects(Geometry& g, const Scene& scene) {
     job.clip_from_view = matrix_of(clip_from_view(scene.camera.projection, g.size));
     job.screen = screen_job(scene.camera, g.size);
     g.objects.resize(scene.objects.size());
+    take_meshes(g.objects, scene);
     g.triangle_count = 0;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         ObjectGeometry& o = g.objects[i];
-        if (o.mesh != scene.objects[i].mesh) {
-            o.mesh = scene.objects[i].mesh;
-            list_triangle_vertices(o);
-        }
         o.transform = scene.objects[i].transform;
         o.view_from_object = view * world_from_object(o.transform);
         const glm::dmat3 linear(o.view_from_object);

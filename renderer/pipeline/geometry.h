@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "models/scene.h"
@@ -21,10 +23,12 @@ struct ObjectGeometry {
     bool mirrored = false;  // the transform turns the winding over; facets stay outward all the same
     std::uint32_t first_triangle = 0;  // its triangles have the global numbers first_triangle + 0, 1, 2, ...
     glm::dmat4 view_from_object{1.0};
-    glm::dmat3 normal_matrix{1.0};                 // inverse transpose of its upper 3 x 3
-    std::vector<std::uint32_t> triangle_vertices;  // three a triangle, indices into vertices
-    std::vector<PlacedVertex> vertices;            // #V
-    std::vector<ScreenVertex> screen;              // #V
+    glm::dmat3 normal_matrix{1.0};  // inverse transpose of its upper 3 x 3
+    // Three a triangle, indices into vertices: of the mesh, and so the same list for all objects of one mesh.
+    std::shared_ptr<const std::vector<std::uint32_t>> vertices_of_mesh;
+    std::span<const std::uint32_t> triangle_vertices;  // its numbers
+    std::vector<PlacedVertex> vertices;                // #V
+    std::vector<ScreenVertex> screen;                  // #V
 
     /// A position of the mesh in camera coordinates; one farther than `farthest_place`, as far in the same
     /// direction.

@@ -39,6 +39,18 @@ void light_others(Lighting& l, const Surface& s) {
     });
 }
 
+/// Without room for the sums every light is lit every time, which gives the same picture.
+bool has_room(Lighting& l, const Surface& s) {
+    constexpr std::size_t bounds = sizeof(ReachBlock) + sizeof(std::uint16_t);
+    try {
+        l.share.set(
+            memory_need(MemoryUse::Pixels, s.points.size() * (sizeof(ColorBlock) + bounds / block_size)));
+    } catch (const Refused&) {
+        return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 int changed_light(const std::vector<Light>& kept, const std::vector<Light>& now) {
@@ -55,7 +67,7 @@ int changed_light(const std::vector<Light>& kept, const std::vector<Light>& now)
 void keep_others(Lighting& l, const Surface& s, int moving, bool same_grids) {
     const bool exact =
         std::all_of(l.jobs.begin(), l.jobs.end(), [](const LightJob& j) { return j.grid > 0; });
-    if (!l.keep_sums || moving < 0 || !exact) {
+    if (!l.keep_sums || moving < 0 || !exact || !has_room(l, s)) {
         l.moving = -1;
         return;
     }

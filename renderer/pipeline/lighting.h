@@ -33,6 +33,7 @@ struct Lighting {
     // Bit i of word b: block 16 b + i holds, in the kept picture, more than `others`; all: the picture is
     // older.
     std::vector<std::uint16_t> shown_lit;
+    MemoryShare share;  // of `others`
     std::vector<LightSource> moving_sources, other_sources;
     std::vector<LightJob> moving_jobs;  // with the moving light alone, one an object
     // What the kept picture was made of, beside the surface and the strokes.

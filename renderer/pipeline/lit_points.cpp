@@ -70,7 +70,7 @@ void place_points(Surface& s, const Geometry& g) {
 void refer_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
     const LitItems& items = s.lit_items;
     const bool corners = s.choice.kind == SurfaceKind::Corners;
-    s.refs_per_pixel = s.choice.interpolation == Interpolation::Scanline ? CornerWeights::most : 3;
+    s.refs_per_pixel = most_blended(s.choice);
     const std::size_t refs = corners ? s.corner_ref(s.runs.size(), 0) : 0;
     s.ref_point.assign(refs, 0);
     s.ref_weight.assign(refs, 0);

@@ -165,11 +165,19 @@ void find_row(const Geometry& g, const Visibility& visibility, int y, SampledRow
 
 void find_sampled_runs(Surface& s, const Geometry& g, const Visibility& visibility) {
     s.sampled_rows.resize(static_cast<std::size_t>(g.size.height));
+    s.share.set({});
     tbb::parallel_for(0, g.size.height, [&](int y) {
-        find_row(g, visibility, y, s.sampled_rows[static_cast<std::size_t>(y)]);
+        SampledRow& row = s.sampled_rows[static_cast<std::size_t>(y)];
+        find_row(g, visibility, y, row);
+        s.share.add(
+            memory_need(MemoryUse::Pixels, bytes_of_runs(s.choice, row.runs.size(), visibility.samples)));
     });
+    std::size_t count = 0;
+    for (const SampledRow& row : s.sampled_rows) count += row.runs.size();
     s.runs.clear();
+    s.runs.reserve(count);
     s.run_samples.clear();
+    s.run_samples.reserve(count);
     s.pixel_count = 0;
     for (const SampledRow& row : s.sampled_rows) {
         s.runs.insert(s.runs.end(), row.runs.begin(), row.runs.end());

@@ -5,6 +5,8 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <map>
+#include <utility>
 
 #include "renderer/pipeline/kernels/camera_normal.h"
 
@@ -30,9 +32,9 @@ Vec3<double> object_normal(glm::vec3 n, const NormalMistakes& mistakes) {
 
 glm::vec3 to_glm(Vec3<double> v) { return {v.x, v.y, v.z}; }
 
-/// Lengths that a file's normals had before they were made unit, one for each of `of_mesh.normals`.
+/// Lengths that a file's normals had before they were made unit, one for each of `of_mesh->normals`.
 std::vector<float> given_lengths(const ObjectNormals& normals) {
-    std::vector<float> lengths(normals.of_mesh.normals.size(), 1);
+    std::vector<float> lengths(normals.of_mesh->normals.size(), 1);
     const Mesh& mesh = *normals.mesh;
     const NormalSource source = normals.options.source;
     const bool from_file = source == NormalSource::File || source == NormalSource::Auto;
@@ -41,7 +43,7 @@ std::vector<float> given_lengths(const ObjectNormals& normals) {
         const std::uint32_t given = mesh.given_normal_of(c);
         if (given == no_index) continue;
         const std::uint32_t which =
-            normals.of_mesh.corner.empty() ? mesh.corner_position[c] : normals.of_mesh.corner[c];
+            normals.of_mesh->corner.empty() ? mesh.corner_position[c] : normals.of_mesh->corner[c];
         const float length = glm::length(mesh.normals[given]);
         if (length > 0) lengths[which] = length;
     }
@@ -53,7 +55,7 @@ void misplace_normals(ObjectNormals& normals, const Matrix3& matrix, const Norma
     std::vector<float> lengths;
     if (mistakes.unnormalized) lengths = given_lengths(normals);
     tbb::parallel_for(std::size_t{0}, normals.normals.size(), [&](std::size_t i) {
-        const Vec3<double> n = to_camera(matrix, object_normal(normals.of_mesh.normals[i], mistakes));
+        const Vec3<double> n = to_camera(matrix, object_normal(normals.of_mesh->normals[i], mistakes));
         const glm::vec3 taken =
             to_glm(mistakes.unnormalized ? static_cast<double>(lengths[i]) * n : unit_or_zero(n));
         constexpr float most = 1e18f;  // products with places have to fit a float
@@ -63,7 +65,7 @@ void misplace_normals(ObjectNormals& normals, const Matrix3& matrix, const Norma
 }
 
 void place_normals(ObjectNormals& normals, const ObjectGeometry& object, const NormalMistakes& mistakes) {
-    const std::vector<glm::vec3>& from = normals.of_mesh.normals;
+    const std::vector<glm::vec3>& from = normals.of_mesh->normals;
     normals.normals.resize(from.size());
     const Matrix3 matrix = camera_matrix(object, mistakes);
     if (mistakes.unnormalized || mistakes.none_given) return misplace_normals(normals, matrix, mistakes);
@@ -72,6 +74,34 @@ void place_normals(ObjectNormals& normals, const ObjectGeometry& object, const N
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from.size(), 4096), [&job](const auto& range) {
         drawing_kernels().place_normals(job, range.begin(), range.end());
     });
+}
+
+/// The normals of meshes that are known, for whatever options they were made.
+using KnownNormals =
+    std::multimap<const Mesh*, std::pair<NormalOptions, std::shared_ptr<const CornerNormals>>>;
+
+std::shared_ptr<const CornerNormals> normals_of(KnownNormals& known, const Object& object) {
+    const auto [begin, end] = known.equal_range(object.mesh.get());
+    for (auto at = begin; at != end; ++at)
+        if (at->second.first == object.normals) return at->second.second;
+    auto made = std::make_shared<const CornerNormals>(corner_normals(*object.mesh, object.normals));
+    known.insert({object.mesh.get(), {object.normals, made}});
+    return made;
+}
+
+/// Objects whose mesh or options are others now get their normals, which all of the same share.
+void take_normals(std::vector<ObjectNormals>& kept, const Scene& scene) {
+    KnownNormals known;
+    for (std::size_t o = 0; o < kept.size(); ++o) {
+        const Object& object = scene.objects[o];
+        if (kept[o].mesh == object.mesh && kept[o].options == object.normals) continue;
+        if (known.empty())
+            for (const ObjectNormals& n : kept)
+                if (n.of_mesh) known.insert({n.mesh.get(), {n.options, n.of_mesh}});
+        kept[o].of_mesh = normals_of(known, object);
+        kept[o].mesh = object.mesh;
+        kept[o].options = object.normals;
+    }
 }
 
 }  // namespace
@@ -84,15 +114,8 @@ NormalMistakes normal_mistakes(const Mistakes& m) {
 void update_normals(std::vector<ObjectNormals>& kept, const Scene& scene, const Geometry& g,
                     const NormalMistakes& mistakes) {
     kept.resize(scene.objects.size());
-    for (std::size_t o = 0; o < scene.objects.size(); ++o) {
-        ObjectNormals& normals = kept[o];
-        if (normals.mesh != scene.objects[o].mesh || normals.options != scene.objects[o].normals) {
-            normals.mesh = scene.objects[o].mesh;
-            normals.options = scene.objects[o].normals;
-            normals.of_mesh = corner_normals(*normals.mesh, normals.options);
-        }
-        place_normals(normals, g.objects[o], mistakes);
-    }
+    take_normals(kept, scene);
+    for (std::size_t o = 0; o < kept.size(); ++o) place_normals(kept[o], g.objects[o], mistakes);
 }
 
 bool same_normals(const std::vector<ObjectNormals>& kept, const Scene& scene) {

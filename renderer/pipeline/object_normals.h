@@ -2,6 +2,7 @@
 // The normals of the objects as shading takes them: camera coordinates, unit.
 // Lecture: "Vertex Normals"; formulas: a normal goes by the inverse transpose of the points' matrix.
 
+#include <memory>
 #include <vector>
 
 #include "models/normals.h"
@@ -21,12 +22,13 @@ struct NormalMistakes {
 struct ObjectNormals {
     MeshPtr mesh;
     NormalOptions options;
-    CornerNormals of_mesh;              // object coordinates
-    std::vector<CameraNormal> normals;  // of_mesh.normals in camera coordinates
+    // Object coordinates; the same for all objects of that mesh with those options.
+    std::shared_ptr<const CornerNormals> of_mesh;
+    std::vector<CameraNormal> normals;  // of_mesh->normals in camera coordinates
 
     /// For each corner of the mesh the index into `normals`.
     [[nodiscard]] const std::vector<std::uint32_t>& normal_of_corner() const {
-        return of_mesh.corner.empty() ? mesh->corner_position : of_mesh.corner;
+        return of_mesh->corner.empty() ? mesh->corner_position : of_mesh->corner;
     }
     [[nodiscard]] glm::vec3 at_corner(std::uint32_t corner) const {
         return normal(normal_of_corner()[corner]);
@@ -34,16 +36,16 @@ struct ObjectNormals {
     /// What tells lit vertices of one object apart: the position where one normal a position suffices, else
     /// the corner. A slot's normal is normal_of_slot(slot).
     [[nodiscard]] std::uint32_t slot_of(std::uint32_t corner) const {
-        return of_mesh.corner.empty() ? mesh->corner_position[corner] : corner;
+        return of_mesh->corner.empty() ? mesh->corner_position[corner] : corner;
     }
     [[nodiscard]] glm::vec3 normal_of_slot(std::uint32_t slot) const {
-        return normal(of_mesh.corner.empty() ? slot : of_mesh.corner[slot]);
+        return normal(of_mesh->corner.empty() ? slot : of_mesh->corner[slot]);
     }
     [[nodiscard]] std::uint32_t position_of_slot(std::uint32_t slot) const {
-        return of_mesh.corner.empty() ? slot : mesh->corner_position[slot];
+        return of_mesh->corner.empty() ? slot : mesh->corner_position[slot];
     }
     [[nodiscard]] std::size_t slot_count() const {
-        return of_mesh.corner.empty() ? mesh->positions.size() : mesh->corner_position.size();
+        return of_mesh->corner.empty() ? mesh->positions.size() : mesh->corner_position.size();
     }
     [[nodiscard]] glm::vec3 normal(std::uint32_t which) const {
         const CameraNormal& n = normals[which];

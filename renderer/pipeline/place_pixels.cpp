@@ -27,9 +27,9 @@ PlaceJob place_job(const Surface& s, const Geometry& g, const Visibility& visibi
     job.vertices = object.vertices.data();
     job.normals = s.normals[o].normals.data();
     job.triangle_vertices = object.triangle_vertices.data();
-    if (!s.normals[o].of_mesh.corner.empty()) {
+    if (!s.normals[o].of_mesh->corner.empty()) {
         job.triangle_corners = object.mesh->triangles.front().corner.data();
-        job.corner_normal = s.normals[o].of_mesh.corner.data();
+        job.corner_normal = s.normals[o].of_mesh->corner.data();
     }
     job.width = static_cast<float>(g.size.width);
     job.height = static_cast<float>(g.size.height);

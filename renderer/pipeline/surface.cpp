@@ -52,7 +52,9 @@ void find_runs(Surface& s, const Geometry& g, const Visibility& visibility) {
         s.row_runs[y + 1] = counted;
     });
     for (std::size_t y = 1; y <= height; ++y) s.row_runs[y].first_run += s.row_runs[y - 1].first_run;
-    s.runs.resize(s.row_runs[height].first_run);
+    const std::size_t count = s.row_runs[height].first_run;
+    s.share.set(memory_need(MemoryUse::Pixels, bytes_of_runs(s.choice, count, visibility.samples)));
+    s.runs.resize(count);
     tbb::parallel_for(std::size_t{0}, height, [&](std::size_t y) {
         PixelRun* next = s.runs.data() + s.row_runs[y].first_run;
         visit_row(g, visibility, static_cast<int>(y), [&next](const PixelRun& run) { *next++ = run; });
@@ -78,6 +80,19 @@ SurfaceChoice surface_choice(const Shading& shading) {
     c.two_sided = shading.two_sided;
     c.mistakes = normal_mistakes(shading.mistakes);
     return c;
+}
+
+std::uint64_t bytes_of_runs(const SurfaceChoice& choice, std::uint64_t runs, int samples) {
+    std::uint64_t a_run = sizeof(PixelRun);
+    if (choice.kind == SurfaceKind::Pixels) a_run += sizeof(PointBlock) + sizeof(std::uint32_t);
+    if (choice.kind == SurfaceKind::Faces) a_run += sizeof(FaceRefs);
+    if (choice.kind == SurfaceKind::Corners)
+        a_run += static_cast<std::uint64_t>(most_blended(choice)) * block_size *
+                 (sizeof(std::uint32_t) + sizeof(float));
+    // Row by row, where lists that grow are there twice, and all together.
+    if (samples > 1)
+        a_run += 2 * (sizeof(PixelRun) + sizeof(RunSamples)) + sizeof(RunSamples) + sizeof(std::size_t);
+    return runs * a_run;
 }
 
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& g, const Visibility& visibility,

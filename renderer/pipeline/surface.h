@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "models/memory_limit.h"
 #include "renderer/lighting/light_job.h"
 #include "renderer/pipeline/corner_weights.h"
 #include "renderer/pipeline/object_normals.h"
@@ -34,6 +35,10 @@ struct SurfaceChoice {
     bool operator==(const SurfaceChoice&) const = default;
 };
 [[nodiscard]] SurfaceChoice surface_choice(const Shading& shading);
+/// How many corners a pixel blends at most under Corners.
+[[nodiscard]] inline int most_blended(const SurfaceChoice& choice) {
+    return choice.interpolation == Interpolation::Scanline ? CornerWeights::most : 3;
+}
 
 /// With several samples a pixel: what each lane of a run shows. A pixel then has a run for each face seen in
 /// it.
@@ -99,6 +104,7 @@ struct Surface {
     std::vector<float> ref_weight;         // 0: nothing to blend
     std::uint64_t pixel_count = 0;         // that show a surface
     std::uint64_t point_count = 0;         // lit
+    MemoryShare share;                     // of what there is for each run
 
     /// How many blocks of points from `first` on, and before `end`, are of the same object: at least 1.
     [[nodiscard]] std::size_t count_of_one_object(std::size_t first, std::size_t end) const {
@@ -111,7 +117,11 @@ struct Surface {
     }
 };
 
-/// Does the stage again when anything it reads differs; true when it did.
+/// Bytes of so many runs and of all that there is for each, with `samples` a pixel.
+[[nodiscard]] std::uint64_t bytes_of_runs(const SurfaceChoice& choice, std::uint64_t runs, int samples);
+
+/// Does the stage again when anything it reads differs; true when it did. Throws Refused where the runs
+/// do not fit.
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& geometry, const Visibility& visibility,
                     bool visibility_redone);
 

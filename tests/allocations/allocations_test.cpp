@@ -1,32 +1,9 @@
 // A frame of a drag works in the memory of the frame before: nothing of ours is allocated. Counted in
 // operator new itself, for all threads; the tasks of the thread library do not come from there.
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "models/scene_file.h"
 #include "renderer/renderer.h"
+#include "tests/allocations/counted_new.h"
 #include "tests/catch.h"
-
-namespace {
-std::atomic<long> allocations{0};
-void* counted(std::size_t bytes, std::size_t alignment) {
-    ++allocations;
-    const std::size_t whole = (bytes + alignment - 1) / alignment * alignment;
-    void* memory = std::aligned_alloc(alignment, whole > 0 ? whole : alignment);
-    if (!memory) throw std::bad_alloc();
-    return memory;
-}
-}  // namespace
-
-void* operator new(std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-    return counted(bytes, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 using namespace glint;
 

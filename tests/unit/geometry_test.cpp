@@ -83,7 +83,7 @@ TEST_CASE("normals come to where GLM's matrices put them, unit or zero", "[geome
         REQUIRE(update_geometry(g, scene, {64, 64}));
         std::vector<ObjectNormals> normals;
         update_normals(normals, scene, g, {});
-        const std::vector<glm::vec3>& from = normals[0].of_mesh.normals;
+        const std::vector<glm::vec3>& from = normals[0].of_mesh->normals;
         REQUIRE(from.size() >= static_cast<std::size_t>(count));
         REQUIRE(normals[0].normals.size() == from.size());
         for (std::size_t i = 0; i < from.size(); ++i) {

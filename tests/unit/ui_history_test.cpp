@@ -1,4 +1,6 @@
 // Undo, redo, and what the steps are called.
+#include "models/memory_limit.h"
+#include "models/mesh_memory.h"
 #include "tests/catch.h"
 #include "ui/history.h"
 
@@ -98,4 +100,57 @@ TEST_CASE("steps are named by what changed", "[ui]") {
     CHECK(name_of([](Scene& s) { s.shading.mode = ShadingMode::Flat; }) == "Shading mode");
     CHECK(name_of([](Scene& s) { s.shading.terms.ambient = false; }) == "Terms");
     CHECK(name_of([](Scene& s) { s.display.exposure = 2, s.camera.eye.x = 5; }) == "Edit scene");
+}
+
+namespace {
+
+Scene with_mesh(const MeshPtr& mesh) {
+    Scene scene = two_lights();
+    scene.objects[0].mesh = mesh;
+    scene.objects[0].name = "Teapot of " + std::to_string(mesh->triangles.size());
+    return scene;
+}
+
+MeshPtr ball(int detail) { return std::make_shared<const Mesh>(make_primitive(Primitive::Sphere, detail)); }
+
+int steps_back(History& history) {
+    int steps = 0;
+    for (; history.can_undo(); ++steps) (void)history.undo();
+    return steps;
+}
+
+}  // namespace
+
+TEST_CASE("steps are forgotten when the meshes that they alone keep take too much memory", "[ui][memory]") {
+    const std::uint64_t bytes = mesh_bytes(*ball(100));
+    set_memory_limit(8 * 4 * bytes + (1 << 20));  // an eighth of it has room for four such meshes
+    History history;
+    history.reset(with_mesh(ball(100)));
+    std::vector<std::weak_ptr<const Mesh>> meshes;
+    for (int i = 1; i <= 12; ++i) {
+        const MeshPtr mesh = ball(100 - i % 3);  // of about that size, each another
+        meshes.push_back(mesh);
+        Scene scene = with_mesh(mesh);
+        scene.lights[0].intensity = static_cast<float>(i);
+        history.commit(scene);
+    }
+    CHECK(meshes[3].expired());
+    CHECK_FALSE(meshes[11].expired());
+    CHECK(steps_back(history) == 4);
+    set_memory_limit(0);
+}
+
+TEST_CASE("a mesh that the open scene has, or that many steps have, costs its history once at most",
+          "[ui][memory]") {
+    const MeshPtr open = ball(100), lost = ball(101);
+    set_memory_limit(8 * mesh_bytes(*lost) + (1 << 20));  // room for one
+    History history;
+    history.reset(with_mesh(lost));
+    for (int i = 1; i <= 40; ++i) {
+        Scene scene = with_mesh(i < 20 ? lost : open);
+        scene.lights[0].intensity = static_cast<float>(i);
+        history.commit(scene);
+    }
+    CHECK(steps_back(history) == 40);
+    set_memory_limit(0);
 }

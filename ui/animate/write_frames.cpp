@@ -26,6 +26,8 @@ struct FrameJob {
 /// Calls `take` with each frame's scene and picture; stops at the first problem, or when it is cancelled.
 template <class Take>
 std::optional<Problem> for_each_frame(const FrameJob& job, LoadProgress& progress, Take take) {
+    // A GIF's frame needs its colours apart, and its indices.
+    const MemoryShare share(memory_need(MemoryUse::Output, png_memory(job.size)));
     Renderer renderer(job.threads);
     for (int frame = 0; frame < job.animation.frames; ++frame) {
         if (!report_progress(LoadStage::Reading, std::uint64_t(frame), std::uint64_t(job.animation.frames)) ||

@@ -33,6 +33,10 @@ Result<std::string> picture_file(const SceneDocument& document, const ExportOpti
     const std::string extension = lower_extension(path);
     if (extension != ".png" && extension != ".pfm" && extension != ".exr")
         return Problem{path, "", "cannot be written", "a name that ends in .png, .pfm or .exr"};
+    const std::uint64_t bytes = extension == ".pfm"   ? pfm_memory(options.size)
+                                : extension == ".exr" ? exr_memory(options.size)
+                                                      : png_memory(options.size);
+    const MemoryShare share(memory_need(MemoryUse::Output, bytes));
     Renderer renderer(threads);
     const Picture& picture =
         renderer.render(document.scene, options.size, extension != ".png", options.samples);

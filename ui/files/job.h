@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "models/memory_limit.h"
 #include "models/problem.h"
 #include "models/progress.h"
 #include "models/scene_file.h"
@@ -45,6 +46,8 @@ template <class T> class Job {
         try {
             const ProgressScope scope(progress_);
             result_ = work(progress_);
+        } catch (const Refused& refused) {
+            result_ = memory_problem(refused, name_);
         } catch (const std::bad_alloc&) {
             result_ = Problem{name_, "", "does not fit in memory", "a smaller one"};
         } catch (const std::exception& error) {

@@ -103,6 +103,7 @@ void give_mesh(UiState& state, const AwaitedMesh& awaited, const MeshPtr& mesh) 
     Editor& editor = state.editor;
     for (Object& object : editor.scene().objects)
         if (waits(object, awaited)) object.mesh = mesh;
+    state.drawn_is_edited = false;
     state.drawn = {};  // a scene with other meshes is equal to it: it must be drawn again all the same
     if (awaited.mesh_before) return;
     if (const auto index = add_object(editor.scene(), awaited.wanted)) {

@@ -164,8 +164,13 @@ void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size)
     const auto spent = [start] {
         return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     };
-    do draw_cell(grid, scene, cells[grid.next++]);
-    while (grid.next < cells.size() && spent() < budget_ms);
+    try {
+        do draw_cell(grid, scene, cells[grid.next++]);
+        while (grid.next < cells.size() && spent() < budget_ms);
+    } catch (...) {
+        grid.next = cells.size();  // the others would go the same way
+        throw;
+    }
     ++grid.sheet_serial;
     if (grid.next < cells.size()) wish_frame_in(0);
 }

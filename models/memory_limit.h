@@ -1,0 +1,80 @@
+#pragma once
+// How much memory the scenes in hand may ask for, all of it together, and who has asked for how much. What is
+// large is asked for here before it is taken, so that what does not fit ends in one line and not in a machine
+// that swaps or a process that is killed.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "models/problem.h"
+#include "models/refused.h"
+
+namespace glint {
+
+/// What memory is for; memory_limit.cpp has the words.
+enum class MemoryUse { Files, Meshes, Objects, Tiles, Pixels, Output };
+inline constexpr std::size_t memory_uses = 6;
+
+/// Bytes, use by use.
+struct MemoryNeed {
+    std::array<std::uint64_t, memory_uses> bytes{};
+
+    [[nodiscard]] std::uint64_t& operator[](MemoryUse use) { return bytes[static_cast<std::size_t>(use)]; }
+    [[nodiscard]] std::uint64_t total() const;
+    MemoryNeed& operator+=(const MemoryNeed& more);
+};
+[[nodiscard]] MemoryNeed memory_need(MemoryUse use, std::uint64_t bytes);
+
+/// Bytes: what set_memory_limit() or the environment variable GLINT_MEMORY says, else default_memory_limit().
+[[nodiscard]] std::uint64_t memory_limit();
+/// From now on, for the whole process; 0: as if it had never been called.
+void set_memory_limit(std::uint64_t bytes);
+
+/// Three quarters of the least of: the machine's memory, that of the process's control group and of those
+/// around it, and the limits of its address space and its data (RLIMIT_AS, RLIMIT_DATA).
+[[nodiscard]] std::uint64_t default_memory_limit();
+/// The least memory that a control group of this process may have, version 1 or 2; the largest number where
+/// none says. `root` stands before /proc and /sys.
+[[nodiscard]] std::uint64_t control_group_memory(const std::string& root);
+
+/// "16G", "512M", "1000000": a whole number of bytes, with K, M, G or T of 1024, 1024^2, ... bytes. A problem
+/// has `option` in place of a file. 1M at least.
+[[nodiscard]] Result<std::uint64_t> parse_memory_size(const std::string& option, std::string_view text);
+/// What is wrong with GLINT_MEMORY; nothing when it is well or not there.
+[[nodiscard]] std::optional<Problem> memory_limit_problem();
+
+/// The line for an exception that ends a piece of work: its own words, or that memory ran out. `file`: what
+/// the work was about, or empty.
+[[nodiscard]] Problem memory_problem(const std::bad_alloc& error, const std::string& file = {});
+
+/// Throws Refused when `need` does not fit beside all shares there are, of which `own` would be given
+/// back.
+void require_memory(const MemoryNeed& need, const MemoryNeed& own = {});
+/// Bytes that may still be asked for.
+[[nodiscard]] std::uint64_t memory_left();
+
+/// A share of the limit, taken while this lives. Several threads may change the same.
+class MemoryShare {
+  public:
+    MemoryShare() = default;
+    explicit MemoryShare(const MemoryNeed& need) { set(need); }
+    ~MemoryShare();
+    MemoryShare(MemoryShare&& other) noexcept;
+    MemoryShare& operator=(MemoryShare&& other) noexcept;
+
+    /// Throws Refused, and keeps what it had, when that does not fit.
+    void set(const MemoryNeed& need);
+    void add(const MemoryNeed& more);
+    [[nodiscard]] MemoryNeed need() const;
+
+  private:
+    MemoryNeed need_;
+};
+
+}  // namespace glint

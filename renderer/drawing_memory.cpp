@@ -1,0 +1,190 @@
+#include "renderer/drawing_memory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <set>
+#include <tuple>
+
+#include "renderer/pipeline/binning.h"
+#include "renderer/pipeline/lighting.h"
+#include "renderer/pipeline/surface.h"
+
+namespace glint {
+namespace {
+
+// Of an object, whatever its mesh: its geometry, materials and jobs.
+constexpr std::uint64_t bytes_an_object = 4096;
+// Of a triangle whose edges are looked for: OpenMesh's half-edges meanwhile, then ours.
+constexpr std::uint64_t bytes_of_edges = 200;
+// Of a normal that is averaged: its sum in doubles meanwhile.
+constexpr std::uint64_t bytes_of_sum = 48;
+// Of a point that is lit for several pixels: place and normal, what it is, its colour.
+constexpr std::uint64_t bytes_of_point = (sizeof(PointBlock) + sizeof(std::uint32_t)) / block_size +
+                                         sizeof(PointSource) + sizeof(ColorRecord) + sizeof(std::uint32_t);
+
+/// Width and height, in pixels, of where an object may show.
+struct Extent {
+    double width = 0, height = 0;
+    [[nodiscard]] double area() const { return width * height; }
+};
+
+/// Of the corners of the mesh's bounds on the screen; the whole picture where one is not before the eye.
+Extent extent_of(const Object& object, const glm::dmat4& clip_from_world, PictureSize size) {
+    const Extent whole{static_cast<double>(size.width), static_cast<double>(size.height)};
+    const glm::dmat4 clip_from_object = clip_from_world * world_from_object(object.transform);
+    const Bounds& bounds = object.mesh->bounds;
+    glm::dvec2 low(HUGE_VAL), high(-HUGE_VAL);
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const auto of = [&](unsigned i) {
+            const int k = static_cast<int>(i);
+            return static_cast<double>(corner >> i & 1u ? bounds.max[k] : bounds.min[k]);
+        };
+        const glm::dvec4 clip = clip_from_object * glm::dvec4(of(0), of(1), of(2), 1);
+        if (!(clip.w > 0)) return whole;
+        low = glm::min(low, glm::dvec2(clip) / clip.w);
+        high = glm::max(high, glm::dvec2(clip) / clip.w);
+    }
+    const glm::dvec2 across = glm::clamp(high, -1.0, 1.0) - glm::clamp(low, -1.0, 1.0);
+    if (!(across.x >= 0 && across.y >= 0)) return whole;  // numbers too large
+    return {across.x / 2 * whole.width, across.y / 2 * whole.height};
+}
+
+/// How many normals shading takes of an object, and how many corners say which is theirs.
+struct NormalCounts {
+    std::uint64_t normals = 0, corners = 0;
+    bool averaged = false;
+};
+NormalCounts normal_counts(const Object& object) {
+    const Mesh& mesh = *object.mesh;
+    const std::uint64_t corners = mesh.corner_position.size(), positions = mesh.positions.size();
+    if (object.normals.source == NormalSource::Facet) return {mesh.face_count(), corners, false};
+    const bool given =
+        mesh.given_normals != GivenNormals::None && object.normals.source != NormalSource::Vertex;
+    if (given) {  // corners that have none take an averaged one
+        const bool complete = mesh.given_normals == GivenNormals::Analytic;
+        return {mesh.normals.size() + (complete ? 0 : positions), corners, !complete};
+    }
+    const bool creased = object.normals.crease_deg < 180;
+    return {creased ? corners : positions, creased ? corners : 0, true};
+}
+
+/// What the objects need, and each of their meshes once.
+class ObjectsMemory {
+  public:
+    ObjectsMemory(const Scene& scene, std::uint64_t tiles, const SurfaceChoice& choice) {
+        const bool edges = scene.npr.silhouettes || scene.npr.creases;
+        for (const Object& object : scene.objects) add(object, tiles, choice, edges);
+        need[MemoryUse::Objects] += most_meanwhile_;
+    }
+    MemoryNeed need;
+
+  private:
+    void add(const Object& object, std::uint64_t tiles, const SurfaceChoice& choice, bool edges) {
+        const Mesh& mesh = *object.mesh;
+        const std::uint64_t triangles = mesh.triangles.size();
+        const NormalCounts normals = normal_counts(object);
+        need[MemoryUse::Objects] += bytes_an_object +
+                                    mesh.positions.size() * (sizeof(PlacedVertex) + sizeof(ScreenVertex)) +
+                                    normals.normals * sizeof(CameraNormal) + lit_items(mesh, normals, choice);
+        need[MemoryUse::Tiles] += bytes_to_sort(triangles, tiles);
+        if (meshes_.insert(&mesh).second)
+            need[MemoryUse::Objects] +=
+                3 * triangles * sizeof(std::uint32_t) + (edges ? triangles * bytes_of_edges : 0);
+        const NormalOptions& o = object.normals;
+        if (!options_.insert({&mesh, o.source, o.weighting, o.crease_deg}).second) return;
+        need[MemoryUse::Objects] +=
+            normals.normals * sizeof(glm::vec3) + normals.corners * sizeof(std::uint32_t);
+        if (normals.averaged)
+            most_meanwhile_ =
+                std::max(most_meanwhile_, normals.normals * bytes_of_sum +
+                                              (o.crease_deg < 180 ? triangles * bytes_of_edges : 0));
+    }
+
+    /// Corners or faces that may be lit, each as it is and turned round; few are seen from both sides.
+    static std::uint64_t lit_items(const Mesh& mesh, const NormalCounts& normals,
+                                   const SurfaceChoice& choice) {
+        if (choice.kind == SurfaceKind::Pixels) return 0;
+        const std::uint64_t faces = choice.provoking ? mesh.triangles.size() : mesh.face_count();
+        const std::uint64_t slots = normals.corners > 0 ? mesh.corner_position.size() : mesh.positions.size();
+        const std::uint64_t items = choice.kind == SurfaceKind::Faces ? faces : slots;
+        return items * (2 * (sizeof(std::uint8_t) + sizeof(std::uint32_t)) + bytes_of_point);
+    }
+
+    std::uint64_t most_meanwhile_ = 0;
+    std::set<const Mesh*> meshes_;
+    std::set<std::tuple<const Mesh*, NormalSource, NormalWeighting, float>> options_;
+};
+
+/// Of every pixel, whatever shows there.
+std::uint64_t bytes_of_pixels(const Scene& scene, PictureSize size, bool linear, int samples) {
+    const std::uint64_t width = static_cast<std::uint64_t>(size.width),
+                        height = static_cast<std::uint64_t>(size.height);
+    const std::uint64_t groups = (width + block_size - 1) / block_size * height;
+    std::uint64_t a_pixel =
+        4 * sizeof(std::uint8_t) + sizeof(std::uint32_t) * static_cast<std::uint64_t>(samples);
+    if (linear) a_pixel += 3 * sizeof(float);
+    if (scene.npr.silhouettes || scene.npr.creases) a_pixel += sizeof(float);
+    return width * height * a_pixel + groups * 2 * sizeof(std::uint16_t) + height * sizeof(SampledRow);
+}
+
+/// What depends on where the objects show: guessed from their bounds on the screen.
+class ShownMemory {
+  public:
+    ShownMemory(const Scene& scene, PictureSize size, const SurfaceChoice& choice, int samples) {
+        const glm::dmat4 clip_from_world =
+            clip_from_view(scene.camera.projection, size) * view_from_world(scene.camera);
+        for (const Object& object : scene.objects)
+            add(extent_of(object, clip_from_world, size), static_cast<double>(object.mesh->triangles.size()),
+                samples);
+        const double groups = std::ceil(size.width / double(block_size)) * size.height;
+        // Where objects lie before one another, a row of 16 pixels is divided at their outlines at most.
+        const double runs = std::min(runs_, groups + outline_rows_) + divided_;
+        need +=
+            memory_need(MemoryUse::Pixels, bytes_of_runs(choice, static_cast<std::uint64_t>(runs), samples));
+        need += memory_need(MemoryUse::Tiles, static_cast<std::uint64_t>(entries_) * sizeof(TileEntry));
+    }
+    MemoryNeed need;
+
+  private:
+    void add(const Extent& extent, double triangles, int samples) {
+        const double runs = (extent.width / double(block_size) + 2) * (extent.height + 1);
+        runs_ += runs;
+        outline_rows_ += 2 * (extent.height + 1);
+        if (triangles == 0) return;
+        if (samples > 1) divided_ += runs * more_runs(triangles / 2 / std::max(extent.area(), 1.0), samples);
+        // Half of them are seen, and a triangle fills half its box.
+        const double side = std::sqrt(4 * extent.area() / triangles) / tile_size + 1;
+        entries_ += triangles *
+                    std::min(side * side, (extent.width / tile_size + 2) * (extent.height / tile_size + 2));
+    }
+
+    /// Several samples make one more run of 16 pixels where an edge passes through one of them, a few more
+    /// where a vertex lies in one, and one a sample where triangles are as small as pixels. `density`:
+    /// triangles that are seen, a pixel; their edges are then about 4.6 sqrt(density) long, a pixel.
+    static double more_runs(double density, int samples) {
+        const double edges = 4.6 * std::sqrt(density) * double(block_size),
+                     vertices = density / 2 * double(block_size);
+        const double more =
+            std::min(edges, 1.0) + 3 * std::min(vertices, 1.0) + samples * std::min(density, 1.0);
+        return std::min(more, samples - 1.0);
+    }
+
+    double runs_ = 0, outline_rows_ = 0, divided_ = 0, entries_ = 0;
+};
+
+}  // namespace
+
+DrawingMemory drawing_memory(const Scene& scene, PictureSize size, bool linear, int samples) {
+    const auto tiles = [](int side) {
+        return static_cast<std::uint64_t>((side + tile_size - 1) / tile_size);
+    };
+    const SurfaceChoice choice = surface_choice(scene.shading);
+    DrawingMemory memory;
+    memory.certain = ObjectsMemory(scene, tiles(size.width) * tiles(size.height), choice).need;
+    memory.certain[MemoryUse::Pixels] += bytes_of_pixels(scene, size, linear, samples);
+    memory.guessed = ShownMemory(scene, size, choice, samples).need;
+    return memory;
+}
+
+}  // namespace glint

@@ -1,0 +1,161 @@
+// The window goes on when memory runs out anywhere in a frame: allocations fail one by one, and the scene in
+// hand stays, or is the new one, whole; and the next picture is right.
+#include "tests/allocations/counted_new.h"
+#include "tests/catch.h"
+#include "tests/unit/memory_helpers.h"
+#include "tests/unit/ui_bench.h"
+#include "ui/picture_room.h"
+#include "ui/views/views.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+const ImVec2 window{640, 400};
+
+SceneDocument other_document() {
+    SceneDocument document = first_scene();
+    document.path = "other.json";
+    document.scene.lights.resize(1);
+    Object& object = document.scene.objects.front();
+    object.source = PrimitiveMesh{Primitive::Knot, 64};
+    object.mesh = nullptr;
+    REQUIRE(problem_of(load_meshes(document.scene, "", "")) == nullptr);
+    return document;
+}
+
+/// Lets the allocation number `which` of a frame fail, and all large ones after it in that frame.
+void failing_frame(Bench& bench, long which, std::size_t large) {
+    large_bytes = large;
+    large_ones_fail = false;
+    fails_after = which;
+    const auto stop = [] { fails_after = -1, large_ones_fail = false; };
+    try {
+        (void)bench.frame();
+    } catch (...) {
+        stop();
+        throw;
+    }
+    stop();
+}
+
+/// How many allocations a frame makes after `deed`.
+template <class Deed> long allocations_after(const Deed& deed) {
+    Bench bench(window);
+    bench.frames(2);
+    deed(bench);
+    const long before = allocations;
+    (void)bench.frame();
+    return allocations - before;
+}
+
+PictureSize whole_size(Bench& bench) {
+    return picture_view(lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).centre, bench.state)
+        .map.size;
+}
+
+void check_next_picture(Bench& bench) {
+    for (int i = 0; i < 10; ++i) {  // a larger picture is tried again, and there is memory now
+        bench.state.pace.memory_rests_until = 0;
+        (void)bench.frame();
+    }
+    REQUIRE(bench.state.picture != nullptr);
+    REQUIRE(bench.state.shown != nullptr);
+    Renderer fresh(1);
+    const Picture& right = fresh.render(bench.scene(), bench.state.picture->size);
+    CHECK(bench.state.picture->rgba == right.rgba);
+    CHECK(bench.state.picture->size == whole_size(bench));
+}
+
+/// `deed` before a frame in which the allocations fail from some number on: about `tries` numbers.
+template <class Deed, class Check> void fail_one_by_one(const Deed& deed, int tries, const Check& check) {
+    const long count = allocations_after(deed);
+    REQUIRE(count > 0);
+    for (const std::size_t large : {SIZE_MAX, std::size_t{1} << 14})
+        for (long which = 0; which < count; which += std::max(count / tries, 1L)) {
+            CAPTURE(which, count, large);
+            Bench bench(window);
+            bench.frames(2);
+            deed(bench);
+            REQUIRE_NOTHROW(failing_frame(bench, which, large));
+            check_next_picture(bench);
+            check(bench);
+        }
+}
+
+}  // namespace
+
+TEST_CASE("when memory runs out as another document is drawn, it is there whole, or the one before",
+          "[ui][memory]") {
+    const SceneDocument other = other_document();
+    const Scene first = first_scene().scene;
+    fail_one_by_one([&](Bench& bench) { take_document(bench.state.editor, other); }, 60,
+                    [&](Bench& bench) {
+                        const bool is_new = bench.state.editor.document.path == "other.json";
+                        CHECK(bench.scene() == (is_new ? other.scene : first));
+                        CHECK(bench.state.editor.history.present() == bench.scene());
+                        if (!is_new) CHECK_FALSE(bench.state.notifications.list.empty());
+                    });
+}
+
+TEST_CASE("when memory runs out as an edit is drawn, it is taken back or there", "[ui][memory]") {
+    const Scene first = first_scene().scene;
+    fail_one_by_one([](Bench& bench) { bench.scene().shading.mode = ShadingMode::Gouraud; }, 40,
+                    [&](Bench& bench) {
+                        Scene edited = first;
+                        edited.shading.mode = ShadingMode::Gouraud;
+                        CHECK((bench.scene() == first || bench.scene() == edited));
+                    });
+}
+
+TEST_CASE("when memory runs out as pictures are compared or looked at, the picture stays", "[ui][memory]") {
+    const auto nothing_more = [](Bench&) {};
+    fail_one_by_one(
+        [](Bench& bench) {
+            CompareChoice& choice = bench.state.views.compare.choice;
+            set_parts(choice, {{Setting::Kind::Mode, 0}, {Setting::Kind::Mode, 2}});
+            choice.on = true;
+        },
+        30, nothing_more);
+    fail_one_by_one([](Bench& bench) { look_at(bench.state.views, Look::Normal); }, 30, nothing_more);
+    fail_one_by_one([](Bench& bench) { bench.state.views.scope.open = true; }, 30, nothing_more);
+}
+
+TEST_CASE("when memory runs out as a pixel is explained, the window goes on", "[ui][memory]") {
+    fail_one_by_one([](Bench& bench) { bench.state.viewport.probe = glm::dvec2(0.5); }, 30, [](Bench&) {});
+}
+
+TEST_CASE("a document that needs more memory than there is leaves the open one as it is", "[ui][memory]") {
+    Bench bench(window);
+    bench.frames(2);
+    const Scene before = bench.scene();
+    SceneDocument large = other_document();
+    for (int i = 0; i < 5000; ++i) large.scene.objects.push_back(large.scene.objects.front());
+    const test::MemoryLimit limit(50 << 20);
+    take_document(bench.state.editor, large);
+    bench.frames(3);
+    CHECK(bench.scene() == before);
+    CHECK(bench.state.editor.document.path.empty());
+    CHECK_FALSE(bench.state.editor.unsaved());
+    REQUIRE(bench.state.notifications.list.size() == 1);
+    CHECK(bench.state.notifications.list.front().text.find("of memory, ") != std::string::npos);
+    check_next_picture(bench);
+}
+
+TEST_CASE("a window too large for its picture shows a coarser one, and says so once", "[ui][memory]") {
+    Bench bench({400, 300});
+    bench.frames(2);
+    const test::MemoryLimit limit(3 << 20);
+    ImGui::GetIO().DisplaySize = {2560, 1600};
+    bench.frames(5);
+    CHECK(bench.state.notifications.list.size() == 1);
+    CHECK(bench.state.pace.memory_divisor > 1);
+    bench.state.notifications.list.clear();
+    bench.frames(200);  // tried again, which is not said again
+    CHECK(bench.state.notifications.list.empty());
+    CHECK(bench.state.picture->size.width >= 100);
+    ImGui::GetIO().DisplaySize = {500, 350};
+    bench.frames(3);
+    CHECK(bench.state.picture->size == whole_size(bench));
+}

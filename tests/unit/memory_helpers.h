@@ -1,0 +1,53 @@
+#pragma once
+// For tests of what happens when memory is short.
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <fstream>
+
+#include "models/memory_limit.h"
+
+namespace glint::test {
+
+/// While it lives, so much may be asked for beside what is asked for already.
+class MemoryLimit {
+  public:
+    explicit MemoryLimit(std::uint64_t bytes) { set_memory_limit(memory_limit() - memory_left() + bytes); }
+    ~MemoryLimit() { set_memory_limit(0); }
+    MemoryLimit(const MemoryLimit&) = delete;
+    MemoryLimit& operator=(const MemoryLimit&) = delete;
+};
+
+// The sanitizers take all of the address space for themselves.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool can_limit_address_space = false;
+#else
+inline constexpr bool can_limit_address_space = true;
+#endif
+
+/// What `deed` says in a process of its own that may take only so many bytes of address space more than it
+/// has; false too when that process does not end well.
+template <class Deed> bool in_process_with_room(std::uint64_t bytes, const Deed& deed) {
+    const pid_t child = fork();
+    if (child == 0) {
+        std::uint64_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        const rlim_t room = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) + bytes;
+        const rlimit limit{room, room};
+        setrlimit(RLIMIT_AS, &limit);
+        bool well = false;
+        try {
+            well = deed();
+        } catch (...) {
+        }
+        _exit(well ? 0 : 1);
+    }
+    int status = -1;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace glint::test
