@@ -72,7 +72,7 @@ bool picture_room(UiState& state, const Layout& layout, const UiInput& input) {
     const ImVec2 low{std::max(view.origin.x, layout.centre.low.x),
                      std::max(view.origin.y, layout.centre.low.y)};
     ImGui::SetCursorScreenPos(low);
-    ImGui::InvisibleButton(
+    hit_area(
         "##picture",
         {std::min(high.x, layout.centre.high.x) - low.x, std::min(high.y, layout.centre.high.y) - low.y},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |

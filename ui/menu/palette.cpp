@@ -41,7 +41,7 @@ bool entry_row(const PaletteEntry& entry, const std::string& text, bool chosen, 
     const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::PushID(index);
-    const bool clicked = ImGui::InvisibleButton("##entry", {width, height});
+    const bool clicked = hit_area("##entry", {width, height});
     if (ImGui::IsItemHovered() && !entry.refused.empty()) tooltip(entry.name.c_str(), entry.refused.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (chosen || ImGui::IsItemHovered())
