@@ -111,6 +111,9 @@ void run_keys(UiState& state, const UiInput& input);
 void begin_pending(UiState& state, Pending pending);
 /// Goes on with what waited, after the answer or after saving.
 void finish_pending(UiState& state);
+/// Puts another document in hand. All that was about the scene before goes: gesture, probe, explanation, what
+/// was about to be done to one of its lights or objects.
+void take_scene(UiState& state, SceneDocument document);
 /// A name to offer for a file: the document's own, with the ending that fits.
 [[nodiscard]] std::string offered_name(const UiState& state, const char* ending);
 /// Saves; asks for a name when there is none yet. True when it is saved now.

@@ -79,7 +79,8 @@ struct UiState {
     PlacedPicture placed;              // where it lies in the window
     Scene drawn;                       // what `picture` shows
     std::optional<Explanation> why;    // of the probe in `picture`, where that shows the edited scene
-    glm::ivec2 asked{0};               // the pixel of the whole picture that `why` is about
+    ItemCounts explained;  // of the scene that `why` is about: it names lights and objects by number
+    glm::ivec2 asked{0};   // the pixel of the whole picture that `why` is about
     /// A panel that wants another scene on the screen than the edited one (one term alone, one light alone)
     /// puts it here in every frame in which it wants it. It is drawn in the next frame, with the same meshes
     /// and camera; `why` stays what it was, and nothing of it reaches the history or a file.
