@@ -1,7 +1,6 @@
 #include "ui/dialogs.h"
 
 #include <fmt/core.h>
-#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -14,8 +13,7 @@
 #include "renderer/image_file.h"
 #include "ui/actions.h"
 #include "ui/animate/animate.h"
-#include "ui/menu/palette.h"
-#include "ui/menu/shortcuts.h"
+#include "ui/modal.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -28,15 +26,7 @@ bool pressed(const UiInput& input, Key key) {
 }
 
 void unsaved_question(UiState& state, bool enter) {
-    static constexpr const char* id = "Unsaved changes##question";
-    if (!state.pending.asking) return;
-    if (!ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal(
-            id, nullptr,
-            ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove))
-        return;
+    if (!begin_question("Unsaved changes##question")) return;
     ImGui::TextUnformatted(fmt::format("{} has changes that are not saved.", state.editor.title()).c_str());
     ImGui::Dummy({px(380), px(6)});
     if (ImGui::Button("Save", {px(110), 0}) || enter) {
@@ -89,19 +79,24 @@ void use_file(UiState& state, const std::string& path) {
 
 }  // namespace
 
-void close_left_dialogs(const UiState& state) {
-    const bool wanted = state.files.open || state.pending.asking || state.exporting.open;
-    if (!wanted && ImGui::GetTopMostPopupModal() != nullptr) ImGui::ClosePopupToLevel(0, true);
-}
-
 void dialogs(UiState& state, const UiInput& input) {
     const bool enter = pressed(input, Key::Enter);
-    unsaved_question(state, enter);
-    if (const auto path = draw_file_dialog(state.files, enter)) use_file(state, *path);
+    const Modal modal = modal_of(state);
+    switch (modal) {
+    case Modal::None:
+        break;
+    case Modal::Unsaved:
+        unsaved_question(state, enter);
+        break;
+    case Modal::Files:
+        if (const auto path = draw_file_dialog(state.files, enter)) use_file(state, *path);
+        break;
+    case Modal::Export:
+        export_dialog(state);
+        break;
+    }
+    if (modal_of(state) != modal) wish_frame_in(0);  // the next one, or what lay below
     if (!state.files.open && !state.pending.asking) state.pending = {};  // the name was not given
-    shortcuts_sheet(state);
-    palette(state, input);
-    export_dialog(state);
     tend_export(state);
 }
 
