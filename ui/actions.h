@@ -116,7 +116,12 @@ void finish_pending(UiState& state);
 void take_scene(UiState& state, SceneDocument document);
 /// A name to offer for a file: the document's own, with the ending that fits.
 [[nodiscard]] std::string offered_name(const UiState& state, const char* ending);
-/// Saves; asks for a name when there is none yet. True when it is saved now.
+/// Saves; asks for a name when there is none yet, and first when another program has changed the file. True
+/// when it is saved now.
 bool save(UiState& state);
+/// Saves whatever is in the file. True when it is saved now.
+bool save_over(UiState& state);
+/// Opens the document's file again, giving up what is not saved.
+void reload(UiState& state);
 
 }  // namespace glint

@@ -41,6 +41,32 @@ void unsaved_question(UiState& state, bool enter) {
     ImGui::EndPopup();
 }
 
+/// Enter chooses nothing here: every answer but Cancel gives something up or needs a name.
+void changed_question(UiState& state) {
+    if (!begin_question("Changed by another##question")) return;
+    const std::string title = state.editor.title();
+    ImGui::TextUnformatted(
+        fmt::format("{} was changed by another program since it was opened here.", title).c_str());
+    ImGui::Dummy({px(460), px(6)});
+    const auto answer = [&state](const char* name, const char* what) {
+        const bool chosen = ImGui::Button(name, {px(110), 0});
+        tooltip(name, what);
+        state.asks_overwrite = state.asks_overwrite && !chosen;
+        return chosen;
+    };
+    if (answer("Overwrite", "What the other program wrote is lost") && save_over(state))
+        finish_pending(state);
+    ImGui::SameLine();
+    if (answer("Save as…", "Under another name: both are kept"))
+        state.files.ask(FilePurpose::SaveScene, offered_name(state, ".json"));
+    ImGui::SameLine();
+    if (answer("Reload", "What was changed here since the last saving is lost")) reload(state);
+    ImGui::SameLine();
+    if (answer("Cancel", "Nothing is saved")) state.pending = {};
+    if (!state.asks_overwrite) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
 void save_picture(UiState& state, const std::string& path) {
     const Scene& scene = state.drawn;
     const std::string bytes = png_bytes(
@@ -88,6 +114,9 @@ void dialogs(UiState& state, const UiInput& input) {
     case Modal::Unsaved:
         unsaved_question(state, enter);
         break;
+    case Modal::Changed:
+        changed_question(state);
+        break;
     case Modal::Files:
         if (const auto path = draw_file_dialog(state.files, enter)) use_file(state, *path);
         break;
@@ -96,7 +125,8 @@ void dialogs(UiState& state, const UiInput& input) {
         break;
     }
     if (modal_of(state) != modal) wish_frame_in(0);  // the next one, or what lay below
-    if (!state.files.open && !state.pending.asking) state.pending = {};  // the name was not given
+    // The name was not given, or the question not answered.
+    if (!state.files.open && !state.asks_overwrite && !state.pending.asking) state.pending = {};
     tend_export(state);
 }
 

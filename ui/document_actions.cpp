@@ -50,6 +50,14 @@ bool save(UiState& state) {
         state.files.ask(FilePurpose::SaveScene, offered_name(state, ".json"));
         return false;
     }
+    if (changed_by_another(state.editor)) {
+        state.asks_overwrite = true;
+        return false;
+    }
+    return save_over(state);
+}
+
+bool save_over(UiState& state) {
     if (const auto problem = save_file(state.editor, state.editor.document.path)) {
         state.notifications.add(*problem);
         state.pending = {};
@@ -57,6 +65,11 @@ bool save(UiState& state) {
     }
     state.notifications.add(Tone::Done, fmt::format("Saved {}", state.editor.title()));
     return true;
+}
+
+void reload(UiState& state) {
+    state.pending = {};
+    begin_open(state, state.editor.document.path);
 }
 
 }  // namespace glint

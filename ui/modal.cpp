@@ -8,6 +8,7 @@ namespace glint {
 
 Modal modal_of(const UiState& state) {
     if (state.pending.asking) return Modal::Unsaved;
+    if (state.asks_overwrite) return Modal::Changed;
     if (state.files.open) return Modal::Files;
     if (state.exporting.open) return Modal::Export;
     return Modal::None;
@@ -18,6 +19,10 @@ void leave_modal(UiState& state) {
     case Modal::None:
         return;
     case Modal::Unsaved:
+        state.pending = {};
+        return;
+    case Modal::Changed:
+        state.asks_overwrite = false;
         state.pending = {};
         return;
     case Modal::Files:

@@ -67,6 +67,7 @@ struct UiState {
     bool dark = true, shows_shortcuts = false, left_shows_why = false;
     bool types_into_panel = false;  // asked for: the selected item's first field takes the keys
     bool quits = false;
+    bool asks_overwrite = false;  // saving would write over what another program put into the file
 
     FramePace pace;
     std::vector<Camera> kept_views;  // kept by hand, of whatever scene; remembered with the settings
