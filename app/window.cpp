@@ -16,6 +16,7 @@
 #include "app/say.h"
 #include "app/texture.h"
 #include "app/window_input.h"
+#include "app/x_errors.h"
 #include "ui/display_scale.h"
 #include "ui/files/end_jobs.h"
 #include "ui/fonts.h"
@@ -92,6 +93,17 @@ GLFWwindow* make_window(const Settings& remembered) {
                             nullptr);
 }
 
+UiState* open_state = nullptr;  // of the window that is open
+
+/// The connection to the display broke. There is no window any more to say it in, and what is unsaved is kept
+/// for the next one. Xlib may be in the middle of anything: only half-written files go.
+void end_without_display() {
+    const bool kept = open_state != nullptr && keep_unsaved_work(*open_state);
+    fmt::print(stderr, "glint: error: the display has gone{}\n",
+               kept ? "; a copy of the unsaved work is kept, and the next window offers it" : "");
+    std::quick_exit(static_cast<int>(ExitStatus::Impossible));
+}
+
 /// The window with all that draws in it.
 class Window {
   public:
@@ -135,6 +147,7 @@ class Window {
     static constexpr int frames_after_event = 3;
 
     void wait(double seconds) {
+        handle_x_errors(end_without_display);
         if (frames_due_ > 0) {
             --frames_due_;
             return glfwPollEvents();
@@ -192,6 +205,7 @@ class Window {
     UiRequests frame() {
         measure();
         follow_scale();
+        if (const auto error = take_x_error()) state_.notifications.add(Tone::Warning, *error);
         note_size();
         read_held_keys(window_, input_.ui);
         ImGui_ImplOpenGL3_NewFrame();
@@ -256,9 +270,12 @@ void run_window(const WindowOptions& options) {
     GLFWwindow* handle = make_window(state.memory.settings);
     if (handle == nullptr) throw impossible("the display has no OpenGL 3.0");
     glfwSetWindowSizeLimits(handle, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    open_state = &state;
+    handle_x_errors(end_without_display);
     Window window(handle, state);
     if (!window.ready()) throw impossible("the display has no OpenGL 3.0");
     window.run();
+    open_state = nullptr;  // all is answered: what is not saved was not to be
     end_memory(state);
     // What was begun and nobody waits for any more. All that was to be kept is written.
     glfwHideWindow(handle);
