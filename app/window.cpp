@@ -16,6 +16,8 @@
 #include "app/say.h"
 #include "app/texture.h"
 #include "app/window_input.h"
+#include "app/x_errors.h"
+#include "ui/display_scale.h"
 #include "ui/files/end_jobs.h"
 #include "ui/fonts.h"
 #include "ui/theme.h"
@@ -26,7 +28,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double longest_farewell = 0.3;  // seconds that a closed window's loads may take to end
+constexpr int least_width = 320, least_height = 240;  // of the window, in its own units
+constexpr double longest_farewell = 0.3;              // seconds that a closed window's loads may take to end
 
 /// What keeps the window from opening, with the way to do without it.
 Failure impossible(const std::string& what) {
@@ -86,7 +89,19 @@ GLFWwindow* make_window(const Settings& remembered) {
             width = remembered.width, height = remembered.height;
     }
     glfwWindowHint(GLFW_MAXIMIZED, remembered.maximized ? GLFW_TRUE : GLFW_FALSE);
-    return glfwCreateWindow(std::max(width, 320), std::max(height, 240), "Glint", nullptr, nullptr);
+    return glfwCreateWindow(std::max(width, least_width), std::max(height, least_height), "Glint", nullptr,
+                            nullptr);
+}
+
+UiState* open_state = nullptr;  // of the window that is open
+
+/// The connection to the display broke. There is no window any more to say it in, and what is unsaved is kept
+/// for the next one. Xlib may be in the middle of anything: only half-written files go.
+void end_without_display() {
+    const bool kept = open_state != nullptr && keep_unsaved_work(*open_state);
+    fmt::print(stderr, "glint: error: the display has gone{}\n",
+               kept ? "; a copy of the unsaved work is kept, and the next window offers it" : "");
+    std::quick_exit(static_cast<int>(ExitStatus::Impossible));
 }
 
 /// The window with all that draws in it.
@@ -132,6 +147,7 @@ class Window {
     static constexpr int frames_after_event = 3;
 
     void wait(double seconds) {
+        handle_x_errors(end_without_display);
         if (frames_due_ > 0) {
             --frames_due_;
             return glfwPollEvents();
@@ -145,28 +161,39 @@ class Window {
         frames_due_ = glfwGetTime() - start < seconds ? frames_after_event - 1 : 1;
     }
 
+    /// Asked once a frame: while the window is being resized two questions get two answers.
+    void measure() {
+        glfwGetWindowSize(window_, &extent_.size.x, &extent_.size.y);
+        glfwGetFramebufferSize(window_, &extent_.dots.x, &extent_.dots.y);
+        glfwGetWindowSize(window_, &extent_.size_after.x, &extent_.size_after.y);
+        float down = 1;
+        glfwGetWindowContentScale(window_, &extent_.content_scale, &down);
+    }
+
     /// Type and theme follow the display's scale and the user's choice.
     void follow_scale() {
-        float scale = 1, across = 1;
-        glfwGetWindowContentScale(window_, &scale, &across);
-        int width = 0, height = 0, dots = 0, lines = 0;
-        glfwGetWindowSize(window_, &width, &height);
-        glfwGetFramebufferSize(window_, &dots, &lines);
-        const float per_unit = width > 0 ? std::max(float(dots) / float(width), 0.5f) : 1;
-        scale = std::clamp(scale / per_unit, 0.75f, 4.0f);
+        const DisplayScale display = display_scale(extent_, display_);
         const bool projector = state_.lecture.projector;
-        if (projector) scale *= projector_scale;
+        const float scale = projector ? display.design * projector_scale : display.design;
         const Theme& wanted = projector     ? projector_theme(state_.dark)
                               : state_.dark ? dark_theme()
                                             : light_theme();
-        if (scale != scale_ || per_unit != per_unit_) {
-            load_fonts(files_, scale, per_unit);
+        const bool scaled = scale != scale_ || display.dots_per_unit != display_.dots_per_unit;
+        if (scaled) {
+            load_fonts(files_, scale, display.dots_per_unit);
             ImGui_ImplOpenGL3_DestroyFontsTexture();
             ImGui_ImplOpenGL3_CreateFontsTexture();
         }
-        if (scale != scale_ || &wanted != &theme() || per_unit_ == 0) apply_theme(wanted, scale);
+        if (scaled || &wanted != &theme()) apply_theme(wanted, scale);
         scale_ = scale;
-        per_unit_ = per_unit;
+        display_ = display;
+    }
+
+    /// The backend asks for the sizes itself, and takes the quotient of answers that need not fit.
+    void use_extent() const {
+        ImGuiIO& io = ImGui::GetIO();
+        io.DisplaySize = {float(extent_.size_after.x), float(extent_.size_after.y)};
+        io.DisplayFramebufferScale = {display_.dots_per_unit, display_.dots_per_unit};
     }
 
     void note_size() {
@@ -176,11 +203,14 @@ class Window {
     }
 
     UiRequests frame() {
+        measure();
         follow_scale();
+        if (const auto error = take_x_error()) state_.notifications.add(Tone::Warning, *error);
         note_size();
         read_held_keys(window_, input_.ui);
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
+        use_extent();
         if (feed_button(input_)) frames_due_ = frames_after_event;
         ImGui::NewFrame();
         state_.views.grid.texture = thumbnails_->id();
@@ -219,7 +249,9 @@ class Window {
     std::unique_ptr<Texture> texture_, thumbnails_;
     FontFiles files_;
     std::string title_;
-    float scale_ = 0, per_unit_ = 0;
+    WindowExtent extent_;
+    DisplayScale display_;
+    float scale_ = 0;  // of the design, as applied; 0 before the first frame
     std::uint64_t uploaded_ = 0, uploaded_thumbnails_ = 0;
     int frames_due_ = frames_after_event;
     bool ready_ = false;
@@ -237,9 +269,13 @@ void run_window(const WindowOptions& options) {
     if (!glfw.ready) throw impossible("no display to open a window on");
     GLFWwindow* handle = make_window(state.memory.settings);
     if (handle == nullptr) throw impossible("the display has no OpenGL 3.0");
+    glfwSetWindowSizeLimits(handle, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    open_state = &state;
+    handle_x_errors(end_without_display);
     Window window(handle, state);
     if (!window.ready()) throw impossible("the display has no OpenGL 3.0");
     window.run();
+    open_state = nullptr;  // all is answered: what is not saved was not to be
     end_memory(state);
     // What was begun and nobody waits for any more. All that was to be kept is written.
     glfwHideWindow(handle);

@@ -94,6 +94,19 @@ Result<SceneDocument> open_mesh(const std::string& path, const std::vector<Assig
     return document;
 }
 
+Result<SceneDocument> open_by_extension(const std::string& path, const std::vector<Assignment>& assignments) {
+    const std::string extension = extension_of(path);
+    if (path == "-" || extension == ".json") return open_scene(path, assignments);
+    if (extension == ".png") return open_picture(path, assignments);
+    if (is_mesh_path(path)) return open_mesh(path, assignments);
+    std::error_code error;
+    if (!path.empty() && !fs::exists(fs::status(path, error)))  // not that its name is wrong
+        return Problem{path, "", "cannot read: no such file or directory", known_extensions};
+    if (fs::is_directory(path, error)) return Problem{path, "", "is a directory", known_extensions};
+    return Problem{path, "", extension.empty() ? "has no extension" : "has another extension",
+                   known_extensions};
+}
+
 /// The directory without links and dots, as far as it exists; the working directory when it is empty.
 fs::path canonical_directory(const std::string& directory) {
     std::error_code error;
@@ -122,16 +135,11 @@ Scene with_mesh_paths_from(Scene scene, const std::string& old_directory, const 
 }
 
 Result<SceneDocument> open_document(const std::string& path, const std::vector<Assignment>& assignments) {
-    const std::string extension = extension_of(path);
-    if (path == "-" || extension == ".json") return open_scene(path, assignments);
-    if (extension == ".png") return open_picture(path, assignments);
-    if (is_mesh_path(path)) return open_mesh(path, assignments);
-    std::error_code error;
-    if (!path.empty() && !fs::exists(fs::status(path, error)))  // not that its name is wrong
-        return Problem{path, "", "cannot read: no such file or directory", known_extensions};
-    if (fs::is_directory(path, error)) return Problem{path, "", "is a directory", known_extensions};
-    return Problem{path, "", extension.empty() ? "has no extension" : "has another extension",
-                   known_extensions};
+    // Before reading: what is written meanwhile counts as a change.
+    const FileStamp stamp = path == "-" ? FileStamp{} : file_stamp(path);
+    Result<SceneDocument> opened = open_by_extension(path, assignments);
+    if (auto* document = std::get_if<SceneDocument>(&opened)) document->stamp = stamp;
+    return opened;
 }
 
 Result<SceneDocument> save_document(const SceneDocument& document, const std::string& path) {
@@ -148,6 +156,7 @@ Result<SceneDocument> save_document(const SceneDocument& document, const std::st
         return Problem{path, "", "a name in the scene is no UTF-8 and would not read back", "names in UTF-8"};
     const Result<std::monostate> written = write_file(path, text);
     if (const Problem* problem = problem_of(written)) return *problem;
+    saved.stamp = file_stamp(path);
     return saved;
 }
 

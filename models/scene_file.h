@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "models/file_stamp.h"
 #include "models/problem.h"
 #include "models/scene.h"
 
@@ -26,6 +27,7 @@ struct SceneDocument {
     std::string path;      // of the scene or mesh file; "-" for standard input; empty for a new scene
     std::string mesh_dir;  // what relative mesh paths are relative to
     Warnings warnings;
+    FileStamp stamp = {};  // of the file at `path` when it was read or written; none for a new scene
 };
 
 /// Splits "POINTER=JSON"; a problem (file "--set") when there is no '=' or the pointer does not begin with

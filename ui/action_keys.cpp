@@ -2,6 +2,7 @@
 #include <imgui_internal.h>
 
 #include "ui/actions.h"
+#include "ui/modal.h"
 #include "ui/views/views.h"
 
 namespace glint {
@@ -14,16 +15,10 @@ void escape(UiState& state) {
         state.palette.open = false;
         return;
     }
-    const bool dialog = state.files.open || state.pending.asking || state.exporting.open;
-    if (!dialog && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+    if (modal_of(state) != Modal::None) return leave_modal(state);
+    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
         return ImGui::ClosePopupToLevel(0, true);
-    if (state.exporting.open)
-        state.exporting.open = false;
-    else if (state.files.open)
-        state.files.open = false, state.pending = {};
-    else if (state.pending.asking)
-        state.pending = {};
-    else if (state.loading.active())
+    if (state.loading.active())
         cancel_loads(state);
     else if (state.shows_shortcuts)
         state.shows_shortcuts = false;
@@ -40,8 +35,7 @@ void run_keys(UiState& state, const UiInput& input) {
         state.viewport.gesture != Gesture::None || (ImGui::IsAnyMouseDown() && ImGui::IsAnyItemActive());
     for (const KeyPress& press : input.presses) {
         if (press.key == Key::Escape) escape(state);
-        if (busy || state.files.open || state.pending.asking || state.palette.open || state.exporting.open)
-            continue;
+        if (busy || state.palette.open || modal_of(state) != Modal::None) continue;
         // While text is typed its keys are text; Ctrl+S still saves.
         const bool typing = ImGui::GetIO().WantTextInput;
         if (typing && !(press.ctrl && press.key == Key::S)) continue;

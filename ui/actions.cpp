@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "ui/draw_picture.h"
 #include "ui/files/clipboard.h"
 #include "ui/files/command_text.h"
 #include "ui/hands/camera_actions.h"
@@ -178,7 +179,7 @@ std::string why_not(const UiState& state, Action action) {
         return unless(state.editor.selection.kind == Selection::Kind::Object,
                       "No object is selected: double-click one");
     case Action::RotateAboutPicked:
-        return unless(state.why && state.why->hit, "No point is picked: click one");
+        return unless(is_explained(state) && state.why->hit, "No point is picked: click one");
     case Action::Duplicate:
     case Action::Delete:
         return unless(is_item(state.editor.selection), "No light and no object is selected");

@@ -111,9 +111,17 @@ void run_keys(UiState& state, const UiInput& input);
 void begin_pending(UiState& state, Pending pending);
 /// Goes on with what waited, after the answer or after saving.
 void finish_pending(UiState& state);
+/// Puts another document in hand. All that was about the scene before goes: gesture, probe, explanation, what
+/// was about to be done to one of its lights or objects.
+void take_scene(UiState& state, SceneDocument document);
 /// A name to offer for a file: the document's own, with the ending that fits.
 [[nodiscard]] std::string offered_name(const UiState& state, const char* ending);
-/// Saves; asks for a name when there is none yet. True when it is saved now.
+/// Saves; asks for a name when there is none yet, and first when another program has changed the file. True
+/// when it is saved now.
 bool save(UiState& state);
+/// Saves whatever is in the file. True when it is saved now.
+bool save_over(UiState& state);
+/// Opens the document's file again, giving up what is not saved.
+void reload(UiState& state);
 
 }  // namespace glint

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace glint {
 namespace {
@@ -37,8 +38,7 @@ struct Segment {
 /// True when it was pressed.
 bool segment(const Choice& option, const Segment& look) {
     const auto [on, corners, padding] = look;
-    const bool pressed =
-        ImGui::InvisibleButton("##segment", {segment_width(option, padding), ImGui::GetFrameHeight()});
+    const bool pressed = hit_area("##segment", {segment_width(option, padding), ImGui::GetFrameHeight()});
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const Theme& t = theme();
     const ImVec4& fill = on ? t.accent : ImGui::IsItemHovered() ? t.field_hovered : t.field;

@@ -3,6 +3,7 @@
 
 #include "ui/layout.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace glint {
 namespace {
@@ -19,7 +20,7 @@ void edge(const char* id, float x, const Rect& column, float outwards, float ini
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PopStyleVar();
-    ImGui::InvisibleButton("##edge", {2 * reach, std::max(column.size().y, 1.0f)});
+    hit_area("##edge", {2 * reach, column.size().y});
     const bool held = ImGui::IsItemActive();
     if (held || ImGui::IsItemHovered()) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);

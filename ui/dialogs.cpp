@@ -1,7 +1,6 @@
 #include "ui/dialogs.h"
 
 #include <fmt/core.h>
-#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -14,8 +13,7 @@
 #include "renderer/image_file.h"
 #include "ui/actions.h"
 #include "ui/animate/animate.h"
-#include "ui/menu/palette.h"
-#include "ui/menu/shortcuts.h"
+#include "ui/modal.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -28,15 +26,7 @@ bool pressed(const UiInput& input, Key key) {
 }
 
 void unsaved_question(UiState& state, bool enter) {
-    static constexpr const char* id = "Unsaved changes##question";
-    if (!state.pending.asking) return;
-    if (!ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal(
-            id, nullptr,
-            ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove))
-        return;
+    if (!begin_question("Unsaved changes##question")) return;
     ImGui::TextUnformatted(fmt::format("{} has changes that are not saved.", state.editor.title()).c_str());
     ImGui::Dummy({px(380), px(6)});
     if (ImGui::Button("Save", {px(110), 0}) || enter) {
@@ -48,6 +38,32 @@ void unsaved_question(UiState& state, bool enter) {
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {px(110), 0})) state.pending = {};
     if (!state.pending.asking) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+/// Enter chooses nothing here: every answer but Cancel gives something up or needs a name.
+void changed_question(UiState& state) {
+    if (!begin_question("Changed by another##question")) return;
+    const std::string title = state.editor.title();
+    ImGui::TextUnformatted(
+        fmt::format("{} was changed by another program since it was opened here.", title).c_str());
+    ImGui::Dummy({px(460), px(6)});
+    const auto answer = [&state](const char* name, const char* what) {
+        const bool chosen = ImGui::Button(name, {px(110), 0});
+        tooltip(name, what);
+        state.asks_overwrite = state.asks_overwrite && !chosen;
+        return chosen;
+    };
+    if (answer("Overwrite", "What the other program wrote is lost") && save_over(state))
+        finish_pending(state);
+    ImGui::SameLine();
+    if (answer("Save as…", "Under another name: both are kept"))
+        state.files.ask(FilePurpose::SaveScene, offered_name(state, ".json"));
+    ImGui::SameLine();
+    if (answer("Reload", "What was changed here since the last saving is lost")) reload(state);
+    ImGui::SameLine();
+    if (answer("Cancel", "Nothing is saved")) state.pending = {};
+    if (!state.asks_overwrite) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 
@@ -89,19 +105,28 @@ void use_file(UiState& state, const std::string& path) {
 
 }  // namespace
 
-void close_left_dialogs(const UiState& state) {
-    const bool wanted = state.files.open || state.pending.asking || state.exporting.open;
-    if (!wanted && ImGui::GetTopMostPopupModal() != nullptr) ImGui::ClosePopupToLevel(0, true);
-}
-
 void dialogs(UiState& state, const UiInput& input) {
     const bool enter = pressed(input, Key::Enter);
-    unsaved_question(state, enter);
-    if (const auto path = draw_file_dialog(state.files, enter)) use_file(state, *path);
-    if (!state.files.open && !state.pending.asking) state.pending = {};  // the name was not given
-    shortcuts_sheet(state);
-    palette(state, input);
-    export_dialog(state);
+    const Modal modal = modal_of(state);
+    switch (modal) {
+    case Modal::None:
+        break;
+    case Modal::Unsaved:
+        unsaved_question(state, enter);
+        break;
+    case Modal::Changed:
+        changed_question(state);
+        break;
+    case Modal::Files:
+        if (const auto path = draw_file_dialog(state.files, enter)) use_file(state, *path);
+        break;
+    case Modal::Export:
+        export_dialog(state);
+        break;
+    }
+    if (modal_of(state) != modal) wish_frame_in(0);  // the next one, or what lay below
+    // The name was not given, or the question not answered.
+    if (!state.files.open && !state.asks_overwrite && !state.pending.asking) state.pending = {};
     tend_export(state);
 }
 

@@ -1,15 +1,11 @@
 #pragma once
-// What lies over the window: the question about unsaved changes, the file browser, the sheet of keys.
+// The dialogs: the questions before work is lost, the file browser, the export.
 
 #include "ui/ui.h"
 
 namespace glint {
 
-/// After the keys, before any window: a dialog that was left by Escape, or by what came between, is taken off
-/// ImGui's list. A modal that is no longer drawn would hold up every window that appears (ImGui ends the
-/// program).
-void close_left_dialogs(const UiState& state);
-
+/// Draws the one that is asked for, and does what it is answered. Last in a frame: ui/modal.h.
 void dialogs(UiState& state, const UiInput& input);
 
 /// Files that were dropped on the window: the first is opened.

@@ -1,5 +1,6 @@
 #include "ui/draw_picture.h"
 
+#include <algorithm>
 #include <exception>
 #include <optional>
 #include <utility>
@@ -73,9 +74,28 @@ void explain_asked(UiState& state, const PictureView& view) {
     state.why = state.renderer->explain(shown.x, shown.y);
     state.why->spaces.pixel *= glm::vec2(whole.width, whole.height) / glm::vec2(drawn.width, drawn.height);
     state.asked = *asked;
+    state.explained = item_counts(state.drawn);
 }
 
 }  // namespace
+
+bool same_surfaces(const Scene& a, const Scene& b) {
+    const auto same = [](const Object& one, const Object& other) {
+        return one.mesh == other.mesh && one.transform == other.transform;
+    };
+    return a.camera == b.camera &&
+           std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(), same);
+}
+
+const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size) {
+    const bool tells = state.picture != nullptr && state.picture->size == size &&
+                       same_surfaces(state.drawn, state.editor.scene());
+    return tells ? state.renderer.get() : nullptr;
+}
+
+bool is_explained(const UiState& state) {
+    return state.why && state.explained == item_counts(state.editor.scene());
+}
 
 void draw_picture(UiState& state, const PictureView& view) {
     tend_loads(state);
@@ -103,6 +123,7 @@ void draw_picture(UiState& state, const PictureView& view) {
         ++state.picture_serial;
         if (moves && changed) state.pace.drawn_at = size == view.map.size ? 1 : state.pace.divisor;
     }
+    if (!is_explained(state)) state.why.reset();
     if (preview) return;
     state.editor.before.reset();
     explain_asked(state, view);

@@ -44,8 +44,14 @@ std::optional<Problem> save_file(Editor& editor, std::string path) {
     Result<SceneDocument> written = save_document(editor.document, path);
     if (const Problem* problem = problem_of(written)) return *problem;
     editor.document.path = path;
+    editor.document.stamp = std::get<SceneDocument>(written).stamp;
     editor.saved = editor.document.scene;
     return {};
+}
+
+bool changed_by_another(const Editor& editor) {
+    const FileStamp now = file_stamp(editor.document.path);
+    return now.exists() && now != editor.document.stamp;
 }
 
 std::optional<Problem> settle(Editor& editor) {

@@ -34,6 +34,10 @@ void take_document(Editor& editor, SceneDocument document);
 /// Saves as a scene file. ".json" is added to a name without it.
 [[nodiscard]] std::optional<Problem> save_file(Editor& editor, std::string path);
 
+/// Whether the document's file is there and is not the one that was opened or saved last: saving would write
+/// over what another program, or another window, has put there.
+[[nodiscard]] bool changed_by_another(const Editor& editor);
+
 /// Loads meshes that an edit left unloaded. On a problem the scene goes back to the newest step of the
 /// history.
 [[nodiscard]] std::optional<Problem> settle(Editor& editor);

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "ui/icons.h"
+#include "ui/modal.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -188,16 +189,14 @@ void FileDialog::ask(FilePurpose why, const std::string& path) {
 }
 
 std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
-    if (!dialog.open) return {};
     const Words say = words(dialog.purpose);
     const std::string id = std::string(say.title) + "##files";
-    if (!ImGui::IsPopupOpen(id.c_str())) ImGui::OpenPopup(id.c_str());
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(px(620), window.x - px(40)), std::min(px(460), window.y - px(40))},
                              ImGuiCond_Appearing);
     std::optional<std::string> chosen;
-    if (!ImGui::BeginPopupModal(id.c_str(), &dialog.open, ImGuiWindowFlags_NoSavedSettings)) return {};
+    if (!begin_modal(id.c_str(), &dialog.open, 0)) return {};
     folder_line(dialog);
     bool decided = entry_list(dialog);
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();

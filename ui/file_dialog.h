@@ -29,7 +29,8 @@ struct FileDialog {
     void ask(FilePurpose why, const std::string& path);
 };
 
-/// Draws it, if it is open. The chosen path, once, when the user decides. `enter`: the key was pressed.
+/// Draws it. Precondition: it is open. The chosen path, once, when the user decides. `enter`: the key was
+/// pressed.
 [[nodiscard]] std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter);
 
 }  // namespace glint

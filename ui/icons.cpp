@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace glint {
 namespace {
@@ -186,7 +187,7 @@ ImVec4 legible(ImVec4 colour) {
 
 bool icon_button(const char* id, Icon icon, bool on) {
     const float size = ImGui::GetFrameHeight();
-    const bool pressed = ImGui::InvisibleButton(id, {size, size});
+    const bool pressed = hit_area(id, {size, size});
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float opacity = ImGui::GetStyle().Alpha;

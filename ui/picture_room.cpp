@@ -4,6 +4,7 @@
 
 #include "models/saturate.h"
 #include "ui/area.h"
+#include "ui/draw_picture.h"
 #include "ui/theme.h"
 #include "ui/ui.h"
 #include "ui/views/views.h"
@@ -75,13 +76,11 @@ bool picture_room(UiState& state, const Layout& layout, const UiInput& input) {
     const ImVec2 low{std::max(view.origin.x, layout.centre.low.x),
                      std::max(view.origin.y, layout.centre.low.y)};
     ImGui::SetCursorScreenPos(low);
-    ImGui::InvisibleButton(
-        "##picture",
-        {std::min(high.x, layout.centre.high.x) - low.x, std::min(high.y, layout.centre.high.y) - low.y},
-        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-            ImGuiButtonFlags_MouseButtonMiddle);
-    const Renderer* renderer =
-        state.picture != nullptr && state.picture->size == view.map.size ? state.renderer.get() : nullptr;
+    hit_area("##picture",
+             {std::min(high.x, layout.centre.high.x) - low.x, std::min(high.y, layout.centre.high.y) - low.y},
+             ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                 ImGuiButtonFlags_MouseButtonMiddle);
+    const Renderer* renderer = renderer_of_open_scene(state, view.map.size);
     if (state.viewport.gesture == Gesture::None &&
         (pen_hand(state.lecture.pen, view) || views_hand(state, view))) {
         state.viewport.hovered = false;
@@ -102,10 +101,9 @@ void picture_overlay(UiState& state, const Layout& layout, const PictureView& vi
     const ImVec2 high = view.to_window({view.map.size.width, view.map.size.height});
     list.PushClipRect(view.origin, high, true);
     if (!state.layout.bare) {
-        const bool whole = state.picture->size == view.map.size;
-        draw_overlay(
-            list, state.viewport,
-            {state.editor.scene(), state.editor.selection, whole ? state.renderer.get() : nullptr, view});
+        draw_overlay(list, state.viewport,
+                     {state.editor.scene(), state.editor.selection,
+                      renderer_of_open_scene(state, view.map.size), view});
         draw_views_overlay(list, state, view);
         draw_point_vectors(list, state, view);
         first_hints(state, view);

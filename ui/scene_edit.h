@@ -1,6 +1,7 @@
 #pragma once
 // Edits of a scene as a list: adding, duplicating and deleting lights and objects. Pure functions.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -19,6 +20,15 @@ struct Selection {
 /// Index of the selected light, or -1.
 [[nodiscard]] inline int selected_light(const Selection& selection) {
     return selection.kind == Selection::Kind::Light ? selection.index : -1;
+}
+
+/// How many lights and objects there are. While they stay, a number of one stands for one that exists.
+struct ItemCounts {
+    std::size_t lights = 0, objects = 0;
+    bool operator==(const ItemCounts&) const = default;
+};
+[[nodiscard]] inline ItemCounts item_counts(const Scene& scene) {
+    return {scene.lights.size(), scene.objects.size()};
 }
 
 /// `selection`, or the nearest that exists in `scene`.

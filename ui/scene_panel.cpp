@@ -23,7 +23,7 @@ bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float in
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::PushID(name);
-    const bool clicked = ImGui::InvisibleButton("##row", {width - reserve, height});
+    const bool clicked = hit_area("##row", {width - reserve, height});
     ImGui::PopID();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool hovered = ImGui::IsItemHovered();
@@ -59,7 +59,7 @@ bool row_menu(Scene& scene, Selection& selection, Selection row) {
 bool space_button(Light& light, const Camera& camera) {
     const bool world = light.space == LightSpace::World;
     const float size = ImGui::GetFrameHeight();
-    const bool pressed = ImGui::InvisibleButton("##space", {size, size});
+    const bool pressed = hit_area("##space", {size, size});
     const ImVec2 low = ImGui::GetItemRectMin();
     const char* letter = world ? "W" : "C";
     const ImVec2 text = ImGui::CalcTextSize(letter);

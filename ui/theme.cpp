@@ -161,8 +161,9 @@ void apply_theme(const Theme& chosen, float scale) {
     style.WindowBorderSize = 0;
     style.ChildBorderSize = 0;
     style.PopupBorderSize = 1;
-    style.WindowMinSize = {1, 1};
     style.ScaleAllSizes(scale);
+    // No length of the design but ImGui's own lower limit: scaled by less than 1 it would be rounded to 0.
+    style.WindowMinSize = {1, 1};
     set_colours(style, chosen);
     ImGui::GetStyle() = style;
 }

@@ -57,7 +57,7 @@ void reflection_switch(Shading& shading, float room) {
 void term_switch(const char* letter, const char* name, const char* key, Symbol symbol, bool& on) {
     const float size = ImGui::GetFrameHeight();
     ImGui::PushID(name);
-    if (ImGui::InvisibleButton("##term", {size, size})) on = !on;
+    if (hit_area("##term", {size, size})) on = !on;
     const ImVec2 low = ImGui::GetItemRectMin(), middle{low.x + size / 2, low.y + size / 2};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec4& colour = theme()[symbol];

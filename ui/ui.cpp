@@ -11,6 +11,9 @@
 #include "ui/dialogs.h"
 #include "ui/draw_picture.h"
 #include "ui/fonts.h"
+#include "ui/menu/palette.h"
+#include "ui/menu/shortcuts.h"
+#include "ui/modal.h"
 #include "ui/picture_room.h"
 #include "ui/take_back.h"
 #include "ui/theme.h"
@@ -45,7 +48,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     take_dropped(state, input);
     run_keys(state, input);
     follow_b_key(state, input.b_held);
-    close_left_dialogs(state);
+    close_left_modal(state);
     ImGui::PushFont(fonts().body);
     begin_views(state);
     const Layout layout = lay_out(ImGui::GetIO().DisplaySize, state.layout, px(1));
@@ -53,7 +56,8 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     const bool in_hand = picture_room(state, layout, input);
     state.left_shows_why |= state.viewport.asked;
     left_column(state, layout, picture_view(layout.centre, state));
-    dialogs(state, input);
+    shortcuts_sheet(state);
+    palette(state, input);
     const PictureView view = picture_view(layout.centre, state);
     draw_picture(state, view);
     update_views(state);
@@ -67,6 +71,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     if (!state.layout.bare) status_line(state, layout.status);
     animate_panel(state);
     step_wedge(state.lecture.wedge);
+    dialogs(state, input);  // after every window: ui/modal.h
     remember(state, in_hand);
     tend_memory(state);
     tend_animation(state);

@@ -67,6 +67,7 @@ struct UiState {
     bool dark = true, shows_shortcuts = false, left_shows_why = false;
     bool types_into_panel = false;  // asked for: the selected item's first field takes the keys
     bool quits = false;
+    bool asks_overwrite = false;  // saving would write over what another program put into the file
 
     FramePace pace;
     std::vector<Camera> kept_views;  // kept by hand, of whatever scene; remembered with the settings
@@ -80,7 +81,8 @@ struct UiState {
     Scene drawn;                       // what `picture` shows
     bool drawn_is_edited = false;      // that was the edited scene, not a preview
     std::optional<Explanation> why;    // of the probe in `picture`, where that shows the edited scene
-    glm::ivec2 asked{0};               // the pixel of the whole picture that `why` is about
+    ItemCounts explained;  // of the scene that `why` is about: it names lights and objects by number
+    glm::ivec2 asked{0};   // the pixel of the whole picture that `why` is about
     /// A panel that wants another scene on the screen than the edited one (one term alone, one light alone)
     /// puts it here in every frame in which it wants it. It is drawn in the next frame, with the same meshes
     /// and camera; `why` stays what it was, and nothing of it reaches the history or a file.

@@ -134,6 +134,10 @@ void tooltip(const char* title, const char* what, const std::string& range, cons
     ImGui::PopStyleVar();
 }
 
+bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
+    return ImGui::InvisibleButton(id, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)}, flags);
+}
+
 float row(const char* label) {
     const float label_width = px(88);
     const float left = ImGui::GetCursorPosX();

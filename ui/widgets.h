@@ -2,6 +2,8 @@
 // The controls that every panel is made of: a label and a field in a row, with a tooltip that says what it
 // is, its unit, range and default, and its key in the scene file. Each edits a value and says whether it did.
 
+#include <imgui.h>
+
 #include <array>
 #include <functional>
 #include <glm/vec3.hpp>
@@ -50,6 +52,11 @@ void tooltip(const char* title, const char* what, const std::string& range = "",
 void wish_frame_in(double seconds);
 void frame_wish_reset();
 [[nodiscard]] double frame_wish();
+
+/// A rectangle that takes the mouse and draws nothing, for a control that draws itself; true when it was
+/// clicked. At least one unit wide and high however little room there is: ImGui ends the program over an
+/// invisible button without an area, and reads a negative size as a distance from the right.
+bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags = 0);
 
 /// Starts a row: the label in its column, the field after it. Returns the width left for the field.
 float row(const char* label);

@@ -48,6 +48,11 @@ within 10 middle_is FF00FF || fail "the picture's scene is not to be seen"
 drop triangle.obj
 within 10 title_is triangle.obj || fail "the mesh was not opened"
 
+# Who drags may be gone before the window answers.
+"$source" --vanish || fail "nothing was dragged"
+sleep 1
+kill -0 "$glint_pid" 2>/dev/null || fail "the window ended with the program that dragged something over it"
+
 # A scene that is saved and reopened: one light off, by the list of shortcuts only.
 drop second.json
 within 10 middle_is FF00FF || fail "the scene did not come back"

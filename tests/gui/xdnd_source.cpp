@@ -1,5 +1,6 @@
 // Drops a file on the window under the mouse, as a file manager does: the source's side of XDND, which
-// xdotool lacks. Usage: xdnd_source FILE. Exit status 0 when the target has taken it. Source:
+// xdotool lacks. Usage: xdnd_source FILE. Exit status 0 when the target has taken it. With FILE
+// `--vanish` the source drags and is gone before the target can answer. Source:
 // freedesktop.org, "Drag-and-Drop Protocol for the X Window System" (XDND, version 5).
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
@@ -55,7 +56,11 @@ Target target_under_mouse(Display* display, const Atoms& atoms) {
 
 class Source {
   public:
-    Source(Display* display, std::string uris) : display_(display), atoms_(display), uris_(std::move(uris)) {
+    Source(Display* display, const std::string& file)
+        : display_(display),
+          atoms_(display),
+          uris_("file://" + file + "\r\n"),
+          vanishes_(file == "--vanish") {
         window_ = XCreateSimpleWindow(display, DefaultRootWindow(display), 0, 0, 1, 1, 0, 0, 0);
         XSetSelectionOwner(display, atoms_.selection, window_, CurrentTime);
     }
@@ -67,6 +72,7 @@ class Source {
         send(target.window, atoms_.enter, version << 24, static_cast<long>(atoms_.uri_list), 0, 0);
         send(target.window, atoms_.position, 0, (long(target.x) << 16) | target.y, CurrentTime,
              static_cast<long>(atoms_.copy));
+        if (vanishes_) return true;
         if (!wait_for(atoms_.status)) return said("the target does not answer");
         send(target.window, atoms_.drop, 0, CurrentTime, 0, 0);
         return wait_for(atoms_.finished) || said("the target has not finished");
@@ -125,6 +131,7 @@ class Source {
     Display* display_;
     Atoms atoms_;
     std::string uris_;
+    bool vanishes_ = false;
     Window window_ = None;
 };
 
@@ -134,7 +141,7 @@ int main(int argc, char** argv) {
     if (argc != 2) return 2;
     Display* display = XOpenDisplay(nullptr);
     if (display == nullptr) return 1;
-    const bool taken = Source(display, std::string("file://") + argv[1] + "\r\n").run();
+    const bool taken = Source(display, argv[1]).run();
     XCloseDisplay(display);
     return taken ? 0 : 1;
 }

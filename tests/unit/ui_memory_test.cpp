@@ -8,6 +8,7 @@
 #include "tests/unit/program.h"
 #include "tests/unit/scenes.h"
 #include "tests/unit/ui_bench.h"
+#include "ui/files/folder_lock.h"
 #include "ui/files/recent_files.h"
 #include "ui/limits.h"
 
@@ -27,7 +28,22 @@ void edit_and_wait(Bench& bench, float intensity) {
     bench.scene().lights[0].intensity = intensity;
     bench.frames(3);
     REQUIRE(bench.state.memory.copy.has_value());
-    bench.state.memory.copying.wait();
+    while (bench.state.memory.copying.valid()) bench.frames(1);
+}
+
+std::size_t notes_with(const Bench& bench, const std::string& words) {
+    const auto& list = bench.state.notifications.list;
+    return std::size_t(std::count_if(list.begin(), list.end(), [&words](const Notification& note) {
+        return note.text.find(words) != std::string::npos;
+    }));
+}
+
+/// The next copy is written, whatever the time.
+void copy_again(Bench& bench, float intensity) {
+    bench.state.memory.copied_at = -1e9;
+    bench.scene().lights[0].intensity = intensity;
+    bench.frames(3);
+    while (bench.state.memory.copying.valid()) bench.frames(1);
 }
 
 /// Nothing of it as on the first day.
@@ -170,6 +186,82 @@ TEST_CASE("a file that is opened stands first among the recent ones, in every wi
     bench.wait_for_loads();
     CHECK(bench.state.memory.recent == std::vector<std::string>{path});
     CHECK(read_recent_files(bytes_of(folder.path("state/recent.json"))) == bench.state.memory.recent);
+}
+
+TEST_CASE("a window waits for the list of recent files while another changes it, and no file is lost",
+          "[ui][memory]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("one.json", scene_text(test::busy_scene()));
+    Bench bench;
+    begin_memory(bench.state, folder.path("state"));
+    bench.frames(2);
+    const std::string list = folder.path("state/recent.json");
+    {
+        const FolderLock other(folder.path("state"));
+        REQUIRE(other.held());
+        CHECK_FALSE(FolderLock(folder.path("state")).held());
+        UiInput drop;
+        drop.dropped = {path};
+        (void)bench.frame(drop);
+        bench.wait_for_loads();
+        CHECK(bench.frame().sleep_s < 0.1);  // it asks again by itself
+        CHECK(read_recent_files(bytes_of(list)).empty());
+        REQUIRE(problem_of(write_file(list, recent_files_text({"/by/the/other.json"}))) == nullptr);
+    }
+    bench.frames(1);
+    CHECK(read_recent_files(bytes_of(list)) == std::vector<std::string>{path, "/by/the/other.json"});
+}
+
+TEST_CASE("a copy that cannot be written is said once, and tried again", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    Bench bench;
+    begin_memory(bench.state, folder.path("state"));
+    bench.frames(2);
+    edit_and_wait(bench, 0.25f);
+    CHECK(notes_with(bench, "No copy") == 0);
+    const std::string copy = bench.state.memory.copy->path();
+    std::filesystem::remove(copy);
+    std::filesystem::create_directory(copy);  // not even root writes a file over that
+    copy_again(bench, 0.5f);
+    CHECK(notes_with(bench, "No copy") == 1);
+    CHECK(bench.state.memory.copied != bench.scene());
+    bench.state.notifications.list.clear();
+    copy_again(bench, 0.75f);
+    CHECK(notes_with(bench, "No copy") == 0);
+    std::filesystem::remove(copy);
+    bench.state.memory.copied_at = -1e9;
+    bench.frames(3);  // nothing was edited
+    while (bench.state.memory.copying.valid()) bench.frames(1);
+    CHECK(bytes_of(copy).find("0.75") != std::string::npos);
+    std::filesystem::remove(copy);
+    std::filesystem::create_directory(copy);
+    copy_again(bench, 1.5f);
+    CHECK(notes_with(bench, "No copy") == 1);
+}
+
+TEST_CASE("no copy for want of a folder is said too", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    Bench bench;
+    begin_memory(bench.state, folder.path("state"));
+    std::filesystem::remove_all(folder.path("state"));
+    bench.frames(2);
+    copy_again(bench, 0.25f);
+    CHECK(notes_with(bench, "No copy") == 1);
+}
+
+TEST_CASE("a window that cannot go on leaves its newest work behind", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    Bench bench;
+    begin_memory(bench.state, folder.path(""));
+    bench.frames(2);
+    CHECK_FALSE(keep_unsaved_work(bench.state));  // nothing is unsaved
+    CHECK(copies_in(folder) == 0);
+    edit_and_wait(bench, 0.25f);
+    bench.scene().lights[0].intensity = 0.625f;  // no copy is due for 5 seconds
+    bench.frames(3);
+    CHECK(bytes_of(bench.state.memory.copy->path()).find("0.625") == std::string::npos);
+    CHECK(keep_unsaved_work(bench.state));
+    CHECK(bytes_of(bench.state.memory.copy->path()).find("0.625") != std::string::npos);
 }
 
 TEST_CASE("unsaved work is copied, found after a crash and taken up, and no window takes another's",

@@ -94,8 +94,9 @@ std::string autosave_text(const SceneDocument& document, const std::string& fold
     const bool named = !document.path.empty() && document.path != "-";
     const std::string path = named ? fs::absolute(document.path, failed).string() : "";
     const Scene scene = with_mesh_paths_from(document.scene, document.mesh_dir, folder);
-    return fmt::format("{{\"path\": {},\n\"scene\": {}}}\n",
-                       Json(path).dump(-1, ' ', false, Json::error_handler_t::replace), scene_text(scene));
+    return fmt::format("{{\"path\": {},\n\"file\": \"{}\",\n\"scene\": {}}}\n",
+                       Json(path).dump(-1, ' ', false, Json::error_handler_t::replace),
+                       stamp_text(document.stamp), scene_text(scene));
 }
 
 std::vector<LeftCopy> left_copies(const std::string& folder) {
@@ -133,6 +134,8 @@ Result<SceneDocument> open_autosave(const std::string& path) {
     if (const Problem* problem = problem_of(loaded)) return *problem;
     document.warnings = std::get<Warnings>(std::move(loaded));
     if (document.path.empty()) return document;
+    if (const auto file = copy.find("file"); file != copy.end() && file->is_string())
+        document.stamp = stamp_of(file->get<std::string>()).value_or(FileStamp{});
     const std::string home = directory_of(document.path);
     document.scene = with_mesh_paths_from(std::move(document.scene), document.mesh_dir, home);
     document.mesh_dir = home;

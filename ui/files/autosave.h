@@ -36,8 +36,8 @@ class AutosaveLock {
 /// A new copy's name in `folder`, locked; nothing when the folder cannot be written.
 [[nodiscard]] std::optional<AutosaveLock> new_autosave(const std::string& folder);
 
-/// The text of a copy that stands in `folder`: the document's path, and its scene with mesh paths that lead
-/// from there.
+/// The text of a copy that stands in `folder`: the document's path, what its file was like when it was opened
+/// or saved, and its scene with mesh paths that lead from there.
 [[nodiscard]] std::string autosave_text(const SceneDocument& document, const std::string& folder);
 
 /// A copy that a window left behind, with its lock now ours.

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "ui/actions.h"
+#include "ui/modal.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -50,15 +51,10 @@ void size_rows(UiState& state, ExportOptions& options) {
 void export_dialog(UiState& state) {
     ExportState& exporting = state.exporting;
     static constexpr const char* id = "Export the picture##export";
-    if (!exporting.open) return;
-    if (!ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(px(470), window.x), 0});
-    if (!ImGui::BeginPopupModal(
-            id, &exporting.open,
-            ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove))
-        return;
+    if (!begin_modal(id, &exporting.open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
     size_rows(state, exporting.options);
     std::vector<Choice> options;
     constexpr const char* names[] = {"1", "2", "4", "8"};

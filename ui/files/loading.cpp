@@ -148,12 +148,10 @@ void tend_meshes(UiState& state) {
 }
 
 void take_opened(UiState& state, SceneDocument document) {
-    (void)cancel_gesture(state.viewport, state.editor.scene());
     leave(state.loading, state.loading.meshes);
     state.loading.awaited.clear();
-    take_document(state.editor, std::move(document));
+    take_scene(state, std::move(document));
     state.notifications.add(state.editor.document.warnings);
-    state.viewport.probe.reset();
 }
 
 void tend_document(UiState& state) {

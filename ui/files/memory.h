@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "models/problem.h"
 #include "ui/files/autosave.h"
 #include "ui/files/settings.h"
 #include "ui/layout.h"
@@ -21,9 +22,10 @@ struct Memory {
     double settings_changed = 0;       // ImGui's time
     std::string opened;                // the document's path that stands first among the recent ones
     std::optional<AutosaveLock> copy;  // of the unsaved work, while there is some
-    Scene copied;                      // what it holds
+    std::optional<Scene> copied;       // what it holds, or will when `copying` has come to its end
     double copied_at = -1e9;           // ImGui's time
-    std::future<void> copying;
+    std::future<Result<std::monostate>> copying;
+    bool copy_failed = false;    // and the user was told so
     std::vector<LeftCopy> left;  // by windows that are gone: offered one by one
 };
 
@@ -42,6 +44,10 @@ void drop_copy(UiState& state);
 
 /// Writes at once what would be written later.
 void end_memory(UiState& state);
+
+/// For a window that cannot go on: writes the copy of the unsaved work, if there is any, before it returns.
+/// True when there is a copy for the next window to offer.
+bool keep_unsaved_work(UiState& state);
 
 /// Columns, theme, sizes and views as on the first day; kept views stay.
 void reset_layout(UiState& state);

@@ -45,12 +45,11 @@ void take_up_copy(UiState& state, const std::string& path) {
     if (const Problem* problem = problem_of(opened)) return state.notifications.add(*problem);
     cancel_loads(state);
     drop_copy(state);
-    take_document(state.editor, std::get<SceneDocument>(std::move(opened)));
+    take_scene(state, std::get<SceneDocument>(std::move(opened)));
     // What is in the file, which the copy is newer than.
     const Result<SceneDocument> in_file = open_document(state.editor.document.path);
     const auto* document = std::get_if<SceneDocument>(&in_file);
     state.editor.saved = document != nullptr ? document->scene : Scene();
-    state.viewport.probe.reset();
     if (copy == memory.left.end()) return;
     memory.copy = std::move(copy->lock);  // from now on it is this window's own
     memory.copied = state.editor.scene();

@@ -129,7 +129,7 @@ void outside_tab(UiState& state, const PictureView& main) {
     PictureView view = main;
     view.origin = ImGui::GetCursorScreenPos();
     view.units_per_pixel = 1;
-    ImGui::InvisibleButton("##outside", extent);
+    hit_area("##outside", extent);
     const bool hovered = ImGui::IsItemHovered();
     const bool reset = hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (!outside.placed || reset) outside = {outside_camera(scene, main, size), true};

@@ -116,10 +116,6 @@ void keep_frozen(UiState& state) {
     const auto& frozen = state.lecture.frozen;
     if (!frozen) return;
     state.preview = *frozen;
-    // What was told of the frozen picture names lights and objects by number: they must still be there.
-    const Scene& scene = state.editor.scene();
-    if (scene.lights.size() != frozen->lights.size() || scene.objects.size() != frozen->objects.size())
-        state.why.reset();
 }
 
 void frozen_badge(ImDrawList& list, const LectureState& lecture, const PictureView& view) {

@@ -36,10 +36,10 @@ void begin_line(PenState& pen, glm::vec2 place) {
 ImVec4 pen_colour(int index) {
     // Okabe and Ito's yellow, sky blue, vermillion and green; white. On a picture: not the theme's.
     static const ImVec4 colours[pen_colour_count] = {{0.94f, 0.89f, 0.26f, 1},
-                                                         {0.34f, 0.71f, 0.91f, 1},
-                                                         {0.84f, 0.37f, 0, 1},
-                                                         {0, 0.62f, 0.45f, 1},
-                                                         {1, 1, 1, 1}};
+                                                     {0.34f, 0.71f, 0.91f, 1},
+                                                     {0.84f, 0.37f, 0, 1},
+                                                     {0, 0.62f, 0.45f, 1},
+                                                     {1, 1, 1, 1}};
     return colours[index];
 }
 
@@ -88,7 +88,7 @@ void pen_bar(PenState& pen, const PictureView& view) {
     const float size = ImGui::GetFrameHeight();
     for (int i = 0; i < pen_colour_count; ++i) {
         ImGui::PushID(i);
-        if (ImGui::InvisibleButton("##colour", {size, size})) pen.colour = i;
+        if (hit_area("##colour", {size, size})) pen.colour = i;
         const ImVec2 low = ImGui::GetItemRectMin(), mid{low.x + size / 2, low.y + size / 2};
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.AddCircleFilled(mid, size * 0.32f, packed(pen_colour(i)));

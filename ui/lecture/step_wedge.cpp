@@ -28,7 +28,7 @@ void patches(WedgeRow& row, float height) {
         list.AddRectFilled({x - size / 2, y - size / 2}, {x + size / 2, y + size / 2}, grey(value));
         ImGui::SetCursorScreenPos({x - cell / 2, low.y});
         ImGui::PushID(static_cast<int>(i));
-        if (ImGui::InvisibleButton("##patch", {cell, height})) row.seen = static_cast<int>(i);
+        if (hit_area("##patch", {cell, height})) row.seen = static_cast<int>(i);
         const bool chosen = row.seen == static_cast<int>(i);
         const ImU32 ink = row.ground < 128 ? grey(150) : grey(row.ground == 255 ? 110 : 20);
         if (chosen || ImGui::IsItemHovered())

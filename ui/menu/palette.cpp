@@ -41,7 +41,7 @@ bool entry_row(const PaletteEntry& entry, const std::string& text, bool chosen, 
     const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::PushID(index);
-    const bool clicked = ImGui::InvisibleButton("##entry", {width, height});
+    const bool clicked = hit_area("##entry", {width, height});
     if (ImGui::IsItemHovered() && !entry.refused.empty()) tooltip(entry.name.c_str(), entry.refused.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (chosen || ImGui::IsItemHovered())
@@ -121,11 +121,15 @@ std::vector<int> palette_matches(const std::vector<PaletteEntry>& entries, const
     return indices;
 }
 
-void open_palette(UiState& state) { state.palette = {true, true, "", 0, palette_entries(state)}; }
+void open_palette(UiState& state) {
+    state.palette = {true, true, "", 0, palette_entries(state), item_counts(state.editor.scene())};
+}
 
 void palette(UiState& state, const UiInput& input) {
     PaletteState& palette = state.palette;
     if (!palette.open) return;
+    if (const ItemCounts now = item_counts(state.editor.scene()); now != palette.made_for)
+        palette.entries = palette_entries(state), palette.made_for = now;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float width = std::min(px(560), window.x - px(20));
     ImGui::SetNextWindowPos({(window.x - width) / 2, std::min(px(90), window.y / 8)});

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "ui/scene_edit.h"
+
 namespace glint {
 
 struct UiState;
@@ -22,6 +24,7 @@ struct PaletteState {
     std::string text;
     int chosen = 0;  // of those that match
     std::vector<PaletteEntry> entries;
+    ItemCounts made_for;  // of the scene: entries name its lights and objects by number
 };
 
 }  // namespace glint

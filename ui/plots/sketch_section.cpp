@@ -36,7 +36,7 @@ std::vector<glm::dvec2> half_highlight(Reflection reflection, float shininess) {
 /// What the hand draws while the button is down over the plot, a value for each degree.
 void draw_by_hand(HighlightSketch& sketch, const PlotArea& area) {
     ImGui::SetCursorScreenPos(area.rect.low);
-    ImGui::InvisibleButton("##sketch", area.rect.size());
+    hit_area("##sketch", area.rect.size());
     tooltip("Sketch", "Draw how the highlight shall fall off, from its middle outwards");
     if (!ImGui::IsItemActive()) return sketch.last.reset();
     const glm::dvec2 hand = area.value(ImGui::GetIO().MousePos);

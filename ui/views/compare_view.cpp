@@ -88,10 +88,13 @@ const Picture& compose(CompareState& state, const DrawnScene& drawn) {
     return state.picture;
 }
 
+int part_of(const CompareState& state, glm::ivec2 pixel, PictureSize size) {
+    if (!state.choice.on || state.choice.difference || state.picture.size != size) return -1;
+    return part_at(state.choice, state.choice.stacked ? pixel.y : pixel.x, length_of(state.choice, size));
+}
+
 const Renderer* part_renderer(const CompareState& state, glm::ivec2 pixel, PictureSize size) {
-    if (!state.choice.on || state.choice.difference || state.picture.size != size) return nullptr;
-    const auto part = static_cast<std::size_t>(
-        part_at(state.choice, state.choice.stacked ? pixel.y : pixel.x, length_of(state.choice, size)));
+    const auto part = static_cast<std::size_t>(part_of(state, pixel, size));  // -1 becomes the largest
     return part < state.drawn_by.size() ? state.drawn_by[part] : nullptr;
 }
 

@@ -66,6 +66,9 @@ struct DrawnScene {
 /// that of the first and the last part, and `numbers`. Linear colours are composed where `drawn` has them.
 const Picture& compose(CompareState& state, const DrawnScene& drawn);
 
+/// The part in which pixel (x, y) of the composed picture lies; -1 when no parts are shown.
+[[nodiscard]] int part_of(const CompareState& state, glm::ivec2 pixel, PictureSize size);
+
 /// What drew pixel (x, y) of the composed picture; null when that is the drawn scene's renderer, or nothing.
 [[nodiscard]] const Renderer* part_renderer(const CompareState& state, glm::ivec2 pixel, PictureSize size);
 

@@ -131,7 +131,7 @@ void strips(ScopeState& scope, const Rect& area) {
     const std::vector<ZeroCurve> curves = zero_curves(scope);
     const float unit = (area.size().y - axis) / (2 + static_cast<float>(curves.size()));
     ImGui::SetCursorScreenPos(area.low);
-    ImGui::InvisibleButton("##strips", area.size());
+    hit_area("##strips", area.size());
     scope.hovered = sample_under(scope, area, x);
     float y = area.low.y + 2 * unit;
     intensity_strip(list, {{area.low, {area.high.x, y}}, x, false, {"I", ""}}, scope);

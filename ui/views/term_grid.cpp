@@ -67,7 +67,7 @@ void toggle_muted(TermGridState& grid, GridCell cell) {
 bool cell_button(TermGridState& grid, GridCell cell, float width) {
     const float height = width * float(grid.cell.height) / float(grid.cell.width);
     ImGui::PushID(3 * (cell.light + 1) + cell.term);
-    const bool clicked = ImGui::InvisibleButton("##cell", {width, height});
+    const bool clicked = hit_area("##cell", {width, height});
     const bool right = ImGui::IsItemClicked(ImGuiMouseButton_Right);
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImDrawList& list = *ImGui::GetWindowDrawList();

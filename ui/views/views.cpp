@@ -1,6 +1,7 @@
 #include "ui/views/views.h"
 
 #include "ui/area.h"
+#include "ui/draw_picture.h"
 #include "ui/views/scope_panel.h"
 #include "ui/views/views_bar.h"
 
@@ -47,13 +48,19 @@ void update_shown(UiState& state) {
     views.shown_from = from;
 }
 
-/// The picked pixel is explained by what drew the part in which it lies.
+/// The picked pixel is explained by what drew the part in which it lies: nothing is, when that is B with
+/// other lights or objects, of whose numbers the columns make those of the edited scene.
 void ask_part(UiState& state) {
     if (!state.why || !(state.drawn == state.editor.scene())) return;
-    const Renderer* renderer =
-        part_renderer(state.views.compare, {state.why->x, state.why->y}, state.shown->size);
-    if (renderer != nullptr && renderer != state.renderer.get())
-        state.why = renderer->explain(state.why->x, state.why->y);
+    const CompareState& compare = state.views.compare;
+    const glm::ivec2 pixel{state.why->x, state.why->y};
+    const Renderer* renderer = part_renderer(compare, pixel, state.shown->size);
+    if (renderer == nullptr || renderer == state.renderer.get()) return;
+    state.why = renderer->explain(pixel.x, pixel.y);
+    const int part = part_of(compare, pixel, state.shown->size);
+    const Setting setting = compare.choice.parts[static_cast<std::size_t>(part)];
+    state.explained = item_counts(scene_under(setting, state.drawn, compare.choice.stored));
+    if (!is_explained(state)) state.why.reset();
 }
 
 void store_b(UiState& state) {

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Random events against the real window: resolutions from 72 to 300 dpi, sizes from 1x1 to 2000 pixels, keys and clicks
+# 20 ms apart, drops from programs that vanish, files that change, two windows on one state folder. Fails when a
+# window dies, says anything but a warning, or does not answer; the seed, the life and the last events are printed.
+# PROGRAM HAND XDND_SOURCE [SECONDS [SEED [FIRST_LIFE]]]; the last repeats what was found from there.
+set -u
+# A random hand in a file dialog must not reach anybody's files: as root it gives its rights up first.
+if [ "$(id -u)" -eq 0 ] && command -v setpriv >/dev/null; then
+    exec setpriv --reuid=65534 --regid=65534 --clear-groups env HOME=/nonexistent bash "$0" "$@"
+fi
+# shellcheck disable=SC2034  # display.sh uses it
+program=$1
+hand=$2 source=$3
+seconds=${4:-60} seed=${5:-1} life=${6:-0}
+# shellcheck source=tests/gui/display.sh
+. "$(dirname "$0")/display.sh"
+[ -x "$hand" ] || { echo "skipped: the hand was not built (libxtst-dev)"; exit 77; }
+
+# The program with scenes of its own beside it, which may be saved over.
+mkdir -p "$work/bin" "$work/work" "$work/given"
+cp "$program" "$work/bin/glint"
+cp -r "$(dirname "$0")/../../assets" "$work/bin/"
+cp "$work/bin/assets/scenes/"* "$work/given/"
+cp "$work/given/default.json" "$work/work/scene.json"
+cp "$work/given/still-life.json" "$work/work/"
+printf 'v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n' >"$work/given/triangle.obj"
+"$program" render "$work/work/scene.json" -o "$work/given/picture.png" --size 64x48 || fail "no picture to drop"
+echo '{"glint": 1, "lights": 5}' >"$work/given/broken.json"
+echo '{"glint": 1}' >"$work/given/empty.json"
+
+if grep -q __asan_init "$program"; then
+    export ASAN_OPTIONS=detect_leaks=0:handle_abort=1 UBSAN_OPTIONS=print_stacktrace=1
+else
+    ulimit -v $((8 << 20)) # of which graphics drivers reserve most without using it
+fi
+ulimit -c 0
+start_display 2000x1500
+cd "$work" || exit 1
+"$hand" "$seconds" "$seed" "$life" "$work" "$work/bin/glint" "$source"

@@ -1,0 +1,30 @@
+#pragma once
+// How large things are on a display: from what the window system says of a window to sizes of type and
+// lengths.
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+
+namespace glint {
+
+/// What the window system says of a window. While it is being resized the answers to two questions may be of
+/// two sizes.
+struct WindowExtent {
+    glm::ivec2 size{0}, size_after{0};  // in the window's units, asked before and after `dots`
+    glm::ivec2 dots{0};                 // of the framebuffer, pixels
+    float content_scale = 1;            // 1 on a display of 96 dots per inch
+};
+
+struct DisplayScale {
+    float design = 1;         // the window's units per unit of the design
+    float dots_per_unit = 1;  // pixels of the framebuffer per unit of the window
+    bool operator==(const DisplayScale&) const = default;
+};
+
+/// The scale that fits `extent`, `before` being the one in use. Dots per unit of the design stay within 0.75
+/// and 4, dots per unit within 0.5 and 4. A window that is being resized or has no area keeps its dots per
+/// unit, and so does one whose ratio differs by what rounding to whole dots makes: fonts are rebuilt only for
+/// a true change.
+[[nodiscard]] DisplayScale display_scale(const WindowExtent& extent, const DisplayScale& before);
+
+}  // namespace glint
