@@ -1,33 +1,31 @@
 #include "renderer/inspect/sensitivity.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
-#include <nlohmann/json.hpp>
+#include <map>
 #include <optional>
 #include <utility>
 
+#include "models/json_value.h"
 #include "models/scene_variant.h"
 #include "renderer/renderer.h"
 
 namespace glint {
 namespace {
 
-using Json = nlohmann::json;
-
 /// Calls visit(pointer, value) for every number, in the order of the pointers.
-void visit_numbers(const Json& at, const std::string& pointer,
+void visit_numbers(const JsonValue& at, const std::string& pointer,
                    const std::function<void(const std::string&, double)>& visit) {
-    if (at.is_number()) visit(pointer, at.get<double>());
-    if (at.is_array())
-        for (std::size_t i = 0; i < at.size(); ++i)
-            visit_numbers(at[i], fmt::format("{}/{}", pointer, i), visit);
-    if (at.is_object())
-        for (const auto& [key, value] : at.items())
-            visit_numbers(value, fmt::format("{}/{}", pointer, key), visit);
+    if (at.is_number()) visit(pointer, at.number());
+    for (std::size_t i = 0; i < at.elements().size(); ++i)
+        visit_numbers(at.elements()[i], fmt::format("{}/{}", pointer, i), visit);
+    std::map<std::string, const JsonValue*> by_name;
+    for (const auto& [name, value] : at.members()) by_name[name] = &value;
+    for (const auto& [name, value] : by_name)
+        visit_numbers(*value, fmt::format("{}/{}", pointer, name), visit);
 }
 
 /// The scene with only the object that shows, and the names of numbers in the whole scene.
@@ -119,7 +117,7 @@ struct SensitivityRun::State {
           probe(pinned.document, size, x, y, threads),
           now(probe.color_now()) {
         visit_numbers(
-            Json::parse(scene_text(pinned.document.scene)), "",
+            *JsonValue::parse(scene_text(pinned.document.scene)), "",
             [this](const std::string& pointer, double value) { numbers.emplace_back(pointer, value); });
         for (std::size_t i = 0; i < document.scene.objects.size(); ++i)
             if (static_cast<int>(i) != pinned.object) others.push_back(fmt::format("/objects/{}", i));
@@ -177,9 +175,9 @@ std::string sensitivity_text(const Sensitivities& s) {
     std::string text =
         "Change of the pixel (linear RGB times exposure) for each unit of a number, largest first:\n";
     for (const Sensitivity& n : s.numbers)
-        fmt::format_to(std::back_inserter(text), "  {:+.6f} {:+.6f} {:+.6f}  {} = {}{}\n", n.change.x,
-                       n.change.y, n.change.z, n.pointer, static_cast<float>(n.value),
-                       n.one_sided ? "  (moves one way only)" : "");
+        text +=
+            fmt::format("  {:+.6f} {:+.6f} {:+.6f}  {} = {}{}\n", n.change.x, n.change.y, n.change.z,
+                        n.pointer, static_cast<float>(n.value), n.one_sided ? "  (moves one way only)" : "");
     const auto list = [&text](const char* title, const std::vector<std::string>& pointers) {
         if (pointers.empty()) return;
         text += title;

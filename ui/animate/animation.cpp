@@ -7,15 +7,13 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat4x4.hpp>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "models/json_value.h"
 #include "models/scene_variant.h"
 
 namespace glint {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// 0 .. frames - 1.
 int within_period(const Animation& animation, int frame) {
@@ -31,16 +29,15 @@ Scene turned(Scene scene, double angle) {
     return scene;
 }
 
-void append_numbers(std::vector<MovableNumber>& numbers, const Json& json, const std::string& pointer) {
+void append_numbers(std::vector<MovableNumber>& numbers, const JsonValue& json, const std::string& pointer) {
     if (json.is_number()) {
-        numbers.push_back({pointer, json.get<double>()});
-    } else if (json.is_object()) {
-        for (const auto& item : json.items())
-            if (item.key() != "glint") append_numbers(numbers, item.value(), pointer + "/" + item.key());
-    } else if (json.is_array()) {
-        for (std::size_t i = 0; i < json.size(); ++i)
-            append_numbers(numbers, json[i], fmt::format("{}/{}", pointer, i));
+        numbers.push_back({pointer, json.number()});
+        return;
     }
+    for (const auto& [name, value] : json.members())
+        if (name != "glint") append_numbers(numbers, value, pointer + "/" + name);
+    for (std::size_t i = 0; i < json.elements().size(); ++i)
+        append_numbers(numbers, json.elements()[i], fmt::format("{}/{}", pointer, i));
 }
 
 }  // namespace
@@ -57,17 +54,17 @@ Result<Scene> scene_at(const SceneDocument& document, const Animation& animation
                        : turned(document.scene, 2 * std::numbers::pi * at / std::max(animation.frames, 1));
     // Whole numbers where the scene has whole numbers: samples of an area light, the detail of a shape.
     const double value = value_at(animation, frame);
-    const Json old = Json::parse(scene_text(document.scene));
-    const Json::json_pointer pointer(animation.pointer);
-    const bool whole = old.contains(pointer) && old[pointer].is_number_integer() &&
+    const JsonValue scene = *JsonValue::parse(scene_text(document.scene));
+    const JsonValue* old = scene.at_pointer(animation.pointer);
+    const bool whole = old != nullptr && old->is_whole_number() &&
                        (animation.pointer.ends_with("/detail") || animation.pointer.ends_with("/samples"));
-    const std::string text = whole ? std::to_string(std::lround(value)) : Json(value).dump();
+    const std::string text = whole ? std::to_string(std::lround(value)) : JsonValue(value).text();
     return scene_variant(document, {{animation.pointer, text}});
 }
 
 std::vector<MovableNumber> numbers_of(const Scene& scene) {
     std::vector<MovableNumber> numbers;
-    append_numbers(numbers, Json::parse(scene_text(scene)), "");
+    append_numbers(numbers, *JsonValue::parse(scene_text(scene)), "");
     return numbers;
 }
 
