@@ -84,65 +84,49 @@ std::size_t read_word(const std::string& option, std::string_view text,
                       fmt::format("{}", fmt::join(words, ", ")));
 }
 
-CLI::Option* add_value(CLI::App& app, const std::string& names, const std::string& value_name,
-                       const std::string& help, ReadValue read) {
-    const std::string option = names.substr(names.rfind(',') + 1);
-    const auto on_given = [option, read = std::move(read)](const CLI::results_t& given) {
-        if (given.size() > 1) throw wrong_usage(option, "is given twice", "it once");
-        read(given.front());
-        return true;
-    };
-    // Every value is kept, for CLI11 would have words of its own for the second.
-    return app.add_option(names, on_given, help)
-        ->type_name(value_name)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+void add_text(Options& options, const std::string& names, const std::string& value_name,
+              const std::string& help, std::string& value) {
+    options.add_value(names, value_name, help, [&value](const std::string& text) { value = text; });
 }
 
-CLI::Option* add_text(CLI::App& app, const std::string& names, const std::string& value_name,
-                      const std::string& help, std::string& value) {
-    return add_value(app, names, value_name, help, [&value](const std::string& text) { value = text; });
-}
-
-void add_threads(CLI::App& app, int& threads) {
-    add_value(
-        app, "-j,--threads", "N", "threads to draw with; 0, the default, is all cores",
+void add_threads(Options& options, int& threads) {
+    options.add_value(
+        "-j,--threads", "N", "threads to draw with; 0, the default, is all cores",
         [&threads](const std::string& text) { threads = read_count("--threads", text, 0, max_threads); });
 }
 
-void add_memory(CLI::App& app) {
-    add_value(app, "--memory", "SIZE",
-              "how much memory the scene may need, as in 8G; three quarters of the machine's when not given",
-              [](const std::string& text) { set_memory_limit(take(parse_memory_size("--memory", text))); });
+void add_memory(Options& options) {
+    options.add_value(
+        "--memory", "SIZE",
+        "how much memory the scene may need, as in 8G; three quarters of the machine's when not given",
+        [](const std::string& text) { set_memory_limit(take(parse_memory_size("--memory", text))); });
 }
 
-void add_size(CLI::App& app, PictureSize& size) {
-    add_value(app, "--size", "WxH", "size of the picture in pixels; 1280x720 when not given",
-              [&size](const std::string& text) { size = read_size("--size", text); });
+void add_size(Options& options, PictureSize& size) {
+    options.add_value("--size", "WxH", "size of the picture in pixels; 1280x720 when not given",
+                      [&size](const std::string& text) { size = read_size("--size", text); });
 }
 
-void add_samples(CLI::App& app, int& samples) {
-    add_value(app, "--samples", "N", "samples a pixel for smooth edges: 1, 2, 4 or 8; 1 when not given",
-              [&samples](const std::string& text) {
-                  samples = 1 << read_word("--samples", text, {"1", "2", "4", "8"});
-              });
+void add_samples(Options& options, int& samples) {
+    options.add_value("--samples", "N", "samples a pixel for smooth edges: 1, 2, 4 or 8; 1 when not given",
+                      [&samples](const std::string& text) {
+                          samples = 1 << read_word("--samples", text, {"1", "2", "4", "8"});
+                      });
 }
 
-void add_scene(CLI::App& app, SceneArguments& arguments) {
+void add_scene(Options& options, SceneArguments& arguments) {
     add_text(
-        app, "FILE", "",
+        options, "FILE", "",
         "a scene (.json, or a .png that Glint wrote), a mesh (.obj .ply .off .stl .om), or - for a scene on "
         "standard input",
         arguments.file);
-    const auto on_set = [&arguments](const CLI::results_t& given) {
-        for (const std::string& text : given) arguments.assignments.push_back(take(parse_assignment(text)));
-        return true;
-    };
-    app.add_option("--set", on_set,
-                   "change the scene, as in --set /lights/0/position=[1,2,3]; may be repeated")
-        ->type_name("POINTER=JSON")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    add_threads(app, arguments.threads);
-    add_memory(app);
+    options.add_values("--set", "POINTER=JSON",
+                       "change the scene, as in --set /lights/0/position=[1,2,3]; may be repeated",
+                       [&arguments](const std::string& text) {
+                           arguments.assignments.push_back(take(parse_assignment(text)));
+                       });
+    add_threads(options, arguments.threads);
+    add_memory(options);
 }
 
 void require_given(const std::string& value, const std::string& option, const std::string& expected) {

@@ -1,14 +1,13 @@
 #pragma once
-// What commands have in common on the command line: their scene, sizes, pixels, counts. CLI11 splits the
-// line; what a value means is read here, strictly, so that "640x" or "0x5" is never guessed at.
+// What commands have in common on the command line: their scene, sizes, pixels, counts. What a value means
+// is read here, strictly, so that "640x" or "0x5" is never guessed at.
 
-#include <CLI/CLI.hpp>
-#include <functional>
 #include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "app/options.h"
 #include "models/camera.h"
 #include "models/scene_file.h"
 
@@ -39,21 +38,15 @@ struct SceneArguments {
     int threads = 0;  // 0: all cores
 };
 
-using ReadValue = std::function<void(const std::string& text)>;
-
-/// An option (or a positional, when its names have no dash) with one value, at most once.
-/// `names` as CLI11 takes them: "-j,--threads".
-CLI::Option* add_value(CLI::App& app, const std::string& names, const std::string& value_name,
-                       const std::string& help, ReadValue read);
-/// The same where the text is the value.
-CLI::Option* add_text(CLI::App& app, const std::string& names, const std::string& value_name,
-                      const std::string& help, std::string& value);
-/// FILE, --set, --threads and --memory. `arguments` must live as long as the app.
-void add_scene(CLI::App& app, SceneArguments& arguments);
-void add_threads(CLI::App& app, int& threads);
-void add_memory(CLI::App& app);
-void add_size(CLI::App& app, PictureSize& size);
-void add_samples(CLI::App& app, int& samples);
+/// An option whose text is its value, at most once.
+void add_text(Options& options, const std::string& names, const std::string& value_name,
+              const std::string& help, std::string& value);
+/// FILE, --set, --threads and --memory. `arguments` must live as long as `options`.
+void add_scene(Options& options, SceneArguments& arguments);
+void add_threads(Options& options, int& threads);
+void add_memory(Options& options);
+void add_size(Options& options, PictureSize& size);
+void add_samples(Options& options, int& samples);
 
 /// The scene with its meshes, everything checked. Throws Failure.
 [[nodiscard]] SceneDocument open_scene(const SceneArguments& arguments);

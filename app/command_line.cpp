@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <memory>
-#include <sstream>
-#include <utility>
+
+#include "app/options.h"
 
 namespace glint {
 namespace {
@@ -47,34 +45,6 @@ std::string general_help() {
     return text;
 }
 
-/// All long and short option names of a command's line.
-std::vector<std::string> option_names(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::Option* option : app.get_options()) {
-        for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    }
-    return names;
-}
-
-/// What CLI11 could not place: an option that it does not know, or one word too many.
-void refuse_extras(const CLI::App& app, const std::string& command) {
-    bool only_words = false;  // behind a "--" nothing is an option
-    for (const std::string& extra : app.remaining()) {
-        if (extra == "--") {
-            only_words = true;
-            continue;
-        }
-        if (!only_words && extra.size() > 1 && extra[0] == '-') {
-            const std::string name = extra.substr(0, extra.find('='));
-            throw wrong_usage(
-                name, "unknown option of " + command,
-                fmt::format("{} or another that {} --help lists", nearest(name, option_names(app)), command));
-        }
-        throw wrong_usage(extra, "one word too many for " + command, "what " + command + " --help shows");
-    }
-}
-
 /// A file that could not be opened anyway and reads like a command is a command mistyped.
 void refuse_unknown_command(const std::string& word) {
     if (word.empty())
@@ -88,51 +58,20 @@ void refuse_unknown_command(const std::string& word) {
                       nearest(word, names) + " or another that glint --help lists");
 }
 
-/// CLI11's exceptions name the option somewhere in their words: "--size: 1 required WxH missing".
-Failure of_parse_error(const CLI::ParseError& error) {
-    std::istringstream words(error.what());
-    std::string option;
-    while (words >> option && option[0] != '-') {
+Outcome run(const Command& command, const Arguments& arguments) {
+    const bool is_window = command.name.empty();
+    Options options(
+        {is_window ? "glint" : "glint " + command.name, command.usage, command.summary, command.example});
+    if (is_window) options.add_version();
+    const Run work = command.declare(options);
+    switch (options.parse(arguments)) {
+    case Options::Asked::Help:
+        return {is_window ? general_help() : options.help_text(), {}, ExitStatus::Done};
+    case Options::Asked::Version:
+        return {"glint " GLINT_VERSION "\n", {}, ExitStatus::Done};
+    case Options::Asked::Work:
+        break;
     }
-    option = option.substr(0, option.find(':'));
-    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
-        return wrong_usage(option, "has no value", "one after it");
-    }
-    return wrong_usage(option, "takes no such value", "what --help shows");
-}
-
-/// CLI11's help, with the usage line that we would write by hand.
-class HelpFormatter : public CLI::Formatter {
-  public:
-    explicit HelpFormatter(std::string usage) : usage_(std::move(usage)) { column_width(24); }
-    std::string make_usage(const CLI::App* /*app*/, std::string name) const override {
-        return "\nUsage: " + name + (usage_.empty() ? "" : " " + usage_) + " [OPTIONS]\n";
-    }
-
-  private:
-    std::string usage_;
-};
-
-Outcome run(const Command& command, Arguments arguments) {
-    const std::string name = command.name.empty() ? "glint" : "glint " + command.name;
-    CLI::App app(command.summary, name);
-    app.allow_extras();
-    app.set_help_flag("-h,--help", "prints this");
-    if (command.name.empty()) app.set_version_flag("--version", "glint " GLINT_VERSION "\n");
-    app.formatter(std::make_shared<HelpFormatter>(command.usage));
-    app.footer("Example: " + command.example);
-    const Run work = command.declare(app);
-    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
-    try {
-        app.parse(std::move(arguments));
-    } catch (const CLI::CallForHelp&) {
-        return {command.name.empty() ? general_help() : app.help(), {}, ExitStatus::Done};
-    } catch (const CLI::CallForVersion& version) {
-        return {version.what(), {}, ExitStatus::Done};
-    } catch (const CLI::ParseError& error) {
-        throw of_parse_error(error);
-    }
-    refuse_extras(app, name);
     return work();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// From argv to what the program does: finds the command, lets CLI11 split the line, and says what is wrong
-// with it in the one-line form of docs/interface.md instead of CLI11's own.
+// From argv to what the program does: finds the command, splits its line, and says what is wrong with it in the
+// one-line form of docs/interface.md.
 
 #include <string>
 #include <vector>

@@ -37,9 +37,12 @@ install_packages() {
     echo "glint: installing $missing" >&2
     log=$(mktemp)
     # shellcheck disable=SC2086  # one argument a package
-    if ! { { $as_root apt-get update -qq || true; } &&
-        $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing; } \
-        >"$log" 2>&1 </dev/null; then
+    if ! (
+        set -o pipefail
+        { { $as_root apt-get update -q || true; } &&
+            $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing; } \
+            2>&1 </dev/null | tee "$log" | counted installing
+    ); then
         local reason
         reason=$(sed -n 's/^E: //p' "$log" | tail -n 1)
         rm -f "$log"
@@ -48,14 +51,35 @@ install_packages() {
     rm -f "$log"
 }
 
-# quietly LOG COMMAND...: its output is shown as it comes on a terminal, else only when it fails.
+# counted DOING: reads what apt-get or Ninja print and says every 15 seconds how far they are, also while they print
+# nothing: "glint: building 120 of 231".
+counted() {
+    local line="" steps=0 of=0 said=$((SECONDS - 10)) # the first line comes sooner
+    while true; do
+        if IFS= read -r -t 5 line; then
+            case $line in
+            *Re-checking*) ;;
+            [[]*/*[]]" "*) steps=${line%%/*} steps=${steps#[[]} of=${line#*/} of=${of%%]*} ;;
+            *" newly installed, "*) of=${line% newly installed, *} of=${of##* } ;;
+            "Setting up "*) steps=$((steps + 1)) ;;
+            esac
+        elif [ $? -le 128 ]; then
+            return 0 # the end; more than 128 is the time that ran out
+        fi
+        [ $((SECONDS - said)) -ge 15 ] || continue
+        said=$SECONDS
+        if [ "$of" -gt 0 ]; then echo "glint: $1 $steps of $of" >&2; else echo "glint: $1" >&2; fi
+    done
+}
+
+# quietly LOG DOING COMMAND...: its output is shown as it comes on a terminal; else it is counted, and shown when it fails.
 quietly() {
-    local log=$1
-    shift
+    local log=$1 doing=$2
+    shift 2
     if [ -t 2 ]; then
         { "$@" 2>&1 | sed -u -e '/no work to do/d' -e '/Re-checking globbed/d' >&2; } && return 0
     else
-        "$@" >"$log" 2>&1 && return 0
+        { "$@" 2>&1 | tee "$log" | counted "$doing"; } && return 0
         cat "$log" >&2
     fi
     return 1
@@ -73,16 +97,16 @@ build() {
     (
         set -o pipefail
         cd "$glint_root"
-        flock 9
+        until flock -w 15 9; do echo "glint: waiting for another build in $tree" >&2; done
         # A tree that was copied from elsewhere would build elsewhere.
         if [ -e "$cache" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$glint_root" "$cache"; then
             find "$tree" -mindepth 1 ! -name lock -delete
         fi
         if [ ! -e "$tree/build.ninja" ] || { [ "$tests" = ON ] && grep -qx GLINT_TESTS:BOOL=OFF "$cache"; }; then
-            quietly "$tree/log" cmake --preset "$preset" -DGLINT_TESTS="$tests" ||
+            quietly "$tree/log" configuring cmake --preset "$preset" -DGLINT_TESTS="$tests" ||
                 fail "the build could not be configured; see above"
         fi
-        quietly "$tree/log" cmake --build "$tree" -j"$(nproc)" ${targets[@]+"${targets[@]}"} 9>&- ||
+        quietly "$tree/log" building cmake --build "$tree" -j"$(nproc)" ${targets[@]+"${targets[@]}"} 9>&- ||
             fail "the build failed; see above"
     ) 9>"$tree/lock"
 }

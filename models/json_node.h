@@ -4,6 +4,7 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -3,7 +3,7 @@
 // problems with the line they stand in, said in our words. Source: RFC 8259; docs/interface.md, "Scene file".
 // For the .cpp files of models only: nothing else needs to know which JSON library we use.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 

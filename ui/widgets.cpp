@@ -12,6 +12,7 @@
 
 #include "models/saturate.h"
 #include "ui/fonts.h"
+#include "ui/named_controls.h"
 #include "ui/theme.h"
 
 namespace glint {
@@ -108,6 +109,7 @@ double frame_wish() { return wished(); }
 void tooltip(const char* title, const char* what, const std::string& range, const std::string& key) {
     static ImVec2 resting_on;
     static double since = 0;
+    list_control(title, key, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
     const ImVec2 item = ImGui::GetItemRectMin();
     if (item.x != resting_on.x || item.y != resting_on.y) {

@@ -6,14 +6,13 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "app/drag.h"
 #include "app/progress.h"
-#include "renderer/inspect/json_text.h"
+#include "models/json_value.h"
 #include "renderer/renderer.h"
 
 namespace glint {
@@ -90,21 +89,23 @@ std::uint64_t peak_bytes() {
 }
 
 /// The answer for people: the same numbers in lines and columns.
-std::string table_text(const nlohmann::ordered_json& json) {
-    const auto word = [&json](const char* key) { return json[key].get<std::string>(); };
-    const auto count = [&json](const char* key) { return json[key].get<std::uint64_t>(); };
+std::string table_text(const JsonValue& json) {
+    const auto word = [&json](const char* key) { return json.find(key)->string(); };
+    const auto count = [&json](const char* key) {
+        return static_cast<std::uint64_t>(json.find(key)->number());
+    };
     std::string text = fmt::format(
         "{} drag, {} x {}, {} frames, {} thread{}, {}, {} triangles, {} shaded pixels, {:.0f} MB at most\n\n",
         word("drag"), count("width"), count("height"), count("frames"), count("threads"),
         count("threads") == 1 ? "" : "s", word("instruction_set"), count("triangles"), count("shaded_pixels"),
-        json["peak_bytes"].get<double>() * 1e-6);
+        json.find("peak_bytes")->number() * 1e-6);
     text += fmt::format("{:<11} {:>9}\n", "a frame", "ms");
-    for (const auto& [name, ms] : json["ms"].items())
-        text += fmt::format("{:<11} {:>9.3f}\n", name, ms.get<double>());
+    for (const auto& [name, ms] : json.find("ms")->members())
+        text += fmt::format("{:<11} {:>9.3f}\n", name, ms.number());
     text += fmt::format("\n{:<11} {:>9}   {}\n", "stage", "median ms", "redone in");
-    for (const auto& [name, ms] : json["stages"].items())
-        text += fmt::format("{:<11} {:>9.3f}   {} of {} frames\n", name, ms.get<double>(),
-                            json["redone"][name].get<int>(), count("frames"));
+    for (const auto& [name, ms] : json.find("stages")->members())
+        text += fmt::format("{:<11} {:>9.3f}   {} of {} frames\n", name, ms.number(),
+                            json.find("redone")->find(name)->number(), count("frames"));
     return text;
 }
 
@@ -118,7 +119,7 @@ Outcome bench(const BenchArguments& arguments) {
     const auto of = [&times](double share) { return quantile(times.frame, share); };
     const auto stage = [&times](Stage s) { return quantile(times.stage[static_cast<std::size_t>(s)], 0.5); };
     const auto redone = [&times](Stage s) { return times.redone[static_cast<std::size_t>(s)]; };
-    nlohmann::ordered_json json{
+    JsonValue json{
         {"frames", arguments.frames},
         {"ms", {{"min", of(0)}, {"median", of(0.5)}, {"p90", of(0.9)}, {"p99", of(0.99)}, {"max", of(1)}}},
         {"stages",
@@ -150,21 +151,21 @@ Outcome bench(const BenchArguments& arguments) {
     return outcome;
 }
 
-Run declare(CLI::App& app) {
+Run declare(Options& options) {
     auto arguments = std::make_shared<BenchArguments>();
-    add_scene(app, arguments->scene);
-    add_size(app, arguments->size);
-    add_value(app, "--frames", "N", "frames to measure, 1 to 100000; 100 when not given",
-              [&frames = arguments->frames](const std::string& text) {
-                  frames = read_count("--frames", text, 1, 100000);
-              });
-    add_value(app, "--drag", "WHAT", "what moves from frame to frame: light, material, camera or object",
-              [&drag = arguments->drag](const std::string& text) {
-                  drag = static_cast<Drag>(read_word("--drag", text, drag_names));
-              });
-    app.add_flag("--table", arguments->table, "the answer as a table for people instead of JSON");
-    app.add_flag("--relight", arguments->relight,
-                 "light every light again on each frame, also where the sum of the others could be kept");
+    add_scene(options, arguments->scene);
+    add_size(options, arguments->size);
+    options.add_value("--frames", "N", "frames to measure, 1 to 100000; 100 when not given",
+                      [&frames = arguments->frames](const std::string& text) {
+                          frames = read_count("--frames", text, 1, 100000);
+                      });
+    options.add_value("--drag", "WHAT", "what moves from frame to frame: light, material, camera or object",
+                      [&drag = arguments->drag](const std::string& text) {
+                          drag = static_cast<Drag>(read_word("--drag", text, drag_names));
+                      });
+    options.add_flag("--table", arguments->table, "the answer as a table for people instead of JSON");
+    options.add_flag("--relight", arguments->relight,
+                     "light every light again on each frame, also where the sum of the others could be kept");
     return [arguments] { return bench(*arguments); };
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 // A command of the program: what its line looks like, and what it does once the line has been read.
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
@@ -10,6 +9,8 @@
 #include "models/problem.h"
 
 namespace glint {
+
+class Options;
 
 /// What is left of a command that has done its work.
 struct Outcome {
@@ -22,12 +23,11 @@ struct Outcome {
 using Run = std::function<Outcome()>;
 
 struct Command {
-    std::string name;     // "render"; empty for the window
-    std::string usage;    // what follows the name: "FILE -o OUT"
-    std::string summary;  // one line
-    std::string example;  // a whole line to copy
-    Run (*declare)(
-        CLI::App& app);  // adds the command's options to `app` and returns what to do once they are read
+    std::string name;                  // "render"; empty for the window
+    std::string usage;                 // what follows the name: "FILE -o OUT"
+    std::string summary;               // one line
+    std::string example;               // a whole line to copy
+    Run (*declare)(Options& options);  // adds the command's options and returns what to do once they are read
 };
 
 [[nodiscard]] Command window_command();

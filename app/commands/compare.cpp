@@ -2,15 +2,14 @@
 #include "renderer/inspect/compare.h"
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "models/file.h"
 #include "models/memory_limit.h"
+#include "models/json_value.h"
 #include "renderer/image_file.h"
-#include "renderer/inspect/json_text.h"
 
 namespace glint {
 namespace {
@@ -22,7 +21,7 @@ struct CompareArguments {
 };
 
 std::string json_of(const Comparison& c, int gain) {
-    nlohmann::ordered_json json;
+    JsonValue json;
     json["width"] = c.size.width;
     json["height"] = c.size.height;
     json["differing_pixels"] = c.differing_pixels;
@@ -65,19 +64,19 @@ Outcome compare(const CompareArguments& arguments) {
     return {json_of(result, gain), {}, too_far ? ExitStatus::Impossible : ExitStatus::Done};
 }
 
-Run declare(CLI::App& app) {
+Run declare(Options& options) {
     auto arguments = std::make_shared<CompareArguments>();
-    add_text(app, "A.png", "", "a picture", arguments->a);
-    add_text(app, "B.png", "", "another of the same size", arguments->b);
-    add_text(app, "-o", "DIFF.png", "write the absolute differences, times the `gain` of the answer",
+    add_text(options, "A.png", "", "a picture", arguments->a);
+    add_text(options, "B.png", "", "another of the same size", arguments->b);
+    add_text(options, "-o", "DIFF.png", "write the absolute differences, times the `gain` of the answer",
              arguments->out);
-    add_value(app, "--max-error", "E",
-              "end with status 1 when any channel of any pixel differs by more, 0 to 255",
-              [&max_error = arguments->max_error](const std::string& text) {
-                  max_error = read_amount("--max-error", text);
-              });
-    add_threads(app, arguments->threads);
-    add_memory(app);
+    options.add_value("--max-error", "E",
+                      "end with status 1 when any channel of any pixel differs by more, 0 to 255",
+                      [&max_error = arguments->max_error](const std::string& text) {
+                          max_error = read_amount("--max-error", text);
+                      });
+    add_threads(options, arguments->threads);
+    add_memory(options);
     return [arguments] { return compare(*arguments); };
 }
 

@@ -1,15 +1,14 @@
 // glint explain: every number behind one pixel.
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "app/progress.h"
+#include "models/json_value.h"
 #include "renderer/inspect/explain_json.h"
 #include "renderer/inspect/explain_latex.h"
 #include "renderer/inspect/explain_text.h"
-#include "renderer/inspect/json_text.h"
 #include "renderer/inspect/sensitivity.h"
 #include "renderer/renderer.h"
 
@@ -40,8 +39,8 @@ std::string formatted(const Explanation& explanation, const Scene& scene, Format
 
 /// The explanation's JSON with the sensitivities in it.
 std::string with_sensitivities(const std::string& explanation, const Sensitivities& s) {
-    auto json = nlohmann::ordered_json::parse(explanation);
-    auto& numbers = json["sensitivity"] = nlohmann::ordered_json::array();
+    JsonValue json = *JsonValue::parse(explanation);
+    JsonValue& numbers = json["sensitivity"] = JsonValue::array();
     for (const Sensitivity& n : s.numbers)
         numbers.push_back({{"pointer", n.pointer},
                            {"value", n.value},
@@ -82,18 +81,20 @@ Outcome explain(const ExplainArguments& arguments) {
     return outcome;
 }
 
-Run declare(CLI::App& app) {
+Run declare(Options& options) {
     auto arguments = std::make_shared<ExplainArguments>();
-    add_scene(app, arguments->scene);
-    add_value(app, "--pixel", "X,Y", "the pixel; 0,0 is the top left",
-              [&pixel = arguments->pixel](const std::string& text) { pixel = read_pixel("--pixel", text); });
-    add_size(app, arguments->size);
-    add_value(app, "--format", "FORMAT", "text, the default, json (docs/explain.md) or latex (needs amsmath)",
-              [&format = arguments->format](const std::string& text) {
-                  format = static_cast<Format>(read_word("--format", text, {"text", "json", "latex"}));
-              });
-    app.add_flag("--sensitivity", arguments->sensitivity,
-                 "also how much the pixel changes with each number of the scene");
+    add_scene(options, arguments->scene);
+    options.add_value(
+        "--pixel", "X,Y", "the pixel; 0,0 is the top left",
+        [&pixel = arguments->pixel](const std::string& text) { pixel = read_pixel("--pixel", text); });
+    add_size(options, arguments->size);
+    options.add_value(
+        "--format", "FORMAT", "text, the default, json (docs/explain.md) or latex (needs amsmath)",
+        [&format = arguments->format](const std::string& text) {
+            format = static_cast<Format>(read_word("--format", text, {"text", "json", "latex"}));
+        });
+    options.add_flag("--sensitivity", arguments->sensitivity,
+                     "also how much the pixel changes with each number of the scene");
     return [arguments] { return explain(*arguments); };
 }
 

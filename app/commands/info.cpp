@@ -1,17 +1,16 @@
 // glint info: what a file holds.
 #include <glm/mat4x4.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
+#include "models/json_value.h"
 #include "models/mesh_file.h"
-#include "renderer/inspect/json_text.h"
 
 namespace glint {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = JsonValue;
 
 struct InfoArguments {
     SceneArguments scene;
@@ -66,10 +65,10 @@ Outcome info(const InfoArguments& arguments) {
     return {json_text(json), document.warnings, ExitStatus::Done};
 }
 
-Run declare(CLI::App& app) {
+Run declare(Options& options) {
     auto arguments = std::make_shared<InfoArguments>();
-    add_scene(app, arguments->scene);
-    add_size(app, arguments->size);
+    add_scene(options, arguments->scene);
+    add_size(options, arguments->size);
     return [arguments] { return info(*arguments); };
 }
 

@@ -1,17 +1,16 @@
 // glint lobe: how a surface of the scene reflects light from one direction.
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
+#include "models/json_value.h"
 #include "models/scene/choices.h"
-#include "renderer/inspect/json_text.h"
 #include "renderer/inspect/lobes.h"
 
 namespace glint {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = JsonValue;
 
 struct LobeArguments {
     SceneArguments scene;
@@ -63,24 +62,24 @@ Outcome lobe(const LobeArguments& arguments) {
             document.warnings, ExitStatus::Done};
 }
 
-Run declare(CLI::App& app) {
+Run declare(Options& options) {
     auto arguments = std::make_shared<LobeArguments>();
-    add_scene(app, arguments->scene);
-    add_value(app, "--object", "N", "number of the object whose material is asked for; 0 when not given",
-              [&object = arguments->object](const std::string& text) {
-                  object = read_count("--object", text, 0, 9999);
-              });
-    add_value(
-        app, "--angle", "DEG", "of the light from the normal, 0 to 89.9; 45 when not given",
+    add_scene(options, arguments->scene);
+    options.add_value("--object", "N", "number of the object whose material is asked for; 0 when not given",
+                      [&object = arguments->object](const std::string& text) {
+                          object = read_count("--object", text, 0, 9999);
+                      });
+    options.add_value(
+        "--angle", "DEG", "of the light from the normal, 0 to 89.9; 45 when not given",
         [&deg = arguments->light_deg](const std::string& text) { deg = read_amount("--angle", text, 89.9); });
-    add_value(app, "--steps", "N", "samples from -90 to 90 degrees, less one; 180 when not given",
-              [&steps = arguments->steps](const std::string& text) {
-                  steps = read_count("--steps", text, 1, 100000);
-              });
-    add_value(app, "--format", "FORMAT", "csv, the default, or json, with the lobe's energy and albedo",
-              [&as_json = arguments->as_json](const std::string& text) {
-                  as_json = read_word("--format", text, {"csv", "json"}) == 1;
-              });
+    options.add_value("--steps", "N", "samples from -90 to 90 degrees, less one; 180 when not given",
+                      [&steps = arguments->steps](const std::string& text) {
+                          steps = read_count("--steps", text, 1, 100000);
+                      });
+    options.add_value("--format", "FORMAT", "csv, the default, or json, with the lobe's energy and albedo",
+                      [&as_json = arguments->as_json](const std::string& text) {
+                          as_json = read_word("--format", text, {"csv", "json"}) == 1;
+                      });
     return [arguments] { return lobe(*arguments); };
 }
 

@@ -2,18 +2,17 @@
 #include "renderer/inspect/microfacets.h"
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
+#include "models/json_value.h"
 #include "renderer/inspect/facet_lobe.h"
-#include "renderer/inspect/json_text.h"
 
 namespace glint {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = JsonValue;
 
 struct MicrofacetArguments {
     MicrofacetOptions options;
@@ -76,25 +75,25 @@ Outcome microfacets(const MicrofacetArguments& arguments) {
     return {json_text(json_of(options, microfacet_picture(options), lobe)), {}, ExitStatus::Done};
 }
 
-Run declare(CLI::App& app) {
+Run declare(Options& options) {
     auto arguments = std::make_shared<MicrofacetArguments>();
     MicrofacetOptions& o = arguments->options;
-    add_value(app, "--roughness", "R", "0 to 1, 90 degrees of tilt to 1; 0.25 when not given",
-              [&o](const std::string& text) { o.roughness = read_amount("--roughness", text, 1); });
-    add_value(app, "--angle", "DEG", "of the light from the normal, 0 to 89; 30 when not given",
-              [&o](const std::string& text) { o.light_deg = read_amount("--angle", text, 89); });
-    add_value(
-        app, "--view", "DEG", "of the viewer, 0 to 89 on the other side; the mirror angle when not given",
+    options.add_value("--roughness", "R", "0 to 1, 90 degrees of tilt to 1; 0.25 when not given",
+                      [&o](const std::string& text) { o.roughness = read_amount("--roughness", text, 1); });
+    options.add_value("--angle", "DEG", "of the light from the normal, 0 to 89; 30 when not given",
+                      [&o](const std::string& text) { o.light_deg = read_amount("--angle", text, 89); });
+    options.add_value(
+        "--view", "DEG", "of the viewer, 0 to 89 on the other side; the mirror angle when not given",
         [&view = arguments->view_deg](const std::string& text) { view = read_amount("--view", text, 89); });
-    add_value(app, "--rays", "N", "1 to 100000; 200 when not given",
-              [&o](const std::string& text) { o.rays = read_count("--rays", text, 1, 100000); });
-    add_value(app, "--facets", "N", "4 to 100000; 400 when not given",
-              [&o](const std::string& text) { o.facets = read_count("--facets", text, 4, 100000); });
-    add_value(app, "--seed", "S", "another seed, another surface; 1 when not given",
-              [&o](const std::string& text) {
-                  o.seed = static_cast<std::uint32_t>(read_count("--seed", text, 0, 2147483647));
-              });
-    add_threads(app, arguments->threads);
+    options.add_value("--rays", "N", "1 to 100000; 200 when not given",
+                      [&o](const std::string& text) { o.rays = read_count("--rays", text, 1, 100000); });
+    options.add_value("--facets", "N", "4 to 100000; 400 when not given",
+                      [&o](const std::string& text) { o.facets = read_count("--facets", text, 4, 100000); });
+    options.add_value("--seed", "S", "another seed, another surface; 1 when not given",
+                      [&o](const std::string& text) {
+                          o.seed = static_cast<std::uint32_t>(read_count("--seed", text, 0, 2147483647));
+                      });
+    add_threads(options, arguments->threads);
     return [arguments] { return microfacets(*arguments); };
 }
 

@@ -36,14 +36,15 @@ Outcome profile(const ProfileArguments& arguments) {
     return outcome;
 }
 
-Run declare(CLI::App& app) {
+Run declare(Options& options) {
     auto arguments = std::make_shared<ProfileArguments>();
-    add_scene(app, arguments->scene);
-    add_value(app, "--from", "X,Y", "the pixel where the line begins; 0,0 is the top left",
-              [&from = arguments->from](const std::string& text) { from = read_pixel("--from", text); });
-    add_value(app, "--to", "X,Y", "the pixel where it ends",
-              [&to = arguments->to](const std::string& text) { to = read_pixel("--to", text); });
-    add_size(app, arguments->size);
+    add_scene(options, arguments->scene);
+    options.add_value(
+        "--from", "X,Y", "the pixel where the line begins; 0,0 is the top left",
+        [&from = arguments->from](const std::string& text) { from = read_pixel("--from", text); });
+    options.add_value("--to", "X,Y", "the pixel where it ends",
+                      [&to = arguments->to](const std::string& text) { to = read_pixel("--to", text); });
+    add_size(options, arguments->size);
     return [arguments] { return profile(*arguments); };
 }
 

@@ -1,15 +1,14 @@
 // glint render: one picture.
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "models/file.h"
 #include "models/memory_limit.h"
+#include "models/json_value.h"
 #include "renderer/image_file.h"
 #include "renderer/inspect/buffers.h"
-#include "renderer/inspect/json_text.h"
 #include "renderer/renderer.h"
 
 namespace glint {
@@ -97,13 +96,13 @@ void require_possible(const RenderArguments& arguments) {
 
 std::string stats_text(const Renderer& renderer, PictureSize size) {
     const FrameStats& s = renderer.stats();
-    nlohmann::ordered_json json{{"width", size.width},
-                                {"height", size.height},
-                                {"evaluations", s.evaluations},
-                                {"shaded_pixels", s.shaded_pixels},
-                                {"triangles", s.triangles},
-                                {"threads", s.threads},
-                                {"instruction_set", s.instruction_set}};
+    JsonValue json{{"width", size.width},
+                   {"height", size.height},
+                   {"evaluations", s.evaluations},
+                   {"shaded_pixels", s.shaded_pixels},
+                   {"triangles", s.triangles},
+                   {"threads", s.threads},
+                   {"instruction_set", s.instruction_set}};
     json["ms"] = s.total_ms;
     json["stages"] = {
         {"geometry", s.ms[0]}, {"visibility", s.ms[1]}, {"surface", s.ms[2]}, {"lighting", s.ms[3]}};
@@ -144,22 +143,22 @@ Outcome render(const RenderArguments& arguments) {
     return outcome;
 }
 
-Run declare(CLI::App& app) {
+Run declare(Options& options) {
     auto arguments = std::make_shared<RenderArguments>();
-    add_scene(app, arguments->scene);
-    add_text(app, "-o", "OUT",
+    add_scene(options, arguments->scene);
+    add_text(options, "-o", "OUT",
              "where the picture goes: .png (8 bit, carrying its scene), .pfm or .exr (linear float), or - "
              "for a PNG "
              "on standard output",
              arguments->out);
-    add_size(app, arguments->size);
-    add_samples(app, arguments->samples);
-    add_text(app, "--buffers", "DIR",
+    add_size(options, arguments->size);
+    add_samples(options, arguments->samples);
+    add_text(options, "--buffers", "DIR",
              "also write what lies behind the pixels in this directory: EXR files beside an .exr, else PFM",
              arguments->buffers);
-    app.add_flag("--no-scene", arguments->no_scene,
-                 "leave the scene, which names its mesh files, out of a PNG");
-    app.add_flag("--stats", arguments->stats, "print evaluations, pixels and times as JSON");
+    options.add_flag("--no-scene", arguments->no_scene,
+                     "leave the scene, which names its mesh files, out of a PNG");
+    options.add_flag("--stats", arguments->stats, "print evaluations, pixels and times as JSON");
     return [arguments] { return render(*arguments); };
 }
 

@@ -6,7 +6,7 @@
 namespace glint {
 namespace {
 
-Run declare(CLI::App& /*app*/) {
+Run declare(Options& /*options*/) {
     return [] { return Outcome{scene_schema(), {}, ExitStatus::Done}; };
 }
 

@@ -103,19 +103,20 @@ Outcome sheet(const SheetArguments& arguments) {
     return outcome;
 }
 
-Run declare(CLI::App& app) {
+Run declare(Options& options) {
     auto arguments = std::make_shared<SheetArguments>();
-    add_scene(app, arguments->scene);
+    add_scene(options, arguments->scene);
     const std::string values =
         "=A,B,C, each value JSON or a word; commas inside [] {} \"\" belong to a value";
-    add_text(app, "--rows", "POINTER=A,B,C", "what varies from row to row: POINTER" + values,
+    add_text(options, "--rows", "POINTER=A,B,C", "what varies from row to row: POINTER" + values,
              arguments->rows);
-    add_text(app, "--cols", "POINTER=A,B,C", "what varies from column to column, likewise",
+    add_text(options, "--cols", "POINTER=A,B,C", "what varies from column to column, likewise",
              arguments->columns);
-    add_text(app, "-o", "OUT.png", "where the sheet goes; - for standard output", arguments->out);
-    add_value(app, "--cell", "WxH", "size of each picture in pixels; 256x256 when not given",
-              [&cell = arguments->cell](const std::string& text) { cell = read_size("--cell", text); });
-    add_samples(app, arguments->samples);
+    add_text(options, "-o", "OUT.png", "where the sheet goes; - for standard output", arguments->out);
+    options.add_value(
+        "--cell", "WxH", "size of each picture in pixels; 256x256 when not given",
+        [&cell = arguments->cell](const std::string& text) { cell = read_size("--cell", text); });
+    add_samples(options, arguments->samples);
     return [arguments] { return sheet(*arguments); };
 }
 

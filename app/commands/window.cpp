@@ -9,9 +9,9 @@
 namespace glint {
 namespace {
 
-Run declare(CLI::App& app) {
+Run declare(Options& options) {
     auto arguments = std::make_shared<SceneArguments>();
-    add_scene(app, *arguments);
+    add_scene(options, *arguments);
     return [arguments]() -> Outcome {
         run_window({arguments->file, arguments->assignments, arguments->threads});
         return {};

@@ -1,14 +1,12 @@
 #include "renderer/inspect/explain_json.h"
 
-#include <nlohmann/json.hpp>
-
+#include "models/json_value.h"
 #include "models/scene/choices.h"
-#include "renderer/inspect/json_text.h"
 
 namespace glint {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = JsonValue;
 
 Json json_of(glm::vec3 v) { return {v.x, v.y, v.z}; }
 

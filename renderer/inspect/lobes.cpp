@@ -1,12 +1,11 @@
 #include "renderer/inspect/lobes.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
-#include <iterator>
 #include <numbers>
 
 #include "models/scene/reflection_info.h"
@@ -136,7 +135,7 @@ std::string lobe_csv(const std::vector<LobeSample>& slice) {
         csv += fmt::format("{}", s.view_deg);
         for (const glm::vec3& term : {s.reflected.ambient, s.reflected.diffuse, s.reflected.specular,
                                       s.reflected.intensity(), s.brdf})
-            fmt::format_to(std::back_inserter(csv), ",{},{},{}", term.x, term.y, term.z);
+            csv += fmt::format(",{},{},{}", term.x, term.y, term.z);
         csv += '\n';
     }
     return csv;

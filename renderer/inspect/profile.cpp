@@ -1,10 +1,9 @@
 #include "renderer/inspect/profile.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "models/saturate.h"
 
@@ -81,9 +80,9 @@ std::string profile_csv(const std::vector<ProfileSample>& samples) {
     std::string csv = "position,r,g,b,intensity,first_difference,second_difference,face,object,x,y\n";
     for (const ProfileSample& s : samples) {
         const std::string face = s.seen ? fmt::format("{},{}", s.seen->face, s.seen->object) : ",";
-        fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{}\n", s.position, s.color.x,
-                       s.color.y, s.color.z, s.intensity, field(s.first_difference),
-                       field(s.second_difference), face, s.pixel.x, s.pixel.y);
+        csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", s.position, s.color.x, s.color.y, s.color.z,
+                           s.intensity, field(s.first_difference), field(s.second_difference), face,
+                           s.pixel.x, s.pixel.y);
     }
     return csv;
 }

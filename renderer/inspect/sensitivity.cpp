@@ -1,6 +1,6 @@
 #include "renderer/inspect/sensitivity.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -152,9 +152,9 @@ std::string sensitivity_text(const Sensitivities& s) {
     std::string text =
         "Change of the pixel (linear RGB times exposure) for each unit of a number, largest first:\n";
     for (const Sensitivity& n : s.numbers)
-        fmt::format_to(std::back_inserter(text), "  {:+.6f} {:+.6f} {:+.6f}  {} = {}{}\n", n.change.x,
-                       n.change.y, n.change.z, n.pointer, static_cast<float>(n.value),
-                       n.one_sided ? "  (moves one way only)" : "");
+        text +=
+            fmt::format("  {:+.6f} {:+.6f} {:+.6f}  {} = {}{}\n", n.change.x, n.change.y, n.change.z,
+                        n.pointer, static_cast<float>(n.value), n.one_sided ? "  (moves one way only)" : "");
     const auto list = [&text](const char* title, const std::vector<std::string>& pointers) {
         if (pointers.empty()) return;
         text += title;

@@ -48,6 +48,15 @@ TEST_CASE("libraries of the window are reported below their floor", "[architectu
     CHECK(forbidden_includes("renderer/a.cpp", "#include <OpenMesh/Core/IO/MeshIO.hh>").size() == 1);
 }
 
+TEST_CASE("libraries that take seconds to compile are reported outside the files that hide them",
+          "[architecture]") {
+    CHECK(forbidden_includes("ui/files/a.cpp", "#include <nlohmann/json.hpp>").size() == 1);
+    CHECK(forbidden_includes("app/commands/a.cpp", "#include <nlohmann/json_fwd.hpp>").size() == 1);
+    CHECK(forbidden_includes("app/arguments.h", "#include <CLI/CLI.hpp>").size() == 1);
+    CHECK(forbidden_includes("app/options.cpp", "#include <CLI/CLI.hpp>").empty());
+    CHECK(forbidden_includes("models/json_value.cpp", "#include <nlohmann/json.hpp>").empty());
+}
+
 TEST_CASE("includes that the house allows are not reported", "[architecture]") {
     CHECK(forbidden_includes("app/window.cpp",
                              "#include <GLFW/glfw3.h>\n#include <imgui_impl_glfw.h>\n"

@@ -104,7 +104,7 @@ TEST_CASE("the lecture map has every idea once, each with a scene and tests that
     }
 }
 
-TEST_CASE("every command of the lecture map runs", "[docs][program]") {
+TEST_CASE("every command of the lecture map runs", "[docs][program][long][release]") {
     const TemporaryDirectory directory;
     for (const Row& row : rows()) {
         CAPTURE(row.number, row.command);

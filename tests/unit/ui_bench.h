@@ -3,9 +3,13 @@
 
 #include <imgui.h>
 
+#include <string_view>
 #include <thread>
+#include <vector>
 
+#include "tests/catch.h"
 #include "ui/fonts.h"
+#include "ui/named_controls.h"
 #include "ui/theme.h"
 #include "ui/ui.h"
 
@@ -25,12 +29,17 @@ class Bench {
         int width = 0, height = 0;
         io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
         take_document(state.editor, first_scene());
+        list_controls_in(&controls_);
     }
-    ~Bench() { ImGui::DestroyContext(context_); }
+    ~Bench() {
+        list_controls_in(nullptr);
+        ImGui::DestroyContext(context_);
+    }
     Bench(const Bench&) = delete;
     Bench& operator=(const Bench&) = delete;
 
     UiRequests frame(const UiInput& input = {}) {
+        controls_.clear();
         ImGui::NewFrame();
         UiRequests wants = ui_frame(state, input);
         ImGui::Render();
@@ -74,6 +83,31 @@ class Bench {
         (void)frame();
     }
 
+    /// Those of the last frame.
+    [[nodiscard]] const std::vector<NamedControl>& controls() const { return controls_; }
+    /// Of a control in sight within `area` by its name or its key in the scene file, "/lights/0/diffuse"; of
+    /// several, the one that was drawn first.
+    [[nodiscard]] Rect area_of(std::string_view name_or_key, const Rect& area) const {
+        for (const NamedControl& control : controls_) {
+            const ImVec2 at = middle_of(control.at);
+            const bool inside =
+                at.x >= area.low.x && at.y >= area.low.y && at.x < area.high.x && at.y < area.high.y;
+            const bool named = control.name == name_or_key || control.key == name_or_key;
+            if (inside && named && control.in_sight) return control.at;
+        }
+        FAIL("there is no control " << name_or_key << " in sight");
+        return {};
+    }
+    [[nodiscard]] Rect area_of(std::string_view name_or_key) const {
+        return area_of(name_or_key, {{0, 0}, ImGui::GetIO().DisplaySize});
+    }
+    [[nodiscard]] static ImVec2 middle_of(const Rect& area) {
+        return {(area.low.x + area.high.x) / 2, (area.low.y + area.high.y) / 2};
+    }
+    [[nodiscard]] ImVec2 control(std::string_view name_or_key) const {
+        return middle_of(area_of(name_or_key));
+    }
+
     [[nodiscard]] Scene& scene() { return state.editor.scene(); }
     /// The picture's place in the window, as a pixel of it shows.
     [[nodiscard]] ImVec2 at_pixel(glm::dvec2 pixel) const {
@@ -90,6 +124,7 @@ class Bench {
     UiState state;
 
   private:
+    std::vector<NamedControl> controls_;
     ImGuiContext* context_ = nullptr;
 };
 

@@ -18,15 +18,13 @@ ImGuiWindow* open_popup() {
     return stack.empty() ? nullptr : stack.back().Window;
 }
 
-/// Clicks down the right edge of the scene column until a picker opens: at the topmost colour's swatch.
+/// Opens the picker of the selected light's diffuse colour; where its swatch is.
 ImVec2 open_picker(Bench& bench) {
-    for (float y = 330; y < 700; y += 6) {
-        bench.click({262, y});
-        bench.frames(2);
-        if (open_popup() != nullptr) return {262, y};
-    }
-    FAIL("no swatch was found");
-    return {};
+    const ImVec2 swatch = bench.control("/lights/0/diffuse");
+    bench.click(swatch);
+    bench.frames(2);
+    REQUIRE(open_popup() != nullptr);
+    return swatch;
 }
 
 /// Middle of a preset: `row` 0 the pure colours, 1 the lamps.
@@ -88,8 +86,7 @@ TEST_CASE("a swatch dragged onto another gives it its colour", "[ui][window]") {
     const ImVec2 from = open_picker(bench);
     bench.key(Key::Escape);
     bench.frames(2);
-    const float row = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y;
-    bench.drag(from, {from.x, from.y + row});
+    bench.drag(from, bench.control("/lights/0/specular"));
     bench.frames(1);
     CHECK(bench.scene().lights[0].specular == glm::vec3(0.2f, 0.4f, 0.6f));
     CHECK(bench.scene().lights[0].diffuse == glm::vec3(0.2f, 0.4f, 0.6f));

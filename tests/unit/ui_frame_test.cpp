@@ -322,7 +322,7 @@ TEST_CASE("a frame that is not asked for by anything lets the window sleep", "[u
     Bench bench;
     bench.frames(3);
     CHECK(std::isinf(bench.frame().sleep_s));
-    bench.move({1260, 19});  // rests on a button: its tooltip is due
+    bench.move(bench.control("Undo"));  // its tooltip is due
     CHECK(bench.frame().sleep_s < 1);
     for (int i = 0; i < 60; ++i) (void)bench.frame();
     CHECK(std::isinf(bench.frame().sleep_s));

@@ -162,21 +162,21 @@ int misses(unsigned seed, int count, const std::vector<Object>& shapes, Fall fal
 }  // namespace
 
 TEST_CASE("after a highlight drag the specular term peaks within a pixel of the cursor in 999 of 1,000 grabs",
-          "[ui][hands][property]") {
+          "[ui][hands][property][long][release]") {
     CHECK(misses(20, 1000, round_shapes(), Fall::Off) <= 1);
 }
 
-TEST_CASE("on saddles and bumps, too, under lights without falloff", "[ui][hands][property]") {
+TEST_CASE("on saddles and bumps, too, under lights without falloff", "[ui][hands][property][long][release]") {
     CHECK(misses(21, 1000, hollow_shapes(), Fall::No) <= 1);
 }
 
 // Where the normal hardly turns along some direction, falloff and a cone can leave no such place at the
 // light's own distance, or with its own aim.
-TEST_CASE("and on saddles and bumps under lights with falloff", "[ui][hands][property]") {
-    CHECK(misses(22, 1000, hollow_shapes(), Fall::Off) <= 1);
-    CHECK(misses(101, 1000, hollow_shapes(), Fall::Off) <= 1);
+TEMPLATE_TEST_CASE_SIG("and on saddles and bumps under lights with falloff",
+                       "[ui][hands][property][long][release]", ((unsigned seed), seed), 22, 101) {
+    CHECK(misses(seed, 1000, hollow_shapes(), Fall::Off) <= 1);
 }
 
-TEST_CASE("and so does light thrown back, and that of microfacets", "[ui][hands][property]") {
+TEST_CASE("and so does light thrown back, and that of microfacets", "[ui][hands][property][long][release]") {
     CHECK(misses(23, 1000, round_shapes(), Fall::No, {Reflection::Retro, Reflection::CookTorrance}) <= 1);
 }

@@ -190,14 +190,11 @@ TEST_CASE("a hand in the outside view turns that alone, and a click there select
     CHECK(bench.scene() == before);
     CHECK_FALSE(bench.state.editor.history.can_undo());
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
-    // Wherever the light shows: the picture of the tab is swept.
-    for (float y = right.y + 40; y < 500 && selected_light(bench.state.editor.selection) < 0; y += 6)
-        for (float x = right.x + 12; x < right.x + 330; x += 6) {
-            bench.move({x, y});
-            if (ImGui::GetMouseCursor() != ImGuiMouseCursor_Hand) continue;
-            bench.click({x, y});
-            break;
-        }
-    CHECK(selected_light(bench.state.editor.selection) >= 0);
+    REQUIRE(bench.scene().lights[1].kind == LightKind::Point);
+    const Rect view = bench.area_of("Outside");
+    const ScreenMap map = screen_map(bench.state.outside.camera, {int(view.size().x), int(view.size().y)});
+    const glm::dvec2 bulb = project(map, glm::dvec3(bench.scene().lights[1].position)).pixel;
+    bench.click({view.low.x + float(bulb.x), view.low.y + float(bulb.y)});
+    CHECK(selected_light(bench.state.editor.selection) == 1);
     CHECK(bench.scene() == before);
 }

@@ -3,7 +3,6 @@
 
 #include <imgui_internal.h>
 
-#include <functional>
 #include <string>
 
 #include "tests/catch.h"
@@ -31,18 +30,17 @@ inline Rect right_column(const Bench& bench) {
     return lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).right;
 }
 
-/// Rests the mouse down a line of the right column below its tabs, `x` from its left edge, until `found` says
-/// so; where that was.
-inline ImVec2 search_column(Bench& bench, float x, const std::function<bool()>& found) {
-    const Rect column = right_column(bench);
-    for (float y = column.low.y + 140; y < column.high.y; y += 4) {
-        const ImVec2 at{column.low.x + x, y};
-        bench.move(at);
-        bench.frames(1);
-        if (found()) return at;
-    }
-    FAIL("nothing in the column does that");
-    return {};
+/// The middle of a control in that column.
+inline ImVec2 in_column(const Bench& bench, std::string_view name_or_key) {
+    return Bench::middle_of(bench.area_of(name_or_key, right_column(bench)));
+}
+
+/// Rests the mouse on that control; where it is.
+inline ImVec2 rest_on(Bench& bench, std::string_view name_or_key) {
+    const ImVec2 at = in_column(bench, name_or_key);
+    bench.move(at);
+    bench.frames(1);
+    return at;
 }
 
 /// Moves the mouse away from everything.

@@ -7,14 +7,20 @@
 using namespace glint;
 using test::Bench;
 
+namespace {
+
+std::string first_switch() { return "/shading/mistakes/" + std::string(mistake_names().front().name); }
+
+}  // namespace
+
 TEST_CASE("resting on a mistake draws it and leaves the scene alone; a click keeps it, undo takes it back",
           "[ui][window][why]") {
     Bench bench;
     test::ask(bench, WhyTab::Mistakes);
     const Scene start = bench.scene();
     const auto first = mistake_names().front().flag;
-    const ImVec2 row =
-        test::search_column(bench, 30, [&] { return bench.state.drawn.shading.mistakes.*first; });
+    const ImVec2 row = test::rest_on(bench, first_switch());
+    CHECK(bench.state.drawn.shading.mistakes.*first);
     CHECK(bench.scene() == start);
     bench.click(row);
     CHECK(bench.scene().shading.mistakes.*first);
@@ -30,7 +36,8 @@ TEST_CASE("a preview that ends asks for the frame that draws the edited scene ag
     Bench bench;
     test::ask(bench, WhyTab::Mistakes);
     const auto first = mistake_names().front().flag;
-    (void)test::search_column(bench, 30, [&] { return bench.state.drawn.shading.mistakes.*first; });
+    (void)test::rest_on(bench, first_switch());
+    CHECK(bench.state.drawn.shading.mistakes.*first);
     ImGui::GetIO().MousePos = {5, 5};
     CHECK(bench.frame().sleep_s == 0);
     (void)bench.frame();
@@ -43,8 +50,7 @@ TEST_CASE("the status line's mark opens the mistakes", "[ui][window][why]") {
     test::ask(bench, WhyTab::Equation);
     bench.scene().shading.mistakes.normals_flipped = true;
     bench.frames(2);
-    for (float x = 600; x < 1270 && bench.state.why_column.tab != WhyTab::Mistakes; x += 20)
-        bench.click({x, 788});
+    bench.click(bench.control("/shading/mistakes"));
     CHECK(bench.state.why_column.tab == WhyTab::Mistakes);
 }
 

@@ -31,8 +31,8 @@ TEST_CASE("pointing at a model shows the picture under it, a click takes it, und
     test::ask(bench, WhyTab::Models);
     const Scene start = bench.scene();
     const auto values = under_each_mode(bench.state, *bench.state.why);
-    const ImVec2 at = test::search_column(
-        bench, 70, [&] { return bench.state.drawn.shading.mode == ShadingMode::Gouraud; });
+    const ImVec2 at = test::rest_on(bench, "Gouraud");
+    CHECK(bench.state.drawn.shading.mode == ShadingMode::Gouraud);
     CHECK(bench.scene() == start);
     CHECK(under_each_mode(bench.state, *bench.state.why)[0].sum == values[0].sum);
     bench.click(at);

@@ -1,7 +1,7 @@
 #include "ui/files/autosave.h"
 
 #include <fcntl.h>
-#include <fmt/chrono.h>
+#include <fmt/core.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -12,12 +12,13 @@
 #include <utility>
 
 #include "models/file.h"
-#include "ui/files/json_read.h"
+#include "models/json_value.h"
 
 namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
+
 constexpr std::size_t longest_copy = std::size_t{64} << 20;
 constexpr const char* ending = ".autosave";
 
@@ -29,17 +30,22 @@ std::string time_words(std::time_t when) {
     ::localtime_r(&when, &then);
     ::localtime_r(&now, &today);
     const bool same_day = then.tm_year == today.tm_year && then.tm_yday == today.tm_yday;
-    return same_day ? fmt::format("{:%H:%M}", then) : fmt::format("{:%e %B, %H:%M}", then);
+    char text[64];
+    return {text, std::strftime(text, sizeof text, same_day ? "%H:%M" : "%e %B, %H:%M", &then)};
 }
 
-/// The copy's JSON, or null.
-Json read_copy(const std::string& path) {
+struct Copy {
+    std::string path;  // of the file that it is a copy of
+    JsonValue scene;
+};
+
+std::optional<Copy> read_copy(const std::string& path) {
     const Result<std::string> text = read_file(path, longest_copy);
     if (problem_of(text) != nullptr) return {};
-    Json json = parse_untrusted(std::get<std::string>(text));
-    const bool whole = json.is_object() && json.contains("path") && json["path"].is_string() &&
-                       json.contains("scene") && json["scene"].is_object();
-    return whole ? json : Json();
+    const JsonValue json = JsonValue::parse(std::get<std::string>(text)).value_or(JsonValue());
+    const JsonValue *of = json.find("path"), *scene = json.find("scene");
+    if (of == nullptr || !of->is_string() || scene == nullptr || !scene->is_object()) return {};
+    return Copy{of->string(), *scene};
 }
 
 }  // namespace
@@ -94,8 +100,7 @@ std::string autosave_text(const SceneDocument& document, const std::string& fold
     const bool named = !document.path.empty() && document.path != "-";
     const std::string path = named ? fs::absolute(document.path, failed).string() : "";
     const Scene scene = with_mesh_paths_from(document.scene, document.mesh_dir, folder);
-    return fmt::format("{{\"path\": {},\n\"file\": \"{}\",\n\"scene\": {}}}\n",
-                       Json(path).dump(-1, ' ', false, Json::error_handler_t::replace),
+    return fmt::format("{{\"path\": {},\n\"file\": \"{}\",\n\"scene\": {}}}\n", JsonValue(path).text(),
                        stamp_text(document.stamp), scene_text(scene));
 }
 
@@ -110,9 +115,9 @@ std::vector<LeftCopy> left_copies(const std::string& folder) {
         if (!lock) continue;  // its window lives
         struct stat status {};
         if (::stat(path.c_str(), &status) != 0) continue;
-        const Json copy = read_copy(path);
-        if (copy.is_null()) continue;
-        const std::string name = fs::path(copy["path"].get<std::string>()).filename().string();
+        const auto copy = read_copy(path);
+        if (!copy) continue;
+        const std::string name = fs::path(copy->path).filename().string();
         found.emplace_back(status.st_mtime, LeftCopy{std::move(*lock), name.empty() ? "New scene" : name,
                                                      time_words(status.st_mtime)});
     }
@@ -124,12 +129,11 @@ std::vector<LeftCopy> left_copies(const std::string& folder) {
 }
 
 Result<SceneDocument> open_autosave(const std::string& path) {
-    const Json copy = read_copy(path);
-    if (copy.is_null()) return Problem{path, "", "is no copy of a scene", "one that Glint kept"};
-    Result<Scene> parsed = parse_scene(copy["scene"].dump(), path);
+    const auto copy = read_copy(path);
+    if (!copy) return Problem{path, "", "is no copy of a scene", "one that Glint kept"};
+    Result<Scene> parsed = parse_scene(copy->scene.text(), path);
     if (const Problem* problem = problem_of(parsed)) return *problem;
-    SceneDocument document{
-        std::get<Scene>(std::move(parsed)), copy["path"].get<std::string>(), directory_of(path), {}};
+    SceneDocument document{std::get<Scene>(std::move(parsed)), copy->path, directory_of(path), {}};
     Result<Warnings> loaded = load_meshes(document.scene, path, document.mesh_dir);
     if (const Problem* problem = problem_of(loaded)) return *problem;
     document.warnings = std::get<Warnings>(std::move(loaded));

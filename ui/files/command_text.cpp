@@ -2,22 +2,22 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
+#include "models/json_value.h"
 #include "ui/shell_word.h"
 
 namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using Json = JsonValue;
 
 bool same_keys(const Json& a, const Json& b) {
-    if (a.size() != b.size()) return false;
-    for (const auto& item : a.items())
-        if (!b.contains(item.key())) return false;
-    return true;
+    return a.members().size() == b.members().size() &&
+           std::all_of(a.members().begin(), a.members().end(),
+                       [&b](const auto& member) { return b.find(member.first) != nullptr; });
 }
 
 /// Of a mesh or a projection some keys only go with others: it is set whole.
@@ -29,15 +29,16 @@ bool is_one_value(const std::string& pointer) {
 void append_sets(std::string& command, const Json& a, const Json& b, const std::string& pointer) {
     if (a == b) return;
     const bool members = a.is_object() && b.is_object() && same_keys(a, b) && !is_one_value(pointer);
-    const bool items = a.is_array() && b.is_array() && a.size() == b.size() && !b.empty() && b[0].is_object();
+    const bool items =
+        !b.elements().empty() && a.elements().size() == b.elements().size() && b.elements()[0].is_object();
     if (members) {
-        for (const auto& item : b.items())
-            append_sets(command, a[item.key()], item.value(), pointer + "/" + item.key());
+        for (const auto& [name, value] : b.members())
+            append_sets(command, *a.find(name), value, pointer + "/" + name);
     } else if (items) {
-        for (std::size_t i = 0; i < b.size(); ++i)
-            append_sets(command, a[i], b[i], fmt::format("{}/{}", pointer, i));
+        for (std::size_t i = 0; i < b.elements().size(); ++i)
+            append_sets(command, a.elements()[i], b.elements()[i], fmt::format("{}/{}", pointer, i));
     } else {
-        command += " --set " + shell_word(pointer + "=" + b.dump());
+        command += " --set " + shell_word(pointer + "=" + b.text());
     }
 }
 
@@ -68,7 +69,7 @@ std::string render_command_text(const SceneDocument& document, const Scene& in_f
         shown = with_absolute_meshes(document.scene, document.mesh_dir);
         command = R"(echo '{"glint": 1}' | glint render -)";
     }
-    append_sets(command, Json::parse(scene_text(base)), Json::parse(scene_text(shown)), "");
+    append_sets(command, *Json::parse(scene_text(base)), *Json::parse(scene_text(shown)), "");
     command += fmt::format(" --size {}x{}", size.width, size.height);
     if (samples > 1) command += fmt::format(" --samples {}", samples);
     return command + " -o " + shell_word(out);

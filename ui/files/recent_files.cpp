@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "ui/files/json_read.h"
+#include "models/json_value.h"
 
 namespace glint {
 namespace {
@@ -27,16 +27,15 @@ void add(std::vector<std::string>& paths, std::string path) {
 
 std::vector<std::string> read_recent_files(const std::string& text) {
     std::vector<std::string> paths;
-    const Json json = parse_untrusted(text);
-    if (!json.is_array()) return paths;
-    for (const Json& item : json)
-        if (item.is_string()) add(paths, item.get<std::string>());
+    const JsonValue json = JsonValue::parse(text).value_or(JsonValue());
+    for (const JsonValue& item : json.elements())
+        if (item.is_string()) add(paths, item.string());
     return paths;
 }
 
 std::string recent_files_text(const std::vector<std::string>& paths) {
     // A path need not be UTF-8; then it stands with a replacement, is not found again, and falls out.
-    return Json(paths).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_text(JsonValue(paths));
 }
 
 std::vector<std::string> with_recent_file(std::vector<std::string> paths, const std::string& path) {

@@ -16,14 +16,14 @@ std::string settings_text(const Settings& s) {
                     {"height", s.height},
                     {"maximized", s.maximized},
                     {"view", view_json(s.views)}};
-    return json.dump(1) + "\n";
+    return json_text(json);
 }
 
 Settings read_settings(const std::string& text) {
     Settings s;
-    const Json json = parse_untrusted(text);
+    const Json json = Json::parse(text).value_or(Json());
     if (!json.is_object()) return s;
-    if (const auto theme = json.find("theme"); theme != json.end()) s.dark = *theme != "light";
+    if (const Json* theme = json.find("theme")) s.dark = *theme != "light";
     read(json, "scene_column", s.layout.left);
     read(json, "why_column", s.layout.right);
     read(json, "scene_width", s.layout.left_width, least_column_width, most_column_width);
@@ -33,7 +33,7 @@ Settings read_settings(const std::string& text) {
     read(json, "width", s.width, 0, 16384);
     read(json, "height", s.height, 0, 16384);
     read(json, "maximized", s.maximized);
-    if (const auto view = json.find("view"); view != json.end()) s.views = read_view(*view);
+    if (const Json* view = json.find("view")) s.views = read_view(*view);
     return s;
 }
 

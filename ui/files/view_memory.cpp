@@ -16,13 +16,13 @@ namespace {
 Json camera_json(const Camera& camera) {
     Scene scene;
     scene.camera = camera;
-    return Json::parse(scene_text(scene)).at("camera");
+    return *Json::parse(scene_text(scene))->find("camera");
 }
 
 std::optional<Camera> read_camera(const Json& json) {
-    Json file = Json::parse(scene_text({}));
+    Json file = *Json::parse(scene_text({}));
     file["camera"] = json;
-    const Result<Scene> scene = parse_scene(file.dump(-1, ' ', false, Json::error_handler_t::replace), "");
+    const Result<Scene> scene = parse_scene(file.text(), "");
     if (const auto* read = std::get_if<Scene>(&scene)) return read->camera;
     return {};
 }
@@ -30,9 +30,9 @@ std::optional<Camera> read_camera(const Json& json) {
 Json pair_json(glm::dvec2 v) { return {v.x, v.y}; }
 
 void read_share(const Json& json, const char* name, glm::dvec2& value) {
-    const auto found = json.find(name);
-    if (found == json.end() || !found->is_array() || found->size() != 2) return;
-    const Json both{{"x", (*found)[0]}, {"y", (*found)[1]}};
+    const Json* found = json.find(name);
+    if (found == nullptr || found->elements().size() != 2) return;
+    const Json both{{"x", found->elements()[0]}, {"y", found->elements()[1]}};
     read(both, "x", value.x, 0.0, 1.0);
     read(both, "y", value.y, 0.0, 1.0);
 }
@@ -50,11 +50,11 @@ Json compare_json(const CompareChoice& choice) {
 
 /// Lines that rise, one fewer than parts; else they stay evenly spread.
 void read_lines(const Json& json, CompareChoice& choice) {
-    if (!json.is_array() || json.size() != choice.wipes.size()) return;
+    if (!json.is_array() || json.elements().size() != choice.wipes.size()) return;
     std::vector<double> lines;
-    for (const Json& line : json) {
+    for (const Json& line : json.elements()) {
         if (!line.is_number()) return;
-        lines.push_back(line.get<double>());
+        lines.push_back(line.number());
         if (!(lines.back() >= 0 && lines.back() <= 1)) return;
         if (lines.size() > 1 && !(lines.back() >= lines[lines.size() - 2])) return;
     }
@@ -71,12 +71,12 @@ CompareChoice read_compare(const Json& json) {
     read(json, "gain", gain, 1, most_gain);
     while (2 * choice.gain <= gain) choice.gain *= 2;
     std::vector<Setting> parts;
-    if (const auto found = json.find("parts"); found != json.end() && found->is_array())
-        for (const Json& part : *found)
-            if (const auto setting = part.is_string() ? setting_named(part.get<std::string>()) : std::nullopt)
+    if (const Json* found = json.find("parts"))
+        for (const Json& part : found->elements())
+            if (const auto setting = part.is_string() ? setting_named(part.string()) : std::nullopt)
                 parts.push_back(*setting);
     if (parts.size() == 2 || parts.size() == 3) set_parts(choice, parts);
-    if (const auto found = json.find("lines"); found != json.end()) read_lines(*found, choice);
+    if (const Json* found = json.find("lines")) read_lines(*found, choice);
     return choice;
 }
 
@@ -100,8 +100,8 @@ Json view_json(const ViewMemory& memory) {
 ViewMemory read_view(const Json& json) {
     ViewMemory memory;
     if (!json.is_object()) return memory;
-    if (const auto found = json.find("compare"); found != json.end()) memory.compare = read_compare(*found);
-    if (const auto found = json.find("look"); found != json.end() && found->is_string())
+    if (const Json* found = json.find("compare")) memory.compare = read_compare(*found);
+    if (const Json* found = json.find("look"))
         for (int i = 0; i < look_count; ++i)
             if (*found == info_of(static_cast<Look>(i)).label) memory.look = static_cast<Look>(i);
     read(json, "over_range", memory.over_range);
@@ -111,8 +111,8 @@ ViewMemory read_view(const Json& json) {
     read_share(json, "scope_to", memory.scope_to);
     read(json, "scope_channels", memory.scope_channels);
     read(json, "scope_eye", memory.scope_eye);
-    if (const auto found = json.find("kept_views"); found != json.end() && found->is_array())
-        for (const Json& camera : *found)
+    if (const Json* found = json.find("kept_views"))
+        for (const Json& camera : found->elements())
             if (const auto view = read_camera(camera)) keep_view(memory.kept, *view);
     return memory;
 }

@@ -10,6 +10,7 @@
 #include "models/saturate.h"
 #include "ui/hands/drag_math.h"
 #include "ui/hands/outside_lines.h"
+#include "ui/named_controls.h"
 #include "ui/orbit.h"
 #include "ui/theme.h"
 #include "ui/ui.h"
@@ -131,6 +132,7 @@ void outside_tab(UiState& state, const PictureView& main) {
     view.units_per_pixel = 1;
     hit_area("##outside", extent);
     const bool hovered = ImGui::IsItemHovered();
+    list_control("Outside", "", {view.origin, ImGui::GetItemRectMax()});
     const bool reset = hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (!outside.placed || reset) outside = {outside_camera(scene, main, size), true};
     use_mouse(outside, size, hovered);

@@ -9,6 +9,7 @@
 
 #include "ui/icons.h"
 #include "ui/limits.h"
+#include "ui/named_controls.h"
 #include "ui/ui.h"
 #include "ui/why/factors.h"
 #include "ui/why/parts.h"
@@ -27,6 +28,7 @@ void angle(TextLine& line, UiState& state, Symbol to, Symbol from, float cosine)
     line.gap(4).number(fmt::format("{} {:5.1f}°", shown_number(cosine), angle_deg(cosine)), theme().text);
     const ImVec2 high = ImGui::GetItemRectMax();
     line.gap(8);
+    list_control(to == Symbol::H ? "n·h" : to == Symbol::R ? "r·v" : "n·l", "", {low, high});
     if (is_pointed_at(low, high)) state.why_column.pointed_vector = to;
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "ui/fonts.h"
+#include "ui/named_controls.h"
 #include "ui/theme.h"
 #include "ui/ui.h"
 #include "ui/why/parts.h"
@@ -66,6 +67,7 @@ void term_row(UiState& state, Symbol symbol, const char* name, glm::vec3 value, 
     }
     cells(value, value == glm::vec3(0) ? theme().disabled_text : theme()[symbol]);
     const ImVec2 high{ImGui::GetItemRectMax().x, low.y + ImGui::GetTextLineHeight()};
+    list_control(name, "", {low, high});
     if (!on || !is_pointed_at(low, high)) return;
     light_up_row();
     show_instead(state, with_term_alone(state.editor.scene(), symbol), fmt::format("{} alone", name + 3));

@@ -1,0 +1,135 @@
+#include "app/options.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "app/failure.h"
+
+namespace glint {
+namespace {
+
+/// CLI11's help, with the usage line that we would write by hand.
+class HelpFormatter : public CLI::Formatter {
+  public:
+    explicit HelpFormatter(std::string usage) : usage_(std::move(usage)) { column_width(24); }
+    std::string make_usage(const CLI::App* /*app*/, std::string name) const override {
+        return "\nUsage: " + name + (usage_.empty() ? "" : " " + usage_) + " [OPTIONS]\n";
+    }
+
+  private:
+    std::string usage_;
+};
+
+/// All long and short option names of a command's line.
+std::vector<std::string> option_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    return names;
+}
+
+/// What CLI11 could not place: an option that it does not know, or one word too many.
+void refuse_extras(const CLI::App& app, const std::string& command) {
+    bool only_words = false;  // behind a "--" nothing is an option
+    for (const std::string& extra : app.remaining()) {
+        if (extra == "--") {
+            only_words = true;
+            continue;
+        }
+        if (!only_words && extra.size() > 1 && extra[0] == '-') {
+            const std::string name = extra.substr(0, extra.find('='));
+            throw wrong_usage(
+                name, "unknown option of " + command,
+                fmt::format("{} or another that {} --help lists", nearest(name, option_names(app)), command));
+        }
+        throw wrong_usage(extra, "one word too many for " + command, "what " + command + " --help shows");
+    }
+}
+
+/// CLI11's exceptions name the option somewhere in their words: "--size: 1 required WxH missing".
+Failure of_parse_error(const CLI::ParseError& error) {
+    std::istringstream words(error.what());
+    std::string option;
+    while (words >> option && option[0] != '-') {
+    }
+    option = option.substr(0, option.find(':'));
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+        return wrong_usage(option, "has no value", "one after it");
+    }
+    return wrong_usage(option, "takes no such value", "what --help shows");
+}
+
+}  // namespace
+
+struct Options::Parts {
+    explicit Parts(const OptionsHelp& help) : name(help.name), app(help.summary, help.name) {}
+
+    void add(const std::string& names, const std::string& value_name, const std::string& help,
+             const CLI::callback_t& on_given) {
+        // Every value is kept, for CLI11 would have words of its own for the second.
+        app.add_option(names, on_given, help)
+            ->type_name(value_name)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    }
+
+    std::string name;
+    CLI::App app;
+};
+
+Options::Options(const OptionsHelp& help) : parts_(std::make_unique<Parts>(help)) {
+    CLI::App& app = parts_->app;
+    app.allow_extras();
+    app.set_help_flag("-h,--help", "prints this");
+    app.formatter(std::make_shared<HelpFormatter>(help.usage));
+    app.footer("Example: " + help.example);
+}
+Options::~Options() = default;
+
+void Options::add_version() { parts_->app.set_version_flag("--version", "glint"); }
+
+Options::Asked Options::parse(std::vector<std::string> arguments) {
+    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
+    try {
+        parts_->app.parse(std::move(arguments));
+    } catch (const CLI::CallForHelp&) {
+        return Asked::Help;
+    } catch (const CLI::CallForVersion&) {
+        return Asked::Version;
+    } catch (const CLI::ParseError& error) {
+        throw of_parse_error(error);
+    }
+    refuse_extras(parts_->app, parts_->name);
+    return Asked::Work;
+}
+
+std::string Options::help_text() const { return parts_->app.help(); }
+
+void Options::add_value(const std::string& names, const std::string& value_name, const std::string& help,
+                        ReadValue read) {
+    const std::string option = names.substr(names.rfind(',') + 1);
+    parts_->add(names, value_name, help, [option, read = std::move(read)](const CLI::results_t& given) {
+        if (given.size() > 1) throw wrong_usage(option, "is given twice", "it once");
+        read(given.front());
+        return true;
+    });
+}
+
+void Options::add_values(const std::string& names, const std::string& value_name, const std::string& help,
+                         ReadValue read) {
+    parts_->add(names, value_name, help, [read = std::move(read)](const CLI::results_t& given) {
+        for (const std::string& text : given) read(text);
+        return true;
+    });
+}
+
+void Options::add_flag(const std::string& name, bool& value, const std::string& help) {
+    parts_->app.add_flag(name, value, help);
+}
+
+}  // namespace glint

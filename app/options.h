@@ -1,0 +1,53 @@
+#pragma once
+// The options of one command's line. CLI11 splits the line and writes --help; only options.cpp includes it,
+// because it takes each file that does seconds to compile. The words of errors are ours (docs/interface.md).
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+/// What --help says around the list of options.
+struct OptionsHelp {
+    std::string name;     // of the command as it is typed: "glint render"
+    std::string usage;    // what follows the name: "FILE -o OUT"
+    std::string summary;  // one line
+    std::string example;  // a whole line to copy
+};
+
+using ReadValue = std::function<void(const std::string& text)>;
+
+/// What its readers and flags refer to must live until the line is parsed.
+class Options {
+  public:
+    explicit Options(const OptionsHelp& help);
+    ~Options();
+    Options(const Options&) = delete;
+    Options& operator=(const Options&) = delete;
+
+    /// An option (or a positional, when its names have no dash) with one value, at most once. `names` are
+    /// separated by commas, the one that errors name last: "-j,--threads".
+    void add_value(const std::string& names, const std::string& value_name, const std::string& help,
+                   ReadValue read);
+    /// The same for an option that may be repeated: `read` gets each value in turn.
+    void add_values(const std::string& names, const std::string& value_name, const std::string& help,
+                    ReadValue read);
+    /// An option without a value: `value` becomes true.
+    void add_flag(const std::string& name, bool& value, const std::string& help);
+    /// Adds --version, which the line of a command without a name has.
+    void add_version();
+
+    enum class Asked { Work, Help, Version };
+    /// Splits the line and hands each value to the one who declared its option. Throws Failure for an option
+    /// that is not known, a value that is missing, a word too many, and whatever the readers throw.
+    [[nodiscard]] Asked parse(std::vector<std::string> arguments);
+    [[nodiscard]] std::string help_text() const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace glint
