@@ -161,10 +161,10 @@ std::optional<Problem> too_many_triangles(const std::vector<MeshPtr>& meshes, co
     std::size_t triangles = 0;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         triangles += meshes[i]->triangles.size();
-        if (triangles > most_triangles)
+        if (triangles > max_scene_triangles)
             return Problem{file, fmt::format("/objects/{}/mesh", i),
                            fmt::format("with this one the objects have {} triangles", triangles),
-                           fmt::format("at most {} in a scene", most_triangles)};
+                           fmt::format("at most {} in a scene", max_scene_triangles)};
     }
     return std::nullopt;
 }

@@ -72,11 +72,6 @@ MemoryNeed memory_need(MemoryUse use, std::uint64_t bytes) {
     return need;
 }
 
-Refused::Refused(Problem problem) {
-    std::string text = problem.text();
-    told_ = std::make_shared<const Told>(Told{std::move(problem), std::move(text)});
-}
-
 Problem memory_problem(const std::bad_alloc& error, const std::string& file) {
     Problem problem{file, "", "there is not enough memory for this", ""};
     if (const auto* refused = dynamic_cast<const Refused*>(&error)) {

@@ -19,7 +19,7 @@
 namespace glint {
 
 /// Triangles that the objects of a scene may have together; the renderer's numbers for them have 30 bits.
-inline constexpr std::size_t most_triangles = std::size_t{1} << 30;
+inline constexpr std::size_t max_scene_triangles = std::size_t{1} << 30;
 
 struct MeshFile {
     std::string path;  // as written in the scene file: relative to it, or absolute

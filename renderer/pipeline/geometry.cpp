@@ -96,9 +96,9 @@ bool same_inputs(const Geometry& kept, const Scene& scene, PictureSize size) {
 void count_triangles(const Scene& scene) {
     std::size_t triangles = 0;
     for (const Object& o : scene.objects) triangles += o.mesh->triangles.size();
-    if (triangles > most_triangles)
+    if (triangles > max_scene_triangles)
         throw Refused({"", "/objects", fmt::format("the objects have {} triangles", triangles),
-                       fmt::format("at most {} in a scene", most_triangles)});
+                       fmt::format("at most {} in a scene", max_scene_triangles)});
 }
 
 }  // namespace

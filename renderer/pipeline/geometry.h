@@ -39,7 +39,7 @@ struct Geometry {
     Camera camera;
     PictureSize size{0, 0};
     std::vector<ObjectGeometry> objects;
-    std::uint32_t triangle_count = 0;  // at most most_triangles
+    std::uint32_t triangle_count = 0;  // at most max_scene_triangles
 
     /// The object that a global triangle number belongs to.
     [[nodiscard]] std::uint32_t object_of(std::uint32_t triangle) const;
@@ -55,7 +55,7 @@ struct Geometry {
 };
 
 /// Does again what differs from what `kept` was made of; true when anything did. Throws Refused, `kept` being
-/// as it was, when the scene has more than most_triangles.
+/// as it was, when the scene has more than max_scene_triangles.
 bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size);
 
 }  // namespace glint

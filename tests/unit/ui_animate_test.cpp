@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "models/scene/scene_numbers.h"
 #include "renderer/image_file.h"
 #include "renderer/image_gif.h"
 #include "renderer/renderer.h"

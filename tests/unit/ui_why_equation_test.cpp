@@ -17,7 +17,7 @@ namespace {
 
 float product(const TermLine& line) {
     float p = 1;
-    for (const Factor& f : line.factors) p *= f.exponent ? std::pow(f.value, *f.exponent->value) : f.value;
+    for (const Factor& f : line.factors) p *= f.exponent ? std::pow(f.value, *f.exponent->number.place) : f.value;
     return p;
 }
 

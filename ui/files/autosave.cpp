@@ -37,6 +37,7 @@ std::string time_words(std::time_t when) {
 struct Copy {
     std::string path;  // of the file that it is a copy of
     JsonValue scene;
+    FileStamp stamp;  // of that file when it was read
 };
 
 std::optional<Copy> read_copy(const std::string& path) {
@@ -45,7 +46,10 @@ std::optional<Copy> read_copy(const std::string& path) {
     const JsonValue json = JsonValue::parse(std::get<std::string>(text)).value_or(JsonValue());
     const JsonValue *of = json.find("path"), *scene = json.find("scene");
     if (of == nullptr || !of->is_string() || scene == nullptr || !scene->is_object()) return {};
-    return Copy{of->string(), *scene};
+    const JsonValue* stamp = json.find("file");
+    const bool stamped = stamp != nullptr && stamp->is_string();
+    return Copy{of->string(), *scene,
+                stamped ? stamp_of(stamp->string()).value_or(FileStamp{}) : FileStamp{}};
 }
 
 }  // namespace
@@ -130,7 +134,7 @@ std::vector<LeftCopy> left_copies(const std::string& folder) {
 
 Result<SceneDocument> open_autosave(const std::string& path) {
     const auto copy = read_copy(path);
-    if (!copy) return Problem{path, "", "is no copy of a scene", "one that Glint kept"};
+    if (!copy) return Problem{path, "", "is not a copy of a scene", "one that Glint kept"};
     Result<Scene> parsed = parse_scene(copy->scene.text(), path);
     if (const Problem* problem = problem_of(parsed)) return *problem;
     SceneDocument document{std::get<Scene>(std::move(parsed)), copy->path, directory_of(path), {}};
@@ -138,8 +142,7 @@ Result<SceneDocument> open_autosave(const std::string& path) {
     if (const Problem* problem = problem_of(loaded)) return *problem;
     document.warnings = std::get<Warnings>(std::move(loaded));
     if (document.path.empty()) return document;
-    if (const auto file = copy.find("file"); file != copy.end() && file->is_string())
-        document.stamp = stamp_of(file->get<std::string>()).value_or(FileStamp{});
+    document.stamp = copy->stamp;
     const std::string home = directory_of(document.path);
     document.scene = with_mesh_paths_from(std::move(document.scene), document.mesh_dir, home);
     document.mesh_dir = home;
