@@ -52,17 +52,17 @@ void check_golden(const std::string& name, const Picture& now) {
 
 }  // namespace
 
-TEST_CASE("every way of shading and every reflection model gives the golden picture", "[golden][long]") {
+TEST_CASE("every way of shading and every reflection model gives the golden picture", "[golden]") {
     for (const Subject& subject : subjects()) check_golden(subject.name, make_sheet(subject));
 }
 
-TEST_CASE("cool-to-warm shading and strokes give the golden picture", "[golden][long]") {
+TEST_CASE("cool-to-warm shading and strokes give the golden picture", "[golden]") {
     check_golden("drawn", make_drawn_sheet());
 }
 
 TEST_CASE(
     "a golden sheet shows a surface in every cell, and no two cells alike where lighting tells them apart",
-    "[golden][long]") {
+    "[golden]") {
     const Picture sheet = make_sheet(subjects()[0]);
     std::set<std::string> cells;
     for (int row = 0; row < 4; ++row)
