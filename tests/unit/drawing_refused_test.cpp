@@ -110,9 +110,9 @@ TEST_CASE("what only drawing can count is refused when it is counted, and the ne
         CHECK(contains(refusal_of(renderer, scene, size),
                        "of it for the triangles in the tiles of the picture"));
     }
-    CHECK(renderer.render(other, size).rgba == Renderer(1).render(other, size).rgba);
-    // With room for it, it is drawn as ever.
+    // With room for it, the same scene is drawn as ever: nothing is left of the stages that were done.
     CHECK(renderer.render(scene, size).rgba == Renderer(1).render(scene, size).rgba);
+    CHECK(renderer.render(other, size).rgba == Renderer(1).render(other, size).rgba);
 }
 
 TEST_CASE("without room to keep the sums of lights the picture is the same", "[memory][renderer]") {
