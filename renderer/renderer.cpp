@@ -46,14 +46,11 @@ struct Renderer::Kept {
     /// Whether the next picture needs what the last one did, as far as that can be told before.
     [[nodiscard]] bool needs_the_same(const Scene& scene, PictureSize size, bool linear, int samples) const {
         const Npr& npr = stages.lighting.npr;
-        const auto same_mesh = [](const ObjectGeometry& g, const Object& o) { return g.mesh == o.mesh; };
         return drawn && stages.geometry.size == size && stages.lighting.linear == linear &&
                stages.visibility.samples == samples &&
                stages.surface.choice == surface_choice(scene.shading) &&
                npr.silhouettes == scene.npr.silhouettes && npr.creases == scene.npr.creases &&
-               same_normals(stages.surface.normals, scene) &&
-               std::equal(stages.geometry.objects.begin(), stages.geometry.objects.end(),
-                          scene.objects.begin(), scene.objects.end(), same_mesh);
+               same_normals(stages.surface.normals, scene);
     }
 
     void ask_for_memory(const Scene& scene, PictureSize size, bool linear, int samples) {
@@ -148,7 +145,6 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
     try {
         k.draw(scene, size, linear, samples);
     } catch (...) {  // some stages are of this scene, others of the one before
-        k.forget();
         throw;
     }
     k.stats.total_ms = ms_since(start);

@@ -29,6 +29,7 @@ void put_views_away(UiState& state) {
     views.grid.solo.reset();
     views.grid.muted.clear();
     state.preview.reset();
+    state.why.reset();
     state.shown = state.picture;
     ++state.picture_serial;
 }

@@ -143,6 +143,25 @@ TEST_CASE("a document that needs more memory than there is leaves the open one a
     check_next_picture(bench);
 }
 
+TEST_CASE("where the system itself has no more memory, the open document stays", "[ui][memory]") {
+    CHECK(test::in_process_with_room(std::uint64_t{300} << 20, [] {
+        set_memory_limit(std::uint64_t{1} << 50);  // nothing is refused by us
+        Bench bench(window);
+        bench.frames(2);
+        const Scene before = bench.scene();
+        SceneDocument large = other_document();
+        large.scene.objects.front().source = PrimitiveMesh{Primitive::Teapot, 60};
+        large.scene.objects.front().mesh = nullptr;
+        if (problem_of(load_meshes(large.scene, "", "")) != nullptr) return false;
+        for (int i = 0; i < 100; ++i) large.scene.objects.push_back(large.scene.objects.front());
+        take_document(bench.state.editor, large);
+        bench.frames(3);
+        Renderer fresh(1);
+        return bench.scene() == before && bench.state.notifications.list.size() == 1 &&
+               bench.state.picture->rgba == fresh.render(before, whole_size(bench)).rgba;
+    }));
+}
+
 TEST_CASE("a window too large for its picture shows a coarser one, and says so once", "[ui][memory]") {
     Bench bench({400, 300});
     bench.frames(2);

