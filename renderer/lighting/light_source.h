@@ -48,9 +48,9 @@ template <Number F> bool may_be_inside(const LightAt<F>& light, Vec3<F> to_light
 }
 
 /// What one sample of an area light puts in place of falloff: A |cos theta'| / (pi n^2 r^2), theta' at the
-/// emitter; 0 at r = 0. With all samples it tends to Lambert's polygon formula.
+/// emitter; 0 at r = 0, and never more than 1e37. With all samples it tends to Lambert's polygon formula.
 template <Number F> F patch_factor(const LightAt<F>& light, Vec3<F> l, F r) {
-    return light.patch * magnitude(dot(l, light.axis)) * inverse_or_zero(r * r);
+    return smaller(light.patch * magnitude(dot(l, light.axis)) * inverse_or_zero(r * r), F(1e37f));
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -208,6 +208,7 @@ template <Number F> F magnitude(F a) { return number_of_bits(bits_of(a) & 0x7fff
 inline double magnitude(double a) { return a < 0 ? -a : a; }
 /// 1 / a, or 0 where a is 0, negative, or so small that 1 / a could overflow.
 template <Number F> F inverse_or_zero(F a) { return select(a >= F(smallest_normal), F(1) / a, F(0)); }
+inline double inverse_or_zero(double a) { return a >= 0x1p-1022 ? 1 / a : 0; }
 
 // Lanes in and out of memory; the pointer need not be aligned.
 template <Number F> F load(const float* from) {

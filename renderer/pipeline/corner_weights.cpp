@@ -5,6 +5,7 @@
 
 #include "renderer/pipeline/clip.h"
 #include "renderer/pipeline/near_cut.h"
+#include "renderer/pipeline/not_too_far.h"
 #include "renderer/shading/interpolate.h"
 
 namespace glint {
@@ -21,7 +22,7 @@ void place(SampleFace& face, const std::array<ClipCorner<F>, 3>& clip, const std
     const Vec3<F> w = perspective_weights(clip[0], clip[1], clip[2], at);
     const Vec3<F> p = blend(w, camera[0], camera[1], camera[2]);
     face.weights = {static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z)};
-    face.p = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+    face.p = glm::vec3(not_too_far(glm::dvec3(p.x, p.y, p.z)));
 }
 
 CornerWeights of_triangle(const Triangle& t, Vec3<float> w) {
@@ -39,22 +40,24 @@ void add_cut(CornerWeights& weights, const CutCorner& corner, double weight) {
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-/// Linear on the screen over the fan of a triangle that the near plane cuts.
+/// Linear on the screen over the fan of a triangle that the near plane cuts. Where nothing of the fan is left
+/// around the sample (a sliver, or numbers so large that the cut is lost to rounding), the
+/// perspective-correct ones.
 CornerWeights cut_screen_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
     CutMemory memory;
     const auto cut = cut_at_near(g, face.object, triangle.corner, memory);
     const glm::dvec2 at(face.at.x, face.at.y);
-    CornerWeights best;
-    double best_inside =
-        -HUGE_VAL;  // the smallest weight: largest in the fan's triangle that holds the sample
+    CornerWeights best = of_triangle(triangle, {face.weights.x, face.weights.y, face.weights.z});
+    // The smallest weight is largest in the fan's triangle that holds the sample. The grid of the rasteriser
+    // may put that a little outside; by a whole width no more.
+    double best_inside = -1;
     for (std::size_t i = 2; i < cut.size(); ++i) {
         const CutCorner &a = cut[0], &b = cut[i - 1], &c = cut[i];
         const double area = cross(b.pixel - a.pixel, c.pixel - a.pixel);
-        if (area == 0) continue;
         const double wb = cross(at - a.pixel, c.pixel - a.pixel) / area;
         const double wc = cross(b.pixel - a.pixel, at - a.pixel) / area;
         const double inside = std::min({1 - wb - wc, wb, wc});
-        if (inside <= best_inside) continue;
+        if (!(inside > best_inside)) continue;  // NaN: it has no area
         best_inside = inside;
         best = {};
         add_cut(best, a, 1 - wb - wc);

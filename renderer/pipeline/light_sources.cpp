@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "renderer/pipeline/mistaken_lights.h"
+#include "renderer/pipeline/not_too_far.h"
 
 namespace glint {
 namespace {
@@ -23,7 +24,7 @@ LightSource::Rgb rgb(glm::dvec3 v) {
 }
 
 // Scenes may hold numbers to 1e30, whose products and squares no float holds; infinity times 0 is no number.
-constexpr double largest_product = 1e30, farthest_place = 1e18;
+constexpr double largest_product = 1e30;
 
 /// A product of colours, held at 1e30.
 LightSource::Rgb product(glm::dvec3 a, glm::dvec3 b, double most = largest_product) {
@@ -43,7 +44,7 @@ double most_light(const std::vector<Object>& objects) {
 /// float holds, nearer to the eye in the same direction, and what depends on its distance is worked out here.
 void put_at(LightSource& source, const glm::dvec3& place, double patch) {
     constexpr double near_float_limit = 1e38;
-    const double distance = glm::length(place), nearer = std::min(1.0, farthest_place / distance);
+    const double distance = glm::length(place), nearer = share_of_way(place);
     source.patch = static_cast<float>(std::min(patch, largest_product));
     source.xyz = rgb(nearer * place);
     if (nearer == 1) return;
@@ -121,14 +122,17 @@ void add_light(std::vector<LightSource>& sources, const Light& light, int index,
     sources.push_back(s);
 }
 
-/// Towards which the tone warms: the first enabled light; of an area light, the mean of its samples.
-CoolToWarm tone_of(const Npr& npr, const std::vector<LightSource>& lights) {
+/// Towards which the tone warms: the first enabled light; of an area light, the mean of its samples. What it
+/// takes on of the material is held at 1e30.
+CoolToWarm tone_of(const Npr& npr, const Material& m, const std::vector<LightSource>& lights) {
+    const float most =
+        static_cast<float>(largest_product) / std::max({1.0f, m.diffuse.x, m.diffuse.y, m.diffuse.z});
     CoolToWarm tone;
     tone.on = npr.cool_to_warm;
     tone.cool = rgb(npr.cool);
     tone.warm = rgb(npr.warm);
-    tone.alpha = npr.alpha;
-    tone.beta = npr.beta;
+    tone.alpha = std::clamp(npr.alpha, -most, most);
+    tone.beta = std::clamp(npr.beta, -most, most);
     if (lights.empty()) return tone;
     tone.light_w = lights[0].w;
     glm::dvec3 sum(0);
@@ -211,7 +215,7 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& m,
     job.material.global_ambient = product(m.ambient, scene.global_ambient);
     job.model = scene.shading.reflection;
     job.terms = scene.shading.terms;
-    job.tone = tone_of(scene.npr, lights);
+    job.tone = tone_of(scene.npr, m, lights);
     if (job.tone.on) job.terms.emission = job.terms.ambient = job.terms.diffuse = false;
     job.infinite_viewer = !scene.shading.local_viewer || is_orthographic(scene.camera.projection);
     job.clamp = opengl && at_corners;

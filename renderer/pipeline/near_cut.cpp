@@ -2,6 +2,8 @@
 
 #include <glm/vec4.hpp>
 
+#include "renderer/pipeline/to_screen.h"
+
 namespace glint {
 
 std::pmr::vector<CutCorner> cut_at_near(const Geometry& g, std::uint32_t object_index,
@@ -16,7 +18,8 @@ std::pmr::vector<CutCorner> cut_at_near(const Geometry& g, std::uint32_t object_
 
     std::pmr::vector<CutCorner> cut(&memory.pool);
     cut.reserve(corners.size() + 1);
-    const auto add = [&](const glm::dvec4& c, std::size_t i, std::size_t j, double t) {
+    const auto add = [&](const glm::dvec4& corner, std::size_t i, std::size_t j, double t) {
+        const glm::dvec4 c = before_eye(g.camera.projection, corner);
         cut.push_back({{(c.x / c.w + 1) * 0.5 * g.size.width, (1 - c.y / c.w) * 0.5 * g.size.height},
                        corners[i],
                        corners[j],

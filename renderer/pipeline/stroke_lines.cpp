@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "renderer/pipeline/occlusion.h"
+#include "renderer/pipeline/to_screen.h"
 
 namespace glint {
 namespace {
@@ -68,8 +69,15 @@ class Follower {
             if (change == 0 && at_a < 0) return std::nullopt;
         }
         if (!(from <= to)) return std::nullopt;
-        const glm::dvec4 start = a + from * d, end = a + to * d;
+        const glm::dvec4 start = held(a + from * d), end = held(a + to * d);
         return Projected{pixel(start), pixel(end), nearness(start), nearness(end)};
+    }
+
+    /// An end of the part; where an edge is so long that its place is lost to rounding, one near the picture.
+    [[nodiscard]] glm::dvec4 held(const glm::dvec4& clip) const {
+        const glm::dvec4 c = before_eye(g_.camera.projection, clip);
+        const double x = 2 * reach_x_ * c.w, y = 2 * reach_y_ * c.w;
+        return {std::clamp(c.x, -x, x), std::clamp(c.y, -y, y), c.z, c.w};
     }
 
     [[nodiscard]] glm::dvec2 pixel(const glm::dvec4& clip) const {

@@ -44,11 +44,13 @@ Vec3<F> perspective_weights(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, S
     return select<F>(inverse > F(0), inverse * e, Vec3<F>{third, third, third});
 }
 
-/// Weights that are linear on the screen, from the perspective-correct ones. All w > 0.
+/// Weights that are linear on the screen, from the perspective-correct ones. All w > 0; where their products
+/// leave the range of floats, the perspective-correct ones.
 /// Source: a = sum(b_i a_i / w_i) / sum(b_i / w_i), solved for b.
 template <Number F> Vec3<F> screen_weights(Vec3<F> perspective, F wa, F wb, F wc) {
     const Vec3<F> e{perspective.x * wa, perspective.y * wb, perspective.z * wc};
-    return inverse_or_zero(e.x + e.y + e.z) * e;
+    const F inverse = inverse_or_zero(e.x + e.y + e.z);
+    return select<F>(inverse > F(0), inverse * e, perspective);
 }
 
 template <Number F> Vec3<F> blend(Vec3<F> weights, Vec3<F> a, Vec3<F> b, Vec3<F> c) {

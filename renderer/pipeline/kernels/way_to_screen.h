@@ -18,15 +18,19 @@ template <Number D> Point4<D> transformed(const Matrix4& m, const Point4<D>& p) 
     return {row(0), row(1), row(2), row(3)};
 }
 
-/// Sums of OutsideBits: of the planes at the sides of the view, and of those that need clipping.
+/// Sums of OutsideBits: of the planes at the sides of the view, and of those that need clipping. Of a vertex
+/// in camera and in clip coordinates.
 template <Number D> struct Outside { D sides, cut; };
-template <Number D> Outside<D> outside_of(const Point4<D>& c) {
+template <Number D> Outside<D> outside_of(const Point4<D>& camera, const Point4<D>& c) {
     const auto bit = [](auto where, OutsideBits b) { return select(where, D(static_cast<double>(b)), D(0)); };
     const auto one = [](auto where) { return select(where, D(1), D(0)); };
     const D sides = bit(c.x < -c.w, OutsideLeft) + bit(c.x > c.w, OutsideRight) +
                     bit(c.y < -c.w, OutsideBottom) + bit(c.y > c.w, OutsideTop);
     const D g = D(guard_band) * c.w;  // NaN is not within
-    const D within = one(c.x >= -g) * one(c.x <= g) * one(c.y >= -g) * one(c.y <= g);
+    const D squared = camera.x * camera.x + camera.y * camera.y + camera.z * camera.z;
+    const D floats = one((c.w - D(least_float_w)) * (D(most_float_w) - c.w) >= D(0)) *
+                     one(squared <= D(farthest_place * farthest_place));
+    const D within = one(c.x >= -g) * one(c.x <= g) * one(c.y >= -g) * one(c.y <= g) * floats;
     return {sides, bit(c.z < -c.w, OutsideNear) + bit(c.z > c.w, OutsideFar) +
                        (D(1) - within) * D(static_cast<double>(OutsideGuard))};
 }
