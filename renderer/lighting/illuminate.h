@@ -70,11 +70,10 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
     LightTerms<F> t;
     t.distance = arrival.distance;
     t.directions = directions_for(to_light, arrival, at);
-    if (equation.mistakes) spoil_directions(*equation.mistakes, t.directions, to_light, at);
-
     t.falloff = arrival.falloff;
     if (light.is_patch) t.falloff = patch_factor(light, t.directions.l, t.distance);
     t.spot = light.has_cone ? spot_factor(light, t.directions.l) : F(1);
+    if (equation.mistakes) spoil_directions(*equation.mistakes, t.directions, to_light, at);
     const F share = t.falloff * t.spot;  // of all three terms, as in OpenGL 2.1, section 2.14.1
 
     const auto lit_side = t.directions.n_dot_l > F(0);
@@ -86,8 +85,14 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
 
     if (equation.terms.ambient && light.has_ambient) t.ambient = share * colors.ambient;
     if (equation.mistakes && equation.mistakes->ambient_per_light_added_twice) t.ambient = F(2) * t.ambient;
-    if (equation.terms.diffuse) t.diffuse = (share * t.response.diffuse) * colors.diffuse;
-    if (equation.terms.specular) t.specular = (share * t.response.specular) * colors.specular;
+    F diffuse = share * t.response.diffuse;
+    Vec3<F> specular = share * t.response.specular;
+    if (equation.mistakes) {
+        diffuse = held_share(diffuse);
+        specular = {held_share(specular.x), held_share(specular.y), held_share(specular.z)};
+    }
+    if (equation.terms.diffuse) t.diffuse = diffuse * colors.diffuse;
+    if (equation.terms.specular) t.specular = specular * colors.specular;
     return t;
 }
 template <Number F>

@@ -9,7 +9,7 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// l keeps its length, or h is not made unit; r and n.l follow.
+/// l keeps its length, in all that a reflection model sees, or h is not made unit.
 template <Number F>
 void spoil_directions(const Mistakes& wrong, Directions<F>& d, const ToLight<F>& to_light,
                       const PointAt<F>& at) {
@@ -38,6 +38,13 @@ template <Number F> F nearest_entry(F cosine, int entries) {
     return ((smaller(positive(cosine), F(1)) * last + magic) - magic) / last;
 }
 
+/// c^shininess without the hold at 1 that a cosine needs not: of vectors that kept their lengths.
+template <Number F> F unheld_highlight(F c, const MaterialAt<F>& m) {
+    const F squared = larger(c * c, m.faintest_squared), most = F(0x1p127f);
+    const F power = smaller(power_of_root(smaller(squared, most), m.shininess), most);
+    return select(c * magnitude(c) > m.faintest_squared, power, F(0));
+}
+
 template <Number F>
 void spoil_response(const Mistakes& wrong, int power_table, Reflection model, Response<F>& used,
                     const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
@@ -50,7 +57,7 @@ void spoil_response(const Mistakes& wrong, int power_table, Reflection model, Re
         measured = Reflection::BlinnPhong;
         used.specular = keep_side(blinn_phong(d, m).specular);
     }
-    if (!wrong.no_clamp_of_cosine && power_table == 0) return;
+    if (!wrong.no_clamp_of_cosine && !wrong.unnormalized_light && power_table == 0) return;
     if (wrong.no_clamp_of_cosine && model != Reflection::None && model != Reflection::OrenNayar)
         used.diffuse = d.n_dot_l;
     F cosine;
@@ -70,19 +77,29 @@ void spoil_response(const Mistakes& wrong, int power_table, Reflection model, Re
     if (wrong.no_clamp_of_cosine) {
         const F s = unclamped_power(cosine, m.shininess.value);
         used.specular = {s, s, s};
+    } else if (power_table == 0) {
+        const F s = unheld_highlight(cosine, m);
+        used.specular = keep_side({s, s, s});
     } else {
         const F s = highlight(nearest_entry(cosine, power_table), m);
         used.specular = keep_side({s, s, s});
     }
 }
 
-/// The point as the projection leaves it, in place of the point in camera coordinates.
+/// The number nearest to a within +-most.
+template <Number F> F held(F a, float most) { return smaller(larger(a, F(-most)), F(most)); }
+/// The share of a light with vectors that kept their lengths, so that with a colour of 0 it is 0.
+template <Number F> F held_share(F a) { return held(a, 0x1p120f); }
+
+/// The point as the projection leaves it, in place of the point in camera coordinates; at the eye, where
+/// there is none, the origin. Matrix and point within +-1e18, and so is the result.
 template <Number F> Vec3<F> projected(const LightJob::Projection& m, Vec3<F> p) {
+    constexpr float far = 1e18f;
     const F w = F(m.w_per_z) * p.z + F(m.w);
-    const F inverse = select(magnitude(w) > F(0), F(1) / w, F(0));
-    return {(F(m.x) * p.x + F(m.x_per_z) * p.z + F(m.x_plus)) * inverse,
-            (F(m.y) * p.y + F(m.y_per_z) * p.z + F(m.y_plus)) * inverse,
-            (F(m.z) * p.z + F(m.z_plus)) * inverse};
+    const F inverse = select(magnitude(w) >= F(smallest_normal), F(1) / w, F(0));
+    return {held((F(m.x) * p.x + F(m.x_per_z) * p.z + F(m.x_plus)) * inverse, far),
+            held((F(m.y) * p.y + F(m.y_per_z) * p.z + F(m.y_plus)) * inverse, far),
+            held((F(m.z) * p.z + F(m.z_plus)) * inverse, far)};
 }
 
 }  // namespace glint::inline GLINT_ISA

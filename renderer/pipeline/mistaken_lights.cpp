@@ -1,14 +1,19 @@
 #include "renderer/pipeline/mistaken_lights.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+
+#include "renderer/pipeline/not_too_far.h"
 
 namespace glint {
 namespace {
 
 LightJob::Projection projection_of(const glm::dmat4& m) {  // m[column][row]
-    const auto f = [&m](int row, int column) { return static_cast<float>(m[column][row]); };
+    const auto f = [&m](int row, int column) {             // products with places have to fit a float
+        return static_cast<float>(std::clamp(m[column][row], -farthest_place, farthest_place));
+    };
     return {f(0, 0), f(0, 2), f(0, 3), f(1, 1), f(1, 2), f(1, 3), f(2, 2), f(2, 3), f(3, 2), f(3, 3)};
 }
 
@@ -44,7 +49,7 @@ void spoil_job(const Scene& scene, PictureSize size, LightJob& job) {
     job.any_mistake = wrong != Mistakes{} || job.power_table > 0;
     if (wrong.shininess_as_fraction) job.material.shininess /= 128;
     if (wrong.viewer_at_origin_of_world) {
-        const glm::dvec4 origin = view_from_world(scene.camera)[3];
+        const glm::dvec3 origin = not_too_far(glm::dvec3(view_from_world(scene.camera)[3]));
         job.eye = {static_cast<float>(origin.x), static_cast<float>(origin.y), static_cast<float>(origin.z)};
     }
     if (wrong.lit_after_projection)

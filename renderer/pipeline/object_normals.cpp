@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "renderer/pipeline/kernels/camera_normal.h"
@@ -55,7 +56,9 @@ void misplace_normals(ObjectNormals& normals, const Matrix3& matrix, const Norma
         const Vec3<double> n = to_camera(matrix, object_normal(normals.of_mesh.normals[i], mistakes));
         const glm::vec3 taken =
             to_glm(mistakes.unnormalized ? static_cast<double>(lengths[i]) * n : unit_or_zero(n));
-        normals.normals[i] = {taken.x, taken.y, taken.z};
+        constexpr float most = 1e18f;  // products with places have to fit a float
+        const glm::vec3 held = glm::clamp(taken, -most, most);
+        normals.normals[i] = {held.x, held.y, held.z};
     });
 }
 

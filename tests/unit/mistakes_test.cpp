@@ -252,6 +252,62 @@ TEST_CASE("an unnormalised l to the power of 0 is 1, however far behind the mirr
     CHECK(illuminate({Reflection::Phong, {}, &wrong}, light, m, at).specular.x == 1);
 }
 
+TEST_CASE("nothing holds the highlight of an unnormalised l at 1: it is (v.r)^n, 4^3 = 64", "[mistakes]") {
+    Mistakes wrong;
+    wrong.unnormalized_light = true;
+    LightAt<float> light;
+    light.xyz = {0, 0, 4};  // at (0, 0, 0) with n = v = z: n.l = r.v = l.v = 4, and h = (l + v)/5 = z
+    light.w = 1;
+    light.specular = light.diffuse = {1, 1, 0};
+    MaterialAt<float> m;
+    m.k_s = m.k_d = {0.5f, 0, 1};
+    const auto specular = [&](Reflection model, float shininess) {
+        m.shininess = shininess;
+        m.faintest_squared = faintest_cosine_squared(shininess);
+        const PointAt<float> at{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}};
+        return illuminate({model, {}, &wrong}, light, m, at).specular;
+    };
+    CHECK(specular(Reflection::Phong, 3).x == Approx(0.5 * 64));
+    CHECK(specular(Reflection::Phong, 1.5f).x == Approx(0.5 * 8));
+    CHECK(specular(Reflection::Retro, 3).x == Approx(0.5 * 64));
+    CHECK(specular(Reflection::BlinnPhong, 3).x == Approx(0.5));
+    for (const float shininess : {1000.0f, 999.5f, 10'000.0f}) {  // 4^1000: no float holds it
+        const Vec3<float> huge = specular(Reflection::Phong, shininess);
+        CHECK(huge.x > 1e30f);
+        CHECK(huge.y == 0);  // of a colour of 0 there is nothing to reflect
+        CHECK(huge.z == 0);
+    }
+}
+
+TEST_CASE("an unnormalised l leaves cone, falloff and an area light's cosine as they are", "[mistakes]") {
+    Mistakes wrong;
+    wrong.unnormalized_light = true;
+    LightAt<float> lamp;
+    lamp.xyz = {0, 0, 4};
+    lamp.w = 1;
+    lamp.diffuse = {1, 1, 1};
+    lamp.axis = {0, 0.8f, -0.6f};  // 53 degrees from the ray to the point, whose cosine is 0.6
+    lamp.cos_cutoff = 0.5f;        // 60 degrees
+    lamp.exponent = 2.0f;
+    lamp.has_cone = lamp.has_falloff = true;
+    lamp.quadratic = 1;  // 1 / (1 + 16)
+    MaterialAt<float> m;
+    m.k_d = {1, 1, 1};
+    const PointAt<float> at{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}};
+    const LightTerms<float> t = illuminate({Reflection::Lambert, {}, &wrong}, lamp, m, at);
+    CHECK(t.spot == Approx(0.36));
+    CHECK(t.falloff == Approx(1.0 / 17));
+    CHECK(t.diffuse.x == Approx(4 * 0.36 / 17));  // n.l = 4
+    lamp.cos_cutoff = 0.7f;                       // 46 degrees
+    CHECK(illuminate({Reflection::Lambert, {}, &wrong}, lamp, m, at).spot == 0);
+
+    LightAt<float> window = lamp;
+    window.has_cone = window.has_falloff = false;
+    window.is_patch = true;
+    window.patch = 2;  // 2 |cos theta'| / r^2 = 2 * 0.6 / 16
+    CHECK(illuminate({Reflection::Lambert, {}, &wrong}, window, m, at).falloff == Approx(2 * 0.6 / 16));
+}
+
 TEST_CASE("a scene file names the mistakes it makes, and one that it does not know is an error",
           "[mistakes][scene]") {
     for (const MistakeName& mistake : mistake_names()) {
