@@ -15,6 +15,7 @@
 #include "app/command_line.h"
 #include "app/say.h"
 #include "models/file.h"
+#include "models/refused.h"
 #include "models/temporary.h"
 #include "renderer/instruction_set.h"
 
@@ -83,6 +84,8 @@ int main(int argc, char** argv) {
     } catch (const Failure& failure) {
         say("error", failure.problem);
         return static_cast<int>(failure.status);
+    } catch (const Refused& refused) {
+        say("error", refused.problem());
     } catch (const std::bad_alloc&) {
         say("error",
             {.file = {}, .pointer = {}, .what = "there is not enough memory for this", .expected = {}});

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <new>
+#include <optional>
 #include <system_error>
 
 #include "models/mesh_file.h"
@@ -92,6 +93,19 @@ class Loader {
     Warnings warnings_;
 };
 
+/// `meshes`: one an object.
+std::optional<Problem> too_many_triangles(const std::vector<MeshPtr>& meshes, const std::string& file) {
+    std::size_t triangles = 0;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        triangles += meshes[i]->triangles.size();
+        if (triangles > most_triangles)
+            return Problem{file, fmt::format("/objects/{}/mesh", i),
+                           fmt::format("with this one the objects have {} triangles", triangles),
+                           fmt::format("at most {} in a scene", most_triangles)};
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Result<Warnings> load_meshes(Scene& scene, const std::string& file, const std::string& mesh_dir) {
@@ -108,6 +122,7 @@ Result<Warnings> load_meshes(Scene& scene, const std::string& file, const std::s
         if (const Problem* problem = problem_of(mesh)) return *problem;
         meshes.push_back(std::get<MeshPtr>(std::move(mesh)));
     }
+    if (auto problem = too_many_triangles(meshes, file)) return *problem;
     for (std::size_t i = 0; i < meshes.size(); ++i) scene.objects[i].mesh = std::move(meshes[i]);
     return loader.take_warnings();
 }

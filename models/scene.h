@@ -18,6 +18,9 @@
 
 namespace glint {
 
+/// Triangles that the objects of a scene may have together; the renderer's numbers for them have 30 bits.
+inline constexpr std::size_t most_triangles = std::size_t{1} << 30;
+
 struct MeshFile {
     std::string path;  // as written in the scene file: relative to it, or absolute
     bool operator==(const MeshFile&) const = default;

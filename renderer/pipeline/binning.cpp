@@ -1,20 +1,25 @@
 #include "renderer/pipeline/binning.h"
 
+#include <fmt/core.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "models/refused.h"
 #include "renderer/pipeline/clip.h"
 #include "renderer/pipeline/to_screen.h"
 
 namespace glint {
 namespace {
 
-constexpr std::uint32_t chunk_size = 8192;  // triangles that one task sorts
+constexpr std::uint32_t chunk_size = 8192;                // triangles that one task sorts
+constexpr std::size_t max_pieces = std::size_t{1} << 30;  // their vertices' numbers are 4 i, 4 i + 1, ...
 
-/// One chunk more, at the back.
+/// One chunk more, at the back, without parts.
 SortedChunk& add_chunk(TileLists& lists, std::size_t& count) {
-    if (count == lists.chunks.size()) lists.chunks.emplace_back();  // else as the frame before left it
+    if (count == lists.chunks.size()) lists.chunks.emplace_back();  // else in the memory of the frame before
+    lists.chunks[count].parts.clear();
     return lists.chunks[count++];
 }
 
@@ -30,67 +35,126 @@ SortJob sort_job(const ObjectGeometry& object, const SortJob& like, Cull cull) {
     return job;
 }
 
+/// A task has a number for each cell, so small objects share one: a task each would come to objects x cells.
 void lay_out_chunks(TileLists& lists, const Geometry& g, const SortJob& like, Cull cull) {
     std::size_t count = 0;
+    std::uint32_t room = 0;  // triangles that the last chunk has room for
     for (std::uint32_t o = 0; o < g.objects.size(); ++o) {
         const auto triangles = static_cast<std::uint32_t>(g.objects[o].mesh->triangles.size());
-        for (std::uint32_t begin = 0; begin < triangles; begin += chunk_size) {
-            SortedChunk& chunk = add_chunk(lists, count);
-            chunk.object = o;
-            chunk.begin = begin;
-            chunk.end = std::min(begin + chunk_size, triangles);
-            chunk.job = sort_job(g.objects[o], like, cull);
+        for (std::uint32_t begin = 0; begin < triangles;) {
+            if (room == 0) {
+                (void)add_chunk(lists, count);
+                room = chunk_size;
+            }
+            const std::uint32_t end = begin + std::min(room, triangles - begin);
+            lists.chunks[count - 1].parts.push_back({o, begin, end, sort_job(g.objects[o], like, cull)});
+            room -= end - begin;
+            begin = end;
         }
     }
     lists.chunks.resize(count);
 }
 
-/// Calls visit(tile, number) for every triangle of a chunk and every tile that its box meets.
-template <class Visit> void visit_tiles(int tiles_x, const SortedChunk& chunk, const Visit& visit) {
-    const auto row = static_cast<std::uint32_t>(tiles_x);
-    for (std::size_t i = 0; i < chunk.box_count; ++i) {
+/// How many tiles a box meets.
+std::uint64_t tiles_of(const TriangleBox& box) {
+    const std::uint32_t wide = (box.tiles >> 16 & 255u) - (box.tiles & 255u) + 1;
+    const std::uint32_t high = (box.tiles >> 24) - (box.tiles >> 8 & 255u) + 1;
+    return std::uint64_t{wide} * high;
+}
+
+/// The finest level on which a box meets few enough cells.
+std::uint32_t level_of(std::uint32_t x0, std::uint32_t y0, std::uint32_t x1, std::uint32_t y1) {
+    std::uint32_t level = 0;
+    while ((x1 >> level) - (x0 >> level) >= CellGrid::widest ||
+           (y1 >> level) - (y0 >> level) >= CellGrid::widest)
+        ++level;
+    return level;
+}
+
+/// Calls visit(cell, box, level) for the boxes begin .. end - 1 of a chunk and every cell that lists them.
+template <class Visit>
+void visit_cells(const CellGrid& grid, const SortedChunk& chunk, std::size_t begin, std::size_t end,
+                 const Visit& visit) {
+    for (std::size_t i = begin; i < end; ++i) {
         const TriangleBox& box = chunk.boxes[i];
         const std::uint32_t x0 = box.tiles & 255u, y0 = box.tiles >> 8 & 255u, x1 = box.tiles >> 16 & 255u;
-        for (std::uint32_t y = y0; y <= box.tiles >> 24; ++y)
-            for (std::uint32_t x = x0; x <= x1; ++x) visit(y * row + x, box.number);
+        const std::uint32_t y1 = box.tiles >> 24, level = level_of(x0, y0, x1, y1), row = grid.row(level);
+        for (std::uint32_t y = y0 >> level; y <= y1 >> level; ++y)
+            for (std::uint32_t x = x0 >> level; x <= x1 >> level; ++x)
+                visit(grid.first[level] + y * row + x, box, level);
     }
 }
 
-/// Finds a chunk's boxes, and how many of them each tile meets.
-void sort_chunk(const TileLists& lists, SortedChunk& chunk) {
-    const std::size_t room = std::size_t{chunk.end} - chunk.begin + 1;
+/// Finds a chunk's boxes, and how many of them each cell lists.
+void sort_chunk(const CellGrid& grid, SortedChunk& chunk) {
+    std::size_t room = 1;
+    for (const ChunkPart& part : chunk.parts) room += part.end - part.begin;
     if (chunk.boxes.size() < room) chunk.boxes.resize(room);
     if (chunk.to_clip.size() < room) chunk.to_clip.resize(room);
     SortedTriangles out{chunk.boxes.data(), 0, chunk.to_clip.data(), 0};
-    drawing_kernels().sort(chunk.job, chunk.begin, chunk.end, out);
-    chunk.box_count = out.box_count;
-    chunk.clip_count = out.to_clip_count;
-    chunk.next.assign(static_cast<std::size_t>(lists.tiles_x) * static_cast<std::size_t>(lists.tiles_y), 0);
-    visit_tiles(lists.tiles_x, chunk, [&chunk](std::uint32_t tile, std::uint32_t) { ++chunk.next[tile]; });
+    for (ChunkPart& part : chunk.parts) {
+        drawing_kernels().sort(part.job, part.begin, part.end, out);
+        part.box_end = out.box_count;
+        part.clip_end = out.to_clip_count;
+    }
+    chunk.next.assign(grid.cell_count(), 0);
+    chunk.levels = 0;
+    chunk.met = 0;
+    for (std::size_t i = 0; i < out.box_count; ++i) chunk.met += tiles_of(chunk.boxes[i]);
+    visit_cells(grid, chunk, 0, out.box_count,
+                [&chunk](std::uint32_t cell, const TriangleBox&, std::uint32_t level) {
+                    ++chunk.next[cell];
+                    chunk.levels |= 1u << level;
+                });
 }
 
 /// Cuts the triangles that cross the near or far plane or leave the guard band into pieces that do not.
+class Clipper {
+  public:
+    Clipper(TileLists& lists, const Geometry& g)
+        : lists_(lists),
+          camera_(g.camera.projection),
+          projection_(clip_from_view(camera_, g.size)),
+          screen_(screen_job(g.camera, g.size)) {}
+
+    /// Triangle `t` of an object.
+    void clip(const ObjectGeometry& object, std::uint32_t t) {
+        std::vector<glm::dvec4>& polygon = lists_.polygon;
+        polygon.clear();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::vec3& p = object.mesh->positions[object.triangle_vertices[3 * std::size_t{t} + k]];
+            polygon.push_back(projection_ * (object.view_from_object * glm::dvec4(glm::dvec3(p), 1.0)));
+        }
+        clip_polygon(polygon, lists_.spare_polygon);
+        for (std::size_t i = 2; i < polygon.size(); ++i) {
+            if (lists_.clipped.size() == max_pieces)
+                throw Refused({"", "",
+                               fmt::format("more than {} pieces of triangles are in view", max_pieces),
+                               "fewer triangles that cross the near or far plane"});
+            lists_.clipped.push_back({{corner(polygon[0]), corner(polygon[i - 1]), corner(polygon[i])},
+                                      object.first_triangle + t,
+                                      object.mirrored});
+        }
+    }
+
+  private:
+    [[nodiscard]] ScreenVertex corner(const glm::dvec4& clip) const {
+        return to_screen(screen_, held_in_view(camera_, clip));
+    }
+
+    TileLists& lists_;
+    const Projection& camera_;
+    glm::dmat4 projection_;
+    ScreenJob screen_;
+};
+
 void clip_triangles(TileLists& lists, const Geometry& g) {
-    const glm::dmat4 projection = clip_from_view(g.camera.projection, g.size);
-    const ScreenJob screen = screen_job(g.camera, g.size);
-    const auto corner = [&screen](const glm::dvec4& clip) { return to_screen(screen, clip); };
-    std::vector<glm::dvec4>& polygon = lists.polygon;
+    Clipper clipper(lists, g);
     lists.clipped.clear();
     for (const SortedChunk& chunk : lists.chunks) {
-        const ObjectGeometry& object = g.objects[chunk.object];
-        for (std::size_t n = 0; n < chunk.clip_count; ++n) {
-            const std::uint32_t t = chunk.to_clip[n];
-            polygon.clear();
-            for (std::size_t k = 0; k < 3; ++k) {
-                const glm::vec3& p = object.mesh->positions[object.triangle_vertices[3 * std::size_t{t} + k]];
-                polygon.push_back(projection * (object.view_from_object * glm::dvec4(glm::dvec3(p), 1.0)));
-            }
-            clip_polygon(polygon, lists.spare_polygon);
-            for (std::size_t i = 2; i < polygon.size(); ++i)
-                lists.clipped.push_back({{corner(polygon[0]), corner(polygon[i - 1]), corner(polygon[i])},
-                                         object.first_triangle + t,
-                                         object.mirrored});
-        }
+        std::size_t n = 0;
+        for (const ChunkPart& part : chunk.parts)
+            for (; n < part.clip_end; ++n) clipper.clip(g.objects[part.object], chunk.to_clip[n]);
     }
 }
 
@@ -102,47 +166,69 @@ void sort_pieces(TileLists& lists, const Geometry& g, const SortJob& like) {
     lists.clipped_vertices.clear();
     for (std::uint32_t i = 0; i < count; ++i)
         for (std::uint32_t k = 0; k < 3; ++k) lists.clipped_vertices.push_back(4 * i + k);
-    SortedChunk& chunk = lists.pieces;
-    chunk.end = count;
-    chunk.job = like;
-    chunk.job.triangle_vertices = lists.clipped_vertices.data();
-    chunk.job.screen = count > 0 ? lists.clipped.front().corner : nullptr;
-    chunk.job.first_triangle = g.triangle_count;
-    sort_chunk(lists, chunk);
+    ChunkPart part{0, 0, count, like};
+    part.job.triangle_vertices = lists.clipped_vertices.data();
+    part.job.screen = count > 0 ? lists.clipped.front().corner : nullptr;
+    part.job.first_triangle = g.triangle_count;
+    lists.pieces.parts.assign(1, part);
+    sort_chunk(lists.grid, lists.pieces);
 }
 
-/// Turns each chunk's counts into where its entries begin, so that the order never depends on threads.
+void refuse_too_many_tiles(const TileLists& lists) {
+    std::uint64_t met = lists.pieces.met;
+    for (const SortedChunk& chunk : lists.chunks) met += chunk.met;
+    if (met > most_met_tiles)
+        throw Refused(
+            {"", "", fmt::format("the triangles meet {} tiles of the picture", met),
+             fmt::format("at most {}: fewer or smaller triangles, or a smaller picture", most_met_tiles)});
+}
+
+/// Turns each chunk's counts into where its entries begin in their cells, so that the order never depends on
+/// threads. Those of one cell are fewer than 2^31, all together may be more than 2^32.
 void number_places(TileLists& lists) {
-    const auto tiles = static_cast<std::size_t>(lists.tiles_x) * static_cast<std::size_t>(lists.tiles_y);
-    lists.tile_first.resize(tiles + 1);
-    std::uint32_t next = 0;
-    for (std::size_t tile = 0; tile < tiles; ++tile) {
-        lists.tile_first[tile] = next;
-        const auto place = [&next, tile](SortedChunk& chunk) {
-            const std::uint32_t count = chunk.next[tile];
-            chunk.next[tile] = next;
-            next += count;
-        };
-        std::for_each(lists.chunks.begin(), lists.chunks.end(), place);
-        place(lists.pieces);
-    }
-    lists.tile_first[tiles] = next;
-    lists.entries.resize(next);
+    std::uint32_t levels = lists.pieces.levels;
+    for (const SortedChunk& chunk : lists.chunks) levels |= chunk.levels;
+    lists.cell_first.resize(lists.grid.cell_count() + 1);
+    std::size_t first = 0;
+    for (std::uint32_t level = 0; level < CellGrid::levels; ++level)
+        for (std::uint32_t cell = lists.grid.first[level]; cell < lists.grid.first[level + 1]; ++cell) {
+            lists.cell_first[cell] = first;
+            if (!(levels >> level & 1u)) continue;
+            std::uint32_t place = 0;
+            for (SortedChunk& chunk : lists.chunks) place += std::exchange(chunk.next[cell], place);
+            place += std::exchange(lists.pieces.next[cell], place);
+            first += place;
+        }
+    lists.cell_first.back() = first;
+    lists.entries.resize(first);
 }
 
-void put_into_tiles(TileLists& lists, SortedChunk& chunk) {
-    visit_tiles(lists.tiles_x, chunk, [&lists, &chunk](std::uint32_t tile, std::uint32_t number) {
-        const std::uint32_t* vertex =
-            chunk.job.triangle_vertices + 3 * std::size_t{number - chunk.job.first_triangle};
-        lists.entries[chunk.next[tile]++] = {number, {vertex[0], vertex[1], vertex[2]}};
-    });
+void put_into_cells(TileLists& lists, SortedChunk& chunk) {
+    std::size_t begin = 0;
+    for (const ChunkPart& part : chunk.parts) {
+        const SortJob& job = part.job;
+        visit_cells(lists.grid, chunk, begin, part.box_end,
+                    [&](std::uint32_t cell, const TriangleBox& box, std::uint32_t) {
+                        const std::uint32_t* vertex =
+                            job.triangle_vertices + 3 * std::size_t{box.number - job.first_triangle};
+                        lists.entries[lists.cell_first[cell] + chunk.next[cell]++] = {
+                            box.number, {vertex[0], vertex[1], vertex[2]}};
+                    });
+        begin = part.box_end;
+    }
 }
 
 }  // namespace
 
+CellGrid::CellGrid(PictureSize size)
+    : tiles_x(static_cast<std::uint32_t>((size.width + tile_size - 1) / tile_size)),
+      tiles_y(static_cast<std::uint32_t>((size.height + tile_size - 1) / tile_size)) {
+    for (std::uint32_t level = 0; level < levels; ++level)
+        first[level + 1] = first[level] + row(level) * (((tiles_y - 1) >> level) + 1);
+}
+
 void sort_into_tiles(TileLists& lists, const Geometry& g, Cull cull, bool multisampled) {
-    lists.tiles_x = (g.size.width + tile_size - 1) / tile_size;
-    lists.tiles_y = (g.size.height + tile_size - 1) / tile_size;
+    lists.grid = CellGrid(g.size);
     SortJob like;
     like.width = g.size.width;
     like.height = g.size.height;
@@ -151,13 +237,14 @@ void sort_into_tiles(TileLists& lists, const Geometry& g, Cull cull, bool multis
     like.beyond_bits = ~std::uint32_t{OutsideGuard};
     lay_out_chunks(lists, g, like, cull);
     tbb::parallel_for(std::size_t{0}, lists.chunks.size(),
-                      [&lists](std::size_t i) { sort_chunk(lists, lists.chunks[i]); });
+                      [&lists](std::size_t i) { sort_chunk(lists.grid, lists.chunks[i]); });
     clip_triangles(lists, g);
     sort_pieces(lists, g, like);
+    refuse_too_many_tiles(lists);
     number_places(lists);
     tbb::parallel_for(std::size_t{0}, lists.chunks.size(),
-                      [&lists](std::size_t i) { put_into_tiles(lists, lists.chunks[i]); });
-    put_into_tiles(lists, lists.pieces);
+                      [&lists](std::size_t i) { put_into_cells(lists, lists.chunks[i]); });
+    put_into_cells(lists, lists.pieces);
 }
 
 }  // namespace glint

@@ -1,11 +1,15 @@
 #include "renderer/pipeline/geometry.h"
 
+#include <fmt/core.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "models/refused.h"
+#include "renderer/pipeline/not_too_far.h"
 #include "renderer/pipeline/to_screen.h"
 
 namespace glint {
@@ -69,7 +73,24 @@ bool same_inputs(const Geometry& kept, const Scene& scene, PictureSize size) {
     return true;
 }
 
+/// Their numbers have 30 bits. A scene that is read is refused before (load_meshes); one that grows in memory
+/// ends here.
+void count_triangles(const Scene& scene) {
+    std::size_t triangles = 0;
+    for (const Object& o : scene.objects) triangles += o.mesh->triangles.size();
+    if (triangles > most_triangles)
+        throw Refused({"", "/objects", fmt::format("the objects have {} triangles", triangles),
+                       fmt::format("at most {} in a scene", most_triangles)});
+}
+
 }  // namespace
+
+glm::vec3 ObjectGeometry::place(std::uint32_t position) const {
+    const glm::vec3 p(vertices[position].x, vertices[position].y, vertices[position].z);
+    if (glm::dot(p, p) <= static_cast<float>(farthest_place * farthest_place)) return p;
+    const glm::dvec4 object(glm::dvec3(mesh->positions[position]), 1.0);
+    return glm::vec3(not_too_far(glm::dvec3(view_from_object * object)));
+}
 
 std::uint32_t Geometry::object_of(std::uint32_t triangle) const {
     const auto after =
@@ -80,6 +101,7 @@ std::uint32_t Geometry::object_of(std::uint32_t triangle) const {
 
 bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size) {
     if (same_inputs(kept, scene, size)) return false;
+    count_triangles(scene);
     kept.size = size;
     kept.camera = scene.camera;
     place_objects(kept, scene);

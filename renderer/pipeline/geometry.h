@@ -26,18 +26,16 @@ struct ObjectGeometry {
     std::vector<PlacedVertex> vertices;            // #V
     std::vector<ScreenVertex> screen;              // #V
 
-    /// A position of the mesh in camera coordinates.
-    [[nodiscard]] glm::vec3 place(std::uint32_t position) const {
-        const PlacedVertex& v = vertices[position];
-        return {v.x, v.y, v.z};
-    }
+    /// A position of the mesh in camera coordinates; one farther than `farthest_place`, as far in the same
+    /// direction.
+    [[nodiscard]] glm::vec3 place(std::uint32_t position) const;
 };
 
 struct Geometry {
     Camera camera;
     PictureSize size{0, 0};
     std::vector<ObjectGeometry> objects;
-    std::uint32_t triangle_count = 0;
+    std::uint32_t triangle_count = 0;  // at most most_triangles
 
     /// The object that a global triangle number belongs to.
     [[nodiscard]] std::uint32_t object_of(std::uint32_t triangle) const;
@@ -52,7 +50,8 @@ struct Geometry {
     }
 };
 
-/// Does again what differs from what `kept` was made of; true when anything did.
+/// Does again what differs from what `kept` was made of; true when anything did. Throws Refused, `kept` being
+/// as it was, when the scene has more than most_triangles.
 bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size);
 
 }  // namespace glint

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "models/refused.h"
+
 namespace glint {
 namespace {
 
@@ -46,6 +48,8 @@ void number_seen(Surface& s) {
             s.sources.push_back({o, static_cast<std::uint32_t>(local / 2), local % 2 != 0});
             ++s.point_count;
         }
+        if (s.sources.size() >= no_index - block_size)
+            throw Refused({"", "", "more than 4294967279 corners are lit", "fewer, or a smaller picture"});
         while (s.sources.size() % block_size) s.sources.push_back({o, no_index, false});
         s.point_object.resize(s.sources.size() / block_size, o);
     }

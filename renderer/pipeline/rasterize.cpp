@@ -27,23 +27,49 @@ void list_objects(const Geometry& g, std::vector<DrawnObject>& drawn) {
                          static_cast<std::uint32_t>(o.mesh->triangles.size()), o.mirrored});
 }
 
+/// What a tile may show: the lists of the cells that hold it, of every level.
+class CellLists {
+  public:
+    CellLists(const TileLists& lists, std::uint32_t tile) : lists_(lists) {
+        const std::uint32_t x = tile % lists.grid.tiles_x, y = tile / lists.grid.tiles_x;
+        for (std::uint32_t level = 0; level < CellGrid::levels; ++level) {
+            const std::uint32_t cell = lists.grid.cell_at(level, x, y);
+            if (lists.count_in_cell(cell) > 0) cells_[count_++] = cell;
+        }
+    }
+    [[nodiscard]] bool empty() const { return count_ == 0; }
+
+    /// All of them, one after the other; in which order does not matter (seen_code).
+    void draw(TileJob job, TilePixels& tile) const {
+        std::size_t i = 0;
+        do {
+            job.keep = i > 0;
+            job.entries = count_ > 0 ? lists_.entries.data() + lists_.cell_first[cells_[i]] : nullptr;
+            job.count = count_ > 0 ? lists_.count_in_cell(cells_[i]) : 0;
+            drawing_kernels().draw(job, tile);
+        } while (++i < count_);
+    }
+
+  private:
+    const TileLists& lists_;
+    std::array<std::uint32_t, CellGrid::levels> cells_{};
+    std::size_t count_ = 0;
+};
+
 }  // namespace
 
 void rasterize_tiles(const Geometry& g, Visibility& out) {
-    const TileLists& lists = out.tiles;
     list_objects(g, out.objects);
-    tbb::parallel_for(std::size_t{0}, out.tile_drawn.size(), [&](std::size_t number) {
-        const std::uint32_t first = lists.tile_first[number], count = lists.tile_first[number + 1] - first;
-        if (count == 0 && !out.tile_drawn[number]) return;  // background before and now
-        out.tile_drawn[number] = count > 0;
+    tbb::parallel_for(std::uint32_t{0}, out.tiles.grid.tile_count(), [&](std::uint32_t number) {
+        const CellLists lists(out.tiles, number);
+        if (lists.empty() && !out.tile_drawn[number]) return;  // background before and now
+        out.tile_drawn[number] = !lists.empty();
         TileJob job;
         job.objects = out.objects.data();
-        job.clipped = lists.clipped.data();
+        job.clipped = out.tiles.clipped.data();
         job.triangle_count = g.triangle_count;
-        job.entries = lists.entries.data() + first;
-        job.count = count;
-        job.x0 = static_cast<int>(number) % lists.tiles_x * tile_size;
-        job.y0 = static_cast<int>(number) / lists.tiles_x * tile_size;
+        job.x0 = static_cast<int>(number % out.tiles.grid.tiles_x) * tile_size;
+        job.y0 = static_cast<int>(number / out.tiles.grid.tiles_x) * tile_size;
         job.draw_front = out.cull != Cull::Front;
         job.draw_back = out.cull != Cull::Back;
         for (int sample = 0; sample < out.samples; ++sample) {
@@ -51,7 +77,7 @@ void rasterize_tiles(const Geometry& g, Visibility& out) {
             job.offset_x = offset.x;
             job.offset_y = offset.y;
             TilePixels tile;
-            drawing_kernels().draw(job, tile);
+            lists.draw(job, tile);
             drawing_kernels().take_rows(tile, tile_rows(job, g.size, sample, out));
         }
     });

@@ -31,7 +31,7 @@ bool update_visibility(Visibility& kept, const Geometry& g, Cull cull, int sampl
     kept.plane = static_cast<std::size_t>(g.size.width) * static_cast<std::size_t>(g.size.height);
     kept.groups_a_row = (static_cast<std::size_t>(g.size.width) + block_size - 1) / block_size;
     const std::size_t codes = kept.plane * static_cast<std::size_t>(samples);
-    const std::size_t tiles = kept.tiles.tile_first.size() - 1;
+    const std::size_t tiles = kept.tiles.grid.tile_count();
     const std::size_t groups = kept.groups_a_row * static_cast<std::size_t>(g.size.height);
     if (kept.seen.size() != codes || kept.tile_drawn.size() != tiles || kept.covered.size() != groups) {
         kept.seen.assign(codes, 0);

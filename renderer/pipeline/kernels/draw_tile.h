@@ -102,11 +102,15 @@ template <Number F> void draw_run(const TileJob& job, const TileRun& run, TilePi
     }
 }
 
-template <Number F> void draw_tile(const TileJob& job, TilePixels& tile) {
+inline void clear(TilePixels& tile) {
     for (int i = 0; i < tile_size * tile_size; ++i) {
         tile.nearness[i] = 0;
         tile.seen[i] = 0;
     }
+}
+
+template <Number F> void draw_tile(const TileJob& job, TilePixels& tile) {
+    if (!job.keep) clear(tile);
     const DrawnObject* object = job.objects;
     for (std::size_t begin = 0, end = 0; begin < job.count; begin = end) {
         const std::uint32_t number = job.entries[begin].number;

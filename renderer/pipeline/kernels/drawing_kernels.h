@@ -154,6 +154,7 @@ struct TileJob {
     int x0 = 0, y0 = 0;              // the tile's first pixel
     int offset_x = 0, offset_y = 0;  // of the sample from the pixel's centre, in 1/256 pixel
     bool draw_front = true, draw_back = true;
+    bool keep = false;  // what the tile shows already stays, else it is cleared first
 };
 
 // What the pixels show.
@@ -189,7 +190,7 @@ struct DrawingKernels {
     void (*place_normals)(const NormalJob& job, std::size_t begin, std::size_t end);
     /// Adds the triangles begin .. end - 1 of one object.
     void (*sort)(const SortJob& job, std::uint32_t begin, std::uint32_t end, SortedTriangles& out);
-    /// Clears the tile and draws all of the job's triangles.
+    /// Draws all of the job's triangles; what a tile shows in the end does not depend on their order.
     void (*draw)(const TileJob& job, TilePixels& tile);
     void (*take_rows)(const TilePixels& tile, const TileRows& out);
     /// Places and normals of the pixels of `count` runs of one object, a block a run. usual[i] becomes 0
