@@ -34,14 +34,6 @@ function(precompile target)
     target_link_libraries(${target} PRIVATE glint_precompiled)
   endif()
 endfunction()
-# Takes those of another target, which is compiled with the same flags.
-function(precompile_as target other)
-  if(GLINT_PCH)
-    target_precompile_headers(${target} REUSE_FROM ${other})
-    target_link_libraries(${target} PRIVATE glint_precompiled)
-  endif()
-endfunction()
-
 # ccache where there is one. A precompiled header holds the time of its files, which ccache is to pass over.
 find_program(GLINT_CCACHE ccache)
 if(GLINT_CCACHE)
