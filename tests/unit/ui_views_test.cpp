@@ -191,7 +191,7 @@ TEST_CASE("a hand in the outside view turns that alone, and a click there select
     CHECK_FALSE(bench.state.editor.history.can_undo());
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     REQUIRE(bench.scene().lights[1].kind == LightKind::Point);
-    const Rect view = bench.area_of("Outside");
+    const Rect view = bench.area_of("Outside view");
     const ScreenMap map = screen_map(bench.state.outside.camera, {int(view.size().x), int(view.size().y)});
     const glm::dvec2 bulb = project(map, glm::dvec3(bench.scene().lights[1].position)).pixel;
     bench.click({view.low.x + float(bulb.x), view.low.y + float(bulb.y)});

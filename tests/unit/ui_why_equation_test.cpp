@@ -75,7 +75,7 @@ TEST_CASE("every number in the equation is dragged where it stands: one number c
     const Rect column = test::right_column(bench);
     std::set<std::string> changed;
     for (const NamedControl& number : std::vector<NamedControl>(bench.controls())) {
-        if (number.at.low.x < column.low.x || !number.key.starts_with("/")) continue;
+        if (number.at.low.x < column.low.x || number.at.low.y < column.low.y || !number.key.starts_with("/")) continue;
         INFO(number.name);
         REQUIRE(number.in_sight);
         const ImVec2 at = Bench::middle_of(number.at);

@@ -132,7 +132,7 @@ void outside_tab(UiState& state, const PictureView& main) {
     view.units_per_pixel = 1;
     hit_area("##outside", extent);
     const bool hovered = ImGui::IsItemHovered();
-    list_control("Outside", "", {view.origin, ImGui::GetItemRectMax()});
+    list_control("Outside view", "", {view.origin, ImGui::GetItemRectMax()});
     const bool reset = hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (!outside.placed || reset) outside = {outside_camera(scene, main, size), true};
     use_mouse(outside, size, hovered);
