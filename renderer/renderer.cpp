@@ -145,6 +145,7 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
     try {
         k.draw(scene, size, linear, samples);
     } catch (...) {  // some stages are of this scene, others of the one before
+        k.forget();
         throw;
     }
     k.stats.total_ms = ms_since(start);
