@@ -120,6 +120,7 @@ void add_scene(Options& options, SceneArguments& arguments) {
         "a scene (.json, or a .png that Glint wrote), a mesh (.obj .ply .off .stl .om), or - for a scene on "
         "standard input",
         arguments.file);
+    options.works_on(arguments.file);
     options.add_values("--set", "POINTER=JSON",
                        "change the scene, as in --set /lights/0/position=[1,2,3]; may be repeated",
                        [&arguments](const std::string& text) {

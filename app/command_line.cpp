@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <new>
 
+#include "app/failure.h"
 #include "app/options.h"
+#include "models/memory_limit.h"
 
 namespace glint {
 namespace {
@@ -72,7 +75,11 @@ Outcome run(const Command& command, const Arguments& arguments) {
     case Options::Asked::Work:
         break;
     }
-    return work();
+    try {
+        return work();
+    } catch (const std::bad_alloc& error) {
+        throw Failure{ExitStatus::Impossible, memory_problem(error, options.file())};
+    }
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-// From argv to what the program does: finds the command, splits its line, and says what is wrong with it in the
-// one-line form of docs/interface.md.
+// From argv to what the program does: finds the command, splits its line, and says what is wrong with it in
+// the one-line form of docs/interface.md.
 
 #include <string>
 #include <vector>

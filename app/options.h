@@ -36,6 +36,9 @@ class Options {
                     ReadValue read);
     /// An option without a value: `value` becomes true.
     void add_flag(const std::string& name, bool& value, const std::string& help);
+    /// Whose value says what file the command works on: what it has to refuse is refused in that file's name.
+    void works_on(const std::string& file) { file_ = &file; }
+    [[nodiscard]] std::string file() const { return file_ ? *file_ : std::string(); }
     /// Adds --version, which the line of a command without a name has.
     void add_version();
 
@@ -48,6 +51,7 @@ class Options {
   private:
     struct Parts;
     std::unique_ptr<Parts> parts_;
+    const std::string* file_ = nullptr;
 };
 
 }  // namespace glint

@@ -154,7 +154,8 @@ class ShownMemory {
         if (triangles == 0) return;
         if (samples > 1) divided_ += runs * more_runs(triangles / 2 / std::max(extent.area(), 1.0), samples);
         // Half of them are seen, and a triangle fills half its box.
-        const double side = std::sqrt(4 * extent.area() / triangles) / tile_size + 1;
+        const double side =
+            std::min(std::sqrt(4 * extent.area() / triangles) / tile_size + 1, double(CellGrid::widest));
         entries_ += triangles *
                     std::min(side * side, (extent.width / tile_size + 2) * (extent.height / tile_size + 2));
     }

@@ -1,5 +1,6 @@
 // glint info: what a file holds.
 #include <glm/mat4x4.hpp>
+#include <map>
 #include <memory>
 
 #include "app/arguments.h"
@@ -45,8 +46,11 @@ Json json_of(const MeshInfo& info) {
 
 Json json_of(const Scene& scene, PictureSize size) {
     Json objects = Json::array();
+    std::map<const Mesh*, Json> meshes;  // each is looked at once, however many objects share it
     for (const Object& object : scene.objects) {
-        objects.push_back({{"name", object.name}, {"mesh", json_of(mesh_info(*object.mesh))}});
+        const auto [mesh, is_new] = meshes.try_emplace(object.mesh.get());
+        if (is_new) mesh->second = json_of(mesh_info(*object.mesh));
+        objects.push_back({{"name", object.name}, {"mesh", mesh->second}});
     }
     return {{"lights", scene.lights.size()},
             {"objects", objects},

@@ -183,9 +183,7 @@ void sort_pieces(TileLists& lists, const Geometry& g, const SortJob& like) {
     sort_chunk(lists.grid, lists.pieces);
 }
 
-void refuse_too_many_tiles(const TileLists& lists) {
-    std::uint64_t met = lists.pieces.met;
-    for (const SortedChunk& chunk : lists.chunks) met += chunk.met;
+void refuse_too_many_tiles(std::uint64_t met) {
     if (met > most_met_tiles)
         throw Refused(
             {"", "", fmt::format("the triangles meet {} tiles of the picture", met),
@@ -257,9 +255,12 @@ void sort_into_tiles(TileLists& lists, const Geometry& g, Cull cull, bool multis
     lay_out_chunks(lists, g, like, cull);
     tbb::parallel_for(std::size_t{0}, lists.chunks.size(),
                       [&lists](std::size_t i) { sort_chunk(lists.grid, lists.chunks[i]); });
+    std::uint64_t met = 0;
+    for (const SortedChunk& chunk : lists.chunks) met += chunk.met;
+    refuse_too_many_tiles(met);  // clipping alone could take minutes
     clip_triangles(lists, g);
     sort_pieces(lists, g, like);
-    refuse_too_many_tiles(lists);
+    refuse_too_many_tiles(met + lists.pieces.met);
     number_places(lists);
     tbb::parallel_for(std::size_t{0}, lists.chunks.size(),
                       [&lists](std::size_t i) { put_into_cells(lists, lists.chunks[i]); });
