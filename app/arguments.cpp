@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "app/failure.h"
-#include "models/file.h"
+#include "models/io/file.h"
 #include "models/memory_limit.h"
 
 namespace glint {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/options.h"
-#include "models/camera.h"
-#include "models/scene_file.h"
+#include "models/scene/camera.h"
+#include "models/scene_file/scene_file.h"
 
 namespace glint {
 

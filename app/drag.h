@@ -1,7 +1,7 @@
 #pragma once
 // A hand that drags something, frame by frame: what benchmarks move.
 
-#include "models/scene.h"
+#include "models/scene/scene.h"
 
 namespace glint {
 

@@ -14,10 +14,10 @@
 
 #include "app/command_line.h"
 #include "app/say.h"
-#include "models/file.h"
+#include "models/io/file.h"
+#include "models/io/temporary.h"
 #include "models/memory_limit.h"
-#include "models/temporary.h"
-#include "renderer/instruction_set.h"
+#include "renderer/kernels/instruction_set.h"
 
 namespace {
 

@@ -17,11 +17,11 @@
 #include "app/texture.h"
 #include "app/window_input.h"
 #include "app/x_errors.h"
-#include "ui/display_scale.h"
-#include "ui/files/end_jobs.h"
-#include "ui/fonts.h"
-#include "ui/theme.h"
+#include "ui/preferences/end_jobs.h"
 #include "ui/ui.h"
+#include "ui/widgets/display_scale.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
 
 namespace glint {
 namespace {

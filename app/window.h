@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "models/scene_file.h"
+#include "models/scene_file/scene_file.h"
 
 namespace glint {
 

@@ -6,7 +6,7 @@
 #include <deque>
 #include <glm/vec2.hpp>
 
-#include "ui/keys.h"
+#include "ui/commands/keys.h"
 
 struct GLFWwindow;
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cctype>
 
-#include "models/utf8.h"
+#include "models/io/utf8.h"
 
 namespace glint {
 namespace {

@@ -6,9 +6,9 @@
 #include <set>
 #include <tuple>
 
-#include "renderer/pipeline/binning.h"
-#include "renderer/pipeline/lighting.h"
-#include "renderer/pipeline/surface.h"
+#include "renderer/shade/lighting.h"
+#include "renderer/surface/surface.h"
+#include "renderer/visibility/binning.h"
 
 namespace glint {
 namespace {

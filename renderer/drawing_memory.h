@@ -4,7 +4,7 @@
 // themselves, before they make room for it.
 
 #include "models/memory_limit.h"
-#include "models/scene.h"
+#include "models/scene/scene.h"
 #include "renderer/picture.h"
 
 namespace glint {

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "models/camera.h"
+#include "models/scene/camera.h"
 
 namespace glint {
 

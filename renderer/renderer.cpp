@@ -7,13 +7,14 @@
 #include <algorithm>
 #include <chrono>
 
-#include "models/scene/choices.h"
+#include "models/fields/choices.h"
 #include "models/memory_limit.h"
 #include "models/warn.h"
 #include "renderer/drawing_memory.h"
-#include "renderer/inspect/explain.h"
-#include "renderer/kept_stages.h"
-#include "renderer/pipeline/light_sources.h"
+#include "renderer/inspect/explain/explain.h"
+#include "renderer/kernels/instruction_set.h"
+#include "renderer/shade/light_sources.h"
+#include "renderer/stages.h"
 
 namespace glint {
 namespace {
@@ -154,7 +155,7 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
     k.stats.evaluations =
         scene.shading.reflection == Reflection::None ? 0 : s.surface.point_count * s.lighting.sources.size();
     k.stats.threads = k.arena.max_concurrency();
-    k.stats.instruction_set = lighting_kernels().name;
+    k.stats.instruction_set = instruction_set_name();
     return s.lighting.picture;
 }
 

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "models/problem.h"
-#include "models/scene.h"
-#include "renderer/inspect/explanation.h"
+#include "models/scene/scene.h"
+#include "renderer/inspect/explain/explanation.h"
 #include "renderer/picture.h"
 
 namespace glint {

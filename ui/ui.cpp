@@ -5,21 +5,21 @@
 #include <algorithm>
 #include <exception>
 
-#include "ui/actions.h"
-#include "ui/animate/animate.h"
-#include "ui/columns.h"
-#include "ui/dialogs.h"
-#include "ui/draw_picture.h"
-#include "ui/fonts.h"
-#include "ui/menu/palette.h"
-#include "ui/menu/shortcuts.h"
-#include "ui/modal.h"
-#include "ui/picture_room.h"
-#include "ui/take_back.h"
-#include "ui/theme.h"
-#include "ui/toolbar.h"
+#include "ui/commands/actions.h"
+#include "ui/commands/palette.h"
+#include "ui/commands/shortcuts.h"
+#include "ui/document/take_back.h"
+#include "ui/export/animate.h"
+#include "ui/picture/draw_picture.h"
+#include "ui/picture/picture_room.h"
+#include "ui/shell/columns.h"
+#include "ui/shell/dialogs.h"
+#include "ui/shell/toolbar.h"
 #include "ui/views/views.h"
-#include "ui/widgets.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/modal.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
@@ -71,7 +71,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     if (!state.layout.bare) status_line(state, layout.status);
     animate_panel(state);
     step_wedge(state.lecture.wedge);
-    dialogs(state, input);  // after every window: ui/modal.h
+    dialogs(state, input);  // after every window: ui/widgets/modal.h
     remember(state, in_hand);
     tend_memory(state);
     tend_animation(state);

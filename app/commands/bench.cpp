@@ -12,7 +12,7 @@
 #include "app/commands/command.h"
 #include "app/drag.h"
 #include "app/progress.h"
-#include "models/json_value.h"
+#include "models/json/json_value.h"
 #include "renderer/renderer.h"
 
 namespace glint {

@@ -1,15 +1,15 @@
 // glint compare: how far two pictures are apart.
-#include "renderer/inspect/compare.h"
+#include "renderer/inspect/debug_views/compare.h"
 
 #include <memory>
 #include <optional>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "models/file.h"
+#include "models/io/file.h"
+#include "models/json/json_value.h"
 #include "models/memory_limit.h"
-#include "models/json_value.h"
-#include "renderer/image_file.h"
+#include "renderer/image/image_file.h"
 
 namespace glint {
 namespace {

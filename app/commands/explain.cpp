@@ -5,11 +5,11 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "app/progress.h"
-#include "models/json_value.h"
-#include "renderer/inspect/explain_json.h"
-#include "renderer/inspect/explain_latex.h"
-#include "renderer/inspect/explain_text.h"
-#include "renderer/inspect/sensitivity.h"
+#include "models/json/json_value.h"
+#include "renderer/inspect/debug_views/sensitivity.h"
+#include "renderer/inspect/explain/explain_json.h"
+#include "renderer/inspect/explain/explain_latex.h"
+#include "renderer/inspect/explain/explain_text.h"
 #include "renderer/renderer.h"
 
 namespace glint {

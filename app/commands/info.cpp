@@ -5,8 +5,8 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "models/json_value.h"
-#include "models/mesh_file.h"
+#include "models/json/json_value.h"
+#include "models/mesh_formats/mesh_file.h"
 
 namespace glint {
 namespace {

@@ -3,9 +3,9 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "models/json_value.h"
-#include "models/scene/choices.h"
-#include "renderer/inspect/lobes.h"
+#include "models/fields/choices.h"
+#include "models/json/json_value.h"
+#include "renderer/inspect/reflectance/lobes.h"
 
 namespace glint {
 namespace {

@@ -1,13 +1,13 @@
 // glint microfacets: a rough surface as many mirrors, and what becomes of a bundle of rays.
-#include "renderer/inspect/microfacets.h"
+#include "renderer/inspect/reflectance/microfacets.h"
 
 #include <memory>
 #include <optional>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "models/json_value.h"
-#include "renderer/inspect/facet_lobe.h"
+#include "models/json/json_value.h"
+#include "renderer/inspect/reflectance/facet_lobe.h"
 
 namespace glint {
 namespace {

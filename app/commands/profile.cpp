@@ -1,5 +1,5 @@
 // glint profile: intensity along a line.
-#include "renderer/inspect/profile.h"
+#include "renderer/inspect/debug_views/profile.h"
 
 #include <memory>
 #include <optional>

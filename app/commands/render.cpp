@@ -4,11 +4,11 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "models/file.h"
+#include "models/io/file.h"
+#include "models/json/json_value.h"
 #include "models/memory_limit.h"
-#include "models/json_value.h"
-#include "renderer/image_file.h"
-#include "renderer/inspect/buffers.h"
+#include "renderer/image/image_file.h"
+#include "renderer/inspect/debug_views/buffers.h"
 #include "renderer/renderer.h"
 
 namespace glint {

@@ -1,5 +1,5 @@
 // glint sheet: a labelled grid of pictures over two parameters.
-#include "renderer/inspect/sheet.h"
+#include "renderer/inspect/debug_views/sheet.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "app/progress.h"
-#include "models/file.h"
+#include "models/io/file.h"
 #include "models/memory_limit.h"
-#include "models/scene_variant.h"
-#include "renderer/image_file.h"
+#include "models/scene/scene_variant.h"
+#include "renderer/image/image_file.h"
 #include "renderer/renderer.h"
 
 namespace glint {

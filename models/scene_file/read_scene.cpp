@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "models/scene/scene_fields.h"
-#include "models/scene/scene_rules.h"
-#include "models/utf8.h"
+#include "models/fields/scene_fields.h"
+#include "models/fields/scene_rules.h"
+#include "models/io/utf8.h"
 
 namespace glint {
 namespace {

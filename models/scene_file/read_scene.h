@@ -1,8 +1,8 @@
 #pragma once
-// A scene from a JSON document, by its fields (models/scene/scene_fields.h).
+// A scene from a JSON document, by its fields (models/fields/scene_fields.h).
 
-#include "models/json_node.h"
-#include "models/scene.h"
+#include "models/json/json_node.h"
+#include "models/scene/scene.h"
 
 namespace glint {
 

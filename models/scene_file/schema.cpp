@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "models/scene/scene_fields.h"
-#include "models/scene_file.h"
+#include "models/fields/scene_fields.h"
 #include "models/scene_file/read_scene.h"
+#include "models/scene_file/scene_file.h"
 
 namespace glint {
 namespace {
@@ -16,8 +16,8 @@ Schema number_json(float x) { return Schema::parse(number_text(x)); }
 
 Schema range_json(const Range& range) {
     const Schema within{{"type", "number"},
-                      {range.low_open ? "exclusiveMinimum" : "minimum", range.low},
-                      {range.high_open ? "exclusiveMaximum" : "maximum", range.high}};
+                        {range.low_open ? "exclusiveMinimum" : "minimum", range.low},
+                        {range.high_open ? "exclusiveMaximum" : "maximum", range.high}};
     if (!range.also) return within;
     return {{"anyOf", {within, {{"const", *range.also}}}}};
 }
@@ -143,8 +143,8 @@ Schema w_follows_type() {
 
 std::string scene_schema() {
     Schema schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                {"title", "Scene of Glint, version 1"},
-                {"description", "See docs/interface.md, \"The scene file\"."}};
+                  {"title", "Scene of Glint, version 1"},
+                  {"description", "See docs/interface.md, \"The scene file\"."}};
     schema.update(schema_of(Scene{}));
     schema["properties"]["glint"] = {{"const", 1}, {"description", "The version of the format"}};
     schema["required"] = {"glint"};

@@ -5,9 +5,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "models/scene/scene_fields.h"
-#include "models/scene_file.h"
-#include "models/utf8.h"
+#include "models/fields/scene_fields.h"
+#include "models/io/utf8.h"
+#include "models/scene_file/scene_file.h"
 
 namespace glint {
 

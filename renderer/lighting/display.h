@@ -3,8 +3,8 @@
 // sRGB: IEC 61966-2-1. Bytes: nearest of 256, halves up.
 
 #include "renderer/lighting/light_job.h"
-#include "renderer/lighting/power.h"
-#include "renderer/lighting/vec3.h"
+#include "renderer/simd/pow.h"
+#include "renderer/simd/vec3.h"
 
 namespace glint::inline GLINT_ISA {
 

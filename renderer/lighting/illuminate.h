@@ -5,7 +5,7 @@
 //
 // Every step is a named member, so that the picture can add what the inspector prints.
 
-#include "models/shading.h"
+#include "models/scene/shading.h"
 #include "renderer/lighting/light_source.h"
 #include "renderer/lighting/mistakes.h"
 #include "renderer/lighting/reflection.h"

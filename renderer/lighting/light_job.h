@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "models/shading.h"
+#include "models/scene/shading.h"
 
 namespace glint {
 
@@ -48,18 +48,7 @@ struct alignas(64) ColorBlock {
     float r[block_size], g[block_size], b[block_size];
 };
 
-/// The same of one point, to be read whole.
-struct ColorRecord {
-    float r = 0, g = 0, b = 0, unused = 0;
-};
-
-/// Bounds of 16 blocks of points, block by block: a ball around their places and one around their normals.
-struct alignas(64) ReachBlock {
-    float x[block_size], y[block_size], z[block_size], radius[block_size];
-    float nx[block_size], ny[block_size], nz[block_size], spread[block_size];
-};
-
-/// Cool-to-warm shading (renderer/shading/cool_to_warm.h) in place of emission, ambient and diffuse.
+/// Cool-to-warm shading (renderer/lighting/cool_to_warm.h) in place of emission, ambient and diffuse.
 struct CoolToWarm {
     bool on = false;
     LightSource::Rgb cool, warm;
@@ -99,25 +88,15 @@ struct DisplayJob {
 
 /// The kernels of one instruction set.
 struct LightingKernels {
-    const char* name;
     /// `begun`: sums to which the job's lights are added, or null: then they begin with what is there without
     /// any light. May be the same as `colors`.
     void (*light)(const LightJob& job, const PointBlock* points, const ColorBlock* begun, ColorBlock* colors,
                   std::size_t blocks);
-    /// Bit i: whether the light may add something at some point of block i.
-    std::uint16_t (*find_lit)(const LightSource& light, const ReachBlock& bounds);
-    /// Colours of runs of 16 pixels from those of lit points: the blend of `each` points, numbers and weights
-    /// [run][which][pixel]; or one point, numbers [run][pixel].
-    void (*blend)(const ColorRecord* points, const std::uint32_t* numbers, const float* weights, int each,
-                  ColorBlock* colors, std::size_t runs);
-    void (*pick)(const ColorRecord* points, const std::uint32_t* numbers, ColorBlock* colors,
-                 std::size_t runs);
     /// 16 pixels a block as bytes r, g, b, 255 in memory order.
     void (*encode)(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba, std::size_t blocks);
 };
 
-/// Of the widest set that this processor runs, or of the one that GLINT_ISA names
-/// (renderer/instruction_set.h).
+/// Of the set that instruction_set.h chooses.
 const LightingKernels& lighting_kernels();
 
 }  // namespace glint

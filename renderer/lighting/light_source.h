@@ -2,8 +2,8 @@
 // A light as the equation sees it: in camera coordinates, its colours times its intensity.
 // Lecture: "Light Sources", "Light Source Falloff".
 
-#include "renderer/lighting/power.h"
-#include "renderer/lighting/vec3.h"
+#include "renderer/simd/pow.h"
+#include "renderer/simd/vec3.h"
 
 namespace glint::inline GLINT_ISA {
 

@@ -1,9 +1,9 @@
 #pragma once
-// What students do to the equation by mistake (models/mistakes.h), and the table that once stood in place of
-// the power, kept apart from its own text: each step of illuminate() hands its result here only while some of
-// them is switched on.
+// What students do to the equation by mistake (models/scene/mistakes.h), and the table that once stood in
+// place of the power, kept apart from its own text: each step of illuminate() hands its result here only
+// while some of them is switched on.
 
-#include "models/shading.h"
+#include "models/scene/shading.h"
 #include "renderer/lighting/light_job.h"
 #include "renderer/lighting/reflection.h"
 

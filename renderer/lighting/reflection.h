@@ -1,7 +1,7 @@
 #pragma once
 // The closed list of reflection models. A new one is one small file and one line here.
 
-#include "models/shading.h"
+#include "models/scene/shading.h"
 #include "renderer/lighting/blinn_phong.h"
 #include "renderer/lighting/cook_torrance.h"
 #include "renderer/lighting/lambert.h"

@@ -1,9 +1,9 @@
 #pragma once
 // From plain numbers to the equation's types, and the sum over all lights at one point (or 16).
 
+#include "renderer/lighting/cool_to_warm.h"
 #include "renderer/lighting/illuminate.h"
 #include "renderer/lighting/light_job.h"
-#include "renderer/shading/cool_to_warm.h"
 
 namespace glint::inline GLINT_ISA {
 

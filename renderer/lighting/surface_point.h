@@ -1,8 +1,8 @@
 #pragma once
 // A point to be lit, and what its surface is made of.
 
-#include "renderer/lighting/power.h"
-#include "renderer/lighting/vec3.h"
+#include "renderer/simd/pow.h"
+#include "renderer/simd/vec3.h"
 
 namespace glint::inline GLINT_ISA {
 

@@ -1,9 +1,9 @@
 // A frame of a drag works in the memory of the frame before: nothing of ours is allocated. Counted in
 // operator new itself, for all threads; the tasks of the thread library do not come from there.
-#include "models/scene_file.h"
+#include "models/scene_file/scene_file.h"
 #include "renderer/renderer.h"
 #include "tests/allocations/counted_new.h"
-#include "tests/catch.h"
+#include "tests/support/catch.h"
 
 using namespace glint;
 

@@ -2,12 +2,12 @@
 // Counted in operator new itself.
 #include "renderer/drawing_memory.h"
 
-#include "models/mesh_memory.h"
-#include "models/scene_file.h"
-#include "renderer/image_file.h"
+#include "models/mesh/mesh_memory.h"
+#include "models/scene_file/scene_file.h"
+#include "renderer/image/image_file.h"
 #include "renderer/renderer.h"
 #include "tests/allocations/counted_new.h"
-#include "tests/catch.h"
+#include "tests/support/catch.h"
 
 using namespace glint;
 

@@ -1,10 +1,10 @@
 // The window goes on when memory runs out anywhere in a frame: allocations fail one by one, and the scene in
 // hand stays, or is the new one, whole; and the next picture is right.
 #include "tests/allocations/counted_new.h"
-#include "tests/catch.h"
-#include "tests/unit/memory_helpers.h"
-#include "tests/unit/ui_bench.h"
-#include "ui/picture_room.h"
+#include "tests/support/catch.h"
+#include "tests/support/memory_helpers.h"
+#include "tests/support/ui_bench.h"
+#include "ui/picture/picture_room.h"
 #include "ui/views/views.h"
 
 using namespace glint;

@@ -42,7 +42,7 @@ std::string complaint(string_view path, string_view name, bool quoted) {
     }
     // Each takes a file that includes it seconds to compile.
     if (name.starts_with("nlohmann/") && !path.starts_with("models/"))
-        return "is for models; expected models/json_value.h";
+        return "is for models; expected models/json/json_value.h";
     if (name.starts_with("CLI/") && path != "app/options.cpp")
         return "is for app/options.cpp; expected app/options.h";
     return {};

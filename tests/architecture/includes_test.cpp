@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/catch.h"
+#include "tests/support/catch.h"
 
 namespace fs = std::filesystem;
 
@@ -34,8 +34,8 @@ TEST_CASE("an upward include is reported with its file and line", "[architecture
           std::vector<std::string>{"ui/panel.cpp:2: includes app/window.h, which points up; expected app -> "
                                    "ui -> renderer -> models"});
     CHECK(forbidden_includes("models/a.h", "#include \"renderer/picture.h\"").size() == 1);
-    CHECK(forbidden_includes("models/a.h", "  #  include <ui/theme.h>  // why").size() == 1);
-    CHECK(forbidden_includes("renderer/a/b.cpp", "#include \"ui/theme.h\"").size() == 1);
+    CHECK(forbidden_includes("models/a.h", "  #  include <ui/widgets/theme.h>  // why").size() == 1);
+    CHECK(forbidden_includes("renderer/a/b.cpp", "#include \"ui/widgets/theme.h\"").size() == 1);
     CHECK(forbidden_includes("renderer/a/b.cpp", "#include \"../../app/main.h\"").size() == 1);
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("libraries of the window are reported below their floor", "[architectu
     CHECK(forbidden_includes("models/a.cpp", "#include <GL/gl.h>").size() == 1);
     CHECK(forbidden_includes("ui/a.cpp", "#include <GLFW/glfw3.h>").size() == 1);
     CHECK(forbidden_includes("ui/a.cpp", "#include <imgui_impl_opengl3.h>").size() == 1);
-    CHECK(forbidden_includes("models/mesh.h", "#include <OpenMesh/Core/IO/MeshIO.hh>").size() == 1);
+    CHECK(forbidden_includes("models/mesh/mesh.h", "#include <OpenMesh/Core/IO/MeshIO.hh>").size() == 1);
     CHECK(forbidden_includes("renderer/a.cpp", "#include <OpenMesh/Core/IO/MeshIO.hh>").size() == 1);
 }
 
@@ -54,13 +54,13 @@ TEST_CASE("libraries that take seconds to compile are reported outside the files
     CHECK(forbidden_includes("app/commands/a.cpp", "#include <nlohmann/json_fwd.hpp>").size() == 1);
     CHECK(forbidden_includes("app/arguments.h", "#include <CLI/CLI.hpp>").size() == 1);
     CHECK(forbidden_includes("app/options.cpp", "#include <CLI/CLI.hpp>").empty());
-    CHECK(forbidden_includes("models/json_value.cpp", "#include <nlohmann/json.hpp>").empty());
+    CHECK(forbidden_includes("models/json/json_value.cpp", "#include <nlohmann/json.hpp>").empty());
 }
 
 TEST_CASE("includes that the house allows are not reported", "[architecture]") {
     CHECK(forbidden_includes("app/window.cpp",
                              "#include <GLFW/glfw3.h>\n#include <imgui_impl_glfw.h>\n"
-                             "#include \"ui/theme.h\"\n#include \"models/mesh.h\"")
+                             "#include \"ui/widgets/theme.h\"\n#include \"models/mesh/mesh.h\"")
               .empty());
     CHECK(forbidden_includes("ui/a.cpp", "#include <imgui.h>\n#include \"renderer/renderer.h\"").empty());
     CHECK(forbidden_includes("models/a.cpp", "#include <OpenMesh/Core/IO/MeshIO.hh>").empty());

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/catch.h"
+#include "tests/support/catch.h"
 
 namespace fs = std::filesystem;
 
@@ -77,8 +77,8 @@ TEST_CASE("no weak name is defined by the lighting kernels of two instruction se
     std::map<std::string, std::set<std::string>> of_set;
     for (const auto& entry : fs::recursive_directory_iterator(GLINT_BINARY_DIR)) {
         if (entry.path().extension() != ".o") continue;
-        for (const auto& folder : entry.path()) {  // .../lighting_avx2.dir/....o
-            if (folder.string().starts_with("lighting_"))
+        for (const auto& folder : entry.path()) {  // .../kernels_avx2.dir/....o
+            if (folder.string().starts_with("kernels_"))
                 of_set[folder.string()].merge(weak_names(entry.path()));
         }
     }

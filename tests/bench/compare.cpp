@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "app/drag.h"
-#include "models/scene_file.h"
+#include "models/scene_file/scene_file.h"
 #include "renderer/renderer.h"
 #include "tests/bench/llvmpipe/rival.h"
 

@@ -12,10 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "models/scene_file.h"
-#include "renderer/pipeline/light_sources.h"
-#include "renderer/pipeline/surface.h"
+#include "models/scene_file/scene_file.h"
+#include "renderer/kernels/instruction_set.h"
 #include "renderer/renderer.h"
+#include "renderer/shade/light_sources.h"
+#include "renderer/surface/surface.h"
 
 namespace glint::bench {
 namespace {
@@ -134,7 +135,7 @@ void declare_drawing(const char* name, Stage last, int detail) {
 int main(int count, char** words) {
     using glint::Reflection;
     benchmark::Initialize(&count, words);
-    benchmark::AddCustomContext("instruction_set", glint::lighting_kernels().name);
+    benchmark::AddCustomContext("instruction_set", glint::instruction_set_name());
     glint::bench::declare("light/lambert", Reflection::Lambert);
     glint::bench::declare("light/phong", Reflection::Phong);
     glint::bench::declare("light/blinn-phong", Reflection::BlinnPhong);

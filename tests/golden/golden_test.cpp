@@ -6,11 +6,11 @@
 #include <set>
 #include <string>
 
-#include "models/file.h"
-#include "renderer/image_file.h"
-#include "renderer/inspect/compare.h"
-#include "tests/catch.h"
+#include "models/io/file.h"
+#include "renderer/image/image_file.h"
+#include "renderer/inspect/debug_views/compare.h"
 #include "tests/golden/sheet.h"
+#include "tests/support/catch.h"
 
 using namespace glint;
 using namespace glint::golden;

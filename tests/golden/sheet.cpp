@@ -4,7 +4,7 @@
 #include <array>
 #include <memory>
 
-#include "models/scene.h"
+#include "models/scene/scene.h"
 #include "renderer/renderer.h"
 
 namespace glint::golden {

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "models/primitives.h"
-#include "models/transform.h"
+#include "models/primitives/primitives.h"
+#include "models/scene/transform.h"
 #include "renderer/picture.h"
 
 namespace glint::golden {

@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <string_view>
 
-#include "models/scene_file.h"
-#include "renderer/inspect/explain_json.h"
+#include "models/scene_file/scene_file.h"
+#include "renderer/inspect/explain/explain_json.h"
 #include "renderer/renderer.h"
-#include "tests/asset_scenes.h"
 #include "tests/golden/sheet.h"
 #include "tests/oracle/random_scene.h"
+#include "tests/support/asset_scenes.h"
 
 using namespace glint;
 

@@ -9,11 +9,11 @@
 #include <cstring>
 #include <vector>
 
+#include "renderer/kernels/kernel_set.h"
 #include "renderer/lighting/light_job.h"
-#include "renderer/pipeline/kernels/drawing_kernels.h"
 
 namespace glint::GLINT_ISA {
-extern const LightingKernels kernels;
+extern const ColorKernels colors;
 extern const DrawingKernels drawing;
 }  // namespace glint::GLINT_ISA
 
@@ -141,7 +141,7 @@ constexpr Mistake in_the_equation[] = {&Mistakes::unnormalized_light,
 
 std::vector<ColorBlock> lit(const LightJob& job, const std::vector<PointBlock>& points) {
     std::vector<ColorBlock> colors(blocks);
-    GLINT_ISA::kernels.light(job, points.data(), nullptr, colors.data(), blocks);
+    GLINT_ISA::colors.lighting.light(job, points.data(), nullptr, colors.data(), blocks);
     return colors;
 }
 
@@ -160,8 +160,8 @@ void light_all(Numbers& number, const std::vector<PointBlock>& points) {
         hash.print("light", which);
 
         std::vector<std::uint32_t> rgba(blocks * block_size);
-        GLINT_ISA::kernels.encode({number.between(0.5f, 2), which % 2 == 0}, colors.data(), rgba.data(),
-                                  blocks);
+        GLINT_ISA::colors.lighting.encode({number.between(0.5f, 2), which % 2 == 0}, colors.data(),
+                                          rgba.data(), blocks);
         Hash bytes;
         for (const std::uint32_t pixel : rgba) bytes.add(pixel);
         bytes.print("encode", which);
@@ -219,7 +219,7 @@ void place_all(Numbers& number) {
         job.two_sided = which % 2 != 0;
         PointBlock out{};
         std::uint8_t told = 0;
-        GLINT_ISA::drawing.place(job, &run, 1, &out, &told);
+        GLINT_ISA::drawing.surface.interpolate(job, &run, 1, &out, &told);
         hash.add(std::uint32_t{told});
         if (!told) continue;
         for (const auto& numbers : {&out.x, &out.y, &out.z, &out.nx, &out.ny, &out.nz})
@@ -241,7 +241,7 @@ void place_vertices_and_normals(Numbers& number) {
     job.screen = {640, 480, false};
     job.vertices = vertices.data();
     job.on_screen = on_screen.data();
-    GLINT_ISA::drawing.place_vertices(job, 0, count);
+    GLINT_ISA::drawing.geometry.transform_vertices(job, 0, count);
     Hash hash;
     for (const PlacedVertex& v : vertices) {
         for (const float a : {v.clip_x, v.clip_y, v.clip_w, v.x, v.y, v.z}) hash.add(a);
@@ -255,7 +255,7 @@ void place_vertices_and_normals(Numbers& number) {
     hash.print("vertices", count);
     std::vector<CameraNormal> in_camera(count);
     const Matrix3 matrix{{{0.8, 0.6, 0}, {-1.2, 1.6, 0}, {0, 0, 1}}};
-    GLINT_ISA::drawing.place_normals({numbers.data(), matrix, in_camera.data()}, 0, count);
+    GLINT_ISA::drawing.geometry.transform_normals({numbers.data(), matrix, in_camera.data()}, 0, count);
     Hash normals;
     for (const CameraNormal& n : in_camera)
         for (const float a : {n.x, n.y, n.z}) normals.add(a);
@@ -285,7 +285,7 @@ void sort_and_draw(Numbers& number, float spread) {
     std::vector<TriangleBox> boxes(triangle_count + 1);
     std::vector<std::uint32_t> to_clip(triangle_count + 1);
     SortedTriangles sorted{boxes.data(), 0, to_clip.data(), 0};
-    GLINT_ISA::drawing.sort(sort, 0, triangle_count, sorted);
+    GLINT_ISA::drawing.visibility.bin(sort, 0, triangle_count, sorted);
     Hash hash;
     std::vector<TileEntry> entries;
     for (std::size_t i = 0; i < sorted.box_count; ++i) {
@@ -302,13 +302,13 @@ void sort_and_draw(Numbers& number, float spread) {
     job.entries = entries.data();
     job.count = entries.size();
     static TilePixels tile;
-    GLINT_ISA::drawing.draw(job, tile);
+    GLINT_ISA::drawing.visibility.draw(job, tile);
     for (const std::int32_t code : tile.seen) hash.add(static_cast<std::uint32_t>(code));
     for (const float nearness : tile.nearness) hash.add(nearness);
     static std::uint32_t seen[tile_size][tile_size];
     static std::uint16_t covered[tile_size][tile_size / block_size];
     const int within = spread < 100 ? tile_size : 53;  // of a tile at the picture's border
-    GLINT_ISA::drawing.take_rows(
+    GLINT_ISA::drawing.visibility.take_rows(
         tile, {&seen[0][0], &covered[0][0], tile_size, tile_size / block_size, within, within});
     for (const auto& row : seen)
         for (const std::uint32_t code : row) hash.add(code);
@@ -330,10 +330,11 @@ void blend_all(Numbers& number, const std::vector<PointBlock>& points) {
     for (float& w : weights) w = number.between(0, 1);
     std::vector<ColorBlock> colors(blocks);
     Hash blended, picked;
-    GLINT_ISA::kernels.blend(corners.data(), numbers.data(), weights.data(), each, colors.data(), blocks);
+    GLINT_ISA::colors.shade.blend(corners.data(), numbers.data(), weights.data(), each, colors.data(),
+                                  blocks);
     blended.add(colors);
     blended.print("blend", each);
-    GLINT_ISA::kernels.pick(corners.data(), numbers.data(), colors.data(), blocks);
+    GLINT_ISA::colors.shade.pick(corners.data(), numbers.data(), colors.data(), blocks);
     picked.add(colors);
     picked.print("pick", 1);
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "models/camera.h"
+#include "models/scene/camera.h"
 
 namespace glint::oracle {
 

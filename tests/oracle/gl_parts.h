@@ -3,7 +3,7 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "models/scene.h"
+#include "models/scene/scene.h"
 
 namespace glint::oracle {
 

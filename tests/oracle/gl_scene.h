@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "models/scene.h"
+#include "models/scene/scene.h"
 
 namespace glint::oracle {
 

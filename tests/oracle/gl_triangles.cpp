@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "models/normals.h"
+#include "models/mesh/normals.h"
 #include "tests/oracle/gl_parts.h"
 
 namespace glint::oracle {

@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include "models/scene.h"
-#include "renderer/inspect/explanation.h"
+#include "models/scene/scene.h"
+#include "renderer/inspect/explain/explanation.h"
 
 namespace glint::oracle {
 

@@ -1,11 +1,11 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "models/scene_file.h"
-#include "tests/asset_scenes.h"
-#include "tests/catch.h"
+#include "models/scene_file/scene_file.h"
 #include "tests/oracle/agreement.h"
 #include "tests/oracle/random_scene.h"
+#include "tests/support/asset_scenes.h"
+#include "tests/support/catch.h"
 
 using namespace glint;
 using namespace glint::oracle;

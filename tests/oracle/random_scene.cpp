@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "tests/unit/scenes.h"
+#include "tests/support/scenes.h"
 
 namespace glint::oracle {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // Scenes from a seed: the same on every machine.
 
-#include "models/scene.h"
+#include "models/scene/scene.h"
 
 namespace glint::oracle {
 

@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "models/scene_file.h"
-#include "renderer/instruction_set.h"
+#include "models/scene_file/scene_file.h"
+#include "renderer/kernels/instruction_set.h"
 #include "renderer/renderer.h"
 #include "tests/stress/stress_scene.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/mistakes.h"
+#include "models/scene/mistakes.h"
 
 namespace glint {
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "models/scene.h"
+#include "models/scene/scene.h"
 
 namespace glint {
 

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "ui/actions.h"
+#include "ui/commands/actions.h"
 #include "ui/lecture/folder_scenes.h"
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 
 namespace glint {
 namespace {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "models/scene.h"
-#include "ui/lecture/pen.h"
+#include "models/scene/scene.h"
 #include "ui/lecture/step_wedge.h"
+#include "ui/picture/pen.h"
 
 namespace glint {
 

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "ui/fonts.h"
-#include "ui/theme.h"
-#include "ui/widgets.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {

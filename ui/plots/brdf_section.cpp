@@ -6,12 +6,12 @@
 #include <cmath>
 #include <vector>
 
-#include "renderer/inspect/profile.h"
+#include "renderer/inspect/debug_views/profile.h"
+#include "ui/inspector/equation/parts.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/sections.h"
-#include "ui/theme.h"
-#include "ui/why/parts.h"
-#include "ui/widgets.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
-#include "renderer/inspect/lobes.h"
+#include "renderer/inspect/reflectance/lobes.h"
+#include "ui/inspector/equation/parts.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/sections.h"
-#include "ui/theme.h"
-#include "ui/why/parts.h"
-#include "ui/widgets.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
@@ -99,8 +99,10 @@ void cosine_section(PlotsState& plots, const PlotSubject& subject) {
     const bool picked = subject.point.light != nullptr;
     if (picked) plots.beam_deg = static_cast<float>(local_directions(subject.point).light_deg);
     ImGui::BeginDisabled(picked);
-    (void)number_field("Light", plots.beam_deg, {.range = half_turn_deg, .unit = "degrees", .step = 0.25f, .format = "%.1f", .usual_max = 180}, 50,
-                       {"Between n and l: that of the picked point where one is picked", ""});
+    (void)number_field(
+        "Light", plots.beam_deg,
+        {.range = half_turn_deg, .unit = "degrees", .step = 0.25f, .format = "%.1f", .usual_max = 180}, 50,
+        {"Between n and l: that of the picked point where one is picked", ""});
     ImGui::EndDisabled();
     const auto deg = double(plots.beam_deg);
     beam_drawing(deg);

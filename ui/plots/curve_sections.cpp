@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/scene/reflection_info.h"
-#include "renderer/inspect/curves.h"
-#include "renderer/inspect/highlight_fit.h"
+#include "models/fields/reflection_info.h"
+#include "renderer/inspect/reflectance/curves.h"
+#include "renderer/inspect/reflectance/highlight_fit.h"
+#include "ui/inspector/equation/parts.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/sections.h"
-#include "ui/theme.h"
-#include "ui/why/parts.h"
-#include "ui/widgets.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {

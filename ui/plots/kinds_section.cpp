@@ -5,15 +5,15 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "renderer/inspect/light_needs.h"
-#include "ui/choices.h"
-#include "ui/fonts.h"
-#include "ui/gizmo.h"
-#include "ui/hands/drag_math.h"
+#include "renderer/inspect/reflectance/light_needs.h"
+#include "ui/fields/choices.h"
+#include "ui/inspector/equation/parts.h"
+#include "ui/picture/handles/drag_math.h"
+#include "ui/picture/picture_view.h"
 #include "ui/plots/sections.h"
-#include "ui/theme.h"
-#include "ui/why/parts.h"
-#include "ui/widgets.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {

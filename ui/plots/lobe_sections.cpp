@@ -6,13 +6,13 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/inspect/lobes.h"
-#include "renderer/inspect/profile.h"
+#include "renderer/inspect/debug_views/profile.h"
+#include "renderer/inspect/reflectance/lobes.h"
+#include "ui/inspector/equation/parts.h"
 #include "ui/plots/polar.h"
 #include "ui/plots/sections.h"
-#include "ui/theme.h"
-#include "ui/why/parts.h"
-#include "ui/widgets.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "models/saturate.h"
+#include "ui/inspector/equation/parts.h"
 #include "ui/plots/polar.h"
 #include "ui/plots/sections.h"
-#include "ui/theme.h"
-#include "ui/why/parts.h"
-#include "ui/widgets.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
@@ -122,7 +122,8 @@ void fields(PlotsState& plots, const PlotSubject& subject) {
     ImGui::EndDisabled();
     const auto angle = [](const char* label, double& deg, float initial, const char* what) {
         auto value = static_cast<float>(deg);
-        const Real number{.range = {0, 89, "0 to 89"}, .unit = "degrees", .step = 0.25f, .format = "%.0f", .usual_max = 89};
+        const Real number{
+            .range = {0, 89, "0 to 89"}, .unit = "degrees", .step = 0.25f, .format = "%.0f", .usual_max = 89};
         if (number_field(label, value, number, initial, {what, ""})) deg = value;
     };
     if (can_follow && plots.follow_pick) {

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "models/saturate.h"
-#include "ui/fonts.h"
-#include "ui/theme.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
 
 namespace glint {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/layout.h"
+#include "ui/shell/layout.h"
 
 namespace glint {
 
@@ -48,8 +48,8 @@ struct PlotArea {
 };
 
 /// Draws frame, grid, ticks and numbers inside `all`; returns what is left for curves.
-[[nodiscard]] PlotArea draw_axes(ImDrawList& list, const Rect& all, Interval x, Interval y, const AxisText& x_text,
-                                 const AxisText& y_text);
+[[nodiscard]] PlotArea draw_axes(ImDrawList& list, const Rect& all, Interval x, Interval y,
+                                 const AxisText& x_text, const AxisText& y_text);
 
 /// The name of the y axis, in the area's upper left corner: after the curves, so that it can be read.
 void draw_y_name(ImDrawList& list, const PlotArea& area, const AxisText& y_text);

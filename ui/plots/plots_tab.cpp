@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
+#include "ui/inspector/equation/parts.h"
 #include "ui/plots/sections.h"
-#include "ui/theme.h"
 #include "ui/ui.h"
-#include "ui/why/parts.h"
-#include "ui/widgets.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "models/scene.h"
-#include "renderer/inspect/explanation.h"
-#include "renderer/inspect/lobes.h"
-#include "renderer/inspect/microfacets.h"
+#include "models/scene/scene.h"
+#include "renderer/inspect/explain/explanation.h"
+#include "renderer/inspect/reflectance/lobes.h"
+#include "renderer/inspect/reflectance/microfacets.h"
 
 namespace glint {
 

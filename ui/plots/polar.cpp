@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "ui/fonts.h"
-#include "ui/theme.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
 
 namespace glint {
 namespace {

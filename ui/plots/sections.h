@@ -1,8 +1,8 @@
 #pragma once
 // The plots of the tab, one a function. Each draws into the current window at its width.
 
-#include "ui/layout.h"
 #include "ui/plots/plots_tab.h"
+#include "ui/shell/layout.h"
 
 namespace glint {
 

@@ -7,14 +7,14 @@
 #include <cmath>
 
 #include "models/saturate.h"
-#include "renderer/inspect/curves.h"
-#include "renderer/inspect/highlight_fit.h"
+#include "renderer/inspect/reflectance/curves.h"
+#include "renderer/inspect/reflectance/highlight_fit.h"
+#include "ui/inspector/equation/parts.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/sections.h"
-#include "ui/theme.h"
 #include "ui/ui.h"
-#include "ui/why/parts.h"
-#include "ui/widgets.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {

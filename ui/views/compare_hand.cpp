@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/fonts.h"
-#include "ui/layout.h"
-#include "ui/theme.h"
+#include "ui/shell/layout.h"
 #include "ui/views/compare_view.h"
-#include "ui/widgets.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "ui/theme.h"
-#include "ui/widgets.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {

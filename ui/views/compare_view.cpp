@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "models/saturate.h"
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 
 namespace glint {
 namespace {

@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/inspect/compare.h"
+#include "renderer/inspect/debug_views/compare.h"
 #include "renderer/renderer.h"
-#include "ui/gizmo.h"
+#include "ui/picture/picture_view.h"
 #include "ui/views/setting.h"
 
 namespace glint {

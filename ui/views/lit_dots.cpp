@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "ui/fonts.h"
 #include "ui/plots/plot.h"
-#include "ui/theme.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
 
 namespace glint {
 namespace {

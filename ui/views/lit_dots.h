@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "renderer/renderer.h"
-#include "ui/gizmo.h"
+#include "ui/picture/picture_view.h"
 
 namespace glint {
 

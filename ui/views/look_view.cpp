@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "ui/fonts.h"
 #include "ui/plots/plot.h"
-#include "ui/theme.h"
-#include "ui/widgets.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "renderer/inspect/look.h"
-#include "ui/gizmo.h"
+#include "renderer/inspect/debug_views/look.h"
+#include "ui/picture/picture_view.h"
 
 namespace glint {
 

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "models/saturate.h"
-#include "ui/shell_word.h"
-#include "ui/theme.h"
+#include "ui/shell/shell_word.h"
+#include "ui/widgets/theme.h"
 
 namespace glint {
 namespace {

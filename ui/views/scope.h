@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/inspect/profile.h"
-#include "ui/gizmo.h"
+#include "renderer/inspect/debug_views/profile.h"
+#include "ui/picture/picture_view.h"
 
 namespace glint {
 

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <limits>
 
-#include "ui/fonts.h"
-#include "ui/icons.h"
 #include "ui/plots/plot.h"
-#include "ui/theme.h"
-#include "ui/widgets.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {

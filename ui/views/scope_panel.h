@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "ui/layout.h"
+#include "ui/shell/layout.h"
 #include "ui/views/scope.h"
 
 namespace glint {

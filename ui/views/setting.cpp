@@ -1,6 +1,6 @@
 #include "ui/views/setting.h"
 
-#include "models/scene/choices.h"
+#include "models/fields/choices.h"
 
 namespace glint {
 namespace {

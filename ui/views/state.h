@@ -3,11 +3,11 @@
 
 #include <cstdint>
 
+#include "ui/picture/magnifier.h"
 #include "ui/plots/plots_tab.h"
 #include "ui/views/compare_view.h"
 #include "ui/views/lit_dots.h"
 #include "ui/views/look_view.h"
-#include "ui/views/magnifier.h"
 #include "ui/views/scope.h"
 #include "ui/views/term_grid.h"
 

@@ -7,12 +7,12 @@
 #include <chrono>
 #include <cmath>
 
-#include "ui/fonts.h"
-#include "ui/icons.h"
-#include "ui/theme.h"
+#include "ui/inspector/equation/parts.h"
 #include "ui/ui.h"
-#include "ui/why/parts.h"
-#include "ui/widgets.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {

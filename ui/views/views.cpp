@@ -1,9 +1,9 @@
 #include "ui/views/views.h"
 
-#include "ui/area.h"
-#include "ui/draw_picture.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/views/scope_panel.h"
 #include "ui/views/views_bar.h"
+#include "ui/widgets/area.h"
 
 namespace glint {
 namespace {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "ui/actions.h"
-#include "ui/layout.h"
+#include "ui/commands/actions.h"
+#include "ui/shell/layout.h"
 
 namespace glint {
 

@@ -2,12 +2,12 @@
 
 #include <imgui.h>
 
-#include "ui/actions.h"
-#include "ui/fonts.h"
-#include "ui/theme.h"
+#include "ui/commands/actions.h"
 #include "ui/views/compare_panel.h"
 #include "ui/views/views.h"
-#include "ui/widgets.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {

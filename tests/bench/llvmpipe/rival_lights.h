@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "models/scene.h"
+#include "models/scene/scene.h"
 
 namespace glint::bench {
 

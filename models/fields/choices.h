@@ -1,0 +1,205 @@
+#pragma once
+// The closed sets of a scene, each member in one row: its word in the scene file, its label in the window,
+// and what it means. Reader, writer, JSON Schema, panels, palette and documentation read these rows. A row is
+// a case of a switch, so that the compiler names the enumerator that has none.
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "models/fields/reflection_info.h"
+#include "models/primitives/primitives.h"
+#include "models/scene/scene.h"
+
+namespace glint {
+
+constexpr Choice choice_of(LightKind kind) {
+    switch (kind) {
+    case LightKind::Directional:
+        return {"directional", "Directional", "Parallel rays from far away, no falloff"};
+    case LightKind::Point:
+        return {"point", "Point", "A bulb: the same in all directions"};
+    case LightKind::Spot:
+        return {"spot", "Spot", "A bulb with a cone"};
+    case LightKind::Area:
+        return {"area", "Area", "A shining parallelogram, as many point samples"};
+    }
+    return {};
+}
+
+constexpr Choice choice_of(LightSpace space) {
+    switch (space) {
+    case LightSpace::World:
+        return {"world", "World", "Stays with the scene"};
+    case LightSpace::Camera:
+        return {"camera", "Camera", "Moves with the viewer"};
+    }
+    return {};
+}
+
+constexpr Choice choice_of(NormalSource source) {
+    switch (source) {
+    case NormalSource::Auto:
+        return {"auto", "Auto", "From the file, else analytic, else averaged"};
+    case NormalSource::File:
+        return {"file", "File", "As the mesh file gives them"};
+    case NormalSource::Facet:
+        return {"facet", "Facet", "Each polygon's own"};
+    case NormalSource::Vertex:
+        return {"vertex", "Vertex", "Facet normals averaged around each vertex"};
+    case NormalSource::Analytic:
+        return {"analytic", "Analytic", "From the surface's formula"};
+    }
+    return {};
+}
+
+constexpr Choice choice_of(NormalWeighting weighting) {
+    switch (weighting) {
+    case NormalWeighting::Uniform:
+        return {"uniform", "Uniform", "Every facet counts the same"};
+    case NormalWeighting::Area:
+        return {"area", "Area", "By the facet's area"};
+    case NormalWeighting::Angle:
+        return {"angle", "Angle", "By the facet's angle at the vertex"};
+    }
+    return {};
+}
+
+constexpr Choice choice_of(ShadingMode mode) {
+    switch (mode) {
+    case ShadingMode::Flat:
+        return {"flat", "Flat", "One colour per polygon, lit at one point of it"};
+    case ShadingMode::Facet:
+        return {"facet", "Facet", "Every pixel lit with the polygon's normal"};
+    case ShadingMode::Gouraud:
+        return {"gouraud", "Gouraud", "Corners lit, their colours interpolated"};
+    case ShadingMode::Phong:
+        return {"phong", "Phong", "Normals interpolated, every pixel lit with its own"};
+    }
+    return {};
+}
+
+constexpr Choice choice_of(Interpolation interpolation) {
+    switch (interpolation) {
+    case Interpolation::Perspective:
+        return {"perspective", "Perspective", "Correct under perspective"};
+    case Interpolation::Screen:
+        return {"screen", "Screen", "Linear on the screen over each triangle"};
+    case Interpolation::Scanline:
+        return {"scanline", "Scanline", "Along the polygon's edges, then along the scanline"};
+    }
+    return {};
+}
+
+constexpr Choice choice_of(FlatPoint point) {
+    switch (point) {
+    case FlatPoint::Centroid:
+        return {"centroid", "Centroid", "Mean of the polygon's corners, facet normal"};
+    case FlatPoint::Provoking:
+        return {"provoking", "Provoking", "OpenGL's: each triangle's last corner"};
+    }
+    return {};
+}
+
+constexpr Choice choice_of(Cull cull) {
+    switch (cull) {
+    case Cull::None:
+        return {"none", "None", "Both sides are drawn"};
+    case Cull::Back:
+        return {"back", "Back", "Faces turned away are left out"};
+    case Cull::Front:
+        return {"front", "Front", "Faces turned towards us are left out"};
+    }
+    return {};
+}
+
+constexpr Choice choice_of(Rules rules) {
+    switch (rules) {
+    case Rules::Lecture:
+        return {"lecture", "Lecture", "As the equation says"};
+    case Rules::OpenGL2:
+        return {"opengl2", "OpenGL 2",
+                "Fixed function's: colours clamped before interpolation, provoking corner, shininess at most "
+                "128"};
+    }
+    return {};
+}
+
+constexpr Choice choice_of(Transfer transfer) {
+    switch (transfer) {
+    case Transfer::None:
+        return {"none", "None", "The numbers as they are, as the lecture and OpenGL do"};
+    case Transfer::Srgb:
+        return {"srgb", "sRGB", "Linear light encoded for the display"};
+    }
+    return {};
+}
+
+constexpr Choice choice_of(Reflection reflection) { return info_of(reflection).choice; }
+constexpr Choice choice_of(Primitive primitive) { return info_of(primitive).choice; }
+
+/// The kinds of projection, in the order of the alternatives of `Projection`.
+enum class ProjectionKind { Perspective, Orthographic, Frustum };
+constexpr Choice choice_of(ProjectionKind kind) {
+    switch (kind) {
+    case ProjectionKind::Perspective:
+        return {"perspective", "Perspective", "Lines of sight meet in the eye"};
+    case ProjectionKind::Orthographic:
+        return {"orthographic", "Orthographic", "Lines of sight are parallel"};
+    case ProjectionKind::Frustum:
+        return {"frustum", "Frustum", "A window on the near plane, maybe off the middle"};
+    }
+    return {};
+}
+[[nodiscard]] inline ProjectionKind kind_of(const Projection& projection) {
+    return static_cast<ProjectionKind>(projection.index());
+}
+
+/// How many enumerators E has. They are numbered from 0, and each has a row.
+template <class E> constexpr std::size_t count_of() {
+    std::size_t count = 0;
+    while (!choice_of(static_cast<E>(count)).word.empty()) ++count;
+    return count;
+}
+
+/// All rows of E; the place of a row is the number of its enumerator.
+template <class E>
+inline constexpr auto choices = [] {
+    std::array<Choice, count_of<E>()> rows;
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = choice_of(static_cast<E>(i));
+    return rows;
+}();
+
+/// All enumerators of E, in its order.
+template <class E>
+inline constexpr auto enumerators = [] {
+    std::array<E, count_of<E>()> all;
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<E>(i);
+    return all;
+}();
+
+/// The word in the scene file: "directional", "blinn-phong", ...; empty for a number that is not an
+/// enumerator.
+template <class E> [[nodiscard]] constexpr std::string_view name_of(E value) { return choice_of(value).word; }
+
+/// The enumerator with that word in the scene file, if there is one.
+template <class E> [[nodiscard]] constexpr std::optional<E> from_name(std::string_view word) {
+    for (std::size_t i = 0; i < choices<E>.size(); ++i)
+        if (choices<E>[i].word == word) return static_cast<E>(i);
+    return std::nullopt;
+}
+
+/// All words of an enumeration, in its order.
+template <class E> [[nodiscard]] std::vector<std::string> names_of() {
+    std::vector<std::string> names;
+    for (const Choice& row : choices<E>) names.emplace_back(row.word);
+    return names;
+}
+
+/// What warnings call a mesh: its file's path as the scene gives it, or the word of the primitive.
+[[nodiscard]] std::string source_name(const MeshSource& source);
+
+}  // namespace glint

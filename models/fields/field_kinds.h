@@ -1,0 +1,104 @@
+#pragma once
+// What a field of a scene can be: its words (Row) and its kind (a number, a colour, one of a set, ...). The
+// fields themselves: scene_fields.h.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "models/fields/range.h"
+#include "models/scene/light.h"
+
+namespace glint {
+
+/// What one member of a struct is called.
+struct Row {
+    std::string_view key;    // in the scene file
+    const char* label = "";  // in a panel
+    const char* help = "";   // one line: for tooltips, the documentation and the JSON Schema
+    const char* undo = "";   // what a step of undo that changes it is called; {} is the item's name
+    bool applies = true;     // false: without effect at the moment, as the cone of a light that is not a spot
+    bool omit_default = false;  // written only where it is not the default
+    bool moves_faces =
+        true;  // false: it decides how a pixel is lit, never which face it shows; so do its members
+
+    [[nodiscard]] constexpr Row undone_as(const char* words) const {
+        Row row = *this;
+        row.undo = words;
+        return row;
+    }
+    [[nodiscard]] constexpr Row when(bool has_effect) const {
+        Row row = *this;
+        row.applies = has_effect;
+        return row;
+    }
+    [[nodiscard]] constexpr Row omitted_by_default() const {
+        Row row = *this;
+        row.omit_default = true;
+        return row;
+    }
+    [[nodiscard]] constexpr Row of_lighting() const {
+        Row row = *this;
+        row.moves_faces = false;
+        return row;
+    }
+};
+
+// What a member is. `step` is what a pixel of dragging adds; `format` is printf's, for panels.
+
+/// A float.
+struct Real {
+    Range range = any_number;
+    const char* unit = "";
+    float step = 0.01f;
+    const char* format = "%.3f";
+    float usual_max = 0;       // above 0: values rarely leave [low end of the range, usual_max]
+    bool logarithmic = false;  // drags multiply
+};
+/// Linear RGB, each from 0; 1 is full intensity.
+struct Colour {};
+/// Three floats.
+struct Vector {
+    const char* condition = "";  // what the values must be, for the documentation; checked by scene_rules.h
+    const char* unit = "";
+    float step = 0.01f;
+    const char* format = "%.2f";
+};
+/// (x, y, z, w) of a light: the direction towards it where w = 0, else a position, divided by w.
+struct Homogeneous {
+    LightKind kind;
+    [[nodiscard]] constexpr bool is_direction() const { return kind == LightKind::Directional; }
+};
+struct Switch {};
+struct Text {};
+/// A path of a mesh file, as written in the scene file.
+struct Path {};
+/// One of the rows of `choices<E>`.
+struct OneOf {};
+/// An int.
+struct Count {
+    int low, high;
+    bool (*is_allowed)(int) = nullptr;  // null: every number from low to high
+    std::string_view words = {};        // for "expected ..."; empty: said by low and high
+
+    /// Whole, within low and high, and allowed.
+    [[nodiscard]] bool contains(double x) const {
+        return x >= low && x <= high && x == static_cast<int>(x) &&
+               (is_allowed == nullptr || is_allowed(static_cast<int>(x)));
+    }
+};
+/// For "expected ...": "1, 4, 9", "a whole number from 1 to 8", or "1" where there is no other.
+[[nodiscard]] std::string words_of(const Count& count);
+/// A struct with fields of its own.
+struct Group {};
+/// Any number of structs, up to `max`.
+struct List {
+    std::size_t max;
+    std::string_view plural;
+};
+/// One of the projections; its `type` stands beside its fields.
+struct OneProjection {};
+/// A primitive or a file.
+struct OneMesh {};
+
+}  // namespace glint

@@ -1,0 +1,343 @@
+#pragma once
+// Every value of a scene, once: its key in the scene file, its words, what it may be. `fields(light, visit)`
+// calls visit(row, kind, member) for each member in the order of the file; the default is that of `Light{}`.
+// Visitors of it read, write and document scenes, draw panels, find numbers to animate or to differentiate,
+// and name the steps of undo: whoever adds a member adds one row here, and its effect in the renderer.
+// Conditions between members: scene_rules.h.
+
+#include <concepts>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "models/fields/choices.h"
+#include "models/fields/field_kinds.h"
+#include "models/scene/mistakes.h"
+#include "models/scene/scene.h"
+
+namespace glint {
+
+template <class T, class Struct>
+concept Of = std::same_as<std::remove_const_t<T>, Struct>;
+
+// One function a struct.
+
+template <Of<Falloff> F, class Visit> void fields(F& f, Visit&& visit) {
+    const Real share{.range = at_least_zero, .step = 0.004f, .usual_max = 2};
+    visit(Row{"constant", "Constant", "c: the same at every distance"}, share, f.constant);
+    visit(Row{"linear", "Linear", "l: with the distance r, per scene unit"}, share, f.linear);
+    visit(Row{"quadratic", "Quadratic", "q: with its square, as light spreads"}, share, f.quadratic);
+}
+
+template <Of<SpotCone> C, class Visit> void fields(C& c, Visit&& visit) {
+    visit(Row{"direction", "Aim", "Where the cone's axis points, any length, in the light's own coordinates"},
+          Vector{.condition = "not zero", .step = 0.005f}, c.direction);
+    visit(Row{"cutoff_deg", "Cutoff", "Angle from the axis to the edge of the cone; 180 is no cone"},
+          Real{.range = {0, 90, "0 to 90, or 180", false, false, 180},
+               .unit = "°",
+               .step = 0.1f,
+               .format = "%.1f°",
+               .usual_max = 90},
+          c.cutoff_deg);
+    visit(Row{"exponent", "Exponent",
+              "cos(angle from the axis) to this power: 0 is even, more is softer to the edge"},
+          Real{.range = at_least_zero, .step = 0.02f, .format = "%.2f", .usual_max = 64, .logarithmic = true},
+          c.exponent);
+}
+
+constexpr bool is_square(int n) {
+    for (int side = 1; side * side <= n; ++side)
+        if (side * side == n) return true;
+    return false;
+}
+
+template <Of<AreaShape> A, class Visit> void fields(A& a, Visit&& visit) {
+    const Vector edge{.condition = "neither zero nor parallel to the other", .step = 0.005f};
+    visit(Row{"edge_u", "Edge u", "Half-edge of the parallelogram, in the light's own coordinates"}, edge,
+          a.edge_u);
+    visit(Row{"edge_v", "Edge v", "Half-edge of the parallelogram, in the light's own coordinates"}, edge,
+          a.edge_v);
+    visit(Row{"samples", "Samples", "n × n points at the centres of n × n equal cells stand for the area"},
+          Count{1, 64, is_square, "1, 4, 9, 16, 25, 36, 49 or 64"}, a.samples);
+}
+
+template <Of<Light> L, class Visit> void fields(L& l, Visit&& visit) {
+    visit(Row{"name", "Name", "What the light is called"}.undone_as("Rename {}"), Text{}, l.name);
+    visit(Row{"type", "Type", "Kind of light"}.undone_as("Type of {}"), OneOf{}, l.kind);
+    visit(Row{"space", "Space",
+              "Coordinates of its position, aim and edges: they stay with the scene or move with the viewer"},
+          OneOf{}, l.space);
+    visit(Row{"position", l.kind == LightKind::Directional ? "Towards" : "Position",
+              "Homogeneous: w = 0 is the direction towards the light, any length; w > 0 a position, divided "
+              "by w"},
+          Homogeneous{l.kind}, l.position);
+    visit(Row{"ambient", "Ambient", "Colour for the ambient term"}.undone_as("Colour of {}"), Colour{},
+          l.ambient);
+    visit(Row{"diffuse", "Diffuse", "Colour for the diffuse term"}.undone_as("Colour of {}"), Colour{},
+          l.diffuse);
+    visit(Row{"specular", "Specular", "Colour for the highlight"}.undone_as("Colour of {}"), Colour{},
+          l.specular);
+    visit(Row{"intensity", "Intensity", "I: multiplies the light's three colours"}.undone_as(
+              "Brightness of {}"),
+          Real{.range = at_least_zero, .step = 0.005f, .usual_max = 4}, l.intensity);
+    visit(Row{"enabled", "On", "Whether it shines"}, Switch{}, l.enabled);
+    visit(Row{"falloff", "Falloff  1 / (c + l·r + q·r²)", "Divides what arrives at the distance r"}
+              .undone_as("Falloff of {}")
+              .when(l.kind == LightKind::Point || l.kind == LightKind::Spot),
+          Group{}, l.falloff);
+    visit(Row{"spot", "Cone", "Inside the cutoff cos(angle from the axis)^exponent, outside 0"}
+              .undone_as("Cone of {}")
+              .when(l.kind == LightKind::Spot),
+          Group{}, l.spot);
+    visit(Row{"area", "Area", "A parallelogram centred on the position, shining from both sides"}
+              .undone_as("Area of {}")
+              .when(l.kind == LightKind::Area),
+          Group{}, l.area);
+}
+
+template <Of<MeshFile> M, class Visit> void fields(M& m, Visit&& visit) {
+    visit(Row{"file", "File",
+              "A mesh file, its path relative to the scene file; a byte that is not UTF-8 is written U+EF00 "
+              "+ byte"},
+          Path{}, m.path);
+}
+
+template <Of<PrimitiveMesh> M, class Visit> void fields(M& m, Visit&& visit) {
+    visit(Row{"primitive", "Mesh", "A shape that needs no file"}, OneOf{}, m.primitive);
+    visit(Row{"detail", "Detail", "How finely the shape is cut into polygons"},
+          Count{1, info_of(m.primitive).max_detail}, m.detail);
+}
+
+template <Of<Transform> T, class Visit> void fields(T& t, Visit&& visit) {
+    visit(Row{"translate", "Move", "Where its origin is, world coordinates"}.undone_as("Move {}"), Vector{},
+          t.translate);
+    visit(Row{"rotate_deg", "Rotate", "About x, then y, then z"}.undone_as("Rotate {}"),
+          Vector{.unit = "°", .step = 0.5f, .format = "%.1f"}, t.rotate_deg);
+    visit(Row{"scale", "Scale", "Along its own axes, before it is rotated; below 0 mirrors"}.undone_as(
+              "Scale {}"),
+          Vector{.condition = "none is 0"}, t.scale);
+}
+
+/// An angle from 0 to 180 degrees.
+inline constexpr Real angle_field{
+    .range = half_turn_deg, .unit = "°", .step = 0.3f, .format = "%.1f°", .usual_max = 180};
+
+template <Of<NormalOptions> N, class Visit> void fields(N& n, Visit&& visit) {
+    visit(Row{"source", "Source", "Where the corners' normals come from"}, OneOf{}, n.source);
+    visit(Row{"weighting", "Weights", "How facets count when normals are averaged"}, OneOf{}, n.weighting);
+    visit(Row{"crease_deg", "Crease",
+              "Facets that meet at more are not averaged across their edge; 180 averages all"},
+          angle_field, n.crease_deg);
+}
+
+template <Of<Material> M, class Visit> void fields(M& m, Visit&& visit) {
+    visit(Row{"ambient", "Ambient", "k_a: share of ambient light reflected"}, Colour{}, m.ambient);
+    visit(Row{"diffuse", "Diffuse", "k_d: share reflected evenly in all directions"}, Colour{}, m.diffuse);
+    visit(Row{"specular", "Specular", "k_s: share reflected into the highlight"}, Colour{}, m.specular);
+    visit(Row{"emission", "Emission", "What the surface shines by itself"}, Colour{}, m.emission);
+    visit(Row{"shininess", "Shininess", "Exponent of the highlight: more is smaller and sharper"},
+          Real{.range = {0, 10'000, "0 to 10000"}, .format = "%.1f", .usual_max = 1000, .logarithmic = true},
+          m.shininess);
+    visit(Row{"roughness", "Roughness", "0 smooth, 1 rough; Oren–Nayar and Cook–Torrance"},
+          Real{.range = zero_to_one, .step = 0.004f, .format = "%.2f", .usual_max = 1}, m.roughness);
+    visit(Row{"f0", "F0", "Reflectance seen head-on; Cook–Torrance"}, Colour{}, m.f0);
+}
+
+template <Of<Object> O, class Visit> void fields(O& o, Visit&& visit) {
+    visit(Row{"name", "Name", "What the object is called"}.undone_as("Rename {}"), Text{}, o.name);
+    visit(Row{"mesh", "Mesh", "The shape: a primitive, or a file"}.undone_as("Mesh of {}"), OneMesh{},
+          o.source);
+    visit(
+        Row{"transform", "Transform", "From object to world coordinates: scale, then rotate, then translate"}
+            .undone_as("Transform {}"),
+        Group{}, o.transform);
+    visit(Row{"normals", "Normals", "Of the corners"}.undone_as("Normals of {}"), Group{}, o.normals);
+    visit(Row{"material", "Material", "What the surface does with light"}
+              .undone_as("Material of {}")
+              .of_lighting(),
+          Group{}, o.material);
+}
+
+/// Near and far of every projection.
+template <class P, class Visit> void depth_fields(P& p, Visit&& visit) {
+    const Real depth{.range = above_zero, .logarithmic = true};
+    visit(Row{"near", "Near", "What is nearer to the eye is cut off, scene units; less than far"}, depth,
+          p.near);
+    visit(Row{"far", "Far", "What is farther from the eye is cut off, scene units"}, depth, p.far);
+}
+
+template <Of<Perspective> P, class Visit> void fields(P& p, Visit&& visit) {
+    visit(Row{"fov_y_deg", "Field", "Whole vertical angle of the view"},
+          Real{.range = {0, 180, "more than 0, less than 180", true, true},
+               .unit = "°",
+               .step = 0.2f,
+               .format = "%.1f°",
+               .usual_max = 179},
+          p.fov_y_deg);
+    depth_fields(p, visit);
+}
+
+template <Of<Orthographic> O, class Visit> void fields(O& o, Visit&& visit) {
+    visit(Row{"height", "Height", "Height of the view in scene units"},
+          Real{.range = above_zero, .logarithmic = true}, o.height);
+    depth_fields(o, visit);
+}
+
+template <Of<Frustum> F, class Visit> void fields(F& f, Visit&& visit) {
+    const Real edge{.step = 0.001f, .format = "%.4f"};
+    visit(Row{"left", "Left", "Edge of the window on the near plane; not right"}, edge, f.left);
+    visit(Row{"right", "Right", "Edge of the window on the near plane"}, edge, f.right);
+    visit(Row{"bottom", "Bottom", "Edge of the window on the near plane; not top"}, edge, f.bottom);
+    visit(Row{"top", "Top", "Edge of the window on the near plane"}, edge, f.top);
+    depth_fields(f, visit);
+}
+
+template <Of<Camera> C, class Visit> void fields(C& c, Visit&& visit) {
+    visit(Row{"eye", "Eye", "Where the viewer stands, world coordinates"},
+          Vector{.condition = "not target", .step = 0.02f}, c.eye);
+    visit(Row{"target", "Target", "What is in the middle of the picture, world coordinates"},
+          Vector{.step = 0.02f}, c.target);
+    visit(Row{"up", "Up", "What is up in the picture, world coordinates"},
+          Vector{.condition = "not along the view", .step = 0.02f}, c.up);
+    visit(Row{"projection", "Projection", "How the view volume is projected"}, OneProjection{}, c.projection);
+}
+
+template <Of<Terms> T, class Visit> void fields(T& t, Visit&& visit) {
+    visit(Row{"emission", "Emission", "What the surface shines by itself"}, Switch{}, t.emission);
+    visit(Row{"ambient", "Ambient", "Light from everywhere, the lights' own too"}, Switch{}, t.ambient);
+    visit(Row{"diffuse", "Diffuse", "Light reflected evenly"}, Switch{}, t.diffuse);
+    visit(Row{"specular", "Specular", "The highlight"}, Switch{}, t.specular);
+}
+
+template <Of<Mistakes> M, class Visit> void fields(M& m, Visit&& visit) {
+    for (const MistakeName& mistake : mistake_names())
+        visit(Row{mistake.name, mistake.name.data(), mistake.what.data()}.omitted_by_default(), Switch{},
+              m.*mistake.flag);
+}
+
+constexpr bool is_table_size(int entries) { return entries != 1; }
+
+template <Of<Shading> S, class Visit> void fields(S& s, Visit&& visit) {
+    visit(Row{"mode", "Mode", "Where the lighting equation is evaluated"}.undone_as("Shading mode"), OneOf{},
+          s.mode);
+    visit(Row{"reflection", "Reflection", "What a light does on a surface"}.undone_as("Reflection model"),
+          OneOf{}, s.reflection);
+    visit(Row{"interpolation", "Interpolate", "How values between corners are found"}, OneOf{},
+          s.interpolation);
+    visit(Row{"flat_point", "Flat point", "Which point of a polygon is lit under flat"}, OneOf{},
+          s.flat_point);
+    visit(Row{"two_sided", "Two-sided", "Seen from behind, the normal is turned round"}, Switch{},
+          s.two_sided);
+    visit(Row{"local_viewer", "Local view",
+              "v points to the eye; off: v = (0, 0, 1) in camera coordinates everywhere, as if seen from far "
+              "away"},
+          Switch{}, s.local_viewer);
+    visit(Row{"cull", "Cull", "Which side is left out, by the triangles' winding on the screen"}, OneOf{},
+          s.cull);
+    visit(Row{"rules", "Rules", "Whose rules"}, OneOf{}, s.rules);
+    visit(Row{"terms", "Terms of the equation", "Off: the term is left out of the sum"}.undone_as("Terms"),
+          Group{}, s.terms);
+    visit(Row{"power_table", "cosⁿ table",
+              "Entries of a table, evenly from cosine 0 to 1, in which cosⁿ is looked up, the nearest one; "
+              "0: computed"}
+              .omitted_by_default(),
+          Count{0, 65536, is_table_size, "0, or 2 to 65536 entries"}, s.power_table);
+    visit(
+        Row{"mistakes", "Mistakes", "Done wrong on purpose, to see what it looks like"}.undone_as("Mistakes"),
+        Group{}, s.mistakes);
+}
+
+template <Of<Npr> N, class Visit> void fields(N& n, Visit&& visit) {
+    const Real share{.step = 0.004f, .format = "%.2f", .usual_max = 1};
+    visit(Row{"cool_to_warm", "Tones",
+              "k_w (warm + beta k_d) + (1 − k_w) (cool + alpha k_d), k_w = (1 + n·l)/2 of the first enabled "
+              "light, in "
+              "place of emission, ambient and diffuse"},
+          Switch{}, n.cool_to_warm);
+    visit(Row{"cool", "Cool", "Tone of what is turned away from the light"}.when(n.cool_to_warm), Colour{},
+          n.cool);
+    visit(Row{"warm", "Warm", "Tone of what is turned to the light"}.when(n.cool_to_warm), Colour{}, n.warm);
+    visit(Row{"alpha", "Alpha", "Share of k_d mixed into the cool tone"}.when(n.cool_to_warm), share,
+          n.alpha);
+    visit(Row{"beta", "Beta", "Share of k_d mixed into the warm tone"}.when(n.cool_to_warm), share, n.beta);
+    visit(Row{"silhouettes", "Silhouettes",
+              "Strokes where one facet of an edge is seen from the front and the other is not, (e·n₀)(e·n₁) "
+              "≤ 0, and at "
+              "boundary edges"},
+          Switch{}, n.silhouettes);
+    visit(Row{"creases", "Creases",
+              "Strokes where the normals of two facets differ by the crease angle or more"},
+          Switch{}, n.creases);
+    visit(Row{"crease_deg", "Crease at",
+              "Angle between the normals of two facets from which their edge is drawn"}
+              .when(n.creases),
+          angle_field, n.crease_deg);
+    visit(Row{"stroke", "Stroke", "Colour of the strokes"}.when(n.silhouettes || n.creases), Colour{},
+          n.stroke);
+    visit(Row{"stroke_width_px", "Width", "Of the strokes, in pixels of the picture; at most 100 are drawn"}
+              .when(n.silhouettes || n.creases),
+          Real{.range = at_least_zero, .unit = "pixels", .step = 0.02f, .format = "%.1f px", .usual_max = 10},
+          n.stroke_width_px);
+}
+
+template <Of<Display> D, class Visit> void fields(D& d, Visit&& visit) {
+    visit(Row{"background", "Background", "Colour where no object shows"}, Colour{}, d.background);
+    visit(Row{"transfer", "Transfer", "How linear light becomes the numbers of the display"}, OneOf{},
+          d.transfer);
+    visit(Row{"exposure", "Exposure", "Multiplies the linear colour before it is shown"},
+          Real{.range = above_zero, .logarithmic = true}, d.exposure);
+}
+
+template <Of<Scene> S, class Visit> void fields(S& s, Visit&& visit) {
+    visit(Row{"camera", "Camera", "The eye, and how it projects"}.undone_as("Camera"), Group{}, s.camera);
+    visit(Row{"global_ambient", "Ambient", "Light from everywhere, apart from all lights"}
+              .undone_as("Global ambient")
+              .of_lighting(),
+          Colour{}, s.global_ambient);
+    visit(Row{"lights", "Lights", "What shines"}.undone_as("Edit lights").of_lighting(),
+          List{max_lights, "lights"}, s.lights);
+    visit(Row{"objects", "Objects", "What is lit"}.undone_as("Edit objects"), List{max_objects, "objects"},
+          s.objects);
+    visit(Row{"shading", "Shading", "How points are lit and how the lit points fill the picture"}.undone_as(
+              "Shading"),
+          Group{}, s.shading);
+    visit(Row{"npr", "Strokes and tones", "Non-photorealistic: cool-to-warm tones, silhouettes, creases"}
+              .undone_as("Strokes and tones"),
+          Group{}, s.npr);
+    visit(Row{"display", "Display", "From linear light to bytes"}.undone_as("Display").of_lighting(), Group{},
+          s.display);
+}
+
+/// fields() of the projection that it is.
+template <Of<Projection> P, class Visit> void fields(P& projection, Visit&& visit) {
+    std::visit([&](auto& p) { fields(p, visit); }, projection);
+}
+
+/// fields() of the mesh source that it is.
+template <Of<MeshSource> M, class Visit> void fields(M& source, Visit&& visit) {
+    std::visit([&](auto& s) { fields(s, visit); }, source);
+}
+
+/// fields() of `value`, each with the default of its member: visit(row, kind, member, initial).
+template <class T, class Visit> void fields_with_defaults(T& value, Visit&& visit) {
+    static const std::remove_const_t<T> defaults{};
+    std::vector<const void*> initial;  // members of `defaults`, in the order of the fields
+    fields(defaults, [&](const Row&, const auto&, const auto& member) { initial.push_back(&member); });
+    std::size_t i = 0;
+    fields(value, [&]<class Kind, class Member>(const Row& row, const Kind& kind, Member& member) {
+        visit(row, kind, member, *static_cast<const std::remove_const_t<Member>*>(initial[i++]));
+    });
+}
+
+/// What both kinds of three numbers are made of: a channel of a colour, a component of a vector.
+inline constexpr Real channel_field{.range = at_least_zero, .step = 0.004f, .format = "%.2f"};
+[[nodiscard]] constexpr Real component_of(const Colour&) { return channel_field; }
+[[nodiscard]] constexpr Real component_of(const Vector& v) {
+    return {.unit = v.unit, .step = v.step, .format = v.format};
+}
+[[nodiscard]] constexpr Real component_of(const Homogeneous& h) {
+    return {.step = h.is_direction() ? 0.005f : 0.01f, .format = "%.2f"};
+}
+
+}  // namespace glint

@@ -1,0 +1,214 @@
+#include "models/fields/scene_numbers.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <utility>
+
+#include "models/fields/scene_fields.h"
+#include "models/fields/scene_rules.h"
+
+namespace glint {
+namespace {
+
+using Tokens = std::vector<std::string_view>;
+
+Tokens tokens_of(std::string_view pointer) {
+    Tokens tokens;
+    while (!pointer.empty()) {
+        pointer.remove_prefix(1);
+        const std::size_t end = std::min(pointer.find('/'), pointer.size());
+        tokens.push_back(pointer.substr(0, end));
+        pointer.remove_prefix(end);
+    }
+    return tokens;
+}
+
+/// The number that a token is, or -1.
+int index_of(std::string_view token) {
+    int index = -1;
+    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
+    return error == std::errc() && end == token.data() + token.size() ? index : -1;
+}
+
+/// Calls visit(SceneNumber, kind, member, is_colour) for every float and int of a scene, or for the one that
+/// `only` leads to.
+template <class Visit> class NumberWalk {
+  public:
+    NumberWalk(Visit& visit, const Tokens* only) : visit_(visit), only_(only) {}
+
+    template <class T> void members(T& value) const {
+        fields_with_defaults(value,
+                             [this](const Row& row, const auto& kind, auto& member, const auto& initial) {
+                                 if (!leads_to(row.key)) return;
+                                 NumberWalk below = *this;
+                                 below.descend(row.key);
+                                 below.help_ = row.help;
+                                 below.moves_faces_ = moves_faces_ && row.moves_faces;
+                                 below.applies_ = applies_ && row.applies;
+                                 below.at(kind, member, initial);
+                             });
+    }
+
+  private:
+    [[nodiscard]] bool leads_to(std::string_view key) const {
+        return only_ == nullptr || (depth_ < only_->size() && (*only_)[depth_] == key);
+    }
+    void descend(std::string_view key) {
+        pointer_.append("/").append(key);
+        ++depth_;
+    }
+
+    template <class T> void at(const Real& kind, T& x, float initial) const {
+        number(kind, kind, x, initial, false);
+    }
+    template <class T> void at(const Count& kind, T& n, int initial) const {
+        if (only_ != nullptr && depth_ != only_->size()) return;
+        const Real range{.range = {double(kind.low), double(kind.high), kind.words}};
+        visit_(described(range, n, initial, true), kind, n, false);
+    }
+    template <class V> void at(const Colour& kind, V& v, const glm::vec3& initial) const {
+        parts<3>(kind, v, initial, true);
+    }
+    template <class V> void at(const Vector& kind, V& v, const glm::vec3& initial) const {
+        parts<3>(kind, v, initial, false);
+    }
+    template <class V> void at(const Homogeneous& kind, V& v, const glm::vec4& initial) const {
+        parts<4>(kind, v, initial, false);
+    }
+    template <class T> void at(const Group&, T& value, const T&) const { members(value); }
+    template <class T, class D> void at(const Group&, T& value, const D&) const { members(value); }
+    template <class T, class D> void at(const OneProjection&, T& projection, const D&) const {
+        std::visit([this](auto& p) { members(p); }, projection);
+    }
+    template <class T, class D> void at(const OneMesh&, T& source, const D&) const {
+        std::visit([this](auto& s) { members(s); }, source);
+    }
+    template <class T, class D> void at(const List&, T& list, const D&) const {
+        const int one = only_ != nullptr && depth_ < only_->size() ? index_of((*only_)[depth_]) : -1;
+        const std::size_t first = one >= 0 ? static_cast<std::size_t>(one) : 0;
+        const std::size_t last = only_ == nullptr ? list.size()
+                                 : one >= 0       ? std::min(first + 1, list.size())
+                                                  : 0;
+        for (std::size_t i = first; i < last; ++i) {
+            NumberWalk below = *this;
+            below.descend(std::to_string(i));
+            below.members(list[i]);
+        }
+    }
+    template <class Kind, class T, class D> void at(const Kind&, T&, const D&) const {}
+
+    template <int size, class Kind, class V, class D>
+    void parts(const Kind& kind, V& v, const D& initial, bool colour) const {
+        for (int i = 0; i < size; ++i) {
+            const std::string token = std::to_string(i);
+            if (!leads_to(token)) continue;
+            NumberWalk below = *this;
+            below.descend(token);
+            below.number(component_of(kind), component_of(kind), v[i], initial[i], colour);
+        }
+    }
+    template <class T>
+    void number(const Real& described_as, const Real& kind, T& x, float initial, bool colour) const {
+        if (only_ != nullptr && depth_ != only_->size()) return;
+        SceneNumber n = described(described_as, x, initial, false);
+        if constexpr (!std::is_const_v<T>) n.place = &x;
+        visit_(std::move(n), kind, x, colour);
+    }
+    [[nodiscard]] SceneNumber described(const Real& kind, double value, double initial, bool is_whole) const {
+        return {pointer_, value, initial, kind, help_, is_whole, moves_faces_, applies_, nullptr};
+    }
+
+    Visit& visit_;
+    const Tokens* only_;
+    std::size_t depth_ = 0;
+    std::string pointer_;
+    const char* help_ = "";
+    bool moves_faces_ = true, applies_ = true;
+};
+
+template <class AnyScene, class Visit> void walk(AnyScene& scene, const Tokens* only, Visit visit) {
+    NumberWalk<Visit>(visit, only).members(scene);
+}
+
+/// Sets a number unless its kind forbids the value.
+std::optional<Violation> assign(const Real& kind, float& to, double value) {
+    if (!kind.range.contains(value) || !kind.range.contains(static_cast<float>(value)))
+        return Violation{"", fmt::format("{} is out of range", value), std::string(kind.range.words)};
+    to = static_cast<float>(value);
+    return std::nullopt;
+}
+std::optional<Violation> assign(const Count& kind, int& to, double value) {
+    if (!kind.contains(value)) return Violation{"", fmt::format("{} is out of range", value), words_of(kind)};
+    to = static_cast<int>(value);
+    return std::nullopt;
+}
+
+template <class AnyScene> std::optional<SceneNumber> found_at(AnyScene& scene, const std::string& pointer) {
+    const Tokens tokens = tokens_of(pointer);
+    std::optional<SceneNumber> found;
+    walk(scene, &tokens, [&](SceneNumber number, const auto&, auto&, bool) { found = std::move(number); });
+    return found;
+}
+
+}  // namespace
+
+std::vector<SceneNumber> numbers_of(const Scene& scene) {
+    std::vector<SceneNumber> numbers;
+    walk(scene, nullptr,
+         [&](SceneNumber number, const auto&, auto&, bool) { numbers.push_back(std::move(number)); });
+    return numbers;
+}
+
+std::optional<SceneNumber> number_at(Scene& scene, const std::string& pointer) {
+    return found_at(scene, pointer);
+}
+std::optional<SceneNumber> number_at(const Scene& scene, const std::string& pointer) {
+    return found_at(scene, pointer);
+}
+
+std::optional<Problem> set_number(Scene& scene, const std::string& pointer, double value) {
+    const auto problem = [](const std::string& at, Violation found) {
+        return Problem{"--set", at, std::move(found.what), std::move(found.expected)};
+    };
+    Scene changed = scene;
+    const Tokens tokens = tokens_of(pointer);
+    bool exists = false;
+    std::optional<Violation> violation;
+    walk(changed, &tokens, [&](const SceneNumber&, const auto& kind, auto& to, bool) {
+        exists = true;
+        violation = assign(kind, to, value);
+    });
+    if (!exists)
+        return problem(pointer, {"", "there is no such number", "the pointer of a number of the scene"});
+    if (violation) return problem(pointer, *std::move(violation));
+    if (const auto found = violation_of(changed)) return problem(found->at, *found);
+    for (Light& light : changed.lights) light.position = divided_by_w(light.position);
+    for (std::size_t i = 0; i < changed.objects.size(); ++i)
+        if (changed.objects[i].source != scene.objects[i].source) changed.objects[i].mesh = nullptr;
+    scene = std::move(changed);
+    return std::nullopt;
+}
+
+std::string words_of_pointer(const Scene& scene, const std::string& pointer, std::size_t first) {
+    constexpr std::array axes{"x", "y", "z", "w"}, channels{"red", "green", "blue", "alpha"};
+    const Tokens tokens = tokens_of(pointer);
+    bool is_colour = false;
+    walk(scene, &tokens, [&](const SceneNumber&, const auto&, auto&, bool colour) { is_colour = colour; });
+    std::string words;
+    for (std::size_t i = first; i < tokens.size(); ++i) {
+        std::string word(tokens[i]);
+        if (word == "material" || word == "transform" || word == "projection")
+            continue;  // said by what follows
+        if (const int index = index_of(word); index >= 0 && index < 4)
+            word = (is_colour ? channels : axes)[static_cast<std::size_t>(index)];
+        std::replace(word.begin(), word.end(), '_', ' ');
+        words.append(words.empty() ? "" : " ").append(word);
+    }
+    return words;
+}
+
+}  // namespace glint

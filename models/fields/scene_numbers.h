@@ -1,0 +1,46 @@
+#pragma once
+// Every number of a scene by its JSON pointer: to let one move to and fro, to differentiate a pixel by it, to
+// stand in the equation as a handle. A visitor of scene_fields.h; nothing else enumerates numbers.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/fields/field_kinds.h"
+#include "models/problem.h"
+#include "models/scene/scene.h"
+
+namespace glint {
+
+/// One number of a scene.
+struct SceneNumber {
+    std::string pointer;      // RFC 6901: "/lights/0/falloff/linear", "/camera/eye/2"
+    double value = 0;         // what it is now
+    double initial = 0;       // its default
+    Real kind;                // range, unit, step; of a count its range
+    const char* help = "";    // its field's words
+    bool is_whole = false;    // a count: samples, the detail of a shape
+    bool moves_faces = true;  // false: it decides how a pixel is lit, never which face it shows
+    bool applies = true;     // false: without effect at the moment, as the cone of a light that is not a spot
+    float* place = nullptr;  // where it stands, valid while the scene's lists do not change; null for a
+                             // count, and where the scene was const
+};
+
+/// All numbers, in the order of the scene file.
+[[nodiscard]] std::vector<SceneNumber> numbers_of(const Scene& scene);
+
+/// The number at that pointer, if there is one.
+[[nodiscard]] std::optional<SceneNumber> number_at(Scene& scene, const std::string& pointer);
+[[nodiscard]] std::optional<SceneNumber> number_at(const Scene& scene, const std::string& pointer);
+
+/// Sets the number at `pointer`, as `--set` would: a light's position is divided by a new w, an object whose
+/// detail changes loses its mesh (load_meshes makes it again). The scene stays as it was, and the problem
+/// (file "--set") says why, where there is no such number, where it is out of range, or breaks a condition of
+/// scene_rules.h.
+[[nodiscard]] std::optional<Problem> set_number(Scene& scene, const std::string& pointer, double value);
+
+/// The keys of a pointer as words: "falloff quadratic", "diffuse red", "eye z". `first` tokens are left out.
+/// What is not a number of the scene keeps its keys.
+[[nodiscard]] std::string words_of_pointer(const Scene& scene, const std::string& pointer, std::size_t first);
+
+}  // namespace glint

@@ -1,0 +1,118 @@
+#include "models/fields/scene_rules.h"
+
+#include <fmt/core.h>
+
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "models/fields/scene_fields.h"
+
+namespace glint {
+namespace {
+
+std::optional<Violation> violation_of(const Projection& projection) {
+    const float near = near_of(projection), far = far_of(projection);
+    if (const auto* f = std::get_if<Frustum>(&projection)) {
+        if (f->left == f->right)
+            return Violation{"", fmt::format("left and right are both {}", f->left),
+                             "two numbers that differ"};
+        if (f->bottom == f->top)
+            return Violation{"", fmt::format("bottom and top are both {}", f->top),
+                             "two numbers that differ"};
+    }
+    if (!(near < far))
+        return Violation{"", fmt::format("near {} is not less than far {}", near, far), "0 < near < far"};
+    return std::nullopt;
+}
+
+/// Nothing when edge_u and edge_v span a parallelogram whose area a float can hold.
+std::optional<Violation> violation_of(const AreaShape& area) {
+    const glm::dvec3 u(area.edge_u), v(area.edge_v);
+    const double quarter = glm::length(glm::cross(u, v));
+    if (quarter > parallel_sine * glm::length(u) * glm::length(v) && static_cast<float>(quarter) != 0)
+        return std::nullopt;
+    return Violation{"", "edge_u and edge_v span no area", "two edges that are neither zero nor parallel"};
+}
+
+class RangeCheck {
+  public:
+    explicit RangeCheck(bool& passed) : passed_(passed) {}
+    void operator()(const Row&, const Real& kind, float x) const { passed_ &= kind.range.contains(x); }
+    void operator()(const Row&, const Vector&, const glm::vec3& v) const {
+        for (int i = 0; i < 3; ++i) passed_ &= any_number.contains(v[i]);
+    }
+    void operator()(const Row&, const OneProjection&, const Projection& p) const { fields(p, *this); }
+
+  private:
+    bool& passed_;
+};
+
+std::optional<Violation> below(std::string at, std::optional<Violation> violation) {
+    if (violation) violation->at = std::move(at) + violation->at;
+    return violation;
+}
+
+}  // namespace
+
+std::optional<Violation> violation_of(const Camera& camera) {
+    const glm::dvec3 back = glm::dvec3(camera.eye) - glm::dvec3(camera.target), up(camera.up);
+    if (camera.eye == camera.target)
+        return Violation{"", "eye and target are the same point", "two points that differ"};
+    if (up == glm::dvec3(0)) return Violation{"", "up is zero", "a direction"};
+    // Without these an orthonormal frame at the eye cannot be made (view_from_world).
+    if (!(glm::length(glm::cross(up, back)) > parallel_sine * glm::length(up) * glm::length(back)))
+        return Violation{"", "up is parallel to the view direction",
+                         "an up that is not along the line from eye to target"};
+    return below("/projection", violation_of(camera.projection));
+}
+
+std::optional<Violation> violation_of_w(LightKind kind, double w) {
+    const bool is_direction = kind == LightKind::Directional;
+    if (is_direction ? w == 0 : w > 0) return std::nullopt;
+    const char* const article = kind == LightKind::Area ? "an" : "a";
+    return Violation{"/position", fmt::format("w is {}", w),
+                     fmt::format("w {} 0 for {} {} light", is_direction ? '=' : '>', article, name_of(kind))};
+}
+
+std::optional<Violation> violation_of(const Light& light) {
+    if (auto found = violation_of_w(light.kind, light.position.w)) return found;
+    if (light.position.w == 0 && glm::vec3(light.position) == glm::vec3(0))
+        return Violation{"/position", "a zero direction", "the direction towards the light"};
+    if (light.falloff == Falloff{0, 0, 0})
+        return Violation{"/falloff", "constant, linear and quadratic are all 0", "one of them above 0"};
+    if (light.spot.direction == glm::vec3(0))
+        return Violation{"/spot/direction", "a zero direction", "the direction of the cone's axis"};
+    return below("/area", violation_of(light.area));
+}
+
+std::optional<Violation> violation_of(const Object& object) {
+    for (int i = 0; i < 3; ++i)
+        if (object.transform.scale[i] == 0)
+            return Violation{fmt::format("/transform/scale/{}", i), "a scale of 0",
+                             "a number other than 0 (below 0 mirrors)"};
+    return std::nullopt;
+}
+
+std::optional<Violation> violation_of(const Scene& scene) {
+    if (auto found = violation_of(scene.camera)) return below("/camera", std::move(found));
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        if (auto found = violation_of(scene.lights[i]))
+            return below(fmt::format("/lights/{}", i), std::move(found));
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        if (auto found = violation_of(scene.objects[i]))
+            return below(fmt::format("/objects/{}", i), std::move(found));
+    return std::nullopt;
+}
+
+bool is_within_ranges(const Camera& camera) {
+    bool passed = true;
+    fields(camera, RangeCheck(passed));
+    return passed;
+}
+
+glm::vec4 divided_by_w(glm::dvec4 position) {
+    if (position.w == 0) return position;
+    return {glm::vec3(glm::dvec3(position) / position.w), 1};
+}
+
+}  // namespace glint

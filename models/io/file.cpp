@@ -1,0 +1,80 @@
+#include "models/io/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <new>
+
+#include "models/memory_limit.h"
+#include "models/progress.h"
+#include "models/scene/descriptor.h"
+
+namespace glint {
+namespace {
+
+Problem cannot_read(const std::string& path, int error) {
+    return cannot("read", path, error, "a regular file that can be read");
+}
+
+std::optional<Problem> why_not_readable(const std::string& path, const struct stat& status) {
+    const auto problem = [&](const char* what) { return Problem{path, "", what, "a regular file"}; };
+    if (S_ISDIR(status.st_mode)) return problem("is a directory");
+    if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) return problem("is a device");
+    if (!S_ISREG(status.st_mode)) return problem("is a pipe or a socket");
+    return std::nullopt;
+}
+
+Problem too_long(const std::string& path, std::size_t max_bytes) {
+    return {path, "", "is too long", fmt::format("at most {} bytes", max_bytes)};
+}
+
+/// `guess`: the size that the system tells, which the file may pass while it is read.
+Result<std::string> read_all(int descriptor, const std::string& path, std::size_t max_bytes,
+                             std::size_t guess, const CheckBlock& check) {
+    if (guess > max_bytes) return too_long(path, max_bytes);
+    std::string bytes;
+    std::array<char, 1 << 16> block;  // NOLINT: filled by read
+    for (;;) {
+        const ssize_t count = ::read(descriptor, block.data(), block.size());
+        if (count == 0) return bytes;
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return cannot_read(path, errno);
+        const std::string_view read(block.data(), static_cast<std::size_t>(count));
+        if (read.size() > max_bytes - bytes.size()) return too_long(path, max_bytes);
+        if (check)
+            if (auto problem = check({read, bytes.size(), guess})) return *problem;
+        if (bytes.empty()) bytes.reserve(std::max(guess, read.size()));
+        bytes.append(read);
+        if (!report_progress(LoadStage::Reading, bytes.size(), guess))
+            return Problem{path, "", cancelled_words, ""};
+    }
+}
+
+Result<std::string> read_regular(const std::string& path, std::size_t max_bytes, const CheckBlock& check) {
+    struct stat status {};
+    if (path.find('\0') != std::string::npos) return cannot_read(path, ENOENT);
+    if (::stat(path.c_str(), &status) != 0) return cannot_read(path, errno);
+    // Asked before opening, which would wait at a pipe and may do things to a device; and again after.
+    if (auto problem = why_not_readable(path, status)) return *problem;
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (file.number() < 0 || ::fstat(file.number(), &status) != 0) return cannot_read(path, errno);
+    if (auto problem = why_not_readable(path, status)) return *problem;
+    return read_all(file.number(), path, max_bytes, static_cast<std::size_t>(status.st_size), check);
+}
+
+}  // namespace
+
+Result<std::string> read_file(const std::string& path, std::size_t max_bytes, const CheckBlock& check) {
+    try {
+        if (path == "-") return read_all(STDIN_FILENO, path, max_bytes, 0, check);
+        return read_regular(path, max_bytes, check);
+    } catch (const Refused& refused) {
+        return memory_problem(refused, path);
+    } catch (const std::bad_alloc&) {
+        return cannot_read(path, ENOMEM);
+    }
+}
+
+}  // namespace glint

@@ -1,0 +1,232 @@
+#include "models/io/temporary.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <poll.h>
+#include <pthread.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <climits>
+#include <csignal>
+#include <cstring>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace glint {
+namespace {
+
+constexpr std::array ending_signals{SIGHUP, SIGINT, SIGQUIT, SIGTERM};
+
+/// A file that a signal handler may have to remove. Only the thread that claims a slot writes its path.
+enum class Slot { Free, Opening, There };
+struct Known {
+    std::atomic<Slot> slot{Slot::Free};
+    std::array<char, PATH_MAX> path{};
+};
+std::array<Known, 64> known;  // as many as are written at once; more are not known to the handler
+std::atomic<bool> ending{false};
+static_assert(std::atomic<Slot>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+
+[[noreturn]] void wait_for_the_end() {
+    for (;;) ::pause();
+}
+
+/// While it lives, no handler of ours runs on this thread: one that waits for an opening file would wait for
+/// itself.
+class NoEndHere {
+  public:
+    NoEndHere() {
+        sigset_t signals;
+        sigemptyset(&signals);
+        for (const int number : ending_signals) sigaddset(&signals, number);
+        pthread_sigmask(SIG_BLOCK, &signals, &before_);
+    }
+    ~NoEndHere() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    NoEndHere(const NoEndHere&) = delete;
+    NoEndHere& operator=(const NoEndHere&) = delete;
+
+  private:
+    sigset_t before_{};
+};
+
+/// A slot with this path, as Opening; -1 when there is none left or the path is too long to be one.
+int claim_slot(const std::string& path) {
+    if (path.size() >= PATH_MAX) return -1;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        Slot expected = Slot::Free;
+        if (!known[i].slot.compare_exchange_strong(expected, Slot::Opening)) continue;
+        std::memcpy(known[i].path.data(), path.c_str(), path.size() + 1);
+        return static_cast<int>(i);
+    }
+    return -1;
+}
+
+void set_slot(int slot, Slot to) {
+    if (slot >= 0) known[static_cast<std::size_t>(slot)].slot = to;
+}
+
+bool any_opening() {
+    for (const Known& k : known)
+        if (k.slot == Slot::Opening) return true;
+    return false;
+}
+
+void end_by(int number) {
+    remove_temporaries();
+    ::signal(number, SIG_DFL);
+    sigset_t signal;
+    sigemptyset(&signal);
+    sigaddset(&signal, number);
+    pthread_sigmask(SIG_UNBLOCK, &signal, nullptr);
+    ::raise(number);
+}
+
+/// The process that made a file of this name; nothing when it is not such a name.
+std::optional<pid_t> maker_of(std::string_view name) {
+    constexpr std::string_view head = ".glint-", tail = ".tmp";
+    if (!name.starts_with(head) || !name.ends_with(tail) || name.size() < head.size() + tail.size())
+        return {};
+    const char* at = name.data() + head.size();
+    const char* const end = name.data() + name.size() - tail.size();
+    pid_t maker = 0;
+    unsigned number = 0;
+    const auto [dash, bad_maker] = std::from_chars(at, end, maker);
+    if (bad_maker != std::errc{} || dash == end || *dash != '-' || maker <= 0) return {};
+    const auto [rest, bad_number] = std::from_chars(dash + 1, end, number);
+    if (bad_number != std::errc{} || rest != end) return {};
+    return maker;
+}
+
+/// Whether the process is gone. Our own number may be that of an earlier process, of another container say;
+/// then the lock tells.
+bool is_gone(pid_t maker) { return maker == ::getpid() || (::kill(maker, 0) != 0 && errno == ESRCH); }
+
+/// Removes a file that its maker has left: of this user, and held by nobody.
+void remove_if_left(int directory, const char* name) {
+    const int file = ::openat(directory, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0) return;
+    struct stat opened {
+    }, named{};
+    const bool left = ::fstat(file, &opened) == 0 && S_ISREG(opened.st_mode) &&
+                      opened.st_uid == ::geteuid() && ::flock(file, LOCK_EX | LOCK_NB) == 0 &&
+                      ::fstatat(directory, name, &named, AT_SYMLINK_NOFOLLOW) == 0 &&
+                      opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+    if (left) ::unlinkat(directory, name, 0);
+    ::close(file);
+}
+
+void remove_left(const std::string& directory) {
+    static std::mutex one_at_a_time;
+    static std::set<std::string> seen;
+    const std::lock_guard lock(one_at_a_time);
+    if (!seen.insert(directory).second) return;
+    DIR* const entries = ::opendir(directory.empty() ? "." : directory.c_str());
+    if (entries == nullptr) return;
+    while (const dirent* entry = ::readdir(entries)) {
+        const std::optional<pid_t> maker = maker_of(entry->d_name);
+        if (maker && is_gone(*maker)) remove_if_left(::dirfd(entries), entry->d_name);
+    }
+    ::closedir(entries);
+}
+
+}  // namespace
+
+Temporary::Temporary(const std::string& target, mode_t mode) {
+    static std::atomic<unsigned> counter = 0;
+    const std::string directory = target.substr(0, target.rfind('/') + 1);
+    for (int attempt = 0; attempt < 100; ++attempt) {
+        if (make(fmt::format("{}.glint-{}-{}.tmp", directory, ::getpid(), counter++), mode)) break;
+        if (error_ != EEXIST) return;
+    }
+    if (is_there_) remove_left(directory);
+}
+
+/// False with error_ set; EEXIST where another name will do.
+bool Temporary::make(const std::string& path, mode_t mode) {
+    const NoEndHere no_end_here;
+    slot_ = claim_slot(path);
+    if (ending) {
+        set_slot(slot_, Slot::Free);
+        wait_for_the_end();
+    }
+    descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    error_ = descriptor_ < 0 ? errno : 0;
+    struct stat status {};
+    // Whoever looks for what was left may have found it before it was locked. Where there are no locks,
+    // nobody can take one, and nothing is removed.
+    const bool taken =
+        descriptor_ >= 0 && ((::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) ||
+                             (::fstat(descriptor_, &status) == 0 && status.st_nlink == 0));
+    if (taken) {
+        ::close(std::exchange(descriptor_, -1));
+        error_ = EEXIST;
+    }
+    is_there_ = error_ == 0;
+    if (is_there_) path_ = path;
+    set_slot(slot_, is_there_ ? Slot::There : Slot::Free);
+    if (!is_there_) slot_ = -1;
+    return is_there_;
+}
+
+Temporary::Temporary(Temporary&& other) noexcept
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      lock_(std::exchange(other.lock_, -1)),
+      error_(other.error_),
+      slot_(std::exchange(other.slot_, -1)),
+      is_there_(std::exchange(other.is_there_, false)) {}
+
+Temporary::~Temporary() {
+    if (is_there_) ::unlink(path_.c_str());
+    set_slot(slot_, Slot::Free);
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (lock_ >= 0) ::close(lock_);
+}
+
+int Temporary::close() {
+    lock_ = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);  // holds the lock on
+    return ::close(std::exchange(descriptor_, -1)) != 0 ? errno : 0;
+}
+
+int Temporary::put_in_place(const std::string& target) {
+    if (::rename(path_.c_str(), target.c_str()) != 0) {
+        const int error = errno;
+        if (ending) wait_for_the_end();  // it was removed under our hands
+        return error;
+    }
+    is_there_ = false;
+    set_slot(std::exchange(slot_, -1), Slot::Free);
+    return 0;
+}
+
+void remove_temporaries() {
+    ending = true;
+    constexpr int tries = 200, wait_ms = 5;  // a file system that hangs must not keep a process from ending
+    for (int i = 0; i < tries && any_opening(); ++i) ::poll(nullptr, 0, wait_ms);
+    for (const Known& k : known)
+        if (k.slot == Slot::There) ::unlink(k.path.data());
+}
+
+void remove_temporaries_on_signals() {
+    struct sigaction action {};
+    action.sa_handler = end_by;
+    sigemptyset(&action.sa_mask);
+    for (const int number : ending_signals) sigaddset(&action.sa_mask, number);
+    for (const int number : ending_signals) {
+        struct sigaction before {};
+        if (::sigaction(number, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+            ::sigaction(number, &action, nullptr);
+    }
+}
+
+}  // namespace glint

@@ -1,0 +1,242 @@
+#include "models/json/json_value.h"
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <unordered_map>
+
+namespace glint {
+namespace {
+
+constexpr std::size_t max_depth = 64;  // of arrays and objects inside each other
+constexpr std::size_t max_values = 2'000'000;
+
+/// Builds a value from the parser's events, whose names are the library's.
+class Builder {
+  public:
+    [[nodiscard]] JsonValue take() && { return std::move(root_); }
+
+    bool null() { return put({}); }
+    bool boolean(bool b) { return put(b); }
+    bool number_integer(std::int64_t n) { return put(n); }
+    bool number_unsigned(std::uint64_t n) {
+        return n <= std::uint64_t{INT64_MAX} ? put(n) : put(static_cast<double>(n));
+    }
+    bool number_float(double n, const std::string&) { return put(n); }
+    bool string(std::string& s) { return put(std::move(s)); }
+    bool binary(nlohmann::json::binary_t&) { return false; }  // not in JSON text
+
+    bool start_object(std::size_t) { return open(true); }
+    bool start_array(std::size_t) { return open(false); }
+    bool end_object() { return close(); }
+    bool end_array() { return close(); }
+    bool key(std::string& name) {
+        key_ = std::move(name);
+        return true;
+    }
+    bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) { return false; }
+
+  private:
+    /// An object or an array that is not closed yet.
+    struct Open {
+        std::string key;  // under which it will stand; unused in an array
+        bool is_object = false;
+        JsonValue::Elements elements;
+        JsonValue::Members members;
+        std::unordered_map<std::string, std::size_t> places;  // of the members, however many they are
+    };
+
+    bool put(JsonValue value) {
+        if (++count_ > max_values) return false;
+        if (open_.empty()) {
+            root_ = std::move(value);
+        } else if (Open& in = open_.back(); !in.is_object) {
+            in.elements.push_back(std::move(value));
+        } else if (const auto [place, is_new] = in.places.try_emplace(key_, in.members.size()); is_new) {
+            in.members.emplace_back(key_, std::move(value));
+        } else {
+            in.members[place->second].second = std::move(value);
+        }
+        return true;
+    }
+    bool open(bool is_object) {
+        open_.push_back({std::move(key_), is_object, {}, {}, {}});
+        return open_.size() <= max_depth;
+    }
+    /// A container is put where it belongs only now, with all that it holds: nothing moves while it is built.
+    bool close() {
+        Open done = std::move(open_.back());
+        open_.pop_back();
+        key_ = std::move(done.key);
+        return put(done.is_object ? JsonValue(std::move(done.members)) : JsonValue(std::move(done.elements)));
+    }
+
+    std::vector<Open> open_;  // outermost first
+    std::string key_;
+    JsonValue root_;
+    std::size_t count_ = 0;
+};
+
+/// A number or text as the library writes it.
+template <class T> std::string plain(const T& value) {
+    return nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+bool is_structured(const JsonValue& json) { return json.is_array() || json.is_object(); }
+
+bool is_row(const JsonValue& json) {
+    return json.is_array() && std::none_of(json.elements().begin(), json.elements().end(), is_structured);
+}
+
+std::string row(const JsonValue& json) {
+    std::string text = "[";
+    for (const JsonValue& item : json.elements())
+        text.append(text.size() > 1 ? ", " : "").append(item.text());
+    return text + "]";
+}
+
+/// One entry a line, each `write`n behind its indentation, between two brackets.
+template <class Entries, class Write>
+void append_lines(std::string& text, const Entries& entries, std::string_view brackets, std::size_t indent,
+                  Write write) {
+    text += brackets[0];
+    text += '\n';
+    std::size_t left = entries.size();
+    for (const auto& entry : entries) {
+        text.append(indent + 2, ' ');
+        write(entry);
+        text += --left > 0 ? ",\n" : "\n";
+    }
+    text.append(indent, ' ') += brackets[1];
+}
+
+void append(std::string& text, const JsonValue& json, std::size_t indent) {
+    if (is_row(json)) {
+        text += row(json);
+    } else if (!json.elements().empty()) {
+        append_lines(text, json.elements(), "[]", indent,
+                     [&](const JsonValue& item) { append(text, item, indent + 2); });
+    } else if (!json.members().empty()) {
+        append_lines(text, json.members(), "{}", indent, [&](const auto& member) {
+            text += plain(member.first) + ": ";
+            append(text, member.second, indent + 2);
+        });
+    } else {
+        text += json.text();
+    }
+}
+
+/// "~1" is a slash and "~0" a tilde in a pointer's token.
+std::string unescaped_token(std::string_view token) {
+    std::string name;
+    for (std::size_t i = 0; i < token.size(); ++i) {
+        const bool escapes = token[i] == '~' && i + 1 < token.size();
+        name += escapes ? (token[++i] == '1' ? '/' : '~') : token[i];
+    }
+    return name;
+}
+
+}  // namespace
+
+JsonValue::JsonValue(std::initializer_list<JsonValue> values) {
+    const bool is_object = std::all_of(values.begin(), values.end(), [](const JsonValue& v) {
+        return v.elements().size() == 2 && v.elements().front().is_string();
+    });
+    if (!is_object) {
+        value_ = Elements(values);
+        return;
+    }
+    value_ = Members();
+    for (const JsonValue& pair : values) (*this)[pair.elements()[0].string()] = pair.elements()[1];
+}
+
+JsonValue JsonValue::array() { return JsonValue(Elements()); }
+JsonValue JsonValue::object() { return JsonValue(Members()); }
+
+std::optional<JsonValue> JsonValue::parse(std::string_view text) {
+    Builder builder;
+    if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) return std::nullopt;
+    return std::move(builder).take();
+}
+
+double JsonValue::number() const {
+    const auto* whole = std::get_if<std::int64_t>(&value_);
+    return whole != nullptr ? static_cast<double>(*whole) : std::get<double>(value_);
+}
+
+const JsonValue::Elements& JsonValue::elements() const {
+    static const Elements none;
+    return is_array() ? std::get<Elements>(value_) : none;
+}
+
+const JsonValue::Members& JsonValue::members() const {
+    static const Members none;
+    return is_object() ? std::get<Members>(value_) : none;
+}
+
+const JsonValue* JsonValue::find(std::string_view name) const {
+    for (const auto& [key, value] : members())
+        if (key == name) return &value;
+    return nullptr;
+}
+
+const JsonValue* JsonValue::at_pointer(std::string_view pointer) const {
+    const JsonValue* at = this;
+    while (at != nullptr && !pointer.empty()) {
+        const std::size_t end = std::min(pointer.find('/', 1), pointer.size());
+        const std::string token = unescaped_token(pointer.substr(1, end - 1));
+        pointer.remove_prefix(end);
+        if (!at->is_array()) {
+            at = at->find(token);
+            continue;
+        }
+        std::size_t index = 0;
+        const auto [rest, error] = std::from_chars(token.data(), token.data() + token.size(), index);
+        const bool whole = error == std::errc{} && rest == token.data() + token.size();
+        at = whole && index < at->elements().size() ? &at->elements()[index] : nullptr;
+    }
+    return at;
+}
+
+JsonValue& JsonValue::operator[](std::string_view name) {
+    if (std::holds_alternative<std::nullptr_t>(value_)) value_ = Members();
+    auto& members = std::get<Members>(value_);
+    for (auto& [key, value] : members)
+        if (key == name) return value;
+    return members.emplace_back(name, JsonValue()).second;
+}
+
+void JsonValue::push_back(JsonValue value) {
+    if (std::holds_alternative<std::nullptr_t>(value_)) value_ = Elements();
+    std::get<Elements>(value_).push_back(std::move(value));
+}
+
+std::string JsonValue::text() const {
+    if (is_boolean()) return boolean() ? "true" : "false";
+    if (is_whole_number()) return std::to_string(std::get<std::int64_t>(value_));
+    if (is_number()) return plain(number());
+    if (is_string()) return plain(string());
+    if (!is_array() && !is_object()) return "null";
+    std::string text(1, is_array() ? '[' : '{');
+    const auto separate = [&text] {
+        if (text.size() > 1) text += ',';
+    };
+    for (const JsonValue& item : elements()) {
+        separate();
+        text += item.text();
+    }
+    for (const auto& [name, value] : members()) {
+        separate();
+        text.append(plain(name)).append(1, ':').append(value.text());
+    }
+    text += is_array() ? ']' : '}';
+    return text;
+}
+
+std::string json_text(const JsonValue& json) {
+    std::string text;
+    append(text, json, 0);
+    return text + "\n";
+}
+
+}  // namespace glint

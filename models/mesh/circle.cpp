@@ -1,0 +1,84 @@
+#include "models/mesh/circle.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace glint {
+namespace {
+
+using std::numbers::pi;
+
+/// Taylor series for |a| <= pi/4: the first term left out is below 2e-16.
+CosSin small_angle(double a) {
+    const double q = a * a;
+    double c = 0, s = 0;
+    for (int k = 18; k >= 2; k -= 2) {
+        c = (1 - c) * q / ((k - 1) * k);
+        s = (1 - s) * q / (k * (k + 1));
+    }
+    return {1 - c, a * (1 - s)};
+}
+
+}  // namespace
+
+CosSin on_circle(std::int64_t k, std::int64_t n) {
+    k = (k % n + n) % n;
+    const std::int64_t eighth = 8 * k / n, rest = 8 * k - eighth * n;  // angle = (eighth + rest / n) pi / 4
+    const bool odd = eighth % 2 != 0;
+    const double part = static_cast<double>(odd ? n - rest : rest) / static_cast<double>(n);
+    const CosSin a = small_angle(part * (pi / 4));
+    switch (eighth) {
+    case 0:
+        return {a.c, a.s};
+    case 1:
+        return {a.s, a.c};
+    case 2:
+        return {-a.s, a.c};
+    case 3:
+        return {-a.c, a.s};
+    case 4:
+        return {-a.c, -a.s};
+    case 5:
+        return {-a.s, -a.c};
+    case 6:
+        return {a.s, -a.c};
+    default:
+        return {a.c, -a.s};
+    }
+}
+
+CosSin cos_sin(double angle) {
+    const double quarter = std::floor(angle / (pi / 2) + 0.5);
+    const CosSin a = small_angle(angle - quarter * (pi / 2));
+    switch (static_cast<int>(quarter) & 3) {
+    case 0:
+        return a;
+    case 1:
+        return {-a.s, a.c};
+    case 2:
+        return {-a.c, -a.s};
+    default:
+        return {a.s, -a.c};
+    }
+}
+
+double angle_of(double x, double y) {
+    const double across = std::abs(x);
+    if (!(across + y > 0)) return 0;
+    const bool steep = y > across;
+    double t = steep ? across / y : y / across;  // tangent of an angle up to pi/4
+    double base = 0;
+    if (t > 0.41421356237309503) {  // tan(pi/8): atan t = pi/4 + atan((t - 1)/(t + 1))
+        t = (t - 1) / (t + 1);
+        base = pi / 4;
+    }
+    const double q = t * t;
+    double series =
+        0;  // atan t = t - t^3/3 + t^5/5 ..., |t| <= 0.4143: the first term left out is below 5e-10
+    for (int k = 19; k >= 1; k -= 2) series = 1.0 / k - q * series;
+    double angle = base + t * series;
+    if (steep) angle = pi / 2 - angle;
+    return x < 0 ? pi - angle : angle;
+}
+
+}  // namespace glint

@@ -1,0 +1,59 @@
+#pragma once
+// Which polygons meet at which edges: built from the polygon list when somebody asks (counting, creases,
+// silhouettes), never for plain drawing. Connectivity is OpenMesh's half-edge structure; what that cannot
+// hold (an edge of three faces, two fans at one vertex, ...) is split there and joined again here, so that
+// every edge of every polygon is reported. All indices are those of the Mesh it was made from.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "models/mesh/mesh.h"
+
+namespace glint {
+
+/// Polygon `face` runs along an edge from `corner` to next_corner(mesh, face, corner).
+struct EdgeUse {
+    std::uint32_t face, corner;
+    bool operator==(const EdgeUse&) const = default;
+};
+
+struct Topology {
+    std::vector<std::array<std::uint32_t, 2>>
+        edges;                             // #E, position indices, the smaller first; each pair once
+    std::vector<std::uint32_t> first_use;  // #E + 1: edge e has the uses first_use[e] .. [e + 1)
+    std::vector<EdgeUse> uses;             // every side of every polygon that joins two vertices
+
+    [[nodiscard]] std::span<const EdgeUse> uses_of(std::size_t e) const {
+        return std::span(uses).subspan(first_use[e], first_use[e + 1] - first_use[e]);
+    }
+};
+
+/// Degenerate polygons are included; a side from a vertex to itself is no edge.
+/// Time: about linear (n log n in what OpenMesh cannot hold).
+[[nodiscard]] Topology make_topology(const Mesh& mesh);
+
+[[nodiscard]] inline std::uint32_t next_corner(const Mesh& mesh, std::uint32_t face, std::uint32_t corner) {
+    return corner + 1 < mesh.first_corner[face + 1] ? corner + 1 : mesh.first_corner[face];
+}
+
+enum class EdgeKind {
+    Boundary,      // one polygon, once
+    Manifold,      // two sides that run in opposite directions
+    Inconsistent,  // two sides that run in the same direction: one of the polygons is wound the other way
+    NonManifold    // three sides and more
+};
+[[nodiscard]] EdgeKind edge_kind(const Mesh& mesh, const Topology& topology, std::size_t edge);
+
+/// Corners of facets that meet at a vertex and are joined there, perhaps through other facets, across
+/// manifold edges at which the facet normals differ by at most `crease_deg` (0 to 180). Source:
+/// docs/interface.md, `normals.source`.
+struct CreaseGroups {
+    std::vector<std::uint32_t> group;  // #C, numbered from 0 in the order of their first corner
+    std::size_t count = 0;
+};
+[[nodiscard]] CreaseGroups crease_groups(const Mesh& mesh, const Topology& topology, float crease_deg);
+
+}  // namespace glint

@@ -1,0 +1,147 @@
+#include "models/mesh/vertex_normals.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <utility>
+
+#include "models/mesh/circle.h"
+#include "models/mesh/polygon.h"
+#include "models/mesh/topology.h"
+
+namespace glint {
+namespace {
+
+struct Sum {
+    glm::dvec3 n{0};
+    double weights = 0;
+    void add(const glm::dvec3& normal, double weight) {
+        n += weight * normal;
+        weights += weight;
+    }
+};
+
+/// What the normals are averaged over: per corner the number of a sum.
+struct Averages {
+    std::vector<std::uint32_t> group;  // #C; empty: by position
+    std::vector<Sum> sums;
+
+    std::uint32_t sum_of(const Mesh& mesh, std::uint32_t corner) const {
+        return group.empty() ? mesh.corner_position[corner] : group[corner];
+    }
+};
+
+glm::dvec3 place(const Mesh& mesh, std::uint32_t corner) {
+    return glm::dvec3(mesh.positions[mesh.corner_position[corner]]);
+}
+
+/// The angle at `at` from `next` to `before`, counter-clockwise about the facet normal n: 0 to 2 pi.
+double interior_angle(const glm::dvec3& at, const glm::dvec3& next, const glm::dvec3& before,
+                      const glm::dvec3& n) {
+    const glm::dvec3 a = next - at, b = before - at, across = glm::cross(a, b);
+    const double angle = angle_of(glm::dot(a, b), std::sqrt(glm::dot(across, across)));
+    return glm::dot(across, n) < 0 ? 2 * std::numbers::pi - angle : angle;
+}
+
+void add_triangle(const Mesh& mesh, std::uint32_t first, NormalWeighting weighting, Averages& to) {
+    const auto* v = &mesh.corner_position[first];
+    const auto& p = mesh.positions;
+    const PolygonPlane plane = triangle_plane(p[v[0]], p[v[1]], p[v[2]]);
+    if (!(plane.area > 0)) return;
+    std::array<double, 3> weight{1, 1, 1};
+    if (weighting == NormalWeighting::Area) weight.fill(plane.area);
+    if (weighting == NormalWeighting::Angle) {  // all three crosses of two edges are 2 area long
+        const glm::dvec3 a(p[v[0]]), ab = glm::dvec3(p[v[1]]) - a, ac = glm::dvec3(p[v[2]]) - a, bc = ac - ab;
+        weight = {angle_of(glm::dot(ab, ac), 2 * plane.area), angle_of(-glm::dot(ab, bc), 2 * plane.area),
+                  angle_of(glm::dot(ac, bc), 2 * plane.area)};
+    }
+    for (std::uint32_t i = 0; i < 3; ++i) to.sums[to.sum_of(mesh, first + i)].add(plane.normal, weight[i]);
+}
+
+void add_polygon(const Mesh& mesh, std::uint32_t face, NormalWeighting weighting,
+                 std::vector<std::uint32_t>& corners, Averages& to) {
+    const PolygonPlane plane = polygon_plane(mesh, face);
+    if (!(plane.area > 0)) return;
+    distinct_corners(mesh, face, corners);
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        double weight = weighting == NormalWeighting::Area ? plane.area : 1;
+        if (weighting == NormalWeighting::Angle)
+            weight = interior_angle(place(mesh, corners[i]), place(mesh, corners[(i + 1) % n]),
+                                    place(mesh, corners[(i + n - 1) % n]), plane.normal);
+        to.sums[to.sum_of(mesh, corners[i])].add(plane.normal, weight);
+    }
+}
+
+void add_all(const Mesh& mesh, NormalWeighting weighting, Averages& to) {
+    std::vector<std::uint32_t> corners;
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        if (mesh.first_corner[f + 1] - mesh.first_corner[f] == 3)
+            add_triangle(mesh, mesh.first_corner[f], weighting, to);
+        else
+            add_polygon(mesh, f, weighting, corners, to);
+    }
+}
+
+/// Whether the sum points nowhere although something was added.
+bool cancels(const Sum& sum) {
+    return sum.weights > 0 && !(glm::dot(sum.n, sum.n) >= 1e-12 * sum.weights * sum.weights);
+}
+
+/// Gives the corners of sums that cancel the normals of their own facets.
+void fall_back_to_facets(const Mesh& mesh, const Averages& averages, CornerNormals& result) {
+    if (result.corner.empty()) result.corner = mesh.corner_position;
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        std::uint32_t facet = no_index;
+        for (std::uint32_t c = mesh.first_corner[f]; c < mesh.first_corner[f + 1]; ++c) {
+            if (!cancels(averages.sums[averages.sum_of(mesh, c)])) continue;
+            if (facet == no_index) {
+                facet = static_cast<std::uint32_t>(result.normals.size());
+                result.normals.push_back(facet_normal(mesh, f));
+            }
+            result.corner[c] = facet;
+        }
+    }
+}
+
+/// Groups of corners joined across edges below the crease; none (by position) when no crease parts a vertex.
+Averages averages_below(const Mesh& mesh, float crease_deg) {
+    CreaseGroups creased = crease_groups(mesh, make_topology(mesh), crease_deg);
+    std::vector<char> used(mesh.positions.size(), 0);
+    std::size_t used_count = 0;
+    for (const std::uint32_t v : mesh.corner_position) used_count += std::exchange(used[v], 1) == 0 ? 1 : 0;
+    Averages result;
+    if (used_count == creased.count) {
+        result.sums.resize(mesh.positions.size());
+    } else {
+        result.group = std::move(creased.group);
+        result.sums.resize(creased.count);
+    }
+    return result;
+}
+
+}  // namespace
+
+CornerNormals vertex_normals(const Mesh& mesh, NormalWeighting weighting, float crease_deg) {
+    Averages averages;
+    if (crease_deg < 180)
+        averages = averages_below(mesh, crease_deg);
+    else
+        averages.sums.resize(mesh.positions.size());
+    add_all(mesh, weighting, averages);
+    CornerNormals result;
+    result.normals.resize(averages.sums.size());
+    bool any_cancels = false;
+    for (std::size_t i = 0; i < averages.sums.size(); ++i) {
+        const Sum& sum = averages.sums[i];
+        if (cancels(sum))
+            any_cancels = true;
+        else if (sum.weights > 0)
+            result.normals[i] = glm::vec3(sum.n / std::sqrt(glm::dot(sum.n, sum.n)));
+    }
+    result.corner = averages.group;
+    if (any_cancels) fall_back_to_facets(mesh, averages, result);
+    return result;
+}
+
+}  // namespace glint

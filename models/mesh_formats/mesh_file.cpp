@@ -1,0 +1,133 @@
+#include "models/mesh_formats/mesh_file.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <functional>
+#include <new>
+#include <optional>
+
+#include "models/io/file.h"
+#include "models/mesh/mesh_memory.h"
+#include "models/mesh_formats/mesh_file_head.h"
+#include "models/mesh_formats/mesh_reader.h"
+#include "models/progress.h"
+
+namespace glint {
+namespace {
+
+// Of 2^31 vertices at 8 bytes a line: beyond it no index fits.
+constexpr std::size_t largest_file = std::size_t{16} << 30;
+
+using Reader = Mesh (*)(std::string_view, const std::string&);
+struct Format {
+    std::string_view extension;
+    Reader read;
+};
+constexpr std::array<Format, 5> formats{
+    {{".obj", read_obj}, {".ply", read_ply}, {".off", read_off}, {".stl", read_stl}, {".om", read_om}}};
+
+/// The format of a path's extension, in any case; null when there is none.
+const Format* format_of(const std::string& path) {
+    const std::size_t dot = path.find_last_of("./");
+    if (dot == std::string::npos || path[dot] == '/') return nullptr;
+    std::string extension = path.substr(dot);
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const auto* found = std::find_if(formats.begin(), formats.end(),
+                                     [&](const Format& f) { return f.extension == extension; });
+    return found == formats.end() ? nullptr : found;
+}
+
+/// Of the triangles that finish_mesh() makes: convex polygons of n corners give n - 2.
+void require_room_for_triangles(const Mesh& mesh) {
+    const std::size_t corners = mesh.corner_position.size(), faces = mesh.face_count();
+    const std::size_t triangles = corners > 2 * faces ? corners - 2 * faces : 0;
+    require_memory(memory_need(MemoryUse::Meshes, mesh_bytes(mesh) + triangles * sizeof(Triangle)));
+}
+
+Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::string_view bytes,
+                         const std::string& path) {
+    const Format* format = format_of(path);
+    if (format == nullptr)
+        return Problem{path, "", "the extension is that of no mesh", ".obj, .ply, .off, .stl or .om", 0};
+    if (bytes.empty()) return Problem{path, "", "the file is empty", "a mesh", 0};
+    try {
+        Mesh mesh = format->read(bytes, path);
+        if (mesh.face_count() == 0) return Problem{path, "", "the mesh has no faces", "at least one", 0};
+        require_room_for_triangles(mesh);
+        finish_mesh(mesh);
+        const auto time = std::chrono::steady_clock::now() - start;
+        mesh.load_ms = std::chrono::duration<double, std::milli>(time).count();
+        return mesh;
+    } catch (const Unreadable& unreadable) {
+        return unreadable.problem;
+    } catch (const LoadCancelled&) {
+        return Problem{path, "", cancelled_words, ""};
+    } catch (const Refused& refused) {
+        return memory_problem(refused, path);
+    } catch (const std::bad_alloc&) {
+        return Problem{path, "", "the mesh does not fit in memory", "a smaller one", 0};
+    }
+}
+
+/// Looks at a mesh file while it comes in, so that what is no mesh is not read to its end.
+class MeshCheck {
+  public:
+    explicit MeshCheck(const std::string& path) : path_(path) {}
+
+    /// Throws Refused where the file does not fit.
+    std::optional<Problem> operator()(const FileBlock& block) {
+        const Format* format = format_of(path_);
+        if (format == nullptr) return {};  // said when it is parsed
+        if (block.at == 0) {
+            if (begins_badly(format->extension, block)) {
+                const Result<Mesh> tried = parse_mesh(block.bytes, path_);
+                if (const Problem* problem = problem_of(tried)) return *problem;
+            }
+            text_ = is_text_mesh(format->extension, block);
+            // OpenMesh is given a copy, which it copies, and makes lists of its own.
+            share_.set(memory_need(MemoryUse::Files, (format->read == read_om ? 6 : 1) * block.size));
+        }
+        if (text_ && is_hole(block))
+            return Problem{path_, "", fmt::format("from byte {} on there are only zeros", block.at), "text",
+                           0};
+        return {};
+    }
+
+  private:
+    const std::string& path_;
+    bool text_ = false;
+    MemoryShare share_;
+};
+
+}  // namespace
+
+bool is_mesh_path(const std::string& path) { return format_of(path) != nullptr; }
+
+Result<Mesh> read_mesh(const std::string& path) {
+    const auto start = std::chrono::steady_clock::now();
+    MeshCheck check(path);
+    const Result<std::string> bytes = read_file(path, largest_file, std::ref(check));
+    if (const Problem* problem = problem_of(bytes)) return *problem;
+    return parse_since(start, std::get<std::string>(bytes), path);
+}
+
+Result<Mesh> parse_mesh(std::string_view bytes, const std::string& path) {
+    return parse_since(std::chrono::steady_clock::now(), bytes, path);
+}
+
+void require_room(const Mesh& mesh) { require_memory(memory_need(MemoryUse::Meshes, mesh_bytes(mesh))); }
+
+void close_face(Mesh& mesh, const std::string& file, int line) {
+    if (mesh.corner_position.size() > most_corners)
+        throw Unreadable{
+            {file, "", "the mesh has too many corners", fmt::format("at most {}", most_corners), line}};
+    constexpr std::size_t faces_between = 4096;
+    if (mesh.first_corner.size() % faces_between == 0) require_room(mesh);
+    mesh.first_corner.push_back(static_cast<std::uint32_t>(mesh.corner_position.size()));
+}
+
+}  // namespace glint

@@ -1,0 +1,226 @@
+// Stereolithography .stl, ASCII and binary. The format knows no indices: corners at exactly one place share a
+// position, so that a vertex has neighbours. The facet normals are the file's normals; where all are 0, as
+// some writers leave them, the file has none. Source: 3D Systems, "StereoLithography Interface
+// Specification", 1989.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+
+#include "models/mesh_formats/mesh_reader.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t binary_header = 84, binary_facet = 50;
+
+/// Numbers places in the order in which they first come: an open hash table of indices into the positions.
+/// Its hash begins anywhere, so that no file can be made that is slow; the numbers do not depend on it.
+class Places {
+  public:
+    std::uint32_t index_of(glm::vec3 place, std::vector<glm::vec3>& positions) {
+        place += glm::vec3(0);  // -0 is 0
+        if (2 * (positions.size() + 1) > slots_.size()) grow(positions);
+        std::size_t slot = hash(place) & (slots_.size() - 1);
+        for (; slots_[slot] != no_index; slot = (slot + 1) & (slots_.size() - 1))
+            if (positions[slots_[slot]] == place) return slots_[slot];
+        slots_[slot] = static_cast<std::uint32_t>(positions.size());
+        positions.push_back(place);
+        return slots_[slot];
+    }
+
+  private:
+    [[nodiscard]] std::size_t hash(const glm::vec3& place) const {
+        std::uint64_t h = seed_;
+        for (int i = 0; i < 3; ++i) {  // splitmix64's steps
+            h = (h ^ std::bit_cast<std::uint32_t>(place[i])) * 0xBF58476D1CE4E5B9u;
+            h = (h ^ h >> 29) * 0x94D049BB133111EBu;
+            h ^= h >> 32;
+        }
+        return static_cast<std::size_t>(h);
+    }
+    void grow(const std::vector<glm::vec3>& positions) {
+        slots_.assign(std::max<std::size_t>(64, 2 * slots_.size()), no_index);
+        for (std::uint32_t i = 0; i < positions.size(); ++i) {
+            std::size_t slot = hash(positions[i]) & (slots_.size() - 1);
+            while (slots_[slot] != no_index) slot = (slot + 1) & (slots_.size() - 1);
+            slots_[slot] = i;
+        }
+    }
+
+    std::vector<std::uint32_t> slots_;  // a power of two
+    std::uint64_t seed_ =
+        static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
+};
+
+/// Collects facets from either kind of file.
+class Facets {
+  public:
+    explicit Facets(const std::string& file) : file_(file) { mesh_.first_corner.push_back(0); }
+
+    void corner(const glm::vec3& place) {
+        mesh_.corner_position.push_back(places_.index_of(place, mesh_.positions));
+    }
+    void close(const glm::vec3& normal, int line) {
+        close_face(mesh_, file_, line);
+        any_normal_ = any_normal_ || normal != glm::vec3(0);
+        const auto index = static_cast<std::uint32_t>(mesh_.normals.size());
+        mesh_.normals.push_back(normal);
+        mesh_.corner_normal.resize(mesh_.corner_position.size(), index);
+    }
+    Mesh finish() {
+        if (any_normal_) {
+            mesh_.given_normals = GivenNormals::File;
+        } else {
+            mesh_.normals = {};
+            mesh_.corner_normal = {};
+        }
+        return std::move(mesh_);
+    }
+    Warnings& warnings() { return mesh_.warnings; }
+
+  private:
+    const std::string& file_;
+    Mesh mesh_;
+    Places places_;
+    bool any_normal_ = false;
+};
+
+std::uint32_t facet_count(std::string_view bytes) {
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        count |= std::uint32_t{static_cast<unsigned char>(bytes[80 + i])} << (8 * i);
+    return count;
+}
+
+float little_endian_float(const char* at) {
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < 4; ++i) bits |= std::uint32_t{static_cast<unsigned char>(at[i])} << (8 * i);
+    return std::bit_cast<float>(bits);
+}
+
+Mesh read_binary(std::string_view bytes, const std::string& file) {
+    const std::size_t count = facet_count(bytes);
+    Facets facets(file);
+    ParsedBytes parsed(bytes.size());
+    std::size_t bad_normals = 0;
+    for (std::size_t f = 0; f < count; ++f) {
+        parsed.at(f * binary_facet);
+        const char* at = bytes.data() + binary_header + f * binary_facet;
+        std::array<glm::vec3, 4> v;  // normal, three corners
+        bool good_normal = true;
+        for (int i = 0; i < 12; ++i, at += 4) {
+            const float x = little_endian_float(at);
+            if (i >= 3 && !(std::abs(x) <= static_cast<float>(max_number)))
+                throw Unreadable{
+                    {file, "", fmt::format("facet {}: a coordinate is {}", f, x), "-1e30 to 1e30", 0}};
+            v[static_cast<std::size_t>(i / 3)][i % 3] = x;
+            good_normal = good_normal && std::abs(x) <= static_cast<float>(max_number);
+        }
+        if (!good_normal) v[0] = glm::vec3(0), ++bad_normals;
+        for (const std::size_t i : {1u, 2u, 3u}) facets.corner(v[i]);
+        facets.close(v[0], 0);
+    }
+    if (bytes.size() > binary_header + count * binary_facet)
+        facets.warnings().emplace_back("data after the last facet is ignored");
+    warn(facets.warnings(), bad_normals, "facet has a normal that is out of range, which is ignored",
+         "facets have normals that are out of range, which are ignored");
+    return facets.finish();
+}
+
+class AsciiStl {
+  public:
+    AsciiStl(std::string_view bytes, const std::string& file) : cursor_(bytes, file, false), facets_(file) {}
+
+    Mesh read() {
+        while (cursor_.next_line()) {
+            if (is("solid", cursor_.word()))
+                read_solid();
+            else
+                cursor_.fail("this is no STL file", "\"solid\", or a binary file of 84 + 50 n bytes");
+        }
+        return facets_.finish();
+    }
+
+  private:
+    static bool is(std::string_view keyword, std::string_view word) {
+        return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
+                          [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
+    }
+
+    void expect(std::string_view keyword) {
+        const std::string_view word = cursor_.word();
+        if (!is(keyword, word))
+            cursor_.fail(
+                word.empty() ? "the line ends early" : fmt::format("{} is out of place", quoted_word(word)),
+                fmt::format("\"{}\"", keyword));
+    }
+
+    void next_line(const char* expected) {
+        if (!cursor_.next_line()) cursor_.fail("the file ends early", expected);
+    }
+
+    /// Up to "endsolid"; what follows both words is a name.
+    void read_solid() {
+        for (;;) {
+            next_line("\"facet\" or \"endsolid\"");
+            const std::string_view word = cursor_.word();
+            if (is("endsolid", word)) return;
+            if (!is("facet", word))
+                cursor_.fail(fmt::format("{} is out of place", quoted_word(word)),
+                             "\"facet\" or \"endsolid\"");
+            read_facet();
+        }
+    }
+
+    void read_facet() {
+        expect("normal");
+        const glm::vec3 normal = three();
+        next_line("\"outer loop\"");
+        expect("outer");
+        expect("loop");
+        for (int i = 0; i < 3; ++i) {
+            next_line("\"vertex\"");
+            expect("vertex");
+            facets_.corner(three());
+        }
+        next_line("\"endloop\"");
+        expect("endloop");
+        next_line("\"endfacet\"");
+        expect("endfacet");
+        facets_.close(normal, cursor_.line());
+    }
+
+    glm::vec3 three() {
+        const float x = cursor_.number("x"), y = cursor_.number("y"), z = cursor_.number("z");
+        if (!cursor_.end_of_line())
+            cursor_.fail(fmt::format("{} is one too many", quoted_word(cursor_.word())), "3 numbers");
+        return {x, y, z};
+    }
+
+    TextCursor cursor_;
+    Facets facets_;
+};
+
+}  // namespace
+
+Mesh read_stl(std::string_view bytes, const std::string& file) {
+    // Some binary files begin with "solid" too; the size decides.
+    const bool has_header = bytes.size() >= binary_header;
+    const std::size_t promised = has_header ? binary_header + facet_count(bytes) * binary_facet : 0;
+    if (has_header && bytes.size() == promised) return read_binary(bytes, file);
+    const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+    const std::string_view word = bytes.substr(first, 5);
+    if (word == "solid" || word == "SOLID" || word == "Solid") return AsciiStl(bytes, file).read();
+    if (has_header && bytes.size() > promised) return read_binary(bytes, file);
+    throw Unreadable{{file, "", "this is no STL file, or one that ends early",
+                      has_header ? fmt::format("{} bytes for its {} facets", promised, facet_count(bytes))
+                                 : std::string("\"solid\", or a binary file of 84 + 50 n bytes"),
+                      0}};
+}
+
+}  // namespace glint

@@ -1,0 +1,196 @@
+#include "models/mesh_formats/ply_header.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "models/mesh_formats/mesh_reader.h"
+
+namespace glint {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, PlyType>, 16> type_names{{{"char", PlyType::Int8},
+                                                                           {"int8", PlyType::Int8},
+                                                                           {"uchar", PlyType::Uint8},
+                                                                           {"uint8", PlyType::Uint8},
+                                                                           {"short", PlyType::Int16},
+                                                                           {"int16", PlyType::Int16},
+                                                                           {"ushort", PlyType::Uint16},
+                                                                           {"uint16", PlyType::Uint16},
+                                                                           {"int", PlyType::Int32},
+                                                                           {"int32", PlyType::Int32},
+                                                                           {"uint", PlyType::Uint32},
+                                                                           {"uint32", PlyType::Uint32},
+                                                                           {"float", PlyType::Float32},
+                                                                           {"float32", PlyType::Float32},
+                                                                           {"double", PlyType::Float64},
+                                                                           {"float64", PlyType::Float64}}};
+
+PlyFormat read_format(TextCursor& cursor) {
+    const std::string_view word = cursor.word();
+    if (word == "ascii") return PlyFormat::Ascii;
+    if (word == "binary_little_endian") return PlyFormat::LittleEndian;
+    if (word == "binary_big_endian") return PlyFormat::BigEndian;
+    cursor.fail(fmt::format("{} is no format of a PLY file", quoted_word(word)),
+                "ascii, binary_little_endian or binary_big_endian");
+}
+
+PlyRole role_of(std::string_view element, const PlyProperty& property) {
+    constexpr std::array<std::pair<std::string_view, PlyRole>, 9> vertex_roles{{{"x", PlyRole::X},
+                                                                                {"y", PlyRole::Y},
+                                                                                {"z", PlyRole::Z},
+                                                                                {"nx", PlyRole::Nx},
+                                                                                {"ny", PlyRole::Ny},
+                                                                                {"nz", PlyRole::Nz},
+                                                                                {"red", PlyRole::Red},
+                                                                                {"green", PlyRole::Green},
+                                                                                {"blue", PlyRole::Blue}}};
+    if (element == "face" && (property.name == "vertex_indices" || property.name == "vertex_index"))
+        return PlyRole::Indices;
+    if (element != "vertex" && element != "face") return PlyRole::Other;
+    for (const auto& [name, role] : vertex_roles)
+        if (name == property.name && !property.is_list) return role;
+    return PlyRole::Other;
+}
+
+void check_elements(const TextCursor& cursor, const PlyHeader& header) {
+    for (const PlyElement& element : header.elements) {
+        if (element.name == "vertex" && !element.has_three(PlyRole::X))
+            cursor.fail_at(element.line, "the vertices lack a coordinate", "properties x, y and z");
+        if (element.name == "face" && element.with(PlyRole::Indices) == nullptr)
+            cursor.fail_at(element.line, "the faces have no corners", "a property list vertex_indices");
+    }
+}
+
+/// Reads the lines between "ply" and "end_header".
+class HeaderReader {
+  public:
+    explicit HeaderReader(TextCursor& cursor) : cursor_(cursor) {}
+
+    PlyHeader read() {
+        std::optional<PlyFormat> format;
+        while (cursor_.next_line()) {
+            const std::string_view keyword = cursor_.word();
+            if (keyword == "end_header") {
+                if (!format) cursor_.fail("the header names no format", "\"format ascii 1.0\", say");
+                header_.format = *format;
+                check_elements(cursor_, header_);
+                return std::move(header_);
+            }
+            if (keyword == "comment" || keyword == "obj_info") continue;
+            if (keyword == "format") {
+                format = read_format(cursor_);
+            } else if (keyword == "element") {
+                read_element();
+            } else if (keyword == "property") {
+                read_property();
+            } else {
+                cursor_.fail(fmt::format("{} is no keyword of a PLY header", quoted_word(keyword)),
+                             "format, element, property, comment, obj_info or end_header");
+            }
+        }
+        cursor_.fail("the header does not end", "\"end_header\"");
+    }
+
+  private:
+    /// Notes a name of an element, or of a property of the last one; fails when it was there already.
+    void take_name(std::set<std::string_view>& names, const char* kind, std::string_view name) {
+        if (!names.insert(name).second)
+            cursor_.fail(fmt::format("{} {} comes twice", kind, quoted_word(name)), "one");
+        if (++name_count_ > most_ply_names)
+            cursor_.fail("the header has too many elements and properties",
+                         fmt::format("at most {}", most_ply_names));
+    }
+
+    void read_element() {
+        PlyElement element;
+        const std::string_view name = cursor_.word();
+        element.name = name;
+        element.line = cursor_.line();
+        if (name.empty()) cursor_.fail("the element's name is missing", "\"element NAME COUNT\"");
+        take_name(elements_, "element", name);
+        const std::int64_t count = cursor_.integer("the element's count");
+        if (count < 0 || count > static_cast<std::int64_t>(most_corners))
+            cursor_.fail(fmt::format("a count of {} is out of range", count),
+                         fmt::format("0 to {}", most_corners));
+        element.count = static_cast<std::size_t>(count);
+        header_.elements.push_back(std::move(element));
+        properties_.clear();
+    }
+
+    void read_property() {
+        if (header_.elements.empty())
+            cursor_.fail("a property belongs to no element", "\"element\" before it");
+        PlyElement& element = header_.elements.back();
+        PlyProperty property;
+        std::string_view type = cursor_.word();
+        if (type == "list") {
+            property.is_list = true;
+            property.count_type = type_of(cursor_.word());
+            if (!is_integer(property.count_type))
+                cursor_.fail("a list's count is no whole number", "an integer type");
+            type = cursor_.word();
+        }
+        property.type = type_of(type);
+        const std::string_view name = cursor_.word();
+        if (name.empty()) cursor_.fail("the property's name is missing", "\"property TYPE NAME\"");
+        take_name(properties_, "property", name);
+        property.name = name;
+        property.role = role_of(element.name, property);
+        if (property.role == PlyRole::Indices && (!property.is_list || !is_integer(property.type)))
+            cursor_.fail(fmt::format("{} is no list of whole numbers", quoted_word(name)),
+                         "a list of an integer type");
+        element.add(std::move(property));
+    }
+
+    [[nodiscard]] PlyType type_of(std::string_view word) const {
+        for (const auto& [name, type] : type_names)
+            if (name == word) return type;
+        cursor_.fail(
+            word.empty() ? "the property's type is missing" : fmt::format("{} is no type", quoted_word(word)),
+            "char, uchar, short, ushort, int, uint, float or double");
+    }
+
+    TextCursor& cursor_;
+    PlyHeader header_;
+    std::set<std::string_view> elements_, properties_;  // ordered: no choice of names makes it slow
+    std::size_t name_count_ = 0;
+};
+
+}  // namespace
+
+bool is_integer(PlyType type) { return type != PlyType::Float32 && type != PlyType::Float64; }
+
+void PlyElement::add(PlyProperty property) {
+    std::size_t& number = number_of_[static_cast<std::size_t>(property.role)];
+    properties.push_back(std::move(property));
+    if (number == 0) number = properties.size();
+}
+
+const PlyProperty* PlyElement::with(PlyRole role) const {
+    const std::size_t number = number_of_[static_cast<std::size_t>(role)];
+    return number == 0 ? nullptr : &properties[number - 1];
+}
+
+int PlyElement::count_of_three(PlyRole first) const {
+    int there = 0;
+    for (int i = 0; i < 3; ++i)
+        there += with(static_cast<PlyRole>(static_cast<int>(first) + i)) != nullptr ? 1 : 0;
+    return there;
+}
+bool PlyElement::has_three(PlyRole first) const { return count_of_three(first) == 3; }
+bool PlyElement::has_part_of_three(PlyRole first) const {
+    return count_of_three(first) > 0 && !has_three(first);
+}
+
+PlyHeader read_ply_header(TextCursor& cursor) {
+    if (!cursor.next_line() || cursor.word() != "ply")
+        cursor.fail("this is no PLY file", "\"ply\" as its first word");
+    return HeaderReader(cursor).read();
+}
+
+}  // namespace glint

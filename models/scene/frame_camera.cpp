@@ -1,0 +1,132 @@
+// Cameras that show all of something, and the scene that a mesh alone is shown in.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <optional>
+
+#include "models/fields/range.h"
+#include "models/fields/scene_rules.h"
+#include "models/io/utf8.h"
+#include "models/scene_file/scene_file.h"
+
+namespace glint {
+namespace {
+
+constexpr double margin = 1.08;  // between the sphere and the picture's edge
+
+struct Sphere {
+    glm::dvec3 center{0};
+    double radius = 0;
+};
+
+/// f(place in the world) of every corner of the objects, or of one.
+template <class F> void each_corner(const Scene& scene, int object, F f) {
+    const bool all = object < 0 || static_cast<std::size_t>(object) >= scene.objects.size();
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& o = scene.objects[i];
+        if (!o.mesh || (!all && i != static_cast<std::size_t>(object))) continue;
+        const glm::dmat4 m = world_from_object(o.transform);
+        for (const std::uint32_t p : o.mesh->corner_position)
+            f(glm::dvec3(m * glm::dvec4(o.mesh->positions[p], 1)));
+    }
+}
+
+/// Around the middle of the bounds; not the least sphere, but at most a seventh larger in the worst of
+/// ordinary cases.
+std::optional<Sphere> bounding_sphere(const Scene& scene, int object) {
+    glm::dvec3 low(2 * max_number), high(-2 * max_number);
+    bool any = false;
+    each_corner(scene, object, [&](glm::dvec3 p) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+        any = true;
+    });
+    if (!any) return std::nullopt;
+    Sphere s{(low + high) / 2.0, 0};
+    each_corner(scene, object,
+                [&](glm::dvec3 p) { s.radius = std::max(s.radius, glm::distance(p, s.center)); });
+    // A point has no size to fill the picture with; far from the origin, floats cannot tell eye and target
+    // apart.
+    const double far_off = std::max({std::abs(s.center.x), std::abs(s.center.y), std::abs(s.center.z)});
+    s.radius = s.radius > 0 ? std::max(s.radius, 1e-5 * far_off) : std::max(1.0, 1e-5 * far_off);
+    return s;
+}
+
+/// Tangent of the narrowest angle between the axis and the window's edges; of half the window where the axis
+/// is outside it.
+double narrowest_tangent(const Frustum& f) {
+    const double left = std::min(f.left, f.right), right = std::max(f.left, f.right);
+    const double bottom = std::min(f.bottom, f.top), top = std::max(f.bottom, f.top);
+    const double inside = std::min({-left, right, -bottom, top});
+    return (inside > 0 ? inside : std::min(right - left, top - bottom) / 2) / f.near;
+}
+
+/// Distance of the eye from a sphere's centre so that it fits the narrower side of a picture from 1:1 to
+/// 16:9, which is the height: a cone of half angle a touches it at radius / sin a.
+double fitting_distance(const Projection& projection, double radius) {
+    if (const auto* p = std::get_if<Perspective>(&projection))
+        return margin * radius / std::sin(p->fov_y_deg * std::numbers::pi / 360);
+    if (const auto* p = std::get_if<Frustum>(&projection))
+        return margin * radius / std::sin(std::atan(narrowest_tangent(*p)));
+    return 4 * radius;  // any: the size in the picture does not depend on it
+}
+
+/// The same view with other clipping planes: near well before the sphere, far well behind it, and near not so
+/// small beside far that depth loses its digits.
+Projection with_planes(Projection projection, double distance, double radius) {
+    const auto near = static_cast<float>(distance / 50), far = static_cast<float>(distance + 20 * radius);
+    if (auto* f = std::get_if<Frustum>(&projection)) {
+        const float scale = near / f->near;  // the window lies on the near plane
+        f->left *= scale, f->right *= scale, f->bottom *= scale, f->top *= scale;
+    }
+    if (auto* o = std::get_if<Orthographic>(&projection)) o->height = static_cast<float>(2 * margin * radius);
+    std::visit([&](auto& p) { p.near = near, p.far = far; }, projection);
+    return projection;
+}
+
+}  // namespace
+
+void frame_camera(Scene& scene, int object) {
+    const std::optional<Sphere> sphere = bounding_sphere(scene, object);
+    if (!sphere) return;
+    Camera camera = scene.camera;
+    const glm::dvec3 back = glm::normalize(glm::dvec3(camera.eye) - glm::dvec3(camera.target));
+    const double distance = fitting_distance(camera.projection, sphere->radius);
+    camera.target = glm::vec3(sphere->center);
+    camera.eye = glm::vec3(sphere->center + distance * back);
+    camera.projection = with_planes(camera.projection, distance, sphere->radius);
+    if (is_within_ranges(camera) && !violation_of(camera)) scene.camera = camera;
+}
+
+Scene scene_of_mesh(MeshPtr mesh, const std::string& path) {
+    Scene scene;
+    Object object;
+    object.name = with_invalid_replaced(std::filesystem::path(path).stem().string());
+    object.source = MeshFile{path};
+    object.mesh = std::move(mesh);
+    object.material = {.ambient = glm::vec3(0.2f), .diffuse = glm::vec3(0.7f), .specular = glm::vec3(0.25f)};
+    scene.objects.push_back(std::move(object));
+
+    Light key;
+    key.name = "Key";
+    key.kind = LightKind::Directional;
+    key.position = {-1, 1.5f, 1, 0};
+    key.diffuse = key.specular = glm::vec3(0.9f);
+    Light fill;
+    fill.name = "Fill";
+    fill.space = LightSpace::Camera;
+    fill.position = {0, 0, 0, 1};
+    fill.diffuse = glm::vec3(0.3f);
+    fill.specular = glm::vec3(0);  // a highlight at the eye would follow the viewer about
+    scene.lights = {key, fill};
+
+    scene.camera.eye = {0.5f, 0.35f,
+                        1};  // of which framing keeps the direction: from the front, a little above
+    frame_camera(scene);
+    return scene;
+}
+
+}  // namespace glint

@@ -1,0 +1,38 @@
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "models/json/json_reader.h"
+#include "models/material_presets_text.h"
+#include "models/scene/material.h"
+
+namespace glint {
+namespace {
+
+glm::vec3 color(const Json& numbers) {
+    return {numbers[0].get<float>(), numbers[1].get<float>(), numbers[2].get<float>()};
+}
+
+/// Alpha is left out: nothing here is drawn through.
+MaterialPreset preset_of(const Json& entry) {
+    Material m;
+    m.ambient = color(entry["ambient"]);
+    m.diffuse = color(entry["diffuse"]);
+    m.specular = color(entry["specular"]);
+    m.shininess = entry["shininess"].get<float>();
+    return {entry["name"].get_ref<const std::string&>(), entry["family"].get_ref<const std::string&>(), m};
+}
+
+}  // namespace
+
+std::span<const MaterialPreset> material_presets() {
+    static const Json document = read_json(material_presets_text, "materials.json");  // holds the names
+    static const std::vector<MaterialPreset> presets = [] {
+        std::vector<MaterialPreset> made;
+        for (const Json& entry : document["materials"]) made.push_back(preset_of(entry));
+        return made;
+    }();
+    return presets;
+}
+
+}  // namespace glint

@@ -1,0 +1,83 @@
+#pragma once
+// What a scene is: a value. Copyable, equality-comparable, no callbacks, no globals. Undo is a list of
+// scenes; a test is a scene and a picture. Names and defaults are those of the scene file
+// (docs/interface.md).
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "models/mesh/mesh.h"
+#include "models/mesh/normals.h"
+#include "models/primitives/primitives.h"
+#include "models/scene/camera.h"
+#include "models/scene/light.h"
+#include "models/scene/material.h"
+#include "models/scene/shading.h"
+#include "models/scene/transform.h"
+
+namespace glint {
+
+/// Triangles that the objects of a scene may have together; the renderer's numbers for them have 30 bits.
+inline constexpr std::size_t max_scene_triangles = std::size_t{1} << 30;
+
+struct MeshFile {
+    std::string path;  // as written in the scene file: relative to it, or absolute
+    bool operator==(const MeshFile&) const = default;
+};
+struct PrimitiveMesh {
+    Primitive primitive = Primitive::Sphere;
+    int detail = 48;
+    bool operator==(const PrimitiveMesh&) const = default;
+};
+using MeshSource = std::variant<PrimitiveMesh, MeshFile>;
+
+struct Object {
+    std::string name = "Object";
+    MeshSource source;
+    Transform transform;
+    NormalOptions normals;
+    Material material;
+    MeshPtr mesh;  // what `source` stands for once loaded, else null; not part of what a scene *is*
+    bool operator==(const Object& o) const {
+        return name == o.name && source == o.source && transform == o.transform && normals == o.normals &&
+               material == o.material;
+    }
+};
+
+/// Non-photorealistic: cool-to-warm shading and strokes.
+struct Npr {
+    bool cool_to_warm = false;
+    glm::vec3 cool{0, 0, 0.55f}, warm{0.3f, 0.3f, 0};
+    float alpha = 0.25f, beta = 0.5f;
+    bool silhouettes = false, creases = false;
+    float crease_deg = 40;
+    glm::vec3 stroke{0};
+    float stroke_width_px = 2;
+    bool operator==(const Npr&) const = default;
+};
+
+enum class Transfer { None, Srgb };
+
+struct Display {
+    glm::vec3 background{0.1f, 0.1f, 0.12f};
+    Transfer transfer = Transfer::None;
+    float exposure = 1;
+    bool operator==(const Display&) const = default;
+};
+
+/// A scene file may hold as many.
+inline constexpr std::size_t max_lights = 4096, max_objects = 10'000;
+
+struct Scene {
+    Camera camera;
+    glm::vec3 global_ambient{0.1f};
+    std::vector<Light> lights;
+    std::vector<Object> objects;
+    Shading shading;
+    Npr npr;
+    Display display;
+    bool operator==(const Scene&) const = default;
+};
+
+}  // namespace glint

@@ -1,0 +1,52 @@
+#pragma once
+// How points are lit and how the lit points fill the picture: two choices that never mix (lecture: "Lighting
+// vs. Shading"). Plain enums and switches, included by the lighting kernels of every instruction set: keep it
+// free of the standard library.
+
+namespace glint {
+
+enum class ShadingMode { Flat, Facet, Gouraud, Phong };
+enum class Reflection { None, Lambert, Phong, BlinnPhong, Retro, OrenNayar, CookTorrance };
+enum class Interpolation { Perspective, Screen, Scanline };
+enum class FlatPoint { Centroid, Provoking };
+enum class Cull { None, Back, Front };
+enum class Rules { Lecture, OpenGL2 };
+
+struct Terms {
+    bool emission = true, ambient = true, diffuse = true, specular = true;
+    bool operator==(const Terms&) const = default;
+};
+
+/// Mistakes that students really make, each a switch: what goes wrong can then be seen. Names and what each
+/// one does: models/scene/mistakes.h.
+struct Mistakes {
+    // In the equation.
+    bool unnormalized_light = false, unnormalized_half = false, specular_behind_surface = false;
+    bool no_clamp_of_cosine = false, half_angle_with_phong_shininess = false;
+    bool ambient_per_light_added_twice = false, clamp_each_light = false, shininess_as_fraction = false;
+    // In what the lights and the viewer are.
+    bool light_in_wrong_space = false, light_moved_twice = false, falloff_of_directional = false;
+    bool falloff_without_constant = false, degrees_for_radians = false, cutoff_as_full_angle = false;
+    bool viewer_at_origin_of_world = false, lit_after_projection = false;
+    // In the normals.
+    bool unnormalized_normals = false, normals_by_model_matrix = false, normals_flipped = false;
+    bool no_normals_given = false, interpolated_normals_not_normalized = false;
+    bool operator==(const Mistakes&) const = default;
+};
+
+struct Shading {
+    ShadingMode mode = ShadingMode::Phong;
+    Reflection reflection = Reflection::Phong;
+    Interpolation interpolation = Interpolation::Perspective;
+    FlatPoint flat_point = FlatPoint::Centroid;
+    bool two_sided = false;
+    bool local_viewer = true;
+    Cull cull = Cull::None;
+    Rules rules = Rules::Lecture;
+    Terms terms;
+    int power_table = 0;  // entries of a table that cosines are raised by, 2 to 65,536; 0: no table
+    Mistakes mistakes;
+    bool operator==(const Shading&) const = default;
+};
+
+}  // namespace glint

@@ -1,0 +1,194 @@
+#include <fmt/core.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <new>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <tuple>
+
+#include "models/fields/choices.h"
+#include "models/mesh/mesh_memory.h"
+#include "models/mesh_formats/mesh_file.h"
+#include "models/progress.h"
+#include "models/scene_file/scene_file.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string resolved(const std::string& path, const std::string& mesh_dir) {
+    return (fs::path(mesh_dir) / fs::path(path)).string();  // an absolute path stands alone
+}
+
+/// Why the path of a mesh leads to no file, in the words of the scene that names it.
+std::string why_no_file(const std::string& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::not_found) return "no such file";
+    if (!fs::exists(status)) return error.message();
+    if (fs::is_directory(status)) return "it is a directory";
+    return fs::is_regular_file(status) ? "" : "it is a device or a pipe";
+}
+
+/// The share of what is needed meanwhile is given back before the mesh has its own.
+Mesh made(const PrimitiveMesh& mesh) {
+    const MemoryShare making(memory_need(MemoryUse::Meshes, bytes_to_make(mesh.primitive, mesh.detail)));
+    return make_primitive(mesh.primitive, mesh.detail);
+}
+
+Result<MeshPtr> load(const MeshSource& source, const std::string& mesh_dir) {
+    try {
+        if (const auto* mesh = std::get_if<PrimitiveMesh>(&source)) return share_mesh(made(*mesh));
+        Result<Mesh> read = read_mesh(resolved(std::get<MeshFile>(source).path, mesh_dir));
+        if (const Problem* problem = problem_of(read)) return *problem;
+        return share_mesh(std::get<Mesh>(std::move(read)));
+    } catch (const LoadCancelled&) {
+        return Problem{"", "", cancelled_words, ""};
+    } catch (const Refused& refused) {
+        return memory_problem(refused);
+    } catch (const std::bad_alloc&) {
+        return Problem{"", "", "the mesh does not fit in memory", "a smaller detail"};
+    }
+}
+
+std::string lower_extension(const std::string& path) {
+    std::string extension = fs::path(path).extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return extension;
+}
+
+/// What tells meshes apart: the name of a primitive and its detail, or the file itself, whatever path leads
+/// to it, and the extension by which it is read.
+using MeshKey = std::tuple<std::string, int, dev_t, ino_t>;
+
+MeshKey key_of_file(const std::string& path) {
+    struct stat status {};
+    if (path.find('\0') != std::string::npos || ::stat(path.c_str(), &status) != 0) return {path, 0, 0, 0};
+    return {lower_extension(path), 0, status.st_dev, status.st_ino};
+}
+
+/// Meshes by what they come from, so that each is loaded once.
+class Loader {
+  public:
+    Loader(const std::string& file, const std::string& mesh_dir) : file_(file), mesh_dir_(mesh_dir) {}
+
+    /// The object's mesh; a problem is about its place in the scene, or in the mesh file.
+    Result<MeshPtr> mesh_of(const Object& object, std::size_t index) {
+        const std::string pointer = fmt::format("/objects/{}/mesh", index);
+        const auto* named = std::get_if<MeshFile>(&object.source);
+        MeshPtr& known = known_[key_of(object.source)];
+        if (known) return known;
+        if (named != nullptr) {
+            const std::string why = why_no_file(resolved(named->path, mesh_dir_));
+            if (!why.empty())
+                return Problem{file_, pointer + "/file",
+                               fmt::format("cannot read \"{}\": {}", named->path, why), "a mesh file"};
+            if (!is_mesh_path(named->path))
+                return Problem{file_, pointer + "/file",
+                               fmt::format("\"{}\" has another extension", named->path),
+                               ".obj, .ply, .off, .stl or .om"};
+        }
+        Result<MeshPtr> loaded = load(object.source, mesh_dir_);
+        if (const Problem* problem = problem_of(loaded)) {
+            if (!problem->file.empty()) return *problem;
+            return Problem{file_, pointer, problem->what, problem->expected};
+        }
+        known = std::get<MeshPtr>(std::move(loaded));
+        for (const std::string& warning : known->warnings)
+            warnings_.push_back(named != nullptr ? named->path + ": " + warning : warning);
+        return known;
+    }
+
+    /// A mesh that the scene holds already need not be loaded again.
+    void remember(const Object& object) {
+        if (object.mesh) known_[key_of(object.source)] = object.mesh;
+    }
+
+    /// Before any is made: what all primitives that are still to come need together. The problem is about the
+    /// largest of them.
+    std::optional<Problem> why_too_much(const std::vector<Object>& objects) {
+        std::set<MeshKey> counted;
+        std::uint64_t all = 0, most_more = 0, most = 0;
+        std::size_t largest = 0;
+        for (std::size_t i = 0; i < objects.size(); ++i) {
+            const auto* mesh = std::get_if<PrimitiveMesh>(&objects[i].source);
+            if (objects[i].mesh || mesh == nullptr) continue;
+            const MeshKey key = key_of(objects[i].source);
+            if (known_.contains(key) || !counted.insert(key).second) continue;
+            const std::uint64_t kept = bytes_once_made(mesh->primitive, mesh->detail);
+            const std::uint64_t made = bytes_to_make(mesh->primitive, mesh->detail);
+            all += kept;
+            most_more = std::max(most_more, made - kept);
+            if (made > most) largest = i;
+            most = std::max(most, made);
+        }
+        try {
+            require_memory(memory_need(MemoryUse::Meshes, all + most_more));
+        } catch (const Refused& refused) {
+            Problem problem = memory_problem(refused, file_);
+            problem.pointer = fmt::format("/objects/{}/mesh", largest);
+            return problem;
+        }
+        return {};
+    }
+    Warnings take_warnings() { return std::move(warnings_); }
+
+  private:
+    MeshKey key_of(const MeshSource& source) {
+        if (const auto* mesh = std::get_if<PrimitiveMesh>(&source))
+            return {std::string(name_of(mesh->primitive)), mesh->detail, 0, 0};  // details begin at 1
+        const std::string path = resolved(std::get<MeshFile>(source).path, mesh_dir_);
+        const auto found = key_of_path_.find(path);
+        return found != key_of_path_.end() ? found->second
+                                           : key_of_path_.emplace(path, key_of_file(path)).first->second;
+    }
+
+    const std::string& file_;
+    const std::string& mesh_dir_;
+    std::map<MeshKey, MeshPtr> known_;
+    std::map<std::string, MeshKey> key_of_path_;  // each is asked for once
+    Warnings warnings_;
+};
+
+/// `meshes`: one an object.
+std::optional<Problem> too_many_triangles(const std::vector<MeshPtr>& meshes, const std::string& file) {
+    std::size_t triangles = 0;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        triangles += meshes[i]->triangles.size();
+        if (triangles > max_scene_triangles)
+            return Problem{file, fmt::format("/objects/{}/mesh", i),
+                           fmt::format("with this one the objects have {} triangles", triangles),
+                           fmt::format("at most {} in a scene", max_scene_triangles)};
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Result<Warnings> load_meshes(Scene& scene, const std::string& file, const std::string& mesh_dir) {
+    Loader loader(file, mesh_dir);
+    std::vector<MeshPtr> meshes;  // given to the scene when all are there
+    for (const Object& object : scene.objects) loader.remember(object);
+    if (const auto problem = loader.why_too_much(scene.objects)) return *problem;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        if (scene.objects[i].mesh) {
+            meshes.push_back(scene.objects[i].mesh);
+            continue;
+        }
+        if (load_cancelled()) return Problem{file, "", cancelled_words, ""};
+        Result<MeshPtr> mesh = loader.mesh_of(scene.objects[i], i);
+        if (const Problem* problem = problem_of(mesh)) return *problem;
+        meshes.push_back(std::get<MeshPtr>(std::move(mesh)));
+    }
+    if (auto problem = too_many_triangles(meshes, file)) return *problem;
+    for (std::size_t i = 0; i < meshes.size(); ++i) scene.objects[i].mesh = std::move(meshes[i]);
+    return loader.take_warnings();
+}
+
+}  // namespace glint

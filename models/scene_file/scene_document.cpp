@@ -1,0 +1,163 @@
+// Scenes from files and into files.
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include "models/io/file.h"
+#include "models/io/png_text.h"
+#include "models/json/json_reader.h"
+#include "models/mesh/mesh_memory.h"
+#include "models/mesh_formats/mesh_file.h"
+#include "models/scene_file/scene_file.h"
+#include "models/scene_file/scene_set.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t max_png_bytes = std::size_t{4} << 30;  // 16384 x 16384 pixels that nothing compresses
+constexpr const char* known_extensions = "a scene (.json, .png) or a mesh (.obj, .ply, .off, .stl, .om)";
+
+std::string extension_of(const std::string& path) {
+    std::string extension = fs::path(path).extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return extension;
+}
+
+/// Checks, then loads what the checked scene names. What an assignment put there is the assignment's fault.
+Result<SceneDocument> document_of(std::string_view text, const std::string& path,
+                                  const std::vector<Assignment>& assignments,
+                                  const MeshPtr& first_mesh = nullptr) {
+    Result<Scene> parsed = parse_scene(text, path, assignments);
+    if (const Problem* problem = problem_of(parsed)) return *problem;
+    SceneDocument document{std::get<Scene>(std::move(parsed)), path, directory_of(path), {}};
+    std::vector<Object>& objects = document.scene.objects;
+    const MeshSource own = MeshFile{fs::path(path).filename().string()};
+    if (first_mesh && !objects.empty() && objects.front().source == own) objects.front().mesh = first_mesh;
+    Result<Warnings> loaded = load_meshes(document.scene, path, document.mesh_dir);
+    if (const Problem* found = problem_of(loaded)) {
+        Problem problem = *found;
+        if (!problem.pointer.empty() && is_assigned(problem.pointer, assignments)) problem.file = "--set";
+        return problem;
+    }
+    document.warnings = std::get<Warnings>(std::move(loaded));
+    return document;
+}
+
+Result<SceneDocument> open_scene(const std::string& path, const std::vector<Assignment>& assignments) {
+    const Result<std::string> text = read_file(path, max_json_bytes);
+    if (const Problem* problem = problem_of(text)) return *problem;
+    return document_of(std::get<std::string>(text), path, assignments);
+}
+
+Result<SceneDocument> open_picture(const std::string& path, const std::vector<Assignment>& assignments) {
+    MemoryShare share;
+    const auto check = [&share, &path](const FileBlock& block) -> std::optional<Problem> {
+        if (block.at > 0) return {};
+        if (auto problem = why_no_png(block.bytes, path)) return problem;
+        share.set(memory_need(MemoryUse::Files, block.size));
+        return {};
+    };
+    const Result<std::string> bytes = read_file(path, max_png_bytes, check);
+    if (const Problem* problem = problem_of(bytes)) return *problem;
+    const Result<std::string> text =
+        png_text(std::get<std::string>(bytes), png_scene_keyword, max_json_bytes, path);
+    if (const Problem* problem = problem_of(text)) return *problem;
+    return document_of(std::get<std::string>(text), path, assignments);
+}
+
+Result<SceneDocument> open_mesh(const std::string& path, const std::vector<Assignment>& assignments) {
+    Result<Mesh> read = read_mesh(path);
+    if (const Problem* problem = problem_of(read)) return *problem;
+    MeshPtr mesh;
+    try {
+        mesh = share_mesh(std::get<Mesh>(std::move(read)));
+    } catch (const Refused& refused) {
+        return memory_problem(refused, path);
+    }
+    const std::string name = fs::path(path).filename().string();
+    SceneDocument document{scene_of_mesh(mesh, name), path, directory_of(path), {}};
+    if (!assignments.empty()) {
+        Result<SceneDocument> assigned = document_of(scene_text(document.scene), path, assignments, mesh);
+        if (problem_of(assigned) != nullptr) return assigned;
+        document = std::get<SceneDocument>(std::move(assigned));
+    }
+    Warnings warnings;
+    for (const std::string& warning : mesh->warnings)
+        warnings.push_back(fmt::format("{}: {}", name, warning));
+    warnings.insert(warnings.end(), document.warnings.begin(), document.warnings.end());
+    document.warnings = std::move(warnings);
+    return document;
+}
+
+Result<SceneDocument> open_by_extension(const std::string& path, const std::vector<Assignment>& assignments) {
+    const std::string extension = extension_of(path);
+    if (path == "-" || extension == ".json") return open_scene(path, assignments);
+    if (extension == ".png") return open_picture(path, assignments);
+    if (is_mesh_path(path)) return open_mesh(path, assignments);
+    std::error_code error;
+    if (!path.empty() && !fs::exists(fs::status(path, error)))  // not that its name is wrong
+        return Problem{path, "", "cannot read: no such file or directory", known_extensions};
+    if (fs::is_directory(path, error)) return Problem{path, "", "is a directory", known_extensions};
+    return Problem{path, "", extension.empty() ? "has no extension" : "has another extension",
+                   known_extensions};
+}
+
+/// The directory without links and dots, as far as it exists; the working directory when it is empty.
+fs::path canonical_directory(const std::string& directory) {
+    std::error_code error;
+    fs::path path = fs::weakly_canonical(directory.empty() ? "." : directory, error);
+    return error ? fs::path(directory) : path;
+}
+
+}  // namespace
+
+std::string directory_of(const std::string& path) {
+    return path == "-" ? "" : fs::path(path).parent_path().string();
+}
+
+Scene with_mesh_paths_from(Scene scene, const std::string& old_directory, const std::string& new_directory) {
+    const fs::path before = canonical_directory(old_directory), after = canonical_directory(new_directory);
+    if (before == after) return scene;
+    for (Object& object : scene.objects) {
+        auto* named = std::get_if<MeshFile>(&object.source);
+        if (named == nullptr || fs::path(named->path).is_absolute()) continue;
+        std::error_code error;
+        const fs::path place = fs::weakly_canonical((before / named->path).parent_path(), error);
+        const fs::path relative = place.lexically_relative(after) / fs::path(named->path).filename();
+        if (!error && !place.empty()) named->path = relative.lexically_normal().generic_string();
+    }
+    return scene;
+}
+
+Result<SceneDocument> open_document(const std::string& path, const std::vector<Assignment>& assignments) {
+    // Before reading: what is written meanwhile counts as a change.
+    const FileStamp stamp = path == "-" ? FileStamp{} : file_stamp(path);
+    Result<SceneDocument> opened = open_by_extension(path, assignments);
+    if (auto* document = std::get_if<SceneDocument>(&opened)) document->stamp = stamp;
+    return opened;
+}
+
+Result<SceneDocument> save_document(const SceneDocument& document, const std::string& path) {
+    if (path != "-" && extension_of(path) != ".json")
+        return Problem{path, "", "is no name of a scene file", "the extension .json"};
+    SceneDocument saved = document;
+    saved.path = path;
+    saved.mesh_dir = directory_of(path);
+    saved.scene = with_mesh_paths_from(std::move(saved.scene), document.mesh_dir, saved.mesh_dir);
+    const std::string text = scene_text(saved.scene);
+    const Result<Scene> read_back = parse_scene(text, path);
+    if (const Problem* problem = problem_of(read_back)) return *problem;
+    if (std::get<Scene>(read_back) != saved.scene)
+        return Problem{path, "", "a name in the scene is no UTF-8 and would not read back", "names in UTF-8"};
+    const Result<std::monostate> written = write_file(path, text);
+    if (const Problem* problem = problem_of(written)) return *problem;
+    saved.stamp = file_stamp(path);
+    return saved;
+}
+
+}  // namespace glint

@@ -1,0 +1,84 @@
+#pragma once
+// The scene file, version 1 (docs/interface.md): read, checked and written. What is written reads back equal.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "models/io/file_stamp.h"
+#include "models/problem.h"
+#include "models/scene/scene.h"
+
+namespace glint {
+
+/// The keyword of the PNG text chunk (iTXt) in which a picture carries its scene.
+inline constexpr std::string_view png_scene_keyword = "glint-scene";
+
+/// One `--set /pointer=JSON`.
+struct Assignment {
+    std::string pointer;  // RFC 6901
+    std::string json;     // a JSON value, or a bare word taken as a string
+    bool operator==(const Assignment&) const = default;
+};
+
+/// A scene with what is needed to load and save it.
+struct SceneDocument {
+    Scene scene;           // meshes loaded
+    std::string path;      // of the scene or mesh file; "-" for standard input; empty for a new scene
+    std::string mesh_dir;  // what relative mesh paths are relative to
+    Warnings warnings;
+    FileStamp stamp = {};  // of the file at `path` when it was read or written; none for a new scene
+};
+
+/// Splits "POINTER=JSON"; a problem (file "--set") when there is no '=' or the pointer does not begin with
+/// '/'.
+[[nodiscard]] Result<Assignment> parse_assignment(std::string_view text);
+
+/// Text -> scene, without its meshes (Object::mesh stays null). `file` is only for messages. Assignments are
+/// applied to the JSON as written, in order, making missing parents; the whole is checked once, after the
+/// last. What is wrong in an assignment has the file "--set".
+[[nodiscard]] Result<Scene> parse_scene(std::string_view text, const std::string& file,
+                                        const std::vector<Assignment>& assignments = {});
+
+/// JSON text of a scene: every key (of mistakes only those made), floats in the shortest form that reads back
+/// equal, ends with a newline.
+[[nodiscard]] std::string scene_text(const Scene& scene);
+
+/// The shortest decimals that read back as the same float, as scene_text() writes them: "0.1", "-0.0".
+[[nodiscard]] std::string number_text(float x);
+
+/// Loads the mesh of every object whose `mesh` is null. A mesh named twice is loaded once. Paths are relative
+/// to `mesh_dir`. `file` and the object's pointer stand in messages about paths that cannot be read; what
+/// is wrong inside a mesh file has that file and its line. On a problem the scene is left as it was.
+[[nodiscard]] Result<Warnings> load_meshes(Scene& scene, const std::string& file,
+                                           const std::string& mesh_dir);
+
+/// Anything `glint FILE` takes: a scene (.json), a picture that Glint wrote (.png), a mesh (.obj .ply .off
+/// .stl .om; framed, with two default lights, one in world, one in camera coordinates), or "-" (a scene on
+/// standard input). Meshes are loaded.
+[[nodiscard]] Result<SceneDocument> open_document(const std::string& path,
+                                                  const std::vector<Assignment>& assignments = {});
+
+/// What a file's relative mesh paths are relative to: its directory; empty for the working directory, and for
+/// "-".
+[[nodiscard]] std::string directory_of(const std::string& path);
+
+/// The same scene with relative mesh paths that lead from the new directory where they led from the old one.
+[[nodiscard]] Scene with_mesh_paths_from(Scene scene, const std::string& old_directory,
+                                         const std::string& new_directory);
+
+/// Writes the scene as .json beside its target and renames it into place ("-" is standard output). Mesh paths
+/// are made relative to the new place. Problems: another extension, what cannot be written, a scene that
+/// would not read back equal.
+[[nodiscard]] Result<SceneDocument> save_document(const SceneDocument& document, const std::string& path);
+
+/// A scene of one mesh, framed, with two default lights. Precondition: the mesh has a face.
+[[nodiscard]] Scene scene_of_mesh(MeshPtr mesh, const std::string& path);
+
+/// Moves the camera, direction, up and angles kept, so that a sphere around all objects (or one, when
+/// `object` >= 0) fits a picture from 1:1 to 16:9; near, far and an orthographic height follow. Nothing
+/// changes when there is no loaded mesh, or no such camera within the numbers of a scene file.
+/// Precondition: the camera is valid.
+void frame_camera(Scene& scene, int object = -1);
+
+}  // namespace glint

@@ -1,0 +1,129 @@
+#include "renderer/geometry/geometry.h"
+
+#include <fmt/core.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <map>
+#include <utility>
+
+#include "models/refused.h"
+#include "renderer/geometry/not_too_far.h"
+#include "renderer/geometry/to_screen.h"
+
+namespace glint {
+namespace {
+
+void transform_vertices(ObjectGeometry& object, VertexJob job) {
+    const std::vector<glm::vec3>& from = object.mesh->positions;
+    static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
+    object.vertices.resize(from.size());
+    object.screen.resize(from.size());
+    if (from.empty()) return;
+    job.positions = &from.front().x;
+    job.view_from_object = matrix_of(object.view_from_object);
+    job.vertices = object.vertices.data();
+    job.on_screen = object.screen.data();
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from.size(), 4096), [&job](const auto& range) {
+        geometry_kernels().transform_vertices(job, range.begin(), range.end());
+    });
+}
+
+using VertexList = std::shared_ptr<const std::vector<std::uint32_t>>;
+
+/// The corners' vertices, once a mesh: a triangle's own list of corners is one step further away.
+VertexList list_triangle_vertices(const Mesh& mesh) {
+    std::vector<std::uint32_t> list;
+    list.reserve(3 * mesh.triangles.size());
+    for (const Triangle& t : mesh.triangles)
+        for (const std::uint32_t c : t.corner) list.push_back(mesh.corner_position[c]);
+    return std::make_shared<const std::vector<std::uint32_t>>(std::move(list));
+}
+
+/// Objects whose mesh is another now get it, with its list, which all objects of one mesh share.
+void take_meshes(std::vector<ObjectGeometry>& objects, const Scene& scene) {
+    std::map<const Mesh*, VertexList> lists;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const MeshPtr& mesh = scene.objects[i].mesh;
+        if (objects[i].mesh == mesh) continue;
+        if (lists.empty())
+            for (const ObjectGeometry& o : objects)
+                if (o.mesh) lists.emplace(o.mesh.get(), o.vertices_of_mesh);
+        VertexList& list = lists[mesh.get()];
+        if (!list) list = list_triangle_vertices(*mesh);
+        objects[i].mesh = mesh;
+        objects[i].vertices_of_mesh = list;
+        objects[i].triangle_vertices = *list;
+    }
+}
+
+void place_objects(Geometry& g, const Scene& scene) {
+    const glm::dmat4 view = view_from_world(scene.camera);
+    VertexJob job;
+    job.clip_from_view = matrix_of(clip_from_view(scene.camera.projection, g.size));
+    job.screen = screen_job(scene.camera, g.size);
+    g.objects.resize(scene.objects.size());
+    take_meshes(g.objects, scene);
+    g.triangle_count = 0;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        ObjectGeometry& o = g.objects[i];
+        o.transform = scene.objects[i].transform;
+        o.view_from_object = view * world_from_object(o.transform);
+        const glm::dmat3 linear(o.view_from_object);
+        o.mirrored = glm::determinant(linear) < 0;
+        o.normal_matrix = glm::transpose(glm::inverse(linear));
+        o.first_triangle = g.triangle_count;
+        g.triangle_count += static_cast<std::uint32_t>(o.mesh->triangles.size());
+        transform_vertices(o, job);
+    }
+}
+
+bool same_inputs(const Geometry& kept, const Scene& scene, PictureSize size) {
+    if (kept.size != size || kept.camera != scene.camera || kept.objects.size() != scene.objects.size())
+        return false;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        if (kept.objects[i].mesh != scene.objects[i].mesh ||
+            kept.objects[i].transform != scene.objects[i].transform)
+            return false;
+    return true;
+}
+
+/// Their numbers have 30 bits. A scene that is read is refused before (load_meshes); one that grows in memory
+/// ends here.
+void count_triangles(const Scene& scene) {
+    std::size_t triangles = 0;
+    for (const Object& o : scene.objects) triangles += o.mesh->triangles.size();
+    if (triangles > max_scene_triangles)
+        throw Refused({"", "/objects", fmt::format("the objects have {} triangles", triangles),
+                       fmt::format("at most {} in a scene", max_scene_triangles)});
+}
+
+}  // namespace
+
+glm::vec3 ObjectGeometry::place(std::uint32_t position) const {
+    const glm::vec3 p(vertices[position].x, vertices[position].y, vertices[position].z);
+    if (glm::dot(p, p) <= static_cast<float>(farthest_place * farthest_place)) return p;
+    const glm::dvec4 object(glm::dvec3(mesh->positions[position]), 1.0);
+    return glm::vec3(not_too_far(glm::dvec3(view_from_object * object)));
+}
+
+std::uint32_t Geometry::object_of(std::uint32_t triangle) const {
+    const auto after =
+        std::upper_bound(objects.begin(), objects.end(), triangle,
+                         [](std::uint32_t t, const ObjectGeometry& o) { return t < o.first_triangle; });
+    return static_cast<std::uint32_t>(after - objects.begin()) - 1;
+}
+
+bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size) {
+    if (same_inputs(kept, scene, size)) return false;
+    count_triangles(scene);
+    kept.size = size;
+    kept.camera = scene.camera;
+    place_objects(kept, scene);
+    return true;
+}
+
+}  // namespace glint

@@ -1,0 +1,61 @@
+#pragma once
+// Stage 1. Vertex positions in camera and clip coordinates and on the screen. Inputs: mesh, transform,
+// camera, size.
+
+#include <array>
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "models/scene/scene.h"
+#include "renderer/geometry/geometry_kernels.h"
+
+namespace glint {
+
+inline constexpr std::uint32_t no_triangle = 0xFFFFFFFFu;
+
+struct ObjectGeometry {
+    MeshPtr mesh;
+    Transform transform;
+    bool mirrored = false;  // the transform turns the winding over; facets stay outward all the same
+    std::uint32_t first_triangle = 0;  // its triangles have the global numbers first_triangle + 0, 1, 2, ...
+    glm::dmat4 view_from_object{1.0};
+    glm::dmat3 normal_matrix{1.0};  // inverse transpose of its upper 3 x 3
+    // Three a triangle, indices into vertices: of the mesh, and so the same list for all objects of one mesh.
+    std::shared_ptr<const std::vector<std::uint32_t>> vertices_of_mesh;
+    std::span<const std::uint32_t> triangle_vertices;  // its numbers
+    std::vector<PlacedVertex> vertices;                // #V
+    std::vector<ScreenVertex> screen;                  // #V
+
+    /// A position of the mesh in camera coordinates; one farther than `farthest_place`, as far in the same
+    /// direction.
+    [[nodiscard]] glm::vec3 place(std::uint32_t position) const;
+};
+
+struct Geometry {
+    Camera camera;
+    PictureSize size{0, 0};
+    std::vector<ObjectGeometry> objects;
+    std::uint32_t triangle_count = 0;  // at most max_scene_triangles
+
+    /// The object that a global triangle number belongs to.
+    [[nodiscard]] std::uint32_t object_of(std::uint32_t triangle) const;
+    [[nodiscard]] const Triangle& triangle(std::uint32_t object, std::uint32_t global) const {
+        return objects[object].mesh->triangles[global - objects[object].first_triangle];
+    }
+    /// Indices into the mesh's positions of a triangle's corners, in the file's order.
+    [[nodiscard]] std::array<std::uint32_t, 3> position_indices(std::uint32_t object,
+                                                                const Triangle& t) const {
+        const std::vector<std::uint32_t>& position = objects[object].mesh->corner_position;
+        return {position[t.corner[0]], position[t.corner[1]], position[t.corner[2]]};
+    }
+};
+
+/// Does again what differs from what `kept` was made of; true when anything did. Throws Refused, `kept` being
+/// as it was, when the scene has more than max_scene_triangles.
+bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size);
+
+}  // namespace glint

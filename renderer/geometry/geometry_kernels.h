@@ -1,0 +1,73 @@
+#pragma once
+// What goes into and comes out of the kernels of geometry: plain numbers, shared by all instruction sets.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace glint {
+
+inline constexpr int subpixels = 256;  // the rasteriser's grid, per pixel
+
+/// A vertex on the rasteriser's grid, y down, (0, 0) the picture's upper left corner. Four numbers, read at
+/// once.
+struct alignas(16) ScreenVertex {
+    std::int32_t x = 0, y = 0;  // 1/256 pixel
+    float nearness = 0;  // linear on the screen, larger is nearer: 1/w, or (1 - z_ndc)/2 when orthographic
+    std::uint32_t outside =
+        0;  // OutsideBits (outside_bits.h); with one of `needs_clipping` the rest has no meaning
+};
+
+/// A vertex as shading needs it: two records of four numbers, each read at once.
+struct alignas(32) PlacedVertex {
+    float clip_x = 0, clip_y = 0, clip_w = 0;  // clip coordinates
+    std::uint32_t outside = 0;                 // OutsideBits
+    float x = 0, y = 0, z = 0;                 // camera coordinates
+    float unused = 0;
+};
+
+/// A unit normal in camera coordinates, likewise.
+struct alignas(16) CameraNormal {
+    float x = 0, y = 0, z = 0, unused = 0;
+};
+
+/// 4 x 4, column by column.
+struct Matrix4 {
+    double column[4][4];
+};
+
+/// How clip coordinates come onto the grid.
+struct ScreenJob {
+    double width = 0, height = 0;  // of the picture, pixels
+    bool orthographic = false;
+};
+
+/// One object's vertices. As many of each as there are positions.
+struct VertexJob {
+    const float* positions = nullptr;  // object coordinates, three a vertex
+    Matrix4 view_from_object, clip_from_view;
+    ScreenJob screen;
+    PlacedVertex* vertices = nullptr;
+    ScreenVertex* on_screen = nullptr;
+};
+
+struct Matrix3 {
+    double column[3][3];
+};
+struct NormalJob {
+    const float* normals = nullptr;  // object coordinates, three a normal
+    Matrix3 matrix;                  // to camera coordinates
+    CameraNormal* in_camera = nullptr;
+};
+
+/// The kernels of one instruction set.
+struct GeometryKernels {
+    /// The vertices begin .. end - 1.
+    void (*transform_vertices)(const VertexJob& job, std::size_t begin, std::size_t end);
+    /// The normals begin .. end - 1, made unit; (0, 0, 0) stays so.
+    void (*transform_normals)(const NormalJob& job, std::size_t begin, std::size_t end);
+};
+
+/// Of the set that instruction_set.h chooses.
+const GeometryKernels& geometry_kernels();
+
+}  // namespace glint

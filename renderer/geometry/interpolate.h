@@ -1,0 +1,66 @@
+#pragma once
+// Weights of a triangle's corners at a pixel, from the corners' clip coordinates alone: no clipping, no
+// division by a w that may be 0 or negative, so that a triangle through the eye's plane needs no special
+// case. Lecture: "Gouraud Shading Artifacts" (perspective); M. Olano, T. Greer 1997 for the homogeneous edge
+// functions.
+
+#include "renderer/simd/vec3.h"
+
+namespace glint::inline GLINT_ISA {
+
+/// x, y and w in clip coordinates: where the corner is on the screen times w, and its distance in front of
+/// the eye (1 for an orthographic camera).
+template <Number F> struct ClipCorner { F x{}, y{}, w{}; };
+
+/// A place on the screen: x and y from -1 (left, bottom) to 1 (right, top).
+template <Number F> struct ScreenPoint { F x{}, y{}; };
+
+/// Of a place in pixels, y down, in a picture of width x height.
+template <Number F> ScreenPoint<F> screen_point(F x, F y, F width, F height) {
+    return {F(2) * x / width - F(1), F(1) - F(2) * y / height};
+}
+
+/// What the weights of three corners are in proportion to where the ray through `at` meets their plane: not
+/// negative inside the triangle, from whichever side it is seen.
+template <Number F>
+Vec3<F> edge_functions(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, ScreenPoint<F> at) {
+    // Corners relative to the ray: differences first, so that a small triangle far away keeps its digits.
+    const F ax = a.x - at.x * a.w, ay = a.y - at.y * a.w;
+    const F bx = b.x - at.x * b.w, by = b.y - at.y * b.w;
+    const F cx = c.x - at.x * c.w, cy = c.y - at.y * c.w;
+    const Vec3<F> e{bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx};
+    return select<F>(e.x + e.y + e.z < F(0), -e, e);  // seen from behind
+}
+
+/// Perspective-correct weights (of points, colours or normals in space) of three corners where the ray
+/// through `at` meets their plane; they sum to 1. A sample just outside the triangle, as the 1/256 pixel grid
+/// of the rasteriser may choose, gets the nearest weights inside; a triangle seen exactly edge-on gets 1/3
+/// each.
+template <Number F>
+Vec3<F> perspective_weights(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, ScreenPoint<F> at) {
+    Vec3<F> e = edge_functions(a, b, c, at);
+    e = {positive(e.x), positive(e.y), positive(e.z)};
+    const F inverse = inverse_or_zero(e.x + e.y + e.z), third = F(1.0f / 3);
+    return select<F>(inverse > F(0), inverse * e, Vec3<F>{third, third, third});
+}
+
+/// Weights that are linear on the screen, from the perspective-correct ones. All w > 0; where their products
+/// leave the range of floats, the perspective-correct ones.
+/// Source: a = sum(b_i a_i / w_i) / sum(b_i / w_i), solved for b.
+template <Number F> Vec3<F> screen_weights(Vec3<F> perspective, F wa, F wb, F wc) {
+    const Vec3<F> e{perspective.x * wa, perspective.y * wb, perspective.z * wc};
+    const F inverse = inverse_or_zero(e.x + e.y + e.z);
+    return select<F>(inverse > F(0), inverse * e, perspective);
+}
+
+template <Number F> Vec3<F> blend(Vec3<F> weights, Vec3<F> a, Vec3<F> b, Vec3<F> c) {
+    return weights.x * a + weights.y * b + weights.z * c;
+}
+
+/// One more corner of a weighted sum. What counts nothing is left out altogether, so that a sum has the same
+/// bits however many such corners are listed.
+template <Number F> Vec3<F> add_weighted(Vec3<F> sum, F weight, Vec3<F> value) {
+    return select<F>(weight > F(0), sum + weight * value, sum);
+}
+
+}  // namespace glint::inline GLINT_ISA

@@ -1,0 +1,135 @@
+#include "renderer/geometry/object_normals.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+#include <utility>
+
+#include "renderer/geometry/camera_normal.h"
+
+namespace glint {
+namespace {
+
+constexpr glm::vec3 opengl_default_normal{0, 0, 1};  // what OpenGL takes while no normal was given
+
+/// From an object's normals to camera coordinates.
+Matrix3 camera_matrix(const ObjectGeometry& object, const NormalMistakes& mistakes) {
+    const glm::dmat3 m =
+        mistakes.by_model_matrix ? glm::dmat3(object.view_from_object) : object.normal_matrix;
+    Matrix3 out;
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r) out.column[c][r] = mistakes.flipped ? -m[c][r] : m[c][r];
+    return out;
+}
+
+Vec3<double> object_normal(glm::vec3 n, const NormalMistakes& mistakes) {
+    const glm::vec3 taken = mistakes.none_given ? opengl_default_normal : n;
+    return {taken.x, taken.y, taken.z};
+}
+
+glm::vec3 to_glm(Vec3<double> v) { return {v.x, v.y, v.z}; }
+
+/// Lengths that a file's normals had before they were made unit, one for each of `of_mesh->normals`.
+std::vector<float> given_lengths(const ObjectNormals& normals) {
+    std::vector<float> lengths(normals.of_mesh->normals.size(), 1);
+    const Mesh& mesh = *normals.mesh;
+    const NormalSource source = normals.options.source;
+    const bool from_file = source == NormalSource::File || source == NormalSource::Auto;
+    if (mesh.given_normals != GivenNormals::File || !from_file) return lengths;
+    for (std::size_t c = 0; c < mesh.corner_position.size(); ++c) {
+        const std::uint32_t given = mesh.given_normal_of(c);
+        if (given == no_index) continue;
+        const std::uint32_t which =
+            normals.of_mesh->corner.empty() ? mesh.corner_position[c] : normals.of_mesh->corner[c];
+        const float length = glm::length(mesh.normals[given]);
+        if (length > 0) lengths[which] = length;
+    }
+    return lengths;
+}
+
+/// As the mistakes would have them.
+void misplace_normals(ObjectNormals& normals, const Matrix3& matrix, const NormalMistakes& mistakes) {
+    std::vector<float> lengths;
+    if (mistakes.unnormalized) lengths = given_lengths(normals);
+    tbb::parallel_for(std::size_t{0}, normals.normals.size(), [&](std::size_t i) {
+        const Vec3<double> n = to_camera(matrix, object_normal(normals.of_mesh->normals[i], mistakes));
+        const glm::vec3 taken =
+            to_glm(mistakes.unnormalized ? static_cast<double>(lengths[i]) * n : unit_or_zero(n));
+        constexpr float most = 1e18f;  // products with places have to fit a float
+        const glm::vec3 held = glm::clamp(taken, -most, most);
+        normals.normals[i] = {held.x, held.y, held.z};
+    });
+}
+
+void place_normals(ObjectNormals& normals, const ObjectGeometry& object, const NormalMistakes& mistakes) {
+    const std::vector<glm::vec3>& from = normals.of_mesh->normals;
+    normals.normals.resize(from.size());
+    const Matrix3 matrix = camera_matrix(object, mistakes);
+    if (mistakes.unnormalized || mistakes.none_given) return misplace_normals(normals, matrix, mistakes);
+    if (from.empty()) return;
+    const NormalJob job{&from.front().x, matrix, normals.normals.data()};
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from.size(), 4096), [&job](const auto& range) {
+        geometry_kernels().transform_normals(job, range.begin(), range.end());
+    });
+}
+
+/// The normals of meshes that are known, for whatever options they were made.
+using KnownNormals =
+    std::multimap<const Mesh*, std::pair<NormalOptions, std::shared_ptr<const CornerNormals>>>;
+
+std::shared_ptr<const CornerNormals> normals_of(KnownNormals& known, const Object& object) {
+    const auto [begin, end] = known.equal_range(object.mesh.get());
+    for (auto at = begin; at != end; ++at)
+        if (at->second.first == object.normals) return at->second.second;
+    auto made = std::make_shared<const CornerNormals>(corner_normals(*object.mesh, object.normals));
+    known.insert({object.mesh.get(), {object.normals, made}});
+    return made;
+}
+
+/// Objects whose mesh or options are others now get their normals, which all of the same share.
+void take_normals(std::vector<ObjectNormals>& kept, const Scene& scene) {
+    KnownNormals known;
+    for (std::size_t o = 0; o < kept.size(); ++o) {
+        const Object& object = scene.objects[o];
+        if (kept[o].mesh == object.mesh && kept[o].options == object.normals) continue;
+        if (known.empty())
+            for (const ObjectNormals& n : kept)
+                if (n.of_mesh) known.insert({n.mesh.get(), {n.options, n.of_mesh}});
+        kept[o].of_mesh = normals_of(known, object);
+        kept[o].mesh = object.mesh;
+        kept[o].options = object.normals;
+    }
+}
+
+}  // namespace
+
+NormalMistakes normal_mistakes(const Mistakes& m) {
+    return {m.unnormalized_normals, m.normals_by_model_matrix, m.normals_flipped, m.no_normals_given,
+            m.interpolated_normals_not_normalized || m.unnormalized_normals};
+}
+
+void update_normals(std::vector<ObjectNormals>& kept, const Scene& scene, const Geometry& g,
+                    const NormalMistakes& mistakes) {
+    kept.resize(scene.objects.size());
+    take_normals(kept, scene);
+    for (std::size_t o = 0; o < kept.size(); ++o) place_normals(kept[o], g.objects[o], mistakes);
+}
+
+bool same_normals(const std::vector<ObjectNormals>& kept, const Scene& scene) {
+    if (kept.size() != scene.objects.size()) return false;
+    for (std::size_t o = 0; o < scene.objects.size(); ++o)
+        if (kept[o].mesh != scene.objects[o].mesh || kept[o].options != scene.objects[o].normals)
+            return false;
+    return true;
+}
+
+glm::vec3 camera_facet_normal(const ObjectGeometry& object, std::uint32_t face,
+                              const NormalMistakes& mistakes) {
+    const Vec3<double> n = object_normal(facet_normal(*object.mesh, face), mistakes);
+    return to_glm(unit_or_zero(to_camera(camera_matrix(object, mistakes), n)));
+}
+
+}  // namespace glint

@@ -1,0 +1,67 @@
+#pragma once
+// The normals of the objects as shading takes them: camera coordinates, unit.
+// Lecture: "Vertex Normals"; formulas: a normal goes by the inverse transpose of the points' matrix.
+
+#include <memory>
+#include <vector>
+
+#include "models/mesh/normals.h"
+#include "renderer/geometry/geometry.h"
+
+namespace glint {
+
+/// The mistakes that concern normals (models/scene/mistakes.h).
+struct NormalMistakes {
+    bool unnormalized = false, by_model_matrix = false, flipped = false, none_given = false;
+    bool unnormalized_at_pixel = false;
+    bool operator==(const NormalMistakes&) const = default;
+};
+[[nodiscard]] NormalMistakes normal_mistakes(const Mistakes& mistakes);
+
+/// Normals of one object.
+struct ObjectNormals {
+    MeshPtr mesh;
+    NormalOptions options;
+    // Object coordinates; the same for all objects of that mesh with those options.
+    std::shared_ptr<const CornerNormals> of_mesh;
+    std::vector<CameraNormal> normals;  // of_mesh->normals in camera coordinates
+
+    /// For each corner of the mesh the index into `normals`.
+    [[nodiscard]] const std::vector<std::uint32_t>& normal_of_corner() const {
+        return of_mesh->corner.empty() ? mesh->corner_position : of_mesh->corner;
+    }
+    [[nodiscard]] glm::vec3 at_corner(std::uint32_t corner) const {
+        return normal(normal_of_corner()[corner]);
+    }
+    /// What tells lit vertices of one object apart: the position where one normal a position suffices, else
+    /// the corner. A slot's normal is normal_of_slot(slot).
+    [[nodiscard]] std::uint32_t slot_of(std::uint32_t corner) const {
+        return of_mesh->corner.empty() ? mesh->corner_position[corner] : corner;
+    }
+    [[nodiscard]] glm::vec3 normal_of_slot(std::uint32_t slot) const {
+        return normal(of_mesh->corner.empty() ? slot : of_mesh->corner[slot]);
+    }
+    [[nodiscard]] std::uint32_t position_of_slot(std::uint32_t slot) const {
+        return of_mesh->corner.empty() ? slot : mesh->corner_position[slot];
+    }
+    [[nodiscard]] std::size_t slot_count() const {
+        return of_mesh->corner.empty() ? mesh->positions.size() : mesh->corner_position.size();
+    }
+    [[nodiscard]] glm::vec3 normal(std::uint32_t which) const {
+        const CameraNormal& n = normals[which];
+        return {n.x, n.y, n.z};
+    }
+};
+
+/// Brings the normals of all objects up to date; those of a mesh are kept while mesh and options stay.
+void update_normals(std::vector<ObjectNormals>& kept, const Scene& scene, const Geometry& geometry,
+                    const NormalMistakes& mistakes);
+
+/// True when `kept` was made of the same meshes and options.
+[[nodiscard]] bool same_normals(const std::vector<ObjectNormals>& kept, const Scene& scene);
+
+/// The facet normal of a polygon in camera coordinates, unit; (0, 0, 0) when it has no area.
+[[nodiscard]] glm::vec3 camera_facet_normal(const ObjectGeometry& object, std::uint32_t face,
+                                            const NormalMistakes& mistakes);
+
+}  // namespace glint

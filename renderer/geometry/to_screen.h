@@ -1,0 +1,48 @@
+#pragma once
+// The kernels' ways of a vertex to the screen, for one vertex alone: those of triangles and of clipped pieces
+// go the same way, so that no crack opens between them.
+
+#include <algorithm>
+#include <glm/mat4x4.hpp>
+
+#include "models/scene/camera.h"
+#include "renderer/geometry/viewport_transform.h"
+
+namespace glint {
+
+[[nodiscard]] inline Matrix4 matrix_of(const glm::dmat4& m) {
+    Matrix4 out;
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r) out.column[c][r] = m[c][r];
+    return out;
+}
+
+[[nodiscard]] inline ScreenJob screen_job(const Camera& camera, PictureSize size) {
+    return {static_cast<double>(size.width), static_cast<double>(size.height),
+            is_orthographic(camera.projection)};
+}
+
+/// A corner that the near plane has left, but where it lies beyond it by more than rounding takes from usual
+/// numbers: of an edge that is 1e17 long doubles keep no digit of the place where it is cut. Then it has the
+/// least w that it may have, so that dividing by it gives a number.
+[[nodiscard]] inline glm::dvec4 before_eye(const Projection& projection, const glm::dvec4& clip) {
+    const double least_w = is_orthographic(projection) ? 0.5 : 0.5 * static_cast<double>(near_of(projection));
+    return {clip.x, clip.y, clip.z, std::max(clip.w, least_w)};
+}
+
+/// A corner that clipping has left; where it lies beyond near plane or guard band by more than rounding takes
+/// from usual numbers, the nearest that has a place on the rasteriser's grid.
+[[nodiscard]] inline glm::dvec4 held_in_view(const Projection& projection, const glm::dvec4& clip) {
+    const glm::dvec4 c = before_eye(projection, clip);
+    const double side = (guard_band + 1) * c.w, depth = 1.001 * c.w;
+    return {std::clamp(c.x, -side, side), std::clamp(c.y, -side, side), std::clamp(c.z, -depth, depth), c.w};
+}
+
+/// Precondition: held_in_view().
+[[nodiscard]] inline ScreenVertex to_screen(const ScreenJob& screen, const glm::dvec4& clip) {
+    const GridPoint<double> at = grid_point(screen, Point4<double>{clip.x, clip.y, clip.z, clip.w});
+    return {static_cast<std::int32_t>(nearest(at.x)), static_cast<std::int32_t>(nearest(at.y)),
+            static_cast<float>(at.nearness)};
+}
+
+}  // namespace glint

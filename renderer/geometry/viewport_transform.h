@@ -1,0 +1,52 @@
+#pragma once
+// A vertex's way to the screen, in doubles: from object to camera to clip coordinates, and onto the
+// rasteriser's grid. One at a time (double) or side by side (Doubles).
+
+#include "renderer/geometry/geometry_kernels.h"
+#include "renderer/geometry/outside_bits.h"
+#include "renderer/simd/double_lanes.h"
+
+namespace glint::inline GLINT_ISA {
+
+template <Number D> struct Point4 { D x, y, z, w; };
+
+template <Number D> Point4<D> transformed(const Matrix4& m, const Point4<D>& p) {
+    const auto row = [&](int r) {
+        return (D(m.column[0][r]) * p.x + D(m.column[1][r]) * p.y) +
+               (D(m.column[2][r]) * p.z + D(m.column[3][r]) * p.w);
+    };
+    return {row(0), row(1), row(2), row(3)};
+}
+
+/// Sums of OutsideBits: of the planes at the sides of the view, and of those that need clipping. Of a vertex
+/// in camera and in clip coordinates.
+template <Number D> struct Outside { D sides, cut; };
+template <Number D> Outside<D> outside_of(const Point4<D>& camera, const Point4<D>& c) {
+    const auto bit = [](auto where, OutsideBits b) { return select(where, D(static_cast<double>(b)), D(0)); };
+    const auto one = [](auto where) { return select(where, D(1), D(0)); };
+    const D sides = bit(c.x < -c.w, OutsideLeft) + bit(c.x > c.w, OutsideRight) +
+                    bit(c.y < -c.w, OutsideBottom) + bit(c.y > c.w, OutsideTop);
+    const D g = D(guard_band) * c.w;  // NaN is not within
+    const D squared = camera.x * camera.x + camera.y * camera.y + camera.z * camera.z;
+    const D floats = one((c.w - D(least_float_w)) * (D(most_float_w) - c.w) >= D(0)) *
+                     one(squared <= D(farthest_place * farthest_place));
+    const D within = one(c.x >= -g) * one(c.x <= g) * one(c.y >= -g) * one(c.y <= g) * floats;
+    return {sides, bit(c.z < -c.w, OutsideNear) + bit(c.z > c.w, OutsideFar) +
+                       (D(1) - within) * D(static_cast<double>(OutsideGuard))};
+}
+
+/// On the rasteriser's grid, in whole units.
+template <Number D> struct GridPoint { D x, y, nearness; };
+
+/// To the nearest whole number, halves away from zero. |a| < 2^31.
+template <Number D> D nearest(D a) {
+    const D towards_zero = whole_part(a), rest = a - towards_zero;  // exact
+    return towards_zero + select(rest >= D(0.5), D(1), D(0)) - select(rest <= D(-0.5), D(1), D(0));
+}
+template <Number D> GridPoint<D> grid_point(const ScreenJob& screen, const Point4<D>& c) {
+    const D x = (c.x / c.w + D(1)) * D(0.5) * D(screen.width) * D(subpixels);
+    const D y = (D(1) - c.y / c.w) * D(0.5) * D(screen.height) * D(subpixels);
+    return {x, y, screen.orthographic ? D(0.5) * (D(1) - c.z / c.w) : D(1) / c.w};
+}
+
+}  // namespace glint::inline GLINT_ISA

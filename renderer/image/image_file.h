@@ -1,0 +1,36 @@
+#pragma once
+// Pictures to and from bytes (models/io/file.h writes them): PNG (8 bit, carrying its scene in a text chunk),
+// PFM and OpenEXR (linear float).
+
+#include <string>
+
+#include "models/problem.h"
+#include "renderer/picture.h"
+
+namespace glint {
+
+/// At least the bytes that making a file of a picture of that size takes: as PNG (which is never longer than
+/// the colours that go into it, but for a little), PFM, EXR.
+[[nodiscard]] std::uint64_t png_memory(PictureSize size);
+[[nodiscard]] std::uint64_t pfm_memory(PictureSize size);
+[[nodiscard]] std::uint64_t exr_memory(PictureSize size);
+
+/// PNG bytes of the red, green and blue of `rgba`; `scene_json` goes into a text chunk (iTXt, not compressed,
+/// keyword png_scene_keyword of models/scene_file/scene_file.h) unless empty. Same input, same bytes.
+/// Precondition: the size is 1x1 to 16384x16384. Source: PNG specification (W3C, second edition),
+/// sections 5.3 and 11.3.4.5.
+[[nodiscard]] std::string png_bytes(const Picture& picture, const std::string& scene_json);
+
+/// PFM bytes: "PF", little-endian (scale -1.0), bottom row first, `linear` times `exposure`.
+/// Precondition: picture.linear is filled. Source: Debevec's PFM, as Netpbm's manual describes it.
+[[nodiscard]] std::string pfm_bytes(const Picture& picture, float exposure);
+
+/// OpenEXR bytes: 32-bit float channels R, G, B, ZIP-compressed without loss, `linear` times `exposure`: the
+/// numbers of the PFM. Precondition: picture.linear is filled. Source: OpenEXR 3, academysoftwarefoundation.
+[[nodiscard]] std::string exr_bytes(const Picture& picture, float exposure);
+
+/// Reads a PNG of any colour type and depth, up to 16384x16384, as 8-bit RGBA; `linear` stays empty. Sample
+/// values are taken as sRGB, as Glint writes them, whatever the depth. "-" is standard input.
+[[nodiscard]] Result<Picture> read_png(const std::string& path);
+
+}  // namespace glint

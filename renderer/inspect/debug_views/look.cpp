@@ -1,0 +1,228 @@
+#include "renderer/inspect/debug_views/look.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+namespace glint {
+namespace {
+
+constexpr float none = std::numeric_limits<float>::quiet_NaN();
+using Rgb = std::array<std::uint8_t, 3>;
+constexpr Rgb background{38, 38, 40};
+
+Rgb bytes(glm::dvec3 color) {
+    const glm::dvec3 c = glm::clamp(color, 0.0, 1.0) * 255.0 + 0.5;
+    return {static_cast<std::uint8_t>(c.x), static_cast<std::uint8_t>(c.y), static_cast<std::uint8_t>(c.z)};
+}
+
+/// Along evenly spaced colours, `at` from 0 to 1.
+template <std::size_t N> glm::dvec3 between(const std::array<glm::dvec3, N>& stops, double at) {
+    const double scaled = std::clamp(at, 0.0, 1.0) * (N - 1);
+    const std::size_t i = std::min(static_cast<std::size_t>(scaled), N - 2);
+    return glm::mix(stops[i], stops[i + 1], scaled - static_cast<double>(i));
+}
+
+/// Lightness rises evenly, so that it reads in grey too.
+const std::array<glm::dvec3, 5> dark_to_light{glm::dvec3(0.06, 0.04, 0.26), glm::dvec3(0.16, 0.26, 0.58),
+                                              glm::dvec3(0.12, 0.53, 0.60), glm::dvec3(0.53, 0.78, 0.37),
+                                              glm::dvec3(1.00, 0.95, 0.60)};
+/// Lit: black, orange, white. Turned away: blues, so that the break at 0 is the terminator.
+const std::array<glm::dvec3, 3> lit{glm::dvec3(0.07, 0.04, 0.02), glm::dvec3(0.88, 0.47, 0.10),
+                                    glm::dvec3(1, 1, 0.92)};
+const std::array<glm::dvec3, 2> unlit{glm::dvec3(0.10, 0.15, 0.32), glm::dvec3(0.35, 0.62, 1)};
+
+/// A hue for a number, so that numbers near one another lie far apart.
+Rgb hue_color(std::uint64_t number) {
+    const double hue = 6 * std::fmod(static_cast<double>(number) * std::numbers::phi, 1.0);
+    const double light = number % 2 == 0 ? 0.92 : 0.66;
+    const auto channel = [&](double shift) {
+        const double away = std::abs(std::fmod(hue + shift, 6.0) - 3);
+        return light * (0.35 + 0.65 * std::clamp(away - 1, 0.0, 1.0));
+    };
+    return bytes({channel(0), channel(4), channel(2)});
+}
+
+template <class PixelWork> void for_pixels(PictureSize size, const PixelWork& work) {
+    tbb::parallel_for(0, size.height, [&](int y) {
+        for (int x = 0; x < size.width; ++x)
+            work(static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+                     static_cast<std::size_t>(x),
+                 x, y);
+    });
+}
+
+void put(Picture& picture, std::size_t pixel, Rgb color) {
+    std::copy(color.begin(), color.end(), picture.rgba.begin() + static_cast<std::ptrdiff_t>(4 * pixel));
+    picture.rgba[4 * pixel + 3] = 255;
+}
+
+std::size_t pixels_of(PictureSize size) {
+    return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+}
+
+}  // namespace
+
+Rgb look_color(Look look, const LookScale& scale, double value) {
+    if (look == Look::NDotL) return bytes(value < 0 ? between(unlit, -value) : between(lit, value));
+    const double share = (value - scale.low) / (scale.high - scale.low);
+    // What is near is light.
+    return bytes(between(dark_to_light, look == Look::Depth ? 1 - share : share));
+}
+
+Rgb normal_color(glm::vec3 normal) { return bytes(glm::dvec3(normal) * 0.5 + 0.5); }
+
+LookPainter::LookPainter(int threads)
+    : renderer_(std::make_unique<Renderer>(threads)), facets_(std::make_unique<Renderer>(threads)) {}
+
+void LookPainter::measure_normals(const Scene& scene, PictureSize size) {
+    const Picture& drawn = renderer_->render(normal_scene(scene, false), size, true);
+    normals_.resize(pixels_of(size));
+    for_pixels(size, [&](std::size_t i, int x, int y) {
+        const bool hit = renderer_->object_at(x, y) >= 0;
+        normals_[i] = hit ? drawn.linear_at(x, y) : glm::vec3(none);
+        put(picture_, i, hit ? normal_color(normals_[i]) : background);
+    });
+}
+
+void LookPainter::measure_angles(const Scene& scene, PictureSize size) {
+    const Picture& smooth = renderer_->render(normal_scene(scene, false), size, true);
+    const Picture& facet = facets_->render(normal_scene(scene, true), size, true);
+    for_pixels(size, [&](std::size_t i, int x, int y) {
+        if (renderer_->object_at(x, y) < 0) return;
+        const glm::dvec3 a = smooth.linear_at(x, y), b = facet.linear_at(x, y);
+        // Of the half angle: its sine keeps its digits where the angle is small.
+        values_[i] = static_cast<float>(2 * std::atan2(glm::length(a - b), glm::length(a + b)) * 180 /
+                                        std::numbers::pi);
+    });
+}
+
+void LookPainter::measure_n_dot_l(const Scene& scene, int light, PictureSize size) {
+    if (scene.lights.empty()) return;
+    light = std::clamp(light, 0, static_cast<int>(scene.lights.size()) - 1);
+    const Picture& drawn = renderer_->render(n_dot_l_scene(scene, light), size, true);
+    for_pixels(size, [&](std::size_t i, int x, int y) {
+        if (renderer_->object_at(x, y) >= 0) values_[i] = drawn.linear_at(x, y).x;
+    });
+}
+
+void LookPainter::measure_depths(const Renderer& drawn_by, PictureSize size) {
+    for_pixels(size, [&](std::size_t i, int x, int y) {
+        const float depth = drawn_by.depth_at(x, y);
+        if (depth > 0) values_[i] = depth;
+    });
+}
+
+void LookPainter::paint_faces(const Scene& scene, const Renderer& drawn_by, PictureSize size) {
+    names_.clear();
+    for (const Object& object : scene.objects) names_.push_back(object.name);
+    constexpr std::uint64_t no_face = std::numeric_limits<std::uint64_t>::max();
+    faces_.assign(pixels_of(size), no_face);
+    for_pixels(size, [&](std::size_t i, int x, int y) {
+        const auto seen = drawn_by.seen_at(x, y);
+        if (seen) faces_[i] = (static_cast<std::uint64_t>(seen->object) << 32) | seen->face;
+        put(picture_, i,
+            seen ? hue_color(seen->face + 7919u * static_cast<unsigned>(seen->object)) : background);
+    });
+}
+
+void LookPainter::color_values() {
+    float low = std::numeric_limits<float>::infinity(), high = -low;
+    for (const float v : values_) {  // NaN compares false
+        if (v < low) low = v;
+        if (v > high) high = v;
+    }
+    const bool any = low <= high;
+    scale_.has_bar = true;
+    if (look_ == Look::NDotL) scale_ = {true, -1, 1, "n·l"};
+    if (look_ == Look::Depth) scale_ = {true, any ? low : 0, any && high > low ? high : low + 1, "depth"};
+    if (look_ == Look::FacetAngle) scale_ = {true, 0, any ? std::max(high, 1.0f) : 1, "degrees"};
+    if (!any && look_ == Look::Depth) scale_ = {true, 0, 1, "depth"};
+    for_pixels(picture_.size, [&](std::size_t i, int, int) {
+        put(picture_, i, std::isnan(values_[i]) ? background : look_color(look_, scale_, values_[i]));
+    });
+}
+
+const Picture& LookPainter::paint(LookChoice choice, const Scene& scene, const Renderer& drawn_by,
+                                  PictureSize size) {
+    look_ = choice.look;
+    scale_ = {};
+    terms_ = nullptr;
+    picture_.size = size;
+    picture_.rgba.resize(4 * pixels_of(size));
+    values_.assign(pixels_of(size), none);
+    switch (choice.look) {
+    case Look::Normal:
+        measure_normals(scene, size);
+        return picture_;
+    case Look::Face:
+        paint_faces(scene, drawn_by, size);
+        return picture_;
+    case Look::NDotL:
+        measure_n_dot_l(scene, choice.light, size);
+        break;
+    case Look::Depth:
+        measure_depths(drawn_by, size);
+        break;
+    case Look::FacetAngle:
+        measure_angles(scene, size);
+        break;
+    case Look::Picture:
+        terms_ = &renderer_->render(scene, size, true);
+        return *terms_;
+    case Look::Silhouette:
+        terms_ = &renderer_->render(silhouette_scene(scene), size, true);
+        return *terms_;
+    case Look::Emission:
+    case Look::Ambient:
+    case Look::Diffuse:
+    case Look::Specular:
+        terms_ = &renderer_->render(term_scene(scene, choice.look), size, true);
+        return *terms_;
+    }
+    color_values();
+    return picture_;
+}
+
+float LookPainter::value_at(int x, int y) const {
+    return values_.empty() ? none : values_[picture_.pixel(x, y)];
+}
+
+std::string LookPainter::value_text(int x, int y) const {
+    const std::size_t i = picture_.pixel(x, y);
+    if (terms_ != nullptr) {
+        const glm::vec3 c = terms_->linear_at(x, y);
+        return fmt::format("{:.3f} {:.3f} {:.3f}", c.x, c.y, c.z);
+    }
+    if (look_ == Look::Normal) {
+        const glm::vec3 n = normals_[i];
+        return std::isnan(n.x) ? "background" : fmt::format("{:+.3f} {:+.3f} {:+.3f}", n.x, n.y, n.z);
+    }
+    if (look_ == Look::Face) {
+        const std::size_t object = faces_[i] >> 32;
+        if (object >= names_.size()) return "background";
+        return fmt::format("{}, face {}", names_[object], faces_[i] & 0xFFFFFFFFu);
+    }
+    if (std::isnan(values_[i])) return "background";
+    return look_ == Look::FacetAngle ? fmt::format("{:.2f}°", values_[i]) : fmt::format("{:.3f}", values_[i]);
+}
+
+std::uint64_t stripe_over_range(Picture& picture, float exposure) {
+    std::uint64_t count = 0;
+    for (int y = 0; y < picture.size.height; ++y)
+        for (int x = 0; x < picture.size.width; ++x) {
+            const glm::vec3 c = picture.linear_at(x, y) * exposure;
+            if (!(std::max({c.x, c.y, c.z}) > 1)) continue;
+            ++count;
+            if ((x + y) % 8 < 3) put(picture, picture.pixel(x, y), {0, 0, 0});
+        }
+    return count;
+}
+
+}  // namespace glint

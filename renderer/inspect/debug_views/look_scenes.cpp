@@ -1,0 +1,76 @@
+// The scenes whose pictures are measurements.
+#include "renderer/inspect/debug_views/look.h"
+
+namespace glint {
+namespace {
+
+/// A white surface under Lambert's law without the clamp, and nothing else in the picture.
+Scene measuring_scene(const Scene& scene) {
+    Scene s = scene;
+    s.lights.clear();
+    s.global_ambient = glm::vec3(0);
+    s.npr = {};
+    s.display = {};
+    s.display.background = glm::vec3(0);
+    s.shading.reflection = Reflection::Lambert;
+    s.shading.rules = Rules::Lecture;
+    s.shading.terms = {false, false, true, false};
+    Mistakes& m = s.shading.mistakes;
+    m.no_clamp_of_cosine = true;
+    m.unnormalized_light = m.clamp_each_light = false;
+    m.falloff_of_directional = m.falloff_without_constant = m.lit_after_projection = false;
+    for (Object& object : s.objects) {
+        object.material = {};
+        object.material.diffuse = glm::vec3(1);
+    }
+    return s;
+}
+
+Light sun_along(glm::vec3 axis) {
+    Light sun;
+    sun.kind = LightKind::Directional;
+    sun.space = LightSpace::Camera;
+    sun.position = {axis, 0};
+    sun.diffuse = axis;
+    return sun;
+}
+
+}  // namespace
+
+Scene normal_scene(const Scene& scene, bool facet) {
+    Scene s = measuring_scene(scene);
+    s.shading.mode = facet ? ShadingMode::Facet : ShadingMode::Phong;
+    s.shading.mistakes.light_in_wrong_space = s.shading.mistakes.light_moved_twice = false;
+    s.lights = {sun_along({1, 0, 0}), sun_along({0, 1, 0}), sun_along({0, 0, 1})};
+    return s;
+}
+
+Scene n_dot_l_scene(const Scene& scene, int light) {
+    Scene s = measuring_scene(scene);
+    Light l = scene.lights[static_cast<std::size_t>(light)];
+    if (l.kind != LightKind::Directional) l.kind = LightKind::Point;
+    l.diffuse = glm::vec3(1);
+    l.intensity = 1;
+    l.enabled = true;
+    l.falloff = {};
+    s.lights = {l};
+    return s;
+}
+
+Scene silhouette_scene(const Scene& scene) {
+    Scene s = scene;
+    s.npr.silhouettes = true;
+    s.npr.creases = false;
+    s.npr.stroke_width_px = 2;
+    s.npr.stroke = {1, 0.25f, 0.6f};  // a hue that few materials have
+    return s;
+}
+
+Scene term_scene(const Scene& scene, Look term) {
+    Scene s = scene;
+    s.shading.terms = {term == Look::Emission, term == Look::Ambient, term == Look::Diffuse,
+                       term == Look::Specular};
+    return s;
+}
+
+}  // namespace glint

@@ -1,0 +1,169 @@
+#include "renderer/inspect/debug_views/sensitivity.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "models/fields/scene_numbers.h"
+#include "renderer/renderer.h"
+
+namespace glint {
+namespace {
+
+/// The scene with only the object that shows, and the names of numbers in the whole scene.
+struct PinnedScene {
+    SceneDocument document;
+    int object = -1;
+
+    [[nodiscard]] std::string pointer_in_whole(const std::string& pointer) const {
+        constexpr std::string_view alone = "/objects/0/";
+        if (!pointer.starts_with(alone)) return pointer;
+        return fmt::format("/objects/{}/{}", object, pointer.substr(alone.size()));
+    }
+};
+
+/// One pixel of many scenes.
+class PixelProbe {
+  public:
+    PixelProbe(const SceneDocument& document, PictureSize size, int x, int y, int threads)
+        : document_(document), size_(size), x_(x), y_(y), still_(threads), moved_(threads) {
+        (void)still_.render(document_.scene, size_);
+    }
+
+    [[nodiscard]] glm::dvec3 color_now() const { return color_of(still_.explain(x_, y_), document_.scene); }
+    /// With another value of one number; nothing where the scene does not allow it.
+    [[nodiscard]] std::optional<glm::dvec3> color_with(const SceneNumber& number, double value) {
+        Scene scene = document_.scene;
+        if (set_number(scene, number.pointer, value)) return std::nullopt;
+        if (problem_of(load_meshes(scene, document_.path, document_.mesh_dir)) != nullptr)
+            return std::nullopt;
+        if (!number.moves_faces) return color_of(still_.explain_as(scene, x_, y_), scene);
+        // What decides which face the pixel shows, or what is drawn over it: the picture is drawn anew.
+        (void)moved_.render(scene, size_);
+        return color_of(moved_.explain(x_, y_), scene);
+    }
+
+  private:
+    static glm::dvec3 color_of(const Explanation& e, const Scene& scene) {
+        return glm::dvec3(e.sum) * static_cast<double>(scene.display.exposure);
+    }
+
+    const SceneDocument& document_;
+    PictureSize size_;
+    int x_, y_;
+    Renderer still_, moved_;  // the scene as it is; the scene with something else in it
+};
+
+double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+void measure(Sensitivities& s, PixelProbe& probe, const PinnedScene& pinned, const glm::dvec3& now,
+             const SceneNumber& moved) {
+    const double h = 1e-3 * std::max(std::abs(moved.value), 0.1);
+    const auto less = probe.color_with(moved, moved.value - h),
+               more = probe.color_with(moved, moved.value + h);
+    Sensitivity number{pinned.pointer_in_whole(moved.pointer), moved.value, glm::dvec3(0), !less || !more};
+    if (!less && !more) {
+        s.fixed.push_back(number.pointer);
+        return;
+    }
+    number.change = (more.value_or(now) - less.value_or(now)) / (number.one_sided ? h : 2 * h);
+    const bool same = less.value_or(now) == now && more.value_or(now) == now;
+    if (same)
+        s.no_effect.push_back(number.pointer);
+    else
+        s.numbers.push_back(number);
+}
+
+PinnedScene pinned_scene(const SceneDocument& document, PictureSize size, int x, int y, int threads) {
+    Renderer whole(threads);
+    (void)whole.render(document.scene, size);
+    PinnedScene pinned{document, whole.object_at(x, y)};
+    std::vector<Object>& objects = pinned.document.scene.objects;
+    objects.clear();
+    if (pinned.object >= 0)
+        objects.push_back(document.scene.objects[static_cast<std::size_t>(pinned.object)]);
+    return pinned;
+}
+
+}  // namespace
+
+struct SensitivityRun::State {
+    State(const SceneDocument& document, PictureSize size, int x, int y, int threads)
+        : pinned(pinned_scene(document, size, x, y, threads)),
+          probe(pinned.document, size, x, y, threads),
+          now(probe.color_now()),
+          numbers(numbers_of(pinned.document.scene)) {
+        for (std::size_t i = 0; i < document.scene.objects.size(); ++i)
+            if (static_cast<int>(i) != pinned.object) others.push_back(fmt::format("/objects/{}", i));
+    }
+
+    PinnedScene pinned;
+    PixelProbe probe;
+    glm::dvec3 now;
+    std::vector<SceneNumber> numbers;
+    std::vector<std::string> others;  // objects that do not show at the pixel
+    std::size_t measured = 0;
+    Sensitivities found;
+};
+
+SensitivityRun::SensitivityRun(const SceneDocument& document, PictureSize size, int x, int y, int threads)
+    : state_(std::make_unique<State>(document, size, x, y, threads)) {}
+SensitivityRun::~SensitivityRun() = default;
+
+bool SensitivityRun::step() {
+    State& s = *state_;
+    if (s.measured == s.numbers.size()) return false;
+    measure(s.found, s.probe, s.pinned, s.now, s.numbers[s.measured++]);
+    return s.measured < s.numbers.size();
+}
+
+std::size_t SensitivityRun::measured() const { return state_->measured; }
+std::size_t SensitivityRun::count() const { return state_->numbers.size(); }
+
+Sensitivities SensitivityRun::result() const {
+    Sensitivities s = state_->found;
+    s.no_effect.insert(s.no_effect.end(), state_->others.begin(), state_->others.end());
+    std::stable_sort(s.numbers.begin(), s.numbers.end(), [](const Sensitivity& a, const Sensitivity& b) {
+        return largest(a.change) > largest(b.change);
+    });
+    return s;
+}
+
+Result<Sensitivities> sensitivities(const SceneDocument& document, PictureSize size, int x, int y,
+                                    int threads, const SensitivityProgress& measured) {
+    const std::size_t lights = document.scene.lights.size();
+    if (lights > max_sensitivity_lights)
+        return Problem{document.path, "/lights",
+                       fmt::format("{} lights are too many for the sensitivity", lights),
+                       fmt::format("at most {}", max_sensitivity_lights), 0};
+    SensitivityRun run(document, size, x, y, threads);
+    while (run.measured() < run.count()) {
+        run.step();
+        if (measured) measured(run.measured(), run.count());
+    }
+    return run.result();
+}
+
+std::string sensitivity_text(const Sensitivities& s) {
+    std::string text =
+        "Change of the pixel (linear RGB times exposure) for each unit of a number, largest first:\n";
+    for (const Sensitivity& n : s.numbers)
+        text +=
+            fmt::format("  {:+.6f} {:+.6f} {:+.6f}  {} = {}{}\n", n.change.x, n.change.y, n.change.z,
+                        n.pointer, static_cast<float>(n.value), n.one_sided ? "  (moves one way only)" : "");
+    const auto list = [&text](const char* title, const std::vector<std::string>& pointers) {
+        if (pointers.empty()) return;
+        text += title;
+        text += '\n';
+        for (const std::string& pointer : pointers) text += "  " + pointer + "\n";
+    };
+    list("Without effect on it:", s.no_effect);
+    list("That cannot move a little:", s.fixed);
+    return text;
+}
+
+}  // namespace glint

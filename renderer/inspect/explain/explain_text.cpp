@@ -1,0 +1,239 @@
+#include "renderer/inspect/explain/explain_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/fields/choices.h"
+#include "models/problem.h"
+
+namespace glint {
+namespace {
+
+/// Ten columns wide, the points below each other where a plain number will do.
+std::string number(float x) {
+    const float size = std::abs(x);
+    return x == 0 || (size >= 1e-4f && size < 1e4f) ? fmt::format("{:10.4f}", x) : fmt::format("{:10.2e}", x);
+}
+std::string numbers(glm::vec3 v) { return number(v.x) + number(v.y) + number(v.z); }
+
+/// Inside an equation: as short as it can be.
+std::string brief(float x) { return fmt::format("{:.4g}", x); }
+std::string brief(glm::vec3 v) {
+    if (v.x == v.y && v.y == v.z) return brief(v.x);
+    return fmt::format("({:.4g} {:.4g} {:.4g})", v.x, v.y, v.z);
+}
+
+constexpr std::size_t product_width = 62;
+
+/// A term: its name, the product that makes it, and its red, green and blue (on the next line where it is
+/// long).
+std::string term(std::string_view name, std::string_view product, glm::vec3 value) {
+    const auto is_start = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80; };  // of UTF-8
+    const auto width = static_cast<std::size_t>(std::count_if(product.begin(), product.end(), is_start));
+    if (width <= product_width)
+        return fmt::format("  {:<9} {:<{}}{}\n", name, product, product_width, numbers(value));
+    return fmt::format("  {:<9} {}\n", name, product) + term("", "", value);
+}
+
+std::string vector(std::string_view symbol, const InBothFrames& v, std::string_view meaning) {
+    return fmt::format("  {:<3}{}   {}    {}\n", symbol, numbers(v.camera), numbers(v.world), meaning);
+}
+
+/// What the highlight is made of, as the equation writes it.
+std::string highlight(Reflection reflection, const Material& material, glm::vec3 factor) {
+    const ReflectionInfo info = info_of(reflection);
+    if (!info.uses_shininess()) return "S = " + brief(factor);
+    return fmt::format("{}^{} = {}", info.highlight, brief(material.shininess), brief(factor));
+}
+
+/// One light (or one sample of an area light) in words, where its numbers alone would not say why.
+std::string remark(const ExplainedLight& e, const Light& light) {
+    if (light.kind == LightKind::Spot && e.spot == 0 && e.spot_angle_deg > light.spot.cutoff_deg) {
+        return fmt::format("outside the cone by {:.1f}°", e.spot_angle_deg - light.spot.cutoff_deg);
+    }
+    if (e.n_dot_l < 0) return "behind the surface";
+    if (e.n_dot_l == 0) return "along the surface";
+    return {};
+}
+
+std::string_view off_or(bool on, std::string_view product) { return on ? product : "switched off"; }
+
+class Writer {
+  public:
+    Writer(const Explanation& e, const Scene& scene) : e_(e), scene_(scene) {}
+
+    [[nodiscard]] std::string text() const {
+        std::string text = fmt::format("Pixel {}, {}: ", e_.x, e_.y);
+        text += e_.hit ? hit() : "background\n\n";
+        return text + result();
+    }
+
+  private:
+    [[nodiscard]] std::string hit() const {
+        std::string text = fmt::format("{}, face {}, {} side; {} shading, {} reflection\n\n",
+                                       on_one_line(e_.object), e_.face, e_.front_facing ? "front" : "back",
+                                       name_of(e_.mode), name_of(e_.reflection));
+        text += spaces() + "\n";
+        text += "     camera coordinates               world coordinates\n" + place(e_.at) + "\n";
+        if (!e_.lit_per_corner) return text + equation(e_.at);
+        for (std::size_t i = 0; i < e_.corners.size(); ++i) {
+            const ExplainedCorner& corner = e_.corners[i];
+            text += e_.mode == ShadingMode::Flat ? "Lit at one point for the whole polygon\n"
+                                                 : fmt::format("Corner {} of {}, weight {}\n", i + 1,
+                                                               e_.corners.size(), brief(corner.weight));
+            text += place(corner.at) + "\n" + equation(corner.at);
+            text += term("sum", "of this point", corner.at.sum) + "\n";
+        }
+        return text;
+    }
+
+    /// The point on its way from the mesh to the screen.
+    [[nodiscard]] std::string spaces() const {
+        const ExplainedSpaces& in = e_.spaces;
+        const auto line = [](std::string_view name, const std::string& values, std::string_view note) {
+            return fmt::format("  {:<8}{}{}\n", name, values, note);
+        };
+        return line("object", numbers(in.object), "") + line("world", numbers(in.world), "") +
+               line("camera", numbers(in.camera), "              here it is lit") +
+               line("clip", numbers(glm::vec3(in.clip)) + number(in.clip.w), "    w last") +
+               line("ndc", numbers(in.ndc), "") + line("pixel", number(in.pixel.x) + number(in.pixel.y), "");
+    }
+
+    static std::string place(const ExplainedPoint& at) {
+        return vector("p", at.point, "the point") + vector("n", at.normal, "its normal") +
+               vector("v", at.view, "to the eye");
+    }
+
+    /// The terms of one point, without their sum.
+    [[nodiscard]] std::string equation(const ExplainedPoint& at) const {
+        if (!info_of(e_.reflection).is_lit) return "  no lighting: the mesh's own colour\n\n";
+        std::string text =
+            fmt::format("  {:<{}}{:>10}{:>10}{:>10}\n", "", product_width + 10, "red", "green", "blue");
+        text += at.cool_to_warm.used ? tone(at.cool_to_warm) : unlit(at);
+        for (const ExplainedLight& light : at.lights) text += one_light(light) + "\n";
+        return text;
+    }
+
+    /// What there is without a light.
+    [[nodiscard]] std::string unlit(const ExplainedPoint& at) const {
+        const Terms& on = scene_.shading.terms;
+        const std::string global =
+            fmt::format("k_a {} · global {}", brief(e_.material.ambient), brief(scene_.global_ambient));
+        return term("emission", off_or(on.emission, "of the material"), at.emission) +
+               term("ambient", off_or(on.ambient, global), at.global_ambient) + "\n";
+    }
+
+    /// Cool-to-warm shading, which stands in place of emission, ambient and diffuse terms.
+    static std::string tone(const ExplainedTone& t) {
+        const std::string product = fmt::format("k_w {} · warm {} + {} · cool {}", brief(t.k_w),
+                                                brief(t.warm), brief(1 - t.k_w), brief(t.cool));
+        return fmt::format("  n·l {} of the first light: k_w = (1 + n·l) / 2\n", brief(t.n_dot_l)) +
+               term("tone", product, t.color) + "\n";
+    }
+
+    [[nodiscard]] std::string one_light(const ExplainedLight& e) const {
+        const Light& light = scene_.lights[static_cast<std::size_t>(e.index)];
+        std::string text = fmt::format("{}, {} light", on_one_line(e.name), name_of(light.kind));
+        if (!e.samples.empty()) return text + samples(e, light);
+        const std::string why = remark(e, light);
+        text += (why.empty() ? "" : ": " + why) + "\n";
+        text += vector("l", e.l, "to the light") + vector("r", e.r, "l mirrored at n") +
+                vector("h", e.h, "halfway from l to v");
+        text +=
+            fmt::format("  n·l {}   r·v {}   n·h {}", brief(e.n_dot_l), brief(e.r_dot_v), brief(e.n_dot_h));
+        if (light.kind != LightKind::Directional) text += "   distance " + brief(e.distance);
+        if (light.kind == LightKind::Spot) text += fmt::format("   angle {:.4g}°", e.spot_angle_deg);
+        return text + "\n" + terms(e, light);
+    }
+
+    /// What all three terms of a light are multiplied by; empty when that is 1.
+    static std::string share(const ExplainedLight& e, const Light& light) {
+        std::string text;
+        const auto add = [&text](std::string_view name, float factor) {
+            if (factor != 1) text += fmt::format("{}{} {}", text.empty() ? "" : " · ", name, brief(factor));
+        };
+        add("falloff", e.falloff);
+        add("spot", e.spot);
+        add("intensity", light.intensity);
+        return text;
+    }
+
+    [[nodiscard]] std::string terms(const ExplainedLight& e, const Light& light) const {
+        const Material& m = e_.material;
+        const Terms& on = scene_.shading.terms;
+        const std::string factors = share(e, light);
+        const std::string times = factors.empty() ? "" : " · f";
+        const std::string ambient =
+            fmt::format("k_a {} · {}{}", brief(m.ambient), brief(light.ambient), times);
+        const std::string diffuse = fmt::format("k_d {} · {} · {}{}", brief(m.diffuse), brief(light.diffuse),
+                                                brief(e.diffuse_factor), times);
+        const std::string specular =
+            fmt::format("k_s {} · {} · {}{}", brief(m.specular), brief(light.specular),
+                        highlight(e_.reflection, m, e.specular_factor), times);
+        const float f = e.falloff * e.spot * light.intensity;
+        const std::string meaning = factors.empty() ? "" : fmt::format("  f = {} = {}\n", factors, brief(f));
+        const std::string last = term("specular", off_or(on.specular, specular), e.specular);
+        if (scene_.npr.cool_to_warm) return meaning + last;
+        return meaning + term("ambient", off_or(on.ambient, ambient), e.ambient) +
+               term("diffuse", off_or(on.diffuse, diffuse), e.diffuse) + last;
+    }
+
+    static std::string samples(const ExplainedLight& e, const Light& light) {
+        std::string text = fmt::format(", {} samples\n", e.samples.size());
+        for (std::size_t i = 0; i < e.samples.size(); ++i) {
+            const ExplainedLight& s = e.samples[i];
+            const std::string why = remark(s, light);
+            const std::string line =
+                fmt::format("n·l {:>8}   falloff {:>9}   {}", brief(s.n_dot_l), brief(s.falloff), why);
+            text += term(fmt::format("{:>9}", i + 1), line, s.ambient + s.diffuse + s.specular);
+        }
+        return text + term("ambient", "of all samples", e.ambient) +
+               term("diffuse", "of all samples", e.diffuse) + term("specular", "of all samples", e.specular);
+    }
+
+    [[nodiscard]] std::string result() const {
+        const Display& display = scene_.display;
+        const std::string exposed = display.exposure == 1 ? "" : " · exposure " + brief(display.exposure);
+        const std::string encoded = display.transfer == Transfer::Srgb ? ", sRGB encoded" : "";
+        const std::string how = e_.corners.size() > 1 ? "of weight · corner" : "of all terms";
+        const std::string what = e_.hit ? how : "the background";
+        const ExplainedStroke& s = e_.stroke;
+        std::string text = s.coverage > 0 ? stroked(s, what) : term("sum", what, e_.sum);
+        text += clips() + term("displayed", "sum" + exposed + encoded, e_.displayed);
+        return text + fmt::format("  {:<{}}{:>10}{:>10}{:>10}\n", "byte", product_width + 10, e_.byte[0],
+                                  e_.byte[1], e_.byte[2]);
+    }
+
+    [[nodiscard]] std::string stroked(const ExplainedStroke& s, std::string_view what) const {
+        const std::string blend = fmt::format("{} · shaded + {} · stroke {}", brief(1 - s.coverage),
+                                              brief(s.coverage), brief(s.color));
+        return term("shaded", what, s.shaded) + term("sum", blend, e_.sum);
+    }
+
+    /// The channels that the display cannot show, each with what it would have been.
+    [[nodiscard]] std::string clips() const {
+        std::string text;
+        for (int i = 0; i < 3; ++i) {
+            const float shown = e_.sum[i] * scene_.display.exposure;
+            if (shown >= 0 && shown <= 1) continue;
+            const bool grey = e_.sum.x == e_.sum.y && e_.sum.y == e_.sum.z;
+            const char* channel = grey ? "" : i == 0 ? "red " : i == 1 ? "green " : "blue ";
+            text += fmt::format("            {}clips: {} → {}\n", channel, brief(shown), shown > 1 ? 1 : 0);
+            if (grey) break;
+        }
+        return text;
+    }
+
+    const Explanation& e_;
+    const Scene& scene_;
+};
+
+}  // namespace
+
+std::string explain_text(const Explanation& explanation, const Scene& scene) {
+    return Writer(explanation, scene).text();
+}
+
+}  // namespace glint

@@ -1,0 +1,144 @@
+#include "renderer/inspect/reflectance/lobes.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "models/fields/reflection_info.h"
+#include "renderer/inspect/reflectance/seeded.h"
+#include "renderer/lighting/illuminate.h"
+#include "renderer/shade/light_sources.h"
+
+namespace glint {
+namespace {
+
+using Vec = Vec3<float>;
+constexpr double pi = std::numbers::pi;
+
+Vec to_vec(glm::vec3 v) { return {v.x, v.y, v.z}; }
+glm::vec3 to_glm(Vec v) { return {v.x, v.y, v.z}; }
+
+MaterialAt<float> material_of(const Material& m) {
+    MaterialAt<float> at;
+    at.k_a = to_vec(m.ambient);
+    at.k_d = to_vec(m.diffuse);
+    at.k_s = to_vec(m.specular);
+    at.shininess = m.shininess;
+    at.faintest_squared = faintest_cosine_squared(m.shininess);
+    at.roughness = m.roughness;
+    at.f0 = to_vec(m.f0);
+    return at;
+}
+
+/// The integral of value(v) n.v over the hemisphere of v, by midpoints around the axis of the lobe: dense
+/// near it, as a smooth surface needs, and in each half-plane through it exactly down to the horizon, where
+/// the integrand breaks.
+glm::dvec3 over_hemisphere(glm::dvec3 axis, const std::function<glm::dvec3(glm::vec3)>& value) {
+    constexpr int around = 128, outward = 512;
+    const glm::dvec3 across(0, 1, 0), along = glm::cross(across, axis);
+    glm::dvec3 sum(0);
+    for (int i = 0; i < around; ++i) {
+        const double azimuth = 2 * pi * (i + 0.5) / around;
+        const glm::dvec3 side = std::cos(azimuth) * along + std::sin(azimuth) * across;
+        // n.v = axis.z cos(polar) + side.z sin(polar) falls to 0 here:
+        const double horizon = std::atan2(side.z, axis.z) + pi / 2;
+        for (int j = 0; j < outward; ++j) {
+            const double t = (j + 0.5) / outward, polar = horizon * t * t * t;
+            const glm::dvec3 v = std::cos(polar) * axis + std::sin(polar) * side;
+            sum += value(glm::vec3(v)) * (v.z * std::sin(polar) * horizon * 3 * t * t);
+        }
+    }
+    return sum * (2 * pi / (around * outward));
+}
+
+glm::dvec3 lobe_axis(const Reflector& reflector, double light_deg) {
+    const bool back = info_of(reflector.reflection).peak == HighlightPeak::Light;
+    return glm::normalize(glm::dvec3(in_plane(back ? -light_deg : light_deg)));
+}
+
+/// A direction with n.v in [0.05, 1], any azimuth.
+glm::vec3 direction_above(std::mt19937& random) {
+    const double z = 0.05 + 0.95 * uniform(random), azimuth = 2 * pi * uniform(random);
+    const double s = std::sqrt(1 - z * z);
+    return {s * std::cos(azimuth), s * std::sin(azimuth), z};
+}
+
+}  // namespace
+
+Reflected reflected(const Reflector& reflector, glm::vec3 l, glm::vec3 v) {
+    LightAt<float> white;
+    white.xyz = to_vec(l);
+    white.ambient = white.diffuse = white.specular = {1, 1, 1};
+    const LightTerms<float> t = illuminate({reflector.reflection, reflector.terms, nullptr}, white,
+                                           material_of(reflector.material), {{}, {0, 0, 1}, to_vec(v)});
+    return {to_glm(t.ambient), to_glm(t.diffuse), to_glm(t.specular)};
+}
+
+glm::vec3 brdf(const Reflector& reflector, glm::vec3 l, glm::vec3 v) {
+    if (!(l.z > 0) || !(v.z > 0)) return glm::vec3(0);
+    const Reflected r = reflected(reflector, l, v);
+    return (r.diffuse + r.specular) / (static_cast<float>(pi) * l.z);
+}
+
+glm::vec3 in_plane(double deg) {
+    const double angle = deg * pi / 180;
+    return {std::sin(angle), 0, std::cos(angle)};
+}
+
+std::vector<LobeSample> lobe_slice(const Reflector& reflector, double light_deg, int steps) {
+    const glm::vec3 l = in_plane(-light_deg);
+    std::vector<LobeSample> slice;
+    for (int i = 0; i <= steps; ++i) {
+        const double view_deg = -90 + 180.0 * i / steps;
+        const glm::vec3 v = in_plane(view_deg);
+        slice.push_back({view_deg, reflected(reflector, l, v), brdf(reflector, l, v)});
+    }
+    return slice;
+}
+
+glm::dvec3 specular_energy(const Reflector& reflector, double light_deg) {
+    const glm::vec3 l = in_plane(-light_deg);
+    return over_hemisphere(lobe_axis(reflector, light_deg),
+                           [&](glm::vec3 v) { return glm::dvec3(reflected(reflector, l, v).specular); });
+}
+
+glm::dvec3 directional_albedo(const Reflector& reflector, double light_deg) {
+    const glm::vec3 l = in_plane(-light_deg);
+    return over_hemisphere(lobe_axis(reflector, light_deg),
+                           [&](glm::vec3 v) { return glm::dvec3(brdf(reflector, l, v)); });
+}
+
+double reciprocity_error(const Reflector& reflector) {
+    std::mt19937 random(1);
+    double worst = 0;
+    for (int i = 0; i < 4096; ++i) {
+        const glm::vec3 l = direction_above(random), v = direction_above(random);
+        const glm::dvec3 there = brdf(reflector, l, v), back = brdf(reflector, v, l);
+        for (int c = 0; c < 3; ++c) {
+            const double larger_one = std::max(there[c], back[c]);
+            if (larger_one > 1e-12) worst = std::max(worst, std::abs(there[c] - back[c]) / larger_one);
+        }
+    }
+    return worst;
+}
+
+std::string lobe_csv(const std::vector<LobeSample>& slice) {
+    std::string csv = "view_deg";
+    for (const char* term : {"ambient", "diffuse", "specular", "intensity", "brdf"})
+        csv += fmt::format(",{0}_r,{0}_g,{0}_b", term);
+    csv += '\n';
+    for (const LobeSample& s : slice) {
+        csv += fmt::format("{}", s.view_deg);
+        for (const glm::vec3& term : {s.reflected.ambient, s.reflected.diffuse, s.reflected.specular,
+                                      s.reflected.intensity(), s.brdf})
+            csv += fmt::format(",{},{},{}", term.x, term.y, term.z);
+        csv += '\n';
+    }
+    return csv;
+}
+
+}  // namespace glint

@@ -1,0 +1,66 @@
+#pragma once
+// What a reflection model does with light from one direction: slices f(l, v) for plots, and what can be said
+// of the whole lobe: its energy, its albedo, whether it may be read backwards. Every value comes from the
+// equation's own illuminate(). Lecture: "Types of Reflection", "BRDF", the intensity plots at 60, 25 and 0
+// degrees.
+//
+// The surface has n = (0, 0, 1); the light is white, of intensity 1, at `light_deg` from n on the side of -x,
+// so that the mirror direction leans as far towards +x.
+
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "models/scene/material.h"
+#include "models/scene/shading.h"
+
+namespace glint {
+
+/// A surface: how it reflects, and with what.
+struct Reflector {
+    Reflection reflection = Reflection::Phong;
+    Material material;
+    Terms terms;
+};
+
+/// What the equation makes of the light, per channel. `ambient` is k_a, as if the light had an ambient part
+/// of 1.
+struct Reflected {
+    glm::vec3 ambient{0}, diffuse{0}, specular{0};
+    [[nodiscard]] glm::vec3 intensity() const { return ambient + diffuse + specular; }
+};
+
+/// l, v: unit, towards light and viewer; n = (0, 0, 1).
+[[nodiscard]] Reflected reflected(const Reflector& reflector, glm::vec3 l, glm::vec3 v);
+
+/// f = (diffuse + specular) / (pi n.l), 1/sr: the pi because the equation's Lambert term is k_d n.l for a
+/// surface whose f is k_d / pi. 0 where light or viewer is not above the surface.
+[[nodiscard]] glm::vec3 brdf(const Reflector& reflector, glm::vec3 l, glm::vec3 v);
+
+/// The direction at `deg` from n in the plane of incidence, positive on the mirror side; the light's own is
+/// in_plane(-light_deg).
+[[nodiscard]] glm::vec3 in_plane(double deg);
+
+struct LobeSample {
+    double view_deg = 0;  // of v from n, positive on the mirror side
+    Reflected reflected;
+    glm::vec3 brdf{0};
+};
+/// From -90 to 90 degrees in the plane of incidence, `steps` steps. 0 <= light_deg < 90, steps >= 1.
+[[nodiscard]] std::vector<LobeSample> lobe_slice(const Reflector& reflector, double light_deg, int steps);
+
+/// The integral of the specular term times n.v over all v: for Phong at light_deg = 0 it is k_s 2 pi /
+/// (shininess + 2).
+[[nodiscard]] glm::dvec3 specular_energy(const Reflector& reflector, double light_deg);
+/// The share of the light's power that is reflected, the integral of f n.v over all v; above 1 it would be
+/// made of nothing.
+[[nodiscard]] glm::dvec3 directional_albedo(const Reflector& reflector, double light_deg);
+
+/// Largest |f(l, v) - f(v, l)| / max(f(l, v), f(v, l)) over 4096 pairs of directions with cosines above 0.05:
+/// 0 for a surface that may be read backwards (Helmholtz), to rounding. Same numbers on every run.
+[[nodiscard]] double reciprocity_error(const Reflector& reflector);
+
+/// A header and a line a sample: view_deg, then r, g, b of ambient, diffuse, specular, intensity and brdf.
+[[nodiscard]] std::string lobe_csv(const std::vector<LobeSample>& slice);
+
+}  // namespace glint

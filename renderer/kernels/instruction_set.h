@@ -1,0 +1,22 @@
+#pragma once
+// Which instruction set the kernels run on: the widest that the processor has, or the one that the
+// environment variable GLINT_ISA names (scalar, sse2, avx2, avx512), for tests and measurements. The picture
+// is the same.
+
+#include <optional>
+
+#include "models/problem.h"
+
+namespace glint {
+
+/// Of the set in use.
+[[nodiscard]] const char* instruction_set_name();
+
+/// What keeps GLINT_ISA from being obeyed: a name that no set has, or a set that this processor lacks.
+struct InstructionSetProblem {
+    Problem problem;
+    bool unknown = false;  // the name; else it is the processor
+};
+[[nodiscard]] std::optional<InstructionSetProblem> instruction_set_problem();
+
+}  // namespace glint

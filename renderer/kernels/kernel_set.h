@@ -1,0 +1,23 @@
+#pragma once
+// All kernels of one instruction set, as its two object files hold them.
+
+#include "renderer/shade/shade_kernels.h"
+#include "renderer/surface/surface_kernels.h"
+
+namespace glint {
+
+/// drawing_kernels_isa.cpp
+struct DrawingKernels {
+    GeometryKernels geometry;
+    VisibilityKernels visibility;
+    SurfaceKernels surface;
+};
+
+/// lighting_kernels_isa.cpp
+struct ColorKernels {
+    const char* name;  // of the set
+    LightingKernels lighting;
+    ShadeKernels shade;
+};
+
+}  // namespace glint

@@ -1,0 +1,21 @@
+#pragma once
+// Part of stage 4: the equation over the surface's points.
+
+#include "renderer/shade/lighting.h"
+
+namespace glint {
+
+/// Lights `count` blocks of points from `first` on, each with its object's job; `begun`: sums to which the
+/// jobs' lights are added, one for each of these blocks, or null.
+void light_blocks(const std::vector<LightJob>& jobs, const Surface& surface, std::size_t first,
+                  std::size_t count, const ColorBlock* begun, ColorBlock* colors);
+
+/// The same with all lights, or with the moving one over the kept sum of the others.
+void light_points(const Lighting& lighting, const Surface& surface, std::size_t first, std::size_t count,
+                  ColorBlock* colors);
+
+/// Corners, Faces: brings point_colors up to date; Faces: point_rgba too.
+void color_points(Lighting& lighting, const Surface& surface, const Geometry& geometry,
+                  const DisplayJob& display);
+
+}  // namespace glint

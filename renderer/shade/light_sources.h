@@ -1,0 +1,33 @@
+#pragma once
+// From the scene's lights and materials to what the kernels take: camera coordinates, colours times
+// intensity. Lecture: "Light Sources": standard: world coordinates; alternative: camera coordinates (car
+// headlights).
+
+#include <vector>
+
+#include "models/scene/scene.h"
+#include "renderer/lighting/light_job.h"
+
+namespace glint {
+
+/// The enabled lights in the scene's order; an area light gives one source a sample.
+[[nodiscard]] std::vector<LightSource> light_sources(const Scene& scene);
+
+/// The same in the memory of `sources`.
+void light_sources(const Scene& scene, std::vector<LightSource>& sources);
+
+/// One object's part of the equation. `lights` must outlive the job. `at_corners`: the colours will be
+/// blended over faces, which OpenGL's rules clamp before.
+[[nodiscard]] LightJob light_job(const Scene& scene, PictureSize size, const Material& material,
+                                 const std::vector<LightSource>& lights, bool at_corners);
+
+/// OpenGL 2.1 knows no shininess above 128.
+inline constexpr float opengl_max_shininess = 128;
+
+[[nodiscard]] inline LightSource::Rgb rgb(const glm::vec3& c) { return {c.x, c.y, c.z}; }
+
+/// The square of the cosine whose power is 2^-24, the last bit of a highlight of 1; -4, below every square
+/// with its sign, for a shininess of 0, where every cosine counts (0^0 is 1).
+[[nodiscard]] float faintest_cosine_squared(float shininess);
+
+}  // namespace glint

@@ -1,0 +1,101 @@
+#include "renderer/shade/lighting.h"
+
+#include <algorithm>
+
+#include "renderer/shade/color_pixels.h"
+#include "renderer/shade/kept_sum.h"
+#include "renderer/shade/light_points.h"
+#include "renderer/shade/light_sources.h"
+
+namespace glint {
+namespace {
+
+bool same_materials(const std::vector<Material>& kept, const Scene& scene) {
+    return std::equal(kept.begin(), kept.end(), scene.objects.begin(), scene.objects.end(),
+                      [](const Material& m, const Object& o) { return m == o.material; });
+}
+
+/// Notes whose material differs; none when any of the lights does.
+void find_objects_again(Lighting& l, const Scene& scene, bool same_but_materials) {
+    l.objects_again.clear();
+    if (!same_but_materials || l.materials.size() != scene.objects.size()) return;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        l.objects_again.push_back(l.materials[i] != scene.objects[i].material);
+}
+
+bool same_tone(const Npr& a, const Npr& b) {
+    return a.cool_to_warm == b.cool_to_warm && a.cool == b.cool && a.warm == b.warm && a.alpha == b.alpha &&
+           a.beta == b.beta;
+}
+
+/// Makes sources and jobs anew in the memory of the old ones; false when some object's grid differs.
+bool take_jobs(Lighting& kept, const Scene& scene, PictureSize size, bool at_corners) {
+    std::swap(kept.sources, kept.sources_before);
+    light_sources(scene, kept.sources);
+    if (kept.sources != kept.sources_before) kept.objects_again.clear();  // a material may bound the lights
+    bool same_grids = kept.jobs.size() == scene.objects.size();
+    kept.materials.resize(scene.objects.size());
+    kept.jobs.resize(scene.objects.size());
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const float grid = kept.jobs[i].grid;
+        kept.materials[i] = scene.objects[i].material;
+        kept.jobs[i] = light_job(scene, size, kept.materials[i], kept.sources, at_corners);
+        same_grids &= kept.jobs[i].grid == grid;
+    }
+    return same_grids;
+}
+
+/// The background wherever no surface will be shown. `same_ground`: only the view changed since the last
+/// picture; then most of it is there already.
+void prepare_picture(Lighting& kept, PictureSize size, const Visibility& visibility, const Strokes& strokes,
+                     const DisplayJob& display, bool same_ground) {
+    const bool plain = visibility.samples == 1 && strokes.coverage.empty();
+    if (same_ground && plain && kept.picture.size == size && kept.covered.size() == visibility.covered.size())
+        uncover(kept, visibility, display);
+    else
+        clear_picture(kept, size, strokes, display);
+    if (plain)
+        kept.covered = visibility.covered;
+    else
+        kept.covered.clear();
+}
+
+}  // namespace
+
+DisplayJob display_job(const Display& display) {
+    return {display.exposure, display.transfer == Transfer::Srgb};
+}
+
+bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, const Visibility& visibility,
+                     const Surface& surface, const Strokes& strokes, bool linear, RedoneStages redone) {
+    const bool same_strokes =
+        !redone.strokes && (strokes.coverage.empty() || kept.npr.stroke == scene.npr.stroke);
+    const bool same_ground = kept.display == scene.display && kept.linear == linear && same_strokes;
+    const bool same_display = same_ground && !redone.visibility;
+    const bool same_equation = !redone.surface && kept.global_ambient == scene.global_ambient &&
+                               kept.shading == scene.shading && same_tone(kept.npr, scene.npr);
+    const bool same_but_lights = same_equation && same_materials(kept.materials, scene);
+    const bool same_lights = kept.lights == scene.lights;
+    if (same_display && same_but_lights && same_lights) return false;
+    find_objects_again(kept, scene, same_display && same_equation && same_lights);
+    const int moving = same_but_lights ? changed_light(kept.lights, scene.lights) : -1;
+    kept.lights = scene.lights;
+    kept.global_ambient = scene.global_ambient;
+    kept.shading = scene.shading;
+    kept.npr = scene.npr;
+    kept.display = scene.display;
+    kept.linear = linear;
+    const bool at_corners = surface.choice.kind != SurfaceKind::Pixels;
+    const bool same_grids = take_jobs(kept, scene, g.size, at_corners);
+    keep_others(kept, surface, moving, same_grids);
+    const DisplayJob display = display_job(scene.display);
+    if (!same_display) {
+        prepare_picture(kept, g.size, visibility, strokes, display, same_ground);
+        std::fill(kept.shown_lit.begin(), kept.shown_lit.end(), 0xFFFF);
+    }
+    if (at_corners) color_points(kept, surface, g, display);
+    color_pixels(kept, surface, strokes, display);
+    return true;
+}
+
+}  // namespace glint

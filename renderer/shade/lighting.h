@@ -1,0 +1,70 @@
+#pragma once
+// Stage 4. Colours: lights every point that the surface stage kept, gives every pixel its colour and its
+// bytes, and draws the strokes over them. Inputs: the surface, the strokes, lights, materials, the rest of
+// `shading` and of `npr`, and `display`.
+
+#include <vector>
+
+#include "renderer/picture.h"
+#include "renderer/shade/shade_kernels.h"
+#include "renderer/strokes/strokes.h"
+#include "renderer/surface/surface.h"
+
+namespace glint {
+
+struct Lighting {
+    std::vector<LightSource> sources, sources_before;
+    std::vector<LightJob> jobs;             // one an object
+    std::vector<ColorRecord> point_colors;  // Corners, Faces: of the lit points
+    std::vector<std::uint32_t> point_rgba;  // Faces: the same as bytes, 16 a block
+    std::vector<std::size_t> run_groups;    // several samples a pixel: where runs of other pixels begin
+    Picture picture;
+    // Visibility::covered as the picture shows it; empty where strokes or several samples a pixel have no
+    // such thing.
+    std::vector<std::uint16_t> covered;
+    bool linear = false;  // picture.linear is kept up too
+    // Where a material alone changes: the objects to light again, by index; empty: all.
+    std::vector<std::uint8_t> objects_again;
+    // While one light alone changes: the sum of the others at each of the surface's points. Kept where shares
+    // lie on a grid (LightJob::grid), so that the order of the sum does not matter.
+    bool keep_sums = true;
+    int moving = -1;                 // index in Scene::lights of the light that `others` leaves out; -1: none
+    std::vector<ColorBlock> others;  // #points
+    std::vector<ReachBlock> reach;   // bounds of 16 blocks of points each
+    // Bit i of word b: block 16 b + i holds, in the kept picture, more than `others`; all: the picture is
+    // older.
+    std::vector<std::uint16_t> shown_lit;
+    MemoryShare share;  // of `others`
+    std::vector<LightSource> moving_sources, other_sources;
+    std::vector<LightJob> moving_jobs;  // with the moving light alone, one an object
+    // What the kept picture was made of, beside the surface and the strokes.
+    std::vector<Light> lights;
+    std::vector<Material> materials;
+    glm::vec3 global_ambient{0};
+    Shading shading;
+    Npr npr;
+    Display display;
+
+    [[nodiscard]] bool again(std::uint32_t object) const {
+        return objects_again.empty() || objects_again[object] != 0;
+    }
+};
+
+/// Which of the stages before were done again.
+struct RedoneStages {
+    bool visibility = false, surface = false, strokes = false;
+};
+
+/// Does the stage again when anything it reads differs; true when it did.
+bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& geometry,
+                     const Visibility& visibility, const Surface& surface, const Strokes& strokes,
+                     bool linear, RedoneStages redone);
+
+/// Colour of a lit point under reflection `none`: the mesh's vertex colour (white where it has none); for a
+/// polygon the mean of its corners.
+[[nodiscard]] glm::vec3 vertex_color(const SurfaceInputs& surface, const Geometry& geometry,
+                                     const PointSource& source);
+
+[[nodiscard]] DisplayJob display_job(const Display& display);
+
+}  // namespace glint

@@ -1,0 +1,19 @@
+#pragma once
+// What students do by mistake to lights and viewer before the equation sees them (models/scene/mistakes.h).
+
+#include "models/scene/scene.h"
+#include "renderer/lighting/light_job.h"
+
+namespace glint {
+
+/// Camera coordinates from the light's: the view matrix for a world light and nothing for a camera light, or
+/// what is taken instead.
+[[nodiscard]] glm::dmat4 mistaken_frame(const Mistakes& mistakes, LightSpace space, const glm::dmat4& view);
+
+/// Falloff and cone as the mistakes have them. No mistake leaves the source as it is.
+void spoil_source(const Mistakes& mistakes, const Light& light, LightSource& source);
+
+/// Viewer, shininess and projection as the mistakes have them; notes whether any mistake is made at all.
+void spoil_job(const Scene& scene, PictureSize size, LightJob& job);
+
+}  // namespace glint

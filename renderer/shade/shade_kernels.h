@@ -1,0 +1,34 @@
+#pragma once
+// What goes into and comes out of the kernels of shading: plain numbers, shared by all instruction sets.
+
+#include "renderer/lighting/light_job.h"
+
+namespace glint {
+
+/// The colour of one lit point, in a record that is read whole: linear RGB, not clamped.
+struct ColorRecord {
+    float r = 0, g = 0, b = 0, unused = 0;
+};
+
+/// Bounds of 16 blocks of points, block by block: a ball around their places and one around their normals.
+struct alignas(64) ReachBlock {
+    float x[block_size], y[block_size], z[block_size], radius[block_size];
+    float nx[block_size], ny[block_size], nz[block_size], spread[block_size];
+};
+
+/// The kernels of one instruction set.
+struct ShadeKernels {
+    /// Bit i: whether the light may add something at some point of block i.
+    std::uint16_t (*find_lit)(const LightSource& light, const ReachBlock& bounds);
+    /// Colours of groups of 16 pixels from those of lit points: the blend of `each` points, numbers and
+    /// weights [group][which][pixel]; or one point, numbers [group][pixel].
+    void (*blend)(const ColorRecord* points, const std::uint32_t* numbers, const float* weights, int each,
+                  ColorBlock* colors, std::size_t runs);
+    void (*pick)(const ColorRecord* points, const std::uint32_t* numbers, ColorBlock* colors,
+                 std::size_t runs);
+};
+
+/// Of the set that instruction_set.h chooses.
+const ShadeKernels& shade_kernels();
+
+}  // namespace glint

@@ -1,0 +1,19 @@
+#pragma once
+// What the kernels that are compiled once for each instruction set have in common: the set's own number, and
+// the wish to inline everything. Only for those (GLINT_LANES, renderer/CMakeLists.txt, add_kernels).
+
+#include "renderer/simd/lanes.h"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define GLINT_FLATTEN  // one huge function full of checks would take minutes to compile
+#else
+#define GLINT_FLATTEN [[gnu::flatten]]
+#endif
+
+namespace glint::inline GLINT_ISA {
+
+template <int N> struct NumberOf { using Type = Lanes<N>; };
+template <> struct NumberOf<1> { using Type = float; };
+using Wide = NumberOf<GLINT_LANES>::Type;
+
+}  // namespace glint::inline GLINT_ISA

@@ -1,0 +1,22 @@
+#pragma once
+// The stages as the renderer keeps them between frames.
+
+#include "models/scene/scene.h"
+#include "renderer/geometry/geometry.h"
+#include "renderer/shade/lighting.h"
+#include "renderer/strokes/strokes.h"
+#include "renderer/surface/surface.h"
+#include "renderer/visibility/visibility.h"
+
+namespace glint {
+
+struct KeptStages {
+    Scene scene;  // as drawn last
+    Geometry geometry;
+    Visibility visibility;
+    Surface surface;
+    Strokes strokes;
+    Lighting lighting;
+};
+
+}  // namespace glint

@@ -1,0 +1,58 @@
+#pragma once
+// Which edges of a mesh are drawn as strokes. Lecture: "Non-photorealistic shading: silhouettes and creases".
+//
+// Silhouette: (e.n0)(e.n1) <= 0, e from the edge to the eye, n0 and n1 the normals of its two facets: one is
+// seen from the front and the other is not. Crease: n0.n1 <= cos(crease_deg).
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "models/mesh/topology.h"
+#include "models/scene/shading.h"
+
+namespace glint {
+
+/// What selection needs of a mesh, made once for it.
+struct MeshEdges {
+    MeshPtr mesh;
+    Topology topology;
+    std::vector<glm::dvec3> facet_normals;  // #F, object coordinates, unit; (0, 0, 0) without an area
+};
+[[nodiscard]] MeshEdges mesh_edges(MeshPtr mesh);
+
+/// How the mesh is seen.
+struct EdgeView {
+    glm::dvec4 eye{0, 0, 0, 1};  // object coordinates: w = 1 the eye's place, w = 0 the direction towards it
+    glm::dmat3 normal_matrix{1.0};  // inverse transpose to the frame in which creases are measured
+};
+
+struct EdgeChoice {
+    bool silhouettes = false, creases = false;
+    float crease_deg = 40;  // 0 to 180
+    Cull cull = Cull::None;
+    bool operator==(const EdgeChoice&) const = default;
+};
+
+/// How the surface lies around an edge.
+enum class EdgeFacing {
+    Towards,  // all its facets are seen from the front
+    Away,     // all from behind
+    Rim       // some from each, or there is but one: the surface is seen on one side of the edge at most
+};
+
+struct StrokeEdge {
+    std::uint32_t edge = 0;  // of Topology::edges
+    EdgeFacing facing = EdgeFacing::Rim;
+};
+
+/// The edges to draw, numbers rising. Silhouettes take boundary edges always; an edge
+/// of three facets and more is drawn when any two of them qualify (of the first 256, for creases); a facet
+/// seen exactly from its side qualifies with every other. A polygon without an area is no facet, but the edge
+/// that it shares with one is no boundary. Edges whose facets are all culled are left out. Any transform that
+/// is not singular, mirrored ones too.
+[[nodiscard]] std::vector<StrokeEdge> stroke_edges(const MeshEdges& edges, const EdgeView& view,
+                                                   const EdgeChoice& choice);
+
+}  // namespace glint

@@ -1,0 +1,161 @@
+#include "renderer/strokes/stroke_lines.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "renderer/geometry/to_screen.h"
+#include "renderer/strokes/occlusion.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t chunk_size = 256;  // edges that one task follows
+
+/// An edge on the screen.
+struct Projected {
+    glm::dvec2 a, b;  // pixels
+    double nearness_a, nearness_b;
+    [[nodiscard]] glm::dvec2 place(double t) const { return a + t * (b - a); }
+    [[nodiscard]] double nearness(double t) const { return nearness_a + t * (nearness_b - nearness_a); }
+};
+
+/// Follows edges of one object.
+class Follower {
+  public:
+    Follower(const Geometry& g, const Visibility& visibility, std::uint32_t object, const MeshEdges& mesh,
+             double margin_px)
+        : g_(g),
+          visibility_(visibility),
+          object_(object),
+          mesh_(mesh),
+          occlusion_(g),
+          clip_from_object_(clip_from_view(g.camera.projection, g.size) * g.objects[object].view_from_object),
+          orthographic_(is_orthographic(g.camera.projection)),
+          reach_x_(1 + 2 * margin_px / g.size.width),
+          reach_y_(1 + 2 * margin_px / g.size.height) {}
+
+    void follow(const StrokeEdge& edge, std::vector<StrokeLine>& lines) const {
+        const std::optional<Projected> line = project(edge.edge);
+        if (!line) return;
+        const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(line->a, line->b))));
+        int first = -1;  // of the run of visible steps, or -1 between them
+        for (int i = 0; i <= steps; ++i) {
+            const bool seen = i < steps && is_seen(edge, *line, (i + 0.5) / steps);
+            if (seen && first < 0) first = i;
+            if (seen || first < 0) continue;
+            add(*line, static_cast<double>(first) / steps, static_cast<double>(i) / steps, lines);
+            first = -1;
+        }
+    }
+
+  private:
+    /// The part of the edge within near, far and the picture with its margin; nothing when there is none.
+    [[nodiscard]] std::optional<Projected> project(std::uint32_t edge) const {
+        const auto& p = mesh_.mesh->positions;
+        const auto [i, j] = mesh_.topology.edges[edge];
+        const glm::dvec4 a = clip_from_object_ * glm::dvec4(glm::dvec3(p[i]), 1.0);
+        const glm::dvec4 d = clip_from_object_ * glm::dvec4(glm::dvec3(p[j]), 1.0) - a;
+        const glm::dvec4 planes[] = {{0, 0, 1, 1},         {0, 0, -1, 1},       {1, 0, 0, reach_x_},
+                                     {-1, 0, 0, reach_x_}, {0, 1, 0, reach_y_}, {0, -1, 0, reach_y_}};
+        double from = 0, to = 1;  // shares of the way from a to b; inside where dot(plane, corner) >= 0
+        for (const glm::dvec4& plane : planes) {
+            const double at_a = glm::dot(plane, a), change = glm::dot(plane, d);
+            if (change > 0) from = std::max(from, -at_a / change);
+            if (change < 0) to = std::min(to, -at_a / change);
+            if (change == 0 && at_a < 0) return std::nullopt;
+        }
+        if (!(from <= to)) return std::nullopt;
+        const glm::dvec4 start = held(a + from * d), end = held(a + to * d);
+        return Projected{pixel(start), pixel(end), nearness(start), nearness(end)};
+    }
+
+    /// An end of the part; where an edge is so long that its place is lost to rounding, one near the picture.
+    [[nodiscard]] glm::dvec4 held(const glm::dvec4& clip) const {
+        const glm::dvec4 c = before_eye(g_.camera.projection, clip);
+        const double x = 2 * reach_x_ * c.w, y = 2 * reach_y_ * c.w;
+        return {std::clamp(c.x, -x, x), std::clamp(c.y, -y, y), c.z, c.w};
+    }
+
+    [[nodiscard]] glm::dvec2 pixel(const glm::dvec4& clip) const {
+        return {(clip.x / clip.w + 1) * 0.5 * g_.size.width, (1 - clip.y / clip.w) * 0.5 * g_.size.height};
+    }
+    [[nodiscard]] double nearness(const glm::dvec4& clip) const {
+        return orthographic_ ? 0.5 * (1 - clip.z / clip.w) : 1 / clip.w;
+    }
+
+    [[nodiscard]] bool is_seen(const StrokeEdge& edge, const Projected& line, double t) const {
+        const glm::dvec2 place = line.place(t);
+        const double nearness = line.nearness(t);
+        const auto leaves_it_seen = [&](std::uint32_t triangle) {
+            return triangle == no_triangle || is_own(edge.edge, triangle) ||
+                   !occlusion_.hides(triangle, place, nearness);
+        };
+        const std::uint32_t nearest = triangle_at(pixel_index(place.x), pixel_index(place.y));
+        if (edge.facing == EdgeFacing::Towards) return leaves_it_seen(nearest);
+        if (edge.facing == EdgeFacing::Away) return is_of_object(nearest) && leaves_it_seen(nearest);
+        const int x = pixel_index(place.x - 0.5), y = pixel_index(place.y - 0.5);
+        for (int k = 0; k < 4; ++k)
+            if (leaves_it_seen(triangle_at(x + k % 2, y + k / 2))) return true;
+        return false;
+    }
+
+    static int pixel_index(double coordinate) { return static_cast<int>(std::floor(coordinate)); }
+
+    /// What a pixel shows; outside the picture the nearest pixel stands in.
+    [[nodiscard]] std::uint32_t triangle_at(int x, int y) const {
+        x = std::clamp(x, 0, g_.size.width - 1);
+        y = std::clamp(y, 0, g_.size.height - 1);
+        return visibility_.triangle_at(static_cast<std::size_t>(y) * static_cast<std::size_t>(g_.size.width) +
+                                       static_cast<std::size_t>(x));
+    }
+
+    [[nodiscard]] bool is_of_object(std::uint32_t triangle) const {
+        return triangle != no_triangle && triangle >= g_.objects[object_].first_triangle &&
+               triangle - g_.objects[object_].first_triangle < mesh_.mesh->triangles.size();
+    }
+
+    /// Whether a triangle belongs to a polygon that runs along the edge.
+    [[nodiscard]] bool is_own(std::uint32_t edge, std::uint32_t triangle) const {
+        if (!is_of_object(triangle)) return false;
+        const std::uint32_t face = mesh_.mesh->triangles[triangle - g_.objects[object_].first_triangle].face;
+        const auto uses = mesh_.topology.uses_of(edge);
+        return std::any_of(uses.begin(), uses.end(), [face](const EdgeUse& use) { return use.face == face; });
+    }
+
+    void add(const Projected& line, double from, double to, std::vector<StrokeLine>& lines) const {
+        lines.push_back({glm::vec2(line.place(from)), glm::vec2(line.place(to)),
+                         static_cast<float>(line.nearness(from)), static_cast<float>(line.nearness(to)),
+                         object_});
+    }
+
+    const Geometry& g_;
+    const Visibility& visibility_;
+    std::uint32_t object_;
+    const MeshEdges& mesh_;
+    Occlusion occlusion_;
+    glm::dmat4 clip_from_object_;
+    bool orthographic_;
+    double reach_x_, reach_y_;  // how far a line matters, in half picture widths and heights
+};
+
+}  // namespace
+
+std::vector<StrokeLine> visible_lines(const Geometry& g, const Visibility& visibility, std::uint32_t object,
+                                      const MeshEdges& mesh, std::span<const StrokeEdge> edges,
+                                      double margin_px) {
+    const Follower follower(g, visibility, object, mesh, margin_px);
+    std::vector<std::vector<StrokeLine>> found((edges.size() + chunk_size - 1) / chunk_size);
+    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t chunk) {
+        for (std::size_t i = chunk * chunk_size; i < std::min(edges.size(), (chunk + 1) * chunk_size); ++i)
+            follower.follow(edges[i], found[chunk]);
+    });
+    std::vector<StrokeLine> all;
+    for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
+}  // namespace glint

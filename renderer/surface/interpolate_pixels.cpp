@@ -1,0 +1,95 @@
+// The surface under Pixels: place and normal of every visible pixel. The usual case, 16 pixels at once, by
+// the same formulas as one pixel alone (sample.cpp); the rest one by one.
+
+#include "renderer/surface/interpolate_pixels.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+
+#include "renderer/geometry/clip.h"
+
+namespace glint {
+namespace {
+
+// The kernels read a mesh's triangles as plain numbers.
+static_assert(sizeof(Triangle) == 4 * sizeof(std::uint32_t) && offsetof(Triangle, corner) == 0);
+
+PlaceJob place_job(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t o) {
+    const ObjectGeometry& object = g.objects[o];
+    PlaceJob job;
+    job.vertices = object.vertices.data();
+    job.normals = s.normals[o].normals.data();
+    job.triangle_vertices = object.triangle_vertices.data();
+    if (!s.normals[o].of_mesh->corner.empty()) {
+        job.triangle_corners = object.mesh->triangles.front().corner.data();
+        job.corner_normal = s.normals[o].of_mesh->corner.data();
+    }
+    job.width = static_cast<float>(g.size.width);
+    job.height = static_cast<float>(g.size.height);
+    job.seen = visibility.seen.data();
+    job.clipped_bits = needs_clipping;
+    job.first_triangle = object.first_triangle;
+    job.two_sided = s.choice.two_sided;
+    return job;
+}
+
+void place_one_by_one(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t run,
+                      PointBlock& out) {
+    out = {};
+    for (unsigned i = 0; i < block_size; ++i) {
+        if (s.runs[run].mask >> i & 1u) pixel_point(s, g, face_of_lane(s, g, visibility, run, i)).put(out, i);
+    }
+}
+
+constexpr std::size_t most_together = 64;  // runs
+
+/// Runs first .. first + count - 1, all of one object.
+void place_together(Surface& s, const Geometry& g, const Visibility& visibility, std::size_t first,
+                    std::size_t count) {
+    std::array<std::uint8_t, most_together> usual;
+    surface_kernels().interpolate(s.place_jobs[s.runs[first].object], &s.runs[first], count, &s.points[first],
+                                  usual.data());
+    for (std::size_t i = 0; i < count; ++i)
+        if (!usual[i]) place_one_by_one(s, g, visibility, first + i, s.points[first + i]);
+}
+
+}  // namespace
+
+void place_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
+    s.points.resize(s.runs.size());
+    s.point_object.resize(s.runs.size());
+    s.point_count = s.pixel_count;
+    if (!s.run_samples.empty())
+        s.point_count = std::transform_reduce(
+            s.runs.begin(), s.runs.end(), std::uint64_t{0}, std::plus<>(),
+            [](const PixelRun& run) { return static_cast<std::uint64_t>(std::popcount(run.mask)); });
+    const bool usual = s.run_samples.empty() && !s.choice.facet_normals &&
+                       s.choice.interpolation == Interpolation::Perspective &&
+                       !s.choice.mistakes.unnormalized_at_pixel;
+    s.place_jobs.clear();
+    for (std::size_t o = 0; o < g.objects.size(); ++o)
+        s.place_jobs.push_back(g.objects[o].mesh->triangles.empty() ? PlaceJob{}
+                                                                    : place_job(s, g, visibility, o));
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 256), [&](const auto& range) {
+        for (std::size_t r = range.begin(); r != range.end(); ++r) s.point_object[r] = s.runs[r].object;
+        for (std::size_t r = range.begin(); r != range.end();) {
+            if (!usual) {
+                place_one_by_one(s, g, visibility, r, s.points[r]);
+                ++r;
+                continue;
+            }
+            const std::size_t count = s.count_of_one_object(r, std::min(range.end(), r + most_together));
+            place_together(s, g, visibility, r, count);
+            r += count;
+        }
+    });
+}
+
+}  // namespace glint

@@ -1,0 +1,112 @@
+// What a sample shows, one at a time: the functions behind both the surface stage and `explain`.
+
+#include <glm/geometric.hpp>
+
+#include "renderer/simd/vec3.h"
+#include "renderer/surface/surface.h"
+
+namespace glint {
+namespace {
+
+using Vec = Vec3<float>;
+
+Vec to_vec(glm::vec3 v) { return {v.x, v.y, v.z}; }
+glm::vec3 to_glm(Vec v) { return {v.x, v.y, v.z}; }
+
+/// The interpolated normal, not yet unit.
+Vec blended_normal(const SurfaceInputs& surface, const Geometry& g, const SampleFace& face) {
+    const CornerWeights weights = corner_weights(surface.choice.interpolation, g, face);
+    const ObjectNormals& normals = surface.normals[face.object];
+    Vec sum;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(weights.count); ++i)
+        sum = sum + weights.weight[i] * to_vec(normals.at_corner(weights.corner[i]));
+    return sum;
+}
+
+}  // namespace
+
+SampleFace sample_face(const SurfaceChoice& choice, const Geometry& g, const Visibility& visibility, int x,
+                       int y) {
+    const std::size_t pixel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(g.size.width) + static_cast<std::size_t>(x);
+    SampleFace face;
+    face.at = {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
+    face.triangle = visibility.triangle_at(pixel);
+    face.object = g.object_of(face.triangle);
+    face.turned = choice.two_sided && visibility.back_at(pixel);
+    place_on_face(face, g);
+    return face;
+}
+
+SampleFace face_of_lane(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t run,
+                        unsigned lane) {
+    if (s.run_samples.empty()) {
+        const auto width = static_cast<std::uint32_t>(g.size.width);
+        const std::uint32_t pixel = s.runs[run].first_pixel + lane;
+        return sample_face(s.choice, g, visibility, static_cast<int>(pixel % width),
+                           static_cast<int>(pixel / width));
+    }
+    const RunSamples& samples = s.run_samples[run];
+    SampleFace face;
+    face.at = samples.at[lane];
+    face.object = s.runs[run].object;
+    face.triangle = samples.triangle[lane];
+    face.turned = s.choice.two_sided && (samples.back >> lane & 1u);
+    place_on_face(face, g);
+    return face;
+}
+
+PlacedNormal pixel_point(const SurfaceInputs& surface, const Geometry& g, const SampleFace& face) {
+    const ObjectGeometry& object = g.objects[face.object];
+    const Triangle& t = g.triangle(face.object, face.triangle);
+    Vec n;
+    if (!surface.choice.facet_normals) {
+        const Vec sum = blended_normal(surface, g, face);
+        if (length(sum) > 1e-6f) n = surface.choice.mistakes.unnormalized_at_pixel ? sum : unit(sum);
+    }
+    // Opposite corner normals can cancel: then, too, the facet's own is the best there is.
+    if (dot(n, n) == 0) n = to_vec(camera_facet_normal(object, t.face, surface.choice.mistakes));
+    return {face.p, face.turned ? -to_glm(n) : to_glm(n)};
+}
+
+PlacedNormal lit_point(const SurfaceInputs& surface, const Geometry& g, const PointSource& source) {
+    const ObjectGeometry& object = g.objects[source.object];
+    const Mesh& mesh = *object.mesh;
+    const ObjectNormals& normals = surface.normals[source.object];
+    PlacedNormal at;
+    if (surface.choice.kind == SurfaceKind::Faces && !surface.choice.provoking) {
+        const auto around = mesh.corners_of(source.item);
+        glm::dvec3 sum(0);
+        for (const std::uint32_t p : around) sum += glm::dvec3(object.place(p));
+        at = {glm::vec3(sum / static_cast<double>(around.size())),
+              camera_facet_normal(object, source.item, surface.choice.mistakes)};
+    } else if (surface.choice.kind == SurfaceKind::Faces) {
+        const std::uint32_t corner = mesh.triangles[source.item].corner[2];
+        at = {object.place(mesh.corner_position[corner]), normals.at_corner(corner)};
+    } else {
+        at = {object.place(normals.position_of_slot(source.item)), normals.normal_of_slot(source.item)};
+    }
+    if (source.turned) at.n = -at.n;
+    return at;
+}
+
+SampleSources sample_sources(const SurfaceInputs& surface, const Geometry& g, const SampleFace& face) {
+    const Triangle& t = g.triangle(face.object, face.triangle);
+    SampleSources s;
+    if (surface.choice.kind == SurfaceKind::Faces) {
+        const std::uint32_t triangle = face.triangle - g.objects[face.object].first_triangle;
+        s.count = 1;
+        s.source[0] = {face.object, surface.choice.provoking ? triangle : t.face, face.turned};
+        s.weight[0] = 1;
+        return s;
+    }
+    const CornerWeights weights = corner_weights(surface.choice.interpolation, g, face);
+    const ObjectNormals& normals = surface.normals[face.object];
+    s.count = weights.count;
+    s.weight = weights.weight;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(s.count); ++i)
+        s.source[i] = {face.object, normals.slot_of(weights.corner[i]), face.turned};
+    return s;
+}
+
+}  // namespace glint

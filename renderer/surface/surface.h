@@ -1,0 +1,173 @@
+#pragma once
+// Stage 3. For each visible sample what lighting needs: its place and unit normal in camera coordinates, in
+// blocks of 16 (phong, facet), or which lit corners it blends (gouraud) or shows (flat). Inputs: geometry,
+// visibility, `normals`, `mode`, `interpolation`, `two_sided`, `flat_point` (and `rules`, which may choose
+// it).
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "models/memory_limit.h"
+#include "renderer/geometry/object_normals.h"
+#include "renderer/lighting/light_job.h"
+#include "renderer/surface/corner_weights.h"
+#include "renderer/surface/surface_kernels.h"
+#include "renderer/visibility/visibility.h"
+
+namespace glint {
+
+/// Where the equation is evaluated, and how pixels come by their colour.
+enum class SurfaceKind {
+    Pixels,   // one lit point a pixel
+    Corners,  // lit points are vertices; a pixel blends three
+    Faces     // lit points are polygons (or triangles, with a provoking corner); a pixel shows one
+};
+
+/// Everything of `shading` that this stage reads.
+struct SurfaceChoice {
+    SurfaceKind kind = SurfaceKind::Pixels;
+    bool facet_normals = false;  // Pixels: the facet's normal instead of the interpolated one
+    Interpolation interpolation = Interpolation::Perspective;
+    bool provoking =
+        false;  // Faces: each triangle at its last corner instead of each polygon at its centroid
+    bool two_sided = false;  // a face seen from behind has its normals turned round
+    NormalMistakes mistakes;
+    bool operator==(const SurfaceChoice&) const = default;
+};
+[[nodiscard]] SurfaceChoice surface_choice(const Shading& shading);
+/// How many corners a pixel blends at most under Corners.
+[[nodiscard]] inline int most_blended(const SurfaceChoice& choice) {
+    return choice.interpolation == Interpolation::Scanline ? CornerWeights::most : 3;
+}
+
+/// With several samples a pixel: what each lane of a run shows. A pixel then has a run for each face seen in
+/// it.
+struct RunSamples {
+    std::uint32_t triangle[block_size];  // global number
+    float weight[block_size];            // share of the pixel's samples
+    SamplePlace at[block_size];          // mean of the samples that show it
+    std::uint16_t back = 0;              // bit i: wound clockwise on the screen
+};
+
+/// Where the runs of a row of pixels begin, and how many pixels the row before shows a surface in.
+struct RowRuns {
+    std::size_t first_run = 0;
+    std::uint64_t pixels = 0;
+};
+
+/// The runs of one row of pixels, with several samples.
+struct SampledRow {
+    std::vector<PixelRun> runs;
+    std::vector<RunSamples> samples;  // one a run
+    std::uint64_t pixels = 0;         // that show a surface
+};
+
+struct FaceRefs {
+    std::uint32_t point[block_size];
+};
+
+/// What a lit point is, for those that are no pixels: its object and a number within it.
+struct PointSource {
+    std::uint32_t object = 0;
+    std::uint32_t item = 0;  // Corners: normal slot; Faces: polygon, or triangle when provoking
+    bool turned = false;     // its normal is turned round (two_sided, seen from behind)
+    bool operator==(const PointSource&) const = default;
+};
+
+/// All that could be lit of a scene, its objects one after the other, each item twice: as it is and turned.
+struct LitItems {
+    std::vector<std::size_t> first;    // #objects + 1
+    std::vector<std::uint8_t> seen;    // 1: some pixel shows it
+    std::vector<std::uint32_t> point;  // the lit point's number, or no_index
+
+    [[nodiscard]] std::size_t number(const PointSource& s) const {
+        return first[s.object] + 2 * std::size_t{s.item} + (s.turned ? 1 : 0);
+    }
+};
+
+struct Surface {
+    SurfaceChoice choice;
+    std::vector<ObjectNormals> normals;
+    std::vector<PixelRun> runs;               // those of one group of 16 pixels lie together
+    std::vector<RunSamples> run_samples;      // one a run; empty with one sample a pixel
+    std::vector<RowRuns> row_runs;            // #rows + 1, with one sample a pixel
+    std::vector<SampledRow> sampled_rows;     // #rows, with several
+    std::vector<PlaceJob> place_jobs;         // Pixels: one an object
+    std::vector<PointBlock> points;           // lit points; Pixels: points[i] belongs to runs[i]
+    std::vector<std::uint32_t> point_object;  // #points: the object whose material each block has
+    std::vector<PointSource> sources;  // Corners, Faces: 16 a block of points; unused ones have no_index
+    std::vector<FaceRefs> face_refs;   // Faces: one a run
+    LitItems lit_items;                // Corners, Faces: how they got their numbers
+    // Corners: what each pixel blends; entry k of lane i of a run is at corner_ref(run, k) + i.
+    int refs_per_pixel = 3;                // 8 under scanline interpolation
+    std::vector<std::uint32_t> ref_point;  // numbers of lit points
+    std::vector<float> ref_weight;         // 0: nothing to blend
+    std::uint64_t pixel_count = 0;         // that show a surface
+    std::uint64_t point_count = 0;         // lit
+    MemoryShare share;                     // of what there is for each run
+
+    /// How many blocks of points from `first` on, and before `end`, are of the same object: at least 1.
+    [[nodiscard]] std::size_t count_of_one_object(std::size_t first, std::size_t end) const {
+        std::size_t next = first + 1;
+        while (next < end && point_object[next] == point_object[first]) ++next;
+        return next - first;
+    }
+    [[nodiscard]] std::size_t corner_ref(std::size_t run, int k) const {
+        return (run * static_cast<std::size_t>(refs_per_pixel) + static_cast<std::size_t>(k)) * block_size;
+    }
+};
+
+/// Bytes of so many runs and of all that there is for each, with `samples` a pixel.
+[[nodiscard]] std::uint64_t bytes_of_runs(const SurfaceChoice& choice, std::uint64_t runs, int samples);
+
+/// Does the stage again when anything it reads differs; true when it did. Throws Refused where the runs
+/// do not fit.
+bool update_surface(Surface& kept, const Scene& scene, const Geometry& geometry, const Visibility& visibility,
+                    bool visibility_redone);
+
+/// What a single sample's colour comes from, of a kept surface or of another way to shade the same pixels.
+struct SurfaceInputs {
+    const SurfaceChoice& choice;
+    const std::vector<ObjectNormals>& normals;
+    SurfaceInputs(const SurfaceChoice& c, const std::vector<ObjectNormals>& n) : choice(c), normals(n) {}
+    SurfaceInputs(const Surface& s) : choice(s.choice), normals(s.normals) {}  // NOLINT: one for the other
+};
+
+/// What lane `lane` of run `run` shows.
+[[nodiscard]] SampleFace face_of_lane(const Surface& surface, const Geometry& geometry,
+                                      const Visibility& visibility, std::size_t run, unsigned lane);
+/// What pixel (x, y) shows at its centre; the picture must have one sample a pixel.
+[[nodiscard]] SampleFace sample_face(const SurfaceChoice& choice, const Geometry& geometry,
+                                     const Visibility& visibility, int x, int y);
+
+/// A place and its unit normal, camera coordinates.
+struct PlacedNormal {
+    glm::vec3 p{0}, n{0};
+
+    void put(PointBlock& block, std::size_t lane) const {
+        block.x[lane] = p.x;
+        block.y[lane] = p.y;
+        block.z[lane] = p.z;
+        block.nx[lane] = n.x;
+        block.ny[lane] = n.y;
+        block.nz[lane] = n.z;
+    }
+};
+/// The pixel's own point under Pixels (and, for information, under the other kinds).
+[[nodiscard]] PlacedNormal pixel_point(const SurfaceInputs& surface, const Geometry& geometry,
+                                       const SampleFace& face);
+/// A lit point that is no pixel.
+[[nodiscard]] PlacedNormal lit_point(const SurfaceInputs& surface, const Geometry& geometry,
+                                     const PointSource& source);
+
+/// The sources that a sample blends under Corners (weights in the same order), or shows under Faces (one).
+struct SampleSources {
+    int count = 0;
+    std::array<PointSource, CornerWeights::most> source;
+    std::array<float, CornerWeights::most> weight{};
+};
+[[nodiscard]] SampleSources sample_sources(const SurfaceInputs& surface, const Geometry& geometry,
+                                           const SampleFace& face);
+
+}  // namespace glint

@@ -1,0 +1,44 @@
+#pragma once
+// What goes into and comes out of the kernel of the surface: plain numbers, shared by all instruction sets.
+
+#include "renderer/lighting/light_job.h"
+#include "renderer/visibility/visibility_kernels.h"
+
+namespace glint {
+
+/// Up to 16 neighbouring pixels of one row that show the same object.
+struct PixelRun {
+    std::uint32_t first_pixel = 0;  // a multiple of 16 in x
+    std::uint32_t object = 0;
+    std::uint16_t mask = 0;  // bit i: pixel first_pixel + i
+};
+
+/// One object, as the pixels that show it look their corners up.
+struct PlaceJob {
+    const PlacedVertex* vertices = nullptr;
+    const CameraNormal* normals = nullptr;
+    const std::uint32_t* triangle_vertices = nullptr;  // three a triangle
+    // Where one normal a vertex does not suffice, else null: each triangle's corners (four numbers, the last
+    // without use) and each corner's normal.
+    const std::uint32_t* triangle_corners = nullptr;
+    const std::uint32_t* corner_normal = nullptr;
+    std::uint32_t first_triangle = 0;     // global number of the object's first
+    float width = 0, height = 0;          // of the picture
+    const std::uint32_t* seen = nullptr;  // seen_code of each of its pixels, row by row
+    std::uint32_t clipped_bits = 0;       // a vertex with one of these in `outside` needs doubles
+    bool two_sided = false;               // a triangle seen from behind has its normals turned round
+};
+
+/// The kernels of one instruction set.
+struct SurfaceKernels {
+    /// Positions and normals of the pixels of `count` groups of one object, a block a group.
+    /// on_fast_path[i] = 0 if group i shows a clipped triangle or a degenerate normal; out[i] is then
+    /// undefined, and the caller finds it by doubles. Else 1.
+    void (*interpolate)(const PlaceJob& job, const PixelRun* runs, std::size_t count, PointBlock* out,
+                        std::uint8_t* on_fast_path);
+};
+
+/// Of the set that instruction_set.h chooses.
+const SurfaceKernels& surface_kernels();
+
+}  // namespace glint

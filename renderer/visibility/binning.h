@@ -1,0 +1,81 @@
+#pragma once
+// Which triangles may be seen in which tile of the screen: those in view, clipped where they must be, without
+// the ones that are culled or have no area.
+
+#include <array>
+
+#include "models/memory_limit.h"
+#include "renderer/geometry/geometry.h"
+#include "renderer/visibility/visibility_kernels.h"
+
+namespace glint {
+
+/// The picture's tiles, and larger cells over them: a cell of level L is 2^L x 2^L tiles. A triangle is
+/// listed in cells of the finest level on which its bounding box meets at most `widest` a side, so that it
+/// has at most 16 entries however large it is, and all but the largest are listed in the tiles themselves.
+struct CellGrid {
+    static constexpr std::uint32_t widest = 4;
+    static constexpr std::uint32_t levels = 7;
+    static_assert(max_picture_side / tile_size >> (levels - 1) <= static_cast<int>(widest));
+
+    std::uint32_t tiles_x = 0, tiles_y = 0;
+    std::array<std::uint32_t, levels + 1> first{};  // of each level: the number of its first cell
+
+    CellGrid() = default;
+    explicit CellGrid(PictureSize size);
+    [[nodiscard]] std::uint32_t row(std::uint32_t level) const { return ((tiles_x - 1) >> level) + 1; }
+    [[nodiscard]] std::uint32_t tile_count() const { return tiles_x * tiles_y; }
+    [[nodiscard]] std::uint32_t cell_count() const { return first[levels]; }
+    /// The cell of a level that holds the tile (x, y).
+    [[nodiscard]] std::uint32_t cell_at(std::uint32_t level, std::uint32_t x, std::uint32_t y) const {
+        return first[level] + (y >> level) * row(level) + (x >> level);
+    }
+};
+
+/// Neighbouring triangles of one object.
+struct ChunkPart {
+    std::uint32_t object = 0, begin = 0, end = 0;  // triangles, numbers within the object
+    SortJob job;
+    std::size_t box_end = 0, clip_end = 0;  // where its boxes and clipped triangles end in the chunk's
+};
+
+/// Neighbouring triangles, which one task sorts: of one object, or of several small ones.
+struct SortedChunk {
+    std::vector<ChunkPart> parts;
+    std::vector<TriangleBox> boxes;      // of those that may be seen, rising
+    std::vector<std::uint32_t> to_clip;  // numbers within their objects, rising
+    std::vector<std::uint32_t> next;     // #cells: the place of its next entry in the cell (first: how many)
+    std::uint32_t levels = 0;            // bit L: some entry is in a cell of level L
+    std::uint64_t met = 0;               // tiles that the boxes meet, of all together
+};
+
+struct TileLists {
+    CellGrid grid;
+    std::vector<std::size_t> cell_first;   // #cells + 1, into entries
+    std::vector<TileEntry> entries;        // numbers rising within a cell
+    std::vector<ClippedTriangle> clipped;  // numbered Geometry::triangle_count and on in the entries
+    // What they were made of.
+    std::vector<SortedChunk> chunks;  // of all triangles, in rising order
+    SortedChunk pieces;               // of the clipped ones: to sorting they are one more object, with
+    std::vector<std::uint32_t> clipped_vertices;     // three vertices each of their own
+    std::vector<glm::dvec4> polygon, spare_polygon;  // while a triangle is clipped
+    MemoryShare share;                               // of the entries and the clipped triangles
+
+    [[nodiscard]] std::size_t count_in_cell(std::uint32_t cell) const {
+        return cell_first[cell + 1] - cell_first[cell];
+    }
+};
+
+/// Tiles that triangles may meet, of all together: each is a step of drawing, and so many take minutes.
+inline constexpr std::uint64_t most_met_tiles = std::uint64_t{1} << 30;
+
+/// Bytes that sorting takes of an object of so many triangles, whatever its place, in a picture of so many
+/// tiles.
+[[nodiscard]] std::uint64_t bytes_to_sort(std::uint64_t triangles, std::uint64_t tiles);
+
+/// Makes the lists anew in the memory of the old ones. `multisampled`: for samples anywhere in their pixels,
+/// not at the centres alone. Throws Refused where they do not fit, and when the triangles meet more than
+/// most_met_tiles.
+void sort_into_tiles(TileLists& lists, const Geometry& geometry, Cull cull, bool multisampled);
+
+}  // namespace glint

@@ -1,0 +1,137 @@
+#pragma once
+// Several triangles side by side: their boxes, areas and edges, as one triangle alone has them
+// (large_triangle.h says which formulas these are) while they fit 32 bits.
+
+#include "renderer/simd/transpose.h"
+#include "renderer/visibility/fill_triangle.h"
+
+namespace glint::inline GLINT_ISA {
+
+/// Their corners, on the grid, relative to the sample of the tile's first pixel.
+template <Number F> struct CornerLanes {
+    IntOf<F> number;  // their triangle's
+    IntOf<F> x[3], y[3];
+    F nearness[3];
+};
+
+/// What drawing them needs. Not -1: 0.
+template <unsigned N> struct TriangleLanes {
+    int number[N];
+    int x[3][N], y[3][N];
+    float nearness[3][N];
+    int x0[N], y0[N], x1[N], y1[N];  // as in TileTriangle
+    int empty[N];                    // -1: the box holds no sample of the tile
+    int small[N];                    // -1: what follows has been found, else it may not fit
+    int area[N];
+    int value[3][N], step_x[3][N], step_y[3][N];  // as in PatchEdges, of the triangle turned clockwise
+    NearnessPlane<float[N]> plane;                // at pixel (x0, y0)
+};
+
+/// A triangle less high and wide than this is small: within 2^14 of the grid of each other and so 2^15 of the
+/// tile, its corners' products stay below 2^29.
+inline constexpr int small_side = tile_size * subpixels;
+
+/// -1 where a < 0, else 0; and the other way round.
+template <class I> I negative(I a) { return a >> 31; }
+template <class I> I inverted(I a) { return -1 - a; }
+
+/// Edge `k`, from a to b.
+template <class I, unsigned N>
+void store_edge(TriangleLanes<N>& out, int k, I ax, I ay, I bx, I by, I patch_x, I patch_y) {
+    const I dx = bx - ax, dy = by - ay;
+    const I top_or_left = negative(dy) | (negative(0 - dx) & inverted(negative(0 - dy)));
+    const I at_tile = (dy * ax - dx * ay + inverted(top_or_left)) >> 8;
+    store_ints(out.value[k], at_tile - dy * patch_x + dx * patch_y);
+    store_ints(out.step_x[k], 0 - dy);
+    store_ints(out.step_y[k], dx);
+}
+
+template <Number F> void store_planes(TriangleLanes<NumberTraits<F>::width>& out) {
+    using D = typename HalfAsMany<F>::Type;
+    for (int i = 0; i < NumberTraits<F>::width; i += HalfAsMany<F>::width) {
+        PlaneCorner<D> corner[3];
+        for (int k = 0; k < 3; ++k)
+            corner[k] = {widened<D>(out.x[k] + i), widened<D>(out.y[k] + i), widened<D>(out.nearness[k] + i)};
+        const NearnessPlane<D> plane = nearness_plane<D>(corner, widened<D>(out.area + i),
+                                                         {widened<D>(out.x0 + i), widened<D>(out.y0 + i)});
+        store_narrowed(out.plane.value + i, plane.value);
+        store_narrowed(out.plane.step_x + i, plane.step_x);
+        store_narrowed(out.plane.step_y + i, plane.step_y);
+    }
+}
+
+template <Number F> void make_ready(const CornerLanes<F>& in, TriangleLanes<NumberTraits<F>::width>& out) {
+    using I = IntOf<F>;
+    const I(&x)[3] = in.x;
+    const I(&y)[3] = in.y;
+    const I left = smaller(smaller(x[0], x[1]), x[2]), right = larger(larger(x[0], x[1]), x[2]);
+    const I top = smaller(smaller(y[0], y[1]), y[2]), bottom = larger(larger(y[0], y[1]), y[2]);
+    // A sample lies at 256 k: the first at or after the least, the last at or before the most.
+    const I none = in_all_lanes<I>(0), last = in_all_lanes<I>(tile_size - 1);
+    const I x0 = larger((left + (subpixels - 1)) >> 8, none), x1 = smaller(right >> 8, last);
+    const I y0 = larger((top + (subpixels - 1)) >> 8, none), y1 = smaller(bottom >> 8, last);
+    const I small = negative(right - left - small_side) & negative(bottom - top - small_side);
+    I sx[3], sy[3];  // zeros where the products below would not fit
+    for (int k = 0; k < 3; ++k) {
+        sx[k] = small & x[k];
+        sy[k] = small & y[k];
+    }
+    const I area = (sx[1] - sx[0]) * (sy[2] - sy[0]) - (sy[1] - sy[0]) * (sx[2] - sx[0]);
+    store_ints(out.number, in.number);
+    for (int k = 0; k < 3; ++k) {
+        store_ints(out.x[k], x[k]);
+        store_ints(out.y[k], y[k]);
+        store(out.nearness[k], in.nearness[k]);
+    }
+    store_ints(out.x0, x0);
+    store_ints(out.y0, y0);
+    store_ints(out.x1, x1);
+    store_ints(out.y1, y1);
+    store_ints(out.empty, negative((x1 - x0) | (y1 - y0)));
+    store_ints(out.small, small);
+    store_ints(out.area, area);
+    const auto clockwise = not_negative(area);
+    const I bx = select(clockwise, sx[1], sx[2]), by = select(clockwise, sy[1], sy[2]);
+    const I cx = select(clockwise, sx[2], sx[1]), cy = select(clockwise, sy[2], sy[1]);
+    const I patch_x = x0 & ~(patch_side - 1), patch_y = y0 & ~(patch_side - 1);
+    store_edge(out, 0, sx[0], sy[0], bx, by, patch_x, patch_y);
+    store_edge(out, 1, bx, by, cx, cy, patch_x, patch_y);
+    store_edge(out, 2, cx, cy, sx[0], sy[0], patch_x, patch_y);
+    store_planes<F>(out);
+}
+
+template <unsigned N> TileTriangle triangle_of_lane(const TriangleLanes<N>& lanes, unsigned i) {
+    TileTriangle t;
+    for (int k = 0; k < 3; ++k) t.corner[k] = {lanes.x[k][i], lanes.y[k][i], lanes.nearness[k][i]};
+    t.area = lanes.area[i];
+    t.x0 = lanes.x0[i];
+    t.y0 = lanes.y0[i];
+    t.x1 = lanes.x1[i];
+    t.y1 = lanes.y1[i];
+    t.code = 0;
+    return t;
+}
+
+template <unsigned N> TilePlane plane_of_lane(const TriangleLanes<N>& lanes, unsigned i, int code) {
+    return {{lanes.plane.value[i], lanes.plane.step_x[i], lanes.plane.step_y[i]},
+            {lanes.x0[i], lanes.y0[i]},
+            code};
+}
+
+template <unsigned N> PatchEdges edges_of_lane(const TriangleLanes<N>& lanes, unsigned i) {
+    PatchEdges e{lanes.x0[i] / patch_side,
+                 lanes.y0[i] / patch_side,
+                 lanes.x1[i] / patch_side,
+                 lanes.y1[i] / patch_side,
+                 {},
+                 {},
+                 {}};
+    for (int k = 0; k < 3; ++k) {
+        e.value[k] = lanes.value[k][i];
+        e.step_x[k] = lanes.step_x[k][i];
+        e.step_y[k] = lanes.step_y[k][i];
+    }
+    return e;
+}
+
+}  // namespace glint::inline GLINT_ISA

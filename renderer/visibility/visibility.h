@@ -1,0 +1,44 @@
+#pragma once
+// Stage 2. Which triangle is at each sample: triangles are clipped, culled and sorted into tiles, then drawn
+// by an exact fill rule on integers; nearest wins, ties go to the lower object and then the lower face.
+// Inputs: the geometry and `cull`.
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/visibility/binning.h"
+
+namespace glint {
+
+struct Visibility {
+    Cull cull = Cull::None;
+    int samples = 1;  // a pixel: 1, 2, 4 or 8; each has a plane of width x height of its own
+    TileLists tiles;
+    std::vector<DrawnObject> objects;
+    std::size_t plane = 0;            // width x height
+    std::vector<std::uint32_t> seen;  // samples planes: seen_code of the nearest triangle; 0: none
+    // With one sample a pixel: which pixels of each group of 16 in a row show a triangle, groups_a_row a row.
+    std::vector<std::uint16_t> covered;
+    std::size_t groups_a_row = 0;
+    std::vector<std::uint8_t> tile_drawn;  // 0: the tile is empty, and `seen` and `covered` say so
+
+    [[nodiscard]] std::uint32_t triangle_at(std::size_t pixel) const {
+        return seen[pixel] ? triangle_of_code(seen[pixel]) : no_triangle;
+    }
+    /// True when the triangle seen is wound clockwise on the screen.
+    [[nodiscard]] bool back_at(std::size_t pixel) const { return seen[pixel] && is_back(seen[pixel]); }
+};
+
+/// Where sample `which` of `samples` lies in its pixel, in 1/256 pixel from the centre. One sample is the
+/// centre; the others are the usual rotated grids, so that nearly horizontal and vertical edges get as many
+/// steps as samples.
+struct SampleOffset {
+    int x = 0, y = 0;
+};
+[[nodiscard]] SampleOffset sample_offset(int samples, int which);
+
+/// Does the stage again when the geometry was redone or `cull` or `samples` differ; true when it did.
+bool update_visibility(Visibility& kept, const Geometry& geometry, Cull cull, int samples,
+                       bool geometry_redone);
+
+}  // namespace glint

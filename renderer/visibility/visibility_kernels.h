@@ -1,0 +1,116 @@
+#pragma once
+// What goes into and comes out of the kernels of visibility: plain numbers, shared by all instruction sets.
+
+#include "renderer/geometry/geometry_kernels.h"
+
+namespace glint {
+
+inline constexpr int tile_size = 64;  // pixels a side
+
+/// A piece of a triangle that had to be clipped.
+struct ClippedTriangle {
+    ScreenVertex corner[3];
+    std::uint32_t triangle = 0;  // global number of the triangle it came from
+    bool mirrored = false;       // as its object is (DrawnObject)
+};
+
+// Which tiles a triangle may touch.
+
+struct SortJob {
+    const std::uint32_t* triangle_vertices = nullptr;  // three a triangle
+    const ScreenVertex* screen = nullptr;
+    std::uint32_t first_triangle = 0;  // global number of the object's first
+    int width = 0, height = 0;         // of the picture
+    int margin = 0;                    // 1/256 pixel, by which boxes are made larger on every side
+    std::uint32_t clipped_bits = 0;    // a triangle with one of these at some corner has to be clipped
+    std::uint32_t beyond_bits = 0;     // with one of these at all corners it is out of view
+    // Culled: of the triangles less than a tile wide and high, which fit 32 bits; the rest are left to
+    // drawing.
+    bool drop_clockwise = false, drop_counterclockwise = false;
+};
+
+/// The tiles x0..x1, y0..y1 (inclusive) that a triangle's bounding box meets.
+struct TriangleBox {
+    std::uint32_t number;  // global
+    std::uint32_t tiles;   // x0, y0, x1, y1, eight bits each, x0 the lowest
+};
+
+/// Room for one entry a triangle, and one more.
+struct SortedTriangles {
+    TriangleBox* boxes = nullptr;
+    std::size_t box_count = 0;
+    std::uint32_t* to_clip = nullptr;  // numbers within the object
+    std::size_t to_clip_count = 0;
+};
+
+// Which triangle is seen at each pixel of a tile.
+
+/// What a pixel holds that shows a triangle; 0 shows none. Larger for lower numbers, so that at equal depth
+/// the lower object and then the lower face wins by being larger. Numbers below 2^30.
+[[nodiscard]] constexpr std::uint32_t seen_code(std::uint32_t triangle, bool back) {
+    return 0x7fffffffu - (2 * triangle + (back ? 1u : 0u));
+}
+[[nodiscard]] constexpr std::uint32_t triangle_of_code(std::uint32_t code) {
+    return (0x7fffffffu - code) >> 1;
+}
+/// True where the triangle is wound clockwise as seen.
+[[nodiscard]] constexpr bool is_back(std::uint32_t code) { return (0x7fffffffu - code) & 1u; }
+
+inline constexpr int patch_side = 4;  // pixels
+inline constexpr int patch_pixels = patch_side * patch_side;
+inline constexpr int patches_a_row = tile_size / patch_side;
+
+/// A tile while it is drawn, in patches of 4 x 4 pixels, so that what a small triangle covers lies together:
+/// patch (px, py) begins at (16 py + px) 16, its pixels in reading order.
+struct alignas(64) TilePixels {
+    float nearness[tile_size * tile_size];
+    std::int32_t seen[tile_size * tile_size];  // seen_code
+};
+
+/// A triangle in a tile's list: four numbers, read at once. With its vertices, because looking them up in the
+/// object's list would wait for memory once for each tile.
+struct alignas(16) TileEntry {
+    std::uint32_t number;  // global; from Geometry::triangle_count on that of a clipped piece
+    std::uint32_t vertex[3];
+};
+
+/// Where a tile goes in the picture: what its pixels show (as in TilePixels) row by row, and which pixels of
+/// each 16 show a triangle, bit i the pixel i.
+struct TileRows {
+    std::uint32_t* seen = nullptr;          // of the tile's first pixel
+    std::uint16_t* covered = nullptr;       // of its first 16; null: not wanted
+    std::size_t row = 0, groups_a_row = 0;  // from one row to the next in either
+    int width = 0, height = 0;              // of what lies within the picture
+};
+
+struct DrawnObject {
+    const ScreenVertex* screen = nullptr;
+    std::uint32_t first_triangle = 0, triangle_count = 0;
+    bool mirrored = false;  // the transform turns the winding over
+};
+
+struct TileJob {
+    const DrawnObject* objects = nullptr;  // all of the scene
+    const ClippedTriangle* clipped = nullptr;
+    std::uint32_t triangle_count = 0;    // of all objects; larger numbers are clipped pieces
+    const TileEntry* entries = nullptr;  // of the triangles to draw, numbers rising
+    std::size_t count = 0;
+    int x0 = 0, y0 = 0;              // the tile's first pixel
+    int offset_x = 0, offset_y = 0;  // of the sample from the pixel's centre, in 1/256 pixel
+    bool draw_front = true, draw_back = true;
+    bool keep = false;  // what the tile shows already stays, else it is cleared first
+};
+
+/// The kernels of one instruction set.
+struct VisibilityKernels {
+    /// Adds the triangles begin .. end - 1 of one object.
+    void (*bin)(const SortJob& job, std::uint32_t begin, std::uint32_t end, SortedTriangles& out);
+    /// Draws all of the job's triangles; what a tile shows in the end does not depend on their order.
+    void (*draw)(const TileJob& job, TilePixels& tile);
+    void (*take_rows)(const TilePixels& tile, const TileRows& out);
+};
+
+/// Of the set that instruction_set.h chooses.
+const VisibilityKernels& visibility_kernels();
+
+}  // namespace glint

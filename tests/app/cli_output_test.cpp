@@ -1,0 +1,151 @@
+// What the program leaves in files and on a terminal when things go wrong, or when a stranger made its input.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+
+using namespace glint;
+
+namespace {
+
+const char* const ball = R"({"glint": 1, "objects": [{"mesh": {"primitive": "sphere", "detail": 12}}]})";
+
+/// Starts glint with these arguments and waits until a half-written file stands in the directory, or the end;
+/// then sends the signal. What wait() says, or -1 when it ended before.
+int status_when_signalled(const std::vector<std::string>& arguments, const TemporaryDirectory& out,
+                          int number) {
+    std::vector<char*> words{const_cast<char*>(GLINT_PROGRAM)};
+    for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+    words.push_back(nullptr);
+    pid_t child = 0;
+    REQUIRE(::posix_spawn(&child, GLINT_PROGRAM, nullptr, nullptr, words.data(), environ) == 0);
+    int status = 0;
+    for (;;) {
+        const auto names = out.names();
+        const bool writing = std::any_of(names.begin(), names.end(),
+                                         [](const std::string& name) { return name.starts_with(".glint-"); });
+        if (writing) ::kill(child, number);
+        if (::waitpid(child, &status, writing ? 0 : WNOHANG) == child) return writing ? status : -1;
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("Ctrl+C and its like leave no half-written file, and end the program as a shell expects",
+          "[cli][temporary]") {
+    const TemporaryDirectory in;
+    const std::string scene = in.file("scene.json", ball);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        int status = -1;
+        for (int attempt = 0; attempt < 20 && !WIFSIGNALED(status); ++attempt) {  // it may be done too soon
+            const TemporaryDirectory out;
+            status = status_when_signalled({"render", scene, "-o", out.path("a.pfm"), "--size", "3000x2500"},
+                                           out, number);
+            const auto names = out.names();
+            CHECK(std::none_of(names.begin(), names.end(),
+                               [](const std::string& name) { return name.starts_with(".glint-"); }));
+        }
+        INFO(number);
+        REQUIRE(WIFSIGNALED(status));
+        CHECK(WTERMSIG(status) == number);
+    }
+}
+
+TEST_CASE("a disk that is full before the last buffer is written leaves no picture and no buffer",
+          "[cli][buffers]") {
+    const TemporaryDirectory in, out;
+    const std::string scene = in.file("scene.json", ball);
+    // The PNG has less than 4 KiB, each buffer more.
+    const std::string command =
+        fmt::format("ulimit -f 4; exec '{}' render '{}' -o '{}' --size 40x30 --buffers '{}' 2>'{}'",
+                    GLINT_PROGRAM, scene, out.path("a.png"), out.path(), in.path("err"));
+    const int status = std::system(("bash -c \"" + command + "\"").c_str());
+    CHECK(WEXITSTATUS(status) == 1);
+    CHECK(bytes_of(in.path("err")).find("cannot write") != std::string::npos);
+    CHECK(out.names().empty());
+}
+
+TEST_CASE("where the output cannot be written is told before the work begins", "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string out = directory.path("none/a.png"), missing = directory.path("missing.json");
+    const std::string line =
+        "glint: error: " + out +
+        ": cannot write: no such file or directory; expected a place that can be written\n";
+    // The scene is not there either: it has not even been looked for.
+    CHECK(run_glint({"render", missing, "-o", out}).err == line);
+    CHECK(run_glint({"compare", missing, missing, "-o", out}).err == line);
+    CHECK(run_glint({"sheet", missing, "--rows", "/display/exposure=1,2", "--cols",
+                     "/display/transfer=none,srgb", "-o", out})
+              .err == line);
+}
+
+TEST_CASE("of a file that is not there it is said that it is not there, whatever its name",
+          "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    for (const char* name : {"nope", "nope.xyz", "a.b/nope"}) {
+        const std::string path = directory.path(name);
+        CHECK(run_glint({"render", path, "-o", directory.path("x.png")}).err ==
+              "glint: error: " + path +
+                  ": cannot read: no such file or directory; expected a scene (.json, .png) or a mesh (.obj, "
+                  ".ply, "
+                  ".off, .stl, .om)\n");
+    }
+    const std::string there = directory.file("there", "");
+    CHECK(run_glint({"render", there, "-o", directory.path("x.png")}).err.find("has no extension") !=
+          std::string::npos);
+}
+
+TEST_CASE("render --no-scene leaves the scene out of a PNG, and nothing else", "[cli]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", ball), with = directory.path("with.png"),
+                      without = directory.path("without.png");
+    REQUIRE(run_glint({"render", scene, "-o", with, "--size", "32x24"}).status == 0);
+    REQUIRE(run_glint({"render", scene, "-o", without, "--size", "32x24", "--no-scene"}).status == 0);
+    CHECK(bytes_of(with).find("glint-scene") != std::string::npos);
+    CHECK(bytes_of(without).find("glint-scene") == std::string::npos);
+    CHECK(bytes_of(without).find("sphere") == std::string::npos);
+    CHECK(run_glint({"compare", with, without, "--max-error", "0"}).status == 0);
+    CHECK(run_glint({"info", without}).status == 1);
+}
+
+TEST_CASE("a file's name cannot speak to the terminal, in the window's warnings neither", "[cli][window]") {
+    const TemporaryDirectory directory;
+    const std::string name = "a\x1b]0;PWNED\x07\nglint: error: fake.obj";
+    const std::string mesh = directory.file(name, "v 0 0 0 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{mesh}, std::vector<std::string>{"info", mesh},
+          std::vector<std::string>{"render", mesh, "-o", directory.path("x.png"), "--size", "8x8"}}) {
+        const Ended ended = run_glint(arguments);
+        INFO(ended.err);
+        if (arguments[0] != "info") CHECK(ended.err.find("glint: warning: a\\x1b]0;PWNED\\x07\\n") == 0);
+        CHECK(ended.err.find('\x1b') == std::string::npos);
+        CHECK(ended.err.find("\nglint: error: fake") == std::string::npos);
+        CHECK(ended.out.find('\x1b') == std::string::npos);
+    }
+}
+
+TEST_CASE("normals that an OBJ names and lacks are told of by info and by render", "[cli]") {
+    const TemporaryDirectory directory;
+    const std::string none = directory.file("none.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//0 2//5 3\n");
+    const std::string some =
+        directory.file("some.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//0 2//5 3//1\n");
+    const std::string of_none =
+        "2 corners name normals, and the file has none; their vertex normals are used";
+    const std::string of_some = "2 corners have no normal; their vertex normals are used";
+    CHECK(run_glint({"info", none}).out.find(of_none) != std::string::npos);
+    CHECK(run_glint({"info", some}).out.find(of_some) != std::string::npos);
+    const std::string out = directory.path("x.png");
+    CHECK(run_glint({"render", none, "-o", out, "--size", "8x8"}).err.find(of_none) != std::string::npos);
+    CHECK(run_glint({"render", some, "-o", out, "--size", "8x8"}).err.find(of_some) != std::string::npos);
+}

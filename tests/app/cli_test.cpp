@@ -1,0 +1,441 @@
+// The commands as a user runs them: what they write, what they answer, and that one agrees with the other.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+
+using namespace glint;
+using nlohmann::json;
+
+namespace {
+
+const char* const three_lights = R"({"glint": 1,
+  "objects": [{"name": "Ball", "mesh": {"primitive": "bumpy-sphere"}},
+              {"name": "Floor", "mesh": {"primitive": "cube", "detail": 3},
+               "transform": {"translate": [0, -2, 0], "rotate_deg": [10, 20, 0], "scale": [3, 1, 2]}}],
+  "lights": [{"name": "Sun", "type": "directional", "position": [1, 2, 1]},
+             {"name": "Bulb", "space": "camera", "position": [-1, 1, 0], "falloff": {"quadratic": 0.1}},
+             {"name": "Lamp", "type": "spot", "position": [0, 3, 1], "spot": {"cutoff_deg": 40, "exponent": 4}},
+             {"name": "Window", "type": "area", "position": [-3, 2, 0], "area": {"samples": 4}}]})";
+
+/// A square and four triangles: 5 - 8 + 5 = 2.
+const char* const pyramid =
+    "v 0 0 0\nv 2 0 0\nv 2 0 2\nv 0 0 2\nv 1 3 1\nf 1 2 3 4\nf 2 1 5\nf 3 2 5\nf 4 3 5\nf 1 4 5\n";
+
+Ended must(const std::vector<std::string>& arguments, const std::string& input = {}) {
+    Ended ended = run_glint(arguments, input);
+    INFO(arguments[0] << ": " << ended.err);
+    REQUIRE(ended.status == 0);
+    return ended;
+}
+
+/// The pixel (x, y), from the top left, of the PFM bytes of a picture of this size.
+std::array<float, 3> pfm_pixel(const std::string& pfm, int width, int height, int x, int y) {
+    const auto from_end =
+        static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(width) - static_cast<std::size_t>(x);
+    REQUIRE(pfm.size() >= 12 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    std::array<float, 3> rgb{};
+    std::memcpy(rgb.data(), pfm.data() + pfm.size() - 12 * from_end, 12);
+    return rgb;
+}
+
+std::array<float, 3> rgb_of(const json& list) { return {list[0], list[1], list[2]}; }
+
+void add(std::array<float, 3>& sum, const std::array<float, 3>& more) {
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += more[c];
+}
+
+/// The terms of a point added up in the order that docs/explain.md gives.
+std::array<float, 3> sum_of_terms(const json& point) {
+    std::array<float, 3> sum = rgb_of(point["emission"]);
+    add(sum, rgb_of(point["global_ambient"]));
+    if (point.contains("cool_to_warm")) add(sum, rgb_of(point["cool_to_warm"]["color"]));
+    const auto add_light = [&sum](const json& light) {
+        std::array<float, 3> share = rgb_of(light["ambient"]);
+        add(share, rgb_of(light["diffuse"]));
+        add(share, rgb_of(light["specular"]));
+        add(sum, share);
+    };
+    for (const json& light : point["lights"]) {
+        if (!light.contains("samples")) add_light(light);
+        for (const json& sample : light.value("samples", json::array())) add_light(sample);
+    }
+    return sum;
+}
+
+std::array<float, 3> drawn_over(const std::array<float, 3>& shaded, const json& stroke) {
+    const float coverage = stroke["coverage"];
+    const std::array<float, 3> color = rgb_of(stroke["color"]);
+    std::array<float, 3> sum{};
+    for (std::size_t c = 0; c < 3; ++c) sum[c] = (1 - coverage) * shaded[c] + coverage * color[c];
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("an explanation's terms add up to the pixel of the picture, to the last bit", "[cli][explain]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", three_lights), pfm = directory.path("out.pfm");
+    const std::string wide_strokes =
+        R"(/npr={"silhouettes": true, "stroke_width_px": 25.5, "stroke": [1, 0.3, 0.1]})";
+    for (const auto& [mode, more] :
+         std::vector<std::pair<std::string, std::string>>{{"phong", "/display/exposure=1"},
+                                                          {"facet", "/shading/reflection=cook-torrance"},
+                                                          {"gouraud", "/shading/reflection=oren-nayar"},
+                                                          {"flat", "/shading/flat_point=provoking"},
+                                                          {"phong", "/npr/cool_to_warm=true"},
+                                                          {"phong", wide_strokes}}) {
+        const std::vector<std::string> how{"--size", "96x64", "--set", "/shading/mode=" + mode,
+                                           "--set",  more};
+        std::vector<std::string> render{"render", scene, "-o", pfm};
+        render.insert(render.end(), how.begin(), how.end());
+        must(render);
+        const std::string bytes = bytes_of(pfm);
+        std::mt19937 random(11);
+        int hits = 0, stroked = 0;
+        for (int i = 0; i < 12; ++i) {
+            const int x = static_cast<int>(random() % 96), y = static_cast<int>(random() % 64);
+            std::vector<std::string> explain{
+                "explain", scene, "--format", "json", "--pixel", std::to_string(x) + "," + std::to_string(y)};
+            explain.insert(explain.end(), how.begin(), how.end());
+            const json e = json::parse(must(explain).out);
+            INFO(mode << " with " << more << " at " << x << ", " << y);
+            CHECK(e["pixel"] == json({x, y}));
+            CHECK(rgb_of(e["sum"]) == pfm_pixel(bytes, 96, 64, x, y));
+            std::array<float, 3> shaded = rgb_of(e["sum"]);
+            if (e.contains("stroke")) {
+                ++stroked;
+                shaded = rgb_of(e["stroke"]["shaded"]);
+                CHECK(drawn_over(shaded, e["stroke"]) == rgb_of(e["sum"]));
+            }
+            if (!e["hit"].get<bool>()) continue;
+            ++hits;
+            CHECK(e["mode"] == mode);
+            if (!e.contains("corners")) CHECK(sum_of_terms(e) == shaded);
+            for (const json& corner : e.value("corners", json::array())) {
+                CHECK(sum_of_terms(corner) == rgb_of(corner["sum"]));
+            }
+        }
+        CHECK(hits > 2);
+        CHECK((stroked > 0) == (more == wide_strokes));
+    }
+}
+
+TEST_CASE("a name with line breaks and escape sequences stays one harmless line of an explanation",
+          "[cli][explain]") {
+    const char* const scene = R"({"glint": 1, "lights": [{"name": "a\n\u001b[31mb"}],
+                                  "objects": [{"name": "ball\u0007"}]})";
+    const std::string out = must({"explain", "-", "--pixel", "640,360"}, scene).out;
+    CHECK(out.find("Pixel 640, 360: ball\\x07, face ") == 0);
+    CHECK(out.find("\na\\n\\x1b[31mb, point light\n") != std::string::npos);
+    CHECK(out.find('\x1b') == std::string::npos);
+}
+
+TEST_CASE("the picture has the same bytes for every number of threads, given anywhere", "[cli][render]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", three_lights);
+    const std::string a = directory.path("a.png"), b = directory.path("b.png"), c = directory.path("c.pfm");
+    must({"-j", "1", "render", scene, "-o", a, "--size", "200x150"});
+    must({"render", scene, "--threads=3", "-o", b, "--size", "200x150"});
+    CHECK(bytes_of(a) == bytes_of(b));
+    CHECK(bytes_of(a).size() > 1000);
+    must({"render", "-j7", scene, "-o", c, "--size", "2x2"});
+    CHECK(bytes_of(c).substr(0, 11) == "PF\n2 2\n-1.0");
+}
+
+TEST_CASE("eight samples a pixel leave the inside of a plain picture alone and soften its edge",
+          "[cli][render]") {
+    const TemporaryDirectory directory;
+    // White on black without a light; the edge of the turned square runs through pixels.
+    const std::string scene =
+        directory.file("scene.json", R"({"glint": 1, "display": {"background": [0, 0, 0]},
+        "objects": [{"mesh": {"primitive": "plane"}, "transform": {"rotate_deg": [90, 0, 20]}}],
+        "shading": {"reflection": "none"}})");
+    const auto in_between = [&](const std::string& samples) {
+        const std::string pfm = directory.path("a.pfm");
+        must({"render", scene, "-o", pfm, "--size", "32x32", "--samples", samples});
+        const std::string bytes = bytes_of(pfm);
+        int count = 0;
+        for (int i = 0; i < 32 * 32; ++i) {
+            const float red = pfm_pixel(bytes, 32, 32, i % 32, i / 32)[0];
+            count += red > 0.01f && red < 0.99f ? 1 : 0;
+        }
+        CHECK(pfm_pixel(bytes, 32, 32, 16, 16)[0] == Approx(1));
+        return count;
+    };
+    CHECK(in_between("1") == 0);
+    CHECK(in_between("8") > 20);
+}
+
+TEST_CASE("standard input and output stand for files", "[cli][render]") {
+    const TemporaryDirectory directory;
+    const std::string out = directory.path("a.png");
+    must({"render", directory.file("scene.json", three_lights), "-o", out, "--size", "64x48"});
+    const Ended piped = must({"render", "-", "-o", "-", "--size", "64x48"}, three_lights);
+    CHECK(piped.out == bytes_of(out));
+    CHECK(piped.err.empty());
+}
+
+TEST_CASE("a picture that Glint wrote opens as its scene and gives the same picture", "[cli][render]") {
+    const TemporaryDirectory directory;
+    const std::string a = directory.path("a.png"), b = directory.path("b.png");
+    must({"render", directory.file("scene.json", three_lights), "-o", a, "--size", "64x48", "--set",
+          "/display/exposure=1.7"});
+    must({"render", a, "-o", b, "--size", "64x48"});
+    CHECK(bytes_of(a) == bytes_of(b));
+    CHECK(json::parse(must({"info", a}).out)["lights"] == 4);
+}
+
+TEST_CASE("a picture finds its scene's meshes again from another directory", "[cli][render]") {
+    const TemporaryDirectory meshes, pictures;
+    const std::string obj = meshes.file("pyramid.obj", pyramid);
+    const std::string a = pictures.path("a.png"), b = pictures.path("b.png");
+    must({"render", obj, "-o", a, "--size", "64x48"});
+    must({"render", a, "-o", b, "--size", "64x48"});
+    CHECK(bytes_of(a) == bytes_of(b));
+    must({"render", "-", "-o", a, "--size", "64x48"},
+         R"({"glint": 1, "objects": [{"mesh": {"file": ")" + obj + "\"}}]}");
+    must({"render", a, "-o", b, "--size", "64x48"});
+    CHECK(bytes_of(a) == bytes_of(b));
+}
+
+TEST_CASE("an assignment by --set changes the scene as it is written", "[cli]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", R"({"glint": 1})"), pfm = directory.path("a.pfm");
+    must({"render", scene, "-o", pfm, "--size", "1x1", "--set", "/display/background=[0.25,0.5,4]", "--set",
+          "/display/exposure=2"});
+    CHECK(pfm_pixel(bytes_of(pfm), 1, 1, 0, 0) == std::array<float, 3>{0.5f, 1, 8});
+}
+
+TEST_CASE("an output that cannot take the picture is an error of one line", "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", three_lights);
+    const std::vector<std::string> render{"render", scene, "--size", "640x480", "-o"};
+    const auto to = [&render](const std::string& out, const std::string& redirect = {}) {
+        std::vector<std::string> arguments = render;
+        arguments.push_back(out);
+        return run_glint(arguments, {}, redirect);
+    };
+    for (const Ended& ended : {to("/dev/full"), to(directory.path("no/such/a.png")), to("-", ">/dev/full"),
+                               to("-", ">&-"), to("-", "| true")}) {
+        INFO(ended.err);
+        CHECK(ended.status == 1);
+        CHECK(ended.out.empty());
+        CHECK(ended.err.rfind("glint: error: ", 0) == 0);
+        CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+    }
+    CHECK(directory.names() == std::vector<std::string>{"scene.json"});
+}
+
+TEST_CASE("a file that may not grow any more is an error, and no part of it stays", "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", three_lights), out = directory.path("a.pfm");
+    // 64 KiB at most; the picture has 900 KiB. The limit holds for the shell's children that come after it.
+    const Ended ended = run_glint({"--version"}, {},
+                                  "; (ulimit -f 64; '" GLINT_PROGRAM "' render '" + scene + "' -o '" + out +
+                                      "' --size 320x240; exit $?) 2>&1");
+    CHECK(ended.status == 1);
+    CHECK(ended.out.find("glint: error: " + out + ": cannot write: File too large") != std::string::npos);
+    CHECK(directory.names() == std::vector<std::string>{"scene.json"});
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)  // they need more memory than is left here
+TEST_CASE("a thread that the system refuses is an error of one line, not an abort", "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", three_lights);
+    // 300 MB of addresses; a thousand threads want several times that for their stacks.
+    const Ended ended = run_glint({"--version"}, {},
+                                  "; (ulimit -v 300000; '" GLINT_PROGRAM "' render '" + scene +
+                                      "' -o - --size 640x480 -j 1000 >/dev/null; echo status $?) 2>&1");
+    CHECK(ended.out.find("glint: error: ") != std::string::npos);
+    CHECK(ended.out.find("status 1\n") != std::string::npos);
+    CHECK(ended.out.find("terminate") == std::string::npos);
+}
+#endif
+
+TEST_CASE("a failure leaves the old picture as it was", "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string out = directory.file("a.png", "old");
+    CHECK(run_glint({"render", directory.path("missing.json"), "-o", out}).status == 1);
+    CHECK(bytes_of(out) == "old");
+    must({"render", directory.file("scene.json", three_lights), "-o", out, "--size", "8x8"});
+    CHECK(bytes_of(out).substr(1, 3) == "PNG");
+    CHECK(directory.names() == std::vector<std::string>{"a.png", "scene.json"});
+}
+
+TEST_CASE("compare answers in JSON, and by its status whether the difference is too large",
+          "[cli][compare]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", R"({"glint": 1})");
+    const std::string a = directory.path("a.png"), b = directory.path("b.png"), d = directory.path("d.png");
+    // 0.2 · 255 = 51 and 0.24 · 255 = 61.2: bytes 51 and 61.
+    must({"render", scene, "-o", a, "--size", "4x2", "--set", "/display/background=[0.2,0,0]"});
+    must({"render", scene, "-o", b, "--size", "4x2", "--set", "/display/background=[0.24,0,0]"});
+    const Ended ended = run_glint({"compare", a, b, "-o", d, "--max-error", "9"});
+    CHECK(ended.status == 1);
+    CHECK(ended.err.empty());
+    const json answer = json::parse(ended.out);
+    CHECK(answer["max"] == json({10, 0, 0}));
+    CHECK(answer["mean"] == json({10.0, 0.0, 0.0}));
+    CHECK(answer["rmse"] == json({10.0, 0.0, 0.0}));
+    CHECK(answer["differing_pixels"] == 8);
+    CHECK(answer["gain"] == 25);
+    CHECK(run_glint({"compare", a, b, "--max-error", "10"}).status == 0);
+    CHECK(run_glint({"compare", a, b}).status == 0);
+    CHECK(run_glint({"compare", a, a, "--max-error", "0"}).status == 0);
+    // The picture of the differences: (250, 0, 0) everywhere, so 250 away from black.
+    must({"render", scene, "-o", b, "--size", "4x2", "--set", "/display/background=[0,0,0]"});
+    CHECK(json::parse(run_glint({"compare", d, b}).out)["max"] == json({250, 0, 0}));
+    must({"render", scene, "-o", b, "--size", "2x4"});
+    CHECK(run_glint({"compare", a, b}).err ==
+          "glint: error: " + b + ": the pictures have the sizes 4x2 and 2x4; expected two of one size\n");
+}
+
+TEST_CASE("info counts what a mesh file holds, and gives a scene's matrices", "[cli][info]") {
+    const TemporaryDirectory directory;
+    const std::string obj = directory.file("pyramid.obj", pyramid);
+    const json mesh = json::parse(must({"info", obj}).out);
+    CHECK(mesh["vertices"] == 5);
+    CHECK(mesh["faces"] == 5);
+    CHECK(mesh["triangles"] == 4);
+    CHECK(mesh["quads"] == 1);
+    CHECK(mesh["edges"] == 8);
+    CHECK(mesh["boundary_edges"] == 0);
+    CHECK(mesh["bounds"]["max"] == json({2.0, 3.0, 2.0}));
+    const json scene =
+        json::parse(must({"info", directory.file("scene.json", three_lights), "--size", "200x100"}).out);
+    CHECK(scene["lights"] == 4);
+    CHECK(scene["objects"][1]["name"] == "Floor");
+    CHECK(scene["objects"][1]["mesh"]["quads"] == 54);
+    // The default camera stands 5 away on +z; half of 45° up: 1 / tan(22.5°) = 1 + √2, halved for 2:1.
+    CHECK(scene["matrices"]["view_from_world"][2] == json({0.0, 0.0, 1.0, -5.0}));
+    CHECK(scene["matrices"]["clip_from_view"][1][1].get<double>() == Approx(1 + std::sqrt(2.0)));
+    CHECK(scene["matrices"]["clip_from_view"][0][0].get<double>() == Approx((1 + std::sqrt(2.0)) / 2));
+}
+
+TEST_CASE("what was tolerated in a mesh is one warning line, and the work is done", "[cli]") {
+    const TemporaryDirectory directory;
+    const std::string obj = directory.file("odd.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\nf 1 2 3\n");
+    const Ended ended = must({"render", obj, "-o", directory.path("a.png"), "--size", "8x8"});
+    CHECK(ended.err.rfind("glint: warning: ", 0) == 0);
+    CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+}
+
+TEST_CASE("what is missing in two meshes is told of each, and once where one mesh stands twice", "[cli]") {
+    const TemporaryDirectory directory;
+    const char* const halves = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\nf 2 4 3\n";
+    (void)directory.file("a.obj", halves);
+    (void)directory.file("b.obj", halves);
+    const std::string scene = directory.file("scene.json", R"({"glint": 1, "objects": [
+        {"mesh": {"file": "a.obj"}}, {"mesh": {"file": "b.obj"}}, {"mesh": {"file": "a.obj"}},
+        {"mesh": {"primitive": "cube"}, "normals": {"source": "file"}},
+        {"mesh": {"primitive": "cone"}, "normals": {"source": "file"}}]})");
+    const Ended ended = must({"render", scene, "-o", directory.path("a.png"), "--size", "8x8"});
+    const std::string missing = "3 corners have no normal; their vertex normals are used\n",
+                      none = R"(the mesh has no "file" normals; "analytic" normals are used)";
+    CHECK(ended.err == "glint: warning: a.obj: " + missing + "glint: warning: b.obj: " + missing +
+                           "glint: warning: cube: " + none + "\nglint: warning: cone: " + none + "\n");
+}
+
+TEST_CASE("a mesh whose name is no UTF-8 is drawn, and its picture opens again", "[cli]") {
+    const TemporaryDirectory directory;
+    const std::string obj = directory.file("caf\xe9.obj", pyramid), first = directory.path("a.png"),
+                      again = directory.path("b.png");
+    must({"render", obj, "-o", first, "--size", "40x30"});
+    must({"render", first, "-o", again, "--size", "40x30"});
+    CHECK(bytes_of(first) == bytes_of(again));
+    must({"sheet", obj, "--rows", "/shading/mode=flat,phong", "--cols", "/display/exposure=1,2", "-o",
+          directory.path("c.png"), "--cell", "20x20"});
+}
+
+TEST_CASE("anything to the power of 0 is 1, also a cosine of -1", "[cli][explain]") {
+    // Light and normal point away from the eye: n.l = 1, r.v = l.v = -1, and max(-1, 0)^0 = 1.
+    const char* const scene = R"({"glint": 1, "camera": {"projection": {"type": "orthographic"}},
+        "lights": [{"type": "directional", "position": [0, 0, -1]}],
+        "objects": [{"mesh": {"primitive": "plane"}, "transform": {"rotate_deg": [-90, 0, 0]},
+                     "material": {"shininess": 0}}]})";
+    for (const std::string reflection : {"phong", "blinn-phong", "retro"}) {
+        const json e = json::parse(must({"explain", "-", "--pixel", "640,360", "--format", "json", "--set",
+                                         "/shading/reflection=" + reflection},
+                                        scene)
+                                       .out);
+        INFO(reflection);
+        CHECK(e["lights"][0]["n_dot_l"].get<double>() == Approx(1));
+        CHECK(e["lights"][0]["specular"] == json({1.0, 1.0, 1.0}));
+    }
+}
+
+TEST_CASE("bench measures the frames that it was asked for", "[cli][bench]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", three_lights);
+    for (const std::string drag : {"light", "material", "camera", "object"}) {
+        const json answer = json::parse(
+            must({"bench", scene, "--size", "64x48", "--frames", "5", "--drag", drag, "--relight", "-j", "2"})
+                .out);
+        CHECK(answer["frames"] == 5);
+        CHECK(answer["drag"] == drag);
+        CHECK(answer["threads"] == 2);
+        CHECK(answer["width"] == 64);
+        CHECK(answer["ms"]["median"].get<double>() > 0);
+        CHECK(answer["ms"]["median"].get<double>() <= answer["ms"]["p90"].get<double>());
+        CHECK(answer["ms"]["p99"].get<double>() <= answer["ms"]["max"].get<double>());
+        CHECK(answer["stages"]["lighting"].get<double>() > 0);
+        CHECK((answer["stages"]["geometry"].get<double>() > 0) == (drag == "camera" || drag == "object"));
+        CHECK(answer["redone"]["lighting"] == 5);
+        CHECK(answer["redone"]["geometry"] == (drag == "camera" || drag == "object" ? 5 : 0));
+        CHECK(answer["peak_bytes"].get<double>() > 1e6);
+    }
+    const std::string dark = directory.file("dark.json", R"({"glint": 1})");
+    CHECK(json::parse(must({"bench", dark, "--size", "8x8", "--frames", "1"}).out)["drag"] == "camera");
+    CHECK(run_glint({"bench", dark, "--drag", "light"}).err ==
+          "glint: error: --drag: the scene has no light; expected material, camera or object, or a scene "
+          "with a "
+          "light\n");
+}
+
+TEST_CASE("bench --table says what the JSON says, in columns", "[cli][bench]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", three_lights);
+    const std::string table =
+        must({"bench", scene, "--size", "64x48", "--frames", "7", "--drag", "camera", "-j", "2", "--table"})
+            .out;
+    CHECK(table.rfind("camera drag, 64 x 48, 7 frames, 2 threads, ", 0) == 0);
+    const auto line = [&table](const std::string& name) {
+        const std::size_t start = table.find("\n" + name + " ") + 1;
+        REQUIRE(start > 0);
+        return table.substr(start, table.find('\n', start) - start);
+    };
+    const auto number = [](const std::string& text) { return std::stod(text.substr(text.find(' '))); };
+    CHECK(number(line("median")) > 0);
+    CHECK(number(line("median")) <= number(line("p90")));
+    CHECK(number(line("p99")) <= number(line("max")));
+    for (const char* stage : {"geometry", "visibility", "surface", "lighting"})
+        CHECK(line(stage).find("7 of 7 frames") != std::string::npos);
+    const std::string light =
+        must({"bench", scene, "--size", "64x48", "--frames", "7", "--drag", "light", "--table"}).out;
+    CHECK(light.find("geometry        0.000   0 of 7 frames\n") != std::string::npos);
+}
+
+TEST_CASE("an explanation in words says why a light gives nothing", "[cli][explain]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", R"({"glint": 1,
+        "objects": [{"name": "Wall", "mesh": {"primitive": "plane"}, "transform": {"rotate_deg": [90, 0, 0]}}],
+        "lights": [{"name": "Behind", "position": [0, 0, -2]},
+                   {"name": "Lamp", "type": "spot", "position": [1, 0, 1],
+                    "spot": {"direction": [0, 0, -1], "cutoff_deg": 30}},
+                   {"name": "Sun", "type": "directional", "position": [0, 0, 1], "diffuse": [2, 1, 1]}]})");
+    // At the middle pixel's corner nearest to the centre the Lamp sees the point at 45°, 15° outside.
+    const Ended ended = must({"explain", scene, "--pixel", "50,50", "--size", "101x101"});
+    CHECK(ended.out.rfind("Pixel 50, 50: Wall, face 0, front side; phong shading, phong reflection\n", 0) ==
+          0);
+    CHECK(ended.out.find("Behind, point light: behind the surface\n") != std::string::npos);
+    CHECK(ended.out.find("Lamp, spot light: outside the cone by 15.0°\n") != std::string::npos);
+    CHECK(ended.out.find("red clips: ") != std::string::npos);
+    CHECK(must({"explain", scene, "--pixel", "0,0"}).out.rfind("Pixel 0, 0: background\n", 0) == 0);
+}

@@ -1,0 +1,174 @@
+// What the command line answers to a wrong one: the exact line, the exit status, and nothing on standard
+// output. Lines are those that docs/interface.md gives or follow its form.
+#include <algorithm>
+#include <filesystem>
+
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+
+using namespace glint;
+
+namespace {
+
+const char* const sphere = R"({"glint": 1, "objects": [{"mesh": {"primitive": "sphere", "detail": 12}}],
+                              "lights": [{"name": "Bulb", "position": [2, 3, 4]}]})";
+
+struct WrongUsage {
+    std::vector<std::string> arguments;
+    std::string line;  // without "glint: error: "
+};
+
+void check_error(const Ended& ended, int status, const std::string& line) {
+    CHECK(ended.status == status);
+    CHECK(ended.out.empty());
+    CHECK(ended.err == "glint: error: " + line + "\n");
+}
+
+}  // namespace
+
+TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", sphere), out = directory.path("out.png");
+    const std::string sizes = "; expected WIDTHxHEIGHT as in 1280x720, 1x1 to 16384x16384";
+    const std::string formats = "; expected a name that ends in .png, .pfm or .exr, or - for standard output";
+    const std::vector<WrongUsage> table{
+        {{"rendr", "a", "-o", "b"},
+         "rendr: neither a command nor a file; expected render or another that glint --help lists"},
+        {{""}, "FILE: is empty; expected a scene, a mesh, or - for a scene on standard input"},
+        {{"render"}, "FILE: is missing; expected a scene, a mesh, or - for a scene on standard input"},
+        {{"render", scene},
+         "-o: is missing; expected a file to write, .png, .pfm or .exr, or - for a PNG on standard output"},
+        {{"render", scene, "-o"}, "-o: has no value; expected one after it"},
+        {{"render", scene, "-o", "a.bmp"}, "-o: a.bmp cannot be written" + formats},
+        {{"render", scene, "-o", "noextension"}, "-o: noextension cannot be written" + formats},
+        {{"render", scene, "-o", out, "--sze", "3x3"},
+         "--sze: unknown option of glint render; expected --size or another that glint render --help lists"},
+        {{"render", scene, "-o", out, "--size", "640x"}, "--size: 640x is no size of a picture" + sizes},
+        {{"render", scene, "-o", out, "--size", "0x5"}, "--size: 0x5 is no size of a picture" + sizes},
+        {{"render", scene, "-o", out, "--size", "1e3x2"}, "--size: 1e3x2 is no size of a picture" + sizes},
+        {{"render", scene, "-o", out, "--size", "640x480x3"},
+         "--size: 640x480x3 is no size of a picture" + sizes},
+        {{"render", scene, "-o", out, "--size", " 640x480"},
+         "--size:  640x480 is no size of a picture" + sizes},
+        {{"render", scene, "-o", out, "--size", "+640x480"},
+         "--size: +640x480 is no size of a picture" + sizes},
+        {{"render", scene, "-o", out, "--size", "16385x1"},
+         "--size: 16385x1 is no size of a picture" + sizes},
+        {{"render", scene, "-o", out, "--size=3x3", "--size", "3x3"},
+         "--size: is given twice; expected it once"},
+        {{"render", scene, "-o", out, "--size=99999999999x1"},
+         "--size: 99999999999x1 is no size of a picture" + sizes},
+        {{"render", scene, "again.json", "-o", out},
+         "again.json: one word too many for glint render; expected what glint render --help shows"},
+        {{"render", "-o", out, "--", scene, "-o"},
+         "-o: one word too many for glint render; expected what glint render --help shows"},
+        {{"-j", "2", "render", scene, "-o", out, "-j", "3"}, "--threads: is given twice; expected it once"},
+        {{"render", scene, "-o", out, "-j", "two"}, "--threads: two is no whole number; expected 0 to 1024"},
+        {{"render", scene, "-o", out, "-j-1"}, "--threads: -1 is out of range; expected 0 to 1024"},
+        {{"render", scene, "-o", out, "--samples", "3"}, "--samples: 3 is not known; expected 1, 2, 4, 8"},
+        {{"explain", scene}, "--pixel: is missing; expected X,Y as in --pixel 640,360"},
+        {{"explain", scene, "--pixel", "900,20", "--size", "640x480"},
+         "--pixel: 900,20 is outside the picture; expected 0 to 639, 0 to 479"},
+        {{"explain", scene, "--pixel", "-1,5"},
+         "--pixel: -1,5 is outside the picture; expected 0 to 1279, 0 to 719"},
+        {{"explain", scene, "--pixel", "1.5,2"}, "--pixel: 1.5,2 is no pixel; expected X,Y as in 640,360"},
+        {{"explain", scene, "--pixel", "1,2,3"}, "--pixel: 1,2,3 is no pixel; expected X,Y as in 640,360"},
+        {{"explain", scene, "--pixel", "1,1", "--format", "xml"},
+         "--format: xml is not known; expected text, json, latex"},
+        {{"bench", scene, "--frames", "0"}, "--frames: 0 is out of range; expected 1 to 100000"},
+        {{"bench", scene, "--drag", "mouse"},
+         "--drag: mouse is not known; expected light, material, camera, object"},
+        {{"compare", "a.png"}, "B.png: is missing; expected a second picture to compare with"},
+        {{"compare", "a.png", "b.png", "-o", "c.jpg"},
+         "-o: c.jpg cannot be written; expected a name that ends in .png"},
+        {{"compare", "a.png", "b.png", "-o", "-"},
+         "-o: standard output is the answer's; expected a name that ends in .png"},
+        {{"compare", "a.png", "b.png", "--max-error", "much"},
+         "--max-error: much is no number; expected 0 or more"},
+        {{"compare", "a.png", "b.png", "--max-error", "inf"},
+         "--max-error: inf is out of range; expected 0 or more"},
+    };
+    for (const WrongUsage& wrong : table) {
+        std::string line = "glint";
+        for (const auto& argument : wrong.arguments) line += " " + argument;
+        INFO(line);
+        check_error(run_glint(wrong.arguments), 2, wrong.line);
+    }
+    CHECK(directory.names() == std::vector<std::string>{"scene.json"});
+}
+
+TEST_CASE("what is wrong in --set is wrong usage, with the option in place of the file", "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", sphere);
+    for (const std::string set : {"nothing", "/display/exposure", "/display/exposure=two words",
+                                  "/display/exposure=-1", "/nosuchkey=1", "/lights/7/position=[1,2,3]"}) {
+        const Ended ended = run_glint({"info", scene, "--set", set});
+        INFO(set << ": " << ended.err);
+        CHECK(ended.status == 2);
+        CHECK(ended.out.empty());
+        CHECK(ended.err.rfind("glint: error: --set: ", 0) == 0);
+        CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+    }
+}
+
+TEST_CASE("an input that cannot be used ends with status 1 and names the file", "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string broken = directory.file("broken.json", "{\"glint\": 1,");
+    for (const std::string& file :
+         {directory.path("missing.json"), directory.path(""), broken, directory.file("empty.obj", ""),
+          directory.file("odd.txt", "?"), directory.file("plain.png", "\x89PNG"), std::string("/dev/zero")}) {
+        for (const char* command : {"render", "info", "explain", "bench"}) {
+            std::vector<std::string> arguments{command, file};
+            if (arguments[0] == "render") arguments.insert(arguments.end(), {"-o", directory.path("o.png")});
+            if (arguments[0] == "explain") arguments.insert(arguments.end(), {"--pixel", "1,1"});
+            const Ended ended = run_glint(arguments);
+            INFO(command << ": " << ended.err);
+            CHECK(ended.status == 1);
+            CHECK(ended.out.empty());
+            CHECK(ended.err.rfind("glint: error: " + file, 0) == 0);
+            CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+        }
+    }
+    CHECK_FALSE(std::filesystem::exists(directory.path("o.png")));
+}
+
+TEST_CASE("an empty picture is called empty", "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string empty = directory.file("empty.png", "");
+    check_error(run_glint({"compare", empty, empty}), 1,
+                empty + ": is empty; expected a PNG picture of 1x1 to 16384x16384");
+}
+
+TEST_CASE("an error stays one line of at most 4096 bytes, whatever the file is called", "[cli][bad-input]") {
+    const Ended hostile = run_glint({"info", "a\nb\x1b[31m\x07.json"});
+    CHECK(hostile.status == 1);
+    CHECK(std::count(hostile.err.begin(), hostile.err.end(), '\n') == 1);
+    CHECK(hostile.err.find('\x1b') == std::string::npos);
+    const Ended lengthy = run_glint({"info", std::string(20000, 'x') + ".json"});
+    CHECK(lengthy.status == 1);
+    CHECK(lengthy.err.rfind("glint: error: xxx", 0) == 0);
+    CHECK(lengthy.err.size() <= 4096 + 1);
+}
+
+TEST_CASE("with no display the window's command names the one that needs none", "[cli]") {
+    const Ended ended = run_glint({});
+    CHECK(ended.status == 1);
+    CHECK(ended.out.empty());
+    CHECK(ended.err.find("glint render FILE -o OUT.png") != std::string::npos);
+    CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+}
+
+TEST_CASE("asked for --help or --version it answers on standard output, with status 0", "[cli]") {
+    const Ended help = run_glint({"--help"}), version = run_glint({"--version"});
+    CHECK(help.status == 0);
+    CHECK(help.err.empty());
+    CHECK(version.out.rfind("glint ", 0) == 0);
+    for (const std::string command :
+         {"render", "explain", "profile", "sheet", "lobe", "microfacets", "info", "compare", "bench"}) {
+        CHECK(help.out.find("glint " + command) != std::string::npos);
+        const Ended one = run_glint({command, "--help"});
+        CHECK(one.status == 0);
+        CHECK(one.out.find("Usage: glint " + command) != std::string::npos);
+        CHECK(one.out.find(command + "  [") == std::string::npos);  // no gap where there is no FILE
+    }
+}

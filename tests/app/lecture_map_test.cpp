@@ -1,0 +1,162 @@
+// docs/lecture_map.md says what is there: every row's scene opens, its command runs, its tests exist.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+
+using namespace glint;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path source_dir = GLINT_SOURCE_DIR;
+
+std::string text_of(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+struct Row {
+    int number = 0;
+    std::string idea, scene, command, tests;
+};
+
+std::vector<Row> rows() {
+    std::vector<Row> found;
+    std::istringstream lines(text_of(source_dir / "docs" / "lecture_map.md"));
+    const std::regex form(R"(\| (\d+) \| (.+) \| (\S+) \| `(.+)` \| (.+) \|)");
+    std::string line;
+    while (std::getline(lines, line)) {
+        std::smatch cell;
+        if (std::regex_match(line, cell, form))
+            found.push_back({std::stoi(cell[1]), cell[2], cell[3], cell[4], cell[5]});
+    }
+    return found;
+}
+
+std::vector<std::string> in_backticks(const std::string& text) {
+    std::vector<std::string> names;
+    const std::regex quoted("`([^`]+)`");
+    for (std::sregex_iterator i(text.begin(), text.end(), quoted), end; i != end; ++i)
+        names.push_back((*i)[1]);
+    return names;
+}
+
+/// The names of all test cases in tests/**.cpp; a name may go on over several literals.
+std::set<std::string> test_names() {
+    std::set<std::string> names;
+    const std::regex begin(R"re(TEST_CASE(?:_SIG)?\(\s*((?:"[^"]*"\s*)+))re"), part("\"([^\"]*)\"");
+    for (const auto& entry : fs::recursive_directory_iterator(source_dir / "tests")) {
+        if (entry.path().extension() != ".cpp") continue;
+        const std::string text = text_of(entry.path());
+        for (std::sregex_iterator i(text.begin(), text.end(), begin), end; i != end; ++i) {
+            const std::string literals = (*i)[1];
+            std::string name;
+            for (std::sregex_iterator p(literals.begin(), literals.end(), part); p != end; ++p)
+                name += (*p)[1];
+            names.insert(name);
+        }
+    }
+    return names;
+}
+
+/// The words behind "glint" of a row's command, with its scene where it lies and its output out of the way.
+std::vector<std::string> words_of(const Row& row, const std::string& out) {
+    std::istringstream stream(row.command);
+    std::string program;
+    stream >> program;
+    REQUIRE(program == "glint");
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;)
+        words.push_back(word == row.scene ? (source_dir / row.scene).string() : word);
+    const auto output = std::find(words.begin(), words.end(), "-o");
+    if (output != words.end() && output + 1 != words.end()) output[1] = out;
+    if (words[0] == "render") words.insert(words.end(), {"--size", "160x90"});
+    return words;
+}
+
+}  // namespace
+
+TEST_CASE("the lecture map has every idea once, each with a scene and tests that exist", "[docs]") {
+    const std::vector<Row> map = rows();
+    REQUIRE(map.size() == 52);
+    const std::set<std::string> tests = test_names();
+    REQUIRE(tests.size() > 200);
+    for (std::size_t i = 0; i < map.size(); ++i) {
+        CAPTURE(map[i].number);
+        CHECK(map[i].number == static_cast<int>(i) + 1);
+        CHECK(fs::is_regular_file(source_dir / map[i].scene));
+        const std::vector<std::string> named = in_backticks(map[i].tests);
+        CHECK((!named.empty() || map[i].tests.find("to come") != std::string::npos));
+        for (const std::string& name : named) {
+            CAPTURE(name);
+            CHECK(tests.count(name) == 1);
+        }
+    }
+}
+
+TEST_CASE("every command of the lecture map runs", "[docs][program][long][release]") {
+    const TemporaryDirectory directory;
+    for (const Row& row : rows()) {
+        CAPTURE(row.number, row.command);
+        const Ended ended = run_glint(words_of(row, directory.path("out.png")));
+        CHECK(ended.status == 0);
+        CHECK(ended.err.empty());
+    }
+}
+
+TEST_CASE("docs/explain.md names every field that an explanation has", "[docs][program]") {
+    const std::vector<std::string> words = in_backticks(text_of(source_dir / "docs" / "explain.md"));
+    const std::set<std::string> documented(words.begin(), words.end());
+    const TemporaryDirectory directory;
+    const std::string scene =
+        directory.file("scene.json", R"({"glint": 1, "objects": [{"name": "Ball"}], "lights": [
+        {"type": "directional", "position": [1, 1, 1]}, {"type": "spot"}, {"type": "area", "area": {"samples": 4}}]})");
+    std::set<std::string> given;
+    const std::regex key(R"re("([^"]+)":)re");
+    for (const std::vector<std::string>& how : std::vector<std::vector<std::string>>{
+             {"--pixel", "0,0"},
+             {"--pixel", "640,360", "--sensitivity"},
+             {"--pixel", "640,360", "--set", "/shading/mode=gouraud"},
+             {"--pixel", "640,360", "--set", "/shading/mode=flat"},
+             {"--pixel", "640,360", "--set", "/shading/reflection=none"},
+             {"--pixel", "640,360", "--set", R"(/npr={"cool_to_warm": true})"},
+             {"--pixel", "640,0", "--size", "1280x9", "--set",
+              R"(/npr={"silhouettes": true, "stroke_width_px": 20})"}}) {
+        std::vector<std::string> arguments{"explain", scene, "--format", "json"};
+        arguments.insert(arguments.end(), how.begin(), how.end());
+        const Ended ended = run_glint(arguments);
+        REQUIRE(ended.status == 0);
+        for (std::sregex_iterator i(ended.out.begin(), ended.out.end(), key), end; i != end; ++i)
+            given.insert((*i)[1]);
+    }
+    for (const char* rare : {"samples", "corners", "cool_to_warm", "stroke", "one_sided"})
+        CHECK(given.count(rare) == 1);
+    for (const std::string& field : given) {
+        CAPTURE(field);
+        CHECK(documented.count(field) == 1);
+    }
+}
+
+TEST_CASE("every picture that the documents show is there, and none is left unshown", "[docs]") {
+    std::set<std::string> shown, made;
+    const std::regex link(R"(\]\((?:docs/)?pictures/([^)]+)\))");
+    for (const char* document : {"docs/gallery.md", "docs/performance.md", "README.md"}) {
+        const std::string text = text_of(source_dir / document);
+        for (std::sregex_iterator i(text.begin(), text.end(), link), end; i != end; ++i)
+            shown.insert((*i)[1]);
+    }
+    for (const auto& entry : fs::directory_iterator(source_dir / "docs" / "pictures"))
+        made.insert(entry.path().filename().string());
+    CHECK(shown == made);
+    CHECK(made.size() > 20);
+}

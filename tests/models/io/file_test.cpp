@@ -1,0 +1,259 @@
+#include "models/io/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <thread>
+
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+
+using namespace glint;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What the library does to files, seen through the functions below that stand in for the system's.
+struct Watch {
+    std::optional<mode_t> mode_while_writing;  // of the regular file that was written to last
+    std::function<void()> directory_synced;
+};
+Watch* watch = nullptr;
+
+struct stat status_of(int descriptor) {
+    struct stat status {};
+    ::fstat(descriptor, &status);
+    return status;
+}
+
+}  // namespace
+
+extern "C" ssize_t write(int descriptor, const void* bytes, size_t count) {
+    if (watch != nullptr && S_ISREG(status_of(descriptor).st_mode))
+        watch->mode_while_writing = status_of(descriptor).st_mode & 07777;
+    return ::syscall(SYS_write, descriptor, bytes, count);
+}
+
+extern "C" int fsync(int descriptor) {
+    if (watch != nullptr && watch->directory_synced && S_ISDIR(status_of(descriptor).st_mode))
+        watch->directory_synced();
+    return static_cast<int>(::syscall(SYS_fsync, descriptor));
+}
+
+namespace {
+
+struct Place {
+    TemporaryDirectory directory;
+    fs::path path = directory.path();
+    [[nodiscard]] std::string operator/(const char* name) const { return directory.path(name); }
+    [[nodiscard]] std::size_t count() const { return directory.names().size(); }
+};
+
+std::string read_back(const std::string& path) { return std::get<std::string>(read_file(path, 1 << 20)); }
+
+template <class T> std::string problem_text(const Result<T>& result) {
+    REQUIRE(problem_of(result) != nullptr);
+    return problem_of(result)->text();
+}
+
+mode_t mode_of(const std::string& path) {
+    struct stat status {};
+    REQUIRE(::stat(path.c_str(), &status) == 0);
+    return status.st_mode & 07777;
+}
+
+}  // namespace
+
+TEST_CASE("what is written reads back, and nothing else is left in the directory", "[file]") {
+    const Place place;
+    const std::string bytes = std::string("a\0b\r\n\xff", 6) + std::string(200'000, 'x');
+    for (const std::string& text : {bytes, std::string("short"), std::string()}) {
+        CHECK(problem_of(write_file(place / "a", text)) == nullptr);
+        CHECK(read_back(place / "a") == text);
+    }
+    CHECK(place.count() == 1);
+}
+
+TEST_CASE("a file that is too long, missing, a directory, a device or a pipe is a problem", "[file]") {
+    const Place place;
+    REQUIRE(problem_of(write_file(place / "ten", "0123456789")) == nullptr);
+    CHECK(problem_of(read_file(place / "ten", 10)) == nullptr);
+    CHECK(problem_text(read_file(place / "ten", 9)) ==
+          place / "ten" + ": is too long; expected at most 9 bytes");
+    CHECK(problem_text(read_file(place / "no", 9)) ==
+          place / "no" +
+              ": cannot read: no such file or directory; expected a regular file that can be read");
+    CHECK(problem_text(read_file(place.path, 9)) ==
+          place.path.string() + ": is a directory; expected a regular file");
+    CHECK(problem_text(read_file("/dev/zero", 9)) == "/dev/zero: is a device; expected a regular file");
+    REQUIRE(::mkfifo((place / "pipe").c_str(), 0600) == 0);
+    CHECK(problem_text(read_file(place / "pipe", 9)) ==
+          place / "pipe" + ": is a pipe or a socket; expected a regular file");
+    CHECK(problem_of(read_file("", 9)) != nullptr);
+    CHECK(problem_of(read_file(place / "ten" + std::string("\0.json", 6), 99)) != nullptr);
+}
+
+TEST_CASE("writing keeps the permission bits of the old file and gives a new one those of the umask",
+          "[file]") {
+    const Place place;
+    const mode_t umask_before = ::umask(027);
+    REQUIRE(problem_of(write_file(place / "a", "1")) == nullptr);
+    ::umask(umask_before);
+    CHECK(mode_of(place / "a") == 0640);
+    REQUIRE(::chmod((place / "a").c_str(), 0604) == 0);
+    REQUIRE(problem_of(write_file(place / "a", "2")) == nullptr);
+    CHECK(mode_of(place / "a") == 0604);
+    CHECK(read_back(place / "a") == "2");
+}
+
+TEST_CASE("a symbolic link stays and what it names is replaced", "[file]") {
+    const Place place;
+    fs::create_directory(place.path / "deep");
+    REQUIRE(problem_of(write_file(place / "deep/target", "old")) == nullptr);
+    fs::create_symlink("deep/target", place.path / "link");
+    fs::create_symlink("link", place.path / "second");
+    fs::create_symlink("deep/none", place.path / "dangling");
+    CHECK(problem_of(write_file(place / "second", "new")) == nullptr);
+    CHECK(problem_of(write_file(place / "dangling", "made")) == nullptr);
+    CHECK(fs::is_symlink(place.path / "link"));
+    CHECK(fs::is_symlink(place.path / "second"));
+    CHECK(fs::is_symlink(place.path / "dangling"));
+    CHECK(read_back(place / "deep/target") == "new");
+    CHECK(read_back(place / "deep/none") == "made");
+    fs::create_symlink("loop", place.path / "loop");
+    CHECK(problem_of(write_file(place / "loop", "x")) != nullptr);
+}
+
+TEST_CASE("what cannot be written is a problem and leaves nothing behind", "[file]") {
+    const Place place;
+    const std::string tail = "; expected a place that can be written";
+    CHECK(problem_text(write_file("/dev/full", "x")) ==
+          "/dev/full: cannot write: no space left on the device" + tail);
+    CHECK(problem_text(write_file(place / "no/a", "x")) ==
+          place / "no/a" + ": cannot write: no such file or directory" + tail);
+    CHECK(problem_text(write_file(place.path, "x")) ==
+          place.path.string() + ": cannot write: is a directory" + tail);
+    CHECK(problem_of(write_file("", "x")) != nullptr);
+    CHECK(problem_of(write_file(place / "new/", "x")) != nullptr);
+    CHECK(place.count() == 0);
+    CHECK(problem_of(write_file("/dev/null", "x")) == nullptr);
+}
+
+TEST_CASE("a pipe is written straight through, and one without a reader is a problem, not a signal",
+          "[file]") {
+    const Place place;
+    const std::string pipe = place / "pipe";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    std::string got;
+    std::thread reader([&] {
+        const int descriptor = ::open(pipe.c_str(), O_RDONLY);
+        std::array<char, 64> bytes{};
+        const ssize_t count = ::read(descriptor, bytes.data(), bytes.size());
+        got.assign(bytes.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
+        ::close(descriptor);
+    });
+    CHECK(problem_of(write_file(pipe, "through")) == nullptr);
+    reader.join();
+    CHECK(got == "through");
+    CHECK(fs::is_fifo(pipe));
+
+    std::array<int, 2> ends{};
+    REQUIRE(::pipe(ends.data()) == 0);
+    ::close(ends[0]);
+    const std::string name = "/dev/fd/" + std::to_string(ends[1]);
+    CHECK(problem_text(write_file(name, "x")) ==
+          name + ": cannot write: the reader of the pipe has gone; expected a place that can be written");
+    ::close(ends[1]);
+}
+
+TEST_CASE("while a file is replaced nobody can read the new one who could not read the old one", "[file]") {
+    const Place place;
+    REQUIRE(problem_of(write_file(place / "a", "old")) == nullptr);
+    REQUIRE(::chmod((place / "a").c_str(), 0600) == 0);
+    const mode_t umask_before = ::umask(0);
+    Watch seen;
+    watch = &seen;
+    const auto written = write_file(place / "a", "new");
+    watch = nullptr;
+    ::umask(umask_before);
+    CHECK(problem_of(written) == nullptr);
+    CHECK(seen.mode_while_writing == mode_t{0600});
+    CHECK(read_back(place / "a") == "new");
+}
+
+TEST_CASE("owner and group of the old file are kept where the system lets us", "[file]") {
+    if (::geteuid() != 0) return;  // only root may give files away
+    constexpr uid_t somebody = 4242, some_group = 4343;
+    const Place place;
+    REQUIRE(problem_of(write_file(place / "a", "old")) == nullptr);
+    REQUIRE(::chown((place / "a").c_str(), somebody, some_group) == 0);
+    REQUIRE(::chmod((place / "a").c_str(), 04750) == 0);
+    REQUIRE(problem_of(write_file(place / "a", "new")) == nullptr);
+    struct stat status {};
+    REQUIRE(::stat((place / "a").c_str(), &status) == 0);
+    CHECK(status.st_uid == somebody);
+    CHECK(status.st_gid == some_group);
+    CHECK((status.st_mode & 07777) == 04750);
+}
+
+TEST_CASE("the directory is put on the disk when the new file is in its place", "[file]") {
+    const Place place;
+    REQUIRE(problem_of(write_file(place / "a", "old")) == nullptr);
+    std::string found;
+    Watch seen;
+    seen.directory_synced = [&] { found = bytes_of(place / "a"); };
+    watch = &seen;
+    const auto written = write_file(place / "a", "new");
+    watch = nullptr;
+    CHECK(problem_of(written) == nullptr);
+    CHECK(found == "new");
+}
+
+TEST_CASE("files that go together appear together or not at all", "[file]") {
+    const Place place;
+    {
+        FilesTogether files;
+        CHECK(problem_of(files.add(place / "a", "1")) == nullptr);
+        CHECK(problem_of(files.add(place / "no/b", "2")) != nullptr);
+    }
+    CHECK(place.count() == 0);
+    {
+        FilesTogether files;
+        CHECK(problem_of(files.add(place / "a", "1")) == nullptr);
+        CHECK(problem_of(files.add("/dev/full", "2")) == nullptr);  // known only when it is written
+        CHECK(problem_text(files.put_in_place()) ==
+              "/dev/full: cannot write: no space left on the device; expected a place that can be written");
+    }
+    CHECK(place.count() == 0);
+    FilesTogether files;
+    CHECK(problem_of(files.add(place / "a", "1")) == nullptr);
+    CHECK(problem_of(files.add(place / "b", "2")) == nullptr);
+    CHECK_FALSE(fs::exists(place / "a"));
+    CHECK(problem_of(files.put_in_place()) == nullptr);
+    CHECK(read_back(place / "a") == "1");
+    CHECK(read_back(place / "b") == "2");
+    CHECK(place.count() == 2);
+}
+
+TEST_CASE("what could not be written is known beforehand, in the same words", "[file]") {
+    const Place place;
+    for (const std::string& path : {place / "no/a", place.path.string(), std::string(), place / "new/"}) {
+        INFO(path);
+        const std::optional<Problem> known = why_not_writable(path);
+        REQUIRE(known.has_value());
+        CHECK(known->text() == problem_text(write_file(path, "x")));
+    }
+    for (const std::string& path : {place / "a", std::string("-"), std::string("/dev/null")})
+        CHECK_FALSE(why_not_writable(path).has_value());
+    CHECK(place.count() == 0);
+    if (::geteuid() == 0) return;  // root may write anywhere
+    REQUIRE(::chmod(place.path.c_str(), 0500) == 0);
+    CHECK(why_not_writable(place / "a").has_value());
+    REQUIRE(::chmod(place.path.c_str(), 0700) == 0);
+}

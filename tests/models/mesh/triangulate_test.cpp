@@ -1,0 +1,211 @@
+// Areas by the shoelace formula; figures drawn by hand.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "models/mesh/mesh.h"
+#include "tests/support/catch.h"
+#include "tests/support/mesh_helpers.h"
+
+using namespace glint;
+using test::make_mesh;
+using test::make_polygon;
+
+namespace {
+
+/// Twice the signed areas of the triangles, about +z, and of the whole polygon.
+struct Areas {
+    double least = 1e300, sum = 0, polygon = 0;
+};
+Areas areas(const Mesh& mesh) {
+    Areas result;
+    for (const Triangle& t : mesh.triangles) {
+        const glm::dvec3 a = test::corner_place(mesh, t.corner[0]), b = test::corner_place(mesh, t.corner[1]),
+                         c = test::corner_place(mesh, t.corner[2]);
+        const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+        result.least = std::min(result.least, area);
+        result.sum += area;
+    }
+    const std::size_t n = mesh.corner_position.size();
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const glm::dvec3 a = test::corner_place(mesh, i),
+                         b = test::corner_place(mesh, static_cast<std::uint32_t>((i + 1) % n));
+        result.polygon += a.x * b.y - b.x * a.y;
+    }
+    return result;
+}
+
+void check_covered(const Mesh& mesh) {
+    const Areas a = areas(mesh);
+    CHECK(a.least > 0);
+    CHECK(a.sum == Approx(a.polygon).epsilon(1e-9));
+}
+
+}  // namespace
+
+TEST_CASE("a convex polygon is a fan from its first corner", "[triangulate]") {
+    const Mesh mesh = make_polygon({{2, 0, 1}, {1, 2, 1}, {-1, 2, 1}, {-2, 0, 1}, {0, -2, 1}});
+    REQUIRE(mesh.triangles.size() == 3);
+    for (std::uint32_t i = 0; i < 3; ++i) CHECK(mesh.triangles[i] == Triangle{{0, i + 1, i + 2}, 0});
+    CHECK(mesh.warnings.empty());
+}
+
+TEST_CASE("an arrowhead is cut inside, whichever corner it begins with", "[triangulate]") {
+    const std::vector<glm::vec3> arrow{{0, 0, 0}, {4, -2, 0}, {1, 0, 0}, {4, 2, 0}};  // reflex at (1, 0)
+    for (std::size_t first = 0; first < 4; ++first) {
+        std::vector<glm::vec3> turned = arrow;
+        std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(first), turned.end());
+        // 4 - -4 over 2 minus the notch: shoelace of the four points by hand gives 2 * 2 = 4.
+        const Mesh mesh = make_polygon(turned);
+        CHECK(mesh.triangles.size() == 2);
+        CHECK(areas(mesh).polygon == Approx(4));
+        check_covered(mesh);
+    }
+}
+
+TEST_CASE("corners on a straight side leave no triangle without an area", "[triangulate]") {
+    check_covered(
+        make_polygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}, {0, 2, 0}, {0, 1, 0}}));
+    // An L with corners on its sides.
+    check_covered(make_polygon({{0, 0, 0},
+                                {1, 0, 0},
+                                {3, 0, 0},
+                                {3, 1, 0},
+                                {2, 1, 0},
+                                {1, 1, 0},
+                                {1, 2, 0},
+                                {1, 3, 0},
+                                {0, 3, 0},
+                                {0, 2, 0}}));
+}
+
+TEST_CASE("what is not convex is no fan, even where a fan would do or all turns are left", "[triangulate]") {
+    const auto is_fan = [](const Mesh& mesh) {
+        for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
+            if (mesh.triangles[i] != Triangle{{0, i + 1, i + 2}, 0}) return false;
+        return true;
+    };
+    // All of it can be seen from its first corner, but (3, 2) is reflex.
+    const Mesh star = make_polygon({{0, 0, 0}, {4, 0, 0}, {3, 2, 0}, {4, 4, 0}, {0, 4, 0}});
+    CHECK_FALSE(is_fan(star));
+    check_covered(star);
+    // A curve with a loop inside: r = 1 + 2 cos t turns left all the way, and lies on the left of its first
+    // edge.
+    std::vector<glm::vec3> loop;
+    loop.reserve(16);
+    for (int i = 0; i < 16; ++i) {
+        const double t = 6.283185307179586 * (i - 0.5) / 16, r = 1 + 2 * std::cos(t);
+        loop.emplace_back(r * std::cos(t), r * std::sin(t), 0);
+    }
+    CHECK_FALSE(is_fan(make_polygon(loop)));
+}
+
+TEST_CASE("polygons that cross themselves are cut as well as it goes", "[triangulate][degenerate]") {
+    std::vector<glm::vec3> pentagram, noise;
+    for (int i = 0; i < 5; ++i) {
+        const double angle = 6.283185307179586 * 2 * i / 5;
+        pentagram.emplace_back(std::cos(angle), std::sin(angle), 0);
+    }
+    CHECK(make_polygon(pentagram).triangles.size() == 3);
+    std::mt19937 random(3);
+    const auto number = [&random] { return static_cast<float>(random() % 5); };  // many equal and collinear
+    for (int trial = 0; trial < 500; ++trial) {
+        noise.resize(3 + random() % 20);
+        for (glm::vec3& p : noise) p = {number(), number(), trial % 2 == 0 ? 0 : number()};
+        const Mesh mesh = make_polygon(noise);
+        CHECK(mesh.triangles.size() <= noise.size() - 2);
+        for (const Triangle& t : mesh.triangles)
+            for (const std::uint32_t c : t.corner) CHECK(c < noise.size());
+    }
+}
+
+TEST_CASE("a hole joined by a bridge stays open", "[triangulate]") {
+    // A 6 x 6 square with a 2 x 2 hole, one outline: area 36 - 4.
+    const Mesh mesh = make_polygon({{-3, -3, 0},
+                                    {3, -3, 0},
+                                    {3, 3, 0},
+                                    {-3, 3, 0},
+                                    {-3, -3, 0},
+                                    {-1, -1, 0},
+                                    {-1, 1, 0},
+                                    {1, 1, 0},
+                                    {1, -1, 0},
+                                    {-1, -1, 0}});
+    CHECK(areas(mesh).sum == Approx(64));
+    check_covered(mesh);
+}
+
+TEST_CASE("random star-shaped polygons in random planes are covered once", "[triangulate][property]") {
+    std::mt19937 random(11);
+    const auto number = [&random] { return static_cast<double>(random() >> 8) / (1 << 24); };
+    for (int trial = 0; trial < 300; ++trial) {
+        const int n = 4 + static_cast<int>(random() % 60);
+        std::vector<glm::vec3> flat;
+        for (int i = 0; i < n; ++i) {
+            const double radius = 0.1 + number(), angle = 6.283185307179586 * i / n;
+            flat.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+        }
+        const Mesh mesh = make_polygon(flat);
+        CHECK(mesh.triangles.size() == static_cast<std::size_t>(n - 2));
+        check_covered(mesh);
+        // The same polygon elsewhere: as many triangles, the same area.
+        const glm::dvec3 u = glm::normalize(glm::dvec3(number(), number(), number() + 0.1));
+        const glm::dvec3 v = glm::normalize(glm::cross(u, glm::dvec3(number() + 0.1, 0.3, -number())));
+        std::vector<glm::vec3> tilted;
+        for (const glm::vec3& p : flat)
+            tilted.emplace_back(static_cast<double>(p.x) * u + static_cast<double>(p.y) * v +
+                                glm::dvec3(3, -2, 5));
+        const Mesh moved = make_polygon(tilted);
+        double area = 0;
+        for (const Triangle& t : moved.triangles) {
+            const glm::dvec3 a = test::corner_place(moved, t.corner[0]);
+            area += glm::length(glm::cross(test::corner_place(moved, t.corner[1]) - a,
+                                           test::corner_place(moved, t.corner[2]) - a));
+        }
+        CHECK(area == Approx(areas(mesh).polygon).epsilon(1e-5));
+    }
+}
+
+TEST_CASE("degenerate polygons keep their number and give no triangle", "[triangulate][degenerate]") {
+    const Mesh mesh = make_mesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}},
+                                {{0, 1, 2},        // collinear
+                                 {0, 1, 1},        // two distinct corners
+                                 {0, 1, 3},        // good
+                                 {0, 0, 0, 0, 0},  // one place
+                                 {0, 1, 1, 4, 3},  // a repeated corner, but an area
+                                 {0, 1}});
+    CHECK(mesh.face_count() == 6);
+    REQUIRE(mesh.triangles.size() == 3);
+    CHECK(mesh.triangles[0].face == 2);
+    CHECK(mesh.triangles[1] == Triangle{{14, 15, 17}, 4});
+    CHECK(mesh.triangles[2] == Triangle{{14, 17, 18}, 4});
+    CHECK(mesh.warnings == Warnings{"4 degenerate faces have no area and are not drawn",
+                                    "1 face has a repeated corner, which was skipped"});
+    CHECK(mesh.bounds == Bounds{{0, 0, 0}, {2, 1, 0}});
+}
+
+TEST_CASE("bounds are of the positions that faces use", "[mesh]") {
+    const Mesh mesh = make_mesh({{9, 9, 9}, {-1, 2, 3}, {1, -2, 3}, {0, 0, -4}}, {{1, 2, 3}});
+    CHECK(mesh.bounds == Bounds{{-1, -2, -4}, {1, 2, 3}});
+}
+
+TEST_CASE("above 1000 corners only what is not convex is warned of", "[triangulate]") {
+    std::vector<glm::vec3> circle, star;
+    for (int i = 0; i < 1002; ++i) {
+        const double angle = 6.283185307179586 * i / 1002;
+        circle.emplace_back(std::cos(angle), std::sin(angle), 0);
+        star.push_back(circle.back() * (i % 2 == 0 ? 1.f : 0.9f));
+    }
+    CHECK(make_polygon(circle).warnings.empty());
+    const Mesh mesh = make_polygon(star);
+    CHECK(mesh.warnings == Warnings{"1 face is not convex and has more than 1000 corners: drawn as a fan"});
+    for (const Triangle& t : mesh.triangles) CHECK(t.corner[0] == 0);
+    star.resize(1000);
+    CHECK(make_polygon(star).warnings.empty());
+}
+
+TEST_CASE("coordinates of any size keep their triangles", "[triangulate][degenerate]") {
+    for (const float size : {1e-30f, 1e-20f, 1.f, 1e15f, 1e30f})
+        CHECK(make_polygon({{0, 0, 0}, {size, 0, 0}, {size, size, 0}, {0, size, 0}}).triangles.size() == 2);
+}

@@ -1,0 +1,84 @@
+// JSON as a value: what is written reads back, what is no JSON is nothing, and no text is too deep.
+#include "models/json/json_value.h"
+
+#include <cmath>
+#include <limits>
+
+#include "tests/support/catch.h"
+
+using namespace glint;
+
+TEST_CASE("a JSON value reads back equal from both of its texts", "[json]") {
+    JsonValue json{
+        {"name", "Kugel \"1\" ✓"}, {"on", true}, {"none", JsonValue()}, {"share", 0.1}, {"count", 3}};
+    json["list"] = JsonValue::array();
+    json["list"].push_back({1, 2.5, "x"});
+    json["empty"] = JsonValue::object();
+    CHECK(JsonValue::parse(json.text()) == json);
+    CHECK(JsonValue::parse(json_text(json)) == json);
+    CHECK(
+        json.text() ==
+        R"({"name":"Kugel \"1\" ✓","on":true,"none":null,"share":0.1,"count":3,"list":[[1,2.5,"x"]],"empty":{}})");
+}
+
+TEST_CASE("as Glint prints JSON, members stand one a line and plain values on one", "[json]") {
+    const JsonValue json{{"at", {1, 2, 3}}, {"lights", {JsonValue{{"n", 1}}, JsonValue{{"n", 2}}}}};
+    CHECK(json_text(json) ==
+          "{\n  \"at\": [1, 2, 3],\n  \"lights\": [\n    {\n      \"n\": 1\n    },\n    {\n      \"n\": 2\n  "
+          "  }\n  ]\n}\n");
+    CHECK(json_text(JsonValue::object()) == "{}\n");
+    CHECK(json_text(JsonValue::array()) == "[]\n");
+}
+
+TEST_CASE("pairs that begin with text make an object, anything else an array", "[json]") {
+    CHECK(JsonValue{{"x", 1}, {"y", 2}}.is_object());
+    CHECK(JsonValue{{1, 2}, {3, 4}}.is_array());
+    CHECK(JsonValue{1, 2, 3}.is_array());
+    CHECK(JsonValue{{"x", 1}, 2}.is_array());
+}
+
+TEST_CASE("what is no JSON, or nested deeper than 64, is nothing", "[json]") {
+    for (const char* text :
+         {"", "{", "[1,]", "{\"a\":1", "nul", "1 2", "\"\xff\"", "[1e999]", "{1:2}", "// x\n1"})
+        CHECK_FALSE(JsonValue::parse(text));
+    const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+    CHECK(JsonValue::parse(nested(64)));
+    CHECK_FALSE(JsonValue::parse(nested(65)));
+    CHECK_FALSE(JsonValue::parse(std::string(10'000'000, '[')));
+}
+
+TEST_CASE("of two members of one name the last counts, where the first stood", "[json]") {
+    const auto json = JsonValue::parse(R"({"a": 1, "b": {"a": 5, "c": []}, "a": 3})");
+    REQUIRE(json);
+    CHECK(json->text() == R"({"a":3,"b":{"a":5,"c":[]}})");
+}
+
+TEST_CASE("a pointer leads to members and elements, or nowhere", "[json]") {
+    const auto json = JsonValue::parse(R"({"lights": [{"a/b": 1}, {"m~n": [7, 8]}], "": 9})");
+    REQUIRE(json);
+    const auto number_at = [&json](const char* pointer) {
+        const JsonValue* found = json->at_pointer(pointer);
+        return found != nullptr && found->is_number() ? found->number() : -1;
+    };
+    CHECK(number_at("/lights/0/a~1b") == 1);
+    CHECK(number_at("/lights/1/m~0n/1") == 8);
+    CHECK(number_at("/") == 9);
+    CHECK(json->at_pointer("") == &*json);
+    for (const char* nowhere :
+         {"/light", "/lights/2", "/lights/x", "/lights/0/a~1b/c", "/lights/1/m~0n/-1", "/lights/"})
+        CHECK(json->at_pointer(nowhere) == nullptr);
+}
+
+TEST_CASE("numbers are equal by their value and stay as they are in text", "[json]") {
+    CHECK(JsonValue(1) == JsonValue(1.0));
+    CHECK_FALSE(JsonValue(1) == JsonValue(true));
+    CHECK(JsonValue(1.0).text() == "1.0");
+    CHECK(JsonValue(-0.0).text() == "-0.0");
+    CHECK(JsonValue(0.1f).text() == "0.10000000149011612");  // the double that the float is
+    CHECK(JsonValue(std::numeric_limits<double>::infinity()).text() == "null");
+    CHECK(JsonValue(std::numeric_limits<std::int64_t>::min()).text() == "-9223372036854775808");
+    const auto large = JsonValue::parse("18446744073709551615");
+    REQUIRE(large);
+    CHECK(large->number() == 18446744073709551615.0);
+    CHECK(JsonValue("\xff").text() == "\"\xEF\xBF\xBD\"");
+}

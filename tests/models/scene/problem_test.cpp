@@ -1,0 +1,67 @@
+#include "models/problem.h"
+
+#include "models/io/utf8.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+
+TEST_CASE("a problem is one line: file, line, pointer, what is wrong, what was expected", "[problem]") {
+    CHECK(
+        Problem{"scene.json", "/lights/2/spot/cutoff_deg", "120 is out of range", "0 to 90, or 180"}.text() ==
+        "scene.json: /lights/2/spot/cutoff_deg: 120 is out of range; expected 0 to 90, or 180");
+    CHECK(Problem{"scene.json", "", "unexpected \"x\"", "a comma", 7}.text() ==
+          "scene.json:7: unexpected \"x\"; expected a comma");
+    CHECK(Problem{"", "", "no display", ""}.text() == "no display");
+    CHECK(Problem{"", "/npr", "is not drawn yet", ""}.text() == "/npr: is not drawn yet");
+}
+
+TEST_CASE("control characters and invalid bytes are escaped, other characters stay", "[problem]") {
+    const auto text_of = [](std::string what) { return Problem{"", "", std::move(what), ""}.text(); };
+    CHECK(text_of("a\nb\tc\rd\x1b[0m\x7f") == "a\\nb\\tc\\rd\\x1b[0m\\x7f");
+    // Marks that turn the order of what is shown round: U+202E and U+2066.
+    CHECK(text_of("a\xE2\x80\xAE.\xE2\x81\xA6z") == "a\\xe2\\x80\\xae.\\xe2\\x81\\xa6z");
+    CHECK(text_of(std::string("a\0b", 3)) == "a\\x00b");
+    CHECK(text_of("π ≤ 4, 茶壺, 😀") == "π ≤ 4, 茶壺, 😀");
+    CHECK(text_of("\xff|\xc3|\xc0\xaf|\xed\xa0\x80|\xf5") == "\\xff|\\xc3|\\xc0\\xaf|\\xed\\xa0\\x80|\\xf5");
+    CHECK(text_of("\xc2\x85|\xe2\x80\xa8") == "\\xc2\\x85|\\xe2\\x80\\xa8");  // next line, line separator
+}
+
+TEST_CASE("a name goes on one line whole, however many of its characters are escaped", "[problem]") {
+    CHECK(on_one_line("").empty());
+    CHECK(on_one_line("Left lamp, 茶") == "Left lamp, 茶");
+    CHECK(on_one_line("\n\x07\xff") == "\\n\\x07\\xff");
+    CHECK(on_one_line(std::string(9000, '\a')).size() == 4 * 9000);
+}
+
+TEST_CASE("a long problem is cut to fit 4096 bytes and keeps what was expected", "[problem]") {
+    for (const std::string& filler :
+         {std::string("x"), std::string("\n"), std::string("茶"), std::string("\xff")}) {
+        std::string longer;
+        while (longer.size() < 100'000) longer += filler;
+        for (const Problem& p : {Problem{"scene.json", "/lights", longer, "a number", 3},
+                                 Problem{longer, "/lights", "is wrong", "a number"},
+                                 Problem{longer, longer, longer, longer, 2'000'000'000}}) {
+            const std::string text = p.text();
+            CHECK(text.size() + std::string("glint: warning: \n").size() <= 4096);
+            CHECK(first_invalid_utf8(text) == text.size());
+            CHECK(text.find("…") != std::string::npos);
+            CHECK(text.find("; expected ") != std::string::npos);
+        }
+        const std::string text = Problem{"scene.json", "/lights", longer, "a number", 3}.text();
+        CHECK(text.substr(0, 22) == "scene.json:3: /lights:");
+        CHECK(text.substr(text.size() - 19) == "; expected a number");
+        CHECK(text.size() > 3900);
+    }
+}
+
+TEST_CASE("nearest finds the name that was meant", "[problem]") {
+    const std::vector<std::string> keys{"name", "type", "space", "position", "spot", "diffuse"};
+    CHECK(nearest("positon", keys) == "position");
+    CHECK(nearest("POSITION", keys) == "position");
+    CHECK(nearest("dffiuse", keys) == "diffuse");
+    CHECK(nearest("nmae", keys) == "name");
+    CHECK(nearest(std::string(1'000'000, 'x'), keys) == "name");  // all as far: the first, quickly
+    CHECK(nearest("", keys) == "name");
+    CHECK(nearest("x", {}).empty());
+    CHECK(nearest("KD", {"kd", "KD"}) == "KD");
+}

@@ -1,0 +1,170 @@
+// The rows of models/fields/scene_fields.h against what is printed, read and written of a scene.
+#include "models/fields/scene_fields.h"
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "models/fields/scene_numbers.h"
+#include "models/fields/scene_rules.h"
+#include "models/scene/scene_variant.h"
+#include "models/scene_file/scene_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/random_scene.h"
+
+using namespace glint;
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// Every number of a document but the version, by its pointer.
+void collect_numbers(const Json& at, const std::string& pointer, std::map<std::string, double>& numbers) {
+    if (at.is_number() && pointer != "/glint") numbers[pointer] = at.get<double>();
+    if (!at.is_structured()) return;
+    for (const auto& item : at.items()) collect_numbers(item.value(), pointer + "/" + item.key(), numbers);
+}
+
+Scene everything() {
+    Scene scene;
+    scene.lights.emplace_back();
+    scene.objects.emplace_back();
+    return scene;
+}
+
+/// Calls check(row) for all rows of all structs.
+template <class Check> class EveryRow {
+  public:
+    explicit EveryRow(Check check) : check_(check) {}
+    template <class Kind, class T> void operator()(const Row& row, const Kind& kind, const T& member) const {
+        check_(row);
+        inside(kind, member);
+    }
+    template <class T> void of(const T& value) const {
+        std::set<std::string_view> keys;
+        fields(value, [&](const Row& row, const auto&, const auto&) {
+            INFO(row.key);
+            CHECK(keys.insert(row.key).second);
+        });
+        fields(value, *this);
+    }
+
+  private:
+    template <class T> void inside(const Group&, const T& value) const { of(value); }
+    template <class T> void inside(const List&, const std::vector<T>&) const { of(T{}); }
+    void inside(const OneProjection&, const Projection&) const {
+        of(Perspective{});
+        of(Orthographic{});
+        of(Frustum{});
+    }
+    void inside(const OneMesh&, const MeshSource&) const {
+        of(PrimitiveMesh{});
+        of(MeshFile{});
+    }
+    template <class Kind, class T> void inside(const Kind&, const T&) const {}
+
+    Check check_;
+};
+
+}  // namespace
+
+TEST_CASE("every field has a key of its own, a label and words", "[fields]") {
+    int rows = 0;
+    EveryRow([&](const Row& row) {
+        ++rows;
+        INFO(row.key);
+        CHECK_FALSE(row.key.empty());
+        CHECK(*row.label != 0);
+        CHECK(*row.help != 0);
+    }).of(everything());
+    CHECK(rows > 100);
+}
+
+TEST_CASE("the numbers of a scene are those that its text has", "[fields]") {
+    RandomScene random(11);
+    for (int i = 0; i < 60; ++i) {
+        const Scene scene = random.scene();
+        std::map<std::string, double> printed, found;
+        collect_numbers(Json::parse(scene_text(scene)), "", printed);
+        for (const SceneNumber& number : numbers_of(scene)) {
+            if (number.pointer == "/shading/power_table" && number.value == 0) continue;  // 0 is not written
+            CHECK(found.emplace(number.pointer, number.value).second);
+            const auto alone = number_at(scene, number.pointer);
+            REQUIRE(alone);
+            CHECK(alone->value == number.value);
+        }
+        REQUIRE(found.size() == printed.size());
+        for (const auto& [pointer, value] : printed) {
+            INFO(pointer);
+            REQUIRE(found.contains(pointer));
+            CHECK(static_cast<float>(found[pointer]) == static_cast<float>(value));
+        }
+    }
+}
+
+TEST_CASE("a number set in place is a number set in the text", "[fields]") {
+    Scene scene = everything();
+    Light sun;
+    sun.kind = LightKind::Directional;
+    sun.position = {1, 2, 3, 0};
+    scene.lights.push_back(sun);
+    const SceneDocument document{scene, "s.json", "", {}};
+    for (const SceneNumber& number : numbers_of(scene)) {
+        for (const double value : {-1e31, -2.0, 0.0, 0.25, 1.0, 4.0, 45.0, 100.0, 180.0, 5000.0, 1e29}) {
+            INFO(number.pointer << " = " << value);
+            Scene set = scene;
+            const std::optional<Problem> refused = set_number(set, number.pointer, value);
+            // What the reader makes of `--set`, meshes apart.
+            const Result<Scene> read =
+                parse_scene(scene_text(scene), "s.json", {{number.pointer, Json(value).dump()}});
+            CHECK(refused.has_value() == (problem_of(read) != nullptr));
+            CHECK(set == (refused ? scene : std::get<Scene>(read)));
+        }
+    }
+}
+
+TEST_CASE("a number that the scene has not cannot be set", "[fields]") {
+    Scene scene = everything();
+    const Scene before = scene;
+    for (const char* pointer :
+         {"", "/", "/lights/1/intensity", "/lights/0", "/lights/-/intensity", "/lights/0/name",
+          "/camera/eye/3", "/camera/projection/height", "/shading/terms/diffuse"}) {
+        INFO(pointer);
+        const std::optional<Problem> problem = set_number(scene, pointer, 1);
+        REQUIRE(problem);
+        CHECK(problem->file == "--set");
+        CHECK(scene == before);
+    }
+}
+
+TEST_CASE("handles of numbers edit the scene where they stand", "[fields]") {
+    Scene scene = everything();
+    const auto handle = number_at(scene, "/lights/0/falloff/quadratic");
+    REQUIRE(handle);
+    REQUIRE(handle->place == &scene.lights[0].falloff.quadratic);
+    CHECK(handle->initial == 0);
+    CHECK(number_at(scene, "/objects/0/material/f0/2")->initial == Approx(0.04));
+    CHECK(number_at(scene, "/objects/0/mesh/detail")->is_whole);
+    CHECK_FALSE(number_at(scene, "/lights/0/spot/exponent")->applies);  // a point light has no cone
+    CHECK_FALSE(number_at(scene, "/objects/0/material/diffuse/0")->moves_faces);
+    CHECK(number_at(scene, "/objects/0/transform/scale/0")->moves_faces);
+}
+
+TEST_CASE("pointers have words: channels of colours, axes of vectors", "[fields]") {
+    const Scene scene = everything();
+    CHECK(words_of_pointer(scene, "/lights/0/diffuse/0", 2) == "diffuse red");
+    CHECK(words_of_pointer(scene, "/lights/0/position/3", 2) == "position w");
+    CHECK(words_of_pointer(scene, "/objects/0/material/f0/2", 2) == "f0 blue");
+    CHECK(words_of_pointer(scene, "/npr/cool/1", 1) == "cool green");
+    CHECK(words_of_pointer(scene, "/objects/0/transform/rotate_deg/1", 2) == "rotate deg y");
+    CHECK(words_of_pointer(scene, "/lights/0/falloff/linear", 2) == "falloff linear");
+}
+
+TEST_CASE("each word of a closed set leads back to its enumerator", "[fields]") {
+    for (const Reflection r : enumerators<Reflection>) CHECK(from_name<Reflection>(name_of(r)) == r);
+    for (const Primitive p : enumerators<Primitive>) CHECK(from_name<Primitive>(name_of(p)) == p);
+    CHECK(count_of<Primitive>() == 13);
+    CHECK(count_of<Reflection>() == 7);
+    CHECK_FALSE(from_name<Reflection>("Phong"));
+    CHECK_FALSE(from_name<Reflection>(""));
+}

@@ -1,0 +1,77 @@
+// What matters to which kind of light, against the lecture's table and against hand-worked numbers.
+#include "renderer/inspect/reflectance/light_needs.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "tests/support/catch.h"
+
+using namespace glint;
+
+namespace {
+
+const PictureSize size{100, 100};
+const glm::vec3 place{0.2f, -0.1f, -4};
+const glm::vec3 normal = glm::normalize(glm::vec3(0.1f, 0.3f, 1));
+
+/// In camera coordinates, so that no camera stands between the numbers.
+Light light_of(LightKind kind) {
+    Light light;
+    light.kind = kind;
+    light.space = LightSpace::Camera;
+    light.position = {0.5f, 1.2f, -2, 1};
+    if (kind == LightKind::Directional) light.position = {glm::vec3(light.position) - place, 0};
+    light.falloff = {1, 0.1f, 0.2f};
+    light.spot.direction = place - glm::vec3(light.position);
+    light.spot.cutoff_deg = 40;
+    light.spot.exponent = 5;
+    return light;
+}
+
+LightNeeds needs_of(LightKind kind, bool local_viewer = true) {
+    Scene scene;
+    scene.shading.local_viewer = local_viewer;
+    return light_needs(scene, size, light_of(kind), Material{}, place, normal);
+}
+
+}  // namespace
+
+TEST_CASE("what matters to which light is the lecture's table, and a sun's highlight is not in it",
+          "[lighting][why]") {
+    for (const LightKind kind :
+         {LightKind::Directional, LightKind::Point, LightKind::Spot, LightKind::Area}) {
+        INFO(static_cast<int>(kind));
+        const LightNeeds needs = needs_of(kind);
+        CHECK((needs.diffuse.light > 0) == (kind != LightKind::Directional));
+        CHECK(needs.diffuse.viewer == 0);
+        CHECK(needs.diffuse.surface > 0);
+        CHECK((needs.specular.light > 0) == (kind != LightKind::Directional));
+        CHECK(needs.specular.viewer > 0);  // the table says: not important to a sun
+        CHECK(needs.specular.surface > 0);
+    }
+}
+
+TEST_CASE("a viewer at infinity does not move", "[lighting][why]") {
+    CHECK(needs_of(LightKind::Point, false).specular.viewer == 0);
+    CHECK(needs_of(LightKind::Point, false).specular.light > 0);
+}
+
+TEST_CASE("how far terms move is as worked", "[lighting][why]") {
+    Scene scene;
+    Light bulb = light_of(LightKind::Point);
+    // Straight above the point, 2 away, 1 / r²: from 1/4 to 1 / 1.8².
+    bulb.position = {0, 0, -2, 1};
+    bulb.falloff = {0, 0, 1};
+    Material white;
+    white.diffuse = glm::vec3(1);
+    const LightNeeds needs = light_needs(scene, size, bulb, white, {0, 0, -4}, {0, 0, 1});
+    CHECK(needs.falloff == Approx(0.25));
+    CHECK(needs.spot == 1);
+    CHECK(needs.diffuse.light == Approx(1 / (1.8 * 1.8) - 0.25));
+    CHECK(needs.diffuse.surface == Approx(0.25 * (1 - std::cos(3.14159265 / 180))).epsilon(0.01));
+    // r = n, v 0.1 aside of 1: its cosine is 1 / sqrt(1.01), to the 32nd.
+    white.specular = glm::vec3(1);
+    white.shininess = 32;
+    CHECK(light_needs(scene, size, bulb, white, {0, 0, -4}, {0, 0, 1}).specular.viewer ==
+          Approx(0.25 * (1 - std::pow(1.01, -16.0))).epsilon(1e-3));
+}

@@ -1,0 +1,164 @@
+// Lobes of every reflection model against closed forms and published tables: energy, albedo, reciprocity,
+// direction.
+#include "renderer/inspect/reflectance/lobes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/catch.h"
+
+using namespace glint;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double degree = pi / 180;
+
+/// Only the specular term, of strength 1.
+Reflector mirror_like(Reflection reflection, float shininess = 32, float roughness = 0.5f) {
+    Reflector r;
+    r.reflection = reflection;
+    r.material.diffuse = glm::vec3(0);
+    r.material.specular = r.material.f0 = glm::vec3(1);
+    r.material.shininess = shininess;
+    r.material.roughness = roughness;
+    return r;
+}
+
+/// Only the diffuse term, of strength 1.
+Reflector matt(Reflection reflection, float sigma_deg = 0) {
+    Reflector r = mirror_like(reflection, 32, sigma_deg / 90);
+    r.material.diffuse = glm::vec3(1);
+    r.material.specular = glm::vec3(0);
+    return r;
+}
+
+/// Where in the plane of incidence the specular term is largest, degrees from n.
+double brightest(const Reflector& r, double light_deg) {
+    const auto slice = lobe_slice(r, light_deg, 1800);
+    return std::max_element(slice.begin(), slice.end(),
+                            [](const LobeSample& a, const LobeSample& b) {
+                                return a.reflected.specular.x < b.reflected.specular.x;
+                            })
+        ->view_deg;
+}
+
+}  // namespace
+
+TEST_CASE("lobe: the lecture's intensities at 60, 25 and 0 degrees", "[lobes]") {
+    Reflector r;  // rho_a, rho_d, rho_s = .1, .5, .4, shininess 20
+    r.material.ambient = glm::vec3(0.1f);
+    r.material.diffuse = glm::vec3(0.5f);
+    r.material.specular = glm::vec3(0.4f);
+    r.material.shininess = 20;
+    const auto along = [&](double light, double view) {
+        return reflected(r, in_plane(-light), in_plane(view)).intensity().x;
+    };
+    CHECK(along(60, 60) == Approx(0.75).epsilon(1e-5));  // along r
+    CHECK(along(25, 25) == Approx(0.953154).epsilon(1e-5));
+    CHECK(along(0, 0) == Approx(1).epsilon(1e-5));
+    CHECK(along(60, 0) == Approx(0.350000).epsilon(1e-5));  // along n
+    CHECK(along(25, 0) == Approx(0.609075).epsilon(1e-5));
+}
+
+TEST_CASE("lobe: a slice is the closed form at every angle", "[lobes]") {
+    const auto slice = lobe_slice(mirror_like(Reflection::Phong, 20), 25, 180);
+    REQUIRE(slice.size() == 181);
+    CHECK(slice.front().view_deg == -90);
+    CHECK(slice.back().view_deg == 90);
+    for (const LobeSample& s : slice) {
+        const double lobe = std::pow(std::max(std::cos((s.view_deg - 25) * degree), 0.0), 20);
+        CHECK(s.reflected.specular.x == Approx(lobe).margin(1e-5));
+    }
+}
+
+TEST_CASE("lobe: Phong and Blinn-Phong peak at the mirror direction, retro at the light", "[lobes]") {
+    CHECK(brightest(mirror_like(Reflection::Phong), 40) == Approx(40));
+    CHECK(brightest(mirror_like(Reflection::BlinnPhong), 40) == Approx(40));
+    CHECK(brightest(mirror_like(Reflection::Retro), 40) == Approx(-40));
+    // Rough microfacets peak beyond it: the off-specular peak of Torrance and Sparrow.
+    CHECK(brightest(mirror_like(Reflection::CookTorrance, 32, 0.3f), 40) == Approx(40).margin(1));
+    CHECK(brightest(mirror_like(Reflection::CookTorrance, 32, 0.7f), 40) > 45);
+}
+
+TEST_CASE("lobe: the energy of Phong's lobe is 2 pi / (shininess + 2)", "[lobes]") {
+    for (const float s : {0.0f, 1.0f, 10.0f, 32.0f, 100.0f, 1000.0f, 10000.0f}) {
+        INFO("shininess " << s);
+        const double closed = 2 * pi / (static_cast<double>(s) + 2);
+        CHECK(specular_energy(mirror_like(Reflection::Phong, s), 0).x == Approx(closed).epsilon(1e-4));
+        CHECK(specular_energy(mirror_like(Reflection::Retro, s), 0).x == Approx(closed).epsilon(1e-4));
+    }
+    // While the lobe is above the horizon, the cosine of its direction scales it.
+    CHECK(specular_energy(mirror_like(Reflection::Phong, 100), 60).x == Approx(pi / 102).epsilon(1e-4));
+}
+
+TEST_CASE("lobe: the energy of Blinn-Phong's lobe is Giesen's closed form", "[lobes]") {
+    for (const double s : {1.0, 10.0, 32.0, 100.0}) {
+        INFO("shininess " << s);
+        const double closed = 8 * pi * (std::pow(2, -s / 2) + s) / ((s + 2) * (s + 4));
+        const Reflector r = mirror_like(Reflection::BlinnPhong, static_cast<float>(s));
+        CHECK(specular_energy(r, 0).x == Approx(closed).epsilon(1e-4));
+    }
+    const Reflector r = mirror_like(Reflection::BlinnPhong, 100);
+    CHECK(specular_energy(r, 60).x / specular_energy(r, 0).x == Approx(0.265058).epsilon(2e-3));
+}
+
+TEST_CASE("lobe: white Lambert reflects all light, from everywhere", "[lobes][energy]") {
+    for (const double deg : {0.0, 30.0, 60.0, 89.0})
+        CHECK(directional_albedo(matt(Reflection::Lambert), deg).x == Approx(1).epsilon(1e-4));
+}
+
+TEST_CASE("lobe: Oren-Nayar's albedo is that of the table", "[lobes][energy]") {
+    const double table[][3] = {{0, 0.8652, 0.7019}, {60, 0.9423, 0.8151}, {80, 0.9786, 0.8683}};
+    for (const auto& [deg, at_20, at_40] : table) {
+        INFO("light at " << deg);
+        CHECK(directional_albedo(matt(Reflection::OrenNayar, 20), deg).x == Approx(at_20).margin(2e-4));
+        CHECK(directional_albedo(matt(Reflection::OrenNayar, 40), deg).x == Approx(at_40).margin(2e-4));
+    }
+}
+
+TEST_CASE("lobe: Cook-Torrance's albedo is that of the table, and never above 1", "[lobes][energy]") {
+    const double table[][5] = {{0, 0.9883, 0.9158, 0.6879, 0.3069},
+                               {60, 0.9692, 0.8573, 0.6983, 0.4507},
+                               {80, 0.8955, 0.8556, 0.8053, 0.6682}};
+    const double a[] = {0.1, 0.25, 0.5, 1};
+    for (const auto& row : table)
+        for (std::size_t i = 0; i < 4; ++i) {
+            INFO("light at " << row[0] << ", a = " << a[i]);
+            const auto roughness = static_cast<float>(std::sqrt(a[i]));
+            const double albedo =
+                directional_albedo(mirror_like(Reflection::CookTorrance, 0, roughness), row[0]).x;
+            CHECK(albedo == Approx(row[i + 1]).margin(5e-4));
+            CHECK(albedo <= 1);
+        }
+}
+
+TEST_CASE("lobe: BRDFs may be read backwards; the slides' Phong as f / n.l may not", "[lobes][reciprocity]") {
+    CHECK(reciprocity_error(matt(Reflection::Lambert)) < 1e-5);
+    CHECK(reciprocity_error(matt(Reflection::OrenNayar, 30)) < 1e-4);
+    CHECK(reciprocity_error(mirror_like(Reflection::CookTorrance)) < 1e-4);
+    CHECK(reciprocity_error(mirror_like(Reflection::Phong)) > 0.5);
+    CHECK(reciprocity_error(mirror_like(Reflection::BlinnPhong)) > 0.5);
+    CHECK(reciprocity_error(mirror_like(Reflection::Retro)) > 0.5);
+}
+
+TEST_CASE("lobe: f of Cook-Torrance and Oren-Nayar is that of the worked directions", "[lobes]") {
+    Reflector ggx = mirror_like(Reflection::CookTorrance, 0, 0.5f);  // a = .25
+    ggx.material.f0 = glm::vec3(0.04f);
+    CHECK(brdf(ggx, in_plane(-30), in_plane(30)).x == Approx(0.06727924).epsilon(1e-4));
+    CHECK(brdf(ggx, in_plane(-45), in_plane(0)).x == Approx(0.00694186).epsilon(1e-4));
+    CHECK(brdf(ggx, in_plane(-60), in_plane(60)).x == Approx(0.32715333).epsilon(1e-4));
+    CHECK(brdf(ggx, in_plane(-60), in_plane(-60)).x == Approx(0.00124578).epsilon(1e-4));
+    CHECK(brdf(matt(Reflection::OrenNayar, 20), in_plane(-60), in_plane(-60)).x ==
+          Approx(0.3989710).epsilon(1e-5));
+    CHECK(brdf(ggx, in_plane(-95), in_plane(0)) == glm::vec3(0));  // from below
+}
+
+TEST_CASE("lobe: the CSV has a column for each channel of each term", "[lobes]") {
+    const std::string csv = lobe_csv(lobe_slice(matt(Reflection::Lambert), 0, 2));
+    CHECK(csv.starts_with(
+        "view_deg,ambient_r,ambient_g,ambient_b,diffuse_r,diffuse_g,diffuse_b,specular_r,specular_g,"
+        "specular_b,intensity_r,intensity_g,intensity_b,brdf_r,brdf_g,brdf_b\n-90,"));
+    CHECK(std::count(csv.begin(), csv.end(), '\n') == 4);
+}

@@ -1,0 +1,196 @@
+// Quantities behind the picture: each number shown is the one that an explanation gives for that pixel.
+#include "renderer/inspect/debug_views/look.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "tests/support/catch.h"
+#include "tests/support/scenes.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+constexpr PictureSize size{90, 60};
+
+/// Calls check(x, y, explanation) for every pixel that shows a surface.
+template <class Check> void for_surface(const Renderer& renderer, const Check& check) {
+    int hits = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const Explanation e = renderer.explain(x, y);
+            if (!e.hit) continue;
+            ++hits;
+            check(x, y, e);
+        }
+    REQUIRE(hits > 500);
+}
+
+}  // namespace
+
+TEST_CASE("look: the normals shown are those that are lit", "[look]") {
+    Renderer renderer(1);
+    for (const bool facet : {false, true}) {
+        Scene scene = busy_scene();
+        scene.shading.mode = facet ? ShadingMode::Facet : ShadingMode::Phong;
+        renderer.render(scene, size);
+        Renderer measure(1);
+        const Picture& normals = measure.render(normal_scene(scene, facet), size, true);
+        int wrong = 0;
+        for_surface(renderer, [&](int x, int y, const Explanation& e) {
+            wrong += normals.linear_at(x, y) != e.at.normal.camera;
+        });
+        CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE("look: n.l of each kind of light is the explanation's, behind the surface too", "[look]") {
+    Scene scene = busy_scene();
+    Renderer renderer(1);
+    renderer.render(scene, size);
+    LookPainter painter(1);
+    for (int light = 0; light < 3; ++light) {  // an area light has a middle, and no vector of its own
+        (void)painter.paint({Look::NDotL, light}, scene, renderer, size);
+        int wrong = 0, behind = 0;
+        for_surface(renderer, [&](int x, int y, const Explanation& e) {
+            const float n_dot_l = e.at.lights[static_cast<std::size_t>(light)].n_dot_l;
+            wrong += painter.value_at(x, y) != n_dot_l;
+            behind += n_dot_l < 0;
+        });
+        CHECK(wrong == 0);
+        CHECK(behind > 0);
+    }
+    CHECK(std::isnan(painter.value_at(0, 0)));
+    CHECK(painter.value_text(0, 0) == "background");
+}
+
+TEST_CASE("look: depth and face are those of the pixel", "[look]") {
+    const Scene scene = busy_scene();
+    Renderer renderer(1);
+    renderer.render(scene, size);
+    LookPainter painter(1);
+    (void)painter.paint({Look::Depth, 0}, scene, renderer, size);
+    double low = 1e9, high = 0;
+    for_surface(renderer, [&](int x, int y, const Explanation& e) {
+        CHECK(painter.value_at(x, y) == -e.at.point.camera.z);
+        low = std::min(low, double(painter.value_at(x, y)));
+        high = std::max(high, double(painter.value_at(x, y)));
+    });
+    CHECK(painter.scale().low == low);
+    CHECK(painter.scale().high == high);
+    const Picture& faces = painter.paint({Look::Face, 0}, scene, renderer, size);
+    for_surface(renderer, [&](int x, int y, const Explanation& e) {
+        CHECK(painter.value_text(x, y) == e.object + ", face " + std::to_string(e.face));
+    });
+    CHECK(faces.rgba.size() == std::size_t{4} * size.width * size.height);
+}
+
+TEST_CASE("look: the facet's angle to the interpolated normal is that of the two explained normals",
+          "[look]") {
+    Scene scene = busy_scene();
+    Renderer smooth(1), facet(1);
+    smooth.render(scene, size);
+    Scene faceted = scene;
+    faceted.shading.mode = ShadingMode::Facet;
+    facet.render(faceted, size);
+    LookPainter painter(1);
+    (void)painter.paint({Look::FacetAngle, 0}, scene, smooth, size);
+    float most = 0;
+    for_surface(smooth, [&](int x, int y, const Explanation& e) {
+        const glm::dvec3 a = e.at.normal.camera, b = facet.explain(x, y).at.normal.camera;
+        const double angle = std::acos(std::min(glm::dot(a, b), 1.0)) * 180 / std::numbers::pi;
+        CHECK(painter.value_at(x, y) == Approx(angle).margin(0.03));
+        most = std::max(most, painter.value_at(x, y));
+    });
+    CHECK(most > 5);
+}
+
+TEST_CASE("look: the silhouette is marked where surface meets background, in every mode at the same pixels",
+          "[look]") {
+    Scene scene = busy_scene();
+    scene.objects.resize(1);
+    scene.npr = {};
+    std::vector<int> first;
+    for (const ShadingMode mode : {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong}) {
+        scene.shading.mode = mode;
+        Renderer renderer(1);
+        const Picture plain = renderer.render(scene, size, true);
+        LookPainter painter(1);
+        const Picture& marked = painter.paint({Look::Silhouette, 0}, scene, renderer, size);
+        const auto near_outline = [&](int px, int py) {
+            bool surface = false, background = false;
+            for (int y = std::max(py - 2, 0); y <= std::min(py + 2, size.height - 1); ++y)
+                for (int x = std::max(px - 2, 0); x <= std::min(px + 2, size.width - 1); ++x)
+                    (renderer.object_at(x, y) < 0 ? background : surface) = true;
+            return surface && background;
+        };
+        std::vector<int> changed;
+        int astray = 0;
+        for (int i = 0; i < size.width * size.height; ++i) {
+            const int x = i % size.width, y = i / size.width;
+            if (marked.linear_at(x, y) == plain.linear_at(x, y)) continue;
+            changed.push_back(i);
+            // The stroke is two pixels wide; silhouettes in front of the object itself lie inside it.
+            astray += !near_outline(x, y);
+        }
+        CHECK(changed.size() > 100);
+        CHECK(static_cast<std::size_t>(astray) < changed.size() / 10);
+        if (first.empty()) first = changed;
+        CHECK(changed == first);
+    }
+}
+
+TEST_CASE("look: single terms add up to the picture", "[look]") {
+    const Scene scene = busy_scene();
+    Renderer renderer(1);
+    const Picture picture = renderer.render(scene, size, true);
+    LookPainter painter(1);
+    std::vector<glm::vec3> sum(picture.linear.size() / 3, glm::vec3(0));
+    for (const Look term : {Look::Emission, Look::Ambient, Look::Diffuse, Look::Specular}) {
+        const Picture& alone = painter.paint({term, 0}, scene, renderer, size);
+        for_surface(renderer, [&](int x, int y, const Explanation&) {
+            sum[picture.pixel(x, y)] += alone.linear_at(x, y);
+        });
+    }
+    for_surface(renderer, [&](int x, int y, const Explanation&) {
+        CHECK(glm::length(sum[picture.pixel(x, y)] - picture.linear_at(x, y)) < 1e-5f);
+    });
+}
+
+TEST_CASE("look: stripes lie on over-range pixels alone, and their count is exact", "[look]") {
+    Scene scene = busy_scene();
+    scene.lights[0].intensity = 4;
+    Renderer renderer(1);
+    const Picture picture = renderer.render(scene, size, true);
+    Picture striped = picture;
+    const std::uint64_t count = stripe_over_range(striped, 1);
+    std::uint64_t over = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const glm::vec3 c = picture.linear_at(x, y);
+            const bool clips = c.x > 1 || c.y > 1 || c.z > 1;
+            over += clips;
+            const std::size_t at = 4 * picture.pixel(x, y);
+            if (!clips) CHECK(std::equal(&picture.rgba[at], &picture.rgba[at] + 4, &striped.rgba[at]));
+        }
+    CHECK(count == over);
+    CHECK(over > 10);
+    CHECK(striped.rgba != picture.rgba);
+}
+
+TEST_CASE("look: a scale's colours rise in lightness and break where light turns away", "[look]") {
+    const LookScale scale{true, 0, 10, ""};
+    const auto light = [&](double v) {
+        const auto c = look_color(Look::FacetAngle, scale, v);
+        return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+    };
+    for (int i = 1; i <= 20; ++i) CHECK(light(i / 2.0) > light(i / 2.0 - 0.5));
+    CHECK(look_color(Look::Depth, scale, 0) == look_color(Look::FacetAngle, scale, 10));
+    const auto turned = look_color(Look::NDotL, {true, -1, 1, ""}, -0.01);
+    const auto facing = look_color(Look::NDotL, {true, -1, 1, ""}, 0.01);
+    CHECK(turned[2] > turned[0]);
+    CHECK(facing[0] > facing[2]);
+    CHECK(normal_color({0, 0, 1}) == std::array<std::uint8_t, 3>{128, 128, 255});
+}

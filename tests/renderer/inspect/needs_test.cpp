@@ -1,0 +1,42 @@
+// Which term needs normal, light and viewer, as the lecture's review has it.
+#include "renderer/inspect/reflectance/needs.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "tests/support/catch.h"
+
+using namespace glint;
+
+TEST_CASE("ambient needs nothing, diffuse normal and light, specular all three", "[lighting][why]") {
+    const glm::vec3 n = glm::normalize(glm::vec3(0.2f, 0.3f, 1)),
+                    l = glm::normalize(glm::vec3(-0.5f, 0.4f, 1));
+    const glm::vec3 v = glm::normalize(glm::vec3(0.6f, 0.3f, 1));
+    for (const Reflection model : {Reflection::Phong, Reflection::BlinnPhong}) {
+        const auto [ambient, diffuse, specular] = term_needs({model, Material{}, Terms{}}, n, l, v);
+        CHECK(ambient.normal == 0);
+        CHECK(ambient.light == 0);
+        CHECK(ambient.viewer == 0);
+        CHECK(diffuse.normal > 0);
+        CHECK(diffuse.light > 0);
+        CHECK(diffuse.viewer == 0);
+        CHECK(specular.normal > 0);
+        CHECK(specular.light > 0);
+        CHECK(specular.viewer > 0);
+    }
+}
+
+TEST_CASE("a degree more at 60 degrees takes sin 60 times a degree off the diffuse term", "[lighting][why]") {
+    const float s = std::sqrt(3.0f) / 2;
+    Material white;
+    white.diffuse = glm::vec3(1);
+    const auto needs = term_needs({Reflection::Lambert, white, Terms{}}, {0, 0, 1}, {-s, 0, 0.5f}, {0, 0, 1});
+    CHECK(needs[1].light == Approx(double(s) * 3.14159265 / 180).epsilon(0.01));
+    CHECK(needs[2].viewer == 0);
+}
+
+TEST_CASE("a light behind the surface leaves nothing to need", "[lighting][why]") {
+    const auto needs =
+        term_needs({Reflection::Phong, Material{}, Terms{}}, {0, 0, 1}, {0.8f, 0, -0.6f}, {0, 0, 1});
+    for (const Needs& need : needs) CHECK(need.normal + need.light + need.viewer == 0);
+}

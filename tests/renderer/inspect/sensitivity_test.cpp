@@ -1,0 +1,165 @@
+// Derivatives of a pixel against those of the equation, and the buffers behind a picture against its
+// explanations.
+#include "renderer/inspect/debug_views/sensitivity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/inspect/debug_views/buffers.h"
+#include "tests/support/catch.h"
+#include "tests/support/scenes.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+constexpr PictureSize size{64, 48};
+
+/// A ball under a sun, another ball beside it.
+SceneDocument balls() {
+    SceneDocument document;
+    Scene& scene = document.scene;
+    Light sun;
+    sun.name = "Sun";
+    sun.kind = LightKind::Directional;
+    sun.position = {0.3f, 0.4f, 1, 0};
+    scene.lights = {sun};
+    scene.camera.eye = {0, 0, 4};
+    for (const float x : {0.0f, 2.2f}) {
+        Object ball = object_of(primitive(Primitive::Sphere, 24), "Ball");
+        ball.source = PrimitiveMesh{Primitive::Sphere, 24};
+        ball.transform.translate.x = x;
+        ball.material.shininess = 20;
+        scene.objects.push_back(ball);
+    }
+    return document;
+}
+
+Sensitivities of_pixel(const SceneDocument& document, int x, int y) {
+    auto made = sensitivities(document, size, x, y, 1);
+    REQUIRE(problem_of(made) == nullptr);
+    return std::get<Sensitivities>(std::move(made));
+}
+
+glm::dvec3 change_of(const Sensitivities& s, const std::string& pointer) {
+    for (const Sensitivity& n : s.numbers)
+        if (n.pointer == pointer) return n.change;
+    FAIL(pointer << " is not listed");
+    return {};
+}
+
+bool lists(const std::vector<std::string>& pointers, const std::string& pointer) {
+    return std::find(pointers.begin(), pointers.end(), pointer) != pointers.end();
+}
+
+}  // namespace
+
+TEST_CASE("sensitivity: the pixel changes with each number as the equation's derivative says",
+          "[sensitivity]") {
+    const SceneDocument document = balls();
+    Renderer renderer(1);
+    (void)renderer.render(document.scene, size);
+    const Explanation e = renderer.explain(30, 20);
+    REQUIRE(e.hit);
+    const ExplainedLight& sun = e.at.lights.at(0);
+    const Sensitivities s = of_pixel(document, 30, 20);
+
+    CHECK(change_of(s, "/objects/0/material/diffuse/0").x == Approx(sun.n_dot_l).epsilon(1e-3));
+    CHECK(change_of(s, "/objects/0/material/diffuse/0").y == 0);
+    CHECK(change_of(s, "/objects/0/material/emission/2").z == Approx(1).epsilon(1e-3));
+    CHECK(change_of(s, "/global_ambient/1").y == Approx(0.2).epsilon(1e-3));  // k_a
+    CHECK(change_of(s, "/lights/0/intensity").x == Approx(sun.diffuse.x + sun.specular.x).epsilon(1e-3));
+    CHECK(change_of(s, "/objects/0/material/specular/1").y == Approx(sun.specular_factor.y).epsilon(1e-2));
+    // d/ds (v.r)^s = (v.r)^s ln(v.r)
+    CHECK(change_of(s, "/objects/0/material/shininess").x ==
+          Approx(sun.specular_factor.x * std::log(sun.r_dot_v)).epsilon(2e-2));
+    CHECK(change_of(s, "/display/exposure").x == Approx(e.sum.x).epsilon(1e-3));
+    CHECK(std::is_sorted(s.numbers.begin(), s.numbers.end(), [](const Sensitivity& a, const Sensitivity& b) {
+        const auto most = [](glm::dvec3 v) {
+            return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+        };
+        return most(a.change) > most(b.change);
+    }));
+}
+
+TEST_CASE("sensitivity: what has no effect is named, and what cannot move a little", "[sensitivity]") {
+    const Sensitivities s = of_pixel(balls(), 30, 20);
+    for (const char* zero : {"/lights/0/falloff/quadratic", "/lights/0/spot/cutoff_deg", "/objects/1",
+                             "/display/background/0", "/objects/0/material/roughness", "/npr/alpha"}) {
+        INFO(zero);
+        CHECK(lists(s.no_effect, zero));
+    }
+    CHECK(lists(s.fixed, "/objects/0/mesh/detail"));
+    CHECK(lists(s.fixed, "/lights/0/position/3"));
+    const Sensitivities background = of_pixel(balls(), 1, 1);
+    CHECK(change_of(background, "/display/background/1").y == Approx(1).epsilon(1e-3));
+    CHECK(lists(background.no_effect, "/objects/0"));
+    CHECK(background.numbers.size() == 4);  // three of the background, and the exposure
+}
+
+TEST_CASE("sensitivity: of the second object the numbers keep their pointers", "[sensitivity]") {
+    const SceneDocument document = balls();
+    Renderer renderer(1);
+    (void)renderer.render(document.scene, size);
+    REQUIRE(renderer.object_at(60, 24) == 1);
+    const Sensitivities s = of_pixel(document, 60, 24);
+    CHECK(change_of(s, "/objects/1/material/emission/0").x == Approx(1).epsilon(1e-3));
+    CHECK(lists(s.no_effect, "/objects/0"));
+}
+
+TEST_CASE("sensitivity: how far it has come is told after each number", "[sensitivity]") {
+    std::vector<std::size_t> told;
+    std::size_t all = 0;
+    const auto made = sensitivities(balls(), size, 24, 16, 1, [&](std::size_t done, std::size_t of) {
+        told.push_back(done);
+        all = of;
+    });
+    REQUIRE(problem_of(made) == nullptr);
+    const auto& found = std::get<Sensitivities>(made);
+    const std::size_t other_objects = 1;  // named without effect, and not measured
+    CHECK(all == found.numbers.size() + found.no_effect.size() + found.fixed.size() - other_objects);
+    REQUIRE(told.size() == all);
+    for (std::size_t i = 0; i < told.size(); ++i) CHECK(told[i] == i + 1);
+}
+
+TEST_CASE("sensitivity: more lights than it takes time for are a problem", "[sensitivity][bad-input]") {
+    SceneDocument document = balls();
+    document.scene.lights.resize(max_sensitivity_lights + 1);
+    const auto made = sensitivities(document, size, 1, 1, 1);
+    REQUIRE(problem_of(made) != nullptr);
+    CHECK(problem_of(made)->pointer == "/lights");
+}
+
+TEST_CASE("buffers: their terms add up to the picture under every mode", "[buffers]") {
+    Scene scene = busy_scene();
+    for (const ShadingMode mode :
+         {ShadingMode::Flat, ShadingMode::Facet, ShadingMode::Gouraud, ShadingMode::Phong}) {
+        scene.shading.mode = mode;
+        Renderer renderer(2);
+        const Picture& picture = renderer.render(scene, size, true);
+        const auto buffers = pixel_buffers(renderer, size);
+        const auto buffer = [&](const std::string& name) -> const Picture& {
+            const auto found = std::find_if(buffers.begin(), buffers.end(),
+                                            [&](const PixelBuffer& b) { return b.name == name; });
+            REQUIRE(found != buffers.end());
+            return found->picture;
+        };
+        CHECK(buffer("sum").linear == picture.linear);
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                const auto seen = renderer.seen_at(x, y);
+                REQUIRE(buffer("face").linear_at(x, y) ==
+                        (seen ? glm::vec3(1, seen->object, seen->face) : glm::vec3(0)));
+                if (!seen) continue;
+                REQUIRE(buffer("position").linear_at(x, y) == seen->place);
+                REQUIRE(buffer("normal").linear_at(x, y) == seen->normal);
+                REQUIRE(buffer("depth").linear_at(x, y).x == renderer.depth_at(x, y));
+                glm::vec3 sum(0);
+                for (const char* term : {"emission", "global_ambient", "ambient", "diffuse", "specular"})
+                    sum += buffer(term).linear_at(x, y);
+                for (int c = 0; c < 3; ++c)
+                    REQUIRE(sum[c] == Approx(picture.linear_at(x, y)[c]).margin(2e-6));
+            }
+    }
+}

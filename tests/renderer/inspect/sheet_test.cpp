@@ -1,0 +1,134 @@
+// Grids of pictures: how values are split, where pictures stand, and that there are words beside them.
+#include "renderer/inspect/debug_views/sheet.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "models/scene/scene_variant.h"
+#include "renderer/renderer.h"
+#include "tests/support/catch.h"
+#include "tests/support/scenes.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+using Values = std::vector<std::string>;
+
+Values values_of(const std::string& text) {
+    const auto axis = parse_axis("--rows", text);
+    INFO(text);
+    REQUIRE(problem_of(axis) == nullptr);
+    return std::get<SheetAxis>(axis).values;
+}
+
+Font font() {
+    auto found = Font::find();
+    REQUIRE(problem_of(found) == nullptr);
+    return std::get<Font>(std::move(found));
+}
+
+Picture filled(PictureSize size, std::uint8_t value) {
+    Picture p;
+    p.size = size;
+    p.rgba.assign(4 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), value);
+    return p;
+}
+
+/// Dark pixels in [left, right) x [top, bottom).
+int ink_in(const Picture& p, int left, int top, int right, int bottom) {
+    int count = 0;
+    for (int y = top; y < bottom; ++y)
+        for (int x = left; x < right; ++x) count += p.rgba[4 * p.pixel(x, y)] < 140;
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("sheet: commas inside brackets, braces and strings belong to a value", "[sheet]") {
+    CHECK(values_of("/a/b=8,32,128") == Values{"8", "32", "128"});
+    CHECK(values_of("/lights/0/position=[1,2,3],[0,0,1,0]") == Values{"[1,2,3]", "[0,0,1,0]"});
+    CHECK(values_of("/x={\"a\":[1,2],\"b\":3},\"a,\\\",b\",word") ==
+          Values{"{\"a\":[1,2],\"b\":3}", "\"a,\\\",b\"", "word"});
+}
+
+TEST_CASE("sheet: an axis without pointer, '=' or value is a problem", "[sheet]") {
+    for (const char* text : {"", "a=1", "/a", "/a=", "/a=1,,2", "/a=1,"}) {
+        INFO(text);
+        const auto axis = parse_axis("--cols", text);
+        REQUIRE(problem_of(axis) != nullptr);
+        CHECK(problem_of(axis)->file == "--cols");
+    }
+}
+
+TEST_CASE("sheet: every picture stands in its cell and each row and column has words", "[sheet]") {
+    const SheetAxis rows{"/shading/mode", {"flat", "phong"}}, columns{"/display/exposure", {"1", "2", "[3]"}};
+    const PictureSize cell{60, 50};
+    const Font f = font();
+    Picture drawn;
+    const Picture sheet =
+        make_sheet(rows, columns, cell, f, [&](std::size_t r, std::size_t c) -> const Picture& {
+            return drawn = filled(cell, static_cast<std::uint8_t>(200 + 10 * r + c));
+        });
+    CHECK(sheet.size == sheet_size(rows, columns, cell, f));
+    // Cells are found from the right and bottom, where nothing but the margin stands.
+    const int margin = 14, gap = 7;
+    for (int r = 0; r < 2; ++r)
+        for (int c = 0; c < 3; ++c) {
+            const int right = sheet.size.width - margin - (2 - c) * (cell.width + gap);
+            const int bottom = sheet.size.height - margin - (1 - r) * (cell.height + gap);
+            int same = 0;
+            for (int y = bottom - cell.height; y < bottom; ++y)
+                for (int x = right - cell.width; x < right; ++x)
+                    same += sheet.rgba[4 * sheet.pixel(x, y)] == 200 + 10 * r + c;
+            CHECK(same == cell.width * cell.height);
+            CHECK(sheet.rgba[4 * sheet.pixel(right, bottom - 1)] == 255);
+            const int top = sheet.size.height - margin - 2 * cell.height - gap;
+            CHECK(ink_in(sheet, right - cell.width, 0, right, top) > 20);  // above the column
+            const int left = sheet.size.width - margin - 3 * cell.width - 2 * gap;
+            CHECK(ink_in(sheet, 0, bottom - cell.height, left, bottom) > 20);  // beside the row
+        }
+}
+
+TEST_CASE("sheet: words that do not fit end in an ellipsis", "[sheet]") {
+    const Font f = font();
+    const std::string text = "[0.125, 0.25, 0.5] größer als die Zelle";
+    for (const int most : {20, 50, 100, 200}) {
+        const std::string shown = f.fitted(text, 16, most);
+        CHECK(f.width(shown, 16) <= most);
+        CHECK(shown.ends_with("…"));
+    }
+    CHECK(f.fitted("ok", 16, 200) == "ok");
+    CHECK(f.fitted("\xff\xff\xff", 16, 5).size() <= 4);  // no UTF-8, and no room
+}
+
+TEST_CASE("sheet: without a font there is a problem that says what to install", "[sheet]") {
+    setenv("GLINT_FONT", "/nonexistent/font.ttf", 1);
+    const auto found = Font::find();
+    unsetenv("GLINT_FONT");
+    REQUIRE(problem_of(found) != nullptr);
+    CHECK(problem_of(found)->text() ==
+          "/nonexistent/font.ttf: cannot be read as a scalable font; expected a TrueType font, as of the "
+          "package "
+          "fonts-dejavu-core, or its path in GLINT_FONT");
+}
+
+TEST_CASE("variant: a scene with something else in it shares the meshes that stay", "[scene]") {
+    SceneDocument document;
+    document.scene = busy_scene();
+    for (Object& o : document.scene.objects)
+        o.source = PrimitiveMesh{Primitive::Torus, o.name == "Box" ? 6 : 8};
+    const auto changed =
+        scene_variant(document, {{"/objects/1/mesh/detail", "12"}, {"/lights/0/type", "point"}});
+    REQUIRE(problem_of(changed) == nullptr);
+    const auto& scene = std::get<Scene>(changed);
+    CHECK(scene.objects[0].mesh == document.scene.objects[0].mesh);
+    CHECK(scene.objects[1].mesh->face_count() == 12 * 6);
+    CHECK(scene.lights[0].kind == LightKind::Point);  // its w = 0 did not stand in the way
+
+    const auto wrong = scene_variant(document, {{"/objects/0/mesh/detail", "-1"}});
+    REQUIRE(problem_of(wrong) != nullptr);
+    CHECK(problem_of(wrong)->file == "--set");
+    CHECK(problem_of(wrong)->pointer == "/objects/0/mesh/detail");
+}

@@ -1,0 +1,231 @@
+// The lecture's lighting equation: what its terms are and what they depend on.
+#include <algorithm>
+#include <numbers>
+#include <set>
+
+#include "renderer/lighting/illuminate.h"
+#include "tests/support/lecture_scene.h"
+
+using namespace glint;
+using namespace glint::test;
+using Vec = Vec3<float>;
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+Vec in_plane(double degrees) {
+    return {static_cast<float>(std::sin(degrees * degree)), 0,
+            static_cast<float>(std::cos(degrees * degree))};
+}
+
+LightAt<float> light_at(Vec xyz, float w) {
+    LightAt<float> light;
+    light.xyz = xyz;
+    light.w = w;
+    light.ambient = {0.5f, 0.5f, 0.5f};
+    light.diffuse = light.specular = {1, 1, 1};
+    return light;
+}
+
+MaterialAt<float> material(float shininess) {
+    MaterialAt<float> m;
+    m.k_a = {0.1f, 0.1f, 0.1f};
+    m.k_d = {0.5f, 0.5f, 0.5f};
+    m.k_s = {0.4f, 0.4f, 0.4f};
+    m.shininess = shininess;
+    return m;
+}
+
+float highlight(Reflection model, Vec l, PointAt<float> at, float shininess) {
+    return illuminate(Equation{model, {}}, light_at(l, 0), material(shininess), at).response.specular.x;
+}
+
+struct Moved {
+    bool ambient, diffuse, specular;
+    bool operator==(const Moved&) const = default;
+};
+
+Moved moved(const LightTerms<float>& a, const LightTerms<float>& b) {
+    return {a.ambient.x != b.ambient.x, a.diffuse.x != b.diffuse.x, a.specular.x != b.specular.x};
+}
+
+}  // namespace
+
+TEST_CASE("the plates of the cosine law show the cosine of their tilt, wherever the viewer stands",
+          "[lecture]") {
+    Scene scene = lecture_scene("cosine-law");
+    for (const glm::vec3 eye : {glm::vec3(0, 4.5f, 4.5f), glm::vec3(0, 2, 6), glm::vec3(1, 6, 3)}) {
+        scene.camera.eye = eye;
+        const Drawn drawn(scene);
+        for (int i = 0; i < 7; ++i) {
+            CAPTURE(i);
+            CHECK(drawn.colour({-3 + i, 0, 0}).x == Approx(std::cos(15 * i * degree)).margin(1e-6));
+        }
+    }
+}
+
+TEST_CASE("every product of an explanation is the same in camera and in world coordinates", "[lecture]") {
+    const Drawn drawn(lecture_scene("sun-and-headlight"));
+    const int seen = drawn.for_each_of(0, 6, [](const Explanation& e) {
+        for (const ExplainedLight& light : e.at.lights) {
+            CHECK(dot(e.at.normal.world, light.l.world) == Approx(light.n_dot_l).margin(1e-5));
+            CHECK(dot(light.r.world, e.at.view.world) == Approx(light.r_dot_v).margin(1e-5));
+            CHECK(dot(e.at.normal.world, light.h.world) == Approx(light.n_dot_h).margin(1e-5));
+        }
+    });
+    CHECK(seen > 100);
+}
+
+TEST_CASE("the mirror plate shows r = (-2, 23, 14) / 27", "[lecture]") {
+    const Explanation e = Drawn(lecture_scene("mirror-vector")).at({0.15, -0.575, 0.5});
+    REQUIRE(e.object_index == 0);
+    CHECK(e.at.lights[0].n_dot_l == Approx(8.0 / 9).epsilon(1e-5));
+    CHECK(e.at.lights[0].r.world.x == Approx(-2.0 / 27).margin(1e-5));
+    CHECK(e.at.lights[0].r.world.y == Approx(23.0 / 27).epsilon(1e-5));
+    CHECK(e.at.lights[0].r.world.z == Approx(14.0 / 27).epsilon(1e-5));
+}
+
+TEST_CASE("the highlights of the grid fall off as (v.r)^n", "[lecture]") {
+    const Drawn drawn(lecture_scene("shininess-grid"));
+    int lit = 0;
+    for (int ball = 0; ball < 24; ++ball)
+        drawn.for_each_of(ball, 3, [&](const Explanation& e) {
+            const ExplainedLight& light = e.at.lights[0];
+            if (light.n_dot_l <= 0 || light.r_dot_v <= 0) return;
+            const double exact = std::pow(static_cast<double>(light.r_dot_v), e.material.shininess);
+            CHECK(light.specular_factor.x == Approx(exact).epsilon(1e-5).margin(1e-6));
+            ++lit;
+        });
+    CHECK(lit > 500);
+}
+
+TEST_CASE("Blinn-Phong with 4 n comes as near to Phong's lobe as tabulated, with the best n' twice as near",
+          "[lecture]") {
+    const struct {
+        float n, best;
+        double error_of_4n, error_of_best;
+    } rows[] = {{5, 21.3425f, 0.030074, 0.015562},
+                {10, 41.2957f, 0.014246, 0.007163},
+                {20, 81.2727f, 0.006940, 0.003437},
+                {50, 201.2590f, 0.002734, 0.001341},
+                {100, 401.2545f, 0.001360, 0.000665}};
+    const Vec n{0, 0, 1};
+    for (const auto& row : rows) {
+        CAPTURE(row.n);
+        double error_of_4n = 0, error_of_best = 0;
+        for (int step = 0; step <= 1800; ++step) {  // l = n: then r = n, and h lies halfway
+            const PointAt<float> at{{}, n, in_plane(0.05 * step)};
+            const double phong = highlight(Reflection::Phong, n, at, row.n);
+            error_of_4n =
+                std::max(error_of_4n, std::abs(phong - highlight(Reflection::BlinnPhong, n, at, 4 * row.n)));
+            error_of_best =
+                std::max(error_of_best, std::abs(phong - highlight(Reflection::BlinnPhong, n, at, row.best)));
+        }
+        CHECK(error_of_4n == Approx(row.error_of_4n).margin(2e-5));
+        CHECK(error_of_best == Approx(row.error_of_best).margin(2e-5));
+    }
+}
+
+TEST_CASE("the slide's intensities at 60, 25 and 0 degrees", "[lecture]") {
+    // rho = (.1, .5, .4), n = 20. Seen along n in the scene, along r by the equation.
+    const Drawn drawn(lecture_scene("three-angles"));
+    CHECK(drawn.colour({-2, 0, 0}).x == Approx(0.35).margin(2e-3));  // the pixel's middle is not the plate's
+    CHECK(drawn.colour({0, 0, 0}).x == Approx(0.609075).margin(2e-3));
+    CHECK(drawn.colour({2, 0, 0}).x == Approx(1).margin(2e-3));
+    for (const auto& [angle, total] : {std::pair{60.0, 0.75}, {25.0, 0.953154}, {0.0, 1.0}}) {
+        const PointAt<float> at{{}, {0, 0, 1}, in_plane(-angle)};
+        const auto t = illuminate(Equation{}, light_at(in_plane(angle), 0), material(20), at);
+        CHECK(0.1 + t.diffuse.x + t.specular.x == Approx(total).epsilon(1e-5));
+    }
+}
+
+TEST_CASE("normal, light and viewer move exactly the terms that the review names", "[lecture]") {
+    const PointAt<float> at{{}, {0, 0, 1}, in_plane(-20)};
+    const PointAt<float> turned{{}, in_plane(5), at.v}, seen_elsewhere{{}, at.n, in_plane(-30)};
+    const auto lit = [](const LightAt<float>& light, const PointAt<float>& p) {
+        return illuminate(Equation{}, light, material(8), p);
+    };
+    for (const float w : {0.0f, 1.0f}) {
+        const LightAt<float> light = light_at(in_plane(30), w), elsewhere = light_at(in_plane(40), w);
+        CHECK(moved(lit(light, at), lit(light, turned)) == Moved{false, true, true});
+        CHECK(moved(lit(light, at), lit(elsewhere, at)) == Moved{false, true, true});
+        CHECK(moved(lit(light, at), lit(light, seen_elsewhere)) == Moved{false, false, true});
+    }
+}
+
+TEST_CASE("the place of a point matters to a bulb and not to a sun", "[lecture]") {
+    // The same surface angle and view direction, the point moved sideways: only a bulb's direction changes. A
+    // sun further away along its direction is the same sun.
+    const PointAt<float> here{{}, {0, 0, 1}, in_plane(-20)}, there{{0.3f, 0, 0}, here.n, here.v};
+    const auto lit = [](Vec xyz, float w, const PointAt<float>& p) {
+        return illuminate(Equation{}, light_at(xyz, w), material(8), p);
+    };
+    const Vec l = in_plane(30);
+    CHECK(moved(lit(l, 0, here), lit(l, 0, there)) == Moved{false, false, false});
+    CHECK(moved(lit(l, 0, here), lit(unit(4.0f * l), 0, here)) == Moved{false, false, false});
+    CHECK(moved(lit(l, 1, here), lit(l, 1, there)) == Moved{false, true, true});
+}
+
+TEST_CASE("Phong's lobe holds 2 pi / (n + 2), and as a BRDF it is not reciprocal", "[lecture]") {
+    const Vec n{0, 0, 1};
+    for (const float shininess : {1.0f, 10.0f, 100.0f}) {
+        double sum = 0;
+        for (int step = 0; step < 1800; ++step) {
+            const double phi = 0.05 * step + 0.025;
+            sum += highlight(Reflection::Phong, n, {{}, n, in_plane(phi)}, shininess) *
+                   std::cos(phi * degree) * std::sin(phi * degree) * 2 * std::numbers::pi * 0.05 * degree;
+        }
+        CHECK(sum == Approx(2 * std::numbers::pi / (shininess + 2)).epsilon(1e-3));
+    }
+    // The lecture's sum leaves n.l out: its BRDF is the lobe over n.l, and l and v do not change places.
+    const double there =
+        highlight(Reflection::Phong, in_plane(60), {{}, n, in_plane(-40)}, 10) / std::cos(60 * degree);
+    const double back =
+        highlight(Reflection::Phong, in_plane(-40), {{}, n, in_plane(60)}, 10) / std::cos(40 * degree);
+    CHECK(there / back == Approx(std::cos(40 * degree) / std::cos(60 * degree)).epsilon(1e-4));
+}
+
+TEST_CASE("a table of cos^n is wrong by half its step times the slope, and shows bands", "[lecture]") {
+    const float n = 20;
+    for (const int entries : {17, 65, 257, 1025}) {
+        CAPTURE(entries);
+        std::vector<double> table;
+        for (int i = 0; i < entries; ++i) table.push_back(std::pow(double(i) / (entries - 1), n));
+        const Mistakes none;
+        Equation equation{Reflection::Phong, {}, &none, entries};
+        double worst = 0;
+        for (double angle = 0; angle < 90; angle += 0.01) {
+            const double cosine = std::cos(angle * degree);
+            const PointAt<float> at{
+                {0, 0, 0}, {0, 0, 1}, in_plane(angle)};  // the light stands over the normal
+            const double looked_up =
+                illuminate(equation, light_at({0, 0, 1}, 0), material(n), at).response.specular.x;
+            const double index = cosine * (entries - 1);
+            if (std::abs(index - std::floor(index) - 0.5) > 1e-3)  // rounding decides between two entries
+                CHECK(looked_up == Approx(table[static_cast<std::size_t>(std::lround(index))]).margin(1e-5));
+            worst = std::max(worst, std::abs(looked_up - std::pow(cosine, n)));
+        }
+        const double step = 1.0 / (entries - 1);
+        CHECK(worst == Approx(1 - std::pow(1 - step / 2, n)).epsilon(0.02));  // the slope is largest at 1
+    }
+    std::set<float> banded, smooth;
+    const auto collect = [](std::set<float>& values, const Assignment& table) {
+        Drawn(lecture_scene("glossy-ball", {table})).for_each_of(0, 2, [&](const Explanation& e) {
+            values.insert(e.at.lights[0].specular_factor.x);
+        });
+    };
+    collect(banded, {"/shading/power_table", "32"});
+    collect(smooth, {"/shading/power_table", "0"});
+    CHECK(banded.size() <= 32);
+    CHECK(smooth.size() > 200);
+}
+
+TEST_CASE("where n.l = 0 a highlight is cut off: 0.330 of Blinn-Phong's, 0.010 of Phong's", "[lecture]") {
+    // Light and viewer 150 degrees apart, n = 32: n.h = cos 15 degrees, v.r = cos 30 degrees.
+    const PointAt<float> at{{}, {0, 0, 1}, in_plane(-60)};
+    CHECK(highlight(Reflection::BlinnPhong, in_plane(89.999), at, 32) == Approx(0.330).margin(1e-3));
+    CHECK(highlight(Reflection::Phong, in_plane(89.999), at, 32) == Approx(0.010).margin(1e-3));
+    CHECK(highlight(Reflection::BlinnPhong, in_plane(90.001), at, 32) == 0);
+    CHECK(highlight(Reflection::Phong, in_plane(90.001), at, 32) == 0);
+}

@@ -1,0 +1,175 @@
+// The lecture's light sources, each in its scene, against closed forms and hand-worked numbers.
+#include <numbers>
+
+#include "tests/support/lecture_scene.h"
+#include "tests/support/scenes.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// A white 2 x 2 plate in z = 0 that faces +z, seen square on; the middle pixel of {101, 101} shows the
+/// origin.
+Scene white_plate() {
+    Scene scene;
+    scene.camera.projection = Orthographic{2, 0.1f, 100};
+    scene.global_ambient = glm::vec3(0);
+    scene.shading.reflection = Reflection::Lambert;
+    scene.objects = {object_of(primitive(Primitive::Plane, 1))};
+    scene.objects[0].transform.rotate_deg.x = 90;
+    scene.objects[0].material.diffuse = glm::vec3(1);
+    return scene;
+}
+
+double middle(const Scene& scene) {
+    Renderer renderer(1);
+    return renderer.render(scene, {101, 101}, true).linear_at(50, 50).x;
+}
+
+Light area_light(glm::vec3 place, glm::vec3 u, glm::vec3 v, int samples) {
+    Light light;
+    light.kind = LightKind::Area;
+    light.position = glm::vec4(place, 1);
+    light.area = {u, v, samples};
+    return light;
+}
+
+}  // namespace
+
+TEST_CASE("a point is lit although another object stands before its light", "[lecture]") {
+    Scene scene = lecture_scene("no-shadows");
+    const glm::dvec3 below_the_ball{0, -0.2, 0.2};
+    const Drawn with(scene);
+    REQUIRE(with.at(below_the_ball).object_index == 2);
+    CHECK(with.at(below_the_ball).at.lights[0].diffuse.x > 0.3f);
+    scene.objects.erase(scene.objects.begin());
+    CHECK(with.colour(below_the_ball) == Drawn(scene).colour(below_the_ball));
+}
+
+TEST_CASE("a sun lights a plane evenly and a sphere by the cosine of its place", "[lecture]") {
+    const Drawn drawn(lecture_scene("sun"));
+    const glm::dvec3 l = glm::normalize(glm::dvec3(-2, 2, 1.2));
+    const int ground = drawn.for_each_of(3, 8, [](const Explanation& e) {
+        // k_a 0.08 + k_d 0.9 n.l with n = (0, 1, 0): n.l = 2 / sqrt(9.44). Red of 0.5.
+        CHECK(e.sum.x == Approx(0.5 * 0.08 + 0.5 * 0.9 * 2 / std::sqrt(9.44)).epsilon(1e-5));
+        CHECK(e.at.lights[0].falloff == 1);
+    });
+    CHECK(ground > 100);
+    const glm::dvec3 centre{-1.5, 0.6, 1.1};
+    const int ball = drawn.for_each_of(0, 4, [&](const Explanation& e) {
+        const double n_dot_l = dot(normalize(glm::dvec3(e.at.point.world) - centre), l);
+        CHECK(e.at.lights[0].diffuse.y == Approx(0.9 * 0.95 * 0.35 * std::max(n_dot_l, 0.0)).margin(2e-3));
+    });
+    CHECK(ball > 50);
+}
+
+TEST_CASE("a bulb lights a plane by the cosine and the falloff of each place", "[lecture]") {
+    const Drawn drawn(lecture_scene("bulb"));
+    const glm::dvec3 bulb{0.1, 1.35, 0.9};
+    const int ground = drawn.for_each_of(3, 6, [&](const Explanation& e) {
+        const glm::dvec3 to_light = bulb - glm::dvec3(e.at.point.world);
+        const double r = length(to_light), cosine = to_light.y / r;
+        CHECK(e.at.lights[0].diffuse.x == Approx(0.5 * cosine / (0.6 + 0.2 * r * r)).epsilon(1e-4));
+    });
+    CHECK(ground > 200);
+}
+
+TEST_CASE("a lamp lights nothing outside its cone, and by cos^exponent inside", "[lecture]") {
+    const Drawn drawn(lecture_scene("spot-cone"));
+    const glm::dvec3 lamp{-1.8, 3.6, 2.6}, axis = normalize(glm::dvec3(0.45, -0.75, -0.75));
+    int inside = 0, outside = 0;
+    const auto check = [&](const Explanation& e) {
+        const double cosine = dot(normalize(glm::dvec3(e.at.point.world) - lamp), axis);
+        const double angle = std::acos(cosine) / degree;
+        if (std::abs(angle - 26) < 0.01) return;
+        CHECK(e.at.lights[0].spot == Approx(angle < 26 ? std::pow(cosine, 10) : 0).margin(1e-5));
+        ++(angle < 26 ? inside : outside);
+    };
+    drawn.for_each_of(1, 5, check);
+    drawn.for_each_of(2, 5, check);
+    CHECK(inside > 100);
+    CHECK(outside > 100);
+}
+
+TEST_CASE("an area light tends to Lambert's polygon formula over factors of 4 in its samples", "[lecture]") {
+    // Square [-1, 1]^2 at z = 1 over a receiver that faces it: E / (pi L), by midpoints 4, 1.777778, 1.768973
+    // and 1.747985 over pi for 1, 4, 16 and 64 samples; in the limit 2 sqrt(2) atan(1 / sqrt(2)) / pi.
+    Scene scene = white_plate();
+    const double limit = 2 * std::sqrt(2.0) * std::atan(1 / std::sqrt(2.0)) / std::numbers::pi;
+    double last_error = 1;
+    const std::pair<int, double> rows[] = {{1, 4}, {4, 1.777778}, {16, 1.768973}, {64, 1.747985}};
+    for (const auto& [samples, pi_times] : rows) {
+        CAPTURE(samples);
+        scene.lights = {area_light({0, 0, 1}, {1, 0, 0}, {0, 1, 0}, samples)};
+        const double value = middle(scene);
+        CHECK(value == Approx(pi_times / std::numbers::pi).epsilon(1e-4));
+        CHECK(std::abs(value - limit) < last_error);
+        last_error = std::abs(value - limit);
+    }
+    // A wall x = 2, y -1..1, z -1..2, half of it below the horizon: 0.2233466 / pi.
+    scene.lights = {area_light({2, 0, 0.5f}, {0, 1, 0}, {0, 0, 1.5f}, 64)};
+    CHECK(middle(scene) == Approx(0.2233466 / std::numbers::pi).epsilon(0.03));
+}
+
+TEST_CASE("a world light stays with the scene and a camera light with the viewer who orbits", "[lecture]") {
+    Scene scene;
+    scene.objects = {object_of(primitive(Primitive::Sphere, 96))};
+    Light sun, headlight;
+    sun.kind = headlight.kind = LightKind::Directional;
+    sun.position = {1, 0, 0, 0};
+    headlight.position = {0.6f, 0, 0.8f, 0};
+    headlight.space = LightSpace::Camera;
+    scene.lights = {sun, headlight};
+    for (const double turn : {0.0, 30.0, 60.0, 90.0, 200.0}) {
+        CAPTURE(turn);
+        scene.camera.eye = {5 * std::sin(turn * degree), 0, 5 * std::cos(turn * degree)};
+        const Explanation e = Drawn(scene, {101, 101}).at(50, 50);  // the point nearest to the eye
+        CHECK(e.at.lights[0].n_dot_l == Approx(std::sin(turn * degree)).margin(2e-3));
+        CHECK(e.at.lights[1].n_dot_l == Approx(0.8).margin(2e-3));
+    }
+}
+
+TEST_CASE("the same power over 1, 4 and 9 areas lights them 1, 1/4 and 1/9 as much", "[lecture]") {
+    const Drawn drawn(lecture_scene("inverse-square"), {640, 360});
+    for (const int d : {1, 2, 3}) {
+        CAPTURE(d);
+        // Low and to the front, where no nearer plate stands before it; r^2 = d^2 (1 + 2 (0.25 0.3)^2 ...).
+        const glm::dvec3 place{-2.4 + d, -0.15 * d, 0.2 * d};
+        const double r = d * std::sqrt(1 + 0.15 * 0.15 + 0.2 * 0.2);
+        const Explanation e = drawn.at(place);
+        REQUIRE(e.object_index == d - 1);
+        CHECK(e.at.lights[0].diffuse.x == Approx(d / (r * r * r)).epsilon(0.02));
+    }
+}
+
+TEST_CASE("1 / (1 + r^2 / R^2) is a disc of radius R seen head-on, and nearly a square of its area",
+          "[lecture]") {
+    Scene scene = white_plate();
+    const float half_edge = std::sqrt(std::numbers::pi_v<float>) / 2;  // R = 1
+    for (const float r : {1.5f, 2.0f, 3.0f, 5.0f}) {
+        CAPTURE(r);
+        const double disc = 1 / (1.0 + r * r);  // form factor R^2 / (R^2 + r^2)
+        Light bulb;
+        bulb.position = {0, 0, r, 1};
+        bulb.falloff = {1, 0, 1};
+        scene.lights = {bulb};
+        CHECK(middle(scene) == Approx(disc).epsilon(1e-5));
+        scene.lights = {area_light({0, 0, r}, {half_edge, 0, 0}, {0, half_edge, 0}, 64)};
+        CHECK(middle(scene) == Approx(disc).epsilon(0.011));
+    }
+}
+
+TEST_CASE("a constant ambient light is the same deep in a corner and at its edge", "[lecture]") {
+    Scene scene = lecture_scene("ambient-in-a-corner");
+    scene.objects.pop_back();
+    const Drawn drawn(scene);
+    const Explanation deep = drawn.at({-1.1, 0, 0}), edge = drawn.at({1.1, 0, 0});
+    REQUIRE(deep.object_index == 1);
+    REQUIRE(edge.object_index == 1);
+    CHECK(deep.at.global_ambient == edge.at.global_ambient);
+    CHECK(deep.at.global_ambient.x == Approx(0.8 * 0.25));
+    CHECK(deep.sum.x == Approx(edge.sum.x).epsilon(1e-6));  // nor does anything bounce off the red plate
+}

@@ -1,0 +1,327 @@
+// Each mistake shows where it should, and only there.
+#include "models/scene/mistakes.h"
+
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+
+#include "models/scene_file/scene_file.h"
+#include "renderer/lighting/illuminate.h"
+#include "renderer/renderer.h"
+#include "renderer/shade/light_sources.h"
+#include "tests/support/catch.h"
+#include "tests/support/scenes.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+constexpr PictureSize small{96, 72};
+
+/// A scene in which every mistake shows: lights of all kinds, all with falloff and ambient, a squashed ball.
+Scene telling_scene() {
+    Scene scene = busy_scene();
+    for (Light& l : scene.lights) {
+        l.ambient = {0.1f, 0.05f, 0.02f};
+        l.falloff = {0.5f, 0.1f, 0.05f};
+        l.intensity = 1.5f;
+    }
+    scene.objects[0].transform.scale = {1, 0.6f, 1};
+    scene.objects[0].normals.source = NormalSource::Vertex;
+    scene.shading.reflection = Reflection::BlinnPhong;
+    return scene;
+}
+
+bool shows(const Scene& given, bool Mistakes::*flag) {
+    Renderer renderer(1);
+    Scene scene = given;
+    const Picture right = renderer.render(scene, small, true);
+    scene.shading.mistakes.*flag = true;
+    const Picture& wrong = renderer.render(scene, small, true);
+    for (std::size_t i = 0; i < right.linear.size(); ++i)
+        if (std::abs(wrong.linear[i] - right.linear[i]) > 1e-5f) return true;
+    return false;
+}
+
+void camera_at_origin(Scene& s) {
+    s.camera = Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, {}};
+    for (Object& o : s.objects) o.transform.translate.z -= 4;
+}
+
+void rigid(Scene& s) {
+    for (Object& o : s.objects) o.transform.scale = glm::vec3(1);
+}
+
+/// A plane that faces the camera squarely, so that every normal everywhere is unit and the same.
+void one_plane(Scene& s) {
+    s.objects = {object_of(primitive(Primitive::Plane, 3))};
+    s.objects[0].transform.rotate_deg.x = 90;
+}
+
+struct Row {
+    const char* name;
+    std::function<void(Scene&)> where_it_shows, where_it_is_inert;
+};
+
+const std::vector<Row>& rows() {
+    const auto anywhere = [](Scene&) {};
+    const auto reflection = [](Reflection model) {
+        return [model](Scene& s) { s.shading.reflection = model; };
+    };
+    const auto only = [](LightKind kind) {
+        return [kind](Scene& s) {
+            for (Light& l : s.lights) l.enabled = l.kind == kind;
+        };
+    };
+    const auto without_highlights = [](Scene& s) { s.shading.terms.specular = false; };
+    static const std::vector<Row> table{
+        {"unnormalized_light", anywhere,
+         [only](Scene& s) {  // a sun whose vector is unit already
+             only(LightKind::Directional)(s);
+             s.lights[0].position = {0, 1, 0, 0};
+             camera_at_origin(s);
+         }},
+        {"unnormalized_half", anywhere, reflection(Reflection::Phong)},
+        {"specular_behind_surface",
+         [](Scene& s) { s.objects[0].material.shininess = s.objects[1].material.shininess = 2; },
+         without_highlights},
+        {"no_clamp_of_cosine", anywhere,
+         [](Scene& s) {  // nothing faces away from the light
+             one_plane(s);
+             s.lights = {Light{}};
+             s.lights[0].position = {0, 0, 3, 1};
+             s.shading.reflection = Reflection::Lambert;
+         }},
+        {"half_angle_with_phong_shininess", reflection(Reflection::Phong),
+         reflection(Reflection::BlinnPhong)},
+        {"ambient_per_light_added_twice", anywhere,
+         [](Scene& s) {
+             for (Light& l : s.lights) l.ambient = {0, 0, 0};
+         }},
+        {"clamp_each_light",
+         [](Scene& s) {
+             for (Light& l : s.lights) l.intensity = 10;
+         },
+         [](Scene& s) {
+             for (Light& l : s.lights) l.intensity = 0.2f;
+         }},
+        {"shininess_as_fraction", anywhere, without_highlights},
+        {"light_in_wrong_space", anywhere, camera_at_origin},
+        {"light_moved_twice", anywhere, camera_at_origin},
+        {"falloff_of_directional", anywhere, only(LightKind::Point)},
+        {"falloff_without_constant", anywhere, only(LightKind::Directional)},
+        {"degrees_for_radians", anywhere, only(LightKind::Point)},
+        {"cutoff_as_full_angle", anywhere, only(LightKind::Point)},
+        {"viewer_at_origin_of_world", anywhere, camera_at_origin},
+        {"lit_after_projection", anywhere,
+         [only](Scene& s) {  // a sun and a viewer at infinity do not care where the point is
+             only(LightKind::Directional)(s);
+             s.shading.local_viewer = false;
+         }},
+        {"unnormalized_normals", anywhere, one_plane},
+        {"normals_by_model_matrix", anywhere, rigid},
+        {"normals_flipped", anywhere,
+         [](Scene& s) {
+             for (Light& l : s.lights) l.enabled = false;
+         }},
+        {"no_normals_given", anywhere,
+         [](Scene& s) {  // a quad whose normal is (0, 0, 1) anyway
+             s.objects = {object_of(primitive(Primitive::SkewQuad, 1))};
+         }},
+        {"interpolated_normals_not_normalized", anywhere,
+         [](Scene& s) { s.shading.mode = ShadingMode::Gouraud; }},
+    };
+    return table;
+}
+
+}  // namespace
+
+TEST_CASE("every mistake shows where it should and is inert where it should be", "[mistakes]") {
+    REQUIRE(rows().size() == mistake_names().size());
+    for (std::size_t i = 0; i < rows().size(); ++i) {
+        const MistakeName& mistake = mistake_names()[i];
+        CAPTURE(std::string(mistake.name));
+        REQUIRE(mistake.name == rows()[i].name);
+        Scene scene = telling_scene();
+        rows()[i].where_it_shows(scene);
+        CHECK(shows(scene, mistake.flag));
+        scene = telling_scene();
+        rows()[i].where_it_is_inert(scene);
+        CHECK_FALSE(shows(scene, mistake.flag));
+    }
+}
+
+TEST_CASE("the explanation equals the pixel under every mistake", "[mistakes][explain]") {
+    Renderer renderer(2);
+    for (const MistakeName& mistake : mistake_names())
+        for (const ShadingMode mode : {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong})
+            for (const Reflection model :
+                 {Reflection::Phong, Reflection::BlinnPhong, Reflection::CookTorrance}) {
+                Scene scene = telling_scene();
+                scene.shading.mode = mode;
+                scene.shading.reflection = model;
+                scene.shading.mistakes.*mistake.flag = true;
+                scene.shading.power_table = mode == ShadingMode::Phong ? 0 : 40;
+                const Picture& picture = renderer.render(scene, small, true);
+                int wrong = 0;
+                for (int y = 0; y < small.height; y += 2)
+                    for (int x = 0; x < small.width; x += 2)
+                        wrong += same_bits(renderer.explain(x, y).sum, picture.linear_at(x, y)) ? 0 : 1;
+                CAPTURE(std::string(mistake.name), static_cast<int>(mode), static_cast<int>(model));
+                CHECK(wrong == 0);
+            }
+}
+
+TEST_CASE("glNormal3f(1, 1, 1) as it is lights root 3 times too bright", "[mistakes][lecture]") {
+    auto mesh = std::make_shared<Mesh>(
+        *polygon_mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2, 3}}));
+    mesh->given_normals = GivenNormals::File;
+    mesh->normals = {{1, 1, 1}};
+    mesh->corner_normal = {0, 0, 0, 0};
+    Scene scene;
+    scene.objects = {object_of(mesh)};
+    scene.lights = {Light{}};
+    scene.lights[0].kind = LightKind::Directional;
+    scene.lights[0].position = {0, 0, 1, 0};
+    scene.shading.terms.ambient = scene.shading.terms.specular = false;
+    Renderer renderer(1);
+    const float right = renderer.render(scene, {9, 9}, true).linear_at(4, 4).x;
+    CHECK(right == Approx(0.8 / std::sqrt(3.0)));
+    scene.shading.mistakes.unnormalized_normals = true;
+    auto by_position = std::make_shared<Mesh>(*mesh);  // as a PLY gives them
+    by_position->normals.assign(4, {1, 1, 1});
+    by_position->corner_normal = std::vector<std::uint32_t>();
+    for (const ShadingMode mode : {ShadingMode::Phong, ShadingMode::Gouraud})
+        for (const auto& given : {mesh, by_position}) {
+            scene.shading.mode = mode;
+            scene.objects[0].mesh = given;
+            CHECK(renderer.render(scene, {9, 9}, true).linear_at(4, 4).x == Approx(std::sqrt(3.0) * right));
+        }
+}
+
+TEST_CASE("without any normal a ball is shaded as a disc", "[mistakes][lecture]") {
+    Scene scene;
+    scene.objects = {object_of(primitive(Primitive::Sphere, 32))};
+    scene.lights = {Light{}};
+    scene.lights[0].kind = LightKind::Directional;
+    scene.lights[0].position = {0.3f, 0.4f, 1, 0};
+    scene.shading.reflection = Reflection::Lambert;
+    scene.shading.mistakes.no_normals_given = true;
+    Renderer renderer(1);
+    const Picture& p = renderer.render(scene, small, true);
+    const glm::vec3 middle = p.linear_at(48, 36);
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x)
+            if (renderer.object_at(x, y) == 0) CHECK(p.linear_at(x, y) == middle);
+}
+
+TEST_CASE("without the clamp an even shininess makes a ghost: (-0.9)^20 is 0.12", "[mistakes][lecture]") {
+    CHECK(unclamped_power(-0.9f, 20.0f) == Approx(0.1215767).epsilon(1e-5));
+    CHECK(unclamped_power(-0.9f, 21.0f) == Approx(-0.1094190).epsilon(1e-5));
+    CHECK(unclamped_power(0.9f, 21.0f) == Approx(0.1094190).epsilon(1e-5));
+}
+
+TEST_CASE("an unnormalised l makes the diffuse term grow with the distance", "[mistakes]") {
+    Mistakes wrong;
+    wrong.unnormalized_light = true;
+    LightAt<float> light;
+    light.xyz = {0, 0, 5};
+    light.w = 1;
+    light.diffuse = {1, 1, 1};
+    MaterialAt<float> m;
+    m.k_d = {0.5f, 0.5f, 0.5f};
+    const PointAt<float> at{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+    CHECK(illuminate({Reflection::Lambert, {}, &wrong}, light, m, at).diffuse.x == Approx(0.5 * 4));
+    CHECK(illuminate({Reflection::Lambert, {}, nullptr}, light, m, at).diffuse.x == Approx(0.5));
+}
+
+TEST_CASE("an unnormalised l to the power of 0 is 1, however far behind the mirror the eye is",
+          "[mistakes]") {
+    Mistakes wrong;
+    wrong.unnormalized_light = true;
+    LightAt<float> light;
+    light.xyz = {0, 0, 5};
+    light.w = 1;
+    light.specular = {1, 1, 1};
+    MaterialAt<float> m;
+    m.k_s = {1, 1, 1};
+    m.shininess = 0;
+    m.faintest_squared = faintest_cosine_squared(0);
+    const PointAt<float> at{{0, 0, 0}, {0, 0, 1}, {0, 0, -1}};  // r.v = -5
+    CHECK(illuminate({Reflection::Phong, {}, &wrong}, light, m, at).specular.x == 1);
+}
+
+TEST_CASE("nothing holds the highlight of an unnormalised l at 1: it is (v.r)^n, 4^3 = 64", "[mistakes]") {
+    Mistakes wrong;
+    wrong.unnormalized_light = true;
+    LightAt<float> light;
+    light.xyz = {0, 0, 4};  // at (0, 0, 0) with n = v = z: n.l = r.v = l.v = 4, and h = (l + v)/5 = z
+    light.w = 1;
+    light.specular = light.diffuse = {1, 1, 0};
+    MaterialAt<float> m;
+    m.k_s = m.k_d = {0.5f, 0, 1};
+    const auto specular = [&](Reflection model, float shininess) {
+        m.shininess = shininess;
+        m.faintest_squared = faintest_cosine_squared(shininess);
+        const PointAt<float> at{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}};
+        return illuminate({model, {}, &wrong}, light, m, at).specular;
+    };
+    CHECK(specular(Reflection::Phong, 3).x == Approx(0.5 * 64));
+    CHECK(specular(Reflection::Phong, 1.5f).x == Approx(0.5 * 8));
+    CHECK(specular(Reflection::Retro, 3).x == Approx(0.5 * 64));
+    CHECK(specular(Reflection::BlinnPhong, 3).x == Approx(0.5));
+    for (const float shininess : {1000.0f, 999.5f, 10'000.0f}) {  // 4^1000: no float holds it
+        const Vec3<float> huge = specular(Reflection::Phong, shininess);
+        CHECK(huge.x > 1e30f);
+        CHECK(huge.y == 0);  // of a colour of 0 there is nothing to reflect
+        CHECK(huge.z == 0);
+    }
+}
+
+TEST_CASE("an unnormalised l leaves cone, falloff and an area light's cosine as they are", "[mistakes]") {
+    Mistakes wrong;
+    wrong.unnormalized_light = true;
+    LightAt<float> lamp;
+    lamp.xyz = {0, 0, 4};
+    lamp.w = 1;
+    lamp.diffuse = {1, 1, 1};
+    lamp.axis = {0, 0.8f, -0.6f};  // 53 degrees from the ray to the point, whose cosine is 0.6
+    lamp.cos_cutoff = 0.5f;        // 60 degrees
+    lamp.exponent = 2.0f;
+    lamp.has_cone = lamp.has_falloff = true;
+    lamp.quadratic = 1;  // 1 / (1 + 16)
+    MaterialAt<float> m;
+    m.k_d = {1, 1, 1};
+    const PointAt<float> at{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}};
+    const LightTerms<float> t = illuminate({Reflection::Lambert, {}, &wrong}, lamp, m, at);
+    CHECK(t.spot == Approx(0.36));
+    CHECK(t.falloff == Approx(1.0 / 17));
+    CHECK(t.diffuse.x == Approx(4 * 0.36 / 17));  // n.l = 4
+    lamp.cos_cutoff = 0.7f;                       // 46 degrees
+    CHECK(illuminate({Reflection::Lambert, {}, &wrong}, lamp, m, at).spot == 0);
+
+    LightAt<float> window = lamp;
+    window.has_cone = window.has_falloff = false;
+    window.is_patch = true;
+    window.patch = 2;  // 2 |cos theta'| / r^2 = 2 * 0.6 / 16
+    CHECK(illuminate({Reflection::Lambert, {}, &wrong}, window, m, at).falloff == Approx(2 * 0.6 / 16));
+}
+
+TEST_CASE("a scene file names the mistakes it makes, and one that it does not know is an error",
+          "[mistakes][scene]") {
+    for (const MistakeName& mistake : mistake_names()) {
+        const std::string text =
+            "{\"glint\": 1, \"shading\": {\"mistakes\": {\"" + std::string(mistake.name) + "\": true}}}";
+        const Result<Scene> read = parse_scene(text, "s.json");
+        REQUIRE(std::holds_alternative<Scene>(read));
+        const Scene& scene = std::get<Scene>(read);
+        CHECK(scene.shading.mistakes.*mistake.flag);
+        CHECK(std::get<Scene>(parse_scene(scene_text(scene), "s.json")) == scene);
+    }
+    const Result<Scene> wrong =
+        parse_scene(R"({"glint": 1, "shading": {"mistakes": {"normals_fliped": true}}})", "s.json");
+    REQUIRE(problem_of(wrong));
+    CHECK(problem_of(wrong)->pointer == "/shading/mistakes/normals_fliped");
+    CHECK(problem_of(wrong)->text().find("normals_flipped") != std::string::npos);
+}

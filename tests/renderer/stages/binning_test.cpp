@@ -1,0 +1,157 @@
+// In which lists of the tiles triangles are found.
+#include "renderer/visibility/binning.h"
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "models/scene_file/scene_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/scenes.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+/// Triangles of any size in the plane of the screen: pixels are units, y up.
+Scene flat_scene(const std::vector<glm::vec3>& corners, PictureSize size) {
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (std::uint32_t i = 0; i + 2 < corners.size(); i += 3) faces.push_back({i, i + 1, i + 2});
+    Scene scene;
+    scene.camera.projection = Orthographic{static_cast<float>(size.height), 0.1f, 100};
+    scene.objects = {object_of(polygon_mesh(corners, faces))};
+    return scene;
+}
+
+TileLists sorted(const Scene& scene, PictureSize size) {
+    Geometry g;
+    REQUIRE(update_geometry(g, scene, size));
+    TileLists lists;
+    sort_into_tiles(lists, g, Cull::None, false);
+    return lists;
+}
+
+/// The triangles that a tile is given to draw, as often as it is.
+std::multiset<std::uint32_t> drawn_in_tile(const TileLists& lists, std::uint32_t x, std::uint32_t y) {
+    std::multiset<std::uint32_t> numbers;
+    for (std::uint32_t level = 0; level < CellGrid::levels; ++level) {
+        const std::uint32_t cell = lists.grid.cell_at(level, x, y);
+        for (std::size_t i = lists.cell_first[cell]; i < lists.cell_first[cell + 1]; ++i)
+            numbers.insert(lists.entries[i].number);
+    }
+    return numbers;
+}
+
+}  // namespace
+
+TEST_CASE("every tile is given each triangle whose box meets it, once", "[visibility][binning]") {
+    std::mt19937 random(31);
+    const PictureSize size{1900, 1300};
+    for (int round = 0; round < 20; ++round) {
+        std::vector<glm::vec3> corners;
+        for (int i = 0; i < 60; ++i) {
+            const float spread = i < 30 ? 100.0f : 1500.0f;
+            const glm::vec3 middle{uniform(random, -900, 900), uniform(random, -600, 600), 0};
+            for (int k = 0; k < 3; ++k)
+                corners.push_back(middle + glm::vec3(uniform(random, -spread, spread),
+                                                     uniform(random, -spread, spread), 0));
+        }
+        const TileLists lists = sorted(flat_scene(corners, size), size);
+        std::vector<std::multiset<std::uint32_t>> drawn;
+        for (std::uint32_t y = 0; y < lists.grid.tiles_y; ++y)
+            for (std::uint32_t x = 0; x < lists.grid.tiles_x; ++x)
+                drawn.push_back(drawn_in_tile(lists, x, y));
+        int missing = 0, twice = 0;
+        for (std::uint32_t t = 0; t < corners.size() / 3; ++t) {
+            const glm::vec3 *a = &corners[3 * t], *b = a + 1, *c = a + 2;
+            const float left = std::min({a->x, b->x, c->x}) + 950, right = std::max({a->x, b->x, c->x}) + 950;
+            const float top = 650 - std::max({a->y, b->y, c->y}), bottom = 650 - std::min({a->y, b->y, c->y});
+            for (std::uint32_t y = 0; y < lists.grid.tiles_y; ++y)
+                for (std::uint32_t x = 0; x < lists.grid.tiles_x; ++x) {
+                    const auto x0 = static_cast<float>(64 * x), y0 = static_cast<float>(64 * y);
+                    const float x1 = std::min(x0 + 64, 1900.0f), y1 = std::min(y0 + 64, 1300.0f);
+                    const bool meets = left < x1 - 1 && right > x0 + 1 && top < y1 - 1 && bottom > y0 + 1;
+                    const std::size_t times = drawn[y * lists.grid.tiles_x + x].count(t);
+                    missing += meets && times == 0;
+                    twice += times > 1;
+                }
+        }
+        CHECK(missing == 0);
+        CHECK(twice == 0);
+    }
+}
+
+TEST_CASE("a triangle has at most 16 entries, however many tiles it covers", "[visibility][binning]") {
+    const PictureSize largest{max_picture_side, max_picture_side};  // 65,536 tiles
+    std::vector<glm::vec3> corners;
+    for (int i = 0; i < 50; ++i)
+        for (const glm::vec3 corner :
+             {glm::vec3(-8000, -8000, 0), glm::vec3(8000, -8000, 0), glm::vec3(0, 8000, 0)})
+            corners.push_back(corner);
+    const TileLists lists = sorted(flat_scene(corners, largest), largest);
+    CHECK(lists.entries.size() >= 50);
+    CHECK(lists.entries.size() <= 50 * 16);
+}
+
+TEST_CASE("triangles that meet more than 2^30 tiles are refused in one line, before any memory is taken",
+          "[visibility][binning]") {
+    const PictureSize largest{max_picture_side, max_picture_side};  // 65,536 tiles
+    std::vector<glm::vec3> corners;
+    for (int i = 0; i < 16385; ++i)
+        for (const glm::vec3 corner :
+             {glm::vec3(-8190, -8190, 0), glm::vec3(8190, -8190, 0), glm::vec3(0, 8190, 0)})
+            corners.push_back(corner);
+    Geometry g;
+    REQUIRE(update_geometry(g, flat_scene(corners, largest), largest));
+    TileLists lists;
+    CHECK_THROWS_WITH(
+        sort_into_tiles(lists, g, Cull::None, false),
+        "the triangles meet 1073807360 tiles of the picture; expected at most 1073741824: fewer or "
+        "smaller triangles, or a smaller picture");
+    CHECK(lists.entries.empty());
+    REQUIRE(update_geometry(g, flat_scene(corners, largest), {640, 480}));
+    CHECK_NOTHROW(sort_into_tiles(lists, g, Cull::None, false));
+}
+
+TEST_CASE("many small objects share a task, so that memory is not objects times tiles",
+          "[visibility][binning]") {
+    Scene scene;
+    for (int i = 0; i < 1000; ++i) {
+        scene.objects.push_back(object_of(primitive(Primitive::Plane, 1)));
+        scene.objects.back().transform.translate.x = 0.001f * static_cast<float>(i);
+    }
+    const TileLists lists = sorted(scene, {640, 480});
+    CHECK(lists.chunks.size() == 1);
+    CHECK(lists.chunks[0].parts.size() == 1000);
+}
+
+TEST_CASE("a scene of more triangles than there are numbers for is refused in one line", "[scene][binning]") {
+    std::string text = R"({"glint": 1, "objects": [)";
+    const int objects = 9000, triangles = 2 * 250 * 250;  // 1.125e9 in all, above 2^30 = 1.074e9
+    for (int i = 0; i < objects; ++i)
+        text +=
+            std::string(i > 0 ? "," : "") + R"({"mesh": {"primitive": "tessellated-quad", "detail": 250}})";
+    Scene scene = std::get<Scene>(parse_scene(text + "]}", "s.json"));
+    const Result<Warnings> loaded = load_meshes(scene, "s.json", ".");
+    REQUIRE(problem_of(loaded));
+    const int first_beyond = (1 << 30) / triangles;
+    CHECK(problem_of(loaded)->text() == "s.json: /objects/" + std::to_string(first_beyond) +
+                                            "/mesh: with this one the objects have " +
+                                            std::to_string((first_beyond + 1) * triangles) +
+                                            " triangles; expected at most 1073741824 in a scene");
+
+    // A scene that grows in memory: the renderer keeps what it had.
+    const MeshPtr mesh = primitive(Primitive::TessellatedQuad, 250);
+    REQUIRE(mesh->triangles.size() == triangles);
+    Scene grown;
+    grown.objects = {object_of(mesh)};
+    Geometry g;
+    REQUIRE(update_geometry(g, grown, {64, 48}));
+    grown.objects.resize(objects, grown.objects[0]);
+    CHECK_THROWS_WITH(
+        update_geometry(g, grown, {64, 48}),
+        "/objects: the objects have 1125000000 triangles; expected at most 1073741824 in a scene");
+    CHECK(g.objects.size() == 1);
+    CHECK(g.triangle_count == triangles);
+}

@@ -1,0 +1,199 @@
+// Pictures that do not fit in the memory there is: refused in one line, most of them before anything is
+// drawn.
+#include <chrono>
+
+#include "models/mesh/mesh_memory.h"
+#include "models/scene_file/scene_file.h"
+#include "renderer/geometry/geometry.h"
+#include "renderer/geometry/object_normals.h"
+#include "renderer/renderer.h"
+#include "tests/support/catch.h"
+#include "tests/support/memory_helpers.h"
+#include "tests/support/program.h"
+
+using namespace glint;
+using test::MemoryLimit;
+
+namespace {
+
+constexpr std::uint64_t mib = std::uint64_t{1} << 20;
+
+Scene scene_of(const PrimitiveMesh& source, std::size_t count) {
+    Scene scene;
+    scene.lights.emplace_back();
+    scene.objects.resize(count);
+    for (Object& object : scene.objects) object.source = source;
+    REQUIRE(problem_of(load_meshes(scene, "", "")) == nullptr);
+    return scene;
+}
+
+/// Long thin triangles, each of which meets many tiles: no bounds tell of that.
+Scene fans() {
+    Scene scene = scene_of({Primitive::Cone, 20000}, 12);
+    scene.camera.eye = {0, 5, 0};
+    scene.camera.up = {0, 0, -1};
+    for (Object& object : scene.objects) object.transform.scale = {5, 0.001f, 5};
+    return scene;
+}
+
+std::string refusal_of(Renderer& renderer, const Scene& scene, PictureSize size, int samples = 1) {
+    try {
+        (void)renderer.render(scene, size, false, samples);
+    } catch (const Refused& refused) {
+        return refused.what();
+    }
+    return {};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("objects of one mesh share what does not depend on their places", "[memory][geometry]") {
+    Scene scene = scene_of({Primitive::Teapot, 6}, 4);
+    scene.objects[3].normals.source = NormalSource::Facet;
+    for (std::size_t i = 0; i < 4; ++i) scene.objects[i].transform.translate.x = static_cast<float>(i);
+    Geometry g;
+    REQUIRE(update_geometry(g, scene, {64, 64}));
+    std::vector<ObjectNormals> normals;
+    update_normals(normals, scene, g, {});
+    for (std::size_t i = 1; i < 4; ++i) {
+        CHECK(g.objects[i].triangle_vertices.data() == g.objects[0].triangle_vertices.data());
+        CHECK((normals[i].of_mesh == normals[0].of_mesh) == (i < 3));
+    }
+    // A fifth one comes, the first gets another mesh: the others' lists are the same still.
+    const std::uint32_t* const list = g.objects[1].triangle_vertices.data();
+    const auto of_mesh = normals[1].of_mesh;
+    scene.objects.push_back(scene.objects[1]);
+    scene.objects[0].mesh = std::make_shared<const Mesh>(make_primitive(Primitive::Cube, 2));
+    REQUIRE(update_geometry(g, scene, {64, 64}));
+    update_normals(normals, scene, g, {});
+    CHECK(g.objects[0].triangle_vertices.size() == 3 * scene.objects[0].mesh->triangles.size());
+    for (const std::size_t i : {1u, 2u, 3u, 4u}) CHECK(g.objects[i].triangle_vertices.data() == list);
+    CHECK(normals[4].of_mesh == of_mesh);
+}
+
+TEST_CASE("what a picture needs is refused before it is drawn, and the last picture stays",
+          "[memory][renderer]") {
+    const Scene scene = scene_of({Primitive::Sphere, 24}, 1);
+    Renderer renderer(1);
+    const Picture& picture = renderer.render(scene, {64, 48});
+    const std::vector<std::uint8_t> before = picture.rgba;
+    // Room for what is certain, the samples; not for what the surface will need of them.
+    const MemoryLimit limit(300 * mib);
+    const std::string words = refusal_of(renderer, scene, {2048, 2048}, 8);
+    CHECK(contains(words, "of it for the pixels and samples of the picture; expected at most 30"));
+    CHECK(picture.rgba == before);
+    CHECK(renderer.object_at(32, 24) == 0);
+    CHECK(renderer.render(scene, {64, 48}).rgba == before);
+}
+
+TEST_CASE("many objects of a large mesh are refused before any is placed", "[memory][renderer]") {
+    const Scene scene = scene_of({Primitive::Teapot, 100}, 200);
+    const MemoryLimit limit(1000 * mib);
+    Renderer renderer(1);
+    const auto start = std::chrono::steady_clock::now();
+    CHECK(
+        contains(refusal_of(renderer, scene, {64, 64}), "of it for the vertices and normals of the objects"));
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::milliseconds(500));
+}
+
+TEST_CASE("what only drawing can count is refused when it is counted, and the next picture is right",
+          "[memory][renderer]") {
+    const Scene scene = fans(), other = scene_of({Primitive::Sphere, 24}, 1);
+    constexpr PictureSize size{640, 360};
+    Renderer renderer(2);
+    (void)renderer.render(other, size);
+    {
+        const MemoryLimit limit(52 * mib);
+        const std::string words = refusal_of(renderer, scene, size);
+        INFO(words);
+        CHECK(contains(words, "of it for the triangles in the tiles of the picture"));
+    }
+    // With room for it, the same scene is drawn as ever: nothing is left of the stages that were done.
+    CHECK(renderer.render(scene, size).rgba == Renderer(1).render(scene, size).rgba);
+    CHECK(renderer.render(other, size).rgba == Renderer(1).render(other, size).rgba);
+}
+
+TEST_CASE("without room to keep the sums of lights the picture is the same", "[memory][renderer]") {
+    Scene scene = scene_of({Primitive::Sphere, 24}, 1);
+    scene.lights.resize(3);
+    constexpr PictureSize size{640, 480};
+    const auto moved = [&scene](int i) {
+        Scene s = scene;
+        s.lights[0].position.x += 0.5f * static_cast<float>(i);
+        return s;
+    };
+    std::vector<std::vector<std::uint8_t>> right;
+    for (int i = 0; i < 4; ++i) right.push_back(Renderer(1).render(moved(i), size).rgba);
+    Renderer renderer(1);
+    (void)renderer.render(scene, size);
+    const MemoryLimit limit(100 << 10);
+    for (int i = 1; i < 4; ++i)
+        CHECK(renderer.render(moved(i), size).rgba == right[static_cast<std::size_t>(i)]);
+}
+
+TEST_CASE("all that is asked for is given back with the renderer", "[memory][renderer]") {
+    const std::uint64_t before = memory_left();
+    {
+        const Scene scene = scene_of({Primitive::Sphere, 24}, 2);
+        Renderer renderer(1);
+        (void)renderer.render(scene, {640, 480}, true, 4);
+        CHECK(memory_left() < before - 640 * 480 * (4 + 12 + 16));
+    }
+    CHECK(memory_left() == before);
+}
+
+TEST_CASE("the largest picture is refused at once where it does not fit", "[memory][cli]") {
+    const std::string teapot = GLINT_SOURCE_DIR "/assets/scenes/default.json";
+    const auto start = std::chrono::steady_clock::now();
+    const TemporaryDirectory directory;
+    const Ended ended = run_glint({"render", teapot, "-o", directory.path("o.png"), "--size", "16384x16384",
+                                   "--samples", "8", "--memory", "8G"});
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
+    CHECK(ended.status == 1);
+    CHECK(ended.out.empty());
+    CHECK(ended.err.starts_with("glint: error: " + teapot + ": this needs "));
+    CHECK(contains(ended.err,
+                   " of it for the pixels and samples of the picture; expected at most 8.0 GiB (--memory "
+                   "and GLINT_MEMORY change that)\n"));
+}
+
+TEST_CASE("the limit is an option of every command that takes a scene, and of the surroundings",
+          "[memory][cli]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file(
+        "s.json", R"({"glint": 1, "objects": [{"mesh": {"primitive": "sphere", "detail": 500}}]})");
+    const std::string refused = "glint: error: " + scene + ": /objects/0/mesh: this needs ";
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"render", scene, "-o", directory.path("o.png")},
+          {"explain", scene, "--pixel", "1,1"},
+          {"profile", scene, "--from", "1,1", "--to", "9,9"},
+          {"info", scene},
+          {"bench", scene},
+          {"lobe", scene},
+          {"sheet", scene, "--rows", "/display/exposure=1,2", "--cols", "/shading/mode=flat,phong", "-o",
+           directory.path("o.png")},
+          {scene}}) {
+        CAPTURE(words);
+        std::vector<std::string> with_option = words;
+        with_option.insert(with_option.begin(), {"--memory", "20M"});
+        const Ended ended = run_glint(with_option);
+        CHECK(ended.status == 1);
+        CHECK(ended.err.starts_with(refused));
+        CHECK(contains(ended.err, "expected at most 20.0 MiB"));
+    }
+    setenv("GLINT_MEMORY", "21M", 1);
+    CHECK(contains(run_glint({"info", scene}).err, "expected at most 21.0 MiB"));
+    CHECK(run_glint({"info", scene, "--memory", "1G"}).status == 0);
+    setenv("GLINT_MEMORY", "much", 1);
+    const Ended wrong = run_glint({"info", scene});
+    CHECK(wrong.status == 2);
+    CHECK(wrong.err.starts_with("glint: error: GLINT_MEMORY: much is no size of memory; expected "));
+    unsetenv("GLINT_MEMORY");
+    const Ended option = run_glint({"info", scene, "--memory", "much"});
+    CHECK(option.status == 2);
+    CHECK(option.err.starts_with("glint: error: --memory: much is no size of memory; expected "));
+}

@@ -1,0 +1,55 @@
+// OpenEXR files, read back by the library's own reader.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+
+#include <cstring>
+
+#include "renderer/image/image_file.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+
+namespace {
+
+class Source : public Imf::IStream {
+  public:
+    explicit Source(std::string bytes) : IStream("picture"), bytes_(std::move(bytes)) {}
+    bool read(char c[], int n) override {
+        std::memcpy(c, bytes_.data() + at_, static_cast<std::size_t>(n));
+        at_ += static_cast<std::size_t>(n);
+        return at_ < bytes_.size();
+    }
+    std::uint64_t tellg() override { return at_; }
+    void seekg(std::uint64_t position) override { at_ = position; }
+
+  private:
+    std::string bytes_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE("an EXR holds every number of the picture times the exposure, first row on top", "[image]") {
+    Picture picture;
+    picture.size = {3, 2};
+    for (int i = 0; i < 18; ++i) picture.linear.push_back(static_cast<float>(i) * 0.7f - 2);
+    const std::string bytes = exr_bytes(picture, 2);
+    CHECK(bytes == exr_bytes(picture, 2));
+
+    Source source(bytes);
+    Imf::InputFile file(source);
+    const Imath::Box2i window = file.header().dataWindow();
+    REQUIRE(window.max.x - window.min.x == 2);
+    REQUIRE(window.max.y - window.min.y == 1);
+    std::vector<float> read(18);
+    Imf::FrameBuffer frame;
+    for (std::size_t c = 0; c < 3; ++c)
+        frame.insert(std::string(1, "RGB"[c]),
+                     Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(read.data() + c), 12, 36));
+    file.setFrameBuffer(frame);
+    file.readPixels(0, 1);
+    for (std::size_t i = 0; i < 18; ++i) CHECK(read[i] == picture.linear[i] * 2);
+}

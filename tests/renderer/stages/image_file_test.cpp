@@ -1,0 +1,174 @@
+// Independent of the code under test: layouts worked by hand from the specifications, zlib's crc32 and
+// inflate, and pictures that libpng wrote.
+#include "renderer/image/image_file.h"
+
+#include <unistd.h>
+#include <zlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "tests/support/catch.h"
+
+using namespace glint;
+
+namespace {
+
+/// A file that is gone at the end of the test.
+class TemporaryFile {
+  public:
+    explicit TemporaryFile(const std::string& bytes)
+        : path_(std::filesystem::temp_directory_path() /
+                ("glint_image_test_" + std::to_string(getpid()) + ".png")) {
+        std::ofstream(path_, std::ios::binary) << bytes;
+    }
+    ~TemporaryFile() { std::filesystem::remove(path_); }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    [[nodiscard]] std::string path() const { return path_.string(); }
+
+  private:
+    std::filesystem::path path_;
+};
+
+Result<Picture> read_bytes(const std::string& bytes) { return read_png(TemporaryFile(bytes).path()); }
+
+Picture noise(PictureSize size, unsigned seed) {
+    Picture picture{size, {}, {}};
+    std::mt19937 random(seed);
+    for (int i = 0; i < size.width * size.height; ++i) {
+        for (int c = 0; c < 3; ++c) picture.rgba.push_back(static_cast<std::uint8_t>(random() >> 24));
+        picture.rgba.push_back(255);
+    }
+    return picture;
+}
+
+std::string be32(std::size_t value) {
+    return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
+            static_cast<char>(value)};
+}
+
+std::string chunk(const std::string& type, const std::string& data) {
+    const std::string body = type + data;
+    const auto crc = crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()));
+    return be32(data.size()) + body + be32(crc);
+}
+
+std::string deflated(const std::string& raw) {
+    uLongf size = compressBound(raw.size());
+    std::string out(size, '\0');
+    compress(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(raw.data()),
+             raw.size());
+    return out.substr(0, size);
+}
+
+/// A PNG put together by hand. `raw` is its scanlines, each behind a filter byte.
+std::string png(std::size_t width, std::size_t height, char depth, char color_type, const std::string& raw,
+                const std::string& palette = {}) {
+    const std::string header = be32(width) + be32(height) + depth + color_type + std::string(3, '\0');
+    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + (palette.empty() ? "" : chunk("PLTE", palette)) +
+           chunk("IDAT", deflated(raw)) + chunk("IEND", "");
+}
+
+std::vector<int> rgba_of(const Result<Picture>& result) {
+    REQUIRE(std::holds_alternative<Picture>(result));
+    const auto& rgba = std::get<Picture>(result).rgba;
+    return {rgba.begin(), rgba.end()};
+}
+
+void check_refused(const std::string& bytes) {
+    const auto result = read_bytes(bytes);
+    REQUIRE(problem_of(result) != nullptr);
+    const std::string text = problem_of(result)->text();
+    INFO(text);
+    CHECK(text.find("glint_image_test_") != std::string::npos);
+
+    CHECK(text.find("; expected a PNG picture of 1x1 to 16384x16384") != std::string::npos);
+    CHECK(text.find('\n') == std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("a PFM holds its bottom row first, little-endian, times the exposure", "[image]") {
+    Picture picture{{2, 2}, {}, {0, 0.25f, 0.5f, 1, 2, 3, -1, 4, 5, 6, 7, 8}};
+    const std::string bytes = pfm_bytes(picture, 2);
+    // 2 x 2 pixels of 12 bytes behind a header of 3 + 4 + 5 bytes.
+    REQUIRE(bytes.size() == 12 + 48);
+    CHECK(bytes.substr(0, 12) == "PF\n2 2\n-1.0\n");
+    // -2 is 0xC0000000; 8 is 0x41000000; 10 is 0x41200000: the first pixel of the lower row.
+    CHECK(bytes.substr(12, 12) == std::string("\0\0\0\xC0\0\0\0\x41\0\0\x20\x41", 12));
+    // 0, 0.5 = 0x3F000000, 1 = 0x3F800000: the first pixel of the upper row.
+    CHECK(bytes.substr(36, 12) == std::string("\0\0\0\0\0\0\0\x3F\0\0\x80\x3F", 12));
+}
+
+TEST_CASE("a picture survives PNG and back, byte for byte", "[image]") {
+    for (const PictureSize size : {PictureSize{1, 1}, {7, 3}, {64, 65}}) {
+        const Picture picture = noise(size, 5);
+        const auto back = read_bytes(png_bytes(picture, "{\"glint\": 1}"));
+        REQUIRE(std::holds_alternative<Picture>(back));
+        CHECK(std::get<Picture>(back).size == size);
+        CHECK(std::get<Picture>(back).rgba == picture.rgba);
+    }
+}
+
+TEST_CASE("a PNG carries its scene in an iTXt chunk right behind the header", "[image]") {
+    const std::string scene = "{\"glint\": 1, \"name\": \"K\xC3\xB6rper\"}\n";
+    const std::string bytes = png_bytes(noise({3, 2}, 1), scene);
+    // Signature 8, IHDR 25; then the keyword, its end, flag, method, and the ends of language and
+    // translation.
+    const std::string expected = chunk("iTXt", std::string("glint-scene\0\0\0\0\0", 16) + scene);
+    CHECK(bytes.substr(33, expected.size()) == expected);
+    CHECK(png_bytes(noise({3, 2}, 1), scene) == bytes);
+    CHECK(png_bytes(noise({3, 2}, 1), "").find("iTXt") == std::string::npos);
+}
+
+TEST_CASE("grey, palette, 16-bit and translucent PNGs are read as 8-bit RGBA", "[image]") {
+    CHECK(rgba_of(read_bytes(png(2, 1, 8, 0, std::string("\0\x40\xC0", 3)))) ==
+          std::vector<int>{64, 64, 64, 255, 192, 192, 192, 255});
+    CHECK(rgba_of(read_bytes(
+              png(2, 1, 1, 3, std::string("\0\x40", 2), std::string("\x01\x02\x03\x0A\x0B\x0C")))) ==
+          std::vector<int>{1, 2, 3, 255, 10, 11, 12, 255});
+    // 16 bits: 0x8080 / 257 = 128, 0xFFFF / 257 = 255, 0.
+    CHECK(rgba_of(read_bytes(png(1, 1, 16, 2, std::string("\0\x80\x80\xFF\xFF\0\0", 7)))) ==
+          std::vector<int>{128, 255, 0, 255});
+    CHECK(rgba_of(read_bytes(png(1, 1, 8, 6, std::string("\0\x0A\x14\x1E\x28", 5)))) ==
+          std::vector<int>{10, 20, 30, 40});
+}
+
+TEST_CASE("what is no PNG, or a broken one, is refused in one line", "[image][bad-input]") {
+    const std::string good = png_bytes(noise({16, 16}, 3), "{}");
+    check_refused("");
+    check_refused("PF\n1 1\n-1.0\n");
+    check_refused(good.substr(0, 8));
+    check_refused(good.substr(0, 40));
+    check_refused(good.substr(0, good.size() / 2));
+    std::string flipped = good;
+    flipped[good.size() / 2] =
+        static_cast<char>(flipped[good.size() / 2] ^ 1);  // its CRC does not hold any more
+    check_refused(flipped);
+    check_refused(png(0, 1, 8, 0, std::string(1, '\0')));
+    check_refused(png(16385, 1, 8, 0, std::string(16386, '\0')));
+    check_refused(png(1, 1, 7, 0, std::string(2, '\0')));
+    check_refused(png(4, 4, 8, 2, std::string(5, '\0')));  // fewer scanlines than claimed
+}
+
+TEST_CASE("a small PNG that claims a huge picture is refused before memory is taken for it",
+          "[image][bad-input]") {
+    const auto result = read_bytes(png(16384, 16384, 16, 6, std::string(100, '\0')));
+    REQUIRE(problem_of(result) != nullptr);
+    CHECK(problem_of(result)->what == "claims more pixels than it can hold");
+}
+
+TEST_CASE("no cut and no flipped byte of a PNG does worse than a problem", "[image][bad-input]") {
+    const std::string good = png_bytes(noise({9, 9}, 4), "{\"glint\": 1}");
+    for (std::size_t i = 0; i < good.size(); ++i) {
+        std::string broken = good;
+        broken[i] = static_cast<char>(~broken[i]);
+        const auto flipped = read_bytes(broken), cut = read_bytes(good.substr(0, i));
+        if (i < good.size() - 12)
+            CHECK(problem_of(cut) != nullptr);  // the last chunk says only that it is the last
+        if (const Picture* picture = std::get_if<Picture>(&flipped))
+            CHECK(picture->rgba.size() == std::size_t{4 * 81});
+    }
+}

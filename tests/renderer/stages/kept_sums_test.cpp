@@ -1,0 +1,110 @@
+// The sum of all lights but the one that is dragged, kept from frame to frame: it may not change a bit.
+#include <functional>
+
+#include "models/scene_file/scene_file.h"
+#include "renderer/renderer.h"
+#include "tests/support/as_fresh.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+
+namespace {
+
+constexpr PictureSize size{160, 90};
+
+Scene eight_lights() {
+    const std::string path = std::string(GLINT_SOURCE_DIR) + "/tests/bench/knot.json";
+    const Result<SceneDocument> opened = open_document(path, {{"/objects/0/mesh/detail", "60"}});
+    return std::get<SceneDocument>(opened).scene;
+}
+
+/// Draws each step by a renderer that keeps what it can, and by a new one that has nothing to keep.
+void check_same_bytes(Scene scene, const std::vector<std::function<void(Scene&)>>& steps) {
+    Renderer keeping(2);
+    for (const auto& step : steps) {
+        step(scene);
+        test::draw_as_fresh(keeping, scene, size, true);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("dragging a light over kept sums gives the bytes of lighting every light again", "[renderer]") {
+    for (const Reflection model : {Reflection::Lambert, Reflection::Phong, Reflection::BlinnPhong,
+                                   Reflection::Retro, Reflection::OrenNayar}) {
+        Scene scene = eight_lights();
+        scene.shading.reflection = model;
+        const auto move = [](std::size_t i) {
+            return [i](Scene& s) { s.lights[i].position += glm::vec4(0.3f, -0.2f, 0.1f, 0); };
+        };
+        check_same_bytes(
+            scene,
+            {[](Scene&) {}, move(0), move(0), move(0), move(7), move(7), move(5),
+             [](Scene& s) { s.lights[5].intensity = 30; }, [](Scene& s) { s.lights[5].enabled = false; },
+             [](Scene& s) { s.lights[5].enabled = true; }, [](Scene& s) { s.display.exposure = 2; }, move(5),
+             [](Scene& s) { s.objects[0].material.diffuse.x = 0.1f; }, move(5),
+             [](Scene& s) { s.camera.eye.x += 0.1f; }, move(5), move(5)});
+    }
+}
+
+TEST_CASE("a light that is carried round the object lights and leaves every part of it", "[renderer]") {
+    std::vector<std::function<void(Scene&)>> steps{[](Scene&) {}};
+    for (std::size_t light = 0; light < 8; ++light)
+        for (int step = 0; step < 6; ++step)
+            steps.emplace_back([light](Scene& s) {  // a sixth of a turn about y
+                const glm::vec4 p = s.lights[light].position;
+                s.lights[light].position = {0.5f * p.x + 0.8660254f * p.z, p.y, 0.5f * p.z - 0.8660254f * p.x,
+                                            p.w};
+            });
+    steps.emplace_back([](Scene& s) { s.display.background = {0.3f, 0, 0}, s.lights[7].position.x += 1; });
+    steps.emplace_back([](Scene& s) { s.lights[7].ambient = glm::vec3(0.2f); });
+    check_same_bytes(eight_lights(), steps);
+    Scene drawn_over = eight_lights();
+    drawn_over.npr.silhouettes = true;
+    check_same_bytes(drawn_over, steps);
+}
+
+TEST_CASE("a material that changes lights its own pixels alone, whatever changes with it", "[renderer]") {
+    Scene scene = eight_lights();
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects[1].transform.translate = {0.5f, 0.2f, 0.3f};
+    const auto redden = [](std::size_t object, float red) {
+        return [object, red](Scene& s) { s.objects[object].material.diffuse.x = red; };
+    };
+    for (const ShadingMode mode : {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong}) {
+        scene.shading.mode = mode;
+        check_same_bytes(scene, {[](Scene&) {}, redden(0, 0.1f), redden(1, 0.2f), redden(0, 0.3f),
+                                 [&](Scene& s) { redden(1, 0.4f)(s), s.display.exposure = 2; },
+                                 [&](Scene& s) { redden(0, 0.5f)(s), s.lights[0].position.x += 1; },
+                                 [&](Scene& s) { redden(1, 0.6f)(s), s.camera.eye.x += 0.1f; },
+                                 [&](Scene& s) { redden(0, 0.7f)(s), s.global_ambient = glm::vec3(0.3f); },
+                                 [](Scene& s) { s.lights[3].intensity = 1e30f; },
+                                 redden(1, 1e20f)});  // bounds what all lights may be
+    }
+}
+
+TEST_CASE("an explanation over kept sums equals its pixel to the last bit", "[renderer][explain]") {
+    Scene scene = eight_lights();
+    Renderer renderer(1);
+    for (int frame = 0; frame < 3; ++frame) {
+        scene.lights[1].position.x += 0.2f;
+        const Picture& picture = renderer.render(scene, size, true);
+        for (int y = 0; y < size.height; y += 7)
+            for (int x = 0; x < size.width; x += 7) {
+                const Explanation e = renderer.explain(x, y);
+                const std::size_t at = 3 * picture.pixel(x, y);
+                CHECK(e.sum == glm::vec3(picture.linear[at], picture.linear[at + 1], picture.linear[at + 2]));
+            }
+    }
+}
+
+TEST_CASE("lights without a bound, or too few of them, keep no sum and change no bit", "[renderer]") {
+    Scene near = eight_lights();
+    near.lights[2].falloff = {0, 0, 1};  // grows without end near the light
+    Scene few = eight_lights();
+    few.lights.resize(2);
+    for (const Scene& scene : {near, few}) {
+        const auto move = [](Scene& s) { s.lights[1].position.x += 0.3f; };
+        check_same_bytes(scene, {move, move, move});
+    }
+}

@@ -1,0 +1,366 @@
+// The picture as a whole: its explanation, its stages, and properties that no table is needed for.
+#include "renderer/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "tests/support/as_fresh.h"
+#include "tests/support/catch.h"
+#include "tests/support/scenes.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+constexpr PictureSize small{96, 72};
+
+constexpr ShadingMode modes[] = {ShadingMode::Flat, ShadingMode::Facet, ShadingMode::Gouraud,
+                                 ShadingMode::Phong};
+constexpr Reflection models[] = {Reflection::None,        Reflection::Lambert, Reflection::Phong,
+                                 Reflection::BlinnPhong,  Reflection::Retro,   Reflection::OrenNayar,
+                                 Reflection::CookTorrance};
+
+double largest_difference(const Picture& a, const Picture& b) {
+    double worst = 0;
+    for (std::size_t i = 0; i < a.linear.size(); ++i)
+        worst = std::max(worst, std::abs(static_cast<double>(a.linear[i]) - b.linear[i]));
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("the explanation of every pixel sums to the pixel, to the last bit", "[explain]") {
+    Scene scene = busy_scene();
+    Renderer renderer(2);
+    for (const Rules rules : {Rules::Lecture, Rules::OpenGL2})
+        for (const Interpolation interpolation : {Interpolation::Perspective, Interpolation::Screen})
+            for (const ShadingMode mode : modes)
+                for (const Reflection model : models) {
+                    scene.shading.mode = mode;
+                    scene.shading.reflection = model;
+                    scene.shading.interpolation = interpolation;
+                    scene.shading.rules = rules;
+                    scene.shading.two_sided = model == Reflection::Phong;
+                    scene.display.transfer = mode == ShadingMode::Flat ? Transfer::Srgb : Transfer::None;
+                    const Picture& picture = renderer.render(scene, small, true);
+                    int wrong = 0;
+                    for (int y = 0; y < small.height; ++y)
+                        for (int x = 0; x < small.width; ++x) {
+                            const Explanation e = renderer.explain(x, y);
+                            wrong += !same_bits(e.sum, picture.linear_at(x, y));
+                            for (std::size_t c = 0; c < 3; ++c)
+                                wrong += e.byte[c] != picture.rgba[4 * picture.pixel(x, y) + c];
+                        }
+                    CAPTURE(static_cast<int>(mode), static_cast<int>(model), static_cast<int>(interpolation));
+                    CHECK(wrong == 0);
+                }
+}
+
+TEST_CASE("the terms that an explanation lists add up to its sum", "[explain]") {
+    Renderer renderer(1);
+    renderer.render(busy_scene(), small, true);
+    for (int y = 0; y < small.height; y += 3)
+        for (int x = 0; x < small.width; x += 3) {
+            const Explanation e = renderer.explain(x, y);
+            if (!e.hit) continue;
+            glm::vec3 sum = e.at.emission + e.at.global_ambient;
+            for (const ExplainedLight& l : e.at.lights) sum += l.ambient + l.diffuse + l.specular;
+            for (int c = 0; c < 3; ++c) CHECK(sum[c] == Approx(e.sum[c]).epsilon(1e-5).margin(1e-6));
+        }
+}
+
+TEST_CASE("only the stages whose inputs changed are done again", "[stages]") {
+    Scene scene = busy_scene();
+    Renderer renderer(2);
+    const auto redone = [&] {
+        renderer.render(scene, small);
+        const auto& r = renderer.stats().redone;
+        std::string text;
+        for (const bool b : r) text += b ? '1' : '0';
+        return text;
+    };
+    CHECK(redone() == "1111");
+    CHECK(redone() == "0000");
+    scene.lights[1].position.x += 0.1f;
+    CHECK(redone() == "0001");
+    scene.objects[0].material.shininess = 5;
+    CHECK(redone() == "0001");
+    scene.display.exposure = 2;
+    CHECK(redone() == "0001");
+    scene.shading.reflection = Reflection::BlinnPhong;
+    CHECK(redone() == "0001");
+    scene.shading.mode = ShadingMode::Gouraud;
+    CHECK(redone() == "0011");
+    scene.objects[0].normals.source = NormalSource::Facet;
+    CHECK(redone() == "0011");
+    scene.shading.cull = Cull::Back;
+    CHECK(redone() == "0111");
+    scene.camera.eye.x += 0.1f;
+    CHECK(redone() == "1111");
+    scene.objects[1].transform.translate.y += 0.1f;
+    CHECK(redone() == "1111");
+}
+
+TEST_CASE("a picture drawn after changes is the picture drawn from scratch", "[stages]") {
+    // Whatever was kept must not show: a walk through random changes against a fresh renderer each time.
+    std::mt19937 random(23);
+    Scene scene = busy_scene();
+    Renderer kept(2);
+    for (int step = 0; step < 60; ++step) {
+        switch (random() % 9) {
+        case 0:
+            scene.lights[random() % 4].position.y = uniform(random, -1, 3);
+            break;
+        case 1:
+            scene.objects[random() % 2].material.diffuse = uniform_vec3(random, 0, 1);
+            break;
+        case 2:
+            scene.shading.mode = modes[random() % 4];
+            break;
+        case 3:
+            scene.shading.reflection = models[random() % 7];
+            break;
+        case 4:
+            scene.camera.eye.x = uniform(random, -2, 2);
+            break;
+        case 5:
+            scene.objects[1].transform.rotate_deg.y = uniform(random, 0, 360);
+            break;
+        case 6:
+            scene.shading.cull = random() % 2 ? Cull::Back : Cull::None;
+            break;
+        case 7:
+            scene.display.background = uniform_vec3(random, 0, 1);
+            break;
+        case 8:
+            scene.lights[random() % 4].enabled = random() % 2;
+            break;
+        }
+        draw_as_fresh(kept, scene, small, random() % 2);
+    }
+}
+
+TEST_CASE("the picture has the same bytes for every number of threads", "[threads]") {
+    for (const ShadingMode mode : modes) {
+        Scene scene = busy_scene();
+        scene.shading.mode = mode;
+        Renderer one(1), two(2), seven(7);
+        const Picture& a = one.render(scene, {211, 133}, true);
+        CHECK(a.rgba == two.render(scene, {211, 133}, true).rgba);
+        CHECK(a.linear == seven.render(scene, {211, 133}, true).linear);
+    }
+}
+
+TEST_CASE("the picture is linear in each light", "[property]") {
+    // picture(A and B) = picture(A) + picture(B) - picture(neither), and doubling intensity doubles the
+    // share.
+    for (const Reflection model : {Reflection::Lambert, Reflection::Phong, Reflection::CookTorrance}) {
+        Scene scene = busy_scene();
+        scene.shading.reflection = model;
+        scene.display.background = {0, 0, 0};
+        Renderer renderer(2);
+        const auto draw = [&](std::uint32_t which, float intensity) {
+            Scene s = scene;
+            for (std::uint32_t i = 0; i < 4; ++i) {
+                s.lights[i].enabled = which >> i & 1u;
+                s.lights[i].intensity *= intensity;
+            }
+            return renderer.render(s, small, true);
+        };
+        const Picture none = draw(0, 1), all = draw(15, 1);
+        Picture sum = none;
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const Picture one = draw(1u << i, 1), twice = draw(1u << i, 2);
+            for (std::size_t k = 0; k < sum.linear.size(); ++k) {
+                const float share = one.linear[k] - none.linear[k];
+                sum.linear[k] += share;
+                CHECK(twice.linear[k] - none.linear[k] == Approx(2 * share).margin(1e-5));
+            }
+        }
+        CHECK(largest_difference(sum, all) < 1e-5);
+    }
+}
+
+TEST_CASE("no colour is negative or not a number", "[property]") {
+    std::mt19937 random(41);
+    Renderer renderer(2);
+    for (int round = 0; round < 40; ++round) {
+        Scene scene = busy_scene();
+        for (Light& l : scene.lights) {
+            const float w = l.position.w;
+            l.position = glm::vec4(uniform_vec3(random, -3, 3), w);
+            l.falloff = {uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1)};
+        }
+        for (Object& o : scene.objects) {
+            o.material.shininess = uniform(random, 0, 10000);
+            o.material.roughness = uniform(random, 0, 1);
+        }
+        scene.shading.mode = modes[random() % 4];
+        scene.shading.reflection = models[random() % 7];
+        const Picture& p = renderer.render(scene, small, true);
+        CHECK(std::all_of(p.linear.begin(), p.linear.end(),
+                          [](float c) { return c >= 0 && std::isfinite(c); }));
+    }
+}
+
+TEST_CASE("turning the whole world with its camera changes nothing beyond rounding", "[property]") {
+    const Scene scene = busy_scene();
+    Scene turned = scene;
+    // A quarter turn about y, exact in floating point: (x, y, z) -> (z, y, -x).
+    const auto turn = [](auto v) {
+        auto r = v;
+        r.x = v.z;
+        r.z = -v.x;
+        return r;
+    };
+    turned.camera.eye = turn(scene.camera.eye);
+    turned.camera.target = turn(scene.camera.target);
+    for (Light& l : turned.lights) {
+        if (l.space == LightSpace::Camera) continue;
+        l.position = turn(l.position);
+        l.spot.direction = turn(l.spot.direction);
+        l.area.edge_u = turn(l.area.edge_u);
+        l.area.edge_v = turn(l.area.edge_v);
+    }
+    // The objects turn about the world's axis: bake each one's turn into its mesh.
+    for (Object& o : turned.objects) {
+        Mesh mesh = *o.mesh;
+        const glm::dmat4 m = world_from_object(o.transform);
+        const glm::dmat3 n = glm::transpose(glm::inverse(glm::dmat3(m)));
+        for (glm::vec3& p : mesh.positions) p = turn(glm::vec3(m * glm::dvec4(glm::dvec3(p), 1)));
+        for (glm::vec3& v : mesh.normals) v = turn(glm::normalize(glm::vec3(n * glm::dvec3(v))));
+        if (glm::determinant(glm::dmat3(m)) < 0)  // keep facets outward
+            for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+                const auto begin = static_cast<std::ptrdiff_t>(mesh.first_corner[f]);
+                const auto end = static_cast<std::ptrdiff_t>(mesh.first_corner[f + 1]);
+                std::reverse(mesh.corner_position.begin() + begin, mesh.corner_position.begin() + end);
+                if (!mesh.corner_normal.empty())
+                    std::reverse(mesh.corner_normal.begin() + begin, mesh.corner_normal.begin() + end);
+            }
+        mesh.triangles.clear();
+        finish_mesh(mesh);
+        o.mesh = std::make_shared<const Mesh>(std::move(mesh));
+        o.transform = {};
+    }
+    Renderer a(2), b(2);
+    const Picture before = a.render(scene, small, true), after = b.render(turned, small, true);
+    int different = 0;
+    for (std::size_t i = 0; i < before.linear.size(); i += 3) {
+        double d = 0;
+        for (std::size_t c = 0; c < 3; ++c)
+            d = std::max(d, std::abs(static_cast<double>(before.linear[i + c]) - after.linear[i + c]));
+        different += d > 2e-4;
+    }
+    CHECK(different < small.width * small.height / 200);  // a sample on an edge may change sides
+}
+
+TEST_CASE("the order of faces changes nothing", "[property]") {
+    Scene scene = busy_scene();
+    Scene shuffled = scene;
+    std::mt19937 random(29);
+    for (Object& o : shuffled.objects) {
+        const Mesh& from = *o.mesh;
+        Mesh to = from;
+        std::vector<std::size_t> order(from.face_count());
+        for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+        for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+        to.corner_position.clear();
+        to.corner_normal.clear();
+        to.first_corner = {0};
+        for (const std::size_t f : order) {
+            for (std::uint32_t c = from.first_corner[f]; c < from.first_corner[f + 1]; ++c) {
+                to.corner_position.push_back(from.corner_position[c]);
+                if (!from.corner_normal.empty()) to.corner_normal.push_back(from.corner_normal[c]);
+            }
+            to.first_corner.push_back(static_cast<std::uint32_t>(to.corner_position.size()));
+        }
+        to.triangles.clear();
+        finish_mesh(to);
+        o.mesh = std::make_shared<const Mesh>(std::move(to));
+    }
+    for (const ShadingMode mode : modes) {
+        scene.shading.mode = shuffled.shading.mode = mode;
+        Renderer a(2), b(2);
+        CHECK(a.render(scene, small, true).linear == b.render(shuffled, small, true).linear);
+    }
+}
+
+TEST_CASE("ambient light alone gives a flat silhouette", "[lecture]") {
+    Scene scene = busy_scene();
+    scene.lights.clear();
+    scene.objects.pop_back();
+    scene.global_ambient = {0.5f, 0.25f, 1};
+    Renderer renderer(1);
+    const Picture& p = renderer.render(scene, small, true);
+    const glm::vec3 expected = scene.objects[0].material.ambient * scene.global_ambient;
+    int seen = 0;
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x)
+            if (renderer.object_at(x, y) == 0) {
+                ++seen;
+                CHECK(p.linear_at(x, y) == expected);
+            }
+    CHECK(seen > 300);
+}
+
+TEST_CASE("evaluations are pixels, corners or faces times lights", "[lecture][cost]") {
+    Scene scene;
+    scene.objects.push_back(object_of(primitive(Primitive::Plane, 4)));
+    scene.objects[0].transform.rotate_deg.x = 90;  // faces the camera
+    scene.lights = {Light{}, Light{}, Light{}};
+    scene.lights[2].enabled = false;
+    Renderer renderer(1);
+    const auto count = [&](ShadingMode mode) {
+        scene.shading.mode = mode;
+        renderer.render(scene, {200, 200});
+        return renderer.stats().evaluations;
+    };
+    CHECK(count(ShadingMode::Flat) == 16 * 2);
+    CHECK(count(ShadingMode::Gouraud) == 25 * 2);
+    CHECK(count(ShadingMode::Phong) == renderer.stats().shaded_pixels * 2);
+    CHECK(count(ShadingMode::Facet) == renderer.stats().shaded_pixels * 2);
+}
+
+TEST_CASE("Gouraud tends to Phong as the tessellation grows", "[lecture][convergence]") {
+    const auto error = [](int detail) {
+        Scene scene;
+        scene.objects.push_back(object_of(primitive(Primitive::Sphere, detail)));
+        scene.lights = assorted_lights();
+        Renderer a(2), b(2);
+        const Picture phong = a.render(scene, small, true);
+        scene.shading.mode = ShadingMode::Gouraud;
+        const Picture& gouraud = b.render(scene, small, true);
+        double sum = 0;
+        for (std::size_t i = 0; i < phong.linear.size(); ++i)
+            sum += std::abs(static_cast<double>(phong.linear[i]) - gouraud.linear[i]);
+        return sum / static_cast<double>(phong.linear.size());
+    };
+    const double coarse = error(24), middle = error(48), fine = error(96);
+    CHECK(middle < coarse / 2);
+    CHECK(fine < middle / 2);
+}
+
+TEST_CASE("vertex colours are interpolated without lighting, and their mean is a polygon's under flat",
+          "[none]") {
+    auto mesh = std::make_shared<Mesh>(
+        *polygon_mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2, 3}}));
+    mesh->colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+    Scene scene;
+    scene.objects.push_back(object_of(mesh));
+    scene.shading.reflection = Reflection::None;
+    scene.camera.projection = Orthographic{2, 0.1f, 100};
+    Renderer renderer(1);
+    const glm::vec3 phong = renderer.render(scene, {101, 101}, true).linear_at(50, 50);
+    CHECK(phong.x == Approx(0.5f).margin(1e-5));  // the middle of the diagonal from corner 0 to corner 2
+    CHECK(phong.y == Approx(0).margin(1e-5));
+    scene.shading.mode = ShadingMode::Flat;
+    const glm::vec3 flat = renderer.render(scene, {101, 101}, true).linear_at(10, 50);
+    CHECK(flat.x == Approx(0.5f));
+    CHECK(flat.y == Approx(0.5f));
+    scene.shading.flat_point = FlatPoint::Provoking;  // triangles (0, 1, 2) and (0, 2, 3)
+    CHECK(renderer.render(scene, {101, 101}, true).linear_at(80, 60) == glm::vec3(0, 0, 1));
+    CHECK(renderer.render(scene, {101, 101}, true).linear_at(20, 40) == glm::vec3(1, 1, 1));
+}

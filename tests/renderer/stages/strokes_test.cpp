@@ -1,0 +1,371 @@
+// Strokes in the picture: which pixels, how much of each, what hides them, and what redraws them.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "renderer/renderer.h"
+#include "renderer/strokes/stroke_coverage.h"
+#include "tests/support/as_fresh.h"
+#include "tests/support/catch.h"
+#include "tests/support/scenes.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+constexpr PictureSize small{96, 72};
+
+/// An orthographic camera for which one scene unit is one pixel of a 32 x 32 picture; (0, 0) is its middle.
+Scene pixel_scene() {
+    Scene scene;
+    scene.camera.projection = Orthographic{32, 0.1f, 100};
+    scene.display.background = {0.2f, 0.4f, 0.6f};
+    scene.global_ambient = {1, 1, 1};
+    scene.npr.silhouettes = true;
+    scene.npr.stroke = {0.9f, 0.1f, 0.5f};
+    return scene;
+}
+
+Object quad(float x0, float y0, float x1, float y1, float z) {
+    Object o = object_of(polygon_mesh({{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}}, {{0, 1, 2, 3}}));
+    o.material.ambient = {0.5f, 0.25f, 0.125f};
+    return o;
+}
+
+float coverage(const Renderer& renderer, int x, int y) { return renderer.explain(x, y).stroke.coverage; }
+
+float largest_coverage(const Renderer& renderer, glm::vec2 place, float reach) {
+    float largest = 0;
+    const PictureSize size = small;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            if (glm::distance(glm::vec2(x, y) + 0.5f, place) <= reach)
+                largest = std::max(largest, coverage(renderer, x, y));
+    return largest;
+}
+
+glm::vec2 on_screen(const Camera& camera, PictureSize size, glm::vec3 world) {
+    const glm::dvec4 c =
+        clip_from_view(camera.projection, size) * view_from_world(camera) * glm::dvec4(glm::dvec3(world), 1);
+    return {(c.x / c.w + 1) / 2 * size.width, (1 - c.y / c.w) / 2 * size.height};
+}
+
+float distance_to_segment(glm::vec2 p, glm::vec2 a, glm::vec2 b) {
+    const float t = std::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0f, 1.0f);
+    return glm::distance(p, a + t * (b - a));
+}
+
+Scene stroked_busy_scene() {
+    Scene scene = busy_scene();
+    scene.npr.silhouettes = scene.npr.creases = true;
+    scene.npr.stroke = {0.1f, 0.7f, 0.3f};
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a stroke covers of a pixel what a band of its width has in common with it", "[strokes]") {
+    CHECK(stroke_share(0, 2) == 1);
+    CHECK(stroke_share(0.5f, 2) == 1);
+    CHECK(stroke_share(1, 2) == 0.5f);
+    CHECK(stroke_share(1.25f, 2) == 0.25f);
+    CHECK(stroke_share(1.5f, 2) == 0);
+    CHECK(stroke_share(9, 2) == 0);
+    CHECK(stroke_share(0, 0.5f) == 0.5f);      // thinner than a pixel and within it
+    CHECK(stroke_share(0.5f, 0.5f) == 0.25f);  // half of it in this pixel
+    CHECK(stroke_share(0, 0) == 0);
+}
+
+TEST_CASE("a horizontal edge covers the right rows by the right shares", "[strokes]") {
+    Scene scene = pixel_scene();
+    Renderer renderer(1);
+    const auto rows = [&](float edge_y, float width, std::vector<float> expected, int first) {
+        // The quad's upper edge lies at row 16 - edge_y of the picture; its other edges far away.
+        scene.objects = {quad(-40, -40, 40, edge_y, 0)};
+        scene.npr.stroke_width_px = width;
+        const Picture& p = renderer.render(scene, {32, 32}, true);
+        for (int i = 0; i < static_cast<int>(expected.size()); ++i) {
+            const float c = expected[static_cast<std::size_t>(i)];
+            const int y = first + i;
+            CAPTURE(edge_y, width, y);
+            CHECK(coverage(renderer, 10, y) == Approx(c).margin(1e-5));
+            const glm::vec3 shaded =
+                renderer.object_at(10, y) == 0 ? scene.objects[0].material.ambient : scene.display.background;
+            const glm::vec3 sum = (1 - c) * shaded + c * scene.npr.stroke;
+            for (int k = 0; k < 3; ++k) CHECK(p.linear_at(10, y)[k] == Approx(sum[k]).margin(1e-5));
+        }
+    };
+    rows(8, 2, {0, 0, 1, 1, 0, 0}, 5);  // between rows 7 and 8
+    rows(8.25f, 2, {0, 0.25f, 1, 0.75f, 0}, 5);
+    rows(8, 1, {0, 0.5f, 0.5f, 0}, 6);
+    rows(8.5f, 1, {0, 1, 0}, 6);
+    rows(8, 0.5f, {0, 0.25f, 0.25f, 0}, 6);
+    rows(8, 5, {0, 0.5f, 1, 1, 1, 1, 0.5f, 0}, 4);
+}
+
+TEST_CASE("strokes are blended in linear light, before exposure and transfer", "[strokes]") {
+    Scene scene = pixel_scene();
+    scene.objects = {quad(-40, -40, 40, 8.25f, 0)};
+    scene.display.transfer = Transfer::Srgb;
+    scene.display.exposure = 0.5f;
+    Renderer renderer(1);
+    const Picture& p = renderer.render(scene, {32, 32});
+    // Row 6: 3/4 background + 1/4 stroke = (.375, .325, .575), exposed (.1875, .1625, .2875); encoded by
+    // 1.055 x^(1/2.4) - 0.055 and times 255: 119.96, 112.13, 146.05.
+    const std::uint8_t* pixel = &p.rgba[4 * p.pixel(10, 6)];
+    CHECK(static_cast<int>(pixel[0]) == 120);
+    CHECK(static_cast<int>(pixel[1]) == 112);
+    CHECK(static_cast<int>(pixel[2]) == 146);
+}
+
+TEST_CASE("of a cube exactly the edges of the faces towards the eye are drawn", "[strokes][property]") {
+    std::mt19937 random(11);
+    for (int round = 0; round < 30; ++round) {
+        Scene scene;
+        scene.objects = {object_of(primitive(Primitive::Cube, 1))};
+        scene.camera.eye = 4.5f * glm::normalize(uniform_vec3(random, -1, 1));
+        if (round % 3 == 0) scene.camera.projection = Orthographic{4, 0.1f, 100};
+        scene.npr.silhouettes = scene.npr.creases = true;
+        Renderer renderer(1);
+        renderer.render(scene, small);
+        const glm::vec3 eye = scene.camera.eye;
+        const bool parallel = is_orthographic(scene.camera.projection);
+        std::vector<std::array<glm::vec2, 2>> shown, hidden;
+        for (int axis = 0; axis < 3; ++axis)
+            for (int corner = 0; corner < 4; ++corner) {
+                const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+                glm::vec3 a;
+                a[axis] = -1;
+                a[u] = corner & 1 ? 1.0f : -1.0f;
+                a[v] = corner & 2 ? 1.0f : -1.0f;
+                glm::vec3 b = a;
+                b[axis] = 1;
+                const float limit =
+                    parallel ? 0 : 1;  // a face looks at the eye when the eye is beyond its plane
+                const bool seen = eye[u] * a[u] > limit || eye[v] * a[v] > limit;
+                (seen ? shown : hidden)
+                    .push_back({on_screen(scene.camera, small, a), on_screen(scene.camera, small, b)});
+            }
+        for (const auto& e : shown)
+            for (const float t : {0.0f, 0.2f, 0.4f, 0.5f, 0.7f, 0.9f, 1.0f}) {
+                CAPTURE(round, t);
+                CHECK(largest_coverage(renderer, e[0] + t * (e[1] - e[0]), 1) > 0.7f);
+            }
+        for (int y = 0; y < small.height; ++y)
+            for (int x = 0; x < small.width; ++x) {
+                const glm::vec2 at = glm::vec2(x, y) + 0.5f;
+                float nearest = 1e9f;
+                for (const auto& e : shown) nearest = std::min(nearest, distance_to_segment(at, e[0], e[1]));
+                CAPTURE(round, x, y);
+                CHECK(coverage(renderer, x, y) == Approx(stroke_share(nearest, 2)).margin(0.03));
+            }
+    }
+}
+
+TEST_CASE("edges behind a surface are not drawn, edges before it are", "[strokes]") {
+    Scene scene = pixel_scene();
+    scene.npr.creases = true;
+    Object cube = object_of(primitive(Primitive::Cube, 1));
+    cube.transform.scale = {6, 6, 6};
+    cube.transform.rotate_deg = {30, 40, 0};
+    scene.objects = {cube, quad(-40, -40, 40, 40, 15)};
+    scene.camera.eye.z = 50;
+    Renderer renderer(1);
+    const auto stroked_pixels = [&](float z) {
+        scene.objects[1] = quad(-40, -40, 40, 40, z);
+        renderer.render(scene, {32, 32});
+        int count = 0;
+        for (int y = 0; y < 32; ++y)
+            for (int x = 0; x < 32; ++x) count += coverage(renderer, x, y) > 0;
+        return count;
+    };
+    CHECK(stroked_pixels(15) == 0);
+    CHECK(stroked_pixels(-15) > 150);
+}
+
+TEST_CASE("the outline of a fine sphere has no gap, and nothing shines through it", "[strokes]") {
+    // Triangles much smaller than a pixel, and a second sphere behind the first.
+    for (const int detail : {12, 48, 400}) {
+        Scene scene;
+        Object ball = object_of(primitive(Primitive::Sphere, detail));
+        Object behind = object_of(primitive(Primitive::Cube, 8));
+        behind.transform = {{0, 0, -2}, {10, 20, 30}, {0.4f, 0.4f, 0.4f}};
+        scene.objects = {ball, behind};
+        scene.npr.silhouettes = scene.npr.creases = true;
+        scene.npr.crease_deg = 60;
+        Renderer renderer(2);
+        renderer.render(scene, small);
+        // The cone of rays that touch a unit sphere at distance 5: tan = 1/sqrt(24), in pixels:
+        const double radius = 1 / std::sqrt(24.0) / std::tan(22.5 * 0.017453292519943295) * small.height / 2;
+        const double flat = radius * (1 - std::cos(3.141592653589793 / detail));  // what the polygon cuts off
+        for (int i = 0; i < 720; ++i) {
+            const double angle = i * 3.141592653589793 / 360;
+            const glm::vec2 out(std::cos(angle), std::sin(angle));
+            const glm::vec2 middle(small.width / 2.0f, small.height / 2.0f);
+            CAPTURE(detail, i);
+            CHECK(largest_coverage(renderer, middle + static_cast<float>(radius - flat / 2) * out,
+                                   1.0f + static_cast<float>(flat / 2)) > 0.8f);
+        }
+        for (int y = 0; y < small.height; ++y)
+            for (int x = 0; x < small.width; ++x) {
+                const double r = std::hypot(x + 0.5 - small.width / 2.0, y + 0.5 - small.height / 2.0);
+                CAPTURE(detail, x, y);
+                if (r < radius - 2 * flat - 2 || r > radius + 2) CHECK(coverage(renderer, x, y) == 0);
+            }
+    }
+}
+
+TEST_CASE("a stroke does not spill over another object in front of it", "[strokes]") {
+    Scene scene = pixel_scene();
+    scene.npr.silhouettes = false;
+    scene.npr.creases = true;
+    scene.npr.stroke_width_px = 8;
+    Object box = object_of(primitive(Primitive::Cube, 1)), ball = object_of(primitive(Primitive::Sphere, 64));
+    box.transform = {{-8, 0, -20}, {0, 0, 0}, {8, 8, 8}};   // its right side is column 16
+    ball.transform = {{13, 0, 0}, {0, 0, 0}, {12, 12, 2}};  // from column 17 on, without a crease
+    scene.objects = {box, ball};
+    scene.camera.eye.z = 50;
+    Renderer renderer(1);
+    renderer.render(scene, {32, 32});
+    CHECK(coverage(renderer, 13, 16) == 1);
+    CHECK(coverage(renderer, 16, 16) == 1);
+    CHECK(renderer.object_at(18, 16) == 1);
+    CHECK(coverage(renderer, 18, 16) == 0);
+    scene.objects[1].transform.translate.z = -60;  // now it is behind
+    renderer.render(scene, {32, 32});
+    CHECK(coverage(renderer, 18, 16) == 1);
+}
+
+TEST_CASE("with strokes every explanation still sums to its pixel", "[strokes][explain]") {
+    Scene scene = stroked_busy_scene();
+    Renderer renderer(2);
+    for (const ShadingMode mode : {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong})
+        for (const bool tone : {false, true}) {
+            scene.shading.mode = mode;
+            scene.npr.cool_to_warm = tone;
+            const Picture& picture = renderer.render(scene, small, true);
+            int wrong = 0, on_surface = 0, on_background = 0;
+            for (int y = 0; y < small.height; ++y)
+                for (int x = 0; x < small.width; ++x) {
+                    const Explanation e = renderer.explain(x, y);
+                    const glm::vec3 pixel = picture.linear_at(x, y);
+                    wrong += e.sum != pixel;
+                    for (std::size_t c = 0; c < 3; ++c)
+                        wrong += e.byte[c] != picture.rgba[4 * picture.pixel(x, y) + c];
+                    const ExplainedStroke& s = e.stroke;
+                    (e.hit ? on_surface : on_background) += s.coverage > 0;
+                    const glm::vec3 sum = (1 - s.coverage) * s.shaded + s.coverage * s.color;
+                    CHECK(glm::distance(sum, e.sum) < 1e-6f);
+                }
+            CHECK(wrong == 0);
+            CHECK(on_surface > 100);
+            CHECK(on_background > 50);
+        }
+}
+
+TEST_CASE("strokes have the same bytes for every number of threads and samples stay blended", "[strokes]") {
+    for (const int samples : {1, 4}) {
+        const Scene scene = stroked_busy_scene();
+        Renderer one(1), two(2), seven(7);
+        const Picture& a = one.render(scene, {211, 133}, true, samples);
+        CHECK(a.rgba == two.render(scene, {211, 133}, true, samples).rgba);
+        CHECK(a.linear == seven.render(scene, {211, 133}, true, samples).linear);
+        Scene black = scene;
+        black.npr.stroke = {0, 0, 0};
+        Renderer other(2);
+        const Picture& b = other.render(black, {211, 133}, true, samples);
+        int stroked = 0;
+        for (std::size_t i = 0; i < a.linear.size(); ++i) stroked += a.linear[i] != b.linear[i];
+        CHECK(stroked > 3000);
+    }
+}
+
+TEST_CASE("strokes are drawn again only when what they are made of changes", "[strokes][stages]") {
+    Scene scene = stroked_busy_scene();
+    Renderer renderer(2);
+    const auto redone = [&] {
+        draw_as_fresh(renderer, scene, small);
+        return renderer.stats().strokes_redone;
+    };
+    CHECK(redone());
+    CHECK_FALSE(redone());
+    scene.lights[0].position.x += 1;
+    CHECK_FALSE(redone());
+    scene.objects[0].material.diffuse = {0, 1, 0};
+    CHECK_FALSE(redone());
+    scene.shading.mode = ShadingMode::Gouraud;
+    CHECK_FALSE(redone());
+    scene.npr.stroke = {1, 0, 0};
+    CHECK_FALSE(redone());
+    scene.npr.stroke_width_px = 3;
+    CHECK(redone());
+    scene.npr.crease_deg = 20;
+    CHECK(redone());
+    scene.npr.silhouettes = false;
+    CHECK(redone());
+    scene.camera.eye.x += 0.1f;
+    CHECK(redone());
+    scene.npr.creases = false;
+    CHECK(redone());
+    scene.camera.eye.x += 0.1f;
+    CHECK_FALSE(redone());
+}
+
+TEST_CASE("a stroked picture drawn after changes is the one drawn from scratch", "[strokes][stages]") {
+    std::mt19937 random(31);
+    Scene scene = stroked_busy_scene();
+    Renderer kept(2);
+    for (int step = 0; step < 60; ++step) {
+        switch (random() % 10) {
+        case 0:
+            scene.npr.silhouettes = random() % 2;
+            break;
+        case 1:
+            scene.npr.creases = random() % 2;
+            break;
+        case 2:
+            scene.npr.crease_deg = uniform(random, 0, 100);
+            break;
+        case 3:
+            scene.npr.stroke = uniform_vec3(random, 0, 1);
+            break;
+        case 4:
+            scene.npr.stroke_width_px = uniform(random, 0, 5);
+            break;
+        case 5:
+            scene.objects[1].transform.rotate_deg.y = uniform(random, 0, 360);
+            break;
+        case 6:
+            scene.objects[0].mesh = primitive(Primitive::Torus, 3 + static_cast<int>(random() % 20));
+            break;
+        case 7:
+            scene.lights[1].position.x = uniform(random, -2, 2);
+            break;
+        case 8:
+            scene.display.background = uniform_vec3(random, 0, 1);
+            break;
+        case 9:
+            scene.shading.cull = random() % 2 ? Cull::Back : Cull::None;
+            break;
+        }
+        draw_as_fresh(kept, scene, small, true, random() % 3 ? 1 : 4);
+    }
+}
+
+TEST_CASE("edges through the eye, giant strokes and strokes without width do no harm", "[strokes][hostile]") {
+    Scene scene = stroked_busy_scene();
+    scene.camera.eye = {0.9f, -0.1f, 0.3f};  // inside the box
+    scene.objects.push_back(object_of(primitive(Primitive::Plane, 1)));
+    scene.objects[2].transform = {{0.9f, -0.1001f, 0}, {0, 0, 0}, {1e6f, 1, 1e6f}};
+    for (const float width : {0.0f, 1e-30f, 2.0f, 1e30f}) {
+        scene.npr.stroke_width_px = width;
+        Renderer renderer(2);
+        const Picture& p = renderer.render(scene, small, true);
+        CHECK(std::all_of(p.linear.begin(), p.linear.end(), [](float c) { return std::isfinite(c); }));
+        const Warnings& w = renderer.warnings();
+        CHECK(std::any_of(w.begin(), w.end(), [](const std::string& text) {
+                  return text == "a stroke wider than 100 pixels is drawn 100 pixels wide";
+              }) == (width > 100));
+    }
+}

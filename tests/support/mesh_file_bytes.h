@@ -1,0 +1,120 @@
+#pragma once
+// Mesh files in memory, for tests.
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "models/mesh_formats/mesh_file.h"
+#include "tests/support/catch.h"
+
+namespace glint::test {
+
+/// The mesh in `bytes`; fails the test with its one line when there is none.
+inline Mesh read_text(const std::string& name, const std::string& bytes) {
+    Result<Mesh> result = parse_mesh(bytes, name);
+    if (const Problem* problem = problem_of(result)) FAIL(problem->text());
+    return std::get<Mesh>(std::move(result));
+}
+
+/// The one line about `bytes`; empty when they are read.
+inline std::string error_of(const std::string& name, const std::string& bytes) {
+    const Result<Mesh> result = parse_mesh(bytes, name);
+    const Problem* problem = problem_of(result);
+    return problem == nullptr ? "" : problem->text();
+}
+
+struct Malformed {
+    std::string name, bytes, error;  // the error after the name
+};
+inline void check_all(const std::vector<Malformed>& table) {
+    for (const Malformed& m : table) {
+        INFO(m.bytes);
+        CHECK(error_of(m.name, m.bytes) == m.name + m.error);
+    }
+}
+
+/// The bytes of numbers, one after the other; little-endian, or big.
+class Bytes {
+  public:
+    explicit Bytes(std::string head = {}, bool big = false) : bytes_(std::move(head)), big_(big) {}
+    template <class T> Bytes& add(std::initializer_list<T> numbers) {
+        for (const T number : numbers) {
+            char raw[sizeof(T)];
+            std::memcpy(raw, &number, sizeof(T));  // of a little-endian machine
+            if (big_) std::reverse(raw, raw + sizeof(T));
+            bytes_.append(raw, sizeof(T));
+        }
+        return *this;
+    }
+    Bytes& f32(std::initializer_list<float> n) { return add(n); }
+    Bytes& u8(std::initializer_list<std::uint8_t> n) { return add(n); }
+    Bytes& u16(std::initializer_list<std::uint16_t> n) { return add(n); }
+    Bytes& u32(std::initializer_list<std::uint32_t> n) { return add(n); }
+    [[nodiscard]] const std::string& str() const { return bytes_; }
+
+  private:
+    std::string bytes_;
+    bool big_;
+};
+
+/// A binary STL of two facets of a square in z = 0 that promises `count` of them.
+inline std::string binary_stl(std::uint32_t count = 2, float first_x = 0) {
+    return Bytes(std::string(80, ' '))
+        .u32({count})
+        .f32({0, 0, 1, first_x, 0, 0, 1, 0, 0, 1, 1, 0})
+        .u16({0})
+        .f32({0, 0, 1, -0.f, 0, 0, 1, 1, 0, 0, 1, 0})
+        .u16({0})
+        .str();
+}
+
+/// A PLY of a square with normals and colours, in either byte order.
+inline std::string binary_ply(bool big) {
+    Bytes bytes(
+        std::string("ply\nformat binary_") + (big ? "big" : "little") +
+            "_endian 1.0\nelement vertex 4\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+            "property double x\nproperty float z\nproperty short y\nproperty list uchar int skipped\n"
+            "property float nx\nproperty float ny\nproperty float nz\nelement extra 1\n"
+            "property list uint double values\nelement face 1\nproperty uchar flag\n"
+            "property list ushort uint vertex_index\nend_header\n",
+        big);
+    for (int i = 0; i < 4; ++i) {
+        bytes.u8({255, 0, 51}).add<double>({i == 1 || i == 2 ? 1.0 : 0.0}).f32({0.5f});
+        bytes.add<std::int16_t>({static_cast<std::int16_t>(i >= 2 ? 1 : 0)}).u8({1}).u32({7}).f32({0, 0, 2});
+    }
+    bytes.u32({2}).add<double>({1, 2}).u8({9}).u16({4}).u32({0, 1, 2, 3});
+    return bytes.str();
+}
+
+/// An OM of version 1.2: a square by vertex indices.
+inline std::string old_om(std::uint8_t last_index = 3, std::uint32_t vertices = 4) {
+    return Bytes("OMP\x22")
+        .u32({vertices, 1, 4})
+        .u16({0x1600})
+        .f32({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0})
+        .u16({0x00E8})
+        .u16({4})
+        .u8({0, 1, 2, last_index})
+        .u16({0x001C})
+        .str();
+}
+
+/// An OM of version 2.2: one triangle by its half-edges. `next` follows half-edge 0, `face` is the face's.
+inline std::string om(std::uint8_t next = 2, std::uint8_t face = 0) {
+    return Bytes("OMP\x42")
+        .u32({3, 1, 3})
+        .u16({0x1600})
+        .f32({0, 0, 0, 1, 0, 0, 0, 1, 0})
+        .u16({0x16F8})  // next, to vertex, face of both half-edges of each edge
+        .u8({next, 1, 0, 5, 0, 255, 4, 2, 0, 1, 1, 255, 0, 0, 0, 3, 2, 255})
+        .u16({0x06E8})
+        .u8({face})
+        .u16({0x001C})
+        .str();
+}
+
+}  // namespace glint::test

@@ -1,0 +1,150 @@
+// Scenes that move, and their frames as files.
+#include "ui/export/animate.h"
+
+#include <gif_lib.h>
+
+#include <glm/geometric.hpp>
+
+#include "models/fields/scene_numbers.h"
+#include "renderer/image/image_file.h"
+#include "renderer/image/image_gif.h"
+#include "renderer/renderer.h"
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+#include "tests/support/scenes.h"
+#include "tests/support/ui_bench.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+SceneDocument busy_document() {
+    SceneDocument document;
+    document.scene = test::busy_scene();
+    document.scene.objects[0].source = PrimitiveMesh{Primitive::Sphere, 12};
+    document.scene.objects[1].source = PrimitiveMesh{Primitive::Cube, 2};
+    return document;
+}
+
+Scene at(const SceneDocument& document, const Animation& animation, int frame) {
+    auto scene = scene_at(document, animation, frame);
+    REQUIRE(problem_of(scene) == nullptr);
+    return std::get<Scene>(std::move(scene));
+}
+
+}  // namespace
+
+TEST_CASE("a turntable goes once round, at one distance and height, and begins with the scene itself",
+          "[ui][animate]") {
+    const SceneDocument document = busy_document();
+    const Animation animation{Motion::Turntable, "", 0, 1, 36};
+    CHECK(at(document, animation, 0) == document.scene);
+    CHECK(at(document, animation, 36) == document.scene);
+    const Camera& start = document.scene.camera;
+    for (int frame = 1; frame < 36; ++frame) {
+        const Camera camera = at(document, animation, frame).camera;
+        CHECK(glm::distance(camera.eye, camera.target) == Approx(glm::distance(start.eye, start.target)));
+        CHECK(camera.eye.y == Approx(start.eye.y));
+    }
+    // A quarter counter-clockwise seen from above takes (x, z) to (z, -x).
+    const glm::vec3 quarter = at(document, animation, 9).camera.eye;
+    CHECK(quarter.x == Approx(start.eye.z));
+    CHECK(quarter.z == Approx(-start.eye.x));
+}
+
+TEST_CASE("a number goes evenly to the other end and back", "[ui][animate]") {
+    const SceneDocument document = busy_document();
+    const Animation animation{Motion::PingPong, "/objects/0/material/shininess", 10, 50, 8};
+    const float expected[] = {10, 20, 30, 40, 50, 40, 30, 20, 10};
+    for (int frame = 0; frame < 9; ++frame)
+        CHECK(at(document, animation, frame).objects[0].material.shininess == expected[frame]);
+    CHECK(at(document, animation, -1).objects[0].material.shininess == 20);
+    const Animation detail{Motion::PingPong, "/objects/0/mesh/detail", 3, 4, 8};
+    CHECK(std::get<PrimitiveMesh>(at(document, detail, 1).objects[0].source).detail == 3);
+    const Animation wrong{Motion::PingPong, "/objects/0/material/roughness", 0, 2, 8};
+    const auto refused = scene_at(document, wrong, 4);
+    REQUIRE(problem_of(refused) != nullptr);
+    CHECK(problem_of(refused)->text().find("roughness") != std::string::npos);
+}
+
+TEST_CASE("every number of a scene can be chosen, by its key", "[ui][animate]") {
+    const SceneDocument document = busy_document();
+    const auto numbers = numbers_of(document.scene);
+    CHECK(numbers.size() > 100);
+    for (const SceneNumber& number : numbers) {
+        const Animation still{Motion::PingPong, number.pointer, number.value, number.value, 2};
+        INFO(number.pointer);
+        CHECK(at(document, still, 0) == document.scene);
+    }
+}
+
+TEST_CASE("a GIF holds every frame at its size and time, and repeats", "[image]") {
+    Picture picture;
+    picture.size = {5, 3};
+    GifWriter gif(picture.size, 7);
+    for (int frame = 0; frame < 3; ++frame) {
+        picture.rgba.assign(5 * 3 * 4, static_cast<std::uint8_t>(40 * frame));
+        CHECK(gif.add(picture));
+    }
+    const auto written = gif.finish();
+    REQUIRE(problem_of(written) == nullptr);
+    std::string bytes = std::get<std::string>(written);
+    CHECK(bytes.substr(0, 6) == "GIF89a");
+    CHECK(bytes.find("NETSCAPE2.0") != std::string::npos);
+    const auto read = [](GifFileType* file, GifByteType* to, int count) {
+        auto& rest = *static_cast<std::string*>(file->UserData);
+        const auto taken = rest.copy(reinterpret_cast<char*>(to), static_cast<std::size_t>(count));
+        rest.erase(0, taken);
+        return static_cast<int>(taken);
+    };
+    int error = 0;
+    GifFileType* file = DGifOpen(&bytes, read, &error);
+    REQUIRE(file != nullptr);
+    REQUIRE(DGifSlurp(file) == GIF_OK);
+    REQUIRE(file->ImageCount == 3);
+    CHECK(file->SWidth == 5);
+    CHECK(file->SHeight == 3);
+    for (int frame = 0; frame < 3; ++frame) {
+        GraphicsControlBlock control;
+        REQUIRE(DGifSavedExtensionToGCB(file, frame, &control) == GIF_OK);
+        CHECK(control.DelayTime == 7);
+        const SavedImage& image = file->SavedImages[frame];
+        const GifColorType colour = image.ImageDesc.ColorMap->Colors[image.RasterBits[7]];
+        CHECK(std::abs(int(colour.Red) - 40 * frame) <= 8);  // its palette has 5 bits a channel
+    }
+    DGifCloseFile(file, &error);
+}
+
+TEST_CASE("frames are written as numbered pictures that carry their scenes", "[ui][animate]") {
+    const TemporaryDirectory folder;
+    Bench bench;
+    bench.frames(2);
+    bench.state.animate.animation = {Motion::PingPong, "/lights/0/intensity", 0, 1, 4};
+    begin_frames(bench.state, folder.path("turn.png"), {40, 30}, 1);
+    while (bench.state.animate.job) bench.frame();
+    CHECK(folder.names() ==
+          std::vector<std::string>{"turn-0001.png", "turn-0002.png", "turn-0003.png", "turn-0004.png"});
+    const auto third = open_document(folder.path("turn-0003.png"));
+    REQUIRE(problem_of(third) == nullptr);
+    CHECK(std::get<SceneDocument>(third).scene.lights[0].intensity == 1);
+    begin_frames(bench.state, folder.path("turn.gif"), {40, 30}, 1);
+    while (bench.state.animate.job) bench.frame();
+    CHECK(bytes_of(folder.path("turn.gif")).substr(0, 6) == "GIF89a");
+    CHECK(bench.state.notifications.list.back().text == "Wrote turn.gif with 4 frames");
+}
+
+TEST_CASE("what plays is shown and leaves the scene and its history alone", "[ui][animate]") {
+    Bench bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    bench.state.animate.open = bench.state.animate.playing = true;
+    bench.state.animate.began = ImGui::GetTime();
+    bench.frames(20);
+    CHECK_FALSE(bench.state.drawn == before);
+    CHECK(bench.scene() == before);
+    CHECK_FALSE(bench.state.editor.history.can_undo());
+    bench.state.animate.playing = false;
+    bench.frames(3);
+    CHECK(bench.state.drawn == before);
+}

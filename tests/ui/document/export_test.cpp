@@ -1,0 +1,214 @@
+// Pictures and commands that leave the window.
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+
+#include "models/io/file.h"
+#include "renderer/image/image_file.h"
+#include "renderer/renderer.h"
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+#include "tests/support/scenes.h"
+#include "tests/support/ui_bench.h"
+#include "ui/commands/actions.h"
+#include "ui/export/clipboard.h"
+#include "ui/export/command_text.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* triangle_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+SceneDocument opened(const std::string& path) {
+    auto document = open_document(path);
+    REQUIRE(problem_of(document) == nullptr);
+    return std::get<SceneDocument>(std::move(document));
+}
+
+/// What the command writes to OUT when a shell runs it, as RGBA.
+std::vector<std::uint8_t> drawn_by(const std::string& command, const TemporaryDirectory& folder) {
+    const std::string bin = folder.path("bin");
+    fs::create_directories(bin);
+    if (!fs::exists(bin + "/glint")) fs::create_symlink(GLINT_PROGRAM, bin + "/glint");
+    const std::string line = "cd '" + folder.path("") + "' && PATH='" + bin + "':$PATH && " + command;
+    INFO(line);
+    REQUIRE(std::system(line.c_str()) == 0);
+    const auto picture = read_png(folder.path("out.png"));
+    REQUIRE(problem_of(picture) == nullptr);
+    return std::get<Picture>(picture).rgba;
+}
+
+std::vector<std::uint8_t> drawn_here(const Scene& scene, PictureSize size, int samples) {
+    Renderer renderer(1);
+    return renderer.render(scene, size, false, samples).rgba;
+}
+
+/// One to four changes of any kind.
+void edit(Scene& scene, std::mt19937& random) {
+    for (unsigned i = 0; i <= random() % 4; ++i) {
+        switch (random() % 9) {
+        case 0:
+            scene.lights[0].position = glm::vec4(test::uniform_vec3(random, 1, 3), 0);
+            break;
+        case 1:
+            scene.lights[1].kind = LightKind::Spot;
+            scene.lights[1].spot.cutoff_deg = 40;
+            break;
+        case 2:
+            scene.objects[0].source = PrimitiveMesh{Primitive::Torus, 12};
+            scene.objects[0].mesh = test::primitive(Primitive::Torus, 12);
+            break;
+        case 3:
+            scene.camera.projection = Orthographic{test::uniform(random, 2, 4), 0.1f, 50};
+            break;
+        case 4:
+            scene.shading.mistakes.no_clamp_of_cosine ^= true;
+            break;
+        case 5:
+            scene.lights.push_back(scene.lights[0]);
+            scene.lights.back().name = "It's \"new\" $HOME `x`";
+            scene.lights.back().position = {-1, 1, 1, 0};
+            break;
+        case 6:
+            scene.shading.mode = ShadingMode::Gouraud;
+            break;
+        case 7:
+            scene.objects.pop_back();
+            scene.objects.resize(1);
+            break;
+        default:
+            scene.objects[0].material.diffuse = test::uniform_vec3(random, 0, 1);
+        }
+        if (scene.objects.size() < 2) scene.objects.resize(2, scene.objects[0]);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("the copied command draws exactly the picture on the screen", "[ui][export]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("a scene's.json", scene_text(test::busy_scene()));
+    const SceneDocument whole = opened(path);
+    std::mt19937 random(11);
+    for (int i = 0; i < 12; ++i) {
+        SceneDocument document = whole;
+        edit(document.scene, random);
+        const int samples = i % 2 == 0 ? 1 : 4;
+        const PictureSize size{90 + i, 61};
+        const auto here = drawn_here(document.scene, size, samples);
+        CHECK(drawn_by(render_command_text(document, whole.scene, size, samples, "out.png"), folder) == here);
+        document.path.clear();  // never saved: set whole on an empty scene
+        CHECK(drawn_by(render_command_text(document, whole.scene, size, samples, "out.png"), folder) == here);
+    }
+}
+
+TEST_CASE("an unchanged scene's command is short, one change is one --set", "[ui][export]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("s.json", scene_text(test::busy_scene()));
+    SceneDocument document = opened(path);
+    const Scene in_file = document.scene;
+    CHECK(render_command_text(document, in_file, {64, 48}, 1, "out.png") ==
+          "glint render " + path + " --size 64x48 -o out.png");
+    document.scene.shading.mode = ShadingMode::Flat;
+    document.scene.display.exposure = 0.1f;
+    CHECK(render_command_text(document, in_file, {64, 48}, 8, "out.png") ==
+          "glint render " + path +
+              " --set '/shading/mode=\"flat\"' --set /display/exposure=0.1 --size 64x48 --samples 8 -o "
+              "out.png");
+}
+
+TEST_CASE("a command finds mesh files from where it is run", "[ui][export]") {
+    const TemporaryDirectory folder;
+    fs::create_directories(folder.path("deep"));
+    (void)folder.file("deep/t.obj", triangle_obj);
+    const SceneDocument mesh = opened(folder.path("deep/t.obj"));
+    const auto here = drawn_here(mesh.scene, {80, 60}, 1);
+    CHECK(drawn_by(render_command_text(mesh, mesh.scene, {80, 60}, 1, "out.png"), folder) == here);
+    SceneDocument unnamed = mesh;
+    unnamed.path.clear();
+    CHECK(drawn_by(render_command_text(unnamed, mesh.scene, {80, 60}, 1, "out.png"), folder) == here);
+    SceneDocument added = opened(folder.file("s.json", R"({"glint": 1, "objects": [{}]})"));
+    const Scene in_file = added.scene;
+    added.scene.objects[0].source = MeshFile{folder.path("deep/t.obj")};
+    added.scene.objects[0].mesh = mesh.scene.objects[0].mesh;
+    CHECK(drawn_by(render_command_text(added, in_file, {80, 60}, 1, "out.png"), folder) ==
+          drawn_here(added.scene, {80, 60}, 1));
+}
+
+TEST_CASE("a picture saved or exported elsewhere reopens with its meshes", "[ui][export]") {
+    const TemporaryDirectory folder;
+    fs::create_directories(folder.path("deep"));
+    fs::create_directories(folder.path("pictures"));
+    (void)folder.file("deep/t.obj", triangle_obj);
+    const std::string path =
+        folder.file("deep/s.json", R"({"glint": 1, "objects": [{"mesh": {"file": "t.obj"}}]})");
+    const std::string exported = folder.path("pictures/exported.png"),
+                      saved = folder.path("pictures/saved.png");
+    Bench bench;
+    take_document(bench.state.editor, opened(path));
+    bench.frames(2);
+    begin_export(bench.state, {{64, 48}, 4}, exported);
+    while (bench.state.exporting.job) bench.frame();
+    CHECK(bench.state.notifications.list.back().text == "Saved exported.png (64 × 48, 4 samples a pixel)");
+    bench.key(Key::F12);
+    REQUIRE(bench.state.files.open);
+    bench.state.files.folder = folder.path("pictures");
+    bench.state.files.name = "saved.png";
+    bench.frames(2);
+    bench.key(Key::Enter);
+    for (const std::string& picture : {exported, saved}) {
+        const SceneDocument again = opened(picture);
+        CHECK(again.scene.objects.at(0).mesh->face_count() == 1);
+        CHECK(std::get<MeshFile>(again.scene.objects[0].source).path == "../deep/t.obj");
+    }
+}
+
+TEST_CASE("what is exported is what the command line writes, byte for byte", "[ui][export]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("s.json", scene_text(test::busy_scene()));
+    for (const char* name : {"a.png", "a.pfm", "a.exr"}) {
+        const auto bytes = picture_file(opened(path), {{72, 40}, 4}, folder.path(name), 2);
+        REQUIRE(problem_of(bytes) == nullptr);
+        REQUIRE(run_glint({"render", path, "-o", folder.path(name), "--size", "72x40", "--samples", "4"})
+                    .status == 0);
+        CHECK(std::get<std::string>(bytes) == bytes_of(folder.path(name)));
+    }
+    CHECK(problem_of(picture_file(opened(path), {{8, 8}, 1}, "a.gif", 1)) != nullptr);
+}
+
+TEST_CASE("a picture goes to the clipboard through the desktop's tool, or its lack is the reason",
+          "[ui][export]") {
+    const TemporaryDirectory folder;
+    const char* path = std::getenv("PATH");
+    REQUIRE(path != nullptr);
+    const std::string path_before = path;
+    const char* display = std::getenv("DISPLAY");
+    const std::string display_before = display != nullptr ? display : "";
+    setenv("PATH", folder.path("").c_str(), 1);
+    setenv("DISPLAY", ":1234", 1);
+    unsetenv("WAYLAND_DISPLAY");
+    Bench bench;
+    bench.frames(2);
+    CHECK(why_not(bench.state, Action::CopyPicture) == "Needs the program xclip");
+    const std::string script = folder.file("xclip", "#!/bin/sh\n/bin/cat >'" + folder.path("got.png") +
+                                                        "'\necho \"$@\" >'" + folder.path("words") + "'\n");
+    fs::permissions(script, fs::perms::owner_all);
+    CHECK(why_not(bench.state, Action::CopyPicture).empty());
+    run_action(bench.state, Action::CopyPicture);
+    while (bench.state.exporting.job) bench.frame();
+    CHECK(bench.state.notifications.list.back().tone == Tone::Done);
+    CHECK(bytes_of(folder.path("words")) == "-selection clipboard -t image/png -i\n");
+    const auto got = read_png(folder.path("got.png"));
+    REQUIRE(problem_of(got) == nullptr);
+    CHECK(std::get<Picture>(got).rgba == bench.state.picture->rgba);
+    (void)folder.file("xclip", "#!/bin/sh\nexit 3\n");
+    run_action(bench.state, Action::CopyPicture);
+    while (bench.state.exporting.job) bench.frame();
+    CHECK(bench.state.notifications.list.back().tone == Tone::Error);
+    setenv("PATH", path_before.c_str(), 1);
+    display != nullptr ? setenv("DISPLAY", display_before.c_str(), 1) : unsetenv("DISPLAY");
+}

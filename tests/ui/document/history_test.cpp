@@ -1,0 +1,157 @@
+// Undo, redo, and what the steps are called.
+#include "ui/document/history.h"
+
+#include "models/memory_limit.h"
+#include "models/mesh/mesh_memory.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+
+namespace {
+
+Scene two_lights() {
+    Scene scene;
+    scene.lights.resize(2);
+    scene.lights[0].name = "Sun";
+    scene.lights[1].name = "Bulb";
+    scene.objects.resize(1);
+    scene.objects[0].name = "Teapot";
+    return scene;
+}
+
+template <class Change> std::string name_of(Change change) {
+    Scene after = two_lights();
+    change(after);
+    return step_name(two_lights(), after);
+}
+
+}  // namespace
+
+TEST_CASE("undo and redo walk back and forth over equal scenes", "[ui]") {
+    History history;
+    std::vector<Scene> scenes{two_lights()};
+    history.reset(scenes[0]);
+    CHECK_FALSE(history.can_undo());
+    for (int i = 0; i < 10; ++i) {
+        Scene next = scenes.back();
+        next.lights[1].position.x += 1;
+        CHECK(history.commit(next));
+        scenes.push_back(next);
+    }
+    CHECK_FALSE(history.commit(scenes.back()));  // nothing changed
+    for (std::size_t i = scenes.size() - 1; i > 0; --i) CHECK(history.undo() == scenes[i - 1]);
+    CHECK_FALSE(history.can_undo());
+    for (std::size_t i = 1; i < scenes.size(); ++i) CHECK(history.redo() == scenes[i]);
+    CHECK_FALSE(history.can_redo());
+}
+
+TEST_CASE("an edit after undo drops what was undone", "[ui]") {
+    History history;
+    Scene scene = two_lights();
+    history.reset(scene);
+    scene.lights[0].intensity = 2;
+    history.commit(scene);
+    history.undo();
+    scene.lights[0].intensity = 3;
+    history.commit(scene);
+    CHECK_FALSE(history.can_redo());
+    CHECK(history.undo() == two_lights());
+}
+
+TEST_CASE("joined steps of one name are one step", "[ui]") {
+    History history;
+    Scene scene = two_lights();
+    history.reset(scene);
+    for (int i = 0; i < 5; ++i) {
+        scene.camera.eye.z += 1;
+        history.commit(scene, true);
+    }
+    CHECK(history.undo() == two_lights());
+    CHECK_FALSE(history.can_undo());
+}
+
+TEST_CASE("the history of a large scene forgets its oldest steps, not its newest", "[ui]") {
+    History history;
+    Scene scene;
+    scene.lights.resize(4096);
+    history.reset(scene);
+    for (int i = 1; i <= 200; ++i) {
+        scene.lights[0].intensity = static_cast<float>(i);
+        history.commit(scene);
+    }
+    int steps = 0;
+    for (float expected = 199; history.can_undo(); --expected, ++steps)
+        CHECK(history.undo().lights[0].intensity == expected);
+    CHECK(steps > 20);
+    CHECK(steps < 100);
+}
+
+TEST_CASE("steps are named by what changed", "[ui]") {
+    CHECK(step_name(two_lights(), two_lights()).empty());
+    CHECK(name_of([](Scene& s) { s.lights[1].position.x = 7; }) == "Move Bulb");
+    CHECK(name_of([](Scene& s) { s.lights[0].position.w = 0; }) == "Turn Sun");
+    CHECK(name_of([](Scene& s) { s.lights[1].enabled = false; }) == "Switch Bulb off");
+    CHECK(name_of([](Scene& s) { s.lights[1].diffuse.x = 0.5f; }) == "Colour of Bulb");
+    CHECK(name_of([](Scene& s) { s.lights.erase(s.lights.begin()); }) == "Delete Sun");
+    CHECK(name_of([](Scene& s) { s.lights.emplace_back().name = "Lamp"; }) == "Add Lamp");
+    CHECK(name_of([](Scene& s) { s.lights[1].name = "Lamp"; }) == "Rename Bulb");
+    CHECK(name_of([](Scene& s) { s.objects[0].material.shininess = 5; }) == "Material of Teapot");
+    CHECK(name_of([](Scene& s) { s.objects[0].transform.translate.x = 5; }) == "Move Teapot");
+    CHECK(name_of([](Scene& s) { s.camera.eye.x = 5; }) == "Camera");
+    CHECK(name_of([](Scene& s) { s.shading.mode = ShadingMode::Flat; }) == "Shading mode");
+    CHECK(name_of([](Scene& s) { s.shading.terms.ambient = false; }) == "Terms");
+    CHECK(name_of([](Scene& s) { s.display.exposure = 2, s.camera.eye.x = 5; }) == "Edit scene");
+}
+
+namespace {
+
+Scene with_mesh(const MeshPtr& mesh) {
+    Scene scene = two_lights();
+    scene.objects[0].mesh = mesh;
+    scene.objects[0].name = "Teapot of " + std::to_string(mesh->triangles.size());
+    return scene;
+}
+
+MeshPtr ball(int detail) { return std::make_shared<const Mesh>(make_primitive(Primitive::Sphere, detail)); }
+
+int steps_back(History& history) {
+    int steps = 0;
+    for (; history.can_undo(); ++steps) (void)history.undo();
+    return steps;
+}
+
+}  // namespace
+
+TEST_CASE("steps are forgotten when the meshes that they alone keep take too much memory", "[ui][memory]") {
+    const std::uint64_t bytes = mesh_bytes(*ball(100));
+    set_memory_limit(8 * 4 * bytes + (1 << 20));  // an eighth of it has room for four such meshes
+    History history;
+    history.reset(with_mesh(ball(100)));
+    std::vector<std::weak_ptr<const Mesh>> meshes;
+    for (int i = 1; i <= 12; ++i) {
+        const MeshPtr mesh = ball(100 - i % 3);  // of about that size, each another
+        meshes.push_back(mesh);
+        Scene scene = with_mesh(mesh);
+        scene.lights[0].intensity = static_cast<float>(i);
+        history.commit(scene);
+    }
+    CHECK(meshes[3].expired());
+    CHECK_FALSE(meshes[11].expired());
+    CHECK(steps_back(history) == 4);
+    set_memory_limit(0);
+}
+
+TEST_CASE("a mesh that the open scene has, or that many steps have, costs its history once at most",
+          "[ui][memory]") {
+    const MeshPtr open = ball(100), lost = ball(101);
+    set_memory_limit(8 * mesh_bytes(*lost) + (1 << 20));  // room for one
+    History history;
+    history.reset(with_mesh(lost));
+    for (int i = 2; i <= 41; ++i) {
+        Scene scene = with_mesh(i < 20 ? lost : open);
+        scene.lights[0].intensity = static_cast<float>(i);
+        history.commit(scene);
+    }
+    CHECK(steps_back(history) == 40);
+    set_memory_limit(0);
+}

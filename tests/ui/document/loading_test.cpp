@@ -1,0 +1,189 @@
+// Loads that do not hold up the window.
+#include <filesystem>
+#include <future>
+
+#include "models/io/file.h"
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+#include "tests/support/ui_why_bench.h"
+#include "ui/commands/actions.h"
+#include "ui/preferences/end_jobs.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+/// A load that ends when it is let go.
+struct Gate {
+    std::promise<void> open;
+    std::shared_future<void> opened = open.get_future().share();
+
+    std::unique_ptr<LoadJob> job(const SceneDocument& document) {
+        return std::make_unique<LoadJob>("slow.json",
+                                         [opened = opened, document](LoadProgress&) -> Result<SceneDocument> {
+                                             opened.wait();
+                                             return document;
+                                         });
+    }
+};
+
+constexpr const char* square_obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+
+}  // namespace
+
+TEST_CASE("while a file is loaded the scene in hand stays, and can be worked on", "[ui][loading]") {
+    Bench bench;
+    bench.frames(2);
+    Gate gate;
+    SceneDocument other = first_scene();
+    other.path = "slow.json";
+    other.scene.lights.clear();
+    bench.state.loading.document = gate.job(other);
+    bench.state.loading.scene_then = bench.scene();
+    bench.frames(3);
+    bench.key(Key::Digit1);
+    bench.frames(3);
+    CHECK(bench.state.editor.history.undo_name() == "Shading mode");
+    CHECK(bench.frame().sleep_s < 0.1);
+    gate.open.set_value();
+    bench.wait_for_loads();
+    // What was done meanwhile is not thrown away unasked.
+    REQUIRE(bench.state.pending.asking);
+    CHECK(bench.scene().shading.mode == ShadingMode::Flat);
+    finish_pending(bench.state);
+    bench.wait_for_loads();
+    CHECK(bench.scene().lights.empty());
+    CHECK(bench.state.editor.document.path == "slow.json");
+}
+
+TEST_CASE("what is being loaded is said over the picture, and covers no row of buttons", "[ui][loading]") {
+    Bench bench;
+    bench.frames(2);
+    Gate gate;
+    bench.state.loading.document = gate.job(first_scene());
+    bench.frames(30);  // half a second
+    const ImGuiWindow* panel = test::window_named("##loading");
+    REQUIRE(panel != nullptr);
+    const Rect picture = lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).centre;
+    CHECK(panel->Pos.y >= picture.low.y);
+    CHECK(panel->Pos.x >= picture.low.x);
+    CHECK(panel->Pos.x + panel->Size.x <= picture.high.x);
+    gate.open.set_value();
+    bench.wait_for_loads();
+}
+
+TEST_CASE("Escape ends a load, and what it would have brought is dropped", "[ui][loading]") {
+    Bench bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    Gate gate;
+    bench.state.loading.document = gate.job({});
+    bench.frames(2);
+    bench.key(Key::Escape);
+    CHECK_FALSE(bench.state.loading.active());
+    gate.open.set_value();
+    bench.frames(3);
+    CHECK(bench.scene() == before);
+    CHECK(bench.state.notifications.list.empty());
+}
+
+TEST_CASE("a new mesh comes as one step, and until then the object shows its old one", "[ui][loading]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("square.obj", square_obj);
+    Bench bench;
+    bench.frames(2);
+    const MeshPtr old_mesh = bench.scene().objects[0].mesh;
+    begin_mesh(bench.state, MeshFile{path}, 0);
+    (void)bench.frame();
+    REQUIRE(bench.scene().objects[0].mesh != nullptr);
+    bench.wait_for_loads();
+    CHECK(bench.scene().objects[0].mesh->face_count() == 1);
+    CHECK(bench.state.renderer->stats().triangles == 2);
+    CHECK(bench.state.editor.history.undo_name() == "Mesh of Ball");
+    bench.key(Key::Z, true);
+    bench.frames(2);
+    CHECK(bench.scene().objects[0].mesh == old_mesh);
+    CHECK_FALSE(bench.state.editor.unsaved());
+}
+
+TEST_CASE("an object from a file is added when its mesh is there", "[ui][loading]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("square.obj", square_obj);
+    Bench bench;
+    bench.frames(2);
+    begin_mesh(bench.state, MeshFile{path}, -1);
+    bench.wait_for_loads();
+    REQUIRE(bench.scene().objects.size() == 2);
+    CHECK(bench.scene().objects[1].mesh->face_count() == 1);
+    CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, 1});
+    bench.frames(2);
+    CHECK(bench.state.editor.history.undo_name() == "Add Square");
+}
+
+TEST_CASE("a mesh that cannot be read leaves the object as it was, and says why", "[ui][loading]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("none.obj", "f 1 2 3\n");
+    Bench bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    begin_mesh(bench.state, MeshFile{path}, 0);
+    bench.wait_for_loads();
+    CHECK(bench.scene() == before);
+    REQUIRE(bench.state.notifications.list.size() == 1);
+    CHECK(bench.state.notifications.list[0].text.find("none.obj") != std::string::npos);
+    CHECK_FALSE(bench.state.editor.history.can_undo());
+}
+
+TEST_CASE("a detail of a million triangles is made aside, and the last one asked for wins", "[ui][loading]") {
+    Bench bench;
+    bench.frames(2);
+    REQUIRE_FALSE(is_quick(PrimitiveMesh{Primitive::Sphere, 1000}));
+    REQUIRE(is_quick(PrimitiveMesh{Primitive::Sphere, 400}));
+    for (const int detail : {700, 640, 600}) {
+        begin_mesh(bench.state, PrimitiveMesh{Primitive::Sphere, detail}, 0);
+        (void)bench.frame();
+        CHECK(bench.scene().objects[0].mesh != nullptr);
+    }
+    bench.wait_for_loads();
+    CHECK(bench.scene().objects[0].mesh->face_count() == 600 * 300);
+    bench.frames(2);
+    bench.key(Key::Z, true);
+    CHECK_FALSE(bench.state.editor.history.can_undo());
+}
+
+TEST_CASE("a load tells the bytes it has read, and ends when it shall", "[loading]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("square.obj", square_obj);
+    LoadProgress progress;
+    {
+        const ProgressScope scope(progress);
+        CHECK(problem_of(read_file(path, 1000)) == nullptr);
+    }
+    CHECK(progress.done == std::string(square_obj).size());
+    CHECK(progress.total == progress.done);
+    CHECK(progress_share(progress) == 1);
+    progress.cancelled = true;
+    const ProgressScope scope(progress);
+    const auto read = read_file(path, 1000);
+    REQUIRE(problem_of(read) != nullptr);
+    CHECK(problem_of(read)->what == cancelled_words);
+}
+
+TEST_CASE("a window that closes ends its loads and exports, and no file comes of them afterwards",
+          "[ui][loading]") {
+    const TemporaryDirectory folder;
+    const std::string picture = folder.path("late.png");
+    Bench bench;
+    bench.frames(2);
+    CHECK(end_jobs(bench.state, 0));  // nothing to wait for
+    begin_export(bench.state, {{640, 480}, 8}, picture);
+    begin_mesh(bench.state, PrimitiveMesh{Primitive::Sphere, 700}, 0);
+    (void)bench.frame();
+    REQUIRE(bench.state.loading.meshes);
+    CHECK(end_jobs(bench.state, 60));
+    CHECK(bench.state.exporting.job->done());
+    CHECK(bench.state.loading.meshes->done());
+    bench.frames(2);
+    CHECK_FALSE(std::filesystem::exists(picture));
+}

@@ -1,0 +1,364 @@
+// What outlives the window.
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+
+#include "models/io/file.h"
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+#include "tests/support/scenes.h"
+#include "tests/support/ui_bench.h"
+#include "ui/document/limits.h"
+#include "ui/document/recent_files.h"
+#include "ui/preferences/folder_lock.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+std::size_t copies_in(const TemporaryDirectory& folder) {
+    const auto names = folder.names();
+    return std::size_t(std::count_if(names.begin(), names.end(),
+                                     [](const std::string& name) { return name.ends_with(".autosave"); }));
+}
+
+/// Edits until a copy is there.
+void edit_and_wait(Bench& bench, float intensity) {
+    bench.scene().lights[0].intensity = intensity;
+    bench.frames(3);
+    REQUIRE(bench.state.memory.copy.has_value());
+    while (bench.state.memory.copying.valid()) bench.frames(1);
+}
+
+std::size_t notes_with(const Bench& bench, const std::string& words) {
+    const auto& list = bench.state.notifications.list;
+    return std::size_t(std::count_if(list.begin(), list.end(), [&words](const Notification& note) {
+        return note.text.find(words) != std::string::npos;
+    }));
+}
+
+/// The next copy is written, whatever the time.
+void copy_again(Bench& bench, float intensity) {
+    bench.state.memory.copied_at = -1e9;
+    bench.scene().lights[0].intensity = intensity;
+    bench.frames(3);
+    while (bench.state.memory.copying.valid()) bench.frames(1);
+}
+
+/// Nothing of it as on the first day.
+ViewMemory odd_views() {
+    ViewMemory views;
+    views.compare.on = views.compare.stacked = views.compare.difference = true;
+    set_parts(views.compare, {setting_of(Reflection::BlinnPhong), {}, {Setting::Kind::Stored, 0}});
+    views.compare.wipes = {0.2, 0.75};
+    views.compare.gain = 16;
+    views.look = Look::Depth;
+    views.over_range = views.dots = views.needles = views.scope_channels = views.scope_eye = true;
+    views.scope_from = {0.1, 0.2};
+    views.scope_to = {0.3, 0.9};
+    views.kept = {Camera{}, Camera{}};
+    views.kept[1].eye = {1, 2.5f, 0.1f};
+    views.kept[1].projection = Orthographic{2.25f};
+    return views;
+}
+
+}  // namespace
+
+TEST_CASE("the list of recent files takes nothing but whole paths, each once", "[ui][memory]") {
+    CHECK(read_recent_files(R"(["/a", 3, null, "/a", "b", "", {"x": 1}, "/c\nd", "/e", ["/f"]])") ==
+          std::vector<std::string>{"/a", "/e"});
+    CHECK(read_recent_files("").empty());
+    CHECK(read_recent_files(R"({"/a": 1})").empty());
+    CHECK(read_recent_files("[\"/" + std::string(5000, 'x') + "\"]").empty());
+    CHECK(read_recent_files(std::string(60'000, '[')).empty());
+    CHECK(read_recent_files("[\"/\xff\xfe\"]").empty());
+    std::vector<std::string> paths;
+    for (int i = 0; i < 40; ++i) paths = with_recent_file(paths, "/f" + std::to_string(i));
+    REQUIRE(paths.size() == most_recent_files);
+    CHECK(paths.front() == "/f39");
+    CHECK(with_recent_file(paths, "/x/../f35")[0] == "/f35");
+    CHECK(with_recent_file(paths, "-") == paths);
+    CHECK(read_recent_files(recent_files_text(paths)) == paths);
+}
+
+TEST_CASE("settings are read back equal, and from nonsense what makes sense is taken", "[ui][memory]") {
+    Settings settings{false,      {true, false, false, false, 300, 401.5f, true, 222}, 1111, 777, true,
+                      odd_views()};
+    CHECK(read_settings(settings_text(settings)) == settings);
+    CHECK(read_settings("") == Settings());
+    CHECK(read_settings("[1]") == Settings());
+    const Settings odd = read_settings(
+        R"({"theme": 5, "scene_width": -1e300, "why_width": 1e300, "width": "wide", "maximized": 1, "height": 99999})");
+    CHECK(odd.dark);
+    CHECK(odd.layout.left_width == least_column_width);
+    CHECK(odd.layout.right_width == most_column_width);
+    CHECK(odd.width == 0);
+    CHECK(odd.height == 16384);
+    CHECK_FALSE(odd.maximized);
+    std::mt19937 random(5);
+    const std::string whole = settings_text(settings);
+    for (int i = 0; i < 2000; ++i) {
+        std::string wounded = whole;
+        for (int k = 0; k < 3; ++k) wounded[random() % wounded.size()] = static_cast<char>(random() % 256);
+        const Settings read = read_settings(wounded);
+        CHECK(read.layout.left_width >= least_column_width);
+        CHECK(read.width <= 16384);
+        CHECK(read.views.compare.wipes.size() + 1 == read.views.compare.parts.size());
+        for (const Camera& camera : read.views.kept) CHECK_FALSE(violation_of(camera));
+    }
+}
+
+TEST_CASE("how the picture was looked at is there again in the next window, B aside", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    {
+        Bench bench;
+        begin_memory(bench.state, folder.path("state"));
+        bench.frames(2);
+        recall_views(bench.state, odd_views());
+        bench.state.views.scope.open = true;
+        bench.key(Key::B, true);
+        bench.frames(2);
+        end_memory(bench.state);
+    }
+    Bench bench;
+    begin_memory(bench.state, folder.path("state"));
+    bench.frames(2);
+    CHECK(views_to_remember(bench.state) == odd_views());
+    CHECK(bench.state.views.scope.open);
+    CHECK_FALSE(bench.state.views.compare.choice.stored);
+    bench.key(Key::U);
+    CHECK(bench.scene().camera == odd_views().kept[0]);
+    bench.key(Key::B, true);
+    reset_layout(bench.state);
+    ViewMemory kept;
+    kept.kept = odd_views().kept;
+    CHECK(views_to_remember(bench.state) == kept);
+    CHECK(bench.state.views.compare.choice.stored);
+}
+
+TEST_CASE("of remembered views only what makes sense is taken", "[ui][memory]") {
+    const auto views = [](const std::string& text) {
+        return read_settings("{\"view\": " + text + "}").views;
+    };
+    CHECK(views("[]") == ViewMemory());
+    CHECK(views(R"({"compare": 3, "look": "Nonsense", "dots": 1, "kept_views": {"a": 1}})") == ViewMemory());
+    CHECK(views(R"({"compare": {"parts": ["mode gouraud"], "lines": [0.5]}})") == ViewMemory());
+    CHECK(views(R"({"compare": {"parts": ["mode flat", "mode none"], "gain": 1e9}})").compare.gain ==
+          most_gain);
+    CHECK(views(R"({"compare": {"lines": [0.7, 0.3]}})") == ViewMemory());
+    CHECK(views(R"({"compare": {"lines": [0.3, 1.3]}})") == ViewMemory());
+    CHECK(views(R"({"scope_from": [-3, 7], "scope_to": [1]})").scope_from == glm::dvec2(0, 1));
+    CHECK(views(R"({"kept_views": [{"eye": "here"}, 4]})").kept.empty());
+}
+
+TEST_CASE("theme and columns are there again in the next window", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    {
+        Bench bench;
+        begin_memory(bench.state, folder.path("state"));
+        bench.frames(2);
+        bench.state.dark = false;
+        bench.state.layout.left = false;
+        bench.frames(2);
+        end_memory(bench.state);
+    }
+    Bench bench;
+    begin_memory(bench.state, folder.path("state"));
+    CHECK_FALSE(bench.state.dark);
+    CHECK_FALSE(bench.state.layout.left);
+    CHECK(bench.state.layout.right);
+    reset_layout(bench.state);
+    CHECK(bench.state.layout == LayoutState());
+    CHECK(bench.state.dark);
+}
+
+TEST_CASE("a file that is opened stands first among the recent ones, in every window", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("one.json", scene_text(test::busy_scene()));
+    Bench bench;
+    begin_memory(bench.state, folder.path("state"));
+    bench.frames(2);
+    CHECK(bench.state.memory.recent.empty());
+    UiInput drop;
+    drop.dropped = {path};
+    (void)bench.frame(drop);
+    bench.wait_for_loads();
+    CHECK(bench.state.memory.recent == std::vector<std::string>{path});
+    CHECK(read_recent_files(bytes_of(folder.path("state/recent.json"))) == bench.state.memory.recent);
+}
+
+TEST_CASE("a window waits for the list of recent files while another changes it, and no file is lost",
+          "[ui][memory]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("one.json", scene_text(test::busy_scene()));
+    Bench bench;
+    begin_memory(bench.state, folder.path("state"));
+    bench.frames(2);
+    const std::string list = folder.path("state/recent.json");
+    {
+        const FolderLock other(folder.path("state"));
+        REQUIRE(other.held());
+        CHECK_FALSE(FolderLock(folder.path("state")).held());
+        UiInput drop;
+        drop.dropped = {path};
+        (void)bench.frame(drop);
+        bench.wait_for_loads();
+        CHECK(bench.frame().sleep_s < 0.1);  // it asks again by itself
+        CHECK(read_recent_files(bytes_of(list)).empty());
+        REQUIRE(problem_of(write_file(list, recent_files_text({"/by/the/other.json"}))) == nullptr);
+    }
+    bench.frames(1);
+    CHECK(read_recent_files(bytes_of(list)) == std::vector<std::string>{path, "/by/the/other.json"});
+}
+
+TEST_CASE("a copy that cannot be written is said once, and tried again", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    Bench bench;
+    begin_memory(bench.state, folder.path("state"));
+    bench.frames(2);
+    edit_and_wait(bench, 0.25f);
+    CHECK(notes_with(bench, "No copy") == 0);
+    const std::string copy = bench.state.memory.copy->path();
+    std::filesystem::remove(copy);
+    std::filesystem::create_directory(copy);  // not even root writes a file over that
+    copy_again(bench, 0.5f);
+    CHECK(notes_with(bench, "No copy") == 1);
+    CHECK(bench.state.memory.copied != bench.scene());
+    bench.state.notifications.list.clear();
+    copy_again(bench, 0.75f);
+    CHECK(notes_with(bench, "No copy") == 0);
+    std::filesystem::remove(copy);
+    bench.state.memory.copied_at = -1e9;
+    bench.frames(3);  // nothing was edited
+    while (bench.state.memory.copying.valid()) bench.frames(1);
+    CHECK(bytes_of(copy).find("0.75") != std::string::npos);
+    std::filesystem::remove(copy);
+    std::filesystem::create_directory(copy);
+    copy_again(bench, 1.5f);
+    CHECK(notes_with(bench, "No copy") == 1);
+}
+
+TEST_CASE("no copy for want of a folder is said too", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    Bench bench;
+    begin_memory(bench.state, folder.path("state"));
+    std::filesystem::remove_all(folder.path("state"));
+    bench.frames(2);
+    copy_again(bench, 0.25f);
+    CHECK(notes_with(bench, "No copy") == 1);
+}
+
+TEST_CASE("a window that cannot go on leaves its newest work behind", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    Bench bench;
+    begin_memory(bench.state, folder.path(""));
+    bench.frames(2);
+    CHECK_FALSE(keep_unsaved_work(bench.state));  // nothing is unsaved
+    CHECK(copies_in(folder) == 0);
+    edit_and_wait(bench, 0.25f);
+    bench.scene().lights[0].intensity = 0.625f;  // no copy is due for 5 seconds
+    bench.frames(3);
+    CHECK(bytes_of(bench.state.memory.copy->path()).find("0.625") == std::string::npos);
+    CHECK(keep_unsaved_work(bench.state));
+    CHECK(bytes_of(bench.state.memory.copy->path()).find("0.625") != std::string::npos);
+}
+
+TEST_CASE("unsaved work is copied, found after a crash and taken up, and no window takes another's",
+          "[ui][memory]") {
+    const TemporaryDirectory folder;
+    Scene left;
+    {
+        Bench crashes;
+        begin_memory(crashes.state, folder.path(""));
+        crashes.frames(2);
+        CHECK(copies_in(folder) == 0);
+        edit_and_wait(crashes, 0.25f);
+        CHECK(copies_in(folder) == 1);
+        left = crashes.scene();
+        CHECK(left_copies(folder.path("")).empty());  // it lives
+    }
+    REQUIRE(copies_in(folder) == 1);
+    Bench next;
+    begin_memory(next.state, folder.path(""));
+    REQUIRE(next.state.memory.left.size() == 1);
+    CHECK(next.state.memory.left[0].title == "New scene");
+    CHECK(left_copies(folder.path("")).empty());  // it is offered to one window only
+    next.frames(2);
+    take_up_copy(next.state, next.state.memory.left[0].lock.path());
+    next.frames(3);
+    CHECK(next.scene() == left);
+    CHECK(next.state.editor.unsaved());
+    CHECK(copies_in(folder) == 1);  // still kept, until it is saved
+    next.state.editor.saved = next.scene();
+    next.frames(2);
+    CHECK(copies_in(folder) == 0);
+}
+
+TEST_CASE("two windows keep two copies, and a window that is closed takes its own away", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    auto first = std::make_unique<UiState>(1);
+    Bench bench;
+    begin_memory(bench.state, folder.path(""));
+    edit_and_wait(bench, 0.25f);
+    auto other = new_autosave(folder.path(""));
+    REQUIRE(other.has_value());
+    CHECK(other->path() != bench.state.memory.copy->path());
+    CHECK(problem_of(write_file(other->path(), autosave_text(first_scene(), folder.path("")))) == nullptr);
+    CHECK(copies_in(folder) == 2);
+    end_memory(bench.state);
+    CHECK(copies_in(folder) == 1);
+    CHECK(left_copies(folder.path("")).empty());
+    other.reset();
+    CHECK(left_copies(folder.path("")).size() == 1);
+}
+
+TEST_CASE("a copy finds its meshes, wherever the scene stands", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    std::filesystem::create_directories(folder.path("work/meshes"));
+    (void)folder.file("work/meshes/t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    Scene scene = test::busy_scene();
+    scene.objects.resize(1);
+    scene.objects[0].source = MeshFile{"meshes/t.obj"};
+    const std::string path = folder.file("work/scene.json", scene_text(scene));
+    const auto opened = open_document(path);
+    REQUIRE(problem_of(opened) == nullptr);
+    const auto& document = std::get<SceneDocument>(opened);
+    const std::string copy = folder.file("1-0.autosave", autosave_text(document, folder.path("")));
+    const auto again = open_autosave(copy);
+    REQUIRE(problem_of(again) == nullptr);
+    CHECK(std::get<SceneDocument>(again).path == path);
+    CHECK(std::get<SceneDocument>(again).scene.objects[0].mesh->face_count() == 1);
+}
+
+TEST_CASE("what is no copy is passed over", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    (void)folder.file("a.autosave", "");
+    (void)folder.file("b.autosave", "{\"path\": 5, \"scene\": {}}");
+    (void)folder.file("c.autosave", std::string(100'000, '['));
+    std::filesystem::create_directories(folder.path("d.autosave"));
+    CHECK(left_copies(folder.path("")).empty());
+    // Nested so deep that whatever calls itself once a level would end the program.
+    const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
+    (void)folder.file("f.autosave", R"({"path": "", "scene": {"lights": )" + deep + "}}");
+    CHECK(left_copies(folder.path("")).empty());
+    CHECK(problem_of(open_autosave(folder.path("f.autosave"))) != nullptr);
+    const std::string less_deep = std::string(32'000, '[') + std::string(32'000, ']');
+    CHECK(read_settings(R"({"height": 9, "view": {"kept_views": [)" + less_deep + "]}}") == Settings());
+    CHECK(read_recent_files(less_deep).empty());
+    const std::string bad = folder.file("e.autosave", R"({"path": "", "scene": {"glint": 1, "lights": 3}})");
+    CHECK(left_copies(folder.path("")).size() == 1);
+    CHECK(problem_of(open_autosave(bad)) != nullptr);
+}
+
+TEST_CASE("the state folder follows XDG, and a relative one is ignored", "[ui][memory]") {
+    const char* old = std::getenv("XDG_STATE_HOME");
+    const std::string before = old != nullptr ? old : "";
+    setenv("XDG_STATE_HOME", "/somewhere", 1);
+    CHECK(state_folder() == "/somewhere/glint");
+    setenv("XDG_STATE_HOME", "relative", 1);
+    const char* home = std::getenv("HOME");
+    REQUIRE(home != nullptr);
+    CHECK(state_folder() == std::string(home) + "/.local/state/glint");
+    old != nullptr ? setenv("XDG_STATE_HOME", before.c_str(), 1) : unsetenv("XDG_STATE_HOME");
+}

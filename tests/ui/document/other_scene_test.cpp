@@ -1,0 +1,152 @@
+// What is told by number of one scene is never looked up in another.
+#include "tests/support/catch.h"
+#include "tests/support/ui_bench.h"
+#include "ui/commands/actions.h"
+#include "ui/commands/palette.h"
+#include "ui/picture/draw_picture.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+/// A document in which the ball in the middle is the last of three objects; the others are out of sight.
+SceneDocument three_objects() {
+    SceneDocument document = first_scene();
+    Object aside = document.scene.objects[0];
+    aside.transform.translate = {100, 0, 0};
+    document.scene.objects.insert(document.scene.objects.begin(), {aside, aside});
+    document.scene.objects[0].name = "One", document.scene.objects[1].name = "Two";
+    return document;
+}
+
+ImVec2 middle(const Bench& bench) {
+    const PictureSize size = bench.state.picture->size;
+    return bench.at_pixel({size.width / 2.0, size.height / 2.0});
+}
+
+/// Moves over the picture until the hand is over a highlight.
+bool find_highlight(Bench& bench) {
+    const PictureSize size = bench.state.picture->size;
+    for (int y = size.height / 4; y < 3 * size.height / 4; y += 8)
+        for (int x = size.width / 4; x < 3 * size.width / 4; x += 8) {
+            bench.move(bench.at_pixel({x, y}));
+            if (bench.state.viewport.hovered_grip.kind == GripKind::Highlight) return true;
+        }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("a key that exchanges the scene leaves nothing under the hand until the new one is drawn",
+          "[ui][other]") {
+    Bench bench({700, 500});
+    take_scene(bench.state, three_objects());
+    bench.state.editor.selection = {Selection::Kind::Light, 0};
+    bench.frames(2);
+    REQUIRE(find_highlight(bench));
+    REQUIRE(bench.state.renderer->object_at(bench.state.picture->size.width / 2,
+                                            bench.state.picture->size.height / 2) == 2);
+    bench.key(Key::N, true);  // hovers with the picture of three objects over the scene of one
+    CHECK_FALSE(bench.state.viewport.hovered_grip);
+    REQUIRE(bench.scene().objects.size() == 1);
+    bench.frames(1);
+    CHECK(bench.state.viewport.hovered_grip.kind == GripKind::Highlight);
+}
+
+TEST_CASE("the last picture answers only for a scene with its surfaces", "[ui][other]") {
+    Bench bench({420, 300});
+    take_scene(bench.state, three_objects());
+    bench.frames(2);
+    const PictureSize size = bench.state.picture->size;
+    const auto answers = [&] { return renderer_of_open_scene(bench.state, size) != nullptr; };
+    CHECK(answers());
+    bench.scene().lights[0].intensity = 3;
+    bench.scene().objects[2].material.diffuse = {1, 0, 0};
+    CHECK(answers());  // other light on the same surfaces
+    CHECK(renderer_of_open_scene(bench.state, {size.width + 1, size.height}) == nullptr);
+    const Scene before = bench.scene();
+    bench.scene().objects[0].transform.translate.x = 2;
+    CHECK_FALSE(answers());
+    bench.scene() = before;
+    bench.scene().camera.eye.x += 1;
+    CHECK_FALSE(answers());
+    bench.scene() = before;
+    bench.scene().objects.pop_back();
+    CHECK_FALSE(answers());
+    bench.frames(1);
+    CHECK(answers());
+    bench.state.preview = before;  // another scene on the screen
+    bench.frames(1);
+    CHECK_FALSE(answers());
+}
+
+TEST_CASE("a picked object that is deleted is not picked any more, in the same frame", "[ui][other]") {
+    Bench bench({420, 300});
+    take_scene(bench.state, three_objects());
+    bench.frames(2);
+    bench.click(middle(bench));
+    bench.frames(1);
+    REQUIRE(bench.state.why.has_value());
+    REQUIRE(bench.state.why->object_index == 2);
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    UiInput input;
+    input.presses = {{Key::Delete}, {Key::R, false, true}};  // delete, rotate about the picked point
+    (void)bench.frame(input);
+    const Selection& selection = bench.state.editor.selection;
+    CHECK(valid_selection(selection, bench.scene()) == selection);
+    CHECK_FALSE(bench.state.viewport.pivot.has_value());
+}
+
+TEST_CASE("the columns say nothing of a scene that is gone, while a preview shows", "[ui][other]") {
+    Bench bench({1280, 500});
+    take_scene(bench.state, three_objects());
+    bench.frames(2);
+    bench.click(middle(bench));
+    bench.frames(1);
+    REQUIRE(bench.state.why->object_index == 2);
+    const Scene shown = bench.scene();
+    bench.scene().objects.resize(1);
+    bench.state.preview = shown;
+    bench.frames(1);
+    CHECK_FALSE(bench.state.why.has_value());
+}
+
+TEST_CASE("a pixel of B is explained only where B has the lights and objects of the scene", "[ui][other]") {
+    Bench bench({1280, 500});
+    take_scene(bench.state, three_objects());
+    bench.frames(2);
+    bench.key(Key::B, true);  // stored with three objects
+    CompareChoice& choice = bench.state.views.compare.choice;
+    choice.on = true;
+    set_parts(choice, {{Setting::Kind::Stored, 0}, {Setting::Kind::Edited, 0}});
+    choice.wipes = {0.9};
+    bench.scene().lights[0].intensity = 0.5f;
+    bench.frames(2);
+    bench.state.viewport.probe = glm::dvec2(0.5, 0.5);
+    bench.frames(1);
+    REQUIRE(bench.state.why.has_value());
+    CHECK(bench.state.why->object_index == 2);
+    bench.scene().objects.erase(bench.scene().objects.begin(), bench.scene().objects.begin() + 2);
+    bench.frames(2);
+    CHECK_FALSE(bench.state.why.has_value());  // B's ball is number 2, and there is no number 2
+}
+
+TEST_CASE("the palette names the lights that there are", "[ui][other]") {
+    Bench bench({420, 300});
+    bench.frames(2);
+    bench.key(Key::K, true);
+    bench.frames(2);
+    REQUIRE(bench.state.palette.open);
+    const auto names = [&](const std::string& name) {
+        for (const PaletteEntry& entry : bench.state.palette.entries)
+            if (entry.name == name) return true;
+        return false;
+    };
+    CHECK(names("Select Bulb"));
+    bench.scene().lights.pop_back();
+    bench.frames(1);
+    CHECK_FALSE(names("Select Bulb"));
+    take_scene(bench.state, first_scene());
+    CHECK_FALSE(bench.state.palette.open);
+}

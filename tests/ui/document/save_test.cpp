@@ -1,0 +1,177 @@
+// Saving over what another program wrote into the file.
+#include <imgui_internal.h>
+
+#include <filesystem>
+
+#include "models/io/file.h"
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+#include "tests/support/scenes.h"
+#include "tests/support/ui_bench.h"
+#include "ui/commands/actions.h"
+#include "ui/widgets/modal.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+void open(Bench& bench, const std::string& path) {
+    UiInput drop;
+    drop.dropped = {path};
+    (void)bench.frame(drop);
+    bench.wait_for_loads();
+    REQUIRE(bench.state.editor.document.path == path);
+}
+
+void edit(Bench& bench, float intensity) {
+    bench.scene().lights[0].intensity = intensity;
+    bench.frames(2);
+}
+
+float intensity_in(const std::string& path) {
+    const auto opened = open_document(path);
+    REQUIRE(problem_of(opened) == nullptr);
+    return std::get<SceneDocument>(opened).scene.lights[0].intensity;
+}
+
+/// As another program does: beside it, and renamed into its place.
+void write_as_another(const std::string& path, float intensity) {
+    Scene scene = test::busy_scene();
+    scene.lights[0].intensity = intensity;
+    REQUIRE(problem_of(write_file(path, scene_text(scene))) == nullptr);
+}
+
+/// Clicks along the buttons of the question, from the left, until one has answered it.
+void answer(Bench& bench, int button) {
+    const ImGuiWindow* question = ImGui::FindWindowByName("Changed by another##question");
+    REQUIRE(question != nullptr);
+    const float width = 110 + ImGui::GetStyle().ItemSpacing.x;
+    bench.click({question->Pos.x + ImGui::GetStyle().WindowPadding.x + 20 + float(button) * width,
+                 question->Pos.y + question->Size.y - ImGui::GetStyle().WindowPadding.y - 8});
+    bench.frames(2);
+}
+
+/// A window on a file that was changed here and by another, and Ctrl+S.
+struct Clash {
+    TemporaryDirectory folder;
+    std::string path = folder.file("scene.json", scene_text(test::busy_scene()));
+    Bench bench;
+
+    Clash() {
+        bench.frames(2);
+        open(bench, path);
+        edit(bench, 0.25f);
+        write_as_another(path, 0.5f);
+        bench.key(Key::S, true);
+        bench.frames(3);
+        REQUIRE(modal_of(bench.state) == Modal::Changed);
+        CHECK(intensity_in(path) == 0.5f);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a file that nobody else has changed is saved without a question, again and again", "[ui][save]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("scene.json", scene_text(test::busy_scene()));
+    Bench bench;
+    bench.frames(2);
+    open(bench, path);
+    for (const float intensity : {0.25f, 0.5f, 0.75f}) {
+        edit(bench, intensity);
+        bench.key(Key::S, true);
+        CHECK(intensity_in(path) == intensity);
+        CHECK(modal_of(bench.state) == Modal::None);
+    }
+    edit(bench, 2);
+    std::filesystem::remove(path);  // nothing to lose there
+    bench.key(Key::S, true);
+    CHECK(intensity_in(path) == 2);
+}
+
+TEST_CASE("what another program wrote is overwritten only when that is said", "[ui][save]") {
+    Clash clash;
+    answer(clash.bench, 0);
+    CHECK(intensity_in(clash.path) == 0.25f);
+    CHECK_FALSE(clash.bench.state.editor.unsaved());
+    edit(clash.bench, 0.75f);
+    clash.bench.key(Key::S, true);  // it is ours now
+    CHECK(intensity_in(clash.path) == 0.75f);
+}
+
+TEST_CASE("a scene whose file was changed can be saved elsewhere", "[ui][save]") {
+    Clash clash;
+    std::filesystem::create_directory(clash.folder.path("mine"));
+    answer(clash.bench, 1);
+    CHECK(modal_of(clash.bench.state) == Modal::Files);
+    clash.bench.state.files.folder = clash.folder.path("mine");
+    clash.bench.key(Key::Enter);
+    CHECK(intensity_in(clash.folder.path("mine/scene.json")) == 0.25f);
+    CHECK(intensity_in(clash.path) == 0.5f);
+}
+
+TEST_CASE("a file that was changed can be read again", "[ui][save]") {
+    Clash clash;
+    answer(clash.bench, 2);
+    clash.bench.wait_for_loads();
+    CHECK(clash.bench.scene().lights[0].intensity == 0.5f);
+    CHECK_FALSE(clash.bench.state.editor.unsaved());
+    CHECK(modal_of(clash.bench.state) == Modal::None);
+}
+
+TEST_CASE("neither Enter nor Escape overwrites what another program wrote", "[ui][save]") {
+    Clash clash;
+    clash.bench.key(Key::Enter);
+    clash.bench.frames(2);
+    CHECK(modal_of(clash.bench.state) == Modal::Changed);
+    clash.bench.key(Key::Escape);
+    clash.bench.frames(2);
+    CHECK(modal_of(clash.bench.state) == Modal::None);
+    CHECK(intensity_in(clash.path) == 0.5f);
+    CHECK(clash.bench.scene().lights[0].intensity == 0.25f);
+}
+
+TEST_CASE("leaving goes on only after the question about the changed file", "[ui][save]") {
+    Clash clash;
+    clash.bench.key(Key::Escape);
+    clash.bench.key(Key::Q, true);
+    clash.bench.frames(2);
+    CHECK(modal_of(clash.bench.state) == Modal::Unsaved);
+    CHECK_FALSE(clash.bench.key(Key::Enter).quit);  // Save
+    clash.bench.frames(2);
+    REQUIRE(modal_of(clash.bench.state) == Modal::Changed);
+    clash.bench.state.asks_overwrite = false;
+    REQUIRE(save_over(clash.bench.state));
+    finish_pending(clash.bench.state);
+    CHECK(clash.bench.frame().quit);
+}
+
+TEST_CASE("work that is taken up after a crash does not overwrite what was written since", "[ui][save]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("scene.json", scene_text(test::busy_scene()));
+    std::filesystem::create_directories(folder.path("state"));
+    std::string copy;
+    for (const bool changed : {false, true}) {
+        {
+            Bench crashes;
+            begin_memory(crashes.state, folder.path("state"));
+            crashes.frames(2);
+            open(crashes, path);
+            edit(crashes, 0.25f);
+            REQUIRE(keep_unsaved_work(crashes.state));
+        }
+        if (changed) write_as_another(path, 0.5f);
+        Bench next;
+        begin_memory(next.state, folder.path("state"));
+        REQUIRE_FALSE(next.state.memory.left.empty());
+        take_up_copy(next.state, next.state.memory.left[0].lock.path());
+        next.frames(2);
+        edit(next, 0.75f);
+        next.key(Key::S, true);
+        next.frames(2);
+        CHECK((modal_of(next.state) == Modal::Changed) == changed);
+        CHECK(intensity_in(path) == (changed ? 0.5f : 0.75f));
+        end_memory(next.state);
+    }
+}

@@ -1,0 +1,185 @@
+// The window's smaller parts: colours, columns, words, folders, names.
+#include <filesystem>
+#include <fstream>
+
+#include "tests/support/catch.h"
+#include "ui/document/file_dialog.h"
+#include "ui/document/limits.h"
+#include "ui/document/scene_edit.h"
+#include "ui/fields/camera_panel.h"
+#include "ui/inspector/equation/words.h"
+#include "ui/picture/orbit.h"
+#include "ui/picture/screen.h"
+#include "ui/shell/layout.h"
+#include "ui/widgets/theme.h"
+
+using namespace glint;
+
+TEST_CASE("black on white has a contrast of 21", "[ui]") {
+    CHECK(contrast({0, 0, 0, 1}, {1, 1, 1, 1}) == Approx(21));
+    CHECK(contrast({1, 0, 0, 1}, {1, 0, 0, 1}) == Approx(1));
+}
+
+TEST_CASE("text and every symbol can be read on every ground: contrast at least 4.5", "[ui]") {
+    for (const Theme* t : {&dark_theme(), &light_theme()})
+        for (const ImVec4& ground : {t->window, t->panel}) {
+            for (const ImVec4& ink : {t->text, t->dim_text, t->warning, t->error})
+                CHECK(contrast(ink, ground) >= 4.5);
+            for (const ImVec4& symbol : t->symbols) CHECK(contrast(symbol, ground) >= 4.5);
+            CHECK(contrast(t->accent_text, t->accent) >= 4.5);
+            CHECK(contrast(t->text, t->field) >= 4.5);
+        }
+}
+
+TEST_CASE("the surround of the picture is neutral grey in both themes", "[ui]") {
+    for (const Theme* t : {&dark_theme(), &light_theme()}) {
+        CHECK(t->surround.x == t->surround.y);
+        CHECK(t->surround.y == t->surround.z);
+    }
+}
+
+TEST_CASE("columns tile the window without overlap, at any size and scale", "[ui]") {
+    for (const float scale : {1.0f, 1.5f, 2.0f})
+        for (const ImVec2 window : {ImVec2(1280, 800), ImVec2(1920, 1080), ImVec2(1024, 640),
+                                    ImVec2(3840, 2160), ImVec2(320, 240), ImVec2(40, 30)})
+            for (const bool folded : {false, true}) {
+                const Layout l = lay_out(window, {.folded = folded}, scale);
+                CHECK(l.centre.low.x >= (l.has_left ? l.left.high.x : 0));
+                CHECK(l.centre.high.x <= (l.has_right ? l.right.low.x : window.x));
+                CHECK(l.centre.size().x >= 1);
+                CHECK(l.centre.size().y >= 1);
+                CHECK(l.top.high.y <= l.centre.low.y);
+                CHECK(l.centre.high.y <= l.status.low.y + 1);
+                CHECK(l.centre.size().x >= window.x / 3 - 1);
+                CHECK(l.why_in_left == (window.x < 1100 * scale));
+                const Rect picture = picture_area(l.centre, scale);
+                CHECK(picture.size().x >= 1);
+                CHECK(picture.size().x >= 1.3f * picture.size().y - 2);
+                CHECK(picture.low.x >= l.centre.low.x);
+                CHECK(picture.high.x <= l.centre.high.x + 1);
+                CHECK(picture.high.y <= l.centre.high.y + 1);
+            }
+}
+
+TEST_CASE("a dark pixel is explained in words", "[ui]") {
+    Light spot;
+    spot.kind = LightKind::Spot;
+    spot.spot.cutoff_deg = 30;
+    ExplainedLight e;
+    e.n_dot_l = 0.5f;
+    e.spot_angle_deg = 34.2f;
+    e.spot = 0;
+    CHECK(why_dark(e, spot) == "outside the cone by 4.2°");
+    e.spot_angle_deg = 10;
+    e.spot = 0.9f;
+    CHECK(why_dark(e, spot).empty());
+    e.n_dot_l = -0.12f;
+    CHECK(why_dark(e, spot) == "behind the surface: n·l < 0");
+    e.n_dot_l = 0.3f;
+    e.falloff = 0.003f;
+    CHECK(why_dark(e, spot) == "hardly reaches: falloff 0.003");
+    Light area;
+    area.kind = LightKind::Area;
+    ExplainedLight samples;
+    samples.samples.resize(4);
+    CHECK(why_dark(samples, area) == "behind the surface: n·l < 0 for all samples");
+    samples.samples[2].n_dot_l = 0.1f;
+    CHECK(why_dark(samples, area) == "3 of 4 samples are behind the surface");
+    for (ExplainedLight& sample : samples.samples) sample.n_dot_l = 0.5f;
+    CHECK(why_dark(samples, area).empty());
+    CHECK(why_clipped({1.31f, 0.5f, 1}, 1) == "clips: R 1.31 → 1");
+    CHECK(why_clipped({0.7f, 0.4f, 0.1f}, 2) == "clips: R 1.40 → 1");
+    CHECK(why_clipped({0.7f, 0.4f, 0.1f}, 1).empty());
+}
+
+TEST_CASE("terms lit at corners enter with their weights", "[ui]") {
+    Explanation why;
+    why.lit_per_corner = true;
+    why.corners.resize(2);
+    why.corners[0].weight = 0.25f;
+    why.corners[0].at.lights.resize(1);
+    why.corners[0].at.lights[0].diffuse = {0.8f, 0, 0};
+    why.corners[1].weight = 0.75f;
+    why.corners[1].at.global_ambient = {0.4f, 0.4f, 0.4f};
+    CHECK(term_sums(why).diffuse.x == Approx(0.2f));
+    CHECK(term_sums(why).ambient.y == Approx(0.3f));
+}
+
+TEST_CASE("figures keep their width while they change", "[ui]") {
+    CHECK(shown_number(0.71334f) == " 0.713");
+    CHECK(shown_number(-0.125f) == "−0.125");
+    CHECK(shown_number(-0.0001f) == " 0.000");
+    CHECK(shown_number(12.345f) == " 12.35");
+    CHECK(shown_number(1234.5f) == " 1234");
+}
+
+TEST_CASE("names stay apart", "[ui]") {
+    Scene scene;
+    CHECK(free_name("Bulb", scene) == "Bulb");
+    scene.lights.resize(2);
+    scene.lights[0].name = "Bulb";
+    scene.lights[1].name = "Bulb 2";
+    CHECK(free_name("Bulb", scene) == "Bulb 3");
+    CHECK(free_name("Bulb 2", scene) == "Bulb 3");
+    CHECK(free_name("4", scene) == "4");
+}
+
+TEST_CASE("a folder lists folders first, then what serves the purpose, by name", "[ui]") {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / "glint_list_folder_test";
+    fs::remove_all(folder);
+    fs::create_directories(folder / "zoo");
+    for (const char* name : {"b.json", "A.OBJ", "c.txt", ".hidden.json", "p.png"})
+        std::ofstream(folder / name) << "x";
+    const auto names = [&](FilePurpose purpose) {
+        std::string all;
+        for (const FolderEntry& entry : list_folder(folder.string(), purpose)) all += entry.name + " ";
+        return all;
+    };
+    CHECK(names(FilePurpose::OpenScene) == "zoo A.OBJ b.json p.png ");
+    CHECK(names(FilePurpose::OpenMesh) == "zoo A.OBJ ");
+    CHECK(names(FilePurpose::SaveScene) == "zoo b.json ");
+    CHECK(list_folder((folder / "nowhere").string(), FilePurpose::OpenScene).empty());
+    fs::remove_all(folder);
+}
+
+TEST_CASE("another kind of projection shows the target at the same size", "[ui]") {
+    const Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{50, 0.1f, 100}};
+    const PictureSize size{800, 500};
+    const glm::dvec3 place{0.7, 0.4, 0};
+    const OnScreen before = project(screen_map(camera, size), place);
+    for (const ProjectionKind kind : enumerators<ProjectionKind>) {
+        Camera other = camera;
+        other.projection = as_projection(camera, kind, size);
+        CHECK(kind_of(other.projection) == kind);
+        const OnScreen after = project(screen_map(other, size), place);
+        CHECK(after.pixel.x == Approx(before.pixel.x).epsilon(1e-4));
+        CHECK(after.pixel.y == Approx(before.pixel.y).epsilon(1e-4));
+        CHECK_FALSE(violation_of(other));
+    }
+}
+
+TEST_CASE("what the scene file would refuse is not valid here either", "[ui]") {
+    Camera camera;
+    camera.target = camera.eye;
+    CHECK(violation_of(camera));
+    camera = {};
+    camera.up = camera.eye;
+    CHECK(violation_of(camera));
+    camera = {};
+    camera.projection = Perspective{45, 2, 1};
+    CHECK(violation_of(camera));
+    Light light;
+    CHECK_FALSE(violation_of(light));
+    light.falloff = {0, 0, 0};
+    CHECK(violation_of(light));
+    light = {};
+    light.position = {0, 0, 0, 0};
+    CHECK(violation_of(light));
+    light = {};
+    light.area.edge_v = 2.0f * light.area.edge_u;
+    CHECK(violation_of(light));
+    Object object;
+    object.transform.scale.y = 0;
+    CHECK(violation_of(object));
+}

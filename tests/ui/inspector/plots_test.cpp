@@ -1,0 +1,246 @@
+// The plots: a mark is what the explanation says, and lies on its curve.
+#include <cmath>
+#include <filesystem>
+#include <glm/trigonometric.hpp>
+
+#include "renderer/inspect/reflectance/curves.h"
+#include "renderer/inspect/reflectance/highlight_fit.h"
+#include "tests/support/catch.h"
+#include "tests/support/scenes.h"
+#include "tests/support/ui_why_bench.h"
+#include "ui/plots/plots_tab.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+/// The busy scene at a pixel that its sun, its bulb and its spot reach.
+Explanation lit_pixel(Renderer& renderer, const Scene& scene) {
+    renderer.render(scene, {120, 90});
+    for (int y = 20; y < 80; ++y)
+        for (int x = 10; x < 110; ++x) {
+            Explanation e = renderer.explain(x, y);
+            if (!e.hit || e.at.lights.size() < 4) continue;
+            bool all = true;
+            for (int i = 0; i < 3; ++i) {
+                const ExplainedLight& light = e.at.lights[static_cast<std::size_t>(i)];
+                all = all && light.n_dot_l > 0.1f && light.spot > 0.05f;
+            }
+            if (all) return e;
+        }
+    FAIL("no pixel is reached by all three");
+    return {};
+}
+
+Scene scene_for_plots() {
+    Scene scene = test::busy_scene();
+    scene.lights[2].spot.cutoff_deg = 60;
+    scene.objects[0].material.shininess = 6;
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("plots: the falloff's mark lies on its curve to the last bit", "[ui][plots]") {
+    const Scene scene = scene_for_plots();
+    Renderer renderer(1);
+    const std::optional<Explanation> why = lit_pixel(renderer, scene);
+    const PlotPoint point = plot_point(why, 1);
+    REQUIRE(point.light != nullptr);
+    const glm::dvec2 mark = falloff_mark(point);
+    CHECK(mark.y < 0.9);
+    CHECK(falloff_curve(scene, 1, mark.x, 1).back().y == mark.y);
+    CHECK(falloff_curve(scene, 0, 5, 4).empty());
+    CHECK(falloff_curve(scene, 3, 5, 4).empty());
+}
+
+TEST_CASE("plots: the cone's mark lies on its curve, which ends at the cutoff", "[ui][plots]") {
+    const Scene scene = scene_for_plots();
+    Renderer renderer(1);
+    const std::optional<Explanation> why = lit_pixel(renderer, scene);
+    const glm::dvec2 mark = spot_mark(plot_point(why, 2));
+    const auto curve = spot_curve(scene, 2, 180);
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+        if (curve[i - 1].x > mark.x || curve[i].x < mark.x) continue;
+        const double share = (mark.x - curve[i - 1].x) / (curve[i].x - curve[i - 1].x);
+        CHECK(mark.y == Approx(glm::mix(curve[i - 1].y, curve[i].y, share)).margin(1e-3));
+    }
+    for (const glm::dvec2 p : curve) {
+        INFO(p.x << " degrees");
+        CHECK((p.y > 0) == (std::abs(p.x) <= 60));
+        if (std::abs(p.x) < 59) CHECK(p.y == Approx(std::pow(std::cos(glm::radians(p.x)), 4)).margin(1e-4));
+    }
+}
+
+TEST_CASE("plots: the highlight's mark lies on the curve of its model", "[ui][plots]") {
+    Scene scene = scene_for_plots();
+    for (const Reflection reflection : {Reflection::Phong, Reflection::BlinnPhong}) {
+        scene.shading.reflection = reflection;
+        Renderer renderer(1);
+        const std::optional<Explanation> why = lit_pixel(renderer, scene);
+        const glm::dvec2 mark = highlight_mark(plot_point(why, 0), reflection);
+        const bool blinn = reflection == Reflection::BlinnPhong;
+        const double cosine = std::cos(glm::radians(blinn ? mark.x / 2 : mark.x));
+        CHECK(mark.y == Approx(std::pow(std::max(cosine, 0.0), why->material.shininess)).margin(1e-5));
+        const auto curve = highlight_curve(reflection, why->material.shininess, 180);
+        const auto near = static_cast<std::size_t>(std::lround(std::min(mark.x, 90.0) + 90));
+        if (mark.x < 90) CHECK(curve[near].y == Approx(mark.y).margin(0.05));
+    }
+}
+
+TEST_CASE("plots: the lobe's disc is what the explanation gives for the light", "[ui][plots]") {
+    Scene scene = scene_for_plots();
+    for (const Reflection reflection : {Reflection::Lambert, Reflection::Phong, Reflection::BlinnPhong,
+                                        Reflection::Retro, Reflection::OrenNayar, Reflection::CookTorrance}) {
+        scene.shading.reflection = reflection;
+        Renderer renderer(1);
+        const std::optional<Explanation> why = lit_pixel(renderer, scene);
+        for (const int light : {0, 1, 2}) {
+            const PlotPoint point = plot_point(why, light);
+            const LocalDirections local = local_directions(point);
+            CHECK(std::cos(glm::radians(local.light_deg)) == Approx(point.light->n_dot_l).margin(1e-5));
+            const Reflected r = reflected({reflection, why->material, {}}, local.l, local.v);
+            const glm::vec3 diffuse = point.light->diffuse_factor * why->material.diffuse;
+            const glm::vec3 specular = point.light->specular_factor * why->material.specular;
+            for (int c = 0; c < 3; ++c) {
+                CHECK(r.diffuse[c] == Approx(diffuse[c]).margin(1e-4));
+                CHECK(r.specular[c] == Approx(specular[c]).margin(1e-3));
+            }
+        }
+    }
+}
+
+TEST_CASE("plots: Blinn's shininess nearest to Phong's is about four times it", "[plots]") {
+    CHECK(blinn_shininess_like(32) == Approx(4 * 32).epsilon(0.03));
+    CHECK(blinn_shininess_like(200) == Approx(4 * 200).epsilon(0.02));
+    const double like = blinn_shininess_like(10);
+    const auto misfit = [](double n) {
+        double sum = 0;
+        for (int deg = 0; deg <= 90; ++deg) {
+            const double a = glm::radians(double(deg));
+            sum += std::pow(std::pow(std::cos(a), 10) - std::pow(std::cos(a / 2), n), 2);
+        }
+        return sum;
+    };
+    CHECK(misfit(like) < misfit(like * 1.02));
+    CHECK(misfit(like) < misfit(like / 1.02));
+}
+
+TEST_CASE("plots: a curve drawn from a known power is fitted by that power", "[plots][lecture]") {
+    for (const double n : {0.0, 0.7, 5.0, 32.0, 400.0}) {
+        HighlightSketch sketch;
+        // As a hand would: from the right to the left, some degrees at a time.
+        const auto value = [n](double deg) { return std::pow(std::cos(glm::radians(deg)), n); };
+        for (int deg = 88; deg > 0; deg -= 2)
+            add_to_sketch(sketch, {deg, value(deg)}, {deg - 2, value(deg - 2)});
+        const auto points = points_of(sketch);
+        CHECK(points.size() == 89);
+        const auto fit = fitted_highlight(Reflection::Phong, points);
+        REQUIRE(fit);
+        CHECK(fit->shininess == Approx(n).epsilon(0.02).margin(0.01));
+        CHECK(fit->error < 0.02);
+    }
+    CHECK_FALSE(fitted_highlight(Reflection::Phong, {}));
+    CHECK(points_of({}).empty());
+}
+
+TEST_CASE("plots: the bell and the line are half as high where the power is", "[plots][lecture]") {
+    CHECK(half_angle_deg(1) == Approx(60));
+    CHECK(half_angle_deg(0) == 90);
+    for (const double n : {2.0, 20.0, 200.0}) {
+        const double half = half_angle_deg(n);
+        CHECK(std::pow(std::cos(glm::radians(half)), n) == Approx(0.5));
+        for (const HighlightShape shape : {HighlightShape::Gaussian, HighlightShape::Linear}) {
+            const auto curve = highlight_shape(shape, n, 9000);
+            CHECK(curve.front().y == 1);
+            CHECK(curve[static_cast<std::size_t>(std::lround(half * 100))].y == Approx(0.5).margin(2e-3));
+            const double twice =
+                curve[static_cast<std::size_t>(std::lround(std::min(2 * half, 90.0) * 100))].y;
+            if (2 * half <= 90)
+                CHECK(twice == Approx(shape == HighlightShape::Gaussian ? 1.0 / 16 : 0.0).margin(2e-3));
+        }
+    }
+}
+
+TEST_CASE("plots: under Gouraud shading the corner that counts most is marked", "[ui][plots]") {
+    Scene scene = scene_for_plots();
+    scene.shading.mode = ShadingMode::Gouraud;
+    Renderer renderer(1);
+    renderer.render(scene, {120, 90});
+    std::optional<Explanation> why = renderer.explain(45, 45);
+    REQUIRE(why->hit);
+    const PlotPoint point = plot_point(why, 0);
+    for (const ExplainedCorner& corner : why->corners) {
+        if (&corner.at == point.at) continue;
+        float marked = 0;
+        for (const ExplainedCorner& c : why->corners)
+            if (&c.at == point.at) marked = c.weight;
+        CHECK(corner.weight <= marked);
+    }
+}
+
+TEST_CASE("plots: the tab draws for every scene that is shipped, and without lights", "[ui][window][plots]") {
+    namespace fs = std::filesystem;
+    Bench bench({1024, 640});
+    for (const auto& entry : fs::directory_iterator(fs::path(GLINT_SOURCE_DIR) / "assets" / "scenes")) {
+        if (entry.path().extension() != ".json") continue;
+        INFO(entry.path());
+        const Result<SceneDocument> opened = open_document(entry.path().string());
+        REQUIRE(problem_of(opened) == nullptr);
+        take_document(bench.state.editor, std::get<SceneDocument>(opened));
+        bench.state.left_shows_why = true;
+        test::ask(bench, WhyTab::Plots);
+        for (int light = 0; light < int(bench.scene().lights.size()); ++light) {
+            bench.state.views.plots.light = light;
+            bench.frames(1);
+        }
+    }
+    bench.scene().lights.clear();
+    bench.frames(2);
+    CHECK(bench.state.why_column.tab == WhyTab::Plots);
+}
+
+TEST_CASE("plots: the BRDF's slice is that of Phong in closed form, forwards and backwards", "[ui][plots]") {
+    Material material;
+    material.diffuse = glm::vec3(0.5f);
+    material.specular = glm::vec3(0.3f);
+    material.shininess = 10;
+    const double light_deg = 30, pi = 3.14159265358979;
+    const BrdfCurves curves = brdf_curves({Reflection::Phong, material, {}}, light_deg);
+    REQUIRE(curves.forwards.size() == curves.backwards.size());
+    int compared = 0;
+    for (std::size_t i = 0; i < curves.forwards.size(); ++i) {
+        const double v = curves.forwards[i].x;
+        if (std::abs(v) > 89) continue;
+        const double lobe = 0.3 * std::pow(std::max(std::cos(glm::radians(v - light_deg)), 0.0), 10);
+        // (k_d n.l + k_s (r.v)^n) / (pi n.l); backwards the light stands at v.
+        CHECK(curves.forwards[i].y ==
+              Approx((0.5 + lobe / std::cos(glm::radians(light_deg))) / pi).epsilon(1e-4));
+        CHECK(curves.backwards[i].y == Approx((0.5 + lobe / std::cos(glm::radians(v))) / pi).epsilon(1e-4));
+        ++compared;
+    }
+    CHECK(compared > 150);
+}
+
+TEST_CASE("plots: a light is tried as every kind where it stands, a lamp aimed at the point", "[ui][plots]") {
+    Bench bench;
+    test::ask(bench, WhyTab::Plots, {0.5, 0.5});
+    REQUIRE(bench.state.why);
+    const ScreenMap map = screen_map(bench.scene().camera, bench.state.picture->size);
+    PictureView view;
+    view.map = map;
+    view.dome = sun_dome(bench.scene().camera.target, scene_bounds(bench.scene()), map);
+    const Light& bulb = bench.scene().lights[1];
+    const glm::dvec3 place = handle_of(bulb, view.dome, map);
+    const ExplainedPoint& at = bench.state.why->at;
+    CHECK(of_kind_at(bulb, LightKind::Point, at, view) == bulb);
+    for (const LightKind kind : {LightKind::Spot, LightKind::Area}) {
+        const Light other = of_kind_at(bulb, kind, at, view);
+        CHECK(other.kind == kind);
+        CHECK(glm::length(handle_of(other, view.dome, map) - place) < 1e-4);
+    }
+    const Light lamp = of_kind_at(bulb, LightKind::Spot, at, view);
+    const glm::dvec3 way = glm::normalize(glm::dvec3(at.point.world) - place);
+    CHECK(glm::dot(to_world(lamp, lamp.spot.direction, 0, map), way) == Approx(1).margin(1e-5));
+}

@@ -1,0 +1,98 @@
+// What matters at a pixel: measured aside, not again while nothing changes, and named in words.
+#include <chrono>
+#include <thread>
+
+#include "models/json/json_value.h"
+#include "models/scene_file/scene_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/ui_why_bench.h"
+#include "ui/fields/npr_panel.h"
+#include "ui/inspector/equation/pointer_words.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+/// Runs frames until the job is done. The clock of ImGui goes with the frames, the job's with the machine.
+bool wait_for_numbers(Bench& bench) {
+    for (int i = 0; i < 4000 && !bench.state.sensitivity.current; ++i) {
+        bench.frames(1);
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return bench.state.sensitivity.current;
+}
+
+/// A number or switch of the scene, as its file has it.
+JsonValue value_at(const Scene& scene, std::string_view pointer) {
+    const JsonValue file = JsonValue::parse(scene_text(scene)).value();
+    const JsonValue* found = file.at_pointer(pointer);
+    REQUIRE(found != nullptr);
+    return *found;
+}
+
+}  // namespace
+
+TEST_CASE("the sensitivity shown is that of glint explain --sensitivity", "[ui][window][why]") {
+    Bench bench({760, 400});
+    bench.state.layout.left = true;
+    bench.state.left_shows_why = true;
+    test::ask(bench, WhyTab::Sensitivity, {0.5, 0.45});
+    REQUIRE(wait_for_numbers(bench));
+    const auto made = sensitivities(bench.state.editor.document, bench.state.picture->size,
+                                    bench.state.why->x, bench.state.why->y, 1);
+    const auto& expected = std::get<Sensitivities>(made);
+    REQUIRE(bench.state.sensitivity.shown);
+    const Sensitivities& shown = *bench.state.sensitivity.shown;
+    REQUIRE(shown.numbers.size() == expected.numbers.size());
+    for (std::size_t i = 0; i < shown.numbers.size(); ++i) {
+        CHECK(shown.numbers[i].pointer == expected.numbers[i].pointer);
+        CHECK(shown.numbers[i].change == expected.numbers[i].change);
+    }
+    CHECK(shown.no_effect == expected.no_effect);
+    // Still: no frame is asked for and no job begins.
+    bench.frames(30);
+    CHECK_FALSE(bench.state.sensitivity.job);
+    // Moved: the old numbers are marked as such.
+    bench.scene().lights.front().intensity = 0.5f;
+    bench.frames(2);
+    CHECK_FALSE(bench.state.sensitivity.current);
+    REQUIRE(wait_for_numbers(bench));
+    CHECK(bench.state.sensitivity.shown->numbers.front().change != expected.numbers.front().change);
+}
+
+TEST_CASE("pointers of numbers are named in words, with the panel they stand in", "[ui][why]") {
+    const Scene scene = first_scene().scene;
+    const NamedNumber bulb = named_number("/lights/1/position/1", scene);
+    CHECK(bulb.owner == "Bulb");
+    CHECK(bulb.what == "position y");
+    CHECK(bulb.selection == Selection{Selection::Kind::Light, 1});
+    CHECK(named_number("/objects/0/material/diffuse/0", scene).what == "diffuse red");
+    CHECK(named_number("/camera/projection/fov_y_deg", scene).what == "fov y deg");
+    CHECK(named_number("/global_ambient/2", scene).what == "global ambient blue");
+    CHECK(named_number("/objects/0", scene).owner == "Ball");
+    CHECK(named_number("/lights/7/position/0", scene).owner == "Scene");
+    CHECK(named_number("", scene).what.empty());
+}
+
+TEST_CASE("the panel of strokes and tones sets each of its keys, one step each", "[ui][window][why]") {
+    Bench bench({1280, 1600});
+    bench.frames(2);
+    bench.state.editor.selection = {Selection::Kind::Shading, 0};
+    bench.frames(2);
+    const Scene start = bench.scene();
+    for (const char* key :
+         {"/npr/cool_to_warm", "/npr/cool/0", "/npr/warm/0", "/npr/alpha", "/npr/beta", "/npr/silhouettes",
+          "/npr/creases", "/npr/crease_deg", "/npr/stroke/0", "/npr/stroke_width_px"}) {
+        INFO(key);
+        const ImVec2 at = bench.control(key);
+        bench.drag(at, {at.x + 6, at.y});
+        bench.frames(1);
+        CHECK(bench.state.editor.history.undo_name() == "Strokes and tones");
+        CHECK(value_at(bench.scene(), key) != value_at(start, key));
+        REQUIRE(undo(bench.state.editor));
+        CHECK_FALSE(undo(bench.state.editor));  // it was one step
+        bench.frames(1);
+        REQUIRE(bench.scene() == start);
+    }
+}

@@ -1,0 +1,117 @@
+// When the picture is drawn smaller.
+#include "ui/shell/frame_pace.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/ui_bench.h"
+
+using namespace glint;
+
+namespace {
+
+/// Divisors of 40 pictures of a machine on which one takes `fixed` and `per_pixels` over the share of pixels.
+std::vector<int> divisors(FramePace& pace, double fixed, double per_pixels) {
+    std::vector<int> used;
+    for (int i = 0; i < 40; ++i) {
+        const int divisor = pace.divisor;
+        used.push_back(divisor);
+        picture_took(pace, divisor, fixed + per_pixels / (divisor * divisor));
+    }
+    return used;
+}
+
+/// A camera drag after which pictures are drawn smaller, as if they had been slow.
+void begin_slow_drag(test::Bench& bench, int divisor) {
+    bench.move(bench.at_pixel({40, 40}));
+    bench.button(true);
+    bench.move(bench.at_pixel({60, 44}));
+    bench.state.pace.divisor = divisor;
+    bench.state.pace.full_ms = divisor > 2 ? 80 : 40;
+}
+
+}  // namespace
+
+TEST_CASE("a picture is drawn smaller only when a full one takes more than 33 ms", "[ui][pace]") {
+    FramePace pace;
+    CHECK(divisors(pace, 0, 33) == std::vector<int>(40, 1));
+    pace = {};
+    const auto slow = divisors(pace, 0, 60);
+    CHECK(slow[0] == 1);
+    CHECK(slow[1] == 2);
+    CHECK(slow.back() == 2);
+    pace = {};
+    CHECK(divisors(pace, 0, 1000).back() == largest_divisor);
+}
+
+TEST_CASE("the grain stays while the hand moves: no flicker between sizes", "[ui][pace]") {
+    for (const double fixed : {0.0, 3.0, 10.0, 20.0})
+        for (double per_pixels = 5; per_pixels < 500; per_pixels *= 1.3) {
+            FramePace pace;
+            const auto used = divisors(pace, fixed, per_pixels);
+            int changes = 0;
+            for (std::size_t i = 1; i < used.size(); ++i) changes += used[i] != used[i - 1];
+            INFO(fixed << " + " << per_pixels);
+            CHECK(changes <= 3);
+        }
+}
+
+TEST_CASE("where fewer pixels do not help the picture stays whole", "[ui][pace]") {
+    FramePace pace;
+    const auto used = divisors(pace, 300, 10);  // the time goes into a million triangles
+    CHECK(used.back() == 1);
+    CHECK(pace.in_vain);
+    end_of_motion(pace);
+    CHECK_FALSE(pace.in_vain);
+}
+
+TEST_CASE("a size is divided and never nothing", "[ui][pace]") {
+    CHECK(divided({641, 479}, 2) == PictureSize{320, 239});
+    CHECK(divided({3, 1}, 4) == PictureSize{1, 1});
+    CHECK(divided({640, 480}, 1) == PictureSize{640, 480});
+}
+
+TEST_CASE("a slow picture is small while a camera drag moves, and whole when the hand rests or lets go",
+          "[ui][pace]") {
+    test::Bench bench;
+    bench.frames(2);
+    const PictureSize full = bench.state.picture->size;
+    begin_slow_drag(bench, 2);
+    bench.move(bench.at_pixel({80, 50}));
+    CHECK(bench.state.picture->size == divided(full, 2));
+    const UiRequests wants = bench.frame();  // the hand rests
+    CHECK(wants.sleep_s <= rest_before_full);
+    bench.frames(12);  // 0.2 s
+    CHECK(bench.state.picture->size == full);
+    bench.state.pace.divisor = 2;
+    bench.move(bench.at_pixel({90, 55}));
+    CHECK(bench.state.picture->size == divided(full, 2));
+    bench.button(false);
+    bench.frame();
+    CHECK(bench.state.picture->size == full);
+    CHECK(bench.state.drawn == bench.scene());
+}
+
+TEST_CASE("while the picture is small the picked pixel is explained by what shows there", "[ui][pace]") {
+    test::Bench bench;
+    bench.frames(2);
+    const PictureSize full = bench.state.picture->size;
+    bench.click(bench.at_pixel({321, 243}));
+    REQUIRE(bench.state.why);
+    const std::array<int, 3> whole = bench.state.why->byte;
+    CHECK(bench.state.asked == glm::ivec2(321, 243));
+    begin_slow_drag(bench, 3);
+    bench.move(bench.at_pixel({90, 50}));
+    const Picture& small = *bench.state.picture;
+    REQUIRE(small.size == divided(full, 3));
+    REQUIRE(bench.state.why);
+    CHECK(bench.state.asked == glm::ivec2(321, 243));
+    const std::size_t at =
+        4 * small.pixel(321 * small.size.width / full.width, 243 * small.size.height / full.height);
+    for (std::size_t c = 0; c < 3; ++c) CHECK(bench.state.why->byte[c] == int(small.rgba[at + c]));
+    CHECK(bench.state.why->byte != whole);  // the camera turned
+    bench.button(false);
+    bench.frame();
+    CHECK(bench.state.picture->size == full);
+    REQUIRE(bench.state.why);
+    CHECK(bench.state.why->x == 321);
+    CHECK(bench.state.why->y == 243);
+}

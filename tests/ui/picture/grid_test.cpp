@@ -1,0 +1,150 @@
+// Light by term, big pixels, and where the equation is evaluated.
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "tests/support/catch.h"
+#include "tests/support/scenes.h"
+#include "tests/support/ui_why_bench.h"
+#include "ui/commands/actions.h"
+#include "ui/views/views.h"
+
+using namespace glint;
+using test::Bench;
+
+TEST_CASE("grid: the cells' linear pictures add up to the picture", "[ui][grid]") {
+    Scene scene = test::busy_scene();
+    constexpr PictureSize size{80, 60};
+    Renderer full(1), small(1);
+    const Picture& picture = full.render(scene, size, true);
+    std::vector<glm::vec3> sum(std::size_t{80} * 60, glm::vec3(0));
+    for (const GridCell cell : grid_cells(scene)) {
+        const Picture& part = small.render(with_cells(scene, {cell}), size, true);
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) sum[part.pixel(x, y)] += part.linear_at(x, y);
+    }
+    int surface = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            if (full.object_at(x, y) < 0) continue;
+            ++surface;
+            CHECK(glm::length(sum[picture.pixel(x, y)] - picture.linear_at(x, y)) < 1e-5f);
+        }
+    CHECK(surface > 500);
+    CHECK(with_cells(scene, grid_cells(scene)) == scene);
+}
+
+TEST_CASE("grid: a click shows one term alone while the tab is open, and edits nothing",
+          "[ui][window][grid]") {
+    Bench bench;
+    test::ask(bench, WhyTab::Grid);
+    bench.frames(30);
+    const Scene before = bench.scene();
+    TermGridState& grid = bench.state.views.grid;
+    CHECK(grid.next == grid_cells(before).size());
+    CHECK(grid.sheet.size.width == 3 * grid.cell.width);
+    // The sheet holds what a small renderer draws.
+    Renderer renderer(1);
+    const Picture& small = renderer.render(with_cells(before, {{0, 1}}), grid.cell);
+    const std::size_t middle = 4 * small.pixel(grid.cell.width / 2, grid.cell.height / 2);
+    const std::size_t there =
+        4 * grid.sheet.pixel(grid.cell.width * 3 / 2, grid.cell.height + grid.cell.height / 2);
+    CHECK(small.rgba[middle] == grid.sheet.rgba[there]);
+    grid.solo = GridCell{0, 1};
+    bench.frames(2);
+    CHECK(bench.state.drawn == with_cells(before, {{0, 1}}));
+    CHECK(bench.scene() == before);
+    grid.solo.reset();
+    grid.muted = {{0, 2}};
+    bench.frames(2);
+    CHECK(bench.state.drawn.lights[0].specular == glm::vec3(0));
+    CHECK(bench.state.drawn.lights[1] == before.lights[1]);
+    bench.state.why_column.tab = WhyTab::Equation;
+    bench.frames(3);
+    CHECK(bench.state.drawn == before);
+    CHECK_FALSE(bench.state.editor.history.can_undo());
+}
+
+TEST_CASE("big pixels enlarge about the pixel under the cursor and draw nothing again",
+          "[ui][window][magnify]") {
+    Bench bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    const auto serial = bench.state.picture_serial;
+    const glm::dvec2 pixel{300.5, 200.5};
+    bench.move(bench.at_pixel(pixel));
+    ImGui::GetIO().KeyCtrl = true;
+    for (int i = 0; i < 5; ++i) {
+        ImGui::GetIO().MouseWheel = 1;
+        bench.frames(1);
+        ImGui::GetIO().MouseWheel = 0;
+    }
+    ImGui::GetIO().KeyCtrl = false;
+    CHECK(bench.state.views.magnifier.zoom == 32);
+    CHECK(bench.scene() == before);
+    CHECK(bench.state.picture_serial == serial);
+    bench.frames(1);
+    bench.button(true);
+    bench.button(false);
+    bench.frames(2);
+    REQUIRE(bench.state.why);
+    CHECK(std::abs(bench.state.why->x - 300) <= 1);
+    CHECK(std::abs(bench.state.why->y - 200) <= 1);
+    bench.key(Key::M);
+    CHECK(bench.state.views.magnifier.zoom == 1);
+}
+
+TEST_CASE("magnified, a place goes to the window and back, and the picture covers its room",
+          "[ui][magnify]") {
+    PictureView plain;
+    plain.origin = {10, 20};
+    plain.map.size = {640, 480};
+    const Rect area{{10, 20}, {650, 500}};
+    for (const glm::dvec2 centre : {glm::dvec2(0), glm::dvec2(0.3, 0.8), glm::dvec2(1)})
+        for (const int zoom : {2, 16, 64}) {
+            PictureView view = plain;
+            magnify(view, area, {zoom, centre});
+            const glm::dvec2 back = view.to_pixel(view.to_window({123.25, 45.5}));
+            CHECK(back.x == Approx(123.25).margin(1e-3));
+            CHECK(view.to_window({0, 0}).x <= area.low.x);
+            CHECK(view.to_window({640, 480}).y >= area.high.y - 1);
+        }
+}
+
+TEST_CASE("dots: flat shading is evaluated at faces' points, Gouraud at corners, Phong at pixels",
+          "[ui][dots]") {
+    Scene scene = test::busy_scene();
+    constexpr PictureSize size{160, 120};
+    Renderer renderer(1);
+    scene.shading.mode = ShadingMode::Gouraud;
+    renderer.render(scene, size);
+    const std::vector<LitDot> corners = lit_dots(renderer, size, 160);
+    // Every pixel asked: then each corner that was lit is found, once.
+    const std::uint64_t sources = 3 + 4;  // an area light counts as its samples
+    const std::uint64_t lit = renderer.stats().evaluations / sources;
+    CHECK(corners.size() <= lit);  // poles have a corner for each face, all alike
+    CHECK(double(corners.size()) > 0.6 * double(lit));
+    scene.shading.mode = ShadingMode::Flat;
+    renderer.render(scene, size);
+    const std::vector<LitDot> faces = lit_dots(renderer, size, 160);
+    CHECK(faces.size() == renderer.stats().evaluations / sources);
+    scene.shading.mode = ShadingMode::Phong;
+    renderer.render(scene, size);
+    CHECK(lit_dots(renderer, size, 160).size() == renderer.stats().shaded_pixels);
+    for (const LitDot& dot : faces) CHECK(glm::length(dot.normal) == Approx(1));
+}
+
+TEST_CASE("dots: the counter is the renderer's", "[ui][window][dots]") {
+    Bench bench;
+    bench.frames(2);
+    bench.key(Key::J);
+    bench.key(Key::N);
+    bench.frames(2);
+    CHECK(bench.state.views.lit.found.size() > 100);
+    const std::string text = evaluations_text(*bench.state.renderer, bench.state.drawn);
+    CHECK(text.find(std::to_string(bench.state.renderer->stats().evaluations)) != std::string::npos);
+    CHECK(text.find("pixels × 2 lights") != std::string::npos);
+    bench.key(Key::J);
+    bench.key(Key::N);
+    bench.frames(1);
+    CHECK(bench.state.views.lit.found.empty());
+}

@@ -1,0 +1,148 @@
+// What the window does for a lecture.
+#include "models/io/file.h"
+#include "models/scene_file/scene_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+#include "tests/support/ui_bench.h"
+#include "ui/commands/actions.h"
+#include "ui/lecture/folder_scenes.h"
+
+using namespace glint;
+using test::Bench;
+
+TEST_CASE("names are ordered as a person would count them", "[ui][lecture]") {
+    const std::vector<std::string> ordered{"1",        "2",         "10",    "Step 2", "step 10",
+                                           "step 10b", "step 010c", "steps", "Z1",     "z2"};
+    for (std::size_t i = 0; i < ordered.size(); ++i)
+        for (std::size_t k = 0; k < ordered.size(); ++k) {
+            INFO(ordered[i] << " and " << ordered[k]);
+            CHECK(natural_less(ordered[i], ordered[k]) == (i < k));
+        }
+    CHECK(natural_less("a01", "a1") != natural_less("a1", "a01"));
+    CHECK_FALSE(natural_less("", ""));
+    CHECK(natural_less("99999999999999999999998", "99999999999999999999999"));
+}
+
+TEST_CASE("PgDn and PgUp go through a folder's scenes in that order, and stop at its ends", "[ui][lecture]") {
+    const TemporaryDirectory folder;
+    for (const char* name : {"s10.json", "s2.json", "s1.json"}) {
+        SceneDocument document = first_scene();
+        document.scene.lights[0].name = name;
+        (void)folder.file(name, scene_text(document.scene));
+    }
+    (void)folder.file("s3.obj", "");
+    (void)folder.file(".s4.json", "");
+    CHECK(scene_beside(folder.path("s1.json"), -1).empty());
+    CHECK(scene_beside(folder.path("s3.json"), 1) == folder.path("s10.json"));  // was deleted meanwhile
+    CHECK(scene_beside(folder.path("s3.json"), -1) == folder.path("s2.json"));
+    CHECK(scene_beside("/nowhere/at/all.json", 1).empty());
+    Bench bench;
+    UiInput drop;
+    drop.dropped = {folder.path("s1.json")};
+    (void)bench.frame(drop);
+    bench.wait_for_loads();
+    for (const char* name : {"s2.json", "s10.json", "s10.json"}) {
+        bench.key(Key::PageDown);
+        bench.wait_for_loads();
+        CHECK(bench.scene().lights[0].name == name);
+    }
+    bench.key(Key::PageUp);
+    bench.wait_for_loads();
+    CHECK(bench.scene().lights[0].name == "s2.json");
+}
+
+TEST_CASE("on the projector everything to be read has a contrast of 7 to 1", "[ui][lecture]") {
+    for (const bool dark : {true, false}) {
+        const Theme& t = projector_theme(dark);
+        CHECK(t.dark == dark);
+        for (const ImVec4& ground : {t.window, t.panel, t.field, t.field_hovered, t.field_active}) {
+            CHECK(contrast(t.text, ground) >= 7);
+            CHECK(contrast(t.dim_text, ground) >= 7);
+            CHECK(contrast(t.warning, ground) >= 7);
+            CHECK(contrast(t.error, ground) >= 7);
+        }
+        for (const ImVec4& ground : {t.window, t.panel, t.field})
+            for (const ImVec4& symbol : t.symbols) CHECK(contrast(symbol, ground) >= 7);
+        CHECK(contrast(t.accent_text, t.accent) >= 7);
+        CHECK(contrast(t.accent, t.panel) >= 7);
+    }
+    CHECK(13 * projector_scale >= 18);  // the smallest type
+}
+
+TEST_CASE("a clean picture has no bars and no columns, and Escape brings them back", "[ui][lecture]") {
+    Bench bench;
+    bench.frames(2);
+    const PictureSize before = bench.state.picture->size;
+    bench.key(Key::F10);
+    bench.frames(2);
+    CHECK(bench.state.picture->size.width > before.width);
+    const Layout layout = lay_out({1280, 800}, bench.state.layout, 1);
+    CHECK(layout.centre.size().x == 1280);
+    CHECK(layout.centre.size().y == 800);
+    bench.key(Key::Escape);
+    bench.frames(2);
+    CHECK(bench.state.picture->size == before);
+}
+
+TEST_CASE("a frozen picture stays whatever is edited", "[ui][lecture]") {
+    Bench bench;
+    bench.frames(2);
+    const auto pixels = bench.state.picture->rgba;
+    bench.key(Key::F8);
+    bench.scene().lights[0].intensity = 0;
+    bench.scene().lights.pop_back();
+    bench.frames(3);
+    CHECK(bench.state.picture->rgba == pixels);
+    CHECK(bench.state.editor.unsaved());
+    bench.key(Key::F8);
+    bench.frames(2);
+    CHECK_FALSE(bench.state.picture->rgba == pixels);
+    CHECK(bench.state.drawn == bench.scene());
+}
+
+TEST_CASE("the pen draws on what is under it and leaves the scene alone", "[ui][lecture]") {
+    Bench bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    bench.key(Key::W);
+    bench.drag(bench.at_pixel({100, 100}), bench.at_pixel({300, 200}));
+    CHECK(bench.scene() == before);
+    REQUIRE(bench.state.lecture.pen.lines.size() == 1);
+    const PictureSize size = bench.state.picture->size;
+    const glm::vec2 first = bench.state.lecture.pen.lines[0].places.front();
+    CHECK(first.x * float(size.height) == Approx(100 - size.width / 2.0).margin(0.6));
+    CHECK(first.y * float(size.height) == Approx(100 - size.height / 2.0).margin(0.6));
+    bench.drag(bench.at_pixel({100, 100}), bench.at_pixel({160, 130}), 1);  // the camera still moves
+    CHECK_FALSE(bench.scene().camera == before.camera);
+    bench.key(Key::W, false, true);
+    CHECK(bench.state.lecture.pen.lines.empty());
+    bench.key(Key::Escape);
+    CHECK_FALSE(bench.state.lecture.pen.on);
+}
+
+TEST_CASE("the step wedge says what is swallowed", "[ui][lecture]") {
+    WedgeRow row{"black", 0, 1};
+    CHECK(wedge_words(row) == "On black: click the first patch that the last row of the room can see");
+    row.seen = 0;
+    CHECK(wedge_words(row) == "On black every step is seen");
+    row.seen = 4;  // 6 is seen, 4 is not
+    CHECK(wedge_words(row) ==
+          "On black this projector swallows steps below 6/255: colours 0.016 apart look the same");
+    Bench bench;
+    bench.frame();
+    run_action(bench.state, Action::StepWedge);
+    bench.frames(2);
+    bench.click({60, 120});
+    CHECK(bench.state.lecture.wedge.rows[0].seen == 0);
+    bench.key(Key::Escape);
+    CHECK_FALSE(bench.state.lecture.wedge.open);
+}
+
+TEST_CASE("projector mode folds the columns and puts them back", "[ui][lecture]") {
+    Bench bench;
+    bench.frame();
+    bench.key(Key::F9);
+    CHECK(bench.state.layout.folded);
+    bench.key(Key::F9);
+    CHECK_FALSE(bench.state.layout.folded);
+}

@@ -1,0 +1,88 @@
+// Looking at a quantity in place of the picture.
+#include "tests/support/catch.h"
+#include "tests/support/ui_bench.h"
+#include "ui/commands/actions.h"
+#include "ui/views/views.h"
+
+using namespace glint;
+using test::Bench;
+
+TEST_CASE("a key goes through the quantities and round to the picture again", "[ui][window][look]") {
+    Bench bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    for (int i = 1; i <= look_count; ++i) {
+        const auto serial = bench.state.picture_serial;
+        bench.key(Key::I);
+        bench.frames(1);
+        CHECK(bench.state.views.look.set.choice.look == static_cast<Look>(i % look_count));
+        CHECK(bench.state.picture_serial > serial);
+        REQUIRE(bench.state.shown != nullptr);
+        CHECK(bench.state.shown->size == bench.state.picture->size);
+    }
+    CHECK(bench.state.shown == bench.state.picture);
+    CHECK(bench.scene() == before);
+    bench.key(Key::I, false, true);
+    CHECK(bench.state.views.look.set.choice.look == Look::Specular);
+}
+
+TEST_CASE("a quantity follows the scene as it is edited, and is not painted again while nothing changes",
+          "[ui][window][look]") {
+    Bench bench;
+    bench.frames(2);
+    look_at(bench.state.views, Look::NDotL);
+    bench.frames(2);
+    const PictureSize size = bench.state.picture->size;
+    const auto check = [&] {
+        const LookPainter& painter = *bench.state.views.look.painter;
+        const Explanation e = bench.state.renderer->explain(size.width / 2, size.height / 2);
+        REQUIRE(e.hit);
+        CHECK(painter.value_at(e.x, e.y) == e.at.lights[0].n_dot_l);
+    };
+    check();
+    bench.scene().lights[0].position = {-1, 0.4f, 0.2f, 0};
+    bench.frames(1);
+    check();
+    const auto serial = bench.state.picture_serial;
+    bench.frames(4);
+    CHECK(bench.state.picture_serial == serial);
+}
+
+TEST_CASE("a scene that loses its lights has n·l nowhere", "[ui][window][look]") {
+    Bench bench;
+    bench.frames(2);
+    look_at(bench.state.views, Look::NDotL);
+    bench.state.views.look.set.choice.light = 1;
+    bench.frames(2);
+    bench.scene().lights.clear();
+    bench.frames(2);
+    const PictureSize size = bench.state.picture->size;
+    CHECK(bench.state.views.look.painter->value_text(size.width / 2, size.height / 2) == "background");
+}
+
+TEST_CASE("a comparison and a quantity take each other's place", "[ui][window][look]") {
+    Bench bench;
+    bench.frames(2);
+    bench.key(Key::C);
+    bench.key(Key::I);
+    CHECK_FALSE(bench.state.views.compare.choice.on);
+    bench.key(Key::C);
+    CHECK(bench.state.views.look.set.choice.look == Look::Picture);
+}
+
+TEST_CASE("over-range stripes lie over the picture that is shown and leave the drawn one alone",
+          "[ui][window][look]") {
+    Bench bench;
+    bench.frames(2);
+    bench.scene().lights[0].intensity = 5;
+    bench.frames(1);
+    const std::vector<std::uint8_t> bytes = bench.state.picture->rgba;
+    bench.key(Key::O);
+    bench.frames(1);
+    CHECK(bench.state.views.look.clipped > 100);
+    CHECK(bench.state.shown->rgba != bytes);
+    CHECK(bench.state.picture->rgba == bytes);
+    bench.key(Key::O);
+    bench.frames(1);
+    CHECK(bench.state.shown->rgba == bytes);
+}

@@ -1,0 +1,184 @@
+// The scan-line scope: what it plots is what `glint profile` prints, of the picture on the screen.
+#include "ui/views/scope.h"
+
+#include <cmath>
+
+#include "tests/support/catch.h"
+#include "tests/support/ui_bench.h"
+#include "ui/plots/plot.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+/// A bench whose scope has a line across the ball.
+Bench& with_line(Bench& bench) {
+    bench.frames(2);
+    bench.key(Key::P);
+    bench.frames(1);
+    const PictureSize size = bench.state.picture->size;
+    bench.drag(bench.at_pixel({size.width * 0.3, size.height * 0.4}),
+               bench.at_pixel({size.width * 0.7, size.height * 0.6}));
+    bench.frames(1);
+    return bench;
+}
+
+std::vector<ProfileSample> fresh_profile(Bench& bench) {
+    Renderer renderer(1);
+    const PictureSize size = bench.state.picture->size;
+    const Picture& picture = renderer.render(bench.scene(), size, true);
+    const ScopeState& scope = bench.state.views.scope;
+    return profile(renderer, picture, pixel_of(scope.from, size), pixel_of(scope.to, size));
+}
+
+void check_equal(const std::vector<ProfileSample>& a, const std::vector<ProfileSample>& b) {
+    REQUIRE(a.size() == b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        CHECK(a[i].pixel == b[i].pixel);
+        CHECK(a[i].color == b[i].color);
+        CHECK(a[i].second_difference == b[i].second_difference);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("the scope's key puts its tool in hand, and a drag lays the line where the hand went",
+          "[ui][window][scope]") {
+    Bench bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    bench.key(Key::P);
+    CHECK(bench.state.views.scope.armed);
+    bench.frames(1);
+    const glm::dvec2 from{90, 60}, to{400, 200};
+    bench.drag(bench.at_pixel(from), bench.at_pixel(to));
+    const ScopeState& scope = bench.state.views.scope;
+    const PictureSize size = bench.state.picture->size;
+    CHECK_FALSE(scope.armed);
+    CHECK(pixel_of(scope.from, size) == glm::ivec2(from));
+    CHECK(pixel_of(scope.to, size) == glm::ivec2(to));
+    CHECK(bench.scene() == before);
+    CHECK_FALSE(bench.state.viewport.probe);
+    bench.key(Key::P);
+    CHECK_FALSE(scope.open);
+}
+
+TEST_CASE("the scope holds what the command prints, also while a light is dragged", "[ui][window][scope]") {
+    Bench bench;
+    with_line(bench);
+    check_equal(bench.state.views.scope.samples, fresh_profile(bench));
+    const double before = bench.state.views.scope.samples[100].intensity;
+    bench.scene().lights[0].position = {-1, 0.2f, 1, 0};
+    bench.frames(1);
+    check_equal(bench.state.views.scope.samples, fresh_profile(bench));
+    CHECK(bench.state.views.scope.samples[100].intensity != before);
+}
+
+TEST_CASE("the scope's ends and its line are dragged; Shift keeps it level", "[ui][window][scope]") {
+    Bench bench;
+    with_line(bench);
+    ScopeState& scope = bench.state.views.scope;
+    const PictureSize size = bench.state.picture->size;
+    const Camera camera = bench.scene().camera;
+    const glm::ivec2 from = pixel_of(scope.from, size), to = pixel_of(scope.to, size);
+    bench.drag(bench.at_pixel(glm::dvec2(to) + 0.5), bench.at_pixel({500.5, 60.5}));
+    CHECK(pixel_of(scope.to, size) == glm::ivec2(500, 60));
+    CHECK(pixel_of(scope.from, size) == from);
+    ImGui::GetIO().KeyShift = true;
+    bench.drag(bench.at_pixel({500.5, 60.5}), bench.at_pixel({520.5, from.y + 20.0}));
+    ImGui::GetIO().KeyShift = false;
+    CHECK(pixel_of(scope.to, size) == glm::ivec2(520, from.y));
+    const glm::dvec2 middle = (glm::dvec2(from) + glm::dvec2(520, from.y)) / 2.0;
+    bench.drag(bench.at_pixel(middle + 0.5), bench.at_pixel(middle + glm::dvec2(0.5, 40.5)));
+    CHECK(pixel_of(scope.from, size).y == from.y + 40);
+    CHECK(pixel_of(scope.to, size).y == from.y + 40);
+    CHECK(bench.scene().camera == camera);
+}
+
+TEST_CASE("a click with the scope's tool takes the whole scan line; Escape puts the tool away",
+          "[ui][window][scope]") {
+    Bench bench;
+    bench.frames(2);
+    bench.key(Key::P);
+    bench.frames(1);
+    bench.click(bench.at_pixel({100.5, 77.5}));
+    const ScopeState& scope = bench.state.views.scope;
+    const PictureSize size = bench.state.picture->size;
+    CHECK(pixel_of(scope.from, size) == glm::ivec2(0, 77));
+    CHECK(pixel_of(scope.to, size) == glm::ivec2(size.width - 1, 77));
+    bench.state.views.scope.armed = true;
+    bench.key(Key::Escape);
+    CHECK_FALSE(scope.armed);
+    CHECK(scope.open);
+}
+
+TEST_CASE("pointing at the scope's panel takes the sample under the cursor", "[ui][window][scope]") {
+    Bench bench;
+    with_line(bench);
+    const Layout layout = lay_out({1280, 800}, bench.state.layout, 1);
+    REQUIRE(layout.has_scope);
+    const float left = layout.scope.low.x + 4 + 44, right = layout.scope.high.x - 4 - 6;
+    bench.move({left + 0.25f * (right - left), layout.scope.high.y - 90});
+    bench.frames(1);
+    const ScopeState& scope = bench.state.views.scope;
+    REQUIRE(scope.hovered >= 0);
+    const double share =
+        scope.samples[static_cast<std::size_t>(scope.hovered)].position / scope.samples.back().position;
+    CHECK(share == Approx(0.25).margin(0.005));
+    bench.move(bench.at_pixel({10, 10}));
+    bench.frames(1);
+    CHECK(scope.hovered == -1);
+}
+
+TEST_CASE("the scope's command names the picture's pixels and quotes the path", "[ui][scope]") {
+    ScopeState scope;
+    scope.from = {0, 0.5};
+    scope.to = {1, 0.5};
+    CHECK(profile_command_line(scope, "/tmp/a b.json", {640, 480}) ==
+          "glint profile '/tmp/a b.json' --size 640x480 --from 0,240 --to 639,240");
+    CHECK(profile_command_line(scope, "it's.json", {2, 2}) ==
+          "glint profile 'it'\\''s.json' --size 2x2 --from 0,1 --to 1,1");
+}
+
+TEST_CASE("the grey card lies beside the sharpest bend and leaves the picture alone", "[ui][window][scope]") {
+    Bench bench;
+    with_line(bench);
+    const std::vector<std::uint8_t> bytes = bench.state.picture->rgba;
+    ScopeState& scope = bench.state.views.scope;
+    scope.card = true;
+    place_card(scope, bench.state.picture->size);
+    bench.frames(2);
+    CHECK(bench.state.picture->rgba == bytes);
+    double sharpest = 0;
+    glm::ivec2 bend{0};
+    for (const ProfileSample& s : scope.samples)
+        if (std::abs(s.second_difference.value_or(0)) > sharpest) {
+            sharpest = std::abs(*s.second_difference);
+            bend = s.pixel;
+        }
+    const double edge = (scope.card_at.x - scope.card_size.x / 2) * bench.state.picture->size.width;
+    CHECK(edge == Approx(bend.x + 0.5));
+}
+
+TEST_CASE("ticks are round numbers inside their range", "[ui][plot]") {
+    CHECK(ticks({0, 1}, 6) == std::vector<double>{0, 0.2, 0.4, 0.6000000000000001, 0.8, 1});
+    CHECK(ticks({-0.3, 0.3}, 3) == std::vector<double>{-0.2, 0, 0.2});
+    CHECK(ticks({12, 948}, 5) == std::vector<double>{200, 400, 600, 800});
+    CHECK(ticks({12, 948}, 3) == std::vector<double>{500});
+    CHECK(ticks({0.12, 0.62}, 3) == std::vector<double>{0.2, 0.4, 0.6000000000000001});  // the scope's I
+    CHECK(ticks({1e30, 1.0001e30}, 4).size() <= 4);
+    CHECK(tick_text(-1e-18, 0.1) == "0");
+    CHECK(tick_text(0.25, 0.05) == "0.25");
+    CHECK(tick_text(200, 50) == "200");
+}
+
+TEST_CASE("a plot's way to the window and back gives the same value", "[ui][plot]") {
+    const PlotArea area{{{100, 50}, {300, 150}}, {-2, 2}, {0, 10}};
+    CHECK(area.at({-2, 0}).x == 100);
+    CHECK(area.at({-2, 0}).y == 150);
+    CHECK(area.at({2, 10}).y == 50);
+    const glm::dvec2 back = area.value(area.at({0.5, 7}));
+    CHECK(back.x == Approx(0.5));
+    CHECK(back.y == Approx(7));
+}

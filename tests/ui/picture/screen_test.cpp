@@ -1,0 +1,134 @@
+// The way to the screen and back, and how a hand moves the camera.
+#include "ui/picture/screen.h"
+
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "tests/support/catch.h"
+#include "ui/picture/orbit.h"
+
+using namespace glint;
+
+namespace {
+
+double distance(glm::dvec2 a, glm::dvec2 b) { return glm::length(a - b); }
+
+std::vector<Camera> cameras() {
+    const glm::vec3 eye{3, 2, 4}, target{0.2f, 0.1f, -0.3f}, up{0, 1, 0};
+    return {{eye, target, up, Perspective{40, 0.1f, 100}},
+            {eye, target, up, Orthographic{5, 0.1f, 100}},
+            {eye, target, {0.1f, 1, 0.3f}, Frustum{-0.03f, 0.07f, -0.04f, 0.05f, 0.1f, 100}}};
+}
+
+const PictureSize size{800, 600};
+
+}  // namespace
+
+TEST_CASE("the target of a symmetric camera shows in the middle of the picture", "[ui]") {
+    for (const Camera& camera : {cameras()[0], cameras()[1]}) {
+        const OnScreen at = project(screen_map(camera, size), camera.target);
+        CHECK(distance(at.pixel, {400, 300}) < 1e-6);
+        CHECK(at.depth == Approx(glm::length(camera.eye - camera.target)));
+        CHECK(at.in_front);
+    }
+}
+
+TEST_CASE("a place at 45 degrees shows at the edge of a 90 degree view", "[ui]") {
+    const Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{90, 0.1f, 100}};
+    const OnScreen at = project(screen_map(camera, {600, 600}), {-3, 3, 2});  // 3 aside, 3 above, 3 in front
+    CHECK(distance(at.pixel, {0, 0}) < 1e-9);
+    CHECK(at.depth == Approx(3));
+    CHECK_FALSE(project(screen_map(camera, size), {0, 0, 6}).in_front);
+}
+
+TEST_CASE("unproject is the way back of project under every projection", "[ui][property]") {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> number(-1, 1);
+    for (const Camera& camera : cameras()) {
+        const ScreenMap map = screen_map(camera, size);
+        for (int i = 0; i < 200; ++i) {
+            const glm::dvec3 place{number(random), number(random), number(random)};
+            const OnScreen at = project(map, place);
+            CHECK(glm::length(unproject(map, at.pixel, at.depth) - place) < 1e-9);
+            const Ray ray = ray_through(map, at.pixel);
+            CHECK(glm::length(glm::cross(place - ray.origin, ray.direction)) < 1e-9);
+        }
+    }
+}
+
+TEST_CASE("orbiting keeps distance, target and up, and never reaches a pole", "[ui][property]") {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> pixels(-500, 500);
+    for (Camera camera : cameras()) {
+        const Camera start = camera;
+        for (int i = 0; i < 300; ++i) {
+            orbit(camera, {pixels(random), pixels(random)}, size);
+            CHECK(target_depth(camera) == Approx(target_depth(start)).epsilon(1e-4));
+            const glm::vec3 out = glm::normalize(camera.eye - camera.target);
+            CHECK(std::abs(glm::dot(out, glm::normalize(start.up))) < 0.9999f);
+        }
+        CHECK(camera.target == start.target);
+        CHECK(camera.up == start.up);
+    }
+}
+
+TEST_CASE("a drag over a quarter of the height turns by 90 degrees, the scene following the hand", "[ui]") {
+    Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, {}};
+    orbit(camera, {150, 0}, size);  // to the right: what is in front goes right, so the eye goes left
+    CHECK(camera.eye.x == Approx(-5));
+    CHECK(camera.eye.z == Approx(0).margin(1e-5));
+    camera.eye = {0, 0, 5};
+    orbit(camera, {0, 75}, size);  // down: the eye goes up, by 45 degrees
+    CHECK(camera.eye.y == Approx(3.5355339));
+}
+
+TEST_CASE("what is panned stays under the cursor", "[ui]") {
+    for (const Camera& before : cameras()) {
+        Camera camera = before;
+        const glm::dvec3 held = unproject(screen_map(camera, size), {200, 450}, 4);
+        pan(camera, {200, 450}, {333, 111}, 4, size);
+        CHECK(distance(project(screen_map(camera, size), held).pixel, {333, 111}) < 1e-3);
+        CHECK(glm::length((camera.eye - camera.target) - (before.eye - before.target)) < 1e-5);
+    }
+}
+
+TEST_CASE("what the wheel moves towards stays under the cursor", "[ui]") {
+    for (const Camera& before : cameras()) {
+        Camera camera = before;
+        const glm::dvec3 held = unproject(screen_map(camera, size), {100, 500}, 3);
+        for (int i = 0; i < 5; ++i) {
+            const double depth = project(screen_map(camera, size), held).depth;
+            dolly(camera, {100, 500}, depth, 0.8, size);
+        }
+        CHECK(distance(project(screen_map(camera, size), held).pixel, {100, 500}) < 0.01);
+        CHECK(glm::length(glm::normalize(camera.eye - camera.target) -
+                          glm::normalize(before.eye - before.target)) < 1e-4);
+    }
+}
+
+TEST_CASE("no wheel takes the camera out of the numbers", "[ui]") {
+    for (Camera camera : cameras()) {
+        for (int i = 0; i < 500; ++i) dolly(camera, {10, 10}, target_depth(camera), 0.7, size);
+        CHECK(target_depth(camera) > 1e-5);
+        for (int i = 0; i < 500; ++i) dolly(camera, {790, 10}, target_depth(camera), 1.5, size);
+        CHECK(target_depth(camera) < 1e8);
+        CHECK(project(screen_map(camera, size), camera.target).in_front);
+    }
+}
+
+TEST_CASE("moving away widens the depth range, but a near plane set into the scene stays", "[ui]") {
+    const Bounds box{{-1, -1, -1}, {1, 1, 1}};
+    Camera before{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{45, 1, 10}};
+    Camera camera = before;
+    camera.eye.z = 30;
+    keep_depth_range(camera, before, box);
+    CHECK(far_of(camera.projection) >= 31);
+    camera.eye.z = 1.5f;
+    keep_depth_range(camera, before, box);
+    CHECK(near_of(camera.projection) < 0.5f);
+    before.projection = Perspective{45, 5, 10};  // cuts the box
+    camera = before;
+    camera.eye.z = 3;
+    keep_depth_range(camera, before, box);
+    CHECK(camera.projection == before.projection);
+}

@@ -1,0 +1,200 @@
+// Ways to look at the scene: views by key, kept views, scrolling, and the view from outside.
+#include <glm/geometric.hpp>
+
+#include "tests/support/catch.h"
+#include "tests/support/ui_bench.h"
+#include "ui/commands/actions.h"
+#include "ui/inspector/outside_lines.h"
+#include "ui/inspector/outside_view.h"
+#include "ui/picture/camera_views.h"
+#include "ui/picture/orbit.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+glm::vec3 looks_along(const Camera& camera) { return glm::normalize(camera.target - camera.eye); }
+
+/// Half of the width, in pixels, of something one unit wide at the target.
+double width_at_target(const Camera& camera) {
+    const ScreenMap map = screen_map(camera, {800, 600});
+    const glm::dvec3 right(map.world_from_view[0]);
+    return project(map, glm::dvec3(camera.target) + right).pixel.x - project(map, camera.target).pixel.x;
+}
+
+void scroll(Bench& bench, float across, float down) {
+    ImGui::GetIO().MouseWheelH = across;
+    ImGui::GetIO().MouseWheel = down;
+    bench.frames(2);
+}
+
+}  // namespace
+
+TEST_CASE("the number pad looks from six sides, as far away as before, each one step",
+          "[ui][hands][window]") {
+    Bench bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    const struct {
+        Key key;
+        bool ctrl;
+        glm::vec3 along;
+    } views[] = {{Key::Pad1, false, {0, 0, -1}}, {Key::Pad1, true, {0, 0, 1}},
+                 {Key::Pad3, false, {-1, 0, 0}}, {Key::Pad3, true, {1, 0, 0}},
+                 {Key::Pad7, false, {0, -1, 0}}, {Key::Pad7, true, {0, 1, 0}}};
+    for (const auto& view : views) {
+        bench.key(view.key, view.ctrl);
+        CHECK(glm::dot(looks_along(bench.scene().camera), view.along) > 0.99999f);
+        CHECK(target_depth(bench.scene().camera) == Approx(target_depth(before.camera)));
+        CHECK(bench.state.editor.history.undo_name() == "Camera");
+        bench.frames(1);
+    }
+    bench.key(Key::Pad0);
+    CHECK(bench.scene().camera == before.camera);
+}
+
+TEST_CASE("5 on the number pad sees in parallel and back, what is at the target as large",
+          "[ui][hands][window]") {
+    Bench bench;
+    bench.frames(2);
+    const Camera before = bench.scene().camera;
+    bench.key(Key::Pad5);
+    CHECK(is_orthographic(bench.scene().camera.projection));
+    CHECK(width_at_target(bench.scene().camera) == Approx(width_at_target(before)));
+    bench.key(Key::Pad5);
+    CHECK_FALSE(is_orthographic(bench.scene().camera.projection));
+    CHECK(width_at_target(bench.scene().camera) == Approx(width_at_target(before)));
+}
+
+TEST_CASE("views that were kept come back in turn, and eight of them are kept", "[ui][hands]") {
+    std::vector<Camera> views;
+    CHECK_FALSE(next_view(views, Camera{}));
+    for (int i = 0; i < 9; ++i) {
+        Camera camera;
+        camera.eye.x = float(i);
+        keep_view(views, camera);
+        keep_view(views, camera);
+    }
+    REQUIRE(views.size() == most_views);
+    CHECK(views.front().eye.x == 1);
+    CHECK(next_view(views, views[2])->eye.x == 4);
+    CHECK(next_view(views, views.back()) == views.front());
+    CHECK(next_view(views, Camera{}) == views.front());
+}
+
+TEST_CASE("a kept view is come back to by a key, as one step", "[ui][hands][window]") {
+    Bench bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    CHECK_FALSE(why_not(bench.state, Action::NextView).empty());
+    bench.key(Key::U, false, true);
+    bench.drag(bench.at_pixel({40, 400}), bench.at_pixel({240, 340}));
+    CHECK_FALSE(bench.scene().camera == before.camera);
+    bench.key(Key::U);
+    CHECK(bench.scene() == before);
+}
+
+TEST_CASE("two fingers pan with Shift and sideways, turn with Alt, come closer without",
+          "[ui][hands][window]") {
+    Bench bench;
+    bench.frames(2);
+    const Camera start = bench.scene().camera;
+    bench.move(bench.at_pixel({300, 300}));
+    scroll(bench, 1.5f, 0);
+    const Camera panned = bench.scene().camera;
+    CHECK(glm::length((panned.eye - panned.target) - (start.eye - start.target)) < 1e-4f);
+    CHECK_FALSE(panned.target == start.target);
+    ImGui::GetIO().KeyShift = true;
+    scroll(bench, 0, 2);
+    ImGui::GetIO().KeyShift = false;
+    CHECK(glm::length((bench.scene().camera.eye - bench.scene().camera.target) - (start.eye - start.target)) <
+          1e-4f);
+    CHECK_FALSE(bench.scene().camera == panned);
+    const Camera before_turn = bench.scene().camera;
+    ImGui::GetIO().KeyAlt = true;
+    scroll(bench, 1, 1);
+    ImGui::GetIO().KeyAlt = false;
+    CHECK(bench.scene().camera.target == before_turn.target);
+    CHECK(target_depth(bench.scene().camera) == Approx(target_depth(before_turn)));
+    CHECK_FALSE(bench.scene().camera == before_turn);
+    const double away = target_depth(bench.scene().camera);
+    scroll(bench, 0, 1);
+    CHECK(target_depth(bench.scene().camera) < away);
+}
+
+TEST_CASE("F frames the selected object, and all where none is selected", "[ui][hands][window]") {
+    Bench bench;
+    bench.frames(2);
+    Object small = bench.scene().objects[0];
+    small.transform.translate = {4, 1, 0};
+    small.transform.scale = glm::vec3(0.3f);
+    bench.scene().objects.push_back(small);
+    bench.frames(2);
+    bench.state.editor.selection = {Selection::Kind::Object, 1};
+    bench.key(Key::F);
+    CHECK(glm::length(bench.scene().camera.target - small.transform.translate) < 0.05f);
+    bench.state.editor.selection = {Selection::Kind::Camera, 0};
+    bench.key(Key::F);
+    CHECK(bench.scene().camera.target.x < 3);
+}
+
+TEST_CASE("from outside the eye, what it sees, all axes and every light are in sight", "[ui][hands]") {
+    Scene scene = first_scene().scene;
+    REQUIRE(problem_of(load_meshes(scene, "", "")) == nullptr);
+    for (const LightKind kind : {LightKind::Directional, LightKind::Spot, LightKind::Area})
+        add_light(scene, kind);
+    for (const glm::vec3 eye :
+         {glm::vec3(0, 0, 5), glm::vec3(4, 9, -1), glm::vec3(0.01f, 7, 0), glm::vec3(0.4f, 0, 0)}) {
+        scene.camera.eye = eye;
+        PictureView main;
+        main.map = screen_map(scene.camera, {900, 600});
+        main.bounds = scene_bounds(scene);
+        main.dome = sun_dome(scene.camera.target, main.bounds, main.map);
+        for (const PictureSize size : {PictureSize{320, 320}, PictureSize{320, 500}, PictureSize{500, 200}}) {
+            const ScreenMap map = screen_map(outside_camera(scene, main, size), size);
+            const auto in_sight = [&](glm::dvec3 place) {
+                const OnScreen at = project(map, place);
+                return at.in_front && at.pixel.x > 0 && at.pixel.y > 0 && at.pixel.x < size.width &&
+                       at.pixel.y < size.height;
+            };
+            CHECK(in_sight(scene.camera.eye));
+            CHECK(in_sight(scene.camera.target));
+            for (const Light& light : scene.lights) CHECK(in_sight(handle_of(light, main.dome, main.map)));
+            for (const glm::dvec2 corner : {glm::dvec2(0, 0), {900, 0}, {900, 600}, {0, 600}})
+                CHECK(in_sight(unproject(main.map, corner, drawn_depth(scene.camera))));
+            for (int axis = 0; axis < 3; ++axis) {
+                const double length = axis_length(scene.camera);
+                CHECK(in_sight(glm::dvec3(scene.camera.eye) +
+                               length * glm::dvec3(world_from_view(scene.camera)[axis])));
+                CHECK(in_sight(glm::dvec3(length * double(axis == 0), length * double(axis == 1),
+                                          length * double(axis == 2))));
+            }
+        }
+    }
+}
+
+TEST_CASE("a hand in the outside view turns that alone, and a click there selects a light",
+          "[ui][hands][window]") {
+    Bench bench;
+    bench.state.why_column.tab = WhyTab::Outside;
+    bench.frames(3);
+    REQUIRE(bench.state.outside.placed);
+    const Scene before = bench.scene();
+    const ImVec2 right = lay_out({1280, 800}, bench.state.layout, 1).right.low;
+    const ImVec2 from{right.x + 170, right.y + 200};
+    const Camera start = bench.state.outside.camera;
+    bench.drag(from, {from.x + 60, from.y - 20});
+    CHECK_FALSE(bench.state.outside.camera == start);
+    CHECK(bench.state.outside.camera.target == start.target);
+    CHECK(bench.scene() == before);
+    CHECK_FALSE(bench.state.editor.history.can_undo());
+    bench.state.editor.selection = {Selection::Kind::Camera, 0};
+    REQUIRE(bench.scene().lights[1].kind == LightKind::Point);
+    const Rect view = bench.area_of("Outside view");
+    const ScreenMap map = screen_map(bench.state.outside.camera, {int(view.size().x), int(view.size().y)});
+    const glm::dvec2 bulb = project(map, glm::dvec3(bench.scene().lights[1].position)).pixel;
+    bench.click({view.low.x + float(bulb.x), view.low.y + float(bulb.y)});
+    CHECK(selected_light(bench.state.editor.selection) == 1);
+    CHECK(bench.scene() == before);
+}

@@ -1,0 +1,329 @@
+// The whole window without a window: a mouse and keys in, the scene out.
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "tests/support/catch.h"
+#include "tests/support/ui_bench.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+/// A ball with a bulb in front of it, in the middle of the picture's upper half.
+Bench& with_bulb(Bench& bench) {
+    bench.scene().lights.resize(1);
+    bench.scene().lights[0].name = "Bulb";
+    bench.scene().lights[0].kind = LightKind::Point;
+    bench.scene().lights[0].position = {0.3f, 1.3f, 0.9f, 1};
+    take_document(bench.state.editor, bench.state.editor.document);
+    bench.frames(2);
+    return bench;
+}
+
+}  // namespace
+
+TEST_CASE("the first frame shows the scene at the picture's real size", "[ui][window]") {
+    Bench bench;
+    const UiRequests wants = bench.frame();
+    REQUIRE(bench.state.picture != nullptr);
+    const Layout layout = lay_out({1280, 800}, bench.state.layout, 1);
+    const ImVec2 area = picture_area(layout.centre, 1).size();
+    CHECK(bench.state.picture->size == PictureSize{int(area.x), int(area.y)});
+    CHECK(area.x == layout.centre.size().x - 20);
+    CHECK(wants.title == "New scene – Glint");
+    CHECK_FALSE(wants.quit);
+}
+
+TEST_CASE("nothing is drawn again while nothing changes", "[ui][window]") {
+    Bench bench;
+    bench.frames(3);
+    const auto serial = bench.state.picture_serial;
+    bench.move({600, 400});
+    bench.frames(5);
+    CHECK(bench.state.picture_serial == serial);
+    bench.scene().lights[0].intensity = 2;
+    bench.frames(3);
+    CHECK(bench.state.picture_serial == serial + 1);
+}
+
+TEST_CASE("a preview shows for a frame and leaves the scene, the history and the answer alone",
+          "[ui][window]") {
+    Bench bench;
+    bench.click(bench.at_pixel({400, 300}));
+    bench.frames(3);
+    REQUIRE(bench.state.why.has_value());
+    const glm::vec3 sum = bench.state.why->sum;
+    const Scene scene = bench.scene();
+    bench.state.preview = scene;
+    bench.state.preview->lights.clear();
+    bench.frame();
+    CHECK(bench.state.drawn.lights.empty());
+    CHECK(bench.scene() == scene);
+    REQUIRE(bench.state.why.has_value());
+    CHECK(bench.state.why->sum == sum);
+    bench.frame();
+    CHECK(bench.state.drawn == scene);
+    CHECK_FALSE(bench.state.editor.unsaved());
+}
+
+TEST_CASE("a light is dragged by its handle, which stays under the cursor, as one step", "[ui][window]") {
+    Bench bench;
+    with_bulb(bench);
+    const Scene before = bench.scene();
+    const glm::dvec2 handle = bench.handle_pixel(0), to = handle + glm::dvec2(70, 90);
+    bench.drag(bench.at_pixel(handle), bench.at_pixel(to));
+    CHECK(glm::length(bench.handle_pixel(0) - to) < 0.5);
+    CHECK(bench.state.editor.history.undo_name() == "Move Bulb");
+    CHECK(bench.state.editor.selection == Selection{Selection::Kind::Light, 0});
+    CHECK(bench.state.editor.unsaved());
+    bench.key(Key::Z, true);
+    CHECK(bench.scene() == before);
+    CHECK_FALSE(bench.state.editor.history.can_undo());
+    CHECK_FALSE(bench.state.editor.unsaved());
+    bench.key(Key::Y, true);
+    CHECK(glm::length(bench.handle_pixel(0) - to) < 0.5);
+}
+
+TEST_CASE("every frame of a drag shows the newest place of the hand", "[ui][window]") {
+    Bench bench;
+    with_bulb(bench);
+    const glm::dvec2 handle = bench.handle_pixel(0);
+    bench.move(bench.at_pixel(handle));
+    bench.button(true);
+    for (int i = 1; i < 12; ++i) {
+        const glm::dvec2 hand = handle + glm::dvec2(9 * i, 5 * i);
+        bench.move(bench.at_pixel(hand));
+        CHECK(glm::length(bench.handle_pixel(0) - hand) < 0.5);
+        CHECK(bench.state.drawn == bench.scene());
+        CHECK(bench.state.renderer->stats().redone == std::array{false, false, false, true});
+    }
+    bench.button(false);
+}
+
+TEST_CASE("Escape puts a dragged light back", "[ui][window]") {
+    Bench bench;
+    with_bulb(bench);
+    const Scene before = bench.scene();
+    const glm::dvec2 handle = bench.handle_pixel(0);
+    bench.move(bench.at_pixel(handle));
+    bench.button(true);
+    bench.move(bench.at_pixel(handle + glm::dvec2(60, 30)));
+    CHECK_FALSE(bench.scene() == before);
+    bench.key(Key::Escape);
+    CHECK(bench.scene() == before);
+    bench.move(bench.at_pixel(handle + glm::dvec2(90, 30)));
+    bench.button(false);
+    CHECK(bench.scene() == before);
+    CHECK_FALSE(bench.state.editor.history.can_undo());
+}
+
+TEST_CASE("held axis keys and Shift change what a drag moves along", "[ui][window]") {
+    Bench bench;
+    with_bulb(bench);
+    const glm::vec4 start = bench.scene().lights[0].position;
+    const glm::dvec2 handle = bench.handle_pixel(0);
+    bench.move(bench.at_pixel(handle));
+    bench.button(true);
+    UiInput holding_x;
+    holding_x.axis_held[0] = true;
+    for (int i = 1; i < 5; ++i) {
+        ImGui::GetIO().MousePos = bench.at_pixel(handle + glm::dvec2(12 * i, 9 * i));
+        (void)bench.frame(holding_x);
+    }
+    const glm::vec4 along_x = bench.scene().lights[0].position;
+    CHECK(along_x.x > start.x + 0.05f);
+    CHECK(along_x.y == Approx(start.y));
+    CHECK(along_x.z == Approx(start.z));
+    bench.button(false);
+    ImGui::GetIO().KeyShift = true;
+    const glm::dvec2 now = bench.handle_pixel(0);
+    bench.drag(bench.at_pixel(now), bench.at_pixel(now + glm::dvec2(0, -40)));
+    ImGui::GetIO().KeyShift = false;
+    CHECK(glm::length(bench.handle_pixel(0) - now) < 0.5);
+    CHECK(bench.scene().lights[0].position.z < along_x.z - 0.1f);
+}
+
+TEST_CASE("a click asks why, and the numbers follow what is dragged", "[ui][window]") {
+    Bench bench;
+    with_bulb(bench);
+    const PictureSize size = bench.state.picture->size;
+    const glm::dvec2 pixel = glm::dvec2(glm::ivec2(size.width / 2, size.height * 2 / 5)) + 0.5;
+    bench.click(bench.at_pixel(pixel));
+    REQUIRE(bench.state.why);
+    CHECK(bench.state.why->x == int(pixel.x));
+    CHECK(bench.state.why->y == int(pixel.y));
+    CHECK(bench.state.why->hit);
+    CHECK_FALSE(bench.state.editor.unsaved());
+    const glm::vec3 sum = bench.state.why->sum;
+    bench.scene().lights[0].intensity = 0.5f;
+    (void)bench.frame();
+    CHECK(bench.state.why->sum.x < sum.x);
+    const std::size_t at = 4 * bench.state.picture->pixel(bench.state.why->x, bench.state.why->y);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(bench.state.why->byte[i] == bench.state.picture->rgba[at + i]);
+}
+
+TEST_CASE("orbiting leaves lights and objects as they are, and is one step", "[ui][window]") {
+    Bench bench;
+    with_bulb(bench);
+    const Scene before = bench.scene();
+    bench.drag(bench.at_pixel({40, 400}), bench.at_pixel({240, 340}));
+    CHECK(bench.scene().lights == before.lights);
+    CHECK(bench.scene().objects == before.objects);
+    CHECK_FALSE(bench.scene().camera == before.camera);
+    CHECK(bench.state.editor.history.undo_name() == "Camera");
+    bench.key(Key::Z, true);
+    CHECK(bench.scene() == before);
+}
+
+TEST_CASE("the wheel moves closer, and quick notches are one step", "[ui][window]") {
+    Bench bench;
+    with_bulb(bench);
+    const Scene before = bench.scene();
+    bench.move(bench.at_pixel({300, 300}));
+    for (int i = 0; i < 5; ++i) {
+        ImGui::GetIO().MouseWheel = 1;
+        bench.frames(2);
+    }
+    CHECK(glm::length(bench.scene().camera.eye) < glm::length(before.camera.eye));
+    bench.key(Key::Z, true);
+    CHECK(bench.scene() == before);
+}
+
+TEST_CASE("number keys choose the shading, letters switch terms", "[ui][window]") {
+    Bench bench;
+    bench.frames(2);
+    bench.key(Key::Digit1);
+    CHECK(bench.scene().shading.mode == ShadingMode::Flat);
+    bench.key(Key::Digit3);
+    CHECK(bench.scene().shading.mode == ShadingMode::Gouraud);
+    bench.key(Key::S);
+    CHECK_FALSE(bench.scene().shading.terms.specular);
+    CHECK(bench.state.editor.history.undo_name() == "Terms");
+    bench.key(Key::S);
+    CHECK(bench.scene().shading.terms.specular);
+}
+
+TEST_CASE("F11 leaves the picture alone, and again brings the columns back", "[ui][window]") {
+    Bench bench;
+    bench.frames(2);
+    const int width = bench.state.picture->size.width;
+    bench.key(Key::F11);
+    bench.frames(1);
+    CHECK(bench.state.picture->size.width == 1280 - 20);
+    bench.key(Key::F11);
+    bench.frames(1);
+    CHECK(bench.state.picture->size.width == width);
+}
+
+TEST_CASE("closing asks about unsaved changes, and only then", "[ui][window]") {
+    Bench bench;
+    bench.frames(2);
+    bench.scene().lights[0].intensity = 3;
+    UiInput close;
+    close.close_asked = true;
+    const UiRequests asked = bench.frame(close);
+    CHECK_FALSE(asked.quit);
+    CHECK(asked.title == "● New scene – Glint");
+    CHECK(bench.state.pending.asking);
+    bench.frames(2);
+    bench.key(Key::Escape);
+    CHECK_FALSE(bench.state.pending.asking);
+    bench.frames(2);
+    bench.key(Key::Z, true);
+    CHECK(bench.frame(close).quit);
+}
+
+TEST_CASE("what cannot be opened is said in the command line's words, and the scene stays", "[ui][window]") {
+    Bench bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    UiInput drop;
+    drop.dropped = {"/nowhere/at/all.json"};
+    (void)bench.frame(drop);
+    bench.wait_for_loads();
+    REQUIRE(bench.state.notifications.list.size() == 1);
+    const auto opened = open_document("/nowhere/at/all.json");
+    REQUIRE(problem_of(opened) != nullptr);
+    CHECK(bench.state.notifications.list[0].text == problem_of(opened)->text());
+    CHECK(bench.scene() == before);
+}
+
+TEST_CASE("a probe survives a change of the picture's size", "[ui][window]") {
+    Bench bench;
+    with_bulb(bench);
+    bench.click(bench.at_pixel({100, 120}));
+    bench.key(Key::F11);
+    bench.frames(2);
+    REQUIRE(bench.state.why);
+    CHECK(bench.state.why->x < bench.state.picture->size.width);
+    CHECK(double(bench.state.why->x) / bench.state.picture->size.width == Approx(100.0 / 640).margin(0.01));
+}
+
+TEST_CASE("what is saved by the window opens in it again, as a scene and as a picture", "[ui][window]") {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / "glint_window_save_test";
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    Bench bench;
+    with_bulb(bench);
+    bench.drag(bench.at_pixel(bench.handle_pixel(0)), bench.at_pixel({500, 100}));
+    const Scene made = bench.scene();
+    bench.key(Key::S, true);  // has no name yet: the window asks
+    REQUIRE(bench.state.files.open);
+    bench.state.files.folder = folder.string();
+    bench.state.files.name = "made";
+    bench.frames(2);
+    bench.key(Key::Enter);
+    CHECK_FALSE(bench.state.editor.unsaved());
+    CHECK(bench.state.editor.title() == "made.json");
+    bench.frames(2);
+    bench.key(Key::F12);
+    REQUIRE(bench.state.files.open);
+    bench.state.files.name = "made.png";
+    bench.frames(2);
+    bench.key(Key::Enter);
+    bench.frames(2);
+    for (const char* name : {"made.json", "made.png"}) {
+        bench.key(Key::N, true);
+        CHECK_FALSE(bench.scene() == made);
+        UiInput drop;
+        drop.dropped = {(folder / name).string()};
+        (void)bench.frame(drop);
+        bench.wait_for_loads();
+        CHECK(bench.scene() == made);
+        CHECK_FALSE(bench.state.editor.unsaved());
+        CHECK_FALSE(bench.state.editor.history.can_undo());
+    }
+    fs::remove_all(folder);
+}
+
+TEST_CASE("a file that is dropped in the middle of a drag ends it", "[ui][window]") {
+    Bench bench;
+    with_bulb(bench);
+    const glm::dvec2 handle = bench.handle_pixel(0);
+    bench.move(bench.at_pixel(handle));
+    bench.button(true);
+    bench.move(bench.at_pixel(handle + glm::dvec2(40, 0)));
+    bench.state.editor.saved = bench.scene();  // nothing to ask about
+    bench.scene().lights.front().enabled = false;
+    UiInput drop;
+    drop.dropped = {"/nowhere.json"};
+    (void)bench.frame(drop);
+    bench.key(Key::Escape);
+    bench.frames(2);
+    bench.button(false);
+    CHECK(bench.state.viewport.gesture == Gesture::None);
+}
+
+TEST_CASE("a frame that is not asked for by anything lets the window sleep", "[ui][window]") {
+    Bench bench;
+    bench.frames(3);
+    CHECK(std::isinf(bench.frame().sleep_s));
+    bench.move(bench.control("Undo"));  // its tooltip is due
+    CHECK(bench.frame().sleep_s < 1);
+    for (int i = 0; i < 60; ++i) (void)bench.frame();
+    CHECK(std::isinf(bench.frame().sleep_s));
+}

@@ -1,0 +1,108 @@
+// Dialogs: one at a time, and nothing that opens in the same frame is held up by one.
+#include "ui/widgets/modal.h"
+
+#include <imgui_internal.h>
+
+#include <string_view>
+
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+#include "tests/support/ui_bench.h"
+#include "ui/commands/actions.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+/// Leaves whatever is open, and puts the scene back to one that is not saved, whatever is done next.
+void start_afresh(Bench& bench) {
+    for (int i = 0; i < 6; ++i) (void)bench.key(Key::Escape);
+    UiState& state = bench.state;
+    state.layout = {};
+    state.shows_shortcuts = state.animate.open = state.lecture.wedge.open = state.lecture.pen.on = false;
+    state.views.scope.open = false;
+    take_scene(state, first_scene());
+    state.editor.saved.lights.clear();
+    bench.frames(2);
+    state.quits = false;
+}
+
+}  // namespace
+
+TEST_CASE("whatever is opened in the same frame as a dialog, both are drawn", "[ui][modal]") {
+    // The folder of the dialogs, and a small picture.
+    Bench bench({420, 240});
+    bench.frames(2);
+    const Action dialogs[] = {Action::New, Action::Open, Action::ExportPicture, Action::SaveAs};
+    for (const Action dialog : dialogs)
+        for (const ActionInfo& info : actions()) {
+            if (info.action == Action::CopyPicture) continue;  // it runs a program
+            INFO(info.name << ", then " << info_of(dialog).name);
+            start_afresh(bench);
+            run_action(bench.state, info.action);
+            run_action(bench.state, dialog);
+            // As from keys in one frame: nothing of it has been drawn yet.
+            bench.frames(3);
+            CHECK(modal_of(bench.state) != Modal::None);
+        }
+}
+
+TEST_CASE("keys that come in one frame may open a dialog and a sheet", "[ui][modal]") {
+    Bench bench;
+    bench.frames(2);
+    bench.scene().shading.mode = ShadingMode::Flat;  // not saved
+    bench.frames(2);
+    UiInput input;
+    input.presses = {{Key::C}, {Key::F10}, {Key::Question, false, true}, {Key::N, true}};
+    (void)bench.frame(input);
+    bench.frames(3);
+    CHECK(bench.state.pending.asking);
+    CHECK(bench.state.shows_shortcuts);
+}
+
+TEST_CASE(
+    "a question that comes while a file is being chosen stands before that, and the choice goes on after it",
+    "[ui][modal]") {
+    Bench bench;
+    bench.frames(2);
+    bench.scene().shading.mode = ShadingMode::Flat;
+    bench.frames(2);
+    bench.key(Key::O, true);
+    bench.frames(2);
+    CHECK(modal_of(bench.state) == Modal::Files);
+    UiInput drop;
+    drop.dropped = {"other.json"};
+    (void)bench.frame(drop);
+    bench.frames(2);
+    CHECK(modal_of(bench.state) == Modal::Unsaved);
+    CHECK(bench.state.files.open);
+    const auto& open_now = ImGui::GetCurrentContext()->OpenPopupStack;
+    REQUIRE(open_now.Size == 1);
+    CHECK(std::string_view(open_now[0].Window->Name) == "Unsaved changes##question");
+    bench.key(Key::Escape);
+    bench.frames(2);
+    CHECK(modal_of(bench.state) == Modal::Files);
+    bench.key(Key::Escape);
+    bench.frames(2);
+    CHECK(modal_of(bench.state) == Modal::None);
+}
+
+TEST_CASE("the Enter that answers one dialog does not answer the next", "[ui][modal]") {
+    const TemporaryDirectory folder;
+    Bench bench;
+    bench.frames(2);
+    bench.scene().shading.mode = ShadingMode::Flat;  // of a scene without a file
+    bench.frames(2);
+    bench.key(Key::Q, true);
+    bench.frames(2);
+    REQUIRE(bench.state.pending.asking);
+    bench.state.editor.document.path = folder.path("new.png");  // offers "new.json" beside it
+    bench.key(Key::Enter);                                      // Save: a name is asked for
+    bench.frames(2);
+    CHECK(modal_of(bench.state) == Modal::Files);
+    CHECK(folder.names().empty());
+    bench.key(Key::Enter);
+    bench.frames(2);
+    CHECK(folder.names() == std::vector<std::string>{"new.json"});
+}

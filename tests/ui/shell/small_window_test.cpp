@@ -1,0 +1,122 @@
+// Windows and displays of every size: nothing of no area reaches ImGui, and the scale stays one that can be
+// drawn.
+#include <cmath>
+#include <limits>
+
+#include "tests/support/catch.h"
+#include "tests/support/ui_bench.h"
+#include "ui/commands/actions.h"
+#include "ui/inspector/tabs.h"
+#include "ui/widgets/display_scale.h"
+
+using namespace glint;
+using test::Bench;
+
+namespace {
+
+WindowExtent extent(glm::ivec2 size, glm::ivec2 dots, float content = 1) {
+    return {size, size, dots, content};
+}
+
+/// A frame of everything that can be open, dialogs one after the other, in windows from nothing to wide and
+/// low.
+void draw_all_sizes(Bench& bench) {
+    for (const float wide : {0.0f, 1.0f, 2.0f, 9.0f, 30.0f, 63.0f, 130.0f, 320.0f, 700.0f, 1300.0f})
+        for (const float high : {0.0f, 1.0f, 2.0f, 9.0f, 30.0f, 63.0f, 130.0f, 240.0f}) {
+            INFO(wide << " x " << high);
+            ImGui::GetIO().DisplaySize = {wide, high};
+            bench.frames(2);
+            CHECK(bench.state.picture->size.width >= 1);
+            CHECK(bench.state.picture->size.width <= 1300);
+        }
+}
+
+void open_everything(UiState& state) {
+    state.views.scope.open = true;
+    state.lecture.wedge.open = state.lecture.pen.on = state.animate.open = true;
+    state.shows_shortcuts = state.why_column.shows_vectors = true;
+    state.viewport.probe = glm::dvec2(0.5, 0.5);
+    state.notifications.add(Tone::Warning, "A warning that is longer than the window is wide");
+}
+
+}  // namespace
+
+TEST_CASE("at every scale of a display ImGui accepts the theme", "[ui][small]") {
+    for (const float scale : {0.25f, 0.5f, 0.75f, 0.78125f, 0.9375f, 0.99f, 1.0f, 1.1f, 3.125f, 5.6f}) {
+        Bench bench({400, 300});
+        apply_theme(light_theme(), scale);
+        INFO("scale " << scale);
+        // What ImGui asks of every frame (ErrorCheckNewFrameSanityChecks).
+        REQUIRE(ImGui::GetStyle().WindowMinSize.x >= 1);
+        REQUIRE(ImGui::GetStyle().WindowMinSize.y >= 1);
+        bench.frames(2);
+    }
+}
+
+TEST_CASE("a window of any size is drawn, down to nothing, with everything open in it", "[ui][small]") {
+    for (const float scale : {0.75f, 4.0f}) {
+        Bench bench({800, 600});
+        apply_theme(dark_theme(), scale);
+        bench.frames(1);
+        open_everything(bench.state);
+        for (const WhyTabInfo& info : why_tabs()) {
+            INFO("tab " << info.label);
+            bench.state.why_column.tab = info.tab;
+            draw_all_sizes(bench);
+        }
+        for (const Key key : {Key::C, Key::M, Key::I, Key::K, Key::O, Key::E}) {
+            bench.key(key, key == Key::K || key == Key::O || key == Key::E);
+            draw_all_sizes(bench);
+            bench.key(Key::Escape);
+        }
+    }
+}
+
+TEST_CASE("while a window is being resized its dots per unit stay what they were", "[ui][small]") {
+    const DisplayScale one;
+    // The framebuffer is of the new size already.
+    WindowExtent resized{{100, 80}, {1600, 1200}, {1600, 1200}, 1};
+    CHECK(display_scale(resized, one) == one);
+    // Twice as wide, but not twice as high: no display has such units.
+    CHECK(display_scale(extent({100, 80}, {200, 90}), one) == one);
+    const DisplayScale two{1, 2};
+    CHECK(display_scale(resized, two).dots_per_unit == 2);
+    CHECK(display_scale(extent({0, 0}, {0, 0}), one) == one);
+    CHECK(display_scale(extent({0, 50}, {1000, 50}), one) == one);
+    CHECK(display_scale(extent({50, 50}, {0, 0}, 2), two) == two);
+}
+
+TEST_CASE("a display that counts in points has several dots per unit", "[ui][small]") {
+    CHECK(display_scale(extent({640, 480}, {1280, 960}, 2), {}) == DisplayScale{1, 2});
+    CHECK(display_scale(extent({640, 480}, {640, 480}, 2), {}) == DisplayScale{2, 1});
+    CHECK(display_scale(extent({640, 480}, {640, 480}, 0.78125f), {}) == DisplayScale{0.78125f, 1});
+}
+
+TEST_CASE("no display makes type too small to read or too large for a texture", "[ui][small]") {
+    for (const float content : {0.0f, -3.0f, 0.01f, 1.0f, 17.0f, 1e9f, std::numeric_limits<float>::infinity(),
+                                std::numeric_limits<float>::quiet_NaN()})
+        for (const int dots : {100, 150, 200, 5000}) {
+            const DisplayScale scale = display_scale(extent({100, 100}, {dots, dots}, content), {});
+            INFO("content scale " << content << ", " << dots << " dots");
+            CHECK(scale.design * scale.dots_per_unit >= Approx(0.75f));
+            CHECK(scale.design * scale.dots_per_unit <= Approx(4));
+            CHECK(scale.dots_per_unit <= 4);
+        }
+    Bench bench;
+    load_fonts(find_fonts(), 4 * projector_scale, 1);
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+    CHECK(width <= 16384);  // what OpenGL drivers of today take
+    CHECK(height <= 16384);
+}
+
+TEST_CASE("rounding to whole dots is no change of scale", "[ui][small]") {
+    DisplayScale scale = display_scale(extent({1000, 800}, {1250, 1000}, 1.25f), {});
+    const DisplayScale first = scale;
+    for (int width = 300; width < 2000; ++width) {
+        const auto dots = [](int units) { return static_cast<int>(static_cast<float>(units) * 1.25f); };
+        scale = display_scale(extent({width, width / 2}, {dots(width), dots(width / 2)}, 1.25f), scale);
+        REQUIRE(scale == first);
+    }
+}

@@ -1,0 +1,91 @@
+#include "ui/commands/fuzzy.h"
+
+#include <algorithm>
+#include <string>
+
+namespace glint {
+namespace {
+
+constexpr int per_letter = 8, at_word_start = 12, side_by_side = 16;
+constexpr int impossible = -1'000'000;
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c & 0x80) != 0;
+}
+
+bool starts_word(std::string_view text, std::size_t at) {
+    return is_letter(text[at]) && (at == 0 || !is_letter(text[at - 1]));
+}
+
+/// The best way to lay `word` over `text`: best[i][j] is the score of word[0..i] with word[i] on text[j].
+class Layout {
+  public:
+    Layout(std::string_view word, std::string_view text) : word_(word), text_(text) {
+        best_.assign(word.size(), std::vector<int>(text.size(), impossible));
+        from_.assign(word.size(), std::vector<int>(text.size(), -1));
+        for (std::size_t i = 0; i < word.size(); ++i) fill(i);
+    }
+
+    std::optional<FuzzyMatch> match() const {
+        const std::vector<int>& last = best_.back();
+        const auto best = std::max_element(last.begin(), last.end());
+        if (best == last.end() || *best < 0) return {};
+        FuzzyMatch found{*best, {}};
+        int j = static_cast<int>(best - last.begin());
+        for (std::size_t i = word_.size(); i-- > 0; j = from_[i][static_cast<std::size_t>(j)])
+            found.bytes.push_back(j);
+        std::reverse(found.bytes.begin(), found.bytes.end());
+        return found;
+    }
+
+  private:
+    void fill(std::size_t i) {
+        int before = impossible, before_at = -1;  // the best place of word[i - 1] left of text[j]
+        for (std::size_t j = 0; j < text_.size(); ++j) {
+            if (i > 0 && j > 0 && best_[i - 1][j - 1] > before) {
+                before = best_[i - 1][j - 1];
+                before_at = static_cast<int>(j) - 1;
+            }
+            if (lower(word_[i]) != lower(text_[j])) continue;
+            const int here = per_letter + (starts_word(text_, j) ? at_word_start : 0);
+            if (i == 0) {
+                best_[i][j] = here;
+                continue;
+            }
+            const int joined = j > 0 ? best_[i - 1][j - 1] + side_by_side : impossible;
+            const bool joins = joined >= before;
+            from_[i][j] = joins ? static_cast<int>(j) - 1 : before_at;
+            const int so_far = joins ? joined : before;
+            best_[i][j] = so_far < 0 ? impossible : so_far + here;
+        }
+    }
+
+    std::string_view word_, text_;
+    std::vector<std::vector<int>> best_, from_;
+};
+
+}  // namespace
+
+std::optional<FuzzyMatch> fuzzy_match(std::string_view query, std::string_view text) {
+    FuzzyMatch whole;
+    bool any = false;
+    while (!query.empty()) {
+        const std::size_t end = std::min(query.find(' '), query.size());
+        const std::string_view word = query.substr(0, end);
+        query.remove_prefix(std::min(end + 1, query.size()));
+        if (word.empty()) continue;
+        const auto found = text.empty() ? std::nullopt : Layout(word, text).match();
+        if (!found) return {};
+        whole.score += 64 * found->score;  // what the length takes off only decides between equals
+        whole.bytes.insert(whole.bytes.end(), found->bytes.begin(), found->bytes.end());
+        any = true;
+    }
+    std::sort(whole.bytes.begin(), whole.bytes.end());
+    whole.bytes.erase(std::unique(whole.bytes.begin(), whole.bytes.end()), whole.bytes.end());
+    if (any) whole.score -= static_cast<int>(std::min<std::size_t>(text.size(), 63));
+    return whole;
+}
+
+}  // namespace glint

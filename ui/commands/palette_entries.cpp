@@ -1,0 +1,172 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+
+#include "models/scene/mistakes.h"
+#include "ui/commands/actions.h"
+#include "ui/commands/palette.h"
+#include "ui/fields/choices.h"
+#include "ui/fields/material_panel.h"
+#include "ui/picture/handles/light_place.h"
+
+namespace glint {
+namespace {
+
+using Entries = std::vector<PaletteEntry>;
+
+void add_actions(Entries& entries, const UiState& state) {
+    const ActionInfo* before = nullptr;
+    for (const ActionInfo& info : actions()) {
+        const bool again = before != nullptr && before->action == info.action;  // another key for the same
+        before = &info;
+        if (again || info.action == Action::Palette) continue;
+        const auto on = is_on(state, info.action);
+        entries.push_back({info.name, on ? (*on ? "Action · on" : "Action · off") : "Action",
+                           keys_of(info.action), why_not(state, info.action),
+                           [action = info.action](UiState& s) { run_action(s, action); }});
+    }
+}
+
+/// One entry for each value of a closed set that is a member of Shading.
+template <class E>
+void add_choices(Entries& entries, const UiState& state, const char* what, E Shading::*member) {
+    const Shading& shading = state.editor.scene().shading;
+    for (const E value : enumerators<E>) {
+        entries.push_back({fmt::format("{}: {}", what, choice_of(value).label),
+                           shading.*member == value ? "Shading · chosen" : "Shading", "", "",
+                           [member, value](UiState& s) { s.editor.scene().shading.*member = value; }});
+    }
+}
+
+/// A bool, found again in the scene of the moment.
+template <class Find>
+void add_switch(Entries& entries, const UiState& state, std::string name, const char* group, Find find) {
+    const bool on = find(const_cast<Scene&>(state.editor.scene()));
+    entries.push_back({std::move(name), fmt::format("{} · {}", group, on ? "on" : "off"), "", "",
+                       [find](UiState& s) { find(s.editor.scene()) ^= true; }});
+}
+
+void add_switches(Entries& entries, const UiState& state) {
+    const auto add = [&](const char* name, const char* group, auto find) {
+        add_switch(entries, state, name, group, find);
+    };
+    add("Two-sided surfaces", "Shading", [](Scene& s) -> bool& { return s.shading.two_sided; });
+    add("Local viewer", "Shading", [](Scene& s) -> bool& { return s.shading.local_viewer; });
+    add("Cool to warm", "Tones", [](Scene& s) -> bool& { return s.npr.cool_to_warm; });
+    add("Silhouettes", "Strokes", [](Scene& s) -> bool& { return s.npr.silhouettes; });
+    add("Creases", "Strokes", [](Scene& s) -> bool& { return s.npr.creases; });
+    for (const MistakeName& mistake : mistake_names()) {
+        std::string name = "Mistake: " + std::string(mistake.name);
+        for (char& c : name)
+            if (c == '_') c = ' ';
+        add_switch(entries, state, name, "Mistake",
+                   [flag = mistake.flag](Scene& s) -> bool& { return s.shading.mistakes.*flag; });
+    }
+    for (const Transfer value : enumerators<Transfer>)
+        entries.push_back({fmt::format("Transfer: {}", choice_of(value).label), "Display", "", "",
+                           [value](UiState& s) { s.editor.scene().display.transfer = value; }});
+}
+
+void add_presets(Entries& entries, const UiState& state) {
+    const bool object = state.editor.selection.kind == Selection::Kind::Object;
+    for (const MaterialPreset& preset : material_presets())
+        entries.push_back({fmt::format("Material: {}", preset.name), "Preset", "",
+                           object ? "" : "No object is selected", [&preset](UiState& s) {
+                               auto& objects = s.editor.scene().objects;
+                               apply(preset,
+                                     objects[static_cast<std::size_t>(s.editor.selection.index)].material);
+                           }});
+}
+
+/// What a click in the list or the panel does to a light.
+void add_light_choices(Entries& entries, const UiState& state) {
+    const int index = selected_light(state.editor.selection);
+    if (index < 0) return;
+    const Light& light = state.editor.scene().lights[static_cast<std::size_t>(index)];
+    const auto light_of = [index](UiState& s) -> Light& {
+        return s.editor.scene().lights[static_cast<std::size_t>(index)];
+    };
+    const bool rides = light.space == LightSpace::Camera;
+    entries.push_back(
+        {fmt::format("{}: {}", light.name, rides ? "leave it in the world" : "ride with the camera"), "Light",
+         "", "", [light_of, rides](UiState& s) {
+             Light& l = light_of(s);
+             l = in_space(l, rides ? LightSpace::World : LightSpace::Camera, s.editor.scene().camera);
+         }});
+    for (const LightKind kind : enumerators<LightKind>)
+        entries.push_back({fmt::format("{}: {}", light.name, choice_of(kind).label),
+                           light.kind == kind ? "Light · chosen" : "Light", "", "",
+                           [light_of, kind](UiState& s) {
+                               const Scene& scene = s.editor.scene();
+                               const ScreenMap map = screen_map(scene.camera, s.picture->size);
+                               const Dome dome = sun_dome(scene.camera.target, scene_bounds(scene), map);
+                               light_of(s) = as_kind(light_of(s), kind, dome, map);
+                           }});
+}
+
+void add_items(Entries& entries, const UiState& state) {
+    constexpr std::size_t most = 50;
+    const Scene& scene = state.editor.scene();
+    const auto select = [&](const std::string& name, Selection selection) {
+        entries.push_back({fmt::format("Select {}", name), "Scene", "", "",
+                           [selection](UiState& s) { s.editor.selection = selection; }});
+    };
+    select("the camera", {Selection::Kind::Camera, 0});
+    select("shading", {Selection::Kind::Shading, 0});
+    select("display", {Selection::Kind::Display, 0});
+    for (std::size_t i = 0; i < std::min(scene.lights.size(), most); ++i) {
+        select(scene.lights[i].name, {Selection::Kind::Light, static_cast<int>(i)});
+        add_switch(entries, state, fmt::format("Light: {}", scene.lights[i].name), "Light",
+                   [i](Scene& s) -> bool& { return s.lights[i].enabled; });
+    }
+    for (std::size_t i = 0; i < std::min(scene.objects.size(), most); ++i)
+        select(scene.objects[i].name, {Selection::Kind::Object, static_cast<int>(i)});
+}
+
+void add_open(Entries& entries, std::string name, std::string group, const std::string& path) {
+    entries.push_back({std::move(name), std::move(group), "", "", [path](UiState& s) {
+                           begin_pending(s, {Pending::What::Open, path, false});
+                       }});
+}
+
+void add_recent(Entries& entries, const UiState& state) {
+    for (const std::string& path : state.memory.recent) {
+        const std::filesystem::path file(path);
+        add_open(entries, fmt::format("Open {}", file.filename().string()), file.parent_path().string(),
+                 path);
+    }
+}
+
+void add_scenes(Entries& entries, const UiState& state) {
+    namespace fs = std::filesystem;
+    if (state.shipped_scenes.empty()) return;
+    for (const FolderEntry& found : list_folder(state.shipped_scenes, FilePurpose::OpenScene)) {
+        if (found.folder || fs::path(found.name).extension() != ".json") continue;
+        const std::string path = (fs::path(state.shipped_scenes) / found.name).string();
+        std::string name = fs::path(found.name).stem().string();
+        for (char& c : name)
+            if (c == '-') c = ' ';
+        add_open(entries, fmt::format("Scene: {}", name), "Glint's scenes", path);
+    }
+}
+
+}  // namespace
+
+std::vector<PaletteEntry> palette_entries(const UiState& state) {
+    Entries entries;
+    add_actions(entries, state);
+    add_recent(entries, state);
+    add_choices(entries, state, "Reflection", &Shading::reflection);
+    add_choices(entries, state, "Interpolation", &Shading::interpolation);
+    add_choices(entries, state, "Flat point", &Shading::flat_point);
+    add_choices(entries, state, "Cull", &Shading::cull);
+    add_choices(entries, state, "Rules", &Shading::rules);
+    add_switches(entries, state);
+    add_light_choices(entries, state);
+    add_items(entries, state);
+    add_presets(entries, state);
+    add_scenes(entries, state);
+    return entries;
+}
+
+}  // namespace glint

@@ -1,0 +1,106 @@
+#include "ui/document/editor.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "models/mesh/mesh_memory.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool ends_with_json(const std::string& path) {
+    std::string extension = fs::path(path).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return extension == ".json";
+}
+
+}  // namespace
+
+std::string Editor::title() const {
+    return document.path.empty() ? "New scene" : fs::path(document.path).filename().string();
+}
+
+bool Editor::has_scene_file() const { return ends_with_json(document.path); }
+
+void take_document(Editor& editor, SceneDocument document) {
+    // Of two documents that were not drawn yet the older one goes: what could be drawn stays.
+    std::unique_ptr<Editor> before = std::move(editor.before);
+    if (!before) before = std::make_unique<Editor>(std::move(editor));
+    editor = {};
+    editor.before = std::move(before);
+    editor.document = std::move(document);
+    editor.saved = editor.document.scene;
+    editor.history.reset(editor.document.scene);
+    editor.selection = {};
+    if (!editor.scene().lights.empty()) editor.selection = {Selection::Kind::Light, 0};
+}
+
+std::optional<Problem> save_file(Editor& editor, std::string path) {
+    if (!ends_with_json(path)) path += ".json";
+    // The copy in hand keeps its mesh paths: they and the history's stay relative to where it was opened.
+    Result<SceneDocument> written = save_document(editor.document, path);
+    if (const Problem* problem = problem_of(written)) return *problem;
+    editor.document.path = path;
+    editor.document.stamp = std::get<SceneDocument>(written).stamp;
+    editor.saved = editor.document.scene;
+    return {};
+}
+
+bool changed_by_another(const Editor& editor) {
+    const FileStamp now = file_stamp(editor.document.path);
+    return now.exists() && now != editor.document.stamp;
+}
+
+std::optional<Problem> settle(Editor& editor) {
+    Scene& scene = editor.scene();
+    const bool missing =
+        std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& o) { return !o.mesh; });
+    if (!missing) return {};
+    Result<Warnings> loaded = load_meshes(scene, editor.document.path, editor.document.mesh_dir);
+    const Problem* problem = problem_of(loaded);
+    if (!problem) return {};
+    editor.document.scene = editor.history.present();
+    editor.selection = valid_selection(editor.selection, editor.scene());
+    return *problem;
+}
+
+bool undo(Editor& editor) {
+    if (!editor.history.can_undo()) return false;
+    editor.document.scene = editor.history.undo();
+    editor.selection = valid_selection(editor.selection, editor.scene());
+    return true;
+}
+
+bool redo(Editor& editor) {
+    if (!editor.history.can_redo()) return false;
+    editor.document.scene = editor.history.redo();
+    editor.selection = valid_selection(editor.selection, editor.scene());
+    return true;
+}
+
+SceneDocument first_scene() {
+    SceneDocument document;
+    Scene& scene = document.scene;
+    scene.camera.eye = {0, 0.8f, 4};
+    Light sun, bulb;
+    sun.name = "Sun";
+    sun.kind = LightKind::Directional;
+    sun.position = {1, 1.2f, 1, 0};
+    sun.diffuse = sun.specular = {1, 0.95f, 0.85f};
+    bulb.name = "Bulb";
+    bulb.position = {-1.6f, 0.4f, 1.2f, 1};
+    bulb.diffuse = bulb.specular = {0.35f, 0.55f, 1};
+    scene.lights = {sun, bulb};
+    Object ball;
+    ball.name = "Ball";
+    ball.source = PrimitiveMesh{Primitive::Sphere, info_of(Primitive::Sphere).default_detail};
+    ball.mesh = share_mesh(make_primitive(Primitive::Sphere, info_of(Primitive::Sphere).default_detail));
+    ball.material.diffuse = {0.8f, 0.35f, 0.25f};
+    scene.objects = {ball};
+    return document;
+}
+
+}  // namespace glint

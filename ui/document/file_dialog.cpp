@@ -1,0 +1,216 @@
+#include "ui/document/file_dialog.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <span>
+
+#include "ui/widgets/icons.h"
+#include "ui/widgets/modal.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+}
+
+bool is_picture(const std::string& extension) {
+    return extension == ".png" || extension == ".pfm" || extension == ".exr";
+}
+
+bool serves(const std::string& name, FilePurpose purpose) {
+    static constexpr std::array meshes{".obj", ".ply", ".off", ".stl", ".om"};
+    const std::string extension = lower(fs::path(name).extension().string());
+    const bool mesh = std::find(meshes.begin(), meshes.end(), extension) != meshes.end();
+    switch (purpose) {
+    case FilePurpose::OpenScene:
+        return mesh || extension == ".json" || extension == ".png";
+    case FilePurpose::OpenMesh:
+        return mesh;
+    case FilePurpose::SaveScene:
+        return extension == ".json";
+    case FilePurpose::SavePicture:
+        return extension == ".png";
+    case FilePurpose::ExportPicture:
+        return is_picture(extension);
+    case FilePurpose::SaveFrames:
+        return extension == ".png" || extension == ".gif";
+    }
+    return false;  // not reached
+}
+
+bool saves(FilePurpose purpose) {
+    return purpose == FilePurpose::SaveScene || purpose == FilePurpose::SavePicture ||
+           purpose == FilePurpose::ExportPicture || purpose == FilePurpose::SaveFrames;
+}
+
+struct Words {
+    const char *title, *button, *hint;
+};
+Words words(FilePurpose purpose) {
+    switch (purpose) {
+    case FilePurpose::OpenScene:
+        return {"Open", "Open", "Scenes (.json), pictures of Glint (.png), meshes (.obj .ply .off .stl .om)"};
+    case FilePurpose::OpenMesh:
+        return {"Choose a mesh", "Choose", "Meshes (.obj .ply .off .stl .om)"};
+    case FilePurpose::SaveScene:
+        return {"Save the scene", "Save", "Scene file (.json)"};
+    case FilePurpose::SavePicture:
+        return {"Save the picture", "Save", "Picture (.png), which carries its scene"};
+    case FilePurpose::SaveFrames:
+        return {"Write frames", "Write", "One file (.gif), or one a frame: NAME-0001.png …"};
+    case FilePurpose::ExportPicture:
+        return {"Export the picture", "Export",
+                "Picture: .png (carries its scene), .pfm, .exr (linear float)"};
+    }
+    return {"", "", ""};  // not reached
+}
+
+void go_to(FileDialog& dialog, const fs::path& folder) {
+    std::error_code failed;
+    const fs::path whole = fs::absolute(folder, failed).lexically_normal();
+    dialog.folder = failed ? folder.string() : whole.string();
+    dialog.entries = list_folder(dialog.folder, dialog.purpose);
+    dialog.asks_overwrite = false;
+}
+
+/// The path that folder and name stand for; an absolute name wins.
+fs::path whole_path(const FileDialog& dialog) {
+    std::string name = dialog.name;
+    if (name.starts_with("~/"))
+        if (const char* home = std::getenv("HOME")) name = home + name.substr(1);
+    fs::path path = fs::path(dialog.folder) / name;
+    if (dialog.purpose == FilePurpose::SaveScene && lower(path.extension().string()) != ".json")
+        path += ".json";
+    if (dialog.purpose == FilePurpose::SavePicture && lower(path.extension().string()) != ".png")
+        path += ".png";
+    if (dialog.purpose == FilePurpose::ExportPicture && !is_picture(lower(path.extension().string())))
+        path += ".png";
+    const std::string extension = lower(path.extension().string());
+    if (dialog.purpose == FilePurpose::SaveFrames && extension != ".png" && extension != ".gif")
+        path += ".gif";
+    return path;
+}
+
+/// Opens a folder, asks before overwriting, or gives the chosen path.
+std::optional<std::string> decide(FileDialog& dialog) {
+    if (dialog.name.empty()) return {};
+    std::error_code failed;
+    if (fs::is_directory(fs::path(dialog.folder) / dialog.name, failed)) {
+        const fs::path folder = fs::path(dialog.folder) / dialog.name;
+        dialog.name.clear();
+        go_to(dialog, folder);
+        return {};
+    }
+    const fs::path path = whole_path(dialog);
+    if (saves(dialog.purpose) && !dialog.asks_overwrite && fs::exists(path, failed)) {
+        dialog.asks_overwrite = true;
+        return {};
+    }
+    dialog.open = false;
+    return path.string();
+}
+
+void folder_line(FileDialog& dialog) {
+    if (icon_button("##up", Icon::Up)) go_to(dialog, fs::path(dialog.folder).parent_path());
+    tooltip("Up", "To the folder that holds this one");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::InputText("##folder", &dialog.folder, ImGuiInputTextFlags_EnterReturnsTrue))
+        go_to(dialog, dialog.folder);
+}
+
+/// True when an entry was double-clicked.
+bool entry_list(FileDialog& dialog) {
+    bool decided = false;
+    std::string enter_folder;
+    const float below =
+        ImGui::GetFrameHeight() + ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().ItemSpacing.y;
+    ImGui::BeginChild("##entries", {0, -below}, true);
+    const float line = ImGui::GetTextLineHeight();
+    for (const FolderEntry& entry : dialog.entries) {
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        const std::string label = "      " + entry.name + "##entry";
+        if (ImGui::Selectable(label.c_str(), entry.name == dialog.name,
+                              ImGuiSelectableFlags_AllowDoubleClick)) {
+            const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+            if (entry.folder && twice) enter_folder = entry.name;
+            if (!entry.folder || !saves(dialog.purpose)) dialog.name = entry.name;
+            dialog.asks_overwrite = false;
+            decided |= twice && !entry.folder;
+        }
+        draw_icon(*ImGui::GetWindowDrawList(), entry.folder ? Icon::Folder : Icon::File,
+                  {low.x + 0.6f * line, low.y + line / 2}, 0.8f * line, packed(theme().dim_text));
+    }
+    if (dialog.entries.empty()) dim_text("Nothing here that fits");
+    ImGui::EndChild();
+    if (!enter_folder.empty()) {
+        dialog.name.clear();
+        go_to(dialog, fs::path(dialog.folder) / enter_folder);
+    }
+    return decided;
+}
+
+}  // namespace
+
+std::vector<FolderEntry> list_folder(const std::string& folder, FilePurpose purpose) {
+    std::vector<FolderEntry> entries;
+    std::error_code failed;
+    fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, failed);
+    for (; !failed && it != fs::directory_iterator(); it.increment(failed)) {
+        std::error_code unknown;
+        const bool is_folder = it->is_directory(unknown);
+        const std::string name = it->path().filename().string();
+        if (name.starts_with(".") || (!is_folder && !serves(name, purpose))) continue;
+        entries.push_back({name, is_folder});
+    }
+    std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
+        return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name);
+    });
+    return entries;
+}
+
+void FileDialog::ask(FilePurpose why, const std::string& path) {
+    purpose = why;
+    open = true;
+    const fs::path given(path);
+    name = saves(why) ? given.filename().string() : "";
+    go_to(*this, given.has_parent_path() ? given.parent_path() : fs::path("."));
+}
+
+std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
+    const Words say = words(dialog.purpose);
+    const std::string id = std::string(say.title) + "##files";
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(px(620), window.x - px(40)), std::min(px(460), window.y - px(40))},
+                             ImGuiCond_Appearing);
+    std::optional<std::string> chosen;
+    if (!begin_modal(id.c_str(), &dialog.open, 0)) return {};
+    folder_line(dialog);
+    bool decided = entry_list(dialog);
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-px(180));
+    if (ImGui::InputTextWithHint("##name", "name or path", &dialog.name)) dialog.asks_overwrite = false;
+    ImGui::SameLine();
+    decided |= ImGui::Button(dialog.asks_overwrite ? "Replace" : say.button, {px(84), 0}) || enter;
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", {px(84), 0})) dialog.open = false;
+    dim_text(dialog.asks_overwrite ? "It is there already. Replace it?" : say.hint);
+    if (decided) chosen = decide(dialog);
+    if (!dialog.open) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    return chosen;
+}
+
+}  // namespace glint

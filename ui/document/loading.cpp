@@ -1,0 +1,228 @@
+#include "ui/document/loading.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "models/fields/choices.h"
+#include "renderer/renderer.h"
+#include "ui/commands/actions.h"
+#include "ui/ui.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool waits(const Object& object, const AwaitedMesh& awaited) {
+    return awaited.mesh_before && object.source == awaited.wanted && object.mesh == awaited.mesh_before;
+}
+
+bool is_quick(const MeshSource& source) {
+    const auto* primitive = std::get_if<PrimitiveMesh>(&source);
+    return primitive != nullptr && is_quick(*primitive);
+}
+
+std::string short_name(const MeshSource& source) {
+    if (const auto* file = std::get_if<MeshFile>(&source)) return fs::path(file->path).filename().string();
+    return std::string(name_of(std::get<PrimitiveMesh>(source).primitive));
+}
+
+void leave(Loading& loading, std::unique_ptr<LoadJob>& job) {
+    if (!job) return;
+    job->cancel();
+    loading.left.push_back(std::move(job));
+}
+
+/// The mesh of the same source in the scene or in the newest step; null when there is none.
+MeshPtr known_mesh(const Scene& scene, const Scene& present, const MeshSource& source,
+                   const std::vector<AwaitedMesh>& awaited) {
+    for (const Scene* known : {&scene, &present})
+        for (const Object& object : known->objects) {
+            const auto own = [&object](const AwaitedMesh& a) { return waits(object, a); };
+            if (object.mesh && object.source == source && std::none_of(awaited.begin(), awaited.end(), own))
+                return object.mesh;
+        }
+    return nullptr;
+}
+
+/// Edits that left an object without its mesh: the object keeps the old one until the new one is there.
+void note_slow_edits(UiState& state) {
+    Scene& scene = state.editor.scene();
+    const Scene& present = state.editor.history.present();
+    Loading& loading = state.loading;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        Object& object = scene.objects[i];
+        if (object.mesh || is_quick(object.source) || i >= present.objects.size()) continue;
+        object.mesh = known_mesh(scene, present, object.source, loading.awaited);
+        const Object& before = present.objects[i];
+        if (object.mesh || !before.mesh) continue;
+        object.mesh = before.mesh;
+        loading.awaited.push_back({object.source, before.source, before.mesh});
+    }
+}
+
+/// What nobody waits for any more (undone, deleted, changed again) is forgotten.
+void forget_unwanted(UiState& state) {
+    const auto& objects = state.editor.scene().objects;
+    const auto unwanted = [&objects](const AwaitedMesh& awaited) {
+        const auto own = [&awaited](const Object& object) { return waits(object, awaited); };
+        return awaited.mesh_before && std::none_of(objects.begin(), objects.end(), own);
+    };
+    auto& list = state.loading.awaited;
+    list.erase(std::remove_if(list.begin(), list.end(), unwanted), list.end());
+    if (list.empty()) leave(state.loading, state.loading.meshes);
+}
+
+void start_meshes(UiState& state) {
+    Loading& loading = state.loading;
+    if (loading.meshes || loading.awaited.empty()) return;
+    Scene wanting = state.editor.scene();
+    for (const AwaitedMesh& awaited : loading.awaited) {
+        for (Object& object : wanting.objects)
+            if (waits(object, awaited)) object.mesh = nullptr;
+        if (awaited.mesh_before) continue;
+        Object fresh;
+        fresh.source = awaited.wanted;
+        wanting.objects.push_back(fresh);
+    }
+    const SceneDocument& document = state.editor.document;
+    loading.meshes = std::make_unique<LoadJob>(
+        short_name(loading.awaited.front().wanted),
+        [wanting, path = document.path, dir = document.mesh_dir](LoadProgress&) -> Result<SceneDocument> {
+            Scene scene = wanting;
+            Result<Warnings> loaded = load_meshes(scene, path, dir);
+            if (const Problem* problem = problem_of(loaded)) return *problem;
+            return SceneDocument{std::move(scene), path, dir, std::get<Warnings>(std::move(loaded))};
+        });
+    loading.since = ImGui::GetTime();
+}
+
+/// The new mesh for the objects that wait for it; a new object where none does.
+void give_mesh(UiState& state, const AwaitedMesh& awaited, const MeshPtr& mesh) {
+    Editor& editor = state.editor;
+    for (Object& object : editor.scene().objects)
+        if (waits(object, awaited)) object.mesh = mesh;
+    state.drawn_is_edited = false;
+    state.drawn = {};  // a scene with other meshes is equal to it: it must be drawn again all the same
+    if (awaited.mesh_before) return;
+    if (const auto index = add_object(editor.scene(), awaited.wanted)) {
+        editor.scene().objects[static_cast<std::size_t>(*index)].mesh = mesh;
+        editor.selection = {Selection::Kind::Object, *index};
+    }
+}
+
+void give_up_meshes(UiState& state) {
+    for (const AwaitedMesh& awaited : state.loading.awaited)
+        for (Object& object : state.editor.scene().objects)
+            if (waits(object, awaited)) object.source = awaited.before;
+    state.loading.awaited.clear();
+}
+
+void tend_meshes(UiState& state) {
+    note_slow_edits(state);
+    forget_unwanted(state);
+    Loading& loading = state.loading;
+    if (loading.meshes && loading.meshes->done()) {
+        const Result<SceneDocument> result = loading.meshes->take();
+        loading.meshes.reset();
+        if (const Problem* problem = problem_of(result)) {
+            state.notifications.add(*problem);
+            give_up_meshes(state);
+        } else {
+            const auto& loaded = std::get<SceneDocument>(result);
+            state.notifications.add(loaded.warnings);
+            auto& list = loading.awaited;
+            const auto come = [&](const AwaitedMesh& awaited) {
+                for (const Object& object : loaded.scene.objects)
+                    if (object.source == awaited.wanted && object.mesh != awaited.mesh_before) {
+                        give_mesh(state, awaited, object.mesh);
+                        return true;
+                    }
+                return false;  // wanted only since the load began
+            };
+            list.erase(std::remove_if(list.begin(), list.end(), come), list.end());
+        }
+    }
+    start_meshes(state);
+}
+
+void take_opened(UiState& state, SceneDocument document) {
+    leave(state.loading, state.loading.meshes);
+    state.loading.awaited.clear();
+    take_scene(state, std::move(document));
+    state.notifications.add(state.editor.document.warnings);
+}
+
+void tend_document(UiState& state) {
+    Loading& loading = state.loading;
+    if (!state.pending.asking) loading.loaded.reset();  // the answer was no
+    if (!loading.document || !loading.document->done()) return;
+    Result<SceneDocument> result = loading.document->take();
+    loading.document.reset();
+    if (const Problem* problem = problem_of(result)) return state.notifications.add(*problem);
+    auto& document = std::get<SceneDocument>(result);
+    if (state.editor.scene() == loading.scene_then || !state.editor.unsaved())
+        return take_opened(state, std::move(document));
+    // Work went on while it was loading: it is not thrown away unasked.
+    state.pending = {Pending::What::Open, document.path, true};
+    loading.loaded = std::move(document);
+}
+
+}  // namespace
+
+bool is_quick(const PrimitiveMesh& mesh) {
+    // Triangles go with the square of the detail; a largest one has about 8 million
+    // (models/primitives/primitives.cpp).
+    const int most = info_of(mesh.primitive).max_detail;
+    if (mesh.primitive == Primitive::Icosphere) return mesh.detail <= 6;  // there with its power of 4
+    return most <= 8 || mesh.detail <= most / 6;
+}
+
+void begin_open(UiState& state, const std::string& path) {
+    Loading& loading = state.loading;
+    if (loading.loaded && loading.loaded->path == path) {
+        SceneDocument document = std::move(*loading.loaded);
+        loading.loaded.reset();
+        return take_opened(state, std::move(document));
+    }
+    leave(loading, loading.document);
+    loading.scene_then = state.editor.scene();
+    loading.since = ImGui::GetTime();
+    loading.document = std::make_unique<LoadJob>(fs::path(path).filename().string(),
+                                                 [path](LoadProgress&) { return open_document(path); });
+}
+
+void begin_mesh(UiState& state, const MeshSource& source, int index) {
+    auto& objects = state.editor.scene().objects;
+    if (index >= 0 && static_cast<std::size_t>(index) < objects.size()) {
+        Object& object = objects[static_cast<std::size_t>(index)];
+        object.source = source;
+        object.mesh = nullptr;
+    } else {
+        state.loading.awaited.push_back({source, source, nullptr});
+    }
+}
+
+void tend_loads(UiState& state) {
+    Loading& loading = state.loading;
+    tend_document(state);
+    tend_meshes(state);
+    const auto ended = [](const std::unique_ptr<LoadJob>& job) { return job->done(); };
+    loading.left.erase(std::remove_if(loading.left.begin(), loading.left.end(), ended), loading.left.end());
+}
+
+bool awaits_mesh(const UiState& state) {
+    const auto& list = state.loading.awaited;
+    return std::any_of(list.begin(), list.end(),
+                       [](const AwaitedMesh& a) { return a.mesh_before != nullptr; });
+}
+
+void cancel_loads(UiState& state) {
+    give_up_meshes(state);
+    leave(state.loading, state.loading.meshes);
+    leave(state.loading, state.loading.document);
+    state.loading.loaded.reset();
+}
+
+}  // namespace glint

@@ -1,0 +1,144 @@
+#include "ui/document/scene_edit.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "models/fields/choices.h"
+#include "models/io/utf8.h"
+#include "ui/document/limits.h"
+#include "ui/picture/handles/light_place.h"
+#include "ui/picture/screen.h"
+
+namespace glint {
+namespace {
+
+const char* name_of(LightKind kind) {
+    switch (kind) {
+    case LightKind::Directional:
+        return "Sun";
+    case LightKind::Point:
+        return "Bulb";
+    case LightKind::Spot:
+        return "Lamp";
+    case LightKind::Area:
+        return "Panel";
+    }
+    return "Light";  // not reached
+}
+
+std::string name_of(const MeshSource& source) {
+    std::string name;
+    if (const auto* file = std::get_if<MeshFile>(&source)) {
+        name = file->path.substr(file->path.find_last_of('/') + 1);
+        name = with_invalid_replaced(name.substr(0, name.find_last_of('.')));
+    } else {
+        name = name_of(std::get<PrimitiveMesh>(source).primitive);
+    }
+    if (name.empty()) return "Object";
+    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    return name;
+}
+
+template <class Item> auto place_after(std::vector<Item>& items, int index) {
+    return items.begin() + index + 1;
+}
+
+/// Shines at the middle of the scene, whatever its kind.
+void aim(Light& light, glm::vec3 place, glm::vec3 middle, float radius) {
+    const glm::vec3 towards = middle - place;
+    light.position = {place, 1};
+    light.spot.direction = glm::normalize(towards);
+    light.spot.exponent = 4;
+    const glm::vec3 side = glm::normalize(glm::cross(towards, glm::vec3(0.0123f, 1, 0.0456f)));
+    light.area.edge_u = 0.25f * radius * side;
+    light.area.edge_v = 0.25f * radius * glm::normalize(glm::cross(side, towards));
+    if (light.kind == LightKind::Directional) light.position = {-glm::normalize(towards), 0};
+}
+
+}  // namespace
+
+Selection valid_selection(const Selection& selection, const Scene& scene) {
+    Selection valid = selection;
+    const auto within = [&valid](std::size_t count) {
+        if (count == 0) return Selection{};
+        valid.index = std::clamp(valid.index, 0, static_cast<int>(count) - 1);
+        return valid;
+    };
+    if (selection.kind == Selection::Kind::Light) return within(scene.lights.size());
+    if (selection.kind == Selection::Kind::Object) return within(scene.objects.size());
+    return valid;
+}
+
+std::string free_name(const std::string& wanted, const Scene& scene) {
+    const auto taken = [&scene](const std::string& name) {
+        const auto same = [&name](const auto& item) { return item.name == name; };
+        return std::any_of(scene.lights.begin(), scene.lights.end(), same) ||
+               std::any_of(scene.objects.begin(), scene.objects.end(), same);
+    };
+    if (!taken(wanted)) return wanted;
+    // "Bulb 2" is followed by "Bulb 3", not by "Bulb 2 2".
+    const std::size_t digits = wanted.find_last_not_of("0123456789");
+    const bool numbered = digits != std::string::npos && digits + 1 < wanted.size() && wanted[digits] == ' ';
+    const std::string base = numbered ? wanted.substr(0, digits) : wanted;
+    for (int i = 2;; ++i)
+        if (std::string name = fmt::format("{} {}", base, i); !taken(name)) return name;
+}
+
+std::optional<int> add_light(Scene& scene, LightKind kind) {
+    if (scene.lights.size() >= max_lights) return {};
+    const Bounds bounds = scene_bounds(scene);
+    const glm::vec3 middle = (bounds.min + bounds.max) / 2.0f;
+    const float radius = std::max(glm::length(bounds.max - bounds.min) / 2, 1e-3f);
+    // In front of the scene, in the upper half of even a square picture; no two in one place.
+    const ScreenMap map = screen_map(scene.camera, {512, 512});
+    const double away = project(map, middle).depth,
+                 depth = std::max(away - 0.75 * radius, 0.35 * std::abs(away));
+    const double turn = 0.9 * static_cast<double>(scene.lights.size());
+    const glm::dvec2 pixel{256 + 150 * std::cos(turn + 0.6), 130 + 40 * std::sin(turn)};
+    const glm::vec3 place(unproject(map, pixel, depth));
+    Light light;
+    light.name = free_name(name_of(kind), scene);
+    light.kind = kind;
+    aim(light, place, middle, radius);
+    scene.lights.push_back(light);
+    return static_cast<int>(scene.lights.size()) - 1;
+}
+
+std::optional<int> add_object(Scene& scene, const MeshSource& source) {
+    if (scene.objects.size() >= max_objects) return {};
+    Object object;
+    object.name = free_name(name_of(source), scene);
+    object.source = source;
+    if (!scene.objects.empty()) object.transform.translate.x = scene_bounds(scene).max.x + 1.2f;
+    scene.objects.push_back(object);
+    return static_cast<int>(scene.objects.size()) - 1;
+}
+
+void duplicate(Scene& scene, Selection& selection) {
+    if (selection.kind == Selection::Kind::Light && scene.lights.size() < max_lights) {
+        Light copy = scene.lights[static_cast<std::size_t>(selection.index)];
+        copy.name = free_name(copy.name, scene);
+        const Bounds bounds = scene_bounds(scene);
+        const float step = copy.position.w == 0 ? 0.2f : 0.1f * glm::length(bounds.max - bounds.min);
+        copy.position.x += step;
+        scene.lights.insert(place_after(scene.lights, selection.index++), copy);
+    } else if (selection.kind == Selection::Kind::Object && scene.objects.size() < max_objects) {
+        Object copy = scene.objects[static_cast<std::size_t>(selection.index)];
+        copy.name = free_name(copy.name, scene);
+        scene.objects.insert(place_after(scene.objects, selection.index++), copy);
+    }
+}
+
+void remove(Scene& scene, Selection& selection) {
+    if (selection.kind == Selection::Kind::Light && !scene.lights.empty())
+        scene.lights.erase(scene.lights.begin() + selection.index);
+    if (selection.kind == Selection::Kind::Object && !scene.objects.empty())
+        scene.objects.erase(scene.objects.begin() + selection.index);
+    selection = valid_selection(selection, scene);
+}
+
+}  // namespace glint

@@ -1,0 +1,52 @@
+#pragma once
+// Edits of a scene as a list: adding, duplicating and deleting lights and objects. Pure functions.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "models/scene/scene.h"
+
+namespace glint {
+
+/// What the left column shows and the keys act on.
+struct Selection {
+    enum class Kind { Camera, Light, Object, Shading, Display };
+    Kind kind = Kind::Shading;
+    int index = 0;  // of a light or an object
+    bool operator==(const Selection&) const = default;
+};
+
+/// Index of the selected light, or -1.
+[[nodiscard]] inline int selected_light(const Selection& selection) {
+    return selection.kind == Selection::Kind::Light ? selection.index : -1;
+}
+
+/// How many lights and objects there are. While they stay, a number of one stands for one that exists.
+struct ItemCounts {
+    std::size_t lights = 0, objects = 0;
+    bool operator==(const ItemCounts&) const = default;
+};
+[[nodiscard]] inline ItemCounts item_counts(const Scene& scene) {
+    return {scene.lights.size(), scene.objects.size()};
+}
+
+/// `selection`, or the nearest that exists in `scene`.
+[[nodiscard]] Selection valid_selection(const Selection& selection, const Scene& scene);
+
+/// `wanted`, or with the first number that makes it different from all names: "Bulb", "Bulb 2".
+[[nodiscard]] std::string free_name(const std::string& wanted, const Scene& scene);
+
+/// A new light where it can be seen and grabbed: above the scene, on the viewer's side. Its index; nothing
+/// when the scene holds as many as it may.
+std::optional<int> add_light(Scene& scene, LightKind kind);
+
+/// A new object beside the others, its mesh not loaded. Its index, or nothing as above.
+std::optional<int> add_object(Scene& scene, const MeshSource& source);
+
+/// A copy after the original, a little aside (a light) or in the same place (an object), selected.
+void duplicate(Scene& scene, Selection& selection);
+/// Deletes the selected light or object and selects its neighbour.
+void remove(Scene& scene, Selection& selection);
+
+}  // namespace glint

@@ -1,0 +1,130 @@
+#include "ui/document/take_back.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include "models/memory_limit.h"
+#include "ui/ui.h"
+
+namespace glint {
+namespace {
+
+constexpr int largest_divisor_for_memory = 64;
+constexpr double first_memory_wait = 1, longest_memory_wait = 60;  // seconds until a larger picture is tried
+
+/// Whatever draws beside the one picture, or wants more of it than its bytes.
+void put_views_away(UiState& state) {
+    ViewsState& views = state.views;
+    views.compare.choice.on = views.compare.choice.shows_stored = false;
+    views.compare.renderers.clear();
+    views.look.set = {};
+    views.look.painter.reset();
+    views.scope.open = false;
+    views.grid.renderer.reset();
+    views.grid.solo.reset();
+    views.grid.muted.clear();
+    state.preview.reset();
+    state.why.reset();
+    state.shown = state.picture;
+    ++state.picture_serial;
+}
+
+/// The same objects with the same meshes, of which equal scenes may have others.
+bool same_meshes(const Scene& a, const Scene& b) {
+    return std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(),
+                      [](const Object& x, const Object& y) { return x.mesh == y.mesh; });
+}
+
+bool same(const Scene& a, const Scene& b) { return a == b && same_meshes(a, b); }
+
+/// The edited scene as it was drawn last, or as the newest step of the history has it. Where it was drawn
+/// already, smaller or with less, it stays.
+void take_scene_back(UiState& state) {
+    Editor& editor = state.editor;
+    const bool knows_drawn = state.drawn_is_edited && !editor.before;
+    if (knows_drawn && same(state.drawn, editor.scene())) return;
+    (void)cancel_gesture(state.viewport, editor.scene());
+    if (state.memory.copy && state.memory.copied == editor.scene())
+        state.memory.copy.reset();  // the file stays: what it holds is in no other
+    if (editor.before) {
+        const std::unique_ptr<Editor> before = std::move(editor.before);
+        editor = std::move(*before);
+    } else if (knows_drawn) {
+        editor.scene() = state.drawn;
+    } else {
+        editor.scene() = editor.history.present();
+    }
+    editor.selection = valid_selection(editor.selection, editor.scene());
+}
+
+bool can_draw(UiState& state, const Scene& scene, PictureSize size) {
+    try {
+        state.picture = &state.renderer->render(scene, size);
+    } catch (const std::exception&) {
+        return false;
+    }
+    return true;
+}
+
+/// The edited scene, as large as it can be.
+void draw_what_can_be(UiState& state, PictureSize full) {
+    const Scene& scene = state.editor.scene();
+    int divisor = state.pace.memory_divisor;
+    while (divisor <= largest_divisor_for_memory && !can_draw(state, scene, divided(full, divisor)))
+        divisor *= 2;
+    if (divisor > largest_divisor_for_memory) {
+        Scene nothing = scene;
+        nothing.objects.clear();
+        state.picture = &state.renderer->render(nothing, divided(full, divisor));
+    }
+    state.pace.memory_divisor = divisor;
+    state.pace.memory_divided = full;
+    state.drawn = scene;
+    state.drawn_is_edited = true;
+}
+
+}  // namespace
+
+void say_what_failed(UiState& state, const std::exception& error) {
+    if (const auto* no_memory = dynamic_cast<const std::bad_alloc*>(&error))
+        return state.notifications.add(memory_problem(*no_memory));
+    if (dynamic_cast<const std::length_error*>(&error) != nullptr)  // more than any machine has
+        return state.notifications.add(memory_problem(std::bad_alloc()));
+    state.notifications.add({.file = {}, .pointer = {}, .what = error.what(), .expected = {}});
+}
+
+void take_back(UiState& state, const std::exception& error, PictureSize full, bool previewed) {
+    if (state.picture == nullptr) throw;
+    FramePace& pace = state.pace;
+    if (pace.memory_tries_again) {  // in vain, and that was said before
+        pace.memory_divisor *= 2;
+        pace.memory_wait = std::min(2 * pace.memory_wait, longest_memory_wait);
+    } else {
+        say_what_failed(state, error);
+        pace.memory_wait = first_memory_wait;
+    }
+    pace.memory_tries_again = false;
+    pace.memory_rests_until = ImGui::GetTime() + pace.memory_wait;
+    if (!previewed) take_scene_back(state);
+    put_views_away(state);
+    draw_what_can_be(state, full);
+    state.shown = state.picture;
+    ++state.picture_serial;
+}
+
+void give_up_frame(UiState& state, const std::exception& error) {
+    if (state.picture == nullptr) throw;
+    say_what_failed(state, error);
+    // Fonts of windows that are open, which the windows' ends would miss.
+    GImGui->FontStack.resize(0);
+    ImGui::SetCurrentFont(ImGui::GetDefaultFont());
+    ImGui::ErrorCheckEndFrameRecover(nullptr);
+    put_views_away(state);
+}
+
+}  // namespace glint

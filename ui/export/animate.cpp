@@ -1,0 +1,144 @@
+#include "ui/export/animate.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "models/fields/scene_numbers.h"
+#include "ui/commands/actions.h"
+#include "ui/commands/fuzzy.h"
+#include "ui/fields/choices.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr int most_frames = 2000;
+constexpr int numbers_listed = 7;
+
+/// The numbers that match what was typed, best first.
+std::vector<SceneNumber> matching(const std::vector<SceneNumber>& numbers, const std::string& text) {
+    std::vector<std::pair<int, std::size_t>> scored;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (const auto match = fuzzy_match(text, numbers[i].pointer)) scored.emplace_back(-match->score, i);
+    std::sort(scored.begin(), scored.end());
+    std::vector<SceneNumber> found;
+    for (const auto& [score, i] : scored) {
+        found.push_back(numbers[i]);
+        if (found.size() == numbers_listed) break;
+    }
+    return found;
+}
+
+void choose_number(AnimateState& animate, const Scene& scene) {
+    Animation& animation = animate.animation;
+    ImGui::SetNextItemWidth(row("Number"));
+    ImGui::InputTextWithHint("##search", "type a part of its name: roughness, intensity …", &animate.search);
+    tooltip("Number", "What goes to and fro, by its key in the scene file");
+    const auto found = matching(numbers_of(scene), animate.search);
+    for (const SceneNumber& number : found) {
+        const std::string label = fmt::format("{}  =  {:.5g}", number.pointer, number.value);
+        if (!ImGui::Selectable(label.c_str(), number.pointer == animation.pointer)) continue;
+        animation.pointer = number.pointer;
+        animation.from = number.value;
+        animation.to = number.value == 0 ? 1 : 2 * number.value;
+        animate.began = ImGui::GetTime();
+    }
+    if (animation.pointer.empty()) return;
+    ImGui::Separator();
+    const Real ends{.format = "%.4g"};
+    float from = static_cast<float>(animation.from), to = static_cast<float>(animation.to);
+    const Help help{"An end of its way", animation.pointer};
+    if (number_field("From", from, ends, 0, help)) animation.from = double(from);
+    if (number_field("To", to, ends, 0, help)) animation.to = double(to);
+}
+
+void write_buttons(UiState& state) {
+    AnimateState& animate = state.animate;
+    if (animate.job) {
+        const LoadProgress& progress = animate.job->progress();
+        const auto done = progress.done.load(), total = progress.total.load();
+        ImGui::ProgressBar(total == 0 ? 0 : float(done) / float(total), {-px(90), 0},
+                           fmt::format("frame {} of {}", done, total).c_str());
+        ImGui::SameLine();
+        if (ImGui::Button("Cancel", {px(80), 0})) animate.job->cancel();
+        return;
+    }
+    const bool possible = animate.refused.empty();
+    ImGui::BeginDisabled(!possible);
+    if (ImGui::Button(animate.playing ? "Stop" : "Play", {px(90), 0})) {
+        animate.playing = !animate.playing;
+        animate.began = ImGui::GetTime();
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Write frames…", {px(130), 0}))
+        state.files.ask(FilePurpose::SaveFrames, offered_name(state, ".gif"));
+    tooltip("Write frames",
+            "As PNG files, one a frame, or as one GIF: by the name's ending. A GIF has 256 colours "
+            "a frame, so gradients get steps that are not in the picture",
+            "At the size and samples of Export picture");
+    ImGui::EndDisabled();
+}
+
+}  // namespace
+
+void animate_panel(UiState& state) {
+    AnimateState& animate = state.animate;
+    if (!animate.open) return;
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({window.x / 2, px(top_height + 40)}, ImGuiCond_Appearing, {0.5f, 0});
+    ImGui::SetNextWindowSize({std::min(px(400), window.x - px(20)), 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    if (ImGui::Begin("Animate", &animate.open,
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                         ImGuiWindowFlags_AlwaysAutoResize)) {
+        const Animation before = animate.animation;
+        (void)segment_field("Motion", animate.animation.motion, {"What moves", ""});
+        if (animate.animation.motion == Motion::PingPong) choose_number(animate, state.editor.scene());
+        (void)integer_field("Frames", animate.animation.frames, 1, most_frames, 48,
+                            {"Of one period, after which it begins anew", ""});
+        (void)integer_field("Speed", animate.frames_a_second, 1, 50, 25, {"Frames a second", ""});
+        if (!(animate.animation == before)) animate.refused.clear();
+        if (!animate.refused.empty()) {
+            ImGui::PushTextWrapPos();
+            ImGui::TextUnformatted(animate.refused.c_str());
+            ImGui::PopTextWrapPos();
+        }
+        write_buttons(state);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar();
+    if (!animate.open) animate.playing = false;
+}
+
+void tend_animation(UiState& state) {
+    AnimateState& animate = state.animate;
+    if (animate.job) {
+        wish_frame_in(0.1);
+        if (animate.job->done()) {
+            const Result<std::string> result = animate.job->take();
+            animate.job.reset();
+            if (const Problem* problem = problem_of(result))
+                state.notifications.add(*problem);
+            else
+                state.notifications.add(Tone::Done, std::get<std::string>(result));
+        }
+    }
+    if (!animate.playing) return;
+    const double frame = (ImGui::GetTime() - animate.began) * animate.frames_a_second;
+    Result<Scene> scene = scene_at(state.editor.document, animate.animation, static_cast<int>(frame));
+    if (const Problem* problem = problem_of(scene)) {
+        animate.refused = problem->text();
+        animate.playing = false;
+        return;
+    }
+    state.preview = std::get<Scene>(std::move(scene));
+    wish_frame_in((std::floor(frame) + 1 - frame) / animate.frames_a_second);
+}
+
+}  // namespace glint

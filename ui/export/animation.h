@@ -1,0 +1,38 @@
+#pragma once
+// A scene that moves: the camera round its target, or one number of the scene to and fro. No drawing.
+
+#include <string>
+
+#include "models/fields/choice.h"
+#include "models/scene_file/scene_file.h"
+
+namespace glint {
+
+enum class Motion { Turntable, PingPong };
+constexpr Choice choice_of(Motion motion) {
+    switch (motion) {
+    case Motion::Turntable:
+        return {"turntable", "Turntable", "The camera once round its target"};
+    case Motion::PingPong:
+        return {"to-and-fro", "To and fro", "One number of the scene between two values"};
+    }
+    return {};
+}
+
+struct Animation {
+    Motion motion = Motion::Turntable;
+    std::string pointer;      // PingPong: of a number in the scene file
+    double from = 0, to = 1;  // PingPong: its values at both ends
+    int frames = 48;          // of one period, after which it begins anew; at least 1
+    bool operator==(const Animation&) const = default;
+};
+
+/// The scene at frame `frame` (of any sign: it repeats). Turntable: eye and up turned about the axis through
+/// the target along `up`, counter-clockwise seen from above, 360 degrees over the period; frame 0 is the
+/// scene itself. PingPong: the number goes evenly from `from` to `to` and back. Problems are those of --set.
+[[nodiscard]] Result<Scene> scene_at(const SceneDocument& document, const Animation& animation, int frame);
+
+/// The value at a frame of a PingPong.
+[[nodiscard]] double value_at(const Animation& animation, int frame);
+
+}  // namespace glint

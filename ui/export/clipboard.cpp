@@ -1,0 +1,96 @@
+#include "ui/export/clipboard.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+extern char** environ;
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_set(const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr && *value != 0;
+}
+
+bool in_path(const std::string& program) {
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path != nullptr ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (!folder.empty() && ::access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
+    return false;
+}
+
+/// A file in memory with these bytes, read from its beginning; -1 when there is no room.
+int file_of(const std::string& bytes) {
+    const int file = ::memfd_create("glint-picture", MFD_CLOEXEC);
+    if (file < 0) return -1;
+    for (std::size_t at = 0; at < bytes.size();) {
+        const ssize_t count = ::write(file, bytes.data() + at, bytes.size() - at);
+        if (count <= 0) {
+            ::close(file);
+            return -1;
+        }
+        at += static_cast<std::size_t>(count);
+    }
+    ::lseek(file, 0, SEEK_SET);
+    return file;
+}
+
+/// The exit status of the tool, fed with `input`; -1 when it did not run.
+int run_tool(const std::vector<std::string>& command, int input) {
+    std::vector<char*> words;
+    words.reserve(command.size() + 1);
+    for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+    words.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
+    // The tool stays behind to serve the clipboard: it must not hold our terminal or pipe open.
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    pid_t child = 0;
+    const int failed = ::posix_spawnp(&child, words[0], &files, nullptr, words.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    int status = 0;
+    if (failed != 0 || ::waitpid(child, &status, 0) != child) return -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+std::vector<std::string> clipboard_command() {
+    if (is_set("WAYLAND_DISPLAY") && in_path("wl-copy")) return {"wl-copy", "--type", "image/png"};
+    if (is_set("DISPLAY") && in_path("xclip"))
+        return {"xclip", "-selection", "clipboard", "-t", "image/png", "-i"};
+    return {};
+}
+
+std::string why_no_clipboard() {
+    if (!clipboard_command().empty()) return {};
+    return is_set("WAYLAND_DISPLAY") ? "Needs wl-copy, of the package wl-clipboard"
+                                     : "Needs the program xclip";
+}
+
+Result<std::monostate> copy_png(const std::string& bytes) {
+    const std::vector<std::string> command = clipboard_command();
+    if (command.empty()) return Problem{"", "", why_no_clipboard(), ""};
+    const int input = file_of(bytes);
+    if (input < 0) return Problem{command[0], "", "there is not enough memory for the picture", ""};
+    const int status = run_tool(command, input);
+    ::close(input);
+    if (status != 0) return Problem{command[0], "", "did not take the picture", "a clipboard to put it on"};
+    return std::monostate{};
+}
+
+}  // namespace glint

@@ -1,0 +1,42 @@
+#pragma once
+// Pictures out of the window: at a chosen size and number of samples into a file, or onto the clipboard.
+
+#include <memory>
+#include <string>
+
+#include "models/scene_file/scene_file.h"
+#include "renderer/picture.h"
+#include "ui/preferences/job.h"
+
+namespace glint {
+
+struct UiState;
+
+struct ExportOptions {
+    PictureSize size{1920, 1080};
+    int samples = 4;
+};
+
+struct ExportState {
+    bool open = false;
+    ExportOptions options;
+    std::unique_ptr<Job<std::string>> job;  // its result: what to say when it is done
+    double since = 0;                       // ImGui's time when it began
+};
+
+/// The bytes of a picture file: PNG that carries its scene, PFM or EXR, by the extension of `path`; mesh
+/// paths in the carried scene lead to the meshes from there. Draws with a renderer of its own.
+[[nodiscard]] Result<std::string> picture_file(const SceneDocument& document, const ExportOptions& options,
+                                               const std::string& path, int threads);
+
+/// Draws and writes aside; a notification tells when it is there.
+void begin_export(UiState& state, const ExportOptions& options, const std::string& path);
+/// The picture as it is shown, onto the clipboard, aside.
+void begin_copy(UiState& state);
+/// Once a frame: says what has come of it.
+void tend_export(UiState& state);
+
+/// The question about size and samples; the file's name is asked for after it.
+void export_dialog(UiState& state);
+
+}  // namespace glint

@@ -1,0 +1,100 @@
+// Frames of an animation as files.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "models/io/file.h"
+#include "renderer/image/image_file.h"
+#include "renderer/image/image_gif.h"
+#include "ui/export/animate.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FrameJob {
+    SceneDocument document;
+    Animation animation;
+    std::string path;
+    PictureSize size;
+    int samples = 1, hundredths = 4, threads = 0;
+};
+
+/// Calls `take` with each frame's scene and picture; stops at the first problem, or when it is cancelled.
+template <class Take>
+std::optional<Problem> for_each_frame(const FrameJob& job, LoadProgress& progress, Take take) {
+    // A GIF's frame needs its colours apart, and its indices.
+    const MemoryShare share(memory_need(MemoryUse::Output, png_memory(job.size)));
+    Renderer renderer(job.threads);
+    for (int frame = 0; frame < job.animation.frames; ++frame) {
+        if (!report_progress(LoadStage::Reading, std::uint64_t(frame), std::uint64_t(job.animation.frames)) ||
+            progress.cancelled)
+            return Problem{job.path, "", "writing was cancelled", ""};
+        const Result<Scene> scene = scene_at(job.document, job.animation, frame);
+        if (const Problem* problem = problem_of(scene)) return *problem;
+        const auto& shown = std::get<Scene>(scene);
+        if (auto problem = take(frame, shown, renderer.render(shown, job.size, false, job.samples)))
+            return problem;
+    }
+    return {};
+}
+
+std::string numbered(const std::string& path, int frame) {
+    const fs::path file(path);
+    const std::string name = fmt::format("{}-{:04}.png", file.stem().string(), frame + 1);
+    return (file.parent_path() / name).string();
+}
+
+Result<std::string> write_pngs(const FrameJob& job, LoadProgress& progress) {
+    const auto take = [&job](int frame, const Scene& scene,
+                             const Picture& picture) -> std::optional<Problem> {
+        const std::string path = numbered(job.path, frame);
+        const Scene carried = with_mesh_paths_from(scene, job.document.mesh_dir, directory_of(path));
+        const auto written = write_file(path, png_bytes(picture, scene_text(carried)));
+        if (const Problem* problem = problem_of(written)) return *problem;
+        return {};
+    };
+    if (const auto problem = for_each_frame(job, progress, take)) return *problem;
+    return fmt::format("Wrote {} frames: {} to {}", job.animation.frames,
+                       fs::path(numbered(job.path, 0)).filename().string(),
+                       fs::path(numbered(job.path, job.animation.frames - 1)).filename().string());
+}
+
+Result<std::string> write_gif(const FrameJob& job, LoadProgress& progress) {
+    GifWriter gif(job.size, job.hundredths);
+    const auto take = [&](int, const Scene&, const Picture& picture) -> std::optional<Problem> {
+        if (gif.add(picture)) return {};
+        return Problem{job.path, "", "the GIF does not fit in memory", "fewer or smaller frames"};
+    };
+    if (const auto problem = for_each_frame(job, progress, take)) return *problem;
+    const Result<std::string> bytes = gif.finish();
+    if (const Problem* problem = problem_of(bytes)) return *problem;
+    const auto written = write_file(job.path, std::get<std::string>(bytes));
+    if (const Problem* problem = problem_of(written)) return *problem;
+    return fmt::format("Wrote {} with {} frames", fs::path(job.path).filename().string(),
+                       job.animation.frames);
+}
+
+}  // namespace
+
+void begin_frames(UiState& state, const std::string& path, PictureSize size, int samples) {
+    AnimateState& animate = state.animate;
+    const FrameJob job{state.editor.document,
+                       animate.animation,
+                       path,
+                       size,
+                       samples,
+                       100 / std::max(animate.frames_a_second, 1),
+                       state.renderer->stats().threads};
+    const bool gif = fs::path(path).extension() == ".gif";
+    animate.playing = false;
+    animate.job = std::make_unique<Job<std::string>>(
+        fs::path(path).filename().string(), [job, gif](LoadProgress& progress) {
+            return gif ? write_gif(job, progress) : write_pngs(job, progress);
+        });
+}
+
+}  // namespace glint

@@ -1,0 +1,79 @@
+#include "ui/fields/camera_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ui/document/limits.h"
+#include "ui/fields/field_panel.h"
+#include "ui/picture/camera_views.h"
+#include "ui/picture/orbit.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// Half the height of the view at one unit in front of the eye; the orthographic view's at the target.
+double half_height(const Camera& camera) {
+    if (const auto* p = std::get_if<Perspective>(&camera.projection))
+        return std::tan(p->fov_y_deg / 2 * degree);
+    if (const auto* o = std::get_if<Orthographic>(&camera.projection))
+        return o->height / 2 / std::max(target_depth(camera), 1e-6);
+    const auto& f = std::get<Frustum>(camera.projection);
+    return std::abs(f.top - f.bottom) / 2 / f.near;
+}
+
+/// Six buttons that look at the target from a side.
+bool look_from(Camera& camera) {
+    static constexpr struct {
+        const char *label, *keys;
+        ViewFrom from;
+    } sides[] = {{"Front", "pad 1", ViewFrom::Front},    {"Right", "pad 3", ViewFrom::Right},
+                 {"Above", "pad 7", ViewFrom::Top},      {"Behind", "Ctrl+pad 1", ViewFrom::Back},
+                 {"Left", "Ctrl+pad 3", ViewFrom::Left}, {"Below", "Ctrl+pad 7", ViewFrom::Bottom}};
+    section("Look from");
+    const Camera before = camera;
+    const float gap = px(3), width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+    for (int i = 0; i < 6; ++i) {
+        if (i % 3 != 0) ImGui::SameLine(0, gap);
+        if (ImGui::Button(sides[i].label, {width, 0})) camera = seen_from(camera, sides[i].from);
+        tooltip(sides[i].label, "Looks at the target from there, as far away as now", sides[i].keys);
+    }
+    return camera != before;
+}
+
+}  // namespace
+
+Projection as_projection(const Camera& camera, ProjectionKind kind, PictureSize size) {
+    const double half = half_height(camera), aspect = static_cast<double>(size.width) / size.height;
+    const float near = near_of(camera.projection), far = far_of(camera.projection);
+    if (kind == ProjectionKind::Perspective)
+        return Perspective{std::clamp(static_cast<float>(2 * std::atan(half) / degree), 0.1f, 179.0f), near,
+                           far};
+    if (kind == ProjectionKind::Orthographic)
+        return Orthographic{static_cast<float>(2 * half * target_depth(camera)), near, far};
+    const auto top = static_cast<float>(half * near), right = static_cast<float>(half * near * aspect);
+    return Frustum{-right, right, -top, top, near, far};
+}
+
+bool camera_panel(Camera& camera, PictureSize size) {
+    const Camera before = camera;
+    FieldPanel panel(camera, "/camera");
+    bool edited = panel.draw({"eye", "target", "up"}).rest().edited();
+    edited |= look_from(camera);
+    section("Projection");
+    ProjectionKind kind = kind_of(camera.projection);
+    if (choice_field("Kind", kind, {"How the view volume is projected", "/camera/projection/type"})) {
+        camera.projection = as_projection(camera, kind, size);
+        edited = true;
+    }
+    std::visit([&](auto& projection) { edited |= field_rows(projection, "/camera/projection"); },
+               camera.projection);
+    return edited && keep_valid(camera, before);
+}
+
+}  // namespace glint

@@ -1,0 +1,139 @@
+#pragma once
+// Draws the fields of a struct as rows of a panel, from models/fields/scene_fields.h: label, control,
+// tooltip, default. A panel names the rows whose order or looks matter and ends with rest(), so that a new
+// field appears by itself.
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "models/fields/scene_fields.h"
+#include "ui/fields/choices.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+
+// One control a kind; `initial` is what the field returns to.
+inline bool draw_field(const Row& row, const Text&, std::string& value, const std::string&,
+                       const Help& help) {
+    return name_field(row.label, value, help);
+}
+inline bool draw_field(const Row& row, const Switch&, bool& value, bool, const Help& help) {
+    return switch_field(row.label, value, help);
+}
+inline bool draw_field(const Row& row, const Real& kind, float& value, float initial, const Help& help) {
+    return number_field(row.label, value, kind, initial, help);
+}
+inline bool draw_field(const Row& row, const Colour&, glm::vec3& value, const glm::vec3& initial,
+                       const Help& help) {
+    return colour_field(row.label, value, initial, help);
+}
+bool draw_field(const Row& row, const Vector& kind, glm::vec3& value, const glm::vec3& initial,
+                const Help& help);
+bool draw_field(const Row& row, const Homogeneous& kind, glm::vec4& value, const glm::vec4& initial,
+                const Help& help);
+bool draw_field(const Row& row, const Count& kind, int& value, int initial, const Help& help);
+template <class E> bool draw_field(const Row& row, const OneOf&, E& value, E, const Help& help) {
+    return choice_field(row.label, value, help);
+}
+
+/// Draws dimmed what is without effect at the moment.
+[[nodiscard]] bool dimmed_unless(bool applies, const std::function<bool()>& draw);
+
+class FieldPanel {
+  public:
+    /// The fields of `value`, which must outlive the panel; `pointer` is its JSON pointer.
+    template <class T> FieldPanel(T& value, const std::string& pointer) { add(value, pointer); }
+
+    /// Draws these fields, in this order.
+    FieldPanel& draw(std::initializer_list<std::string_view> keys) {
+        for (const std::string_view key : keys)
+            if (Field* field = find(key)) draw(*field);
+        return *this;
+    }
+    /// Draws a field with a control of the panel's own: control(row, help, usual) says whether it edited;
+    /// usual() draws what would stand there otherwise.
+    template <class Control> FieldPanel& draw_as(std::string_view key, const Control& control) {
+        Field* field = find(key);
+        if (field == nullptr) return *this;
+        field->drawn = true;
+        edited_ |=
+            dimmed_unless(field->row.applies, [&] { return control(field->row, field->help, field->draw); });
+        return *this;
+    }
+    /// Draws a struct below a heading of its own, by draw_group(value, pointer), while it has an effect.
+    template <class T, class Draw> FieldPanel& group(std::string_view key, T& value, const Draw& draw_group) {
+        Field* field = find(key);
+        if (field == nullptr || !field->row.applies) return *this;
+        section(field->row.label);
+        edited_ |= draw_group(value, field->help.pointer);
+        return *this;
+    }
+    /// Leaves a field to the panel.
+    FieldPanel& skip(std::string_view key) {
+        if (Field* field = find(key)) field->drawn = true;
+        return *this;
+    }
+    /// Dims a field for a reason that its own struct does not know.
+    FieldPanel& dim(std::string_view key, bool applies) {
+        if (Field* field = find(key)) field->row.applies = field->row.applies && applies;
+        return *this;
+    }
+    /// A heading.
+    FieldPanel& heading(const char* title) {
+        section(title);
+        return *this;
+    }
+    /// Draws all fields that have not been drawn or skipped.
+    FieldPanel& rest() {
+        for (Field& field : fields_)
+            if (!field.drawn) draw(field);
+        return *this;
+    }
+    [[nodiscard]] bool edited() const { return edited_; }
+
+  private:
+    struct Field {
+        Row row;
+        Help help;
+        std::function<bool()> draw;
+        bool drawn = false;
+    };
+
+    template <class T> void add(T& value, const std::string& pointer) {
+        fields_with_defaults(value, [&](const Row& row, const auto& kind, auto& member, const auto& from) {
+            const Help help{row.help, pointer + "/" + std::string(row.key)};
+            Field field{
+                row, help, {}, true};  // what has no control of its own is left to group() or the panel
+            if constexpr (requires { draw_field(row, kind, member, from, help); }) {
+                field.drawn = false;
+                field.draw = [row, kind, &member, &from, help] {
+                    return draw_field(row, kind, member, from, help);
+                };
+            }
+            fields_.push_back(std::move(field));
+        });
+    }
+    Field* find(std::string_view key) {
+        const auto at =
+            std::find_if(fields_.begin(), fields_.end(), [&](const Field& f) { return f.row.key == key; });
+        return at == fields_.end() ? nullptr : &*at;
+    }
+    void draw(Field& field) {
+        field.drawn = true;
+        edited_ |= dimmed_unless(field.row.applies, field.draw);
+    }
+
+    std::vector<Field> fields_;
+    bool edited_ = false;
+};
+
+/// All fields of a struct.
+template <class T> [[nodiscard]] bool field_rows(T& value, const std::string& pointer) {
+    return FieldPanel(value, pointer).rest().edited();
+}
+
+}  // namespace glint

@@ -1,0 +1,197 @@
+#include "ui/fields/scene_panel.h"
+
+#include <imgui_internal.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "ui/document/limits.h"
+#include "ui/fields/choices.h"
+#include "ui/fields/object_panel.h"
+#include "ui/picture/handles/light_place.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// A row: icon, name; true when it was clicked. The row leaves `reserve` at its right end free.
+bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float indent, float reserve) {
+    const float height = ImGui::GetFrameHeight();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::PushID(name);
+    const bool clicked = hit_area("##row", {width - reserve, height});
+    ImGui::PopID();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool hovered = ImGui::IsItemHovered();
+    if (selected || hovered)
+        list.AddRectFilled(low, {low.x + width, low.y + height},
+                           packed(selected ? theme().accent : theme().field_hovered, selected ? 0.3f : 0.6f),
+                           ImGui::GetStyle().FrameRounding);
+    draw_icon(list, icon, {low.x + indent + 0.5f * height, low.y + 0.5f * height}, 0.58f * height, colour);
+    const float right = low.x + width - reserve;
+    const ImVec2 from{low.x + indent + 1.15f * height, low.y + ImGui::GetStyle().FramePadding.y};
+    ImGui::RenderTextEllipsis(&list, from, {right, from.y + ImGui::GetTextLineHeight()}, right, right, name,
+                              name + std::strlen(name), nullptr);
+    return clicked;
+}
+
+bool plain_row(Icon icon, const char* name, Selection::Kind kind, Selection& selection) {
+    const bool clicked = item_row(icon, packed(theme().dim_text), name, selection.kind == kind, 0, 0);
+    if (clicked) selection = {kind, 0};
+    return clicked;
+}
+
+/// Right-click on a row: copy it or take it away.
+bool row_menu(Scene& scene, Selection& selection, Selection row) {
+    bool edited = false;
+    if (!ImGui::BeginPopupContextItem("##menu")) return false;
+    selection = row;
+    if (ImGui::MenuItem("Duplicate", "Ctrl+D")) duplicate(scene, selection), edited = true;
+    if (ImGui::MenuItem("Delete", "Del")) remove(scene, selection), edited = true;
+    ImGui::EndPopup();
+    return edited;
+}
+
+bool space_button(Light& light, const Camera& camera) {
+    const bool world = light.space == LightSpace::World;
+    const float size = ImGui::GetFrameHeight();
+    const bool pressed = hit_area("##space", {size, size});
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const char* letter = world ? "W" : "C";
+    const ImVec2 text = ImGui::CalcTextSize(letter);
+    ImGui::GetWindowDrawList()->AddText({low.x + (size - text.x) / 2, low.y + (size - text.y) / 2},
+                                        packed(ImGui::IsItemHovered() ? theme().text : theme().dim_text),
+                                        letter);
+    tooltip(world ? "World light" : "Camera light",
+            world ? "Stays with the scene. Click: let it ride along with the camera, from where it is now"
+                  : "Rides along with the camera. Click: leave it in the world where it is now",
+            "Alt+click: keep its numbers, and let it jump to where they are in the other coordinates");
+    const LightSpace other = world ? LightSpace::Camera : LightSpace::World;
+    if (pressed && ImGui::GetIO().KeyAlt)
+        light.space = other;
+    else if (pressed)
+        light = in_space(light, other, camera);
+    return pressed;
+}
+
+/// What one row asks for; applied after the list is drawn, since it may change the list.
+bool light_row(Scene& scene, int index, Selection& selection) {
+    Light& light = scene.lights[static_cast<std::size_t>(index)];
+    const Selection row{Selection::Kind::Light, index};
+    const float size = ImGui::GetFrameHeight();
+    ImGui::PushID(index);
+    bool edited = false;
+    if (item_row(icon_of(light.kind), packed(legible(colour_of(light)), light.enabled ? 1 : 0.4f),
+                 light.name.c_str(), selection == row, px(8), 2 * size))
+        selection = row;
+    const bool structural = row_menu(scene, selection, row);
+    if (!structural) {
+        ImGui::SameLine(0, 0);
+        edited |= space_button(light, scene.camera);
+        ImGui::SameLine(0, 0);
+        if (icon_button("##on", light.enabled ? Icon::Eye : Icon::EyeOff)) {
+            light.enabled = !light.enabled;
+            edited = true;
+        }
+        tooltip(light.enabled ? "On" : "Off", "Whether this light shines", "",
+                "/lights/" + std::to_string(index) + "/enabled");
+    }
+    ImGui::PopID();
+    return edited || structural;
+}
+
+bool add_light_menu(Scene& scene, Selection& selection) {
+    bool edited = false;
+    if (!ImGui::BeginPopup("##add-light")) return false;
+    for (const LightKind kind : enumerators<LightKind>) {
+        const Choice choice = choice_of(kind);
+        if (ImGui::MenuItem(choice.label, kind == LightKind::Point ? "L" : nullptr))
+            if (const auto index = add_light(scene, kind)) {
+                selection = {Selection::Kind::Light, *index};
+                edited = true;
+            }
+        tooltip(choice.label, choice.meaning);
+    }
+    ImGui::EndPopup();
+    return edited;
+}
+
+bool add_object_menu(Scene& scene, Selection& selection, SceneWishes& wishes) {
+    bool edited = false;
+    if (!ImGui::BeginPopup("##add-object")) return false;
+    if (ImGui::MenuItem("Mesh file…")) wishes.browse_mesh = true;
+    ImGui::Separator();
+    for (const Primitive primitive : enumerators<Primitive>) {
+        const std::string name(name_of(primitive));
+        if (!ImGui::MenuItem(name.c_str())) continue;
+        if (const auto index =
+                add_object(scene, PrimitiveMesh{primitive, info_of(primitive).default_detail})) {
+            selection = {Selection::Kind::Object, *index};
+            edited = true;
+        }
+    }
+    ImGui::EndPopup();
+    return edited;
+}
+
+/// A heading with a plus at its right end.
+void list_heading(const char* title, const char* popup, bool full) {
+    const float size = ImGui::GetFrameHeight();
+    ImGui::AlignTextToFramePadding();
+    dim_text(title);
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - size);
+    ImGui::BeginDisabled(full);
+    if (icon_button(popup, Icon::Plus)) ImGui::OpenPopup(popup);
+    ImGui::EndDisabled();
+    tooltip("Add", full ? "There are as many as a scene may hold" : "Add one to the scene");
+}
+
+bool object_row(Scene& scene, int index, Selection& selection) {
+    const Selection row{Selection::Kind::Object, index};
+    const std::string& name = scene.objects[static_cast<std::size_t>(index)].name;
+    ImGui::PushID(static_cast<int>(max_lights) + index);
+    if (item_row(Icon::Object, packed(theme().dim_text), name.c_str(), selection == row, px(8), 0))
+        selection = row;
+    const bool edited = row_menu(scene, selection, row);
+    ImGui::PopID();
+    return edited;
+}
+
+/// Draws the rows that are in sight. A row that changes the list is the last one drawn in this frame.
+template <class Item, class DrawRow> bool rows(const std::vector<Item>& items, DrawRow draw_row) {
+    const std::size_t count = items.size();
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(count), ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y);
+    bool edited = false;
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd && items.size() == count; ++i)
+            edited |= draw_row(i);
+    return edited;
+}
+
+}  // namespace
+
+bool scene_panel(Scene& scene, Selection& selection, SceneWishes& wishes) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, px(1)});
+    bool edited = false;
+    plain_row(Icon::Camera, "Camera", Selection::Kind::Camera, selection);
+    plain_row(Icon::Shading, "Shading", Selection::Kind::Shading, selection);
+    plain_row(Icon::Display, "Display", Selection::Kind::Display, selection);
+    list_heading("Lights", "##add-light", scene.lights.size() >= max_lights);
+    edited |= add_light_menu(scene, selection);
+    edited |= rows(scene.lights, [&](int i) { return light_row(scene, i, selection); });
+    if (scene.lights.empty()) dim_text("   No light yet: press + or L");
+    list_heading("Objects", "##add-object", scene.objects.size() >= max_objects);
+    edited |= add_object_menu(scene, selection, wishes);
+    edited |= rows(scene.objects, [&](int i) { return object_row(scene, i, selection); });
+    if (scene.objects.empty()) dim_text("   Nothing to light yet: press +");
+    ImGui::PopStyleVar();
+    selection = valid_selection(selection, scene);
+    return edited;
+}
+
+}  // namespace glint

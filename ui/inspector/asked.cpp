@@ -1,0 +1,47 @@
+#include "ui/inspector/asked.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "models/saturate.h"
+#include "ui/ui.h"
+
+namespace glint {
+
+std::optional<glm::ivec2> asked_pixel(const UiState& state, const PictureView& view) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const PictureSize size = view.map.size;
+    if (!io.KeyAlt || !state.viewport.hovered || state.viewport.gesture != Gesture::None)
+        return probe_pixel(state.viewport, size);
+    const glm::dvec2 at = view.to_pixel(io.MousePos);
+    return glm::ivec2(std::clamp(saturated_int(at.x), 0, size.width - 1),
+                      std::clamp(saturated_int(at.y), 0, size.height - 1));
+}
+
+const ExplainedPoint& asked_point(const WhyState& state, const Explanation& why) {
+    if (!why.lit_per_corner || why.corners.empty()) return why.at;
+    const auto last = static_cast<int>(why.corners.size()) - 1;
+    return why.corners[static_cast<std::size_t>(std::clamp(state.corner, 0, last))].at;
+}
+
+const ExplainedLight* asked_light(const UiState& state, const ExplainedPoint& point) {
+    const auto find = [&](int index) {
+        return std::find_if(point.lights.begin(), point.lights.end(),
+                            [index](const ExplainedLight& light) { return light.index == index; });
+    };
+    if (point.lights.empty()) return nullptr;
+    if (const auto it = find(state.why_column.pointed_light); it != point.lights.end()) return &*it;
+    const Selection& selection = state.editor.selection;
+    if (selection.kind == Selection::Kind::Light)
+        if (const auto it = find(selection.index); it != point.lights.end()) return &*it;
+    const auto adds = [](const ExplainedLight& light) {
+        const glm::vec3 share = light.ambient + light.diffuse + light.specular;
+        return share.x + share.y + share.z;
+    };
+    return &*std::max_element(
+        point.lights.begin(), point.lights.end(),
+        [&](const ExplainedLight& a, const ExplainedLight& b) { return adds(a) < adds(b); });
+}
+
+}  // namespace glint

@@ -1,0 +1,114 @@
+#include "ui/inspector/equation/equation_tab.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "ui/fields/choices.h"
+#include "ui/inspector/asked.h"
+#include "ui/inspector/equation/copy.h"
+#include "ui/inspector/equation/equation.h"
+#include "ui/inspector/equation/factors.h"
+#include "ui/inspector/equation/light_card.h"
+#include "ui/inspector/equation/parts.h"
+#include "ui/inspector/equation/sum_table.h"
+#include "ui/inspector/equation/text_line.h"
+#include "ui/inspector/equation/words.h"
+#include "ui/inspector/heading.h"
+#include "ui/inspector/mistakes_tab.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+
+namespace glint {
+namespace {
+
+/// Buttons for the corners, with their weights, which sum to 1.
+void corner_buttons(WhyState& state, const Explanation& why) {
+    for (int i = 0; i < static_cast<int>(why.corners.size()); ++i) {
+        const ExplainedCorner& corner = why.corners[static_cast<std::size_t>(i)];
+        const std::string label = fmt::format("{} {:.2f}", static_cast<char>('A' + i % 26), corner.weight);
+        const bool chosen = i == state.corner;
+        if (i % 4 != 0) ImGui::SameLine(0, px(4));
+        ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().accent : theme().field);
+        ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme().accent_text : theme().text);
+        ImGui::PushFont(fonts().figures);
+        if (ImGui::Button(label.c_str())) state.corner = i;
+        ImGui::PopFont();
+        ImGui::PopStyleColor(2);
+        tooltip("Corner", "Its share of the pixel; click for its numbers");
+    }
+}
+
+/// Where what is written out was lit.
+void lit_at(WhyState& state, const Explanation& why) {
+    if (!why.lit_per_corner || why.corners.empty()) return;
+    if (why.corners.size() == 1) return wrapped_dim("Lit once for the whole polygon:");
+    state.corner = std::clamp(state.corner, 0, static_cast<int>(why.corners.size()) - 1);
+    wrapped_dim("Lit at the corners, the colours mixed by their weights:");
+    corner_buttons(state, why);
+}
+
+/// Cool to warm: what stands in place of emission, ambient and diffuse.
+void tone_line(const ExplainedTone& tone, int channel) {
+    TextLine line;
+    line.plain("k_w = (1 + n·l)/2 = ").number(shown_number(tone.k_w), theme().text);
+    TextLine mix;
+    mix.gap(14).plain("warm ").number(shown_number(tone.warm[channel]), theme().text);
+    mix.plain(" · k_w + cool ").number(shown_number(tone.cool[channel]), theme().text);
+    mix.plain(" (1 − k_w)");
+    mix.result(shown_number(tone.color[channel]), theme().text);
+}
+
+void unlit(UiState& state, const Explanation& why, const ExplainedPoint& point) {
+    const int channel = state.why_column.channel;
+    if (point.cool_to_warm.used) return tone_line(point.cool_to_warm, channel);
+    for (const TermLine& line : unlit_lines(state.editor.scene(), why, point, channel)) {
+        ImGui::PushID(line.letter);
+        (void)draw_term_line(line);
+        ImGui::PopID();
+    }
+}
+
+void mistakes_note(const Scene& scene) {
+    if (const int on = mistakes_on(scene.shading.mistakes); on > 0)
+        warning_text(
+            fmt::format("{} mistake{} on: terms come out as the mistake makes them, and need not be "
+                        "the product of their factors",
+                        on, on == 1 ? " is" : "s are"));
+}
+
+std::string section_title(const WhyState& state, const Explanation& why) {
+    constexpr std::array channels{"red", "green", "blue"};
+    return fmt::format("In {}, under {} shading", channels[static_cast<std::size_t>(state.channel)],
+                       choice_of(why.mode).label);
+}
+
+}  // namespace
+
+void equation_tab(UiState& state, const PictureView&) {
+    if (!state.why)
+        return why_empty_state(
+            "Here the lighting equation of that pixel appears with its numbers: what each light adds, and "
+            "why "
+            "a light that you expect adds nothing.");
+    const Explanation& why = *state.why;
+    if (!why.hit) return wrapped_dim("No object shows here: the pixel has the background's colour.");
+    if (static_cast<std::size_t>(why.object_index) >= state.editor.scene().objects.size()) return;
+    equation(why.reflection);
+    sum_table(state, why);
+    display_lines(state, why);
+    if (why.reflection != Reflection::None) {
+        section(section_title(state.why_column, why).c_str());
+        mistakes_note(state.editor.scene());
+        lit_at(state.why_column, why);
+        const ExplainedPoint& point = asked_point(state.why_column, why);
+        unlit(state, why, point);
+        for (std::size_t i = 0; i < point.lights.size(); ++i) light_card(state, why, point, i);
+        if (point.lights.empty()) wrapped_dim("No light is on: only ambient and emission are left.");
+    }
+    copy_buttons(why, state.editor.scene());
+}
+
+}  // namespace glint

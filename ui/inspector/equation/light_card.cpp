@@ -1,0 +1,175 @@
+#include "ui/inspector/equation/light_card.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ui/document/limits.h"
+#include "ui/inspector/equation/factors.h"
+#include "ui/inspector/equation/parts.h"
+#include "ui/inspector/equation/text_line.h"
+#include "ui/inspector/equation/words.h"
+#include "ui/inspector/previews.h"
+#include "ui/ui.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/named_controls.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// "n·l 0.713 44.5°": a cosine with its angle. Pointing at it lights up the arrow `to` in the picture.
+void angle(TextLine& line, UiState& state, Symbol to, Symbol from, float cosine) {
+    line.dot(from, to);
+    const ImVec2 low{ImGui::GetItemRectMin().x - px(14), ImGui::GetItemRectMin().y};
+    line.gap(4).number(fmt::format("{} {:5.1f}°", shown_number(cosine), angle_deg(cosine)), theme().text);
+    const ImVec2 high = ImGui::GetItemRectMax();
+    line.gap(8);
+    list_control(to == Symbol::H ? "n·h" : to == Symbol::R ? "r·v" : "n·l", "", {low, high});
+    if (is_pointed_at(low, high)) state.why_column.pointed_vector = to;
+}
+
+void angles(UiState& state, const Explanation& why, const ExplainedLight& light) {
+    TextLine line(0);
+    angle(line, state, Symbol::L, Symbol::N, light.n_dot_l);
+    if (why.reflection == Reflection::Phong) angle(line, state, Symbol::R, Symbol::V, light.r_dot_v);
+    if (why.reflection == Reflection::BlinnPhong) angle(line, state, Symbol::H, Symbol::N, light.n_dot_h);
+}
+
+/// "F = intensity × falloff × spot", with what falloff and spot are made of.
+bool share_lines(UiState& state, const ExplainedLight& explained) {
+    Scene& scene = state.editor.scene();
+    const int index = explained.index;
+    const Light& light = scene.lights[static_cast<std::size_t>(index)];
+    const bool falls_off = light.kind == LightKind::Point || light.kind == LightKind::Spot;
+    const bool cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
+    const auto number = [&](const char* key, const char* format) {
+        NumberHandle handle = number_handle(scene, fmt::format("/lights/{}/{}", index, key));
+        handle.number.kind.format = format;
+        return handle;
+    };
+    bool edited = false;
+    TextLine line;
+    line.plain("F = I");
+    edited |= line.handle(number("intensity", "%.2f"), theme().text);
+    if (falls_off) line.times().plain("falloff").number(shown_number(explained.falloff), theme().text);
+    if (cone) line.times().plain("spot").number(shown_number(explained.spot), theme().text);
+    if (light.kind != LightKind::Area) line.result(shown_number(share_of(explained, light)), theme().text);
+    if (falls_off) {
+        TextLine below;
+        below.gap(14).plain("falloff 1/(");
+        edited |= below.handle(number("falloff/constant", "%.2f"), theme().text);
+        below.plain("+");
+        edited |= below.handle(number("falloff/linear", "%.2f"), theme().text);
+        below.plain("r +");
+        edited |= below.handle(number("falloff/quadratic", "%.2f"), theme().text);
+        below.plain("r²),  r").number(fmt::format(" {:.2f}", explained.distance), theme().text);
+    }
+    if (cone) {
+        TextLine below;
+        below.gap(14)
+            .plain("spot (cos ")
+            .number(fmt::format("{:.1f}°", explained.spot_angle_deg), theme().text);
+        below.plain(")");
+        edited |= below.exponent(number("spot/exponent", "%.3g"), theme().text);
+        below.plain(" within");
+        edited |= below.handle(number("spot/cutoff_deg", "%.1f°"), theme().text);
+    }
+    return edited;
+}
+
+/// The light's icon and name; true while pointed at.
+bool name_row(UiState& state, const ExplainedLight& explained, const Light& light) {
+    ImGui::Dummy({0, px(3)});
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float line = ImGui::GetTextLineHeight();
+    draw_icon(*ImGui::GetWindowDrawList(), icon_of(light.kind), {low.x + line / 2, low.y + line / 2}, line,
+              packed(legible(colour_of(light))));
+    if (ImGui::Selectable(fmt::format("      {}", light.name).c_str()))
+        state.editor.selection = {Selection::Kind::Light, explained.index};
+    const bool pointed = is_pointed_at();
+    tooltip("Light", "Rest here: this light alone. Click: its panel");
+    return pointed;
+}
+
+const char* name_of_term(Symbol term) {
+    return term == Symbol::Ambient ? "ambient" : term == Symbol::Diffuse ? "diffuse" : "specular";
+}
+
+/// A term's line; pointed at, the picture shows this term of this light alone.
+bool light_term(UiState& state, const TermLine& term, int light) {
+    const Scene& scene = state.editor.scene();
+    ImGui::PushID(term.letter);
+    ImGui::BeginGroup();
+    const bool edited = draw_term_line(term);
+    ImGui::EndGroup();
+    ImGui::PopID();
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    // Only its letter and its result: the numbers in between can be dragged themselves.
+    const bool ends =
+        is_pointed_at(low, {low.x + px(14), high.y}) || is_pointed_at({high.x - px(52), low.y}, high);
+    if (ends && term.on)
+        show_instead(state, with_term_alone(with_light_alone(scene, light), term.symbol),
+                     fmt::format("{} of {} alone", name_of_term(term.symbol),
+                                 scene.lights[static_cast<std::size_t>(light)].name));
+    return edited;
+}
+
+void factor(TextLine& line, const Factor& f, bool& edited) {
+    const ImVec4& colour = f.dot ? theme().text : theme()[f.symbol];
+    if (f.dot) line.dot(f.dot->first, f.dot->second);
+    if (*f.letter != 0) line.symbol(f.symbol, f.letter, f.index);
+    if (f.number) {
+        edited |= line.handle(*f.number, colour);
+    } else if (f.clamped_from < 0) {
+        line.number(fmt::format(" {} → 0", shown_number(f.clamped_from)), theme().warning);
+    } else if (*f.letter != 'F') {  // F has its own line
+        line.number(shown_number(f.value), colour);
+    }
+    if (f.exponent) edited |= line.exponent(*f.exponent, theme()[Symbol::Specular]);
+}
+
+}  // namespace
+
+bool draw_term_line(const TermLine& term) {
+    bool edited = false;
+    TextLine line(28);
+    line.symbol(term.symbol, term.letter).gap(4).plain("=").gap(4);
+    for (std::size_t i = 0; i < term.factors.size(); ++i) {
+        if (i > 0) line.times();
+        factor(line, term.factors[i], edited);
+    }
+    if (!term.on) line.plain("  off", theme().warning);
+    line.result(shown_number(term.result), term.result == 0 ? theme().disabled_text : theme()[term.symbol]);
+    return edited;
+}
+
+void light_card(UiState& state, const Explanation& why, const ExplainedPoint& point, std::size_t which) {
+    const ExplainedLight& explained = point.lights[which];
+    Scene& scene = state.editor.scene();
+    const auto index = static_cast<std::size_t>(explained.index);
+    if (index >= scene.lights.size()) return;
+    const Light before = scene.lights[index];
+    bool edited = false;
+    ImGui::PushID(explained.index);
+    ImGui::BeginGroup();
+    if (name_row(state, explained, before))
+        show_instead(state, with_light_alone(scene, explained.index), before.name + " alone");
+    if (before.kind != LightKind::Area) angles(state, why, explained);  // an area's samples have their own
+    if (before.kind == LightKind::Area) small_dim(sample_words(explained));
+    edited |= share_lines(state, explained);
+    for (const TermLine& term : term_lines({scene, why, explained, state.why_column.channel}))
+        edited |= light_term(state, term, explained.index);
+    if (const std::string reason = why_dark(explained, before); !reason.empty()) warning_text(reason);
+    if (const std::string words = blocked_words(state, why, point, which); !words.empty()) wrapped_dim(words);
+    ImGui::EndGroup();
+    if (is_pointed_at(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()))
+        state.why_column.pointed_light = explained.index;
+    ImGui::PopID();
+    if (edited) keep_valid(scene.lights[index], before);
+}
+
+}  // namespace glint

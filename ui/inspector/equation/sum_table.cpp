@@ -1,0 +1,129 @@
+#include "ui/inspector/equation/sum_table.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "ui/inspector/equation/parts.h"
+#include "ui/inspector/equation/words.h"
+#include "ui/inspector/previews.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/named_controls.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// Of a column; narrower where the names would not fit.
+float channel_width() { return std::min(px(58), (ImGui::GetContentRegionAvail().x - px(100)) / 3); }
+constexpr std::array channel_names{"red", "green", "blue"};
+
+/// "red green blue" over the columns; a click chooses the channel.
+void header_row(WhyState& why) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushFont(fonts().small);
+    dim_text("I =");
+    for (int c = 0; c < 3; ++c) {
+        ImGui::TableNextColumn();
+        const char* name = channel_names[static_cast<std::size_t>(c)];
+        ImGui::PushStyleColor(ImGuiCol_Text, c == why.channel ? theme().text : theme().dim_text);
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + px(8));
+        if (ImGui::Selectable(name, false, 0, {ImGui::GetContentRegionAvail().x - px(4), 0})) why.channel = c;
+        ImGui::PopStyleColor();
+        const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+        if (c == why.channel)
+            ImGui::GetWindowDrawList()->AddRectFilled({low.x, high.y - px(1.5f)}, high,
+                                                      packed(theme().accent));
+        tooltip(name, "Click: the products below are written out in this channel");
+    }
+    ImGui::PopFont();
+}
+
+void cells(glm::vec3 value, const ImVec4& colour) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    for (int c = 0; c < 3; ++c) {
+        ImGui::TableNextColumn();
+        figures(shown_number(value[c]));
+    }
+    ImGui::PopStyleColor();
+}
+
+/// A strip behind the row drawn last, in the current table.
+void light_up_row() { ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, packed(theme().field_hovered)); }
+
+void term_row(UiState& state, Symbol symbol, const char* name, glm::vec3 value, bool on) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    coloured(symbol, name);
+    if (!on) {
+        ImGui::SameLine(0, px(5));
+        dim_text("off");
+    }
+    cells(value, value == glm::vec3(0) ? theme().disabled_text : theme()[symbol]);
+    const ImVec2 high{ImGui::GetItemRectMax().x, low.y + ImGui::GetTextLineHeight()};
+    list_control(name, "", {low, high});
+    if (!on || !is_pointed_at(low, high)) return;
+    light_up_row();
+    show_instead(state, with_term_alone(state.editor.scene(), symbol), fmt::format("{} alone", name + 3));
+}
+
+void sum_row(glm::vec3 sum) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted("sum");
+    const ImVec2 at = ImGui::GetItemRectMin();
+    cells(sum, theme().text);
+    ImGui::GetWindowDrawList()->AddLine({at.x, at.y - px(1)}, {ImGui::GetItemRectMax().x, at.y - px(1)},
+                                        packed(theme().dim_text));
+}
+
+}  // namespace
+
+void sum_table(UiState& state, const Explanation& why) {
+    const TermSums sums = term_sums(why);
+    const Terms& on = state.editor.scene().shading.terms;
+    const float width = channel_width();
+    if (!ImGui::BeginTable("##sum", 4, ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_SizingFixedFit)) return;
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+    for (const char* channel : channel_names)
+        ImGui::TableSetupColumn(channel, ImGuiTableColumnFlags_WidthFixed, width);
+    header_row(state.why_column);
+    if (state.editor.scene().npr.cool_to_warm) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted("tone, for e + a + d");
+        cells(sums.tone, theme().text);
+    } else {
+        term_row(state, Symbol::Emission, "e  emission", sums.emission, on.emission);
+        term_row(state, Symbol::Ambient, "a  ambient", sums.ambient, on.ambient);
+        term_row(state, Symbol::Diffuse, "d  diffuse", sums.diffuse, on.diffuse);
+    }
+    term_row(state, Symbol::Specular, "s  specular", sums.specular, on.specular);
+    sum_row(why.stroke.coverage > 0 ? why.stroke.shaded : why.sum);
+    ImGui::EndTable();
+}
+
+void display_lines(const UiState& state, const Explanation& why) {
+    const Display& display = state.editor.scene().display;
+    if (why.stroke.coverage > 0)
+        small_dim(fmt::format("a stroke covers {:.0f} % of the pixel → {} {} {}", 100 * why.stroke.coverage,
+                              shown_number(why.sum.x), shown_number(why.sum.y), shown_number(why.sum.z)));
+    std::string steps;
+    if (display.exposure != 1) steps += fmt::format("× exposure {:.3g}  ", display.exposure);
+    if (display.transfer == Transfer::Srgb) steps += "→ sRGB  ";
+    const auto [r, g, b] = why.byte;
+    if (!steps.empty()) small_dim(fmt::format("{}→ {} {} {}", steps, r, g, b));
+    if (const std::string clipped = why_clipped(why.sum, display.exposure); !clipped.empty()) {
+        ImGui::PushFont(fonts().small);
+        warning_text(clipped);
+        ImGui::PopFont();
+    }
+}
+
+}  // namespace glint

@@ -1,0 +1,90 @@
+#include "ui/inspector/equation/words.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace glint {
+namespace {
+
+TermSums sums_at(const ExplainedPoint& at) {
+    TermSums sums{at.emission, at.global_ambient, {}, {}, at.cool_to_warm.color};
+    for (const ExplainedLight& light : at.lights) {
+        sums.ambient += light.ambient;
+        sums.diffuse += light.diffuse;
+        sums.specular += light.specular;
+    }
+    return sums;
+}
+
+}  // namespace
+
+std::string why_dark(const ExplainedLight& explained, const Light& light) {
+    if (light.kind == LightKind::Area) {
+        const auto in_front = std::count_if(explained.samples.begin(), explained.samples.end(),
+                                            [](const ExplainedLight& sample) { return sample.n_dot_l > 0; });
+        const auto all = static_cast<std::ptrdiff_t>(explained.samples.size());
+        if (in_front == 0) return "behind the surface: n·l < 0 for all samples";
+        return in_front < all ? fmt::format("{} of {} samples are behind the surface", all - in_front, all)
+                              : "";
+    }
+    const bool cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
+    if (cone && explained.spot_angle_deg > light.spot.cutoff_deg)
+        return fmt::format("outside the cone by {:.1f}°", explained.spot_angle_deg - light.spot.cutoff_deg);
+    if (explained.n_dot_l < 0) return "behind the surface: n·l < 0";
+    if (explained.n_dot_l == 0) return "grazes the surface: n·l = 0";
+    if (explained.falloff < 0.01f) return fmt::format("hardly reaches: falloff {:.2g}", explained.falloff);
+    if (explained.spot < 0.01f) return fmt::format("at the faint edge of its cone: {:.2g}", explained.spot);
+    return {};
+}
+
+std::string sample_words(const ExplainedLight& area) {
+    const auto less = [](const ExplainedLight& a, const ExplainedLight& b) { return a.n_dot_l < b.n_dot_l; };
+    const auto [low, high] = std::minmax_element(area.samples.begin(), area.samples.end(), less);
+    if (low == area.samples.end()) return {};
+    return fmt::format("{} samples, n·l {} to {}", area.samples.size(), shown_number(low->n_dot_l),
+                       shown_number(high->n_dot_l));
+}
+
+std::string why_clipped(glm::vec3 sum, float exposure) {
+    std::string text;
+    for (int i = 0; i < 3; ++i) {
+        const float shown = sum[i] * exposure;
+        if (shown > 1.0005f)
+            text += fmt::format("{}{} {:.2f} → 1", text.empty() ? "clips: " : ", ", "RGB"[i], shown);
+    }
+    return text;
+}
+
+TermSums term_sums(const Explanation& explanation) {
+    if (!explanation.lit_per_corner) return sums_at(explanation.at);
+    TermSums sums;
+    for (const ExplainedCorner& corner : explanation.corners) {
+        const TermSums at = sums_at(corner.at);
+        sums.tone += corner.weight * at.tone;
+        sums.emission += corner.weight * at.emission;
+        sums.ambient += corner.weight * at.ambient;
+        sums.diffuse += corner.weight * at.diffuse;
+        sums.specular += corner.weight * at.specular;
+    }
+    return sums;
+}
+
+double angle_deg(float cosine) {
+    return std::acos(std::clamp(double(cosine), -1.0, 1.0)) * 180 / std::numbers::pi;
+}
+
+std::string shown_number(float value) {
+    const float size = std::abs(value);
+    const char* sign = std::signbit(value) && size >= 0.0005f ? "−" : " ";
+    if (size >= 1e5f) return fmt::format("{}{:.1e}", sign, size);
+    if (size >= 1000) return fmt::format("{}{:.0f}", sign, size);
+    if (size >= 100) return fmt::format("{}{:.1f}", sign, size);
+    if (size >= 10) return fmt::format("{}{:.2f}", sign, size);
+    return fmt::format("{}{:.3f}", sign, size);
+}
+
+}  // namespace glint

@@ -1,0 +1,34 @@
+#pragma once
+// What the numbers of an explanation mean, in words: why a light does nothing here, what was cut off. Pure.
+
+#include <string>
+
+#include "models/scene/light.h"
+#include "renderer/inspect/explain/explanation.h"
+
+namespace glint {
+
+/// The first reason why this light adds little or nothing at the point: "behind the surface", "outside the
+/// cone by 4.2°", "hardly reaches: falloff 0.003"; empty when it shines.
+[[nodiscard]] std::string why_dark(const ExplainedLight& explained, const Light& light);
+
+/// Of an area light: "36 samples, n·l −0.12 to 0.71".
+[[nodiscard]] std::string sample_words(const ExplainedLight& area);
+
+/// Channels that leave 0 .. 1 after exposure: "clips: R 1.31 → 1"; empty when none does.
+[[nodiscard]] std::string why_clipped(glm::vec3 sum, float exposure);
+
+/// The terms that the sum of one point consists of; for corners and flat points, what enters after weighting.
+struct TermSums {
+    glm::vec3 emission{0}, ambient{0}, diffuse{0}, specular{0};
+    glm::vec3 tone{0};  // cool to warm: in place of emission, ambient and diffuse
+};
+[[nodiscard]] TermSums term_sums(const Explanation& explanation);
+
+/// The angle of a cosine, 0 to 180; cosines past 1 by rounding are 1.
+[[nodiscard]] double angle_deg(float cosine);
+
+/// A number at a width that does not change while it does: three decimals, fewer for large ones.
+[[nodiscard]] std::string shown_number(float value);
+
+}  // namespace glint

@@ -1,0 +1,81 @@
+#include "ui/inspector/mistakes_tab.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+#include "models/scene/mistakes.h"
+#include "ui/inspector/equation/parts.h"
+#include "ui/inspector/previews.h"
+#include "ui/ui.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// "clamp_each_light" as a title: "Clamp each light".
+std::string title_of(const MistakeName& mistake) {
+    std::string title(mistake.name);
+    std::replace(title.begin(), title.end(), '_', ' ');
+    if (title[0] >= 'a' && title[0] <= 'z') title[0] = static_cast<char>(title[0] - 'a' + 'A');
+    return title;
+}
+
+/// The heading before the first mistake of each group, in the order of struct Mistakes.
+const char* group_before(bool Mistakes::*flag) {
+    if (flag == &Mistakes::unnormalized_light) return "In the equation";
+    if (flag == &Mistakes::light_in_wrong_space) return "In lights and viewer";
+    if (flag == &Mistakes::unnormalized_normals) return "In the normals";
+    return nullptr;
+}
+
+/// A switch with its words below; pointed at, the picture shows the other position of the switch.
+void mistake_row(UiState& state, const MistakeName& mistake) {
+    Mistakes& mistakes = state.editor.scene().shading.mistakes;
+    const std::string title = title_of(mistake);
+    const std::string pointer = fmt::format("/shading/mistakes/{}", mistake.name);
+    ImGui::BeginGroup();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(2), px(1)});
+    (void)ImGui::Checkbox(title.c_str(), &(mistakes.*mistake.flag));
+    ImGui::PopStyleVar();
+    const bool pointed = is_pointed_at();
+    tooltip(title.c_str(), "Rest here to see it, click to keep it", "off by default", pointer);
+    ImGui::Indent(px(24));
+    small_dim(std::string(mistake.what));
+    ImGui::Unindent(px(24));
+    ImGui::EndGroup();
+    if (!pointed && !is_pointed_at(ImGui::GetItemRectMin(), ImGui::GetItemRectMax())) return;
+    Scene other = state.editor.scene();
+    other.shading.mistakes.*mistake.flag ^= true;
+    show_instead(state, other, mistakes.*mistake.flag ? "without: " + title : title);
+}
+
+}  // namespace
+
+int mistakes_on(const Mistakes& mistakes) {
+    const auto names = mistake_names();
+    return static_cast<int>(
+        std::count_if(names.begin(), names.end(), [&](const MistakeName& m) { return mistakes.*m.flag; }));
+}
+
+void mistakes_tab(UiState& state, const PictureView&) {
+    Mistakes& mistakes = state.editor.scene().shading.mistakes;
+    const int on = mistakes_on(mistakes);
+    if (on == 0) {
+        small_dim(
+            "Each switch does one thing wrong, so that it can be recognised. Rest on a line to see it.");
+    } else {
+        warning_text(fmt::format("{} on: the picture is wrong on purpose", on));
+        if (ImGui::Button("All off")) mistakes = {};
+        tooltip("All off", "The equation as it should be");
+    }
+    for (const MistakeName& mistake : mistake_names()) {
+        if (const char* group = group_before(mistake.flag)) section(group);
+        mistake_row(state, mistake);
+    }
+}
+
+}  // namespace glint

@@ -1,0 +1,143 @@
+#include "ui/inspector/models_tab.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "ui/fields/choices.h"
+#include "ui/inspector/equation/parts.h"
+#include "ui/inspector/equation/words.h"
+#include "ui/inspector/heading.h"
+#include "ui/inspector/previews.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+std::string three(glm::vec3 v) {
+    return fmt::format("{} {} {}", shown_number(v.x), shown_number(v.y), shown_number(v.z));
+}
+
+/// A square of a linear colour as the scene's display would show it: only under the explained sum is that
+/// exact, so corners are clamped as they are.
+ImU32 ink_of(glm::vec3 c) {
+    return packed({std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f), 1});
+}
+
+void swatch(ImU32 colour, float edge) {
+    const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + edge, low.y + edge};
+    ImGui::GetWindowDrawList()->AddRectFilled(low, high, colour, px(3));
+    ImGui::GetWindowDrawList()->AddRect(low, high, packed(theme().line), px(3));
+    ImGui::Dummy({edge, edge});
+}
+
+/// Which corners, with which weights, make the colour.
+void corner_lines(const Explanation& why) {
+    char letter = 'A';
+    for (const ExplainedCorner& corner : why.corners) {
+        swatch(ink_of(corner.at.sum), ImGui::GetTextLineHeight());
+        ImGui::SameLine(0, px(6));
+        dim_text(fmt::format("{}", letter++).c_str());
+        ImGui::SameLine(0, px(6));
+        figures(fmt::format("{:.3f} × {}", corner.weight, three(corner.at.sum)));
+    }
+}
+
+/// How the mode comes by the colour.
+void how(const Explanation& why, FlatPoint flat_point, Rules rules) {
+    switch (why.mode) {
+    case ShadingMode::Flat: {
+        const bool provoking = flat_point == FlatPoint::Provoking || rules == Rules::OpenGL2;
+        return small_dim(provoking ? "lit once, at the triangle's provoking corner"
+                                   : "lit once, at the polygon's centroid, with the facet's normal");
+    }
+    case ShadingMode::Facet:
+        return small_dim("lit here, with the facet's normal");
+    case ShadingMode::Gouraud:
+        small_dim("lit at the corners; weight × colour, added:");
+        return corner_lines(why);
+    case ShadingMode::Phong:
+        return small_dim("lit here, with the corners' normals mixed and made unit:");
+    }
+}
+
+/// n in the frame that the Vectors tab shows.
+void normal_line(const WhyState& state, const Explanation& why) {
+    if (why.lit_per_corner) return;
+    const InBothFrames& n = why.at.normal;
+    coloured(Symbol::N, "n");
+    ImGui::SameLine(0, px(6));
+    figures(three(state.world_frame ? n.world : n.camera));
+}
+
+void mode_block(UiState& state, const Explanation& why, ShadingMode mode, const Explanation& phong) {
+    Shading& shading = state.editor.scene().shading;
+    const Choice choice = choice_of(mode);
+    const bool chosen = shading.mode == mode;
+    ImGui::PushID(choice.label);
+    ImGui::BeginGroup();
+    const auto [r, g, b] = why.byte;
+    const float edge = 2 * ImGui::GetTextLineHeight() + px(5);
+    swatch(IM_COL32(r, g, b, 255), edge);
+    ImGui::SameLine(0, px(8));
+    ImGui::BeginGroup();
+    ImGui::PushFont(chosen ? fonts().title : fonts().body);
+    if (ImGui::Selectable(choice.label, chosen)) shading.mode = mode;
+    ImGui::PopFont();
+    const bool pointed = is_pointed_at();
+    tooltip(choice.label, choice.meaning, "Rest here: the picture under it. Click: take it", "/shading/mode");
+    figures(three(why.sum));
+    ImGui::EndGroup();
+    how(why, shading.flat_point, shading.rules);
+    normal_line(state.why_column, why);
+    if (mode != ShadingMode::Phong) small_dim("minus Phong: " + three(why.sum - phong.sum));
+    ImGui::EndGroup();
+    ImGui::PopID();
+    ImGui::Dummy({0, px(4)});
+    if (!pointed) return;
+    Scene other = state.editor.scene();
+    other.shading.mode = mode;
+    show_instead(state, other, fmt::format("{} shading", choice.label));
+}
+
+/// Nothing differs between the scenes that decides what shows at a pixel.
+bool same_faces(const Scene& a, const Scene& b) {
+    const auto same_place = [](const Object& x, const Object& y) {
+        return x.source == y.source && x.transform == y.transform;
+    };
+    return a.camera == b.camera && a.shading.cull == b.shading.cull && a.npr == b.npr &&
+           std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(), same_place);
+}
+
+}  // namespace
+
+std::array<Explanation, 4> under_each_mode(const UiState& state, const Explanation& why) {
+    std::array<Explanation, 4> all;
+    Scene other = state.editor.scene();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        other.shading.mode = static_cast<ShadingMode>(i);
+        all[i] = state.renderer->explain_as(other, why.x, why.y);
+    }
+    return all;
+}
+
+void models_tab(UiState& state, const PictureView&) {
+    if (!state.why)
+        return why_empty_state(
+            "Here the pixel appears under flat, facet, Gouraud and Phong shading at once.");
+    const Explanation& why = *state.why;
+    if (!why.hit) return wrapped_dim("No object shows here: every model leaves the background.");
+    if (!same_faces(state.drawn, state.editor.scene()))
+        return wrapped_dim("Another scene is on the screen; the models are those of the edited one.");
+    const std::array<Explanation, 4> all = under_each_mode(state, why);
+    small_dim(fmt::format("Sums of the same pixel, red green blue; {} triangle of face {}, at the weights {}",
+                          why.front_facing ? "front" : "back", why.face, three(why.weights)));
+    ImGui::Dummy({0, px(2)});
+    for (std::size_t i = 0; i < all.size(); ++i)
+        mode_block(state, all[i], static_cast<ShadingMode>(i), all.back());
+}
+
+}  // namespace glint

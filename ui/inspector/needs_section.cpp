@@ -1,0 +1,52 @@
+#include "ui/inspector/needs_section.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <array>
+
+#include "renderer/inspect/reflectance/needs.h"
+#include "ui/inspector/equation/parts.h"
+#include "ui/ui.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+void cell(float moved, const ImVec4& colour) {
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, moved > 0 ? colour : theme().disabled_text);
+    const bool tiny = moved < 5e-5f;
+    figures(moved == 0 ? "no" : tiny ? fmt::format("{:.0e}", moved) : fmt::format("{:.4f}", moved));
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void needs_section(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light) {
+    section("Which term needs what: moved by a turn of 1°");
+    const Shading& shading = state.editor.scene().shading;
+    const Reflector reflector{shading.reflection, state.why->material, Terms{}};
+    const auto needs = term_needs(reflector, point.normal.camera, light.l.camera, point.view.camera);
+    constexpr std::array names{"ambient", "diffuse", "specular"};
+    constexpr std::array symbols{Symbol::Ambient, Symbol::Diffuse, Symbol::Specular};
+    if (!ImGui::BeginTable("##needs", 4, ImGuiTableFlags_NoPadOuterX)) return;
+    ImGui::TableNextColumn();
+    for (const auto& [symbol, name] :
+         {std::pair(Symbol::N, "normal"), std::pair(Symbol::L, "light"), std::pair(Symbol::V, "viewer")}) {
+        ImGui::TableNextColumn();
+        coloured(symbol, name);
+    }
+    for (std::size_t i = 0; i < needs.size(); ++i) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        coloured(symbols[i], names[i]);
+        cell(needs[i].normal, theme()[symbols[i]]);
+        cell(needs[i].light, theme()[symbols[i]]);
+        cell(needs[i].viewer, theme()[symbols[i]]);
+    }
+    ImGui::EndTable();
+    small_dim("For a white light of full strength from where this one stands; the point stays.");
+}
+
+}  // namespace glint

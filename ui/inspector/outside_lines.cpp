@@ -1,0 +1,154 @@
+#include "ui/inspector/outside_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "ui/picture/orbit.h"
+#include "ui/picture/world_pen.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/label_room.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t most_lines = 6000;  // of all meshes together
+const ImVec4 ink{0.06f, 0.06f, 0.07f, 1};
+
+/// A pen that also writes, so that no word covers another.
+struct LabelledPen : WorldPen {
+    LabelRoom& room;
+
+    /// Beside a place of the window; pushed away where something is written, and then tied to it by a line.
+    void text(ImVec2 place, const char* words, ImU32 colour) const {
+        const ImFont* type = fonts().small;
+        const float height = type->FontSize * ImGui::GetIO().FontGlobalScale;
+        const ImVec2 size = type->CalcTextSizeA(height, 1e9f, 0, words);
+        const ImVec2 wanted{place.x + px(5) + size.x / 2, place.y};
+        const ImVec2 middle = room.place_anyhow(wanted, {size.x + px(2), size.y}, px(56));
+        const ImVec2 low{middle.x - size.x / 2, middle.y - size.y / 2};
+        if (std::hypot(middle.x - wanted.x, middle.y - wanted.y) > height)
+            list.AddLine(place, {std::clamp(place.x, low.x, low.x + size.x), middle.y}, colour, px(1));
+        list.AddRectFilled({low.x - px(2), low.y}, {low.x + size.x + px(2), low.y + size.y},
+                           packed(theme().surround, 0.75f), px(3));
+        list.AddText(type, height, low, colour, words);
+    }
+    void text(glm::dvec3 place, const char* words, ImU32 colour) const {
+        const OnScreen at = project(view.map, place);
+        if (at.in_front) text(view.to_window(at.pixel), words, colour);
+    }
+};
+
+void draw_mesh(const WorldPen& pen, const Object& object, std::size_t lines) {
+    if (!object.mesh || object.mesh->triangles.empty()) return;
+    const Mesh& mesh = *object.mesh;
+    const glm::dmat4 world = world_from_object(object.transform);
+    const std::size_t step =
+        std::max<std::size_t>(1, mesh.triangles.size() / std::max<std::size_t>(lines / 2, 1));
+    const auto place = [&](std::uint32_t corner) {
+        return glm::dvec3(world * glm::dvec4(glm::dvec3(mesh.positions[mesh.corner_position[corner]]), 1));
+    };
+    const ImU32 colour = packed(ink, 0.35f);
+    for (std::size_t i = 0; i < mesh.triangles.size(); i += step) {
+        const auto& corner = mesh.triangles[i].corner;
+        pen.line(place(corner[0]), place(corner[1]), colour, px(1));
+        pen.line(place(corner[1]), place(corner[2]), colour, px(1));
+    }
+}
+
+void draw_axes(const LabelledPen& pen, const glm::dmat4& frame, double length,
+               const char* const (&names)[3]) {
+    const std::array colours{ImVec4{0.75f, 0.15f, 0.1f, 1}, ImVec4{0.1f, 0.5f, 0.1f, 1},
+                             ImVec4{0.1f, 0.25f, 0.8f, 1}};
+    const glm::dvec3 origin(frame[3]);
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 end = origin + length * glm::dvec3(frame[i]);
+        const ImU32 colour = packed(colours[std::size_t(i)]);
+        pen.line(origin, end, colour, px(2));
+        pen.text(end, names[i], colour);
+    }
+}
+
+/// The eye and the volume it sees.
+void draw_camera(const LabelledPen& pen, const OutsideScene& what, double size) {
+    const ScreenMap& map = what.main.map;
+    const Camera& camera = what.scene.camera;
+    const double w = map.size.width, h = map.size.height;
+    const std::array<glm::dvec2, 4> corners{{{0, 0}, {w, 0}, {w, h}, {0, h}}};
+    const double near = double(near_of(camera.projection));
+    const double depths[] = {near, target_depth(camera), drawn_depth(camera)};
+    const ImU32 strong = packed(ink), weak = packed(ink, 0.55f);
+    for (int k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < 4; ++i)
+            pen.line(unproject(map, corners[i], depths[k]), unproject(map, corners[(i + 1) % 4], depths[k]),
+                     k == 0 ? strong : weak, px(k == 1 ? 1 : 1.5f));
+    const glm::dvec3 eye(camera.eye);
+    const bool parallel = is_orthographic(camera.projection);
+    for (const glm::dvec2& corner : corners)
+        pen.line(parallel ? unproject(map, corner, 0) : eye, unproject(map, corner, depths[2]), weak,
+                 px(1.2f));
+    pen.line(eye, glm::dvec3(camera.target), packed(ink, 0.3f), px(1));
+    pen.mark(eye, packed({1, 1, 1, 1}), 1, false);
+    pen.text(eye - 0.25 * size * glm::dvec3(map.world_from_view[1]), "eye", strong);
+    draw_axes(pen, map.world_from_view, size, {"x", "y", "z"});
+}
+
+/// No word over a light's mark.
+void keep_light_free(const LabelledPen& pen, const OutsideScene& what, std::size_t index) {
+    const OnScreen at =
+        project(pen.view.map, handle_of(what.scene.lights[index], what.main.dome, what.main.map));
+    if (!at.in_front) return;
+    const ImVec2 p = pen.view.to_window(at.pixel);
+    pen.room.keep_free({{p.x - px(6), p.y - px(6)}, {p.x + px(6), p.y + px(6)}});
+}
+
+void draw_light(const LabelledPen& pen, const OutsideScene& what, int index) {
+    const Light& light = what.scene.lights[std::size_t(index)];
+    const glm::dvec3 place = handle_of(light, what.main.dome, what.main.map);
+    const bool rides = light.space == LightSpace::Camera;
+    const ImU32 colour = packed(colour_of(light), light.enabled ? 1 : 0.5f);
+    if (rides) pen.cased(glm::dvec3(what.scene.camera.eye), place, colour, 0.8f);
+    if (light.kind == LightKind::Directional)
+        pen.cased(place, place - 0.35 * what.main.dome.radius * direction_of(light, what.main.map), colour,
+                  1);
+    const OnScreen at = project(pen.view.map, place);
+    if (!at.in_front) return;
+    const ImVec2 p = pen.view.to_window(at.pixel);
+    const float radius = px(index == what.hovered_light ? 7.5f : 6);
+    pen.list.AddCircleFilled(p, radius + px(1.5f), packed(ink, 0.8f));
+    if (light.enabled)
+        pen.list.AddCircleFilled(p, radius, colour);
+    else
+        pen.list.AddCircle(p, radius, colour, 0, px(2));
+    if (index == what.selected_light) pen.list.AddCircle(p, radius + px(4), packed(theme().accent), 0, px(2));
+    const std::string label = light.name + (rides ? "  C" : "  W");
+    pen.text({p.x + px(8), p.y}, label.c_str(), packed(ink));
+}
+
+}  // namespace
+
+double drawn_depth(const Camera& camera) {
+    return std::min(1.35 * target_depth(camera), double(far_of(camera.projection)));
+}
+
+double axis_length(const Camera& camera) { return 0.22 * target_depth(camera); }
+
+void draw_outside(ImDrawList& list, const PictureView& view, const OutsideScene& what) {
+    const PictureSize size_px = view.map.size;
+    LabelRoom room({view.to_window({3, 2}), view.to_window({size_px.width - 3, size_px.height - 2})});
+    const LabelledPen pen{{list, view}, room};
+    const auto lights = std::min<std::size_t>(what.scene.lights.size(), 300);
+    for (std::size_t i = 0; i < lights; ++i) keep_light_free(pen, what, i);
+    const std::size_t count = std::max<std::size_t>(what.scene.objects.size(), 1);
+    for (std::size_t i = 0; i < std::min<std::size_t>(count, 300) && i < what.scene.objects.size(); ++i)
+        draw_mesh(pen, what.scene.objects[i], most_lines / std::min<std::size_t>(count, 300));
+    const double size = axis_length(what.scene.camera);
+    for (std::size_t i = 0; i < lights; ++i) draw_light(pen, what, static_cast<int>(i));
+    draw_camera(pen, what, size);
+    draw_axes(pen, glm::dmat4(1), size, {"X", "Y", "Z"});
+}
+
+}  // namespace glint

@@ -1,0 +1,66 @@
+#pragma once
+// What matters at a pixel, measured beside the window on a thread and with a renderer of its own.
+
+#include <atomic>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "renderer/inspect/debug_views/sensitivity.h"
+
+namespace glint {
+
+/// The numbers of one pixel of one scene.
+class SensitivityJob {
+  public:
+    /// Starts; the document's meshes are shared, nothing else.
+    SensitivityJob(const SceneDocument& document, PictureSize size, glm::ivec2 pixel);
+    /// Stops after the step it is at, and waits for that.
+    ~SensitivityJob();
+    SensitivityJob(const SensitivityJob&) = delete;
+    SensitivityJob& operator=(const SensitivityJob&) = delete;
+
+    void cancel() { cancelled_ = true; }
+    [[nodiscard]] bool done() const { return done_; }
+    /// 0 to 1.
+    [[nodiscard]] float progress() const;
+    /// Precondition: done(), and not cancelled.
+    [[nodiscard]] const Result<Sensitivities>& result() const { return result_; }
+
+    [[nodiscard]] bool is_of(const Scene& scene, PictureSize size, glm::ivec2 pixel) const {
+        return size_ == size && pixel_ == pixel && document_.scene == scene;
+    }
+
+  private:
+    void work();
+
+    SceneDocument document_;
+    PictureSize size_;
+    glm::ivec2 pixel_;
+    Result<Sensitivities> result_;
+    std::atomic<bool> cancelled_{false}, done_{false};
+    std::atomic<std::size_t> measured_{0}, count_{0};
+    std::thread thread_;  // last: it uses the others
+};
+
+/// The job that is wanted now, the results shown until it is done, and jobs that are coming to their end.
+struct SensitivityState {
+    std::unique_ptr<SensitivityJob> job;
+    std::vector<std::unique_ptr<SensitivityJob>> ending;
+    double asked_since = 0;  // time at which scene and pixel became what they are
+    Scene asked_scene;
+    glm::ivec2 asked_pixel{-1, -1};
+    PictureSize asked_size;
+    std::optional<Sensitivities> shown;
+    bool current = false;  // `shown` is of the scene and pixel as they are
+};
+
+/// Starts, drops and collects jobs; call once a frame while the results are wanted. A job starts when scene
+/// and pixel have stood still for a moment.
+void tend_sensitivity(SensitivityState& state, const SceneDocument& document, PictureSize size,
+                      glm::ivec2 pixel);
+
+}  // namespace glint

@@ -1,0 +1,120 @@
+#include "ui/inspector/sensitivity_tab.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "ui/inspector/equation/parts.h"
+#include "ui/inspector/equation/pointer_words.h"
+#include "ui/inspector/equation/words.h"
+#include "ui/inspector/heading.h"
+#include "ui/inspector/sensitivity_job.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+double largest(glm::dvec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// The channel that moves most: 0 red, 1 green, 2 blue.
+int strongest(glm::dvec3 v) {
+    const glm::dvec3 size = glm::abs(v);
+    if (size.x >= size.y && size.x >= size.z) return 0;
+    return size.y >= size.z ? 1 : 2;
+}
+
+void number_tooltip(const NamedNumber& named, const Sensitivity& number) {
+    const auto part = [](double v) { return shown_number(static_cast<float>(v)); };
+    tooltip(fmt::format("{}: {}", named.owner, named.what).c_str(),
+            "How the pixel changes for each unit of this number. Click: its panel",
+            fmt::format("now {:.4g}{}\nred {}, green {}, blue {}", number.value,
+                        number.one_sided ? ", can move one way only" : "", part(number.change.x),
+                        part(number.change.y), part(number.change.z)),
+            number.pointer);
+}
+
+/// A line: how much, as a bar and in figures, and of what. A click selects it.
+void number_row(UiState& state, const Sensitivity& number, double most) {
+    const NamedNumber named = named_number(number.pointer, state.editor.scene());
+    const float line = ImGui::GetTextLineHeight();
+    ImGui::PushID(number.pointer.c_str());
+    if (ImGui::Selectable("##row", false, 0, {ImGui::GetContentRegionAvail().x, line + px(5)}))
+        state.editor.selection = named.selection;
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto share = static_cast<float>(largest(number.change) / std::max(most, 1e-30));
+    const ImVec2 text{low.x + px(4), low.y + px(1)};
+    list.AddRectFilled({text.x, high.y - px(3)}, {text.x + share * (high.x - low.x - px(8)), high.y - px(1)},
+                       packed(theme().accent));
+    list.AddText(text, packed(theme().text), fmt::format("{}  {}", named.owner, named.what).c_str());
+    const int channel = strongest(number.change);
+    const std::string figure =
+        fmt::format("{} {}", shown_number(static_cast<float>(number.change[channel])), "RGB"[channel]);
+    ImGui::PushFont(fonts().figures);
+    const float width = ImGui::CalcTextSize(figure.c_str()).x + px(6);
+    list.AddRectFilled({high.x - width, low.y}, {high.x, high.y - px(4)}, packed(theme().panel));
+    list.AddText({high.x - width + px(2), text.y}, packed(theme().text), figure.c_str());
+    ImGui::PopFont();
+    number_tooltip(named, number);
+    ImGui::PopID();
+}
+
+/// Numbers without effect, an owner a line.
+void owners(UiState& state, const char* title, const std::vector<std::string>& pointers) {
+    if (pointers.empty()) return;
+    section(title);
+    std::vector<std::pair<NamedNumber, std::string>> lines;
+    for (const std::string& pointer : pointers) {
+        const NamedNumber named = named_number(pointer, state.editor.scene());
+        const auto same = std::find_if(lines.begin(), lines.end(), [&](const auto& line) {
+            return line.first.owner == named.owner && line.first.selection == named.selection;
+        });
+        const auto line = same != lines.end() ? same : lines.insert(lines.end(), {named, std::string()});
+        if (!named.what.empty()) line->second.append(line->second.empty() ? "" : ", ").append(named.what);
+    }
+    for (const auto& [named, words] : lines) {
+        ImGui::PushID(named.owner.c_str());
+        if (ImGui::Selectable(named.owner.c_str())) state.editor.selection = named.selection;
+        ImGui::PopID();
+        ImGui::Indent(px(12));
+        small_dim(words.empty() ? "does not show at this pixel" : words);
+        ImGui::Unindent(px(12));
+    }
+}
+
+void progress(const SensitivityState& job) {
+    const float share = job.job ? job.job->progress() : 0;
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, theme().accent);
+    ImGui::ProgressBar(share, {ImGui::GetContentRegionAvail().x, px(4)}, "");
+    ImGui::PopStyleColor();
+    small_dim(job.shown ? "Measuring again; below are the numbers from before."
+                        : "Moving every number of the scene a little, and looking at the pixel.");
+}
+
+}  // namespace
+
+void sensitivity_tab(UiState& state, const PictureView& view) {
+    if (!state.why)
+        return why_empty_state("Here every number of the scene is sorted by how much it matters there.");
+    SensitivityState& job = state.sensitivity;
+    tend_sensitivity(job, state.editor.document, view.map.size, state.asked);
+    if (!job.current) progress(job);
+    if (!job.shown) {
+        if (job.current)
+            warning_text(fmt::format("More than {} lights take too long.", max_sensitivity_lights));
+        return;
+    }
+    small_dim("Change of the pixel for each unit of a number, before clipping: the channel that moves most.");
+    const auto& numbers = job.shown->numbers;
+    const double most = numbers.empty() ? 1 : largest(numbers.front().change);
+    if (numbers.empty()) wrapped_dim("No number of the scene moves this pixel.");
+    for (const Sensitivity& number : numbers) number_row(state, number, most);
+    owners(state, "Does not matter here", job.shown->no_effect);
+}
+
+}  // namespace glint

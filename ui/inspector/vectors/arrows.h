@@ -1,0 +1,66 @@
+#pragma once
+// Arrows, arcs and letters, drawn so that they can be read on any picture: a dark rim below a bright line.
+
+#include <imgui.h>
+
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "ui/picture/picture_view.h"
+#include "ui/widgets/label_room.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+
+/// Where things are drawn that live in the world at one point.
+struct PointPen {
+    ImDrawList& list;
+    const PictureView& view;
+    glm::dvec3 origin{0};  // world
+    double reach = 1;      // scene units: how long a unit vector is drawn
+
+    /// On the window; the place `offset` times the reach away from the origin.
+    [[nodiscard]] ImVec2 at(glm::dvec3 offset) const;
+};
+
+/// A pen at `origin` whose unit vectors are `length` units of the design long when seen from the side.
+[[nodiscard]] PointPen pen_at(ImDrawList& list, const PictureView& view, glm::dvec3 origin, float length);
+
+/// Words to be written over all arrows, none over another. Those that come first have the first choice.
+class Words {
+  public:
+    /// With its middle near `centre`.
+    void letter(ImVec2 centre, const ImVec4& colour, const std::string& text);
+    /// Likewise, left out where there is no room.
+    void degrees(ImVec2 centre, const ImVec4& colour, const std::string& text);
+    void draw(ImDrawList& list) const;
+
+  private:
+    struct Word {
+        ImVec2 centre;
+        ImVec4 colour;
+        std::string text;
+    };
+    LabelRoom room_;
+    std::vector<Word> words_;
+};
+
+struct ArrowLook {
+    ImVec4 colour;
+    float width = 2;  // units of the design
+    const char* letter = "";
+    Words* words = nullptr;  // that the letter goes to; null: it is written at once
+};
+/// From `from` to `to` with its letter at the tip; where the arrow points at us or away, a circle with a dot.
+void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look);
+
+/// The arc from direction a to b (unit) with its degrees, at `radius` of the pen's reach. The degrees are
+/// pushed away from what else is written, and left out where there is no room.
+void draw_arc(const PointPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, const ImVec4& colour,
+              Words& words);
+
+/// Text with a dark rim, its middle at `centre`.
+void rimmed_text(ImDrawList& list, ImVec2 centre, const ImVec4& colour, const std::string& text);
+
+}  // namespace glint

@@ -1,0 +1,140 @@
+#include "ui/inspector/vectors/lobe_diagram.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <vector>
+
+#include "models/fields/reflection_info.h"
+#include "renderer/inspect/reflectance/lobes.h"
+#include "ui/inspector/equation/parts.h"
+#include "ui/inspector/equation/words.h"
+#include "ui/inspector/vectors/arrows.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+
+namespace glint {
+namespace {
+
+constexpr int lobe_steps = 120;
+
+/// The plane of n and l as two axes: `up` along n, `across` away from the light.
+struct IncidencePlane {
+    glm::vec3 up{0, 1, 0}, across{1, 0, 0};
+    [[nodiscard]] glm::vec2 of(glm::vec3 v) const { return {glm::dot(v, across), glm::dot(v, up)}; }
+};
+
+IncidencePlane plane_of(const ExplainedPoint& point, const ExplainedLight& light) {
+    const glm::vec3 n = point.normal.camera, away = n * light.n_dot_l - light.l.camera;
+    if (glm::length(away) > 1e-4f) return {n, glm::normalize(away)};
+    const glm::vec3 v = point.view.camera, side = v - n * glm::dot(n, v);  // l along n: towards the viewer
+    return {n, glm::length(side) > 1e-4f ? glm::normalize(side) : glm::vec3(1, 0, 0)};
+}
+
+class Diagram {
+  public:
+    Diagram() {
+        const float width = ImGui::GetContentRegionAvail().x;
+        reach_ = std::min(0.36f * width, px(110));
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        const float height = reach_ + px(50);
+        foot_ = {low.x + width / 2, low.y + height - px(16)};
+        left_ = low.x, right_ = low.x + width;
+        ImGui::Dummy({width, height});
+    }
+    [[nodiscard]] ImVec2 at(glm::vec2 p) const { return {foot_.x + p.x * reach_, foot_.y - p.y * reach_}; }
+
+    void ground() const {
+        list_.AddLine({left_ + px(8), foot_.y}, {right_ - px(8), foot_.y}, packed(theme().dim_text), px(1));
+    }
+    void arrow(glm::vec2 to, Symbol symbol, bool thick) const {
+        const ImVec2 from = foot_, tip = at(to);
+        const ImU32 ink = packed(theme()[symbol]);
+        list_.AddLine(from, tip, ink, px(thick ? 4.0f : 2.0f));
+        list_.AddCircleFilled(tip, px(3), ink);
+        const float size = std::max(std::hypot(to.x, to.y), 0.05f);
+        const ImVec2 text = ImGui::CalcTextSize(letter_of(symbol));
+        const float out = px(symbol == Symbol::H ? 23 : 11);  // h is often close to n
+        const ImVec2 spot{tip.x + to.x / size * out, tip.y - to.y / size * out};
+        list_.AddText({spot.x - text.x / 2, spot.y - text.y / 2}, ink, letter_of(symbol));
+    }
+    /// From n, clockwise; its degrees outside.
+    void arc(double degrees, double radius, Symbol symbol) const {
+        const auto angle = static_cast<float>(degrees * std::numbers::pi / 180);
+        const auto r = static_cast<float>(radius);
+        constexpr float up = -std::numbers::pi_v<float> / 2;
+        if (std::abs(angle) < 0.02f) return;
+        list_.PathArcTo(foot_, r * reach_, up, up + angle, 20);
+        list_.PathStroke(packed(theme()[symbol]), 0, px(1));
+        const std::string text = fmt::format("{:.0f}°", std::abs(degrees));
+        const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+        const ImVec2 spot = at((r + 0.17f) * glm::vec2(std::sin(angle / 2), std::cos(angle / 2)));
+        list_.AddText({spot.x - size.x / 2, spot.y - size.y / 2}, packed(theme()[symbol]), text.c_str());
+    }
+    void lobe(const std::vector<glm::vec2>& outline, const ImVec4& colour) const {
+        for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
+            list_.AddTriangleFilled(foot_, at(outline[i]), at(outline[i + 1]), packed(colour, 0.13f));
+            list_.AddLine(at(outline[i]), at(outline[i + 1]), packed(colour, 0.8f), px(1));
+        }
+    }
+
+  private:
+    ImDrawList& list_ = *ImGui::GetWindowDrawList();
+    ImVec2 foot_;
+    float reach_ = 1, left_ = 0, right_ = 0;
+};
+
+/// The lobe in polar form, its longest ray as long as a unit vector.
+std::vector<glm::vec2> lobe_outline(const UiState& state, double light_deg) {
+    const Shading& shading = state.editor.scene().shading;
+    const Reflector reflector{shading.reflection, state.why->material, shading.terms};
+    const std::vector<LobeSample> slice = lobe_slice(reflector, light_deg, lobe_steps);
+    const auto strength = [&](const LobeSample& s) {
+        return (s.reflected.diffuse + s.reflected.specular)[state.why_column.channel];
+    };
+    float most = 1e-6f;
+    for (const LobeSample& sample : slice) most = std::max(most, strength(sample));
+    std::vector<glm::vec2> outline;
+    for (const LobeSample& sample : slice) {
+        const double angle = sample.view_deg * std::numbers::pi / 180;
+        outline.push_back(strength(sample) / most * glm::vec2(std::sin(angle), std::cos(angle)));
+    }
+    return outline;
+}
+
+}  // namespace
+
+void lobe_diagram(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light) {
+    const auto pointed = state.why_column.pointed_vector;
+    const IncidencePlane plane = plane_of(point, light);
+    const Diagram diagram;
+    ImGui::PushFont(fonts().small);
+    diagram.ground();
+    const double light_deg = angle_deg(light.n_dot_l);
+    if (light_deg < 89.5) diagram.lobe(lobe_outline(state, light_deg), theme()[Symbol::Specular]);
+    const ReflectionInfo model = info_of(state.why->reflection);
+    const auto arrow = [&](Symbol symbol, const InBothFrames& v) {
+        diagram.arrow(plane.of(v.camera), symbol, pointed == symbol);
+    };
+    arrow(Symbol::N, point.normal);
+    if (model.uses_r()) {
+        arrow(Symbol::R, light.r);
+        diagram.arc(light_deg, 0.5, Symbol::R);
+    }
+    if (model.uses_h) arrow(Symbol::H, light.h);
+    arrow(Symbol::L, light.l);
+    arrow(Symbol::V, point.view);
+    diagram.arc(-light_deg, 0.5, Symbol::L);
+    ImGui::PopFont();
+    const float out_of_plane = glm::length(plane.of(point.view.camera));
+    small_dim(
+        fmt::format("The plane of n and l; v leans {:.0f}° out of it. The lobe is what leaves in each "
+                    "direction, longest = 1.",
+                    angle_deg(out_of_plane)));
+}
+
+}  // namespace glint

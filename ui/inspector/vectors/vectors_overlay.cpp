@@ -1,0 +1,146 @@
+#include "ui/inspector/vectors/vectors_overlay.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "models/fields/reflection_info.h"
+#include "renderer/inspect/reflectance/mirror.h"
+#include "ui/inspector/asked.h"
+#include "ui/inspector/vectors/arrows.h"
+#include "ui/inspector/vectors/facet_overlay.h"
+#include "ui/ui.h"
+
+namespace glint {
+namespace {
+
+constexpr float arrow_length = 92;  // units of the design, of a unit vector seen from the side
+
+class PointDrawing {
+  public:
+    PointDrawing(ImDrawList& list, const UiState& state, const PictureView& view, const ExplainedPoint& point)
+        : state_(state),
+          point_(point),
+          pen_(pen_at(list, view, glm::dvec3(point.point.world), arrow_length)) {}
+
+    void draw() {
+        const ExplainedLight* light = asked_light(state_, point_);
+        const bool alone = light != nullptr && light->samples.empty() && state_.why_column.mirror_step == 0;
+        // The letters first: degrees give way to them.
+        if (light != nullptr && !light->samples.empty()) fan(*light);
+        if (light != nullptr && light->samples.empty() && !alone) mirror(*light);
+        if (alone) arrows_of(*light);
+        if (light != nullptr) arrow(Symbol::V, point_.view);
+        arrow(Symbol::N, point_.normal);
+        if (alone) arcs_of(*light);
+        words_.draw(pen_.list);
+    }
+
+  private:
+    void arrow(Symbol symbol, const InBothFrames& v) {
+        const bool thick = state_.why_column.pointed_vector == symbol;
+        draw_arrow(pen_.list, pen_.at(glm::dvec3(0)), pen_.at(glm::dvec3(v.world)),
+                   {theme_colour(symbol), thick ? 4.5f : 2, letter_of(symbol), &words_});
+    }
+    /// Bright on any picture, whatever the theme.
+    static ImVec4 theme_colour(Symbol symbol) { return dark_theme()[symbol]; }
+
+    void arc(const InBothFrames& a, const InBothFrames& b, double radius, Symbol symbol) {
+        draw_arc(pen_, glm::dvec3(a.world), glm::dvec3(b.world), radius, theme_colour(symbol), words_);
+    }
+    [[nodiscard]] bool has_r() const { return info_of(state_.why->reflection).uses_r(); }
+    [[nodiscard]] bool has_h() const { return info_of(state_.why->reflection).uses_h; }
+    void arrows_of(const ExplainedLight& light) {
+        if (has_r()) arrow(Symbol::R, light.r);
+        if (has_h()) arrow(Symbol::H, light.h);
+        arrow(Symbol::L, light.l);
+    }
+    void arcs_of(const ExplainedLight& light) {
+        const InBothFrames& n = point_.normal;
+        arc(n, light.l, 0.45, Symbol::L);
+        if (has_r()) arc(n, light.r, 0.45, Symbol::R);
+        if (has_r() && state_.why_column.pointed_vector == Symbol::R)
+            arc(light.r, point_.view, 0.7, Symbol::V);
+        if (has_h()) arc(n, light.h, 0.7, Symbol::H);
+    }
+    /// Each sample of an area light has an l of its own.
+    void fan(const ExplainedLight& light) {
+        for (const ExplainedLight& sample : light.samples)
+            draw_arrow(pen_.list, pen_.at(glm::dvec3(0)), pen_.at(glm::dvec3(sample.l.world)),
+                       {theme_colour(Symbol::L), 1, ""});
+    }
+    /// P, 2 P and r as they come about from a normal of the chosen length.
+    void mirror(const ExplainedLight& light) {
+        const WhyState& why = state_.why_column;
+        const glm::vec3 n = why.normal_length * point_.normal.world, l = light.l.world;
+        const MirrorSteps steps = mirror_steps(n, l);
+        const auto draw = [&](glm::vec3 from, glm::vec3 to, ImVec4 colour, const char* letter, float width) {
+            draw_arrow(pen_.list, pen_.at(glm::dvec3(from)), pen_.at(glm::dvec3(to)),
+                       {colour, width, letter, &words_});
+        };
+        draw({}, l, theme_colour(Symbol::L), "L", 2);
+        draw({}, n, theme_colour(Symbol::N), "N", 2);
+        if (why.mirror_step >= 2) draw(l, steps.p, theme_colour(Symbol::Emission), "", 1);
+        if (why.mirror_step == 2) draw({}, steps.p, theme_colour(Symbol::Diffuse), "P", 3);
+        if (why.mirror_step >= 3) draw({}, steps.twice_p, theme_colour(Symbol::Diffuse), "2P", 3);
+        if (why.mirror_step < 4) return;
+        draw(steps.twice_p, steps.r, theme_colour(Symbol::Emission), "−L", 1);
+        draw({}, steps.r, theme_colour(Symbol::R), "R", 3);
+    }
+
+    const UiState& state_;
+    const ExplainedPoint& point_;
+    PointPen pen_;
+    Words words_;
+};
+
+/// The corners that the pixel is mixed from, each in its colour, with its weight.
+void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& why) {
+    if (!why.lit_per_corner || why.corners.size() < 2) return;
+    const auto place = [&](const ExplainedCorner& corner) {
+        return view.to_window(project(view.map, glm::dvec3(corner.at.point.world)).pixel);
+    };
+    ImVec2 low = place(why.corners.front()), high = low;
+    for (const ExplainedCorner& corner : why.corners) {
+        const ImVec2 at = place(corner);
+        low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+        high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+    }
+    const bool roomy = std::max(high.x - low.x, high.y - low.y) > px(48);  // else words hide one another
+    char letter = 'A';
+    for (const ExplainedCorner& corner : why.corners) {
+        const ImVec2 at = place(corner);
+        const glm::vec3 c = glm::clamp(corner.at.sum, 0.0f, 1.0f);
+        list.AddCircleFilled(at, px(6.5f), packed({0, 0, 0, 1}, 0.7f));
+        list.AddCircleFilled(at, px(5), packed({c.x, c.y, c.z, 1}));
+        if (roomy)
+            rimmed_text(list, {at.x, at.y - px(14)}, {1, 1, 1, 1},
+                        fmt::format("{} {:.2f}", letter, corner.weight));
+        ++letter;
+    }
+}
+
+/// What the picture shows in place of the scene, so that nobody takes it for the scene.
+void draw_preview_name(ImDrawList& list, const PictureView& view, const std::string& name) {
+    const ImVec2 size = ImGui::CalcTextSize(name.c_str());
+    const float middle = view.origin.x + float(view.map.size.width) * view.units_per_pixel / 2;
+    const ImVec2 low{middle - size.x / 2 - px(12), view.origin.y + px(10)};
+    const ImVec2 high{middle + size.x / 2 + px(12), low.y + size.y + px(8)};
+    list.AddRectFilled(low, high, packed(theme().window, 0.85f), px(12));
+    list.AddText({low.x + px(12), low.y + px(4)}, packed(theme().text), name.c_str());
+}
+
+}  // namespace
+
+void draw_point_vectors(ImDrawList& list, const UiState& state, const PictureView& view) {
+    const WhyState& column = state.why_column;
+    if (!column.preview_name.empty()) draw_preview_name(list, view, column.preview_name);
+    if (!state.why || !state.why->hit) return;
+    if (column.shows_facet) draw_facet(list, state, view);
+    if (!column.shows_vectors || state.why->reflection == Reflection::None) return;
+    draw_corners(list, view, *state.why);
+    PointDrawing(list, state, view, asked_point(column, *state.why)).draw();
+}
+
+}  // namespace glint

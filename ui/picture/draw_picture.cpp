@@ -1,0 +1,139 @@
+#include "ui/picture/draw_picture.h"
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <utility>
+
+#include "ui/document/take_back.h"
+#include "ui/inspector/asked.h"
+#include "ui/ui.h"
+#include "ui/views/views.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// Whether what is shown is the picture, or such pictures side by side: not measured, not false colours.
+bool shows_pictures(const UiState& state) {
+    if (state.shown == nullptr || state.shown == state.picture) return true;
+    const ShownFrom& from = state.views.shown_from;
+    return from.compare.on && !from.compare.difference && from.look == LookSet{};
+}
+
+/// Whether a smaller picture may stand for the whole one for a moment: no numbers of many pixels are shown.
+bool may_be_small(const UiState& state) {
+    const bool camera = state.viewport.gesture == Gesture::Orbit || state.viewport.gesture == Gesture::Pan ||
+                        state.viewport.gesture == Gesture::Dolly;
+    const bool light =
+        state.viewport.gesture == Gesture::Hand && state.viewport.held.grip.kind == GripKind::Light;
+    const bool field = state.viewport.gesture == Gesture::None && ImGui::IsAnyItemActive();
+    return (camera || light || field) && !state.preview && !views_need_linear(state.views) &&
+           !(state.views.magnifier.zoom > 1) && shows_pictures(state);
+}
+
+/// The size of the next picture of a scene that differs (`changed`) from the last one or does not.
+PictureSize paced_size(UiState& state, PictureSize full, bool changed) {
+    FramePace& pace = state.pace;
+    const bool small_now = state.picture != nullptr && !(state.picture->size == full);
+    if (!may_be_small(state)) {
+        end_of_motion(pace);
+        return full;
+    }
+    if (changed) {
+        pace.rests_since = ImGui::GetTime();
+        return divided(full, pace.divisor);
+    }
+    const double rest = pace.rests_since + rest_before_full - ImGui::GetTime();
+    if (!small_now || rest <= 0) return full;
+    wish_frame_in(rest);
+    return state.picture->size;
+}
+
+/// The size of the next picture where there is not memory for a whole one.
+PictureSize size_for_memory(FramePace& pace, PictureSize paced, PictureSize full) {
+    pace.memory_tries_again = false;
+    if (full != pace.memory_divided) pace.memory_divisor = 1;
+    if (pace.memory_divisor == 1) return paced;
+    const double rest = pace.memory_rests_until - ImGui::GetTime();
+    pace.memory_tries_again = rest <= 0;
+    if (pace.memory_tries_again) pace.memory_divisor /= 2;
+    wish_frame_in(std::max(rest, 0.0));
+    const PictureSize fitting = divided(full, pace.memory_divisor);
+    return paced.width < fitting.width ? paced : fitting;
+}
+
+/// Explains the pixel that shows at the asked one's place: of a smaller picture a larger pixel, which is the
+/// colour on the screen then.
+void explain_asked(UiState& state, const PictureView& view) {
+    state.why.reset();
+    const auto asked = asked_pixel(state, view);
+    if (!asked) return;
+    const PictureSize whole = view.map.size, drawn = state.picture->size;
+    const glm::ivec2 shown{asked->x * drawn.width / whole.width, asked->y * drawn.height / whole.height};
+    state.why = state.renderer->explain(shown.x, shown.y);
+    state.why->spaces.pixel *= glm::vec2(whole.width, whole.height) / glm::vec2(drawn.width, drawn.height);
+    state.asked = *asked;
+    state.explained = item_counts(state.drawn);
+}
+
+}  // namespace
+
+bool same_surfaces(const Scene& a, const Scene& b) {
+    const auto same = [](const Object& one, const Object& other) {
+        return one.mesh == other.mesh && one.transform == other.transform;
+    };
+    return a.camera == b.camera &&
+           std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(), same);
+}
+
+const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size) {
+    const bool tells = state.picture != nullptr && state.picture->size == size &&
+                       same_surfaces(state.drawn, state.editor.scene());
+    return tells ? state.renderer.get() : nullptr;
+}
+
+bool is_explained(const UiState& state) {
+    return state.why && state.explained == item_counts(state.editor.scene());
+}
+
+void draw_picture(UiState& state, const PictureView& view) {
+    tend_loads(state);
+    if (const auto problem = settle(state.editor)) state.notifications.add(*problem);
+    const bool moves = may_be_small(state);
+    state.pace.drawn_at = 0;
+    const bool changed = !(state.drawn == (state.preview ? *state.preview : state.editor.scene()));
+    if (state.editor.before) state.pace.memory_divisor = 1;  // another document may be a smaller one
+    const PictureSize size =
+        size_for_memory(state.pace, paced_size(state, view.map.size, changed), view.map.size);
+    const std::optional<Scene> preview = std::exchange(state.preview, std::nullopt);
+    const Scene& shown = preview ? *preview : state.editor.scene();
+    const bool same_size = state.picture != nullptr && state.picture->size == size;
+    const bool linear = views_need_linear(state.views);
+    const bool has_linear = state.picture != nullptr && !state.picture->linear.empty();
+    if (!same_size || changed || (linear && !has_linear)) {
+        try {
+            state.picture = &state.renderer->render(shown, size, linear);
+        } catch (const std::exception& error) {
+            take_back(state, error, view.map.size, preview.has_value());
+            return;
+        }
+        state.drawn = shown;
+        state.drawn_is_edited = !preview;
+        ++state.picture_serial;
+        if (moves && changed) state.pace.drawn_at = size == view.map.size ? 1 : state.pace.divisor;
+    }
+    if (!is_explained(state)) state.why.reset();
+    if (preview) return;
+    state.editor.before.reset();
+    explain_asked(state, view);
+}
+
+void learn_pace(UiState& state) {
+    if (state.pace.drawn_at == 0) return;
+    const CompareState& compare = state.views.compare;
+    const double parts_ms = compare.choice.on ? compare.ms : 0;
+    picture_took(state.pace, state.pace.drawn_at, state.renderer->stats().total_ms + parts_ms);
+}
+
+}  // namespace glint

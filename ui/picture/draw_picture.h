@@ -1,0 +1,33 @@
+#pragma once
+// When the picture is drawn, and how large.
+
+#include "renderer/renderer.h"
+#include "ui/picture/picture_view.h"
+
+namespace glint {
+
+struct UiState;
+
+/// Whether both scenes show the same surfaces in the same pixels of a picture, by the same numbers: camera,
+/// objects, meshes and transforms are the same. Lights, materials and shading may differ.
+[[nodiscard]] bool same_surfaces(const Scene& a, const Scene& b);
+
+/// The renderer, to ask what of the open scene shows at a pixel of a picture of this size. Null where the
+/// last picture cannot tell: it has another size, or other surfaces, since keys came after it or a preview
+/// shows another scene. Whoever hovers, picks or drags asks this one: a number of an object that is not there
+/// is of no use.
+[[nodiscard]] const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size);
+
+/// Whether `why` is there and names lights and objects by numbers that the open scene has.
+[[nodiscard]] bool is_explained(const UiState& state);
+
+/// Draws what shows (the edited scene or a preview) if it, or the size, is not that of the last picture; then
+/// asks the edited scene about the probe. While a hand moves something, a picture that would take too long is
+/// a smaller one (ui/shell/frame_pace.h).
+void draw_picture(UiState& state, const PictureView& view);
+
+/// Learns how long the pictures of this frame took, those of a comparison's parts included. After
+/// update_views().
+void learn_pace(UiState& state);
+
+}  // namespace glint

@@ -1,0 +1,45 @@
+#pragma once
+// What drags have in common: from a cursor back to a place on a line, a plane, a sphere or a circle in the
+// world. World coordinates throughout.
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "ui/picture/handles/light_place.h"
+#include "ui/picture/screen.h"
+
+namespace glint {
+
+/// `v` turned by `angle` (radians, right-handed) round the unit vector `axis`.
+[[nodiscard]] glm::dvec3 rotated(glm::dvec3 v, glm::dvec3 axis, double angle);
+
+/// The rotation that takes one unit vector into another the short way; for opposite ones, any half turn.
+[[nodiscard]] glm::dmat4 rotation_between(glm::dvec3 from, glm::dvec3 to);
+
+struct Across {
+    glm::dvec3 u, v;  // unit, at right angles to a direction and to one another
+};
+[[nodiscard]] Across across(glm::dvec3 direction);
+
+/// The t for which `place` + t `axis` is nearest to the cursor on the screen. 0 where the line is seen end
+/// on, and beyond its vanishing point.
+[[nodiscard]] double along_line(const ScreenMap& map, glm::dvec3 place, glm::dvec3 axis,
+                                glm::dvec2 cursor_px);
+
+/// Where the line of sight meets a sphere, on the half nearer to the eye or the one behind; past the rim, the
+/// rim.
+[[nodiscard]] glm::dvec3 on_dome(const Dome& dome, const Ray& ray, bool nearer);
+
+/// Where the line of sight through the cursor meets the plane through `place` with unit normal `normal`.
+/// Nothing where the plane is seen within 2 degrees of edge on, or lies behind the eye.
+[[nodiscard]] std::optional<glm::dvec3> on_plane(const ScreenMap& map, glm::dvec3 place, glm::dvec3 normal,
+                                                 glm::dvec2 cursor_px);
+
+/// The angle, -pi to pi, by which centre + radius `direction` must turn round `axis` (both unit) to come
+/// nearest to the cursor.
+[[nodiscard]] double turn_towards(const ScreenMap& map, const Dome& circle, glm::dvec3 direction,
+                                  glm::dvec3 axis, glm::dvec2 cursor_px);
+
+}  // namespace glint

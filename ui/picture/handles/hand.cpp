@@ -1,0 +1,154 @@
+#include "ui/picture/handles/hand.h"
+
+#include <cmath>
+
+#include "ui/picture/handles/surface_patch.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+namespace {
+
+constexpr double terminator_reach = 4;  // units of the design
+
+/// The surface, if the last picture shows it.
+SurfaceView surface_of(const ViewportFrame& frame) {
+    return {frame.scene, *frame.renderer, frame.view.map, frame.view.dome};
+}
+
+Light& light_of(const ViewportFrame& frame, const Grip& grip) {
+    return frame.scene.lights[static_cast<std::size_t>(grip.item)];
+}
+
+DragAlong drag_along(const HandKeys& keys) {
+    if (keys.axis[0]) return DragAlong::X;
+    if (keys.axis[1]) return DragAlong::Y;
+    if (keys.axis[2]) return DragAlong::Z;
+    return keys.shift ? DragAlong::Depth : DragAlong::ViewPlane;
+}
+
+bool has_terminator_under(const ViewportFrame& frame, int light, glm::dvec2 cursor_px) {
+    if (light < 0 || !frame.scene.shading.terms.diffuse) return false;
+    const Light& selected = frame.scene.lights[static_cast<std::size_t>(light)];
+    const double reach = terminator_reach * double(px(1)) / double(frame.view.units_per_pixel);
+    return selected.enabled && terminator_under(surface_of(frame), selected, cursor_px, reach);
+}
+
+void drag_light(LightDrag& drag, const Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px,
+                glm::dvec2 last_px, const HandKeys& keys) {
+    Light& light = light_of(frame, held.grip);
+    // Another key: go on from here, so that nothing jumps.
+    if (const DragAlong along = drag_along(keys); along != drag.along) drag = {light, along, last_px};
+    light = dragged(drag, held.view, cursor_px, keys.ctrl);
+}
+
+/// With Shift the aim goes to what shows under the cursor.
+Light dragged_or_aimed(const ShapeDrag& drag, const Held& held, const ViewportFrame& frame,
+                       glm::dvec2 cursor_px, const HandKeys& keys) {
+    if (keys.shift && drag.grip.part == ShapePart::Aim && frame.renderer != nullptr)
+        if (const auto point = seen_at(*frame.renderer, frame.view.map.size, cursor_px)) {
+            const glm::dvec4 place(glm::dvec3(point->place), 1);
+            return aimed_at(drag.start, glm::dvec3(held.view.map.world_from_view * place), held.view);
+        }
+    return dragged_shape(drag, held.view, cursor_px, keys.ctrl);
+}
+
+/// A held axis key takes the place of the part that was grabbed.
+void drag_object(ObjectDrag drag, const Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px,
+                 const HandKeys& keys) {
+    for (std::size_t i = 0; i < 3; ++i)
+        if (keys.axis[i] && drag.mode != GizmoMode::Scale) drag.part = static_cast<GizmoPart>(i);
+    frame.scene.objects[static_cast<std::size_t>(held.grip.item)].transform =
+        dragged_object(drag, held.view, cursor_px, keys.ctrl);
+}
+
+std::optional<Grip> object_grip_under(const ViewportFrame& frame, glm::dvec2 cursor_px) {
+    if (frame.selection.kind != Selection::Kind::Object) return {};
+    const auto index = static_cast<std::size_t>(frame.selection.index);
+    if (index >= frame.scene.objects.size()) return {};
+    const auto gizmo = gizmo_of(frame.scene.objects[index].transform, frame.gizmo, frame.view, frame.pivot);
+    if (!gizmo) return {};
+    const auto part = gizmo_under(*gizmo, frame.gizmo, frame.view, cursor_px);
+    if (!part) return {};
+    return Grip{.kind = GripKind::Object, .item = frame.selection.index, .part = *part, .mode = frame.gizmo};
+}
+
+std::optional<Grip> shape_grip_under(const ViewportFrame& frame, int light, glm::dvec2 cursor_px) {
+    if (light < 0) return {};
+    const auto shape =
+        shape_under(frame.scene.lights[static_cast<std::size_t>(light)], frame.view, cursor_px);
+    if (!shape) return {};
+    return Grip{.kind = GripKind::Shape, .item = light, .shape = *shape};
+}
+
+}  // namespace
+
+bool exists(const Grip& grip, const Scene& scene) {
+    const std::size_t count = grip.kind == GripKind::Object ? scene.objects.size() : scene.lights.size();
+    return grip && static_cast<std::size_t>(grip.item) < count;
+}
+
+Grip grip_under(const ViewportFrame& frame, glm::dvec2 cursor_px) {
+    const int selected = selected_light(frame.selection);
+    if (const auto object = object_grip_under(frame, cursor_px)) return *object;
+    const std::vector<Handle> handles = light_handles(frame.scene, frame.view, selected);
+    if (const Handle* handle = handle_under(handles, cursor_px, frame.view))
+        return {.kind = GripKind::Light, .item = handle->light, .in_picture = handle->in_picture};
+    if (const auto shape = shape_grip_under(frame, selected, cursor_px)) return *shape;
+    if (frame.renderer == nullptr) return {};
+    if (has_terminator_under(frame, selected, cursor_px))
+        return {.kind = GripKind::Terminator, .item = selected};
+    if (const auto highlight = highlight_under(surface_of(frame), cursor_px))
+        return {.kind = GripKind::Highlight, .item = highlight->light};
+    return {};
+}
+
+Held take_hold(const ViewportFrame& frame, Grip grip, glm::dvec2 cursor_px, const HandKeys& keys) {
+    Held held{grip, {frame.view.map, frame.view.dome, snap_step_for(frame.view.bounds)}, {}, false};
+    switch (grip.kind) {
+    case GripKind::None:
+        break;
+    case GripKind::Light:
+        held.drag = LightDrag{light_of(frame, grip), drag_along(keys), cursor_px};
+        break;
+    case GripKind::Shape:
+        held.drag = ShapeDrag{light_of(frame, grip), grip.shape, cursor_px};
+        break;
+    case GripKind::Object: {
+        const Transform& start = frame.scene.objects[static_cast<std::size_t>(grip.item)].transform;
+        if (const auto gizmo = gizmo_of(start, frame.gizmo, frame.view, frame.pivot))
+            held.drag = ObjectDrag{start, *gizmo, frame.gizmo, grip.part, cursor_px};
+        break;
+    }
+    case GripKind::Highlight:
+        if (frame.renderer == nullptr) break;
+        if (const auto drag = grab_highlight(surface_of(frame), light_of(frame, grip), cursor_px))
+            held.drag = *drag;
+        break;
+    case GripKind::Terminator:
+        held.drag = TerminatorDrag{light_of(frame, grip)};
+        break;
+    }
+    return held;
+}
+
+void drag_held(Held& held, ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec2 last_px,
+               const HandKeys& keys) {
+    if (auto* drag = std::get_if<LightDrag>(&held.drag))
+        return drag_light(*drag, held, frame, cursor_px, last_px, keys);
+    if (const auto* drag = std::get_if<ObjectDrag>(&held.drag))
+        return drag_object(*drag, held, frame, cursor_px, keys);
+    if (const auto* drag = std::get_if<ShapeDrag>(&held.drag)) {
+        light_of(frame, held.grip) = dragged_or_aimed(*drag, held, frame, cursor_px, keys);
+        return;
+    }
+    if (frame.renderer == nullptr) return;
+    std::optional<Light> light;
+    if (auto* drag = std::get_if<HighlightDrag>(&held.drag))
+        light = moved_highlight(*drag, surface_of(frame), cursor_px, last_px, keys.shift);
+    else if (const auto* line = std::get_if<TerminatorDrag>(&held.drag))
+        light = dragged_terminator(*line, surface_of(frame), cursor_px);
+    held.astray = !light;
+    if (light) light_of(frame, held.grip) = *light;
+}
+
+}  // namespace glint

@@ -1,0 +1,70 @@
+#pragma once
+// A hand on the picture: what the cursor could take hold of, and what happens to the scene while it is
+// dragged. The closed list of grips; each has a file of its own, with pure functions.
+
+#include <string>
+#include <variant>
+
+#include "ui/picture/handles/hand_frame.h"
+#include "ui/picture/handles/highlight_drag.h"
+#include "ui/picture/handles/light_drag.h"
+#include "ui/picture/handles/light_shape.h"
+#include "ui/picture/handles/object_drag.h"
+#include "ui/picture/handles/terminator_drag.h"
+
+namespace glint {
+
+enum class GripKind { None, Light, Shape, Object, Highlight, Terminator };
+
+/// Something that can be dragged.
+struct Grip {
+    GripKind kind = GripKind::None;
+    int item = -1;                     // number of the light, or of the object
+    bool in_picture = true;            // else its place is outside and an arrow at the border points to it
+    ShapeGrip shape = {};              // under Shape: a light's cone or rectangle
+    GizmoPart part = GizmoPart::Free;  // under Object, with
+    GizmoMode mode = GizmoMode::None;
+    bool operator==(const Grip&) const = default;
+
+    explicit operator bool() const { return kind != GripKind::None; }
+    /// A mark drawn on the picture, which takes clicks for itself; a click on the surface asks why.
+    [[nodiscard]] bool is_mark() const {
+        return kind == GripKind::Light || kind == GripKind::Shape || kind == GripKind::Object;
+    }
+};
+
+/// Whether what the grip belongs to is (still) in the scene.
+[[nodiscard]] bool exists(const Grip& grip, const Scene& scene);
+
+/// What the cursor (pixels of the picture) is over: marks first, then the selected light's terminator, then
+/// highlights.
+[[nodiscard]] Grip grip_under(const ViewportFrame& frame, glm::dvec2 cursor_px);
+
+/// A grip in hand. `view` must not change while it is held.
+struct Held {
+    Grip grip;
+    DragView view;
+    std::variant<std::monostate, LightDrag, ShapeDrag, ObjectDrag, HighlightDrag, TerminatorDrag> drag;
+    bool astray = false;  // the cursor is where the drag has no answer: the scene waits as it is
+};
+
+/// Takes hold of `grip` at a place of the cursor. Precondition: the grip exists in the scene.
+[[nodiscard]] Held take_hold(const ViewportFrame& frame, Grip grip, glm::dvec2 cursor_px,
+                             const HandKeys& keys);
+
+/// Edits the scene to where the cursor went; `last_px` is where it was before.
+void drag_held(Held& held, ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec2 last_px,
+               const HandKeys& keys);
+
+/// What a drag would do, or does, for the status line.
+[[nodiscard]] std::string hint_of(const Grip& grip, const Scene& scene);
+[[nodiscard]] std::string hint_of(const Held& held);
+
+/// Two lines for the note at the hand.
+struct HandNote {
+    std::string title, numbers;
+};
+[[nodiscard]] HandNote note_of(const Grip& grip, const Scene& scene);
+[[nodiscard]] HandNote note_of(const Held& held, const Scene& scene);
+
+}  // namespace glint

@@ -1,0 +1,210 @@
+// What a hand is told: in the status line and beside the cursor.
+#include <fmt/core.h>
+
+#include <glm/geometric.hpp>
+
+#include "ui/picture/handles/hand.h"
+
+namespace glint {
+namespace {
+
+const Light& light_of(const Grip& grip, const Scene& scene) {
+    return scene.lights[static_cast<std::size_t>(grip.item)];
+}
+
+const Transform& transform_of(const Grip& grip, const Scene& scene) {
+    return scene.objects[static_cast<std::size_t>(grip.item)].transform;
+}
+
+const std::string& name_of(const Grip& grip, const Scene& scene) {
+    return grip.kind == GripKind::Object ? scene.objects[static_cast<std::size_t>(grip.item)].name
+                                         : light_of(grip, scene).name;
+}
+
+const char* shape_words(ShapePart part) {
+    switch (part) {
+    case ShapePart::Rim:
+        return "Open or close the cone";
+    case ShapePart::Aim:
+        return "Aim";
+    case ShapePart::Corner:
+        return "Size of the panel";
+    case ShapePart::Edge:
+        return "Edge of the panel";
+    }
+    return "";  // not reached
+}
+
+const char* part_words(GizmoPart part) {
+    constexpr const char* words[] = {"X", "Y", "Z", "Y and Z", "Z and X", "X and Y", "freely"};
+    return words[static_cast<int>(part)];
+}
+
+/// What dragging a part of the gizmo does, as a command: "Move along X".
+std::string deed_words(GizmoMode mode, GizmoPart part) {
+    const bool free = part == GizmoPart::Free;
+    switch (mode) {
+    case GizmoMode::None:
+        return {};
+    case GizmoMode::Move:
+        return free ? "Move in the view plane" : fmt::format("Move along {}", part_words(part));
+    case GizmoMode::Rotate:
+        return free ? "Rotate round the line of sight" : fmt::format("Rotate round {}", part_words(part));
+    case GizmoMode::Scale:
+        return free ? "Scale as a whole" : fmt::format("Scale along its own {}", part_words(part));
+    }
+    return {};  // not reached
+}
+
+std::string three_numbers(glm::vec3 v) { return fmt::format("{:7.2f} {:7.2f} {:7.2f}", v.x, v.y, v.z); }
+
+const char* along_words(DragAlong along, bool turns) {
+    switch (along) {
+    case DragAlong::ViewPlane:
+        return turns ? "on its dome" : "in the view plane";
+    case DragAlong::Depth:
+        return turns ? "past the rim" : "in depth";
+    case DragAlong::X:
+        return turns ? "round X" : "along X";
+    case DragAlong::Y:
+        return turns ? "round Y" : "along Y";
+    case DragAlong::Z:
+        return turns ? "round Z" : "along Z";
+    }
+    return "";  // not reached
+}
+
+std::string motion_words(const Held& held) {
+    const bool turns = held.grip.kind == GripKind::Light &&
+                       std::get<LightDrag>(held.drag).start.kind == LightKind::Directional;
+    switch (held.grip.kind) {
+    case GripKind::None:
+        return {};
+    case GripKind::Light:
+        return along_words(std::get<LightDrag>(held.drag).along, turns);
+    case GripKind::Shape:
+        return "shape";
+    case GripKind::Object:
+        return deed_words(held.grip.mode, held.grip.part);
+    case GripKind::Highlight:
+        return held.astray ? "cannot shine there" : "by its highlight";
+    case GripKind::Terminator:
+        return held.astray ? "cannot end there" : "by its terminator, n·l = 0";
+    }
+    return {};  // not reached
+}
+
+}  // namespace
+
+std::string hint_of(const Grip& grip, const Scene& scene) {
+    switch (grip.kind) {
+    case GripKind::None:
+        return {};
+    case GripKind::Light:
+        return fmt::format("{}: drag in the view plane · Shift: in depth · X Y Z: axis · Ctrl: snap",
+                           light_of(grip, scene).name);
+    case GripKind::Shape:
+        return fmt::format("{}: {} · Ctrl: snap{}", light_of(grip, scene).name, shape_words(grip.shape.part),
+                           grip.shape.part == ShapePart::Aim ? " · Shift: at what is under the cursor" : "");
+    case GripKind::Object:
+        return fmt::format("{} · X Y Z: axis · Ctrl: snap · G R T: move, rotate, scale",
+                           deed_words(grip.mode, grip.part));
+    case GripKind::Highlight:
+        return fmt::format(
+            "Drag the highlight of {} · Shift: in depth · Click: why this colour · Alt+drag: orbit",
+            light_of(grip, scene).name);
+    case GripKind::Terminator:
+        return fmt::format("Drag the terminator of {}, where n·l = 0 · Alt+drag: orbit",
+                           light_of(grip, scene).name);
+    }
+    return {};  // not reached
+}
+
+std::string hint_of(const Held& held) {
+    switch (held.grip.kind) {
+    case GripKind::None:
+        return {};
+    case GripKind::Light:
+        return "Shift: in depth · X Y Z: along an axis · Ctrl: snap · Esc: cancel";
+    case GripKind::Shape:
+        return held.grip.shape.part == ShapePart::Aim
+                   ? "Shift: at what is under the cursor · Ctrl: snap · Esc: cancel"
+                   : "Ctrl: snap · Esc: cancel";
+    case GripKind::Object:
+        return "X Y Z: along or round an axis · Ctrl: snap · Esc: cancel";
+    case GripKind::Highlight:
+        return held.astray ? "No light could shine there: the light waits · Esc: cancel"
+                           : "The light stands where v is mirrored at n · Shift: in depth · Esc: cancel";
+    case GripKind::Terminator:
+        return held.astray ? "No surface there: the light waits · Esc: cancel"
+                           : "The light lies in the plane that touches the surface here · Esc: cancel";
+    }
+    return {};  // not reached
+}
+
+HandNote note_of(const Grip& grip, const Scene& scene) {
+    const std::string& name = name_of(grip, scene);
+    switch (grip.kind) {
+    case GripKind::None:
+        return {};
+    case GripKind::Light:
+        if (!grip.in_picture) return {"Outside the picture", name};
+        return {light_of(grip, scene).enabled ? "Drag to move" : "Off; drag to move", name};
+    case GripKind::Shape:
+        return {shape_words(grip.shape.part), name};
+    case GripKind::Object:
+        return {deed_words(grip.mode, grip.part), name};
+    case GripKind::Highlight:
+        return {"Drag the highlight", name};
+    case GripKind::Terminator:
+        return {"Drag the terminator", name};
+    }
+    return {};  // not reached
+}
+
+namespace {
+
+HandNote shape_note(const Light& light, ShapePart part) {
+    switch (part) {
+    case ShapePart::Rim:
+        return {fmt::format("{}, axis to edge", light.name), fmt::format("{:5.1f}°", light.spot.cutoff_deg)};
+    case ShapePart::Aim:
+        if (light.kind == LightKind::Area) return {fmt::format("{} turned", light.name), ""};
+        return {fmt::format("{} aimed", light.name), three_numbers(light.spot.direction)};
+    case ShapePart::Corner:
+    case ShapePart::Edge:
+        return {
+            fmt::format("{}, half-edges", light.name),
+            fmt::format("{:.2f} × {:.2f}", glm::length(light.area.edge_u), glm::length(light.area.edge_v))};
+    }
+    return {};  // not reached
+}
+
+HandNote object_note(const ObjectDrag& drag, const Transform& t, const std::string& title) {
+    switch (drag.mode) {
+    case GizmoMode::None:
+    case GizmoMode::Move:
+        return {title, three_numbers(t.translate)};
+    case GizmoMode::Rotate:
+        return {title + ", x y z",
+                fmt::format("{:7.1f}° {:7.1f}° {:7.1f}°", t.rotate_deg.x, t.rotate_deg.y, t.rotate_deg.z)};
+    case GizmoMode::Scale:
+        return {title, three_numbers(t.scale)};
+    }
+    return {};  // not reached
+}
+
+}  // namespace
+
+HandNote note_of(const Held& held, const Scene& scene) {
+    if (!exists(held.grip, scene) || held.drag.index() == 0) return {};
+    if (const auto* drag = std::get_if<ObjectDrag>(&held.drag))
+        return object_note(*drag, transform_of(held.grip, scene), motion_words(held));
+    const Light& light = light_of(held.grip, scene);
+    if (held.grip.kind == GripKind::Shape) return shape_note(light, held.grip.shape.part);
+    const char* space = light.space == LightSpace::World ? "world" : "camera";
+    return {fmt::format("{} {}, {} coordinates", light.name, motion_words(held), space),
+            three_numbers(light.position)};
+}
+
+}  // namespace glint

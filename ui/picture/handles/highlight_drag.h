@@ -1,0 +1,68 @@
+#pragma once
+// Dragging a highlight: the light moves so that its specular term peaks under the cursor. It keeps its
+// distance from the surface (a directional light its dome), a spot or a panel turns along with it.
+//
+// Where (r.v)^n or (n.h)^n is largest is known: at l = v mirrored at n. But falloff, a cone, the samples of a
+// panel and the angles of microfacets shift the peak of the picture away from there, the more the duller the
+// surface. So the mirror direction is where the search begins, and the slope of the specular term over the
+// pixels round the cursor is brought to zero.
+
+#include <optional>
+#include <vector>
+
+#include "renderer/renderer.h"
+#include "ui/picture/handles/light_place.h"
+
+namespace glint {
+
+/// What a search over the picture needs. The renderer's last picture must show the scene through `map`.
+struct SurfaceView {
+    const Scene& scene;
+    const Renderer& renderer;
+    const ScreenMap& map;
+    const Dome& dome;
+};
+
+struct HighlightDrag {
+    Light start;
+    glm::dvec3 grabbed{0};  // the place on the surface, world
+    double distance = 1;    // of the light from it
+    double nearer = 1;      // times the distance: what dragging in depth made of it
+    // While it is dragged in depth, the pixel where the highlight stays; and how far from the cursor it is
+    // since.
+    std::optional<glm::dvec2> stays_at;
+    glm::dvec2 beside{0};
+};
+
+/// A light whose highlight shows at a pixel.
+struct HoveredHighlight {
+    int light = -1;
+    double share = 0;  // of the most that the highlight could be there, above 0
+};
+
+/// The light whose highlight covers the pixel: it must be seen (three twentieths of full brightness) and near
+/// its peak there (half of it). The brightest wins. Nothing on the background, without the specular term, and
+/// under models that have no highlight.
+[[nodiscard]] std::optional<HoveredHighlight> highlight_under(const SurfaceView& view, glm::dvec2 pixel);
+
+/// Takes hold of a light by what it does at a pixel; nothing on the background.
+[[nodiscard]] std::optional<HighlightDrag> grab_highlight(const SurfaceView& view, const Light& light,
+                                                          glm::dvec2 pixel);
+
+/// The light with the peak of its highlight at `pixel`, drag.nearer times as far away as when it was grabbed.
+/// Nothing where no light could do that: on the background, or where the surface turns away from the viewer.
+[[nodiscard]] std::optional<Light> dragged_highlight(const HighlightDrag& drag, const SurfaceView& view,
+                                                     glm::dvec2 pixel);
+
+/// One movement of the cursor. The highlight goes along; in depth it stays, and the light goes farther away
+/// as the cursor goes up (a directional light has no distance), by a factor e in a third of the picture. The
+/// light, or nothing as above.
+[[nodiscard]] std::optional<Light> moved_highlight(HighlightDrag& drag, const SurfaceView& view,
+                                                   glm::dvec2 cursor_px, glm::dvec2 last_px, bool in_depth);
+
+/// The light carried to where it stands `away` (world, unit) from `place`; a spot or a panel turns so that it
+/// shines at `place` as it shone at the place that was grabbed.
+[[nodiscard]] Light carried(const HighlightDrag& drag, const SurfaceView& view, glm::dvec3 place,
+                            glm::dvec3 away, double nearer = 1);
+
+}  // namespace glint

@@ -1,0 +1,111 @@
+#include "ui/picture/handles/light_drag.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+#include <numbers>
+
+#include "ui/picture/handles/drag_math.h"
+
+namespace glint {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+glm::dvec3 unit_axis(DragAlong along) {
+    return {along == DragAlong::X ? 1 : 0, along == DragAlong::Y ? 1 : 0, along == DragAlong::Z ? 1 : 0};
+}
+
+glm::dvec3 dragged_direction(const LightDrag& drag, const DragView& view, glm::dvec2 cursor_px,
+                             glm::dvec2 handle_px) {
+    const glm::dvec3 direction = direction_of(drag.start, view.map);
+    const glm::dvec2 motion = cursor_px - drag.grabbed_px;
+    switch (drag.along) {
+    case DragAlong::ViewPlane: {
+        const Ray old_sight = ray_through(view.map, handle_px);
+        const bool nearer = glm::dot(direction, old_sight.direction) <= 0;
+        const glm::dvec3 at = on_dome(view.dome, ray_through(view.map, handle_px + motion), nearer);
+        return glm::normalize(at - view.dome.centre);
+    }
+    case DragAlong::Depth: {
+        const double turn = pi / view.map.size.height;
+        const glm::dvec3 right(view.map.world_from_view[0]), up(view.map.world_from_view[1]);
+        return rotated(rotated(direction, right, motion.y * turn), up, motion.x * turn);
+    }
+    case DragAlong::X:
+    case DragAlong::Y:
+    case DragAlong::Z: {
+        const glm::dvec3 axis = to_world(drag.start, unit_axis(drag.along), 0, view.map);
+        return rotated(direction, axis,
+                       turn_towards(view.map, view.dome, direction, axis, handle_px + motion));
+    }
+    }
+    return direction;  // not reached
+}
+
+/// A direction with its height above and its angle round y at multiples of 15 degrees.
+glm::vec4 snapped_direction(glm::vec4 p) {
+    const double step = pi / 12;
+    const double height = std::round(std::asin(std::clamp(double(p.y), -1.0, 1.0)) / step) * step;
+    const double round_y = std::round(std::atan2(double(p.x), double(p.z)) / step) * step;
+    return glm::vec4(glm::dvec4(std::cos(height) * std::sin(round_y), std::sin(height),
+                                std::cos(height) * std::cos(round_y), 0));
+}
+
+Light dragged_sun(const LightDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
+    const OnScreen handle = project(view.map, handle_of(drag.start, view.dome, view.map));
+    if (!handle.in_front) return drag.start;
+    const glm::dvec3 direction = dragged_direction(drag, view, cursor_px, handle.pixel);
+    Light light = placed_at(drag.start, view.dome.centre + direction, view.dome, view.map);
+    if (snap) light.position = snapped_direction(light.position);
+    return light;
+}
+
+/// Coordinates that the drag moved, to multiples of the step; the others stay as they are.
+void snap_to_grid(Light& light, const Light& start, double step) {
+    for (int i = 0; i < 3; ++i)
+        if (light.position[i] != start.position[i])
+            light.position[i] = static_cast<float>(std::round(light.position[i] / step) * step);
+}
+
+}  // namespace
+
+double snap_step_for(const Bounds& bounds) {
+    const double size = glm::length(glm::dvec3(bounds.max) - glm::dvec3(bounds.min));
+    const double wanted = std::max(size, 1e-6) / 20, power = std::pow(10, std::floor(std::log10(wanted)));
+    const double digit = wanted / power;
+    return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
+}
+
+Light dragged(const LightDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
+    if (drag.start.kind == LightKind::Directional) return dragged_sun(drag, view, cursor_px, snap);
+    const glm::dvec3 place = handle_of(drag.start, view.dome, view.map);
+    const OnScreen handle = project(view.map, place);
+    if (!handle.in_front) return drag.start;
+    const glm::dvec2 motion = cursor_px - drag.grabbed_px, wanted = handle.pixel + motion;
+    glm::dvec3 moved = place;
+    switch (drag.along) {
+    case DragAlong::ViewPlane:
+        moved = unproject(view.map, wanted, handle.depth);
+        break;
+    case DragAlong::Depth: {
+        // A third of the picture's height is a factor e: as fine near the eye as far from it.
+        const double factor = std::exp(std::clamp(-3 * motion.y / view.map.size.height, -7.0, 7.0));
+        moved = unproject(view.map, handle.pixel, handle.depth * factor);
+        break;
+    }
+    case DragAlong::X:
+    case DragAlong::Y:
+    case DragAlong::Z: {
+        const glm::dvec3 axis = to_world(drag.start, unit_axis(drag.along), 0, view.map);
+        moved = place + along_line(view.map, place, axis, wanted) * axis;
+        break;
+    }
+    }
+    Light light = placed_at(drag.start, moved, view.dome, view.map);
+    if (snap) snap_to_grid(light, drag.start, view.snap_step);
+    return light;
+}
+
+}  // namespace glint

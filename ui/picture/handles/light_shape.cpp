@@ -1,0 +1,183 @@
+#include "ui/picture/handles/light_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "ui/picture/handles/drag_math.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double least_edge = 1e-3;  // of a panel: a share of what it was
+
+/// The direction in which a light shines, world, unit: a cone's axis, a panel's normal.
+glm::dvec3 aim_of(const Light& light, const DragView& view) {
+    if (const auto cone = cone_of(light, view.dome, view.map)) return cone->axis;
+    if (const auto panel = panel_of(light, view.map)) return panel->normal();
+    return {0, -1, 0};
+}
+
+Light turned_towards(Light light, glm::dvec3 aim, const DragView& view) {
+    turn_shape(light, rotation_between(aim_of(light, view), aim), view.map);
+    return light;
+}
+
+/// Heights and angles round y at multiples of 15 degrees.
+glm::dvec3 snapped(glm::dvec3 direction) {
+    const double step = pi / 12;
+    const double height = std::round(std::asin(std::clamp(direction.y, -1.0, 1.0)) / step) * step;
+    const double round_y = std::round(std::atan2(direction.x, direction.z) / step) * step;
+    return {std::cos(height) * std::sin(round_y), std::sin(height), std::cos(height) * std::cos(round_y)};
+}
+
+Light with_cutoff(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
+    Light light = drag.start;
+    const auto cone = cone_of(light, view.dome, view.map);
+    if (!cone) return light;
+    const glm::dvec3 side = std::cos(drag.grip.azimuth) * cone->u + std::sin(drag.grip.azimuth) * cone->v;
+    // The rim moves on a circle round the light, in the plane of the axis and the place taken hold of.
+    const glm::dvec3 hand = (cone->rim(drag.grip.azimuth) - cone->place) / cone->slant;
+    const glm::dvec2 offset = project(view.map, cone->rim(drag.grip.azimuth)).pixel - drag.grabbed_px;
+    const double turn = turn_towards(view.map, {cone->place, cone->slant}, hand, glm::cross(cone->axis, side),
+                                     cursor_px + offset);
+    double cutoff = std::clamp((cone->angle + turn) * 180 / pi, 0.0, 90.0);
+    if (snap) cutoff = std::round(cutoff / 5) * 5;
+    light.spot.cutoff_deg = static_cast<float>(cutoff);
+    return light;
+}
+
+Light with_edges(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
+    Light light = drag.start;
+    const auto panel = panel_of(light, view.map);
+    if (!panel) return light;
+    const glm::dvec3 grip = panel->point(drag.grip.at);
+    const glm::dvec2 offset = project(view.map, grip).pixel - drag.grabbed_px;
+    const auto there = on_plane(view.map, panel->place, panel->normal(), cursor_px + offset);
+    if (!there) return light;
+    // There = place + a u + b v; the edges may stand at any angle to one another.
+    const glm::dvec3 way = *there - panel->place;
+    const double uu = glm::dot(panel->u, panel->u), uv = glm::dot(panel->u, panel->v),
+                 vv = glm::dot(panel->v, panel->v), det = uu * vv - uv * uv;
+    const double wu = glm::dot(way, panel->u), wv = glm::dot(way, panel->v);
+    const double a = (wu * vv - wv * uv) / det, b = (wv * uu - wu * uv) / det;
+    const auto scaled = [&](glm::vec3 edge, double share) {
+        double length = double(glm::length(edge)) * std::max(share, least_edge);
+        if (snap) length = std::max(std::round(length / view.snap_step), 1.0) * view.snap_step;
+        return glm::vec3(glm::normalize(glm::dvec3(edge)) * length);
+    };
+    if (drag.grip.at.x != 0) light.area.edge_u = scaled(light.area.edge_u, a * drag.grip.at.x);
+    if (drag.grip.at.y != 0) light.area.edge_v = scaled(light.area.edge_v, b * drag.grip.at.y);
+    return light;
+}
+
+Light with_aim(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
+    const glm::dvec3 place = handle_of(drag.start, view.dome, view.map);
+    const glm::dvec3 aim = aim_of(drag.start, view);
+    const double reach = glm::length(drag.grip.place - place);
+    const OnScreen tip = project(view.map, drag.grip.place);
+    if (!tip.in_front || !(reach > 0)) return drag.start;
+    const bool nearer = glm::dot(aim, ray_through(view.map, tip.pixel).direction) <= 0;
+    const Ray ray = ray_through(view.map, tip.pixel + cursor_px - drag.grabbed_px);
+    const glm::dvec3 wanted = glm::normalize(on_dome({place, reach}, ray, nearer) - place);
+    return turned_towards(drag.start, snap ? snapped(wanted) : wanted, view);
+}
+
+}  // namespace
+
+glm::dvec3 ConeShape::middle() const { return place + slant * std::cos(angle) * axis; }
+
+glm::dvec3 ConeShape::rim(double azimuth) const {
+    return middle() + slant * std::sin(angle) * (std::cos(azimuth) * u + std::sin(azimuth) * v);
+}
+
+std::optional<ConeShape> cone_of(const Light& light, const Dome& dome, const ScreenMap& map) {
+    if (light.kind != LightKind::Spot || light.spot.cutoff_deg > 90) return {};
+    ConeShape cone;
+    cone.place = handle_of(light, dome, map);
+    cone.axis = glm::normalize(to_world(light, light.spot.direction, 0, map));
+    const Across sides = across(cone.axis);
+    cone.u = sides.u, cone.v = sides.v;
+    cone.slant = std::max(0.35 * glm::length(dome.centre - cone.place), 0.2 * dome.radius);
+    cone.angle = double(light.spot.cutoff_deg) * pi / 180;
+    return cone;
+}
+
+glm::dvec3 PanelShape::normal() const { return glm::normalize(glm::cross(u, v)); }
+
+glm::dvec3 PanelShape::tip() const {
+    return place + 1.5 * std::max(glm::length(u), glm::length(v)) * normal();
+}
+
+std::optional<PanelShape> panel_of(const Light& light, const ScreenMap& map) {
+    if (light.kind != LightKind::Area) return {};
+    return PanelShape{handle_of(light, {}, map), to_world(light, light.area.edge_u, 0, map),
+                      to_world(light, light.area.edge_v, 0, map)};
+}
+
+std::vector<ShapeGrip> shape_grips(const Light& light, const Dome& dome, const ScreenMap& map) {
+    std::vector<ShapeGrip> grips;
+    if (const auto cone = cone_of(light, dome, map)) {
+        grips.push_back({ShapePart::Aim, 0, {}, cone->tip()});
+        for (int i = 0; i < 4; ++i) grips.push_back({ShapePart::Rim, i * pi / 2, {}, cone->rim(i * pi / 2)});
+    }
+    if (const auto panel = panel_of(light, map)) {
+        grips.push_back({ShapePart::Aim, 0, {}, panel->tip()});
+        for (int x = -1; x <= 1; ++x)
+            for (int y = -1; y <= 1; ++y) {
+                if (x == 0 && y == 0) continue;
+                const ShapePart part = x != 0 && y != 0 ? ShapePart::Corner : ShapePart::Edge;
+                grips.push_back({part, 0, {x, y}, panel->point({x, y})});
+            }
+    }
+    return grips;
+}
+
+glm::dvec3 place_of(const ShapeGrip& grip, const Light& light, const Dome& dome, const ScreenMap& map) {
+    if (const auto cone = cone_of(light, dome, map))
+        return grip.part == ShapePart::Rim ? cone->rim(grip.azimuth) : cone->tip();
+    if (const auto panel = panel_of(light, map))
+        return grip.part == ShapePart::Aim ? panel->tip() : panel->point(grip.at);
+    return grip.place;
+}
+
+std::optional<ShapeGrip> shape_under(const Light& light, const PictureView& view, glm::dvec2 cursor_px) {
+    const double reach = double(px(8)) / double(view.units_per_pixel);
+    std::optional<ShapeGrip> best;
+    double nearest = reach;
+    const auto offer = [&](const ShapeGrip& grip) {
+        const OnScreen at = project(view.map, grip.place);
+        const double distance = glm::length(at.pixel - cursor_px);
+        if (!at.in_front || distance > nearest) return;
+        nearest = distance;
+        best = grip;
+    };
+    for (const ShapeGrip& grip : shape_grips(light, view.dome, view.map)) offer(grip);
+    if (best) return best;
+    if (const auto cone = cone_of(light, view.dome, view.map))
+        for (int i = 0; i < 180; ++i) offer({ShapePart::Rim, i * pi / 90, {}, cone->rim(i * pi / 90)});
+    return best;
+}
+
+Light dragged_shape(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
+    switch (drag.grip.part) {
+    case ShapePart::Rim:
+        return with_cutoff(drag, view, cursor_px, snap);
+    case ShapePart::Aim:
+        return with_aim(drag, view, cursor_px, snap);
+    case ShapePart::Corner:
+    case ShapePart::Edge:
+        return with_edges(drag, view, cursor_px, snap);
+    }
+    return drag.start;  // not reached
+}
+
+Light aimed_at(const Light& light, glm::dvec3 place, const DragView& view) {
+    const glm::dvec3 way = place - handle_of(light, view.dome, view.map);
+    return glm::length(way) > 1e-9 ? turned_towards(light, glm::normalize(way), view) : light;
+}
+
+}  // namespace glint

@@ -1,0 +1,230 @@
+#include "ui/picture/handles/object_drag.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+
+#include "ui/picture/handles/drag_math.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+namespace {
+
+constexpr double pi = std::numbers::pi, degree = pi / 180;
+constexpr float axis_units = 84;  // of the design
+constexpr double least_scale = 0.01;
+
+glm::dmat3 rotation_of(const Transform& transform) {
+    Transform turn;
+    turn.rotate_deg = transform.rotate_deg;
+    return glm::dmat3(world_from_object(turn));
+}
+
+int axis_of(GizmoPart part) { return static_cast<int>(part) % 3; }
+
+bool is_axis(GizmoPart part) { return part <= GizmoPart::Z; }
+
+Transform moved(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
+    const ObjectGizmo& g = drag.gizmo;
+    glm::dvec3 motion(0);
+    if (is_axis(drag.part)) {
+        const glm::dvec3 axis = g.axes[static_cast<std::size_t>(axis_of(drag.part))];
+        motion = (along_line(view.map, g.origin, axis, cursor_px) -
+                  along_line(view.map, g.origin, axis, drag.grabbed_px)) *
+                 axis;
+    } else if (drag.part == GizmoPart::Free) {
+        const double depth = project(view.map, g.origin).depth;
+        motion = unproject(view.map, cursor_px, depth) - unproject(view.map, drag.grabbed_px, depth);
+    } else {
+        const glm::dvec3 normal = g.axes[static_cast<std::size_t>(axis_of(drag.part))];
+        const auto from = on_plane(view.map, g.origin, normal, drag.grabbed_px),
+                   to = on_plane(view.map, g.origin, normal, cursor_px);
+        if (from && to) motion = *to - *from;
+    }
+    Transform t = drag.start;
+    for (int i = 0; i < 3; ++i) {
+        if (std::abs(motion[i]) < 1e-12) continue;
+        const double place = double(t.translate[i]) + motion[i];
+        t.translate[i] = float(snap ? std::round(place / view.snap_step) * view.snap_step : place);
+    }
+    return t;
+}
+
+/// The line of sight towards the object, or the axis of a ring.
+glm::dvec3 ring_axis(const ObjectGizmo& gizmo, GizmoPart part) {
+    return is_axis(part) ? gizmo.axes[static_cast<std::size_t>(axis_of(part))] : gizmo.to_eye;
+}
+
+Transform turned(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
+    const ObjectGizmo& g = drag.gizmo;
+    const glm::dvec3 axis = ring_axis(g, drag.part);
+    const Dome circle{g.origin, g.length};
+    // From where the ring was taken hold of to where the cursor is.
+    const glm::dvec3 start = across(axis).u;
+    const double from = turn_towards(view.map, circle, start, axis, drag.grabbed_px);
+    const glm::dvec3 held = rotated(start, axis, from);
+    double angle = turn_towards(view.map, circle, held, axis, cursor_px);
+    if (snap) angle = std::round(angle / (15 * degree)) * 15 * degree;
+    Transform t = drag.start;
+    if (std::abs(angle) < 1e-9) return t;
+    const glm::dmat3 turn(rotated({1, 0, 0}, axis, angle), rotated({0, 1, 0}, axis, angle),
+                          rotated({0, 0, 1}, axis, angle));
+    t.rotate_deg = euler_deg(turn * rotation_of(drag.start), drag.start.rotate_deg);
+    const glm::dvec3 arm = glm::dvec3(drag.start.translate) - g.origin;
+    if (arm != glm::dvec3(0)) t.translate = glm::vec3(g.origin + turn * arm);
+    return t;
+}
+
+float scaled(float scale, double factor, bool snap) {
+    const double size = std::max(std::abs(double(scale)) * std::max(factor, 0.0), least_scale);
+    const double rounded = snap ? std::max(std::round(size * 10), 1.0) / 10 : size;
+    return float(scale < 0 ? -rounded : rounded);
+}
+
+Transform resized(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
+    const ObjectGizmo& g = drag.gizmo;
+    Transform t = drag.start;
+    if (!is_axis(drag.part)) {
+        // Away from the middle, to the right or up, is larger; a third of the picture's height is a factor e.
+        const glm::dvec2 way = cursor_px - drag.grabbed_px;
+        const double factor = std::exp(3 * (way.x - way.y) / view.map.size.height);
+        for (int i = 0; i < 3; ++i) t.scale[i] = scaled(t.scale[i], factor, snap);
+        return t;
+    }
+    const int i = axis_of(drag.part);
+    const glm::dvec3 axis = g.axes[static_cast<std::size_t>(i)];
+    const double from = along_line(view.map, g.origin, axis, drag.grabbed_px),
+                 to = along_line(view.map, g.origin, axis, cursor_px);
+    if (std::abs(from) > 1e-3 * g.length) t.scale[i] = scaled(t.scale[i], to / from, snap);
+    return t;
+}
+
+/// Distance of the cursor from a line on the screen; far where it is not in front of the eye.
+double distance_to_line(const PictureView& view, glm::dvec3 a, glm::dvec3 b, glm::dvec2 cursor_px) {
+    const OnScreen from = project(view.map, a), to = project(view.map, b);
+    if (!from.in_front || !to.in_front) return 1e9;
+    const glm::dvec2 way = to.pixel - from.pixel;
+    const double length = glm::dot(way, way);
+    const double t = length > 0 ? std::clamp(glm::dot(cursor_px - from.pixel, way) / length, 0.0, 1.0) : 0;
+    return glm::length(from.pixel + t * way - cursor_px);
+}
+
+double distance_to_ring(const ObjectGizmo& gizmo, glm::dvec3 axis, double radius, const PictureView& view,
+                        glm::dvec2 cursor_px) {
+    const auto [u, v] = across(axis);
+    double nearest = 1e9;
+    constexpr int sides = 64;
+    for (int i = 0; i < sides; ++i) {
+        const auto point = [&, u = u, v = v](int k) {
+            const double a = 2 * pi * k / sides;
+            return gizmo.origin + radius * (std::cos(a) * u + std::sin(a) * v);
+        };
+        nearest = std::min(nearest, distance_to_line(view, point(i), point(i + 1), cursor_px));
+    }
+    return nearest;
+}
+
+/// Of the three axes or rings the one nearest to the cursor, if within reach.
+std::optional<GizmoPart> axis_under(const ObjectGizmo& gizmo, GizmoMode mode, const PictureView& view,
+                                    glm::dvec2 cursor_px, double reach) {
+    std::optional<GizmoPart> best;
+    double nearest = reach;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 axis = gizmo.axes[i];
+        const double distance = mode == GizmoMode::Rotate
+                                    ? distance_to_ring(gizmo, axis, gizmo.length, view, cursor_px)
+                                    : distance_to_line(view, gizmo.origin + 0.2 * gizmo.length * axis,
+                                                       gizmo.origin + 1.1 * gizmo.length * axis, cursor_px);
+        if (distance > nearest) continue;
+        nearest = distance;
+        best = static_cast<GizmoPart>(i);
+    }
+    return best;
+}
+
+std::optional<GizmoPart> plane_under(const ObjectGizmo& gizmo, const PictureView& view,
+                                     glm::dvec2 cursor_px) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto there = on_plane(view.map, gizmo.origin, gizmo.axes[i], cursor_px);
+        if (!there) continue;
+        const glm::dvec3 way = (*there - gizmo.origin) / gizmo.length;
+        const double a = glm::dot(way, gizmo.axes[(i + 1) % 3]), b = glm::dot(way, gizmo.axes[(i + 2) % 3]);
+        if (a > plane_from && a < plane_to && b > plane_from && b < plane_to)
+            return static_cast<GizmoPart>(i + 3);
+    }
+    return {};
+}
+
+}  // namespace
+
+std::optional<ObjectGizmo> gizmo_of(const Transform& transform, GizmoMode mode, const PictureView& view,
+                                    const std::optional<glm::dvec3>& pivot) {
+    if (mode == GizmoMode::None) return {};
+    ObjectGizmo gizmo;
+    gizmo.origin = pivot && mode == GizmoMode::Rotate ? *pivot : glm::dvec3(transform.translate);
+    const OnScreen at = project(view.map, gizmo.origin);
+    if (!at.in_front || at.depth <= 0) return {};
+    const double units = double(px(axis_units)) / double(view.units_per_pixel);
+    gizmo.length = glm::length(unproject(view.map, at.pixel + glm::dvec2(units, 0), at.depth) - gizmo.origin);
+    gizmo.to_eye = -ray_through(view.map, at.pixel).direction;
+    const glm::dmat3 own = mode == GizmoMode::Scale ? rotation_of(transform) : glm::dmat3(1);
+    for (int i = 0; i < 3; ++i) gizmo.axes[static_cast<std::size_t>(i)] = own[i];
+    return gizmo;
+}
+
+std::optional<GizmoPart> gizmo_under(const ObjectGizmo& gizmo, GizmoMode mode, const PictureView& view,
+                                     glm::dvec2 cursor_px) {
+    const double unit = double(px(1)) / double(view.units_per_pixel);
+    const double from_middle = glm::length(project(view.map, gizmo.origin).pixel - cursor_px);
+    if (mode != GizmoMode::Rotate && from_middle < 9 * unit) return GizmoPart::Free;
+    if (const auto axis = axis_under(gizmo, mode, view, cursor_px, 7 * unit)) return axis;
+    if (mode == GizmoMode::Move) return plane_under(gizmo, view, cursor_px);
+    if (mode == GizmoMode::Rotate &&
+        distance_to_ring(gizmo, gizmo.to_eye, 1.18 * gizmo.length, view, cursor_px) < 7 * unit)
+        return GizmoPart::Free;
+    return {};
+}
+
+Transform dragged_object(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
+    switch (drag.mode) {
+    case GizmoMode::None:
+        return drag.start;
+    case GizmoMode::Move:
+        return moved(drag, view, cursor_px, snap);
+    case GizmoMode::Rotate:
+        return turned(drag, view, cursor_px, snap);
+    case GizmoMode::Scale:
+        return resized(drag, view, cursor_px, snap);
+    }
+    return drag.start;  // not reached
+}
+
+glm::vec3 euler_deg(const glm::dmat3& r, glm::vec3 near_deg) {
+    const glm::dvec3 near = glm::dvec3(near_deg) * degree;
+    // Rz Ry Rx has -sin y at column 0, row 2; the rest follows from that column and that row.
+    const double sine = std::clamp(-r[0][2], -1.0, 1.0), y = std::asin(sine);
+    glm::dvec3 candidates[2];
+    if (std::abs(sine) > 1 - 1e-9) {
+        const double sum = std::atan2(-r[1][0], r[1][1]);  // z - x where y = 90, z + x where y = -90
+        candidates[0] = candidates[1] = {near.x, y, sine > 0 ? sum + near.x : sum - near.x};
+    } else {
+        candidates[0] = {std::atan2(r[1][2], r[2][2]), y, std::atan2(r[0][1], r[0][0])};
+        candidates[1] = {candidates[0].x + pi, pi - y, candidates[0].z + pi};
+    }
+    glm::dvec3 best = near;
+    double least = 1e9;
+    for (glm::dvec3 c : candidates) {
+        for (int i = 0; i < 3; ++i) c[i] += std::round((near[i] - c[i]) / (2 * pi)) * 2 * pi;
+        const double away = std::abs(c.x - near.x) + std::abs(c.y - near.y) + std::abs(c.z - near.z);
+        if (away >= least) continue;
+        least = away;
+        best = c;
+    }
+    // A thousandth of a degree: no hand is steadier, and 45 stays 45.
+    return glm::vec3(std::round(best.x / degree * 1000) / 1000, std::round(best.y / degree * 1000) / 1000,
+                     std::round(best.z / degree * 1000) / 1000);
+}
+
+}  // namespace glint

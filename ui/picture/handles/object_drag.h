@@ -1,0 +1,61 @@
+#pragma once
+// Moving, rotating and scaling an object by hand: where the gizmo is, what of it is under the cursor, and
+// what a drag makes of the transform. Pure functions; M = T Rz Ry Rx S (models/scene/transform.h).
+
+#include <array>
+#include <glm/mat3x3.hpp>
+#include <optional>
+
+#include "models/scene/transform.h"
+#include "ui/picture/handles/light_drag.h"
+#include "ui/picture/picture_view.h"
+
+namespace glint {
+
+enum class GizmoMode { None, Move, Rotate, Scale };
+
+/// Axes, and planes at right angles to them; Free: in the view plane, round the line of sight, all axes
+/// alike.
+enum class GizmoPart { X, Y, Z, PlaneX, PlaneY, PlaneZ, Free };
+
+/// Where the gizmo stands, world coordinates.
+struct ObjectGizmo {
+    glm::dvec3 origin{0};              // of the object, or what it is turned about
+    std::array<glm::dvec3, 3> axes{};  // unit: the world's, or (Scale) the object's own
+    double length = 1;                 // of an axis: the same on the screen wherever the object is
+    glm::dvec3 to_eye{0, 0, 1};        // unit, from the origin
+};
+
+/// `pivot`: what Rotate turns about, world coordinates, in place of the object's origin; other modes have no
+/// use for it. Nothing under None and where the gizmo's origin is not in front of the eye.
+[[nodiscard]] std::optional<ObjectGizmo> gizmo_of(const Transform& transform, GizmoMode mode,
+                                                  const PictureView& view,
+                                                  const std::optional<glm::dvec3>& pivot = {});
+
+/// The part under the cursor (pixels of the picture), axes before planes before Free.
+[[nodiscard]] std::optional<GizmoPart> gizmo_under(const ObjectGizmo& gizmo, GizmoMode mode,
+                                                   const PictureView& view, glm::dvec2 cursor_px);
+
+struct ObjectDrag {
+    Transform start;
+    ObjectGizmo gizmo;  // as it was then
+    GizmoMode mode = GizmoMode::Move;
+    GizmoPart part = GizmoPart::Free;
+    glm::dvec2 grabbed_px{0};
+};
+
+/// The transform after the cursor went to `cursor_px`. `snap`: places to multiples of the view's step,
+/// turns to multiples of 15 degrees, scales to tenths. Where the motion has no answer (an axis seen end on,
+/// a plane edge on) it is what the drag began with. Scales stay away from 0.
+[[nodiscard]] Transform dragged_object(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor_px,
+                                       bool snap);
+
+/// Angles x, y, z in degrees with Rz Ry Rx = `rotation`, of all that give it those nearest to `near_deg`.
+/// At y = +-90 degrees, where x and z turn round the same axis, x is near's.
+[[nodiscard]] glm::vec3 euler_deg(const glm::dmat3& rotation, glm::vec3 near_deg);
+
+/// The small squares between two axes by which an object is moved in a plane: from this to this share of the
+/// axes' length.
+inline constexpr double plane_from = 0.28, plane_to = 0.46;
+
+}  // namespace glint

@@ -1,0 +1,155 @@
+#include "ui/picture/magnifier.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "models/saturate.h"
+#include "models/scene/transform.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+namespace {
+
+constexpr float least_square = 10, least_number = 26, least_three = 44;  // window pixels a pixel
+
+struct PixelRange {
+    int x0, y0, x1, y1;  // x1 and y1 excluded
+};
+
+PixelRange visible(const ImDrawList& list, const PictureView& view) {
+    const glm::dvec2 low = view.to_pixel(list.GetClipRectMin()), high = view.to_pixel(list.GetClipRectMax());
+    const PictureSize size = view.map.size;
+    return {std::clamp(saturated_int(std::floor(low.x)), 0, size.width),
+            std::clamp(saturated_int(std::floor(low.y)), 0, size.height),
+            std::clamp(saturated_int(std::ceil(high.x)), 0, size.width),
+            std::clamp(saturated_int(std::ceil(high.y)), 0, size.height)};
+}
+
+std::pair<int, std::int64_t> face_at(const Renderer& renderer, PictureSize size, int x, int y) {
+    if (x < 0 || y < 0 || x >= size.width || y >= size.height) return {-1, -1};
+    const auto seen = renderer.seen_at(x, y);
+    return seen ? std::pair(seen->object, std::int64_t{seen->face}) : std::pair(-1, std::int64_t{-1});
+}
+
+void draw_number(ImDrawList& list, const PictureView& view, const Picture& shown, int x, int y) {
+    const std::size_t at = 4 * shown.pixel(x, y);
+    const int r = shown.rgba[at], g = shown.rgba[at + 1], b = shown.rgba[at + 2];
+    const bool light = 2126 * r + 7152 * g + 722 * b > 1'200'000;
+    const ImU32 ink = light ? IM_COL32(0, 0, 0, 210) : IM_COL32(255, 255, 255, 220);
+    const bool three = view.units_per_pixel >= px(least_three) && !(r == g && g == b);
+    const std::string text = three ? fmt::format("{}\n{}\n{}", r, g, b)
+                                   : fmt::format("{}", (2126 * r + 7152 * g + 722 * b + 5000) / 10000);
+    const float height = std::min(view.units_per_pixel * (three ? 0.28f : 0.4f), fonts().small->FontSize);
+    const ImVec2 size = fonts().figures->CalcTextSizeA(height, 1e9f, 0, text.c_str());
+    const ImVec2 middle = view.to_window(glm::dvec2(x, y) + 0.5);
+    list.AddText(fonts().figures, height, {middle.x - size.x / 2, middle.y - size.y / 2}, ink, text.c_str());
+}
+
+/// The stepped edges that rasterising makes: between pixels that show different faces.
+void draw_edges(ImDrawList& list, const PictureView& view, const Renderer& renderer,
+                const PixelRange& range) {
+    const PictureSize size = view.map.size;
+    const ImU32 colour = packed(theme().warning);
+    for (int y = range.y0; y < range.y1; ++y)
+        for (int x = range.x0; x < range.x1; ++x) {
+            const auto here = face_at(renderer, size, x, y);
+            if (x > 0 && face_at(renderer, size, x - 1, y) != here)
+                list.AddLine(view.to_window({x, y}), view.to_window({x, y + 1}), colour, px(2));
+            if (y > 0 && face_at(renderer, size, x, y - 1) != here)
+                list.AddLine(view.to_window({x, y}), view.to_window({x + 1, y}), colour, px(2));
+        }
+}
+
+/// The polygon as it is, straight, behind its stepped picture; and the scan line through the pixel.
+void draw_picked(ImDrawList& list, const PictureView& view, const Renderer& renderer, const Scene& drawn,
+                 glm::ivec2 picked) {
+    const PictureSize size = view.map.size;
+    list.AddRect(view.to_window({0, picked.y}), view.to_window({size.width, picked.y + 1}),
+                 packed(theme().accent), 0, 0, px(1.5f));
+    const auto seen = renderer.seen_at(picked.x, picked.y);
+    if (!seen || static_cast<std::size_t>(seen->object) >= drawn.objects.size()) return;
+    const Object& object = drawn.objects[static_cast<std::size_t>(seen->object)];
+    if (!object.mesh || seen->face + 1 >= object.mesh->first_corner.size()) return;
+    const glm::dmat4 world_from_object = glint::world_from_object(object.transform);
+    const std::uint32_t first = object.mesh->first_corner[seen->face],
+                        end = object.mesh->first_corner[seen->face + 1];
+    for (std::uint32_t i = first; i < end; ++i) {
+        const glm::vec3 corner = object.mesh->positions[object.mesh->corner_position[i]];
+        const OnScreen at =
+            project(view.map, glm::dvec3(world_from_object * glm::dvec4(glm::dvec3(corner), 1)));
+        if (!at.in_front) return list.PathClear();
+        list.PathLineTo(view.to_window(at.pixel));
+    }
+    list.PathStroke(packed({1, 1, 1, 1}, 0.9f), ImDrawFlags_Closed, px(1.5f));
+}
+
+}  // namespace
+
+void magnify(PictureView& view, const Rect& area, const MagnifierState& magnifier) {
+    if (magnifier.zoom <= 1) return;
+    const float plain = view.units_per_pixel;
+    view.units_per_pixel = plain * static_cast<float>(magnifier.zoom);
+    const auto place = [&](float low, float high, double share, int pixels) {
+        const float length = static_cast<float>(pixels) * view.units_per_pixel;
+        const float wanted = (low + high) / 2 - static_cast<float>(share) * length;
+        return std::round(std::clamp(wanted, std::min(high - length, low), low) / plain) * plain;
+    };
+    view.origin = {place(area.low.x, area.high.x, magnifier.centre.x, view.map.size.width),
+                   place(area.low.y, area.high.y, magnifier.centre.y, view.map.size.height)};
+}
+
+void zoom_about(MagnifierState& magnifier, int zoom, glm::dvec2 share) {
+    zoom = std::clamp(zoom, 1, most_zoom);
+    const double shrink = double(magnifier.zoom) / zoom;
+    magnifier.centre = glm::clamp(share + (magnifier.centre - share) * shrink, 0.0, 1.0);
+    magnifier.zoom = zoom;
+}
+
+bool magnifier_hand(MagnifierState& magnifier, const PictureView& view) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (!ImGui::IsMousePosValid()) return false;
+    const glm::dvec2 size(view.map.size.width, view.map.size.height);
+    const glm::dvec2 share = view.to_pixel(io.MousePos) / size;
+    if (ImGui::IsItemHovered() && io.KeyCtrl && io.MouseWheel != 0) {
+        const int zoom = io.MouseWheel > 0 ? magnifier.zoom * 2 : magnifier.zoom / 2;
+        zoom_about(magnifier, zoom, share);
+        io.MouseWheel = 0;  // the camera does not move too
+        return true;
+    }
+    if (magnifier.zoom <= 1) return magnifier.moves = false;
+    if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+        magnifier.moves = true;
+        magnifier.last = {io.MousePos.x, io.MousePos.y};
+    }
+    if (!magnifier.moves) return false;
+    const glm::dvec2 now(io.MousePos.x, io.MousePos.y);
+    magnifier.centre = glm::clamp(
+        magnifier.centre - (now - magnifier.last) / (size * double(view.units_per_pixel)), 0.0, 1.0);
+    magnifier.last = now;
+    magnifier.moves = ImGui::IsMouseDown(ImGuiMouseButton_Right);
+    return true;
+}
+
+void draw_big_pixels(ImDrawList& list, const MagnifierState& magnifier, const PictureView& view,
+                     const Picture& shown, const Renderer& renderer, const Scene& drawn,
+                     std::optional<glm::ivec2> picked) {
+    if (magnifier.zoom <= 1 || view.units_per_pixel < px(least_square) || !(shown.size == view.map.size))
+        return;
+    const PixelRange range = visible(list, view);
+    const ImU32 line = packed({0.5f, 0.5f, 0.5f, 1}, 0.35f);
+    for (int x = range.x0; x <= range.x1; ++x)
+        list.AddLine(view.to_window({x, range.y0}), view.to_window({x, range.y1}), line);
+    for (int y = range.y0; y <= range.y1; ++y)
+        list.AddLine(view.to_window({range.x0, y}), view.to_window({range.x1, y}), line);
+    draw_edges(list, view, renderer, range);
+    if (picked) draw_picked(list, view, renderer, drawn, *picked);
+    if (view.units_per_pixel < px(least_number)) return;
+    for (int y = range.y0; y < range.y1; ++y)
+        for (int x = range.x0; x < range.x1; ++x) draw_number(list, view, shown, x, y);
+}
+
+}  // namespace glint

@@ -1,0 +1,38 @@
+#pragma once
+// Big pixels: the picture enlarged as it is, without another look by the camera, until each pixel is a square
+// with its number in it. Lecture: "Gouraud Shading" (scanlines), "Shading Artifacts" (silhouettes).
+
+#include <imgui.h>
+
+#include <glm/vec2.hpp>
+
+#include "renderer/renderer.h"
+#include "ui/picture/picture_view.h"
+#include "ui/shell/layout.h"
+
+namespace glint {
+
+struct MagnifierState {
+    int zoom = 1;            // 1, 2, 4 ... 64: window pixels a pixel
+    glm::dvec2 centre{0.5};  // what lies in the middle, as a share of the picture's size
+    bool moves = false;      // dragged by the right button
+    glm::dvec2 last{0};
+};
+inline constexpr int most_zoom = 64, usual_zoom = 32;
+
+/// Enlarges the picture's place in the window about the middle of `area`, and keeps `area` covered.
+void magnify(PictureView& view, const Rect& area, const MagnifierState& magnifier);
+
+/// Another zoom, the pixel at `share` staying where it is in the window.
+void zoom_about(MagnifierState& magnifier, int zoom, glm::dvec2 share);
+
+/// Ctrl and the wheel zoom, the right button moves. True while the magnifier has the mouse.
+[[nodiscard]] bool magnifier_hand(MagnifierState& magnifier, const PictureView& view);
+
+/// Squares, their numbers, edges between faces, and the scan line and polygon of the picked pixel. Nothing
+/// before a pixel is large enough.
+void draw_big_pixels(ImDrawList& list, const MagnifierState& magnifier, const PictureView& view,
+                     const Picture& shown, const Renderer& renderer, const Scene& drawn,
+                     std::optional<glm::ivec2> picked);
+
+}  // namespace glint

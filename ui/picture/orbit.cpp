@@ -1,0 +1,111 @@
+#include "ui/picture/orbit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+#include <numbers>
+#include <utility>
+
+#include "ui/picture/screen.h"
+
+namespace glint {
+namespace {
+
+constexpr double closest = 1e-4, farthest = 1e7;  // eye to target, scene units
+constexpr double pole_margin = std::numbers::pi / 180;
+
+bool usable(const Camera& camera) {
+    const double distance = target_depth(camera);
+    const auto inside = [](glm::vec3 v) {
+        return glm::all(glm::lessThan(glm::abs(v), glm::vec3(float(farthest) * 10)));
+    };
+    return distance > closest && distance < farthest && inside(camera.eye) && inside(camera.target);
+}
+
+/// Depths of the nearest and farthest corner of a box in front of a camera.
+std::pair<double, double> depths_of(const Camera& camera, const Bounds& bounds) {
+    const glm::dmat4 view = view_from_world(camera);
+    double low = 1e300, high = -1e300;
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 corner{(i & 1) != 0 ? bounds.max.x : bounds.min.x,
+                                (i & 2) != 0 ? bounds.max.y : bounds.min.y,
+                                (i & 4) != 0 ? bounds.max.z : bounds.min.z};
+        const double depth = -(view * glm::dvec4(corner, 1)).z;
+        low = std::min(low, depth);
+        high = std::max(high, depth);
+    }
+    return {low, high};
+}
+
+}  // namespace
+
+double target_depth(const Camera& camera) {
+    return glm::length(glm::dvec3(camera.target) - glm::dvec3(camera.eye));
+}
+
+void orbit(Camera& camera, glm::dvec2 motion_px, PictureSize size) {
+    const double turn = 2 * std::numbers::pi / size.height;
+    const glm::dvec3 up = glm::normalize(glm::dvec3(camera.up));
+    const glm::dvec3 arm = glm::dvec3(camera.eye) - glm::dvec3(camera.target);
+    const double radius = glm::length(arm);
+    const double from_pole = std::acos(std::clamp(glm::dot(arm, up) / radius, -1.0, 1.0));
+    const glm::dvec3 level = glm::normalize(arm - glm::dot(arm, up) * up), side = glm::cross(up, level);
+    const double yaw = -motion_px.x * turn;
+    const double polar =
+        std::clamp(from_pole - motion_px.y * turn, pole_margin, std::numbers::pi - pole_margin);
+    const glm::dvec3 outward = std::cos(yaw) * level + std::sin(yaw) * side;
+    camera.eye =
+        glm::vec3(glm::dvec3(camera.target) + radius * (std::cos(polar) * up + std::sin(polar) * outward));
+}
+
+void pan(Camera& camera, glm::dvec2 from_px, glm::dvec2 to_px, double depth, PictureSize size) {
+    const ScreenMap map = screen_map(camera, size);
+    const glm::dvec3 shift = unproject(map, from_px, depth) - unproject(map, to_px, depth);
+    Camera moved = camera;
+    moved.eye = glm::vec3(glm::dvec3(camera.eye) + shift);
+    moved.target = glm::vec3(glm::dvec3(camera.target) + shift);
+    if (usable(moved)) camera = moved;
+}
+
+void dolly(Camera& camera, glm::dvec2 cursor_px, double depth, double factor, PictureSize size) {
+    const ScreenMap map = screen_map(camera, size);
+    const glm::dvec3 anchor = unproject(map, cursor_px, depth);
+    Camera moved = camera;
+    if (auto* flat = std::get_if<Orthographic>(&moved.projection)) {
+        const double height = flat->height * factor;
+        if (height < closest || height > farthest) return;
+        flat->height = static_cast<float>(height);
+        const glm::dvec3 shift =
+            unproject(map, cursor_px, depth) - unproject(screen_map(moved, size), cursor_px, depth);
+        moved.eye = glm::vec3(glm::dvec3(camera.eye) + shift);
+        moved.target = glm::vec3(glm::dvec3(camera.target) + shift);
+    } else {
+        moved.eye = glm::vec3(anchor + factor * (glm::dvec3(camera.eye) - anchor));
+        moved.target = glm::vec3(anchor + factor * (glm::dvec3(camera.target) - anchor));
+    }
+    if (usable(moved)) camera = moved;
+}
+
+void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds) {
+    const auto [low_before, high_before] = depths_of(before, bounds);
+    if (low_before < near_of(before.projection) || high_before > far_of(before.projection)) return;
+    const auto [low, high] = depths_of(camera, bounds);
+    std::visit(
+        [low = low, high = high](auto& p) {
+            const float near_before = p.near;
+            if (high > p.far) p.far = static_cast<float>(high * 1.5);
+            // A near plane at the eye would waste all of the depth's precision.
+            if (low < p.near) p.near = static_cast<float>(std::clamp(low / 2, p.far * 1e-4, double(p.near)));
+            // The window of a frustum lies on its near plane: it shrinks with it, or the angle would change.
+            if constexpr (requires { p.left; }) {
+                const float share = p.near / near_before;
+                p.left *= share, p.right *= share, p.bottom *= share, p.top *= share;
+            } else {
+                (void)near_before;
+            }
+        },
+        camera.projection);
+}
+
+}  // namespace glint

@@ -1,0 +1,115 @@
+#include "ui/picture/pen.h"
+
+#include <glm/geometric.hpp>
+
+#include "ui/widgets/icons.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr float line_width = 3.5f;            // units of the design
+constexpr double least_step = 1.5;            // pixels between places of a line
+constexpr std::size_t most_places = 200'000;  // of all lines together
+
+glm::vec2 to_place(glm::dvec2 pixel, const PictureView& view) {
+    const double height = view.map.size.height;
+    return {(pixel.x - view.map.size.width / 2.0) / height, (pixel.y - height / 2) / height};
+}
+
+ImVec2 to_window(glm::vec2 place, const PictureView& view) {
+    const double height = view.map.size.height;
+    return view.to_window({view.map.size.width / 2.0 + place.x * height, height / 2 + place.y * height});
+}
+
+void begin_line(PenState& pen, glm::vec2 place) {
+    std::size_t places = 0;
+    for (const PenLine& line : pen.lines) places += line.places.size();
+    if (places > most_places) return;
+    pen.lines.push_back({{place}, pen.colour});
+    pen.drawing = true;
+}
+
+}  // namespace
+
+ImVec4 pen_colour(int index) {
+    // Okabe and Ito's yellow, sky blue, vermillion and green; white. On a picture: not the theme's.
+    static const ImVec4 colours[pen_colour_count] = {{0.94f, 0.89f, 0.26f, 1},
+                                                     {0.34f, 0.71f, 0.91f, 1},
+                                                     {0.84f, 0.37f, 0, 1},
+                                                     {0, 0.62f, 0.45f, 1},
+                                                     {1, 1, 1, 1}};
+    return colours[index];
+}
+
+bool pen_hand(PenState& pen, const PictureView& view) {
+    if (!pen.on) return pen.drawing = false;
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool hovered = ImGui::IsItemHovered() && ImGui::IsMousePosValid();
+    const glm::dvec2 pixel = view.to_pixel(io.MousePos);
+    if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) begin_line(pen, to_place(pixel, view));
+    if (pen.drawing && ImGui::IsMousePosValid()) {
+        auto& places = pen.lines.back().places;
+        const glm::vec2 place = to_place(pixel, view);
+        if (glm::distance(place, places.back()) * float(view.map.size.height) >= float(least_step))
+            places.push_back(place);
+    }
+    if (!io.MouseDown[ImGuiMouseButton_Left]) pen.drawing = false;
+    // The other buttons and the wheel still move the camera.
+    return pen.drawing || (hovered && !io.MouseDown[ImGuiMouseButton_Right] &&
+                           !io.MouseDown[ImGuiMouseButton_Middle] && io.MouseWheel == 0);
+}
+
+void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view) {
+    for (const PenLine& line : pen.lines) {
+        for (const bool rim : {true, false}) {  // a dark rim keeps it visible on every ground
+            const ImU32 colour = rim ? IM_COL32(0, 0, 0, 130) : packed(pen_colour(line.colour));
+            const float width = px(rim ? line_width + 2 : line_width);
+            if (line.places.size() == 1) {
+                list.AddCircleFilled(to_window(line.places[0], view), width * 0.75f, colour);
+                continue;
+            }
+            for (const glm::vec2 place : line.places) list.PathLineTo(to_window(place, view));
+            list.PathStroke(colour, 0, width);
+        }
+    }
+}
+
+void pen_bar(PenState& pen, const PictureView& view) {
+    if (!pen.on) return;
+    const float middle = view.origin.x + float(view.map.size.width) * view.units_per_pixel / 2;
+    ImGui::SetNextWindowPos({middle, view.origin.y + px(8)}, ImGuiCond_Always, {0.5f, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(8));
+    ImGui::Begin("##pen", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_NoNav);
+    const float size = ImGui::GetFrameHeight();
+    for (int i = 0; i < pen_colour_count; ++i) {
+        ImGui::PushID(i);
+        if (hit_area("##colour", {size, size})) pen.colour = i;
+        const ImVec2 low = ImGui::GetItemRectMin(), mid{low.x + size / 2, low.y + size / 2};
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.AddCircleFilled(mid, size * 0.32f, packed(pen_colour(i)));
+        if (pen.colour == i) list.AddCircle(mid, size * 0.45f, packed(theme().text), 0, px(1.5f));
+        tooltip("Pen", "Draws in this colour over the picture");
+        ImGui::PopID();
+        ImGui::SameLine(0, px(2));
+    }
+    ImGui::SameLine(0, px(10));
+    ImGui::BeginDisabled(pen.lines.empty());
+    if (icon_button("##back", Icon::Undo)) pen.lines.pop_back();
+    tooltip("Last line", "Takes the last line back");
+    ImGui::SameLine(0, px(4));
+    if (ImGui::Button("Wipe")) pen.lines.clear();
+    tooltip("Wipe", "Takes all lines away", "Shift+W");
+    ImGui::EndDisabled();
+    ImGui::SameLine(0, px(4));
+    if (icon_button("##away", Icon::Close)) pen.on = false;
+    tooltip("Put the pen away", "The lines stay until they are wiped", "W, Esc");
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace glint

@@ -1,0 +1,38 @@
+#pragma once
+// A pen to draw over the picture with, as on a blackboard. What it draws is nobody's scene and no picture's.
+
+#include <imgui.h>
+
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "ui/picture/picture_view.h"
+
+namespace glint {
+
+/// A line of the pen. Places count from the picture's middle, in its heights, so that a line stays on what it
+/// was drawn on when the window changes.
+struct PenLine {
+    std::vector<glm::vec2> places;
+    int colour = 0;  // of pen_colours
+    bool operator==(const PenLine&) const = default;
+};
+
+struct PenState {
+    bool on = false, drawing = false;
+    int colour = 0;
+    std::vector<PenLine> lines;
+};
+
+inline constexpr int pen_colour_count = 5;
+[[nodiscard]] ImVec4 pen_colour(int index);
+
+/// Reads the mouse over the picture, the item drawn last. True while the pen has it.
+[[nodiscard]] bool pen_hand(PenState& pen, const PictureView& view);
+
+void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view);
+
+/// Its colours, the way back and the sponge, at the picture's upper edge, while the pen is in hand.
+void pen_bar(PenState& pen, const PictureView& view);
+
+}  // namespace glint

@@ -1,0 +1,204 @@
+#include "ui/picture/viewport.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "models/saturate.h"
+#include "ui/picture/orbit.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+namespace {
+
+constexpr double drag_threshold = 3;  // units of the design before a press becomes a drag
+constexpr double wheel_step = 0.88;   // of the distance, per notch
+constexpr double scroll_units = 36;   // of the design, that a notch pans or turns by
+constexpr double wheel_pause = 0.6;   // seconds: notches closer than this are one step
+
+glm::dvec2 cursor_px(const ViewportFrame& frame) { return frame.view.to_pixel(ImGui::GetIO().MousePos); }
+
+/// Depth of what shows under the cursor; of the target over the background.
+double depth_under(const ViewportFrame& frame, glm::dvec2 pixel) {
+    const PictureSize size = frame.view.map.size;
+    const bool inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.width && pixel.y < size.height;
+    const float depth =
+        inside && frame.renderer != nullptr ? frame.renderer->depth_at(int(pixel.x), int(pixel.y)) : 0;
+    return depth > 0 ? double(depth) : target_depth(frame.scene.camera);
+}
+
+HandKeys hand_keys(const UiInput& input) {
+    const ImGuiIO& io = ImGui::GetIO();
+    return {io.KeyShift, io.KeyCtrl, io.KeyAlt, input.axis_held};
+}
+
+void begin(ViewportState& state, const ViewportFrame& frame, Gesture gesture, int button) {
+    state.gesture = gesture;
+    state.button = button;
+    state.before = frame.scene;
+    state.pressed_px = state.last_px = cursor_px(frame);
+    state.grip_depth = depth_under(frame, state.pressed_px);
+}
+
+void press(ViewportState& state, ViewportFrame& frame) {
+    if (!state.hovered) return;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        begin(state, frame, Gesture::Press, ImGuiMouseButton_Left);
+        state.pressed_grip = state.hovered_grip;
+        if (!state.hovered_grip.is_mark()) return;
+        if (state.hovered_grip.kind == GripKind::Light)
+            frame.selection = {Selection::Kind::Light, state.hovered_grip.item};
+        if (!state.hovered_grip.in_picture) state.gesture = Gesture::None;
+    } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle) ||
+               ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+        const bool middle = ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
+        begin(state, frame, ImGui::GetIO().KeyCtrl ? Gesture::Dolly : Gesture::Pan,
+              middle ? ImGuiMouseButton_Middle : ImGuiMouseButton_Right);
+    }
+}
+
+/// With Alt nothing but the camera is taken hold of.
+void hover(ViewportState& state, const ViewportFrame& frame) {
+    state.hovered_grip =
+        state.hovered && !ImGui::GetIO().KeyAlt ? grip_under(frame, cursor_px(frame)) : Grip{};
+}
+
+/// A press that moved far enough becomes a drag.
+void decide(ViewportState& state, const ViewportFrame& frame, const UiInput& input) {
+    const double moved = glm::length(cursor_px(frame) - state.pressed_px) * frame.view.units_per_pixel;
+    if (moved < double(px(float(drag_threshold)))) return;
+    if (state.pressed_grip) {
+        state.gesture = Gesture::Hand;
+        state.held = take_hold(frame, state.pressed_grip, state.pressed_px, hand_keys(input));
+        return;
+    }
+    const ImGuiIO& io = ImGui::GetIO();
+    state.gesture = io.KeyShift ? Gesture::Pan : io.KeyCtrl ? Gesture::Dolly : Gesture::Orbit;
+}
+
+void move(ViewportState& state, ViewportFrame& frame, const UiInput& input) {
+    if (state.gesture == Gesture::Press) decide(state, frame, input);
+    const glm::dvec2 cursor = cursor_px(frame), motion = cursor - state.last_px;
+    const PictureSize size = frame.view.map.size;
+    Camera& camera = frame.scene.camera;
+    switch (state.gesture) {
+    case Gesture::None:
+    case Gesture::Press:
+        return;
+    case Gesture::Hand:
+        drag_held(state.held, frame, cursor, state.last_px, hand_keys(input));
+        break;
+    case Gesture::Orbit:
+        orbit(camera, motion, size);
+        break;
+    case Gesture::Pan:
+        pan(camera, state.last_px, cursor, state.grip_depth, size);
+        break;
+    case Gesture::Dolly:
+        dolly(camera, state.pressed_px, depth_under(frame, state.pressed_px),
+              std::exp(motion.y / size.height * 3), size);
+        break;
+    }
+    if (state.gesture != Gesture::Hand) keep_depth_range(camera, state.before.camera, frame.view.bounds);
+    state.touched = true;
+    state.last_px = cursor;
+}
+
+void click(ViewportState& state, ViewportFrame& frame) {
+    const PictureSize size = frame.view.map.size;
+    state.touched = true;
+    if (state.pressed_grip.is_mark()) return;  // it was selected when pressed
+    state.asked = true;
+    state.probe = glm::dvec2(state.pressed_px.x / size.width, state.pressed_px.y / size.height);
+}
+
+void release(ViewportState& state, ViewportFrame& frame) {
+    if (state.gesture == Gesture::Press) click(state, frame);
+    state.gesture = Gesture::None;
+    state.pressed_grip = {};
+    state.before = {};
+}
+
+void select_object_under(ViewportFrame& frame, glm::dvec2 pixel) {
+    if (frame.renderer == nullptr) return;
+    const PictureSize size = frame.view.map.size;
+    const int x = std::clamp(saturated_int(pixel.x), 0, size.width - 1),
+              y = std::clamp(saturated_int(pixel.y), 0, size.height - 1);
+    if (const int object = frame.renderer->object_at(x, y); object >= 0)
+        frame.selection = {Selection::Kind::Object, object};
+}
+
+/// The wheel, or two fingers on a trackpad: closer and away; with Shift, or sideways, the picture follows the
+/// fingers; with Alt the camera turns.
+void wheel(ViewportState& state, ViewportFrame& frame) {
+    const ImGuiIO& io = ImGui::GetIO();
+    state.wheel_goes_on = false;
+    const glm::dvec2 scrolled{io.MouseWheelH, io.MouseWheel};
+    if (!state.hovered || state.gesture != Gesture::None || scrolled == glm::dvec2(0)) return;
+    const Camera before = frame.scene.camera;
+    const glm::dvec2 cursor = cursor_px(frame);
+    const double depth = depth_under(frame, cursor);
+    const PictureSize size = frame.view.map.size;
+    const glm::dvec2 way = scrolled * (scroll_units * double(px(1)) / double(frame.view.units_per_pixel));
+    if (io.KeyAlt)
+        orbit(frame.scene.camera, way, size);
+    else if (io.KeyShift)
+        pan(frame.scene.camera, cursor, cursor + way, depth, size);
+    else {
+        if (way.x != 0) pan(frame.scene.camera, cursor, cursor + glm::dvec2(way.x, 0), depth, size);
+        if (way.y != 0) dolly(frame.scene.camera, cursor, depth, std::pow(wheel_step, scrolled.y), size);
+    }
+    keep_depth_range(frame.scene.camera, before, frame.view.bounds);
+    state.wheel_goes_on = ImGui::GetTime() - state.last_wheel < wheel_pause;
+    state.last_wheel = ImGui::GetTime();
+    state.touched = true;
+}
+
+void set_cursor(const ViewportState& state) {
+    if (state.gesture == Gesture::Orbit || state.gesture == Gesture::Pan || state.gesture == Gesture::Dolly)
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+    else if (state.gesture == Gesture::Hand || (state.hovered && state.hovered_grip))
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+}
+
+}  // namespace
+
+bool viewport_gestures(ViewportState& state, ViewportFrame frame, const UiInput& input) {
+    frame.gizmo = state.gizmo;
+    frame.pivot = state.pivot;
+    state.asked = false;
+    state.hovered = ImGui::IsItemHovered() && ImGui::IsMousePosValid();
+    if (state.gesture == Gesture::None) {
+        hover(state, frame);
+        press(state, frame);
+        if (state.hovered && !state.hovered_grip.is_mark() &&
+            ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+            select_object_under(frame, cursor_px(frame));
+    }
+    if (state.gesture != Gesture::None) {
+        if (ImGui::IsMousePosValid()) move(state, frame, input);
+        if (!ImGui::IsMouseDown(state.button)) release(state, frame);
+    }
+    wheel(state, frame);
+    set_cursor(state);
+    return state.gesture != Gesture::None;
+}
+
+bool cancel_gesture(ViewportState& state, Scene& scene) {
+    if (state.gesture == Gesture::None) return false;
+    scene = state.before;
+    state.gesture = Gesture::None;
+    state.pressed_grip = {};
+    state.before = {};
+    return true;
+}
+
+std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size) {
+    if (!state.probe) return {};
+    return glm::ivec2(std::clamp(saturated_int(state.probe->x * size.width), 0, size.width - 1),
+                      std::clamp(saturated_int(state.probe->y * size.height), 0, size.height - 1));
+}
+
+}  // namespace glint

@@ -1,0 +1,50 @@
+#pragma once
+// The picture under the hand: what a press, a drag, a click and the wheel do there.
+
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+
+#include "ui/commands/keys.h"
+#include "ui/picture/handles/hand.h"
+
+namespace glint {
+
+enum class Gesture { None, Press, Orbit, Pan, Dolly, Hand };
+
+struct ViewportState {
+    Gesture gesture = Gesture::None;
+    int button = 0;  // that holds the gesture: ImGui's number of the mouse button
+    glm::dvec2 pressed_px{0}, last_px{0};
+    double grip_depth = 1;            // of what the camera gesture holds on to
+    Grip hovered_grip, pressed_grip;  // under the cursor now, and when the button went down
+    Held held;                        // under Gesture::Hand
+    GizmoMode gizmo = GizmoMode::Move;
+    std::optional<glm::dvec3>
+        pivot;     // what GizmoMode::Rotate turns about, world coordinates; else the object's origin
+    Scene before;  // as it was when the gesture began: Esc brings it back
+    std::optional<glm::dvec2> probe;  // the pixel asked about, as a share of the picture's size
+    bool hovered = false;             // the cursor is over the picture
+    bool asked = false;               // a pixel was clicked in this frame
+    bool touched = false;             // someone has used the picture: the hints go
+    double last_wheel = -1e9;         // time
+    bool wheel_goes_on = false;       // this frame's notch belongs to the one before: one undo step
+};
+
+/// Reads ImGui's mouse over the item drawn last (the picture) and edits camera, lights, selection and probe.
+/// Returns true while a gesture has the scene in hand: no undo step yet.
+bool viewport_gestures(ViewportState& state, ViewportFrame frame, const UiInput& input);
+
+/// Ends the gesture and puts the scene back to where it began. True when there was one.
+bool cancel_gesture(ViewportState& state, Scene& scene);
+
+/// The pixel asked about, in a picture of this size.
+[[nodiscard]] std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size);
+
+/// Handles, the probe, and the note at the hand.
+void draw_overlay(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame);
+
+/// What a drag or click would do now, for the status line.
+[[nodiscard]] std::string gesture_hint(const ViewportState& state, const Scene& scene);
+
+}  // namespace glint

@@ -1,0 +1,152 @@
+#include "ui/preferences/autosave.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+#include <utility>
+
+#include "models/io/file.h"
+#include "models/json/json_value.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_copy = std::size_t{64} << 20;
+constexpr const char* ending = ".autosave";
+
+std::string lock_path(const std::string& path) { return path + ".lock"; }
+
+std::string time_words(std::time_t when) {
+    const std::time_t now = std::time(nullptr);
+    std::tm then{}, today{};
+    ::localtime_r(&when, &then);
+    ::localtime_r(&now, &today);
+    const bool same_day = then.tm_year == today.tm_year && then.tm_yday == today.tm_yday;
+    char text[64];
+    return {text, std::strftime(text, sizeof text, same_day ? "%H:%M" : "%e %B, %H:%M", &then)};
+}
+
+struct Copy {
+    std::string path;  // of the file that it is a copy of
+    JsonValue scene;
+    FileStamp stamp;  // of that file when it was read
+};
+
+std::optional<Copy> read_copy(const std::string& path) {
+    const Result<std::string> text = read_file(path, longest_copy);
+    if (problem_of(text) != nullptr) return {};
+    const JsonValue json = JsonValue::parse(std::get<std::string>(text)).value_or(JsonValue());
+    const JsonValue *of = json.find("path"), *scene = json.find("scene");
+    if (of == nullptr || !of->is_string() || scene == nullptr || !scene->is_object()) return {};
+    const JsonValue* stamp = json.find("file");
+    const bool stamped = stamp != nullptr && stamp->is_string();
+    return Copy{of->string(), *scene,
+                stamped ? stamp_of(stamp->string()).value_or(FileStamp{}) : FileStamp{}};
+}
+
+}  // namespace
+
+std::optional<AutosaveLock> AutosaveLock::take(const std::string& path) {
+    const std::string lock = lock_path(path);
+    const int descriptor = ::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+    if (descriptor < 0) return {};
+    struct stat ours {
+    }, named{};
+    // Whoever held it may have removed the file between our opening and our locking.
+    const bool held = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &ours) == 0 &&
+                      ::stat(lock.c_str(), &named) == 0 && ours.st_ino == named.st_ino;
+    if (held) return AutosaveLock(path, descriptor);
+    ::close(descriptor);
+    return {};
+}
+
+AutosaveLock::AutosaveLock(AutosaveLock&& other) noexcept
+    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+AutosaveLock& AutosaveLock::operator=(AutosaveLock&& other) noexcept {
+    if (this == &other) return *this;
+    release();
+    path_ = std::move(other.path_);
+    descriptor_ = std::exchange(other.descriptor_, -1);
+    return *this;
+}
+
+AutosaveLock::~AutosaveLock() { release(); }
+
+void AutosaveLock::release() {
+    if (descriptor_ < 0) return;
+    ::unlink(lock_path(path_).c_str());  // before letting go: nobody else's can be in its place yet
+    ::close(descriptor_);
+    descriptor_ = -1;
+}
+
+std::optional<AutosaveLock> new_autosave(const std::string& folder) {
+    for (int number = 0; number < 100; ++number) {
+        const std::string path =
+            (fs::path(folder) / fmt::format("{}-{}{}", ::getpid(), number, ending)).string();
+        std::error_code failed;
+        if (fs::exists(path, failed)) continue;  // left by an earlier process of this number
+        if (auto lock = AutosaveLock::take(path)) return lock;
+    }
+    return {};
+}
+
+std::string autosave_text(const SceneDocument& document, const std::string& folder) {
+    std::error_code failed;
+    const bool named = !document.path.empty() && document.path != "-";
+    const std::string path = named ? fs::absolute(document.path, failed).string() : "";
+    const Scene scene = with_mesh_paths_from(document.scene, document.mesh_dir, folder);
+    return fmt::format("{{\"path\": {},\n\"file\": \"{}\",\n\"scene\": {}}}\n", JsonValue(path).text(),
+                       stamp_text(document.stamp), scene_text(scene));
+}
+
+std::vector<LeftCopy> left_copies(const std::string& folder) {
+    std::vector<std::pair<std::time_t, LeftCopy>> found;
+    std::error_code failed;
+    for (fs::directory_iterator it(folder, failed); !failed && it != fs::directory_iterator();
+         it.increment(failed)) {
+        const std::string path = it->path().string();
+        if (it->path().extension() != ending || it->is_symlink(failed)) continue;
+        auto lock = AutosaveLock::take(path);
+        if (!lock) continue;  // its window lives
+        struct stat status {};
+        if (::stat(path.c_str(), &status) != 0) continue;
+        const auto copy = read_copy(path);
+        if (!copy) continue;
+        const std::string name = fs::path(copy->path).filename().string();
+        found.emplace_back(status.st_mtime, LeftCopy{std::move(*lock), name.empty() ? "New scene" : name,
+                                                     time_words(status.st_mtime)});
+    }
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<LeftCopy> copies;
+    copies.reserve(found.size());
+    for (auto& [when, copy] : found) copies.push_back(std::move(copy));
+    return copies;
+}
+
+Result<SceneDocument> open_autosave(const std::string& path) {
+    const auto copy = read_copy(path);
+    if (!copy) return Problem{path, "", "is not a copy of a scene", "one that Glint kept"};
+    Result<Scene> parsed = parse_scene(copy->scene.text(), path);
+    if (const Problem* problem = problem_of(parsed)) return *problem;
+    SceneDocument document{std::get<Scene>(std::move(parsed)), copy->path, directory_of(path), {}};
+    Result<Warnings> loaded = load_meshes(document.scene, path, document.mesh_dir);
+    if (const Problem* problem = problem_of(loaded)) return *problem;
+    document.warnings = std::get<Warnings>(std::move(loaded));
+    if (document.path.empty()) return document;
+    document.stamp = copy->stamp;
+    const std::string home = directory_of(document.path);
+    document.scene = with_mesh_paths_from(std::move(document.scene), document.mesh_dir, home);
+    document.mesh_dir = home;
+    return document;
+}
+
+}  // namespace glint

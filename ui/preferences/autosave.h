@@ -1,0 +1,57 @@
+#pragma once
+// A copy of unsaved work, kept beside the window's memory while it is unsaved, and found again after a crash.
+// Each window has a file of its own and holds a lock while it lives: a copy whose lock is free was left by a
+// window that is gone.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/scene_file/scene_file.h"
+
+namespace glint {
+
+/// The right to a copy: a lock file beside it, held until this is destroyed or the process ends, however.
+class AutosaveLock {
+  public:
+    /// Takes the lock of the copy `path`, making its file; nothing when another holds it.
+    [[nodiscard]] static std::optional<AutosaveLock> take(const std::string& path);
+    AutosaveLock(AutosaveLock&& other) noexcept;
+    AutosaveLock& operator=(AutosaveLock&& other) noexcept;
+    AutosaveLock(const AutosaveLock&) = delete;
+    AutosaveLock& operator=(const AutosaveLock&) = delete;
+    ~AutosaveLock();  // removes the lock's file and lets go
+
+    /// The copy that it is for.
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+  private:
+    AutosaveLock(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
+    void release();
+
+    std::string path_;
+    int descriptor_ = -1;
+};
+
+/// A new copy's name in `folder`, locked; nothing when the folder cannot be written.
+[[nodiscard]] std::optional<AutosaveLock> new_autosave(const std::string& folder);
+
+/// The text of a copy that stands in `folder`: the document's path, what its file was like when it was opened
+/// or saved, and its scene with mesh paths that lead from there.
+[[nodiscard]] std::string autosave_text(const SceneDocument& document, const std::string& folder);
+
+/// A copy that a window left behind, with its lock now ours.
+struct LeftCopy {
+    AutosaveLock lock;
+    std::string title;  // of the document: a file's name, or "New scene"
+    std::string when;   // "14:05", or "3 May, 14:05": when it was written
+};
+
+/// The copies in `folder` that nobody holds, newest first. What is no copy is passed over; empty ones are
+/// removed.
+[[nodiscard]] std::vector<LeftCopy> left_copies(const std::string& folder);
+
+/// The document of a copy, its meshes loaded; where it was opened from is its path again.
+[[nodiscard]] Result<SceneDocument> open_autosave(const std::string& path);
+
+}  // namespace glint

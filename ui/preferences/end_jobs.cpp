@@ -1,0 +1,42 @@
+#include "ui/preferences/end_jobs.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "ui/ui.h"
+
+namespace glint {
+namespace {
+
+/// `deed` with every job there is.
+template <class Deed> void with_each(UiState& state, Deed deed) {
+    const auto with = [&deed](const auto& job) {
+        if (job) deed(*job);
+    };
+    with(state.loading.document);
+    with(state.loading.meshes);
+    std::for_each(state.loading.left.begin(), state.loading.left.end(), with);
+    with(state.exporting.job);
+    with(state.animate.job);
+    with(state.sensitivity.job);
+    std::for_each(state.sensitivity.ending.begin(), state.sensitivity.ending.end(), with);
+}
+
+bool all_done(UiState& state) {
+    bool done = true;
+    with_each(state, [&done](const auto& job) { done = done && job.done(); });
+    return done;
+}
+
+}  // namespace
+
+bool end_jobs(UiState& state, double seconds) {
+    using Clock = std::chrono::steady_clock;
+    with_each(state, [](auto& job) { job.cancel(); });
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    while (!all_done(state) && Clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return all_done(state);
+}
+
+}  // namespace glint

@@ -1,0 +1,74 @@
+#pragma once
+// Work on a thread of its own, so that the window never waits for a file or a large picture.
+
+#include <atomic>
+#include <exception>
+#include <functional>
+#include <new>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "models/memory_limit.h"
+#include "models/problem.h"
+#include "models/progress.h"
+#include "models/scene_file/scene_file.h"
+
+namespace glint {
+
+template <class T> class Job {
+  public:
+    using Work = std::function<Result<T>(LoadProgress&)>;
+
+    /// Starts `work`, which may only touch what it holds itself; loads in it report to the progress that it
+    /// is given, and so may it. `name`: what it is about, for the screen.
+    Job(std::string name, Work work) : name_(std::move(name)) {
+        thread_ = std::thread([this, work = std::move(work)] { run(work); });
+    }
+    /// Cancels and waits.
+    ~Job() {
+        cancel();
+        thread_.join();
+    }
+    Job(const Job&) = delete;
+    Job& operator=(const Job&) = delete;
+
+    void cancel() { progress_.cancelled = true; }
+    [[nodiscard]] bool done() const { return done_; }
+    /// What came of it, once. Precondition: done().
+    [[nodiscard]] Result<T> take() { return std::move(result_); }
+
+    [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] const LoadProgress& progress() const { return progress_; }
+
+  private:
+    void run(const Work& work) {
+        try {
+            const ProgressScope scope(progress_);
+            result_ = work(progress_);
+        } catch (const Refused& refused) {
+            result_ = memory_problem(refused, name_);
+        } catch (const std::bad_alloc&) {
+            result_ = Problem{name_, "", "does not fit in memory", "a smaller one"};
+        } catch (const std::exception& error) {
+            result_ = Problem{name_, "", error.what(), ""};
+        }
+        done_ = true;
+    }
+
+    std::string name_;
+    LoadProgress progress_;
+    Result<T> result_;
+    std::atomic<bool> done_{false};
+    std::thread thread_;  // last: it uses the others
+};
+
+using LoadJob = Job<SceneDocument>;
+
+/// "reading 12 of 37 MB", "building the mesh: 400000 faces": how far a load has come.
+[[nodiscard]] std::string progress_words(const LoadProgress& progress);
+
+/// Its share from 0 to 1, or a negative number when that is not known.
+[[nodiscard]] float progress_share(const LoadProgress& progress);
+
+}  // namespace glint

@@ -1,0 +1,147 @@
+#include "ui/shell/columns.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "ui/fields/camera_panel.h"
+#include "ui/fields/light_panel.h"
+#include "ui/fields/npr_panel.h"
+#include "ui/fields/object_panel.h"
+#include "ui/fields/scene_panel.h"
+#include "ui/fields/shading_panel.h"
+#include "ui/inspector/tabs.h"
+#include "ui/ui.h"
+#include "ui/widgets/area.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// Puts the selected item's panel on the screen.
+void selected_panel(UiState& state, const PictureView& view) {
+    Scene& scene = state.editor.scene();
+    const Selection& selection = state.editor.selection;
+    const auto index = static_cast<std::size_t>(selection.index);
+    const std::string number = std::to_string(selection.index);
+    ObjectWishes wishes;
+    wishes.gizmo = state.viewport.gizmo;
+    switch (selection.kind) {
+    case Selection::Kind::Camera:
+        (void)camera_panel(scene.camera, view.map.size);
+        break;
+    case Selection::Kind::Light:
+        (void)light_panel(scene.lights[index], "/lights/" + number, scene.camera, view.dome, view.map);
+        break;
+    case Selection::Kind::Object:
+        (void)object_panel(scene.objects[index], "/objects/" + number, scene.shading.reflection, wishes);
+        break;
+    case Selection::Kind::Shading:
+        (void)shading_panel(scene.shading, scene.global_ambient);
+        (void)npr_panel(scene.npr);
+        break;
+    case Selection::Kind::Display:
+        (void)display_panel(scene.display);
+        break;
+    }
+    state.viewport.gizmo = wishes.gizmo;
+    if (wishes.browse_mesh) {
+        state.mesh_for_object = selection.index;
+        state.files.ask(FilePurpose::OpenMesh, state.editor.document.path);
+    }
+}
+
+std::string selected_title(const Scene& scene, const Selection& selection) {
+    const auto index = static_cast<std::size_t>(selection.index);
+    switch (selection.kind) {
+    case Selection::Kind::Camera:
+        return "Camera";
+    case Selection::Kind::Light:
+        return scene.lights[index].name;
+    case Selection::Kind::Object:
+        return scene.objects[index].name;
+    case Selection::Kind::Shading:
+        return "Shading";
+    case Selection::Kind::Display:
+        return "Display";
+    }
+    return {};  // not reached
+}
+
+void column_heading(const char* name) {
+    ImGui::PushFont(fonts().small);
+    dim_text(name);
+    ImGui::PopFont();
+}
+
+void scene_column(UiState& state, const PictureView& view) {
+    SceneWishes wishes;
+    Scene& scene = state.editor.scene();
+    const auto rows = static_cast<float>(5 + std::max<std::size_t>(scene.lights.size(), 1) +
+                                         std::max<std::size_t>(scene.objects.size(), 1));
+    const float all = rows * (ImGui::GetFrameHeight() + px(1)) + px(4);
+    const float room = ImGui::GetContentRegionAvail().y;
+    ImGui::BeginChild("##list", {0, std::min(all, 0.45f * room)});
+    (void)scene_panel(scene, state.editor.selection, wishes);
+    ImGui::EndChild();
+    if (wishes.browse_mesh) {
+        state.mesh_for_object = -1;
+        state.files.ask(FilePurpose::OpenMesh, state.editor.document.path);
+    }
+    ImGui::Separator();
+    ImGui::PushFont(fonts().title);
+    ImGui::TextUnformatted(selected_title(scene, state.editor.selection).c_str());
+    ImGui::PopFont();
+    // What is edited is told apart by the selection: no field keeps its focus for another item, and each
+    // panel its own place of scrolling.
+    ImGui::PushID(static_cast<int>(state.editor.selection.kind) * 100'000 + state.editor.selection.index);
+    ImGui::BeginChild("##panel");
+    if (std::exchange(state.types_into_panel, false)) {
+        ImGui::SetWindowFocus();
+        ImGui::SetKeyboardFocusHere();
+    }
+    selected_panel(state, view);
+    ImGui::EndChild();
+    ImGui::PopID();
+}
+
+void column_tab(const char* name, bool chosen, bool& wanted) {
+    ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().field_active : theme().panel);
+    if (ImGui::Button(name, {px(84), 0})) wanted = true;
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void left_column(UiState& state, const Layout& layout, const PictureView& view) {
+    if (!layout.has_left) return;
+    begin_area("##left", layout.left);
+    if (layout.why_in_left) {
+        bool scene = false, why = false;
+        column_tab("Scene", !state.left_shows_why, scene);
+        ImGui::SameLine(0, px(2));
+        column_tab("Why", state.left_shows_why, why);
+        if (scene || why) state.left_shows_why = why;
+    }
+    if (!layout.why_in_left) column_heading("SCENE");
+    if (!layout.why_in_left || !state.left_shows_why) scene_column(state, view);
+    ImGui::End();
+}
+
+void why_columns(UiState& state, const Layout& layout, const PictureView& view) {
+    const bool in_left = layout.why_in_left && layout.has_left && state.left_shows_why;
+    if (!layout.has_right && !in_left) return;
+    if (in_left)
+        resume_area("##left");
+    else {
+        begin_area("##right", layout.right);
+        column_heading("WHY");
+    }
+    why_column(state, view);
+    state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
+    ImGui::End();
+}
+
+}  // namespace glint

@@ -1,0 +1,60 @@
+#include "ui/shell/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+
+namespace {
+
+/// Takes the row of views and the scope's panel off the centre, the picture keeping half of it.
+void share_centre(Layout& layout, const LayoutState& state, float scale) {
+    const Rect all = layout.centre;
+    layout.has_views = !state.folded && !state.bare;
+    layout.has_scope = state.scope && !state.bare;
+    const float views = layout.has_views ? std::min(views_height * scale, all.size().y / 6) : 0;
+    const float scope = layout.has_scope ? std::min(state.scope_height * scale, all.size().y / 2 - views) : 0;
+    const float top = std::round(all.low.y + views);
+    const float bottom = std::max(std::round(all.high.y - scope), top + 1);
+    layout.views = {all.low, {all.high.x, std::max(top, all.low.y + 1)}};
+    layout.centre = {{all.low.x, top}, {all.high.x, bottom}};
+    layout.scope = {{all.low.x, std::min(bottom, all.high.y - 1)}, all.high};
+}
+
+}  // namespace
+
+Layout lay_out(ImVec2 window, const LayoutState& state, float scale) {
+    const float width = std::max(window.x, 1.0f), height = std::max(window.y, 1.0f);
+    Layout layout;
+    layout.why_in_left = width < three_column_width * scale;
+    const bool columns = !state.folded && !state.bare;
+    layout.has_left = columns && (state.left || (layout.why_in_left && state.right));
+    layout.has_right = columns && state.right && !layout.why_in_left;
+    const float bars = state.bare ? 0 : scale;
+    const float top = std::round(std::min(top_height * bars, height / 3));
+    const float bottom = std::round(height - std::min(status_height * bars, height / 3));
+    // Columns take at most two thirds of the width together.
+    const float wanted_left = layout.has_left ? state.left_width * scale : 0;
+    const float wanted_right = layout.has_right ? state.right_width * scale : 0;
+    const float shrink = std::min(1.0f, width * 2 / 3 / std::max(wanted_left + wanted_right, 1.0f));
+    const float left = std::round(wanted_left * shrink), right = std::round(width - wanted_right * shrink);
+    layout.top = {{0, 0}, {width, std::max(top, 1.0f)}};
+    layout.left = {{0, top}, {std::max(left, 1.0f), bottom}};
+    layout.centre = {{left, top}, {std::max(right, left + 1), std::max(bottom, top + 1)}};
+    layout.right = {{std::min(right, width - 1), top}, {width, bottom}};
+    layout.status = {{0, std::min(bottom, height - 1)}, {width, height}};
+    share_centre(layout, state, scale);
+    return layout;
+}
+
+Rect picture_area(const Rect& centre, float scale) {
+    constexpr float margin_wanted = 10, narrowest = 4.0f / 3;
+    const ImVec2 all = centre.size();
+    const float margin = std::min({margin_wanted * scale, all.x / 4, all.y / 4});
+    const float width = std::max(std::floor(all.x - 2 * margin), 1.0f);
+    const float height = std::max(std::floor(std::min(all.y - 2 * margin, width / narrowest)), 1.0f);
+    const ImVec2 low{std::round(centre.low.x + margin), std::round(centre.low.y + (all.y - height) / 2)};
+    return {low, {low.x + width, low.y + height}};
+}
+
+}  // namespace glint

@@ -1,0 +1,88 @@
+#include "ui/shell/notifications.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "ui/widgets/icons.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t most_at_once = 5;
+
+double seconds_shown(Tone tone) {
+    switch (tone) {
+    case Tone::Done:
+        return 3;
+    case Tone::Warning:
+        return 10;
+    case Tone::Error:
+        return std::numeric_limits<double>::infinity();
+    }
+    return 3;  // not reached
+}
+
+const ImVec4& ink(Tone tone) {
+    return tone == Tone::Error ? theme().error : tone == Tone::Warning ? theme().warning : theme().accent;
+}
+
+/// Returns the height taken; sets `closed`.
+float draw_one(const Notification& note, int index, ImVec2 low_right, float width, bool& closed) {
+    const std::string id = "##note" + std::to_string(index);
+    ImGui::SetNextWindowPos(low_right, ImGuiCond_Always, {1, 1});
+    ImGui::SetNextWindowSize({width, 0});
+    ImGui::SetNextWindowBgAlpha(0.95f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
+    ImGui::Begin(id.c_str(), nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_NoNav);
+    const ImVec2 low = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + px(4), low.y + size.y}, packed(ink(note.tone)),
+                                              px(2));
+    ImGui::PushTextWrapPos(width - px(34));
+    ImGui::TextUnformatted(note.text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::SetCursorPos({width - px(30), px(6)});
+    if (icon_button("##close", Icon::Close)) closed = true;
+    const float height = ImGui::GetWindowHeight();
+    ImGui::End();
+    ImGui::PopStyleVar();
+    return height;
+}
+
+}  // namespace
+
+void Notifications::add(Tone tone, const std::string& text) {
+    const double until = ImGui::GetTime() + seconds_shown(tone);
+    const auto same = [&text](const Notification& note) { return note.text == text; };
+    list.erase(std::remove_if(list.begin(), list.end(), same), list.end());
+    list.push_back({tone, text, until});
+    if (list.size() > most_at_once) list.erase(list.begin());
+}
+
+void Notifications::add(const Warnings& warnings) {
+    for (const std::string& warning : warnings) add(Tone::Warning, warning);
+}
+
+void draw_notifications(Notifications& notifications, ImVec2 low_right, float max_width) {
+    auto& list = notifications.list;
+    const double now = ImGui::GetTime();
+    list.erase(
+        std::remove_if(list.begin(), list.end(), [now](const Notification& n) { return n.until <= now; }),
+        list.end());
+    int closed_one = -1;
+    for (int i = static_cast<int>(list.size()) - 1; i >= 0; --i) {
+        const Notification& note = list[static_cast<std::size_t>(i)];
+        bool closed = false;
+        low_right.y -= draw_one(note, i, low_right, std::min(px(420), max_width), closed) + px(6);
+        if (closed) closed_one = i;
+        wish_frame_in(note.until - now);
+    }
+    if (closed_one >= 0) list.erase(list.begin() + closed_one);
+}
+
+}  // namespace glint

@@ -1,0 +1,112 @@
+// The row at the bottom.
+#include <fmt/core.h>
+
+#include <string>
+
+#include "ui/inspector/mistakes_tab.h"
+#include "ui/shell/toolbar.h"
+#include "ui/views/views.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+std::string with_thousands(std::uint64_t n) {
+    std::string digits = std::to_string(n);
+    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), 1, ' ');
+    return digits;
+}
+
+std::string redone_stages(const FrameStats& stats) {
+    static constexpr const char* names[] = {"geometry", "visibility", "surface", "lighting"};
+    std::string text;
+    for (std::size_t i = 0; i < stage_count; ++i)
+        if (stats.redone[i]) text.append(text.empty() ? "" : " ").append(names[i]);
+    if (stats.strokes_redone) text.append(text.empty() ? "" : " ").append("strokes");
+    return text.empty() ? "nothing" : text;
+}
+
+std::string stats_text(const UiState& state, bool roomy) {
+    const FrameStats& stats = state.renderer->stats();
+    const CompareState& compare = state.views.compare;
+    const double parts_ms = compare.choice.on ? compare.ms : 0;  // beside the picture itself
+    const std::size_t lights = state.drawn.lights.size();
+    std::string text = fmt::format("{} {}  ·  {} {}  ·  {:5.1f} ms", with_thousands(stats.triangles),
+                                   stats.triangles == 1 ? "triangle" : "triangles", lights,
+                                   lights == 1 ? "light" : "lights", stats.total_ms + parts_ms);
+    if (roomy)
+        text += fmt::format(" ({})  ·  {} × {}", redone_stages(stats), stats.instruction_set, stats.threads);
+    return text;
+}
+
+void stats_tooltip(const FrameStats& stats) {
+    static constexpr const char* names[] = {"geometry", "visibility", "surface", "lighting"};
+    std::string lines;
+    for (std::size_t i = 0; i < stage_count; ++i)
+        lines += stats.redone[i] ? fmt::format("{}: {:.2f} ms\n", names[i], stats.ms[i])
+                                 : fmt::format("{}: kept\n", names[i]);
+    if (stats.strokes_redone) lines += fmt::format("strokes: {:.2f} ms\n", stats.strokes_ms);
+    lines += fmt::format("{} pixels show a surface\n{} evaluations of the equation\n{} × {} threads",
+                         with_thousands(stats.shaded_pixels), with_thousands(stats.evaluations),
+                         stats.instruction_set, stats.threads);
+    tooltip("Last picture", "What was done again, and how long it took", lines);
+}
+
+/// That a mistake is on must not be overlooked: a click shows which. Returns its width.
+float mistakes_mark(UiState& state, ImVec2 right) {
+    const int on = mistakes_on(state.editor.scene().shading.mistakes);
+    if (on == 0) return 0;
+    const std::string text = fmt::format("{} mistake{} on", on, on == 1 ? "" : "s");
+    const float width = ImGui::CalcTextSize(text.c_str()).x, gap = px(14);
+    ImGui::SetCursorScreenPos({right.x - width - gap, right.y});
+    ImGui::PushStyleColor(ImGuiCol_Text, theme().warning);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (ImGui::IsItemClicked()) {
+        state.why_column.tab = WhyTab::Mistakes;
+        state.layout.right = state.left_shows_why = true;
+    }
+    tooltip("Mistakes", "The picture is wrong on purpose; click to see which", "", "/shading/mistakes");
+    return width + gap;
+}
+
+}  // namespace
+
+void status_line(UiState& state, const Rect& area) {
+    ImGui::SetNextWindowPos(area.low);
+    ImGui::SetNextWindowSize(area.size());
+    ImGui::PushFont(fonts().small);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                        {px(10), (area.size().y - ImGui::GetTextLineHeight()) / 2});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme().window);
+    ImGui::Begin("##status", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar();
+    if (state.picture != nullptr) {
+        const std::string stats = stats_text(state, area.size().x > px(1240));
+        const float width = ImGui::CalcTextSize(stats.c_str()).x;
+        const ImVec2 left = ImGui::GetCursorScreenPos();
+        const float right = area.high.x - width - px(10);
+        const float mark = mistakes_mark(state, {right, left.y});
+        std::string hint = views_hint(state.views);
+        if (hint.empty()) hint = gesture_hint(state.viewport, state.editor.scene());
+        const ImVec4 room{left.x, area.low.y, right - mark - px(16), area.high.y};
+        ImGui::GetWindowDrawList()->AddText(nullptr, 0, left, packed(theme().text), hint.c_str(), nullptr, 0,
+                                            &room);
+        ImGui::SetCursorScreenPos({right, left.y});
+        dim_text(stats.c_str());
+        ImGui::PopFont();
+        stats_tooltip(state.renderer->stats());
+        ImGui::PushFont(fonts().small);
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+}  // namespace glint

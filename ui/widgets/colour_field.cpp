@@ -1,0 +1,111 @@
+// A colour: three numbers, and a swatch that opens a picker and the presets.
+#include <fmt/core.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/common.hpp>
+
+#include "models/fields/scene_fields.h"
+#include "ui/widgets/colour_presets.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr ImGuiColorEditFlags as_numbers = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
+                                           ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoOptions;
+constexpr std::size_t presets_a_row = 10;
+
+bool swatch(const char* id, glm::vec3 colour, float side) {
+    const bool pressed = ImGui::ColorButton(id, {colour.x, colour.y, colour.z, 1},
+                                            as_numbers | ImGuiColorEditFlags_NoTooltip, {side, side});
+    // A white one on a light panel, a black one on a dark panel.
+    ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                        packed(theme().dim_text, 0.6f), ImGui::GetStyle().FrameRounding);
+    return pressed;
+}
+
+/// A swatch that was dragged here from another field gives its colour.
+bool take_dropped_colour(glm::vec3& value) {
+    if (!ImGui::BeginDragDropTarget()) return false;
+    const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(IMGUI_PAYLOAD_TYPE_COLOR_3F);
+    if (payload != nullptr) std::copy_n(static_cast<const float*>(payload->Data), 3, &value.x);
+    ImGui::EndDragDropTarget();
+    return payload != nullptr;
+}
+
+bool presets(glm::vec3& value, float width) {
+    const auto all = colour_presets();
+    const float gap = px(4);
+    const float side = (width - gap * float(presets_a_row - 1)) / float(presets_a_row);
+    bool chosen = false;
+    for (std::size_t i = 0, column = 0; i < all.size(); ++i, ++column) {
+        const bool lamps_begin = i > 0 && all[i].kelvin > 0 && all[i - 1].kelvin == 0;
+        if (lamps_begin) column = 0;
+        if (column % presets_a_row != 0) ImGui::SameLine(0, gap);
+        if (swatch(fmt::format("##preset{}", i).c_str(), all[i].linear, side)) {
+            value = all[i].linear;
+            chosen = true;
+        }
+        const glm::vec3 c = all[i].linear;
+        const std::string kelvin =
+            all[i].kelvin > 0 ? fmt::format("As a black body of {} K", all[i].kelvin) : "";
+        tooltip(all[i].name, kelvin.c_str(), fmt::format("{:.3g}  {:.3g}  {:.3g}", c.x, c.y, c.z));
+    }
+    return chosen;
+}
+
+/// The picker with the presets below it, beside the swatch that opened it.
+bool picker(const char* label, glm::vec3& value) {
+    if (!ImGui::BeginPopup("##colour")) return false;
+    ImGui::PushFont(fonts().title);
+    ImGui::TextUnformatted(label, ImGui::FindRenderedTextEnd(label));
+    ImGui::PopFont();
+    const float width = px(236);
+    ImGui::SetNextItemWidth(width);
+    ImGui::PushFont(fonts().figures);
+    bool changed =
+        ImGui::ColorPicker3("##picker", &value.x,
+                            as_numbers | ImGuiColorEditFlags_NoSidePreview |
+                                ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_DisplayRGB);
+    ImGui::PopFont();
+    section("Presets");
+    changed |= presets(value, width);
+    ImGui::EndPopup();
+    return changed;
+}
+
+}  // namespace
+
+bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const Help& help) {
+    ImGui::PushID(label);
+    const float gap = px(3), side = ImGui::GetFrameHeight();
+    const float width = (row(label) - side - 3 * gap) / 3;
+    bool changed = false;
+    for (int i = 0; i < 3; ++i) {
+        constexpr std::array channels{"red", "green", "blue"};
+        changed |= bare_number(fmt::format("{}: {}", label, channels[static_cast<std::size_t>(i)]).c_str(),
+                               value[i], channel_field, initial[i],
+                               {help.what, help.pointer + "/" + std::to_string(i)}, width);
+        ImGui::SameLine(0, gap);
+    }
+    glm::vec3 picked = value;
+    if (swatch("##swatch", value, side)) ImGui::OpenPopup("##colour");
+    const ImVec2 beside{ImGui::GetItemRectMax().x + px(6), ImGui::GetItemRectMin().y};
+    tooltip(label, help.what,
+            "Linear red, green, blue; 1 is full, above 1 is allowed\nClick: picker and presets · Drag: onto "
+            "another swatch",
+            help.pointer);
+    changed |= take_dropped_colour(picked);
+    ImGui::SetNextWindowPos(beside, ImGuiCond_Appearing);
+    changed |= picker(label, picked);
+    if (picked != value) value = glm::clamp(picked, glm::vec3(0), glm::vec3(1e30f));
+    ImGui::PopID();
+    return changed;
+}
+
+}  // namespace glint

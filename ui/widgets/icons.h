@@ -1,0 +1,45 @@
+#pragma once
+// Icons, drawn: no icon font is needed, and a light's icon can carry the light's own colour.
+
+#include <imgui.h>
+
+#include "models/scene/light.h"
+
+namespace glint {
+
+enum class Icon {
+    Bulb,
+    Sun,
+    Spot,
+    Area,
+    Camera,
+    Object,
+    Shading,
+    Display,
+    Eye,
+    EyeOff,
+    Plus,
+    Undo,
+    Redo,
+    Close,
+    More,
+    Folder,
+    File,
+    Up
+};
+
+/// Draws inside the square of edge `size` round `centre`, in units of ImGui.
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colour);
+
+[[nodiscard]] Icon icon_of(LightKind kind);
+
+/// The light's colour at full brightness, for icons and handles; grey for a black light.
+[[nodiscard]] ImVec4 colour_of(const Light& light);
+
+/// A light's colour darkened until it shows on the theme's panels: for lists.
+[[nodiscard]] ImVec4 legible(ImVec4 colour);
+
+/// A square button with an icon, as high as a line of widgets. `on` shows it chosen.
+[[nodiscard]] bool icon_button(const char* id, Icon icon, bool on = false);
+
+}  // namespace glint

@@ -1,0 +1,16 @@
+#include "ui/widgets/named_controls.h"
+
+namespace glint {
+namespace {
+
+std::vector<NamedControl>* listed = nullptr;
+
+}  // namespace
+
+void list_controls_in(std::vector<NamedControl>* list) { listed = list; }
+
+void list_control(const char* name, const std::string& key, const Rect& at) {
+    if (listed != nullptr) listed->push_back({name, key, at, ImGui::IsRectVisible(at.low, at.high)});
+}
+
+}  // namespace glint

@@ -1,0 +1,180 @@
+#include "ui/widgets/theme.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace glint {
+namespace {
+
+/// 0xRRGGBB as ImGui counts colours.
+ImVec4 rgb(unsigned hex) {
+    return {float((hex >> 16) & 255) / 255, float((hex >> 8) & 255) / 255, float(hex & 255) / 255, 1};
+}
+
+struct Applied {
+    const Theme* theme = nullptr;
+    float scale = 1;
+};
+Applied& applied() {
+    static Applied state;
+    return state;
+}
+
+double luminance(const ImVec4& c) {
+    const auto linear = [](double v) {
+        return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(c.x) + 0.7152 * linear(c.y) + 0.0722 * linear(c.z);
+}
+
+constexpr double projector_contrast = 7.1;  // a little over 7: bytes round
+
+/// `ink` brought towards white (on dark grounds) or black until it stands out from all of `grounds`.
+ImVec4 strengthened(ImVec4 ink, std::initializer_list<ImVec4> grounds, bool dark) {
+    const float end = dark ? 1 : 0;
+    for (float share = 0; share <= 1; share += 0.01f) {
+        const auto mix = [&](float v) { return v + (end - v) * share; };
+        const ImVec4 mixed{mix(ink.x), mix(ink.y), mix(ink.z), 1};
+        if (std::all_of(grounds.begin(), grounds.end(),
+                        [&](const ImVec4& g) { return contrast(mixed, g) >= projector_contrast; }))
+            return mixed;
+    }
+    return {end, end, end, 1};
+}
+
+Theme for_projector(Theme t) {
+    const auto deeper = [&t](ImVec4& ground, float share) {
+        const float end = t.dark ? 0 : 1;
+        ground.x += (end - ground.x) * share, ground.y += (end - ground.y) * share;
+        ground.z += (end - ground.z) * share;
+    };
+    for (ImVec4* ground : {&t.window, &t.panel}) deeper(*ground, 0.6f);
+    for (ImVec4* ground : {&t.field, &t.field_hovered, &t.field_active}) deeper(*ground, 0.3f);
+    for (ImVec4* ink : {&t.text, &t.dim_text, &t.warning, &t.error})
+        *ink = strengthened(*ink, {t.window, t.panel, t.field, t.field_hovered, t.field_active}, t.dark);
+    for (ImVec4& symbol : t.symbols) symbol = strengthened(symbol, {t.window, t.panel, t.field}, t.dark);
+    t.accent = strengthened(t.accent, {t.window, t.panel}, t.dark);
+    t.accent_text = strengthened(t.accent_text, {t.accent}, !t.dark);
+    t.disabled_text = t.dim_text;
+    return t;
+}
+
+void set_colours(ImGuiStyle& style, const Theme& t) {
+    const ImVec4 clear{0, 0, 0, 0};
+    const auto faint = [](ImVec4 c, float opacity) { return ImVec4(c.x, c.y, c.z, opacity); };
+    const auto set = [&style](ImGuiCol slot, ImVec4 colour) { style.Colors[slot] = colour; };
+    set(ImGuiCol_Text, t.text), set(ImGuiCol_TextDisabled, t.disabled_text);
+    set(ImGuiCol_WindowBg, t.panel), set(ImGuiCol_ChildBg, clear), set(ImGuiCol_PopupBg, t.window);
+    set(ImGuiCol_Border, t.line), set(ImGuiCol_BorderShadow, clear), set(ImGuiCol_Separator, t.line);
+    set(ImGuiCol_FrameBg, t.field), set(ImGuiCol_FrameBgHovered, t.field_hovered);
+    set(ImGuiCol_FrameBgActive, t.field_active), set(ImGuiCol_Button, t.field);
+    set(ImGuiCol_ButtonHovered, t.field_hovered), set(ImGuiCol_ButtonActive, t.field_active);
+    set(ImGuiCol_Header, faint(t.accent, 0.35f)), set(ImGuiCol_HeaderHovered, t.field_hovered);
+    set(ImGuiCol_HeaderActive, t.field_active), set(ImGuiCol_CheckMark, t.accent);
+    set(ImGuiCol_SliderGrab, t.accent), set(ImGuiCol_SliderGrabActive, t.accent);
+    set(ImGuiCol_MenuBarBg, t.window), set(ImGuiCol_TitleBg, t.window), set(ImGuiCol_TitleBgActive, t.window);
+    set(ImGuiCol_ScrollbarBg, clear), set(ImGuiCol_ScrollbarGrab, t.field_hovered);
+    set(ImGuiCol_ScrollbarGrabHovered, t.field_active), set(ImGuiCol_ScrollbarGrabActive, t.field_active);
+    set(ImGuiCol_Tab, clear), set(ImGuiCol_TabHovered, t.field_hovered), set(ImGuiCol_TabActive, t.field);
+    set(ImGuiCol_TabUnfocused, clear), set(ImGuiCol_TabUnfocusedActive, t.field);
+    set(ImGuiCol_TextSelectedBg, faint(t.accent, 0.4f)), set(ImGuiCol_NavHighlight, t.accent);
+    set(ImGuiCol_TableBorderLight, t.line), set(ImGuiCol_TableBorderStrong, t.line);
+    set(ImGuiCol_TableHeaderBg, t.field), set(ImGuiCol_TableRowBg, clear), set(ImGuiCol_TableRowBgAlt, clear);
+    set(ImGuiCol_ModalWindowDimBg, faint(rgb(0x000000), 0.45f));
+    set(ImGuiCol_ResizeGrip, clear), set(ImGuiCol_ResizeGripHovered, t.accent);
+    set(ImGuiCol_PlotHistogram, t.accent), set(ImGuiCol_DragDropTarget, t.accent);
+}
+
+}  // namespace
+
+const Theme& dark_theme() {
+    static const Theme dark{
+        .dark = true,
+        .window = rgb(0x17191c),
+        .panel = rgb(0x1f2226),
+        .field = rgb(0x2b2f35),
+        .field_hovered = rgb(0x383d45),
+        .field_active = rgb(0x454b55),
+        .line = rgb(0x33383f),
+        .text = rgb(0xe6e8eb),
+        .dim_text = rgb(0xa9afb8),
+        .disabled_text = rgb(0x858c97),
+        .accent = rgb(0x4c9be8),
+        .accent_text = rgb(0x0d1218),
+        .warning = rgb(0xe6a23c),
+        .error = rgb(0xff7b6b),
+        .surround = rgb(0x777777),
+        .symbols = {rgb(0x1fbf8f), rgb(0xf0e442), rgb(0x56b4e9), rgb(0xe69f00), rgb(0xd68ab2), rgb(0x4a9fd8),
+                    rgb(0xf0742a), rgb(0xf2f2f2), rgb(0xa0a0a0)}};
+    return dark;
+}
+
+const Theme& light_theme() {
+    static const Theme light{
+        .dark = false,
+        .window = rgb(0xe9ebee),
+        .panel = rgb(0xf6f7f8),
+        .field = rgb(0xe2e5e9),
+        .field_hovered = rgb(0xd3d8de),
+        .field_active = rgb(0xc3cad2),
+        .line = rgb(0xcdd2d8),
+        .text = rgb(0x1b1e22),
+        .dim_text = rgb(0x4d545d),
+        .disabled_text = rgb(0x747b84),
+        .accent = rgb(0x1f6fc0),
+        .accent_text = rgb(0xffffff),
+        .warning = rgb(0x8a5a00),
+        .error = rgb(0xb3261e),
+        .surround = rgb(0x777777),
+        .symbols = {rgb(0x00704f), rgb(0x6f6700), rgb(0x0f6f9f), rgb(0x8a5f00), rgb(0xa04878), rgb(0x005f96),
+                    rgb(0xb04a00), rgb(0x222222), rgb(0x666666)}};
+    return light;
+}
+
+const Theme& projector_theme(bool dark) {
+    static const Theme of_dark = for_projector(dark_theme()), of_light = for_projector(light_theme());
+    return dark ? of_dark : of_light;
+}
+
+const Theme& theme() { return applied().theme != nullptr ? *applied().theme : dark_theme(); }
+float px(float length) { return length * applied().scale; }
+
+void apply_theme(const Theme& chosen, float scale) {
+    applied() = {&chosen, scale};
+    ImGuiStyle style;
+    style.WindowPadding = {10, 8};
+    style.FramePadding = {7, 3};
+    style.ItemSpacing = {6, 5};
+    style.ItemInnerSpacing = {5, 4};
+    style.CellPadding = {5, 2};
+    style.IndentSpacing = 14;
+    style.ScrollbarSize = 11;
+    style.GrabMinSize = 9;
+    style.WindowRounding = 0;
+    style.ChildRounding = 0;
+    style.FrameRounding = 4;
+    style.PopupRounding = 6;
+    style.ScrollbarRounding = 6;
+    style.GrabRounding = 4;
+    style.TabRounding = 4;
+    style.WindowBorderSize = 0;
+    style.ChildBorderSize = 0;
+    style.PopupBorderSize = 1;
+    style.ScaleAllSizes(scale);
+    // No length of the design but ImGui's own lower limit: scaled by less than 1 it would be rounded to 0.
+    style.WindowMinSize = {1, 1};
+    set_colours(style, chosen);
+    ImGui::GetStyle() = style;
+}
+
+double contrast(const ImVec4& a, const ImVec4& b) {
+    const double high = std::max(luminance(a), luminance(b)), low = std::min(luminance(a), luminance(b));
+    return (high + 0.05) / (low + 0.05);
+}
+
+ImU32 packed(const ImVec4& colour, float opacity) {
+    return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, colour.w * opacity});
+}
+
+}  // namespace glint

@@ -1,0 +1,69 @@
+#pragma once
+// The controls that every panel is made of: a label and a field in a row, with a tooltip that says what it
+// is, its unit, range and default, and its key in the scene file. Each edits a value and says whether it did.
+
+#include <imgui.h>
+
+#include <array>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+
+#include "models/fields/choice.h"
+#include "models/fields/field_kinds.h"
+
+namespace glint {
+
+/// What a control is. `pointer` is the JSON pointer of its value in the scene file.
+struct Help {
+    const char* what = "";
+    std::string pointer;
+};
+
+/// Label and draggable number of that kind. Values never leave its range, however they are entered.
+/// Ctrl+click types, double-click or right-click returns to `initial`; Shift drags ten times finer.
+[[nodiscard]] bool number_field(const char* label, float& value, const Real& kind, float initial,
+                                const Help& help);
+/// The bare draggable number, `width` wide, for one that stands in a text; the same habits and tooltip.
+[[nodiscard]] bool bare_number(const char* label, float& value, const Real& kind, float initial,
+                               const Help& help, float width);
+[[nodiscard]] bool integer_field(const char* label, int& value, int low, int high, int initial,
+                                 const Help& help);
+/// Three numbers of that kind.
+[[nodiscard]] bool vector_field(const char* label, glm::vec3& value, const Real& kind, glm::vec3 initial,
+                                const Help& help);
+/// Linear RGB, each >= 0, with a swatch that opens a picker and presets.
+[[nodiscard]] bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const Help& help);
+[[nodiscard]] bool switch_field(const char* label, bool& value, const Help& help);
+[[nodiscard]] bool name_field(const char* label, std::string& name, const Help& help);
+
+/// The index chosen, `chosen` when nothing changed. As a drop-down in a row, or as joined buttons.
+[[nodiscard]] int choose(const char* label, int chosen, std::span<const Choice> options, const Help& help);
+[[nodiscard]] int segments(const char* id, int chosen, std::span<const Choice> options, const Help& help);
+/// Width that segments() takes where there is room; in less its words stand closer together.
+[[nodiscard]] float segments_width(std::span<const Choice> options);
+
+/// A tooltip for the item drawn last, after the pointer rested on it: title, explanation, and two lower lines
+/// (range and default; the key). Empty ones are left out.
+void tooltip(const char* title, const char* what, const std::string& range = "", const std::string& key = "");
+
+/// The frame after which the window need not sleep: seconds until something that waits (a tooltip) is due.
+/// Reset by frame_wish_reset(); infinity when nothing waits.
+void wish_frame_in(double seconds);
+void frame_wish_reset();
+[[nodiscard]] double frame_wish();
+
+/// A rectangle that takes the mouse and draws nothing, for a control that draws itself; true when it was
+/// clicked. At least one unit wide and high however little room there is: ImGui ends the program over an
+/// invisible button without an area, and reads a negative size as a distance from the right.
+bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags = 0);
+
+/// Starts a row: the label in its column, the field after it. Returns the width left for the field.
+float row(const char* label);
+void section(const char* title);
+void dim_text(const char* text);
+/// Text in figures of equal width.
+void figures(const std::string& text);
+
+}  // namespace glint
