@@ -1,225 +1,280 @@
-// OpenMesh's own .om, read by OpenMesh into lists of ours: its own mesh would drop or move faces that are not
-// manifold.
+// OpenMesh's own .om. Its reader trusts every count and size, and its mesh drops or moves faces that are not
+// manifold, so both are read here. Source: OpenMesh documentation, "The OM file format";
+// OpenMesh/Core/IO/OMFormat.hh.
 #include <fmt/core.h>
 
-#include <OpenMesh/Core/IO/importer/BaseImporter.hh>
-#include <OpenMesh/Core/IO/reader/OMReader.hh>
-#include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
+#include <OpenMesh/Core/IO/OMFormat.hh>
+#include <bit>
 #include <cmath>
-#include <mutex>
-#include <sstream>
+#include <optional>
 
 #include "models/mesh_formats/mesh_reader.h"
-#include "models/mesh_formats/om_chunks.h"
-
-#if defined(__SANITIZE_ADDRESS__)
-// OpenMesh keeps 16 bytes from its loading to the end of the program; the leak check need not tell of them.
-extern "C" const char*
-__lsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier): the sanitizer's
-extern "C" const char* __lsan_default_suppressions() { return "leak:libOpenMeshCore"; }
-#endif
 
 namespace glint {
 namespace {
 
-struct OmHalfedge {
-    int to_vertex = -1, next = -1;
+using OpenMesh::IO::OMFormat::Chunk;
+
+constexpr std::size_t header_size = 16;
+constexpr unsigned version_2 = 2 << 5, newest = 2 << 5 | 2;  // major and minor, 3 and 5 bits
+
+/// The fields of a chunk's header, 16 bits.
+struct ChunkHeader {
+    unsigned value;
+    [[nodiscard]] unsigned bits(int offset, int size) const { return value >> offset & ((1u << size) - 1); }
+    [[nodiscard]] bool named() const { return bits(Chunk::OFF_NAME, Chunk::SIZE_NAME) != 0; }
+    [[nodiscard]] unsigned entity() const { return bits(Chunk::OFF_ENTITY, Chunk::SIZE_ENTITY); }
+    [[nodiscard]] unsigned type() const { return bits(Chunk::OFF_TYPE, Chunk::SIZE_TYPE); }
+    [[nodiscard]] bool is_float() const { return bits(Chunk::OFF_FLOAT, Chunk::SIZE_FLOAT) != 0; }
+    [[nodiscard]] unsigned dimensions() const { return bits(Chunk::OFF_DIM, Chunk::SIZE_DIM) + 1; }
+    [[nodiscard]] unsigned size_code() const { return bits(Chunk::OFF_BITS, Chunk::SIZE_BITS); }
+    [[nodiscard]] std::size_t integer_bytes() const { return std::size_t{1} << size_code(); }
+    [[nodiscard]] std::size_t vector_bytes() const {
+        return dimensions() * (is_float() ? std::size_t{4} << size_code() : integer_bytes());
+    }
 };
 
-/// What the reader hands over. Everything arrives unchecked: indices may be anything.
-class OmImporter final : public OpenMesh::IO::BaseImporter {
-  public:
-    using Face = OpenMesh::FaceHandle;
-    using Vertex = OpenMesh::VertexHandle;
-    using Edge = OpenMesh::EdgeHandle;
-    using Half = OpenMesh::HalfedgeHandle;
-    using Status = OpenMesh::Attributes::StatusInfo;
-    using Vec2f = OpenMesh::Vec2f;
-    using Vec3f = OpenMesh::Vec3f;
-    using Vec3d = OpenMesh::Vec3d;
-    using Vec4f = OpenMesh::Vec4f;
-    using Vec3uc = OpenMesh::Vec3uc;
-    using Vec4uc = OpenMesh::Vec4uc;
-
-    /// `stream` is what the reader reads: its place tells the progress. Throws LoadCancelled out of the
-    /// reader.
-    OmImporter(std::istream& stream, std::size_t bytes) : stream_(stream), parsed_(bytes) {}
-
-    std::vector<glm::vec3> positions, normals, colors;
-    std::vector<std::vector<int>> polygons;  // versions before 2: the vertices of each face
-    std::vector<OmHalfedge> halfedges;       // version 2: half-edges 2e and 2e + 1 are edge e
-    std::vector<int> face_halfedges;         // version 2: one half-edge of each face
-
-    Vertex add_vertex(const Vec3f& p) override {
-        report();
-        positions.emplace_back(p[0], p[1], p[2]);
-        return Vertex(static_cast<int>(positions.size() - 1));
-    }
-    Vertex add_vertex() override { return add_vertex(Vec3f(0, 0, 0)); }
-    Half add_edge(Vertex from, Vertex to) override {
-        report();
-        halfedges.push_back({to.idx(), -1});
-        halfedges.push_back({from.idx(), -1});
-        return Half(static_cast<int>(halfedges.size() - 2));
-    }
-    Face add_face(const VHandles& vertices) override {
-        report();
-        polygons.emplace_back();
-        for (const Vertex v : vertices) polygons.back().push_back(v.idx());
-        return Face(static_cast<int>(polygons.size() - 1));
-    }
-    Face add_face(Half half) override {
-        report();
-        face_halfedges.push_back(half.idx());
-        return Face(static_cast<int>(face_halfedges.size() - 1));
-    }
-    void set_next(Half half, Half next) override { at(half).next = next.idx(); }
-    void set_normal(Vertex /*v*/, const Vec3f& n) override {
-        report();
-        normals.emplace_back(n[0], n[1], n[2]);
-    }
-    void set_normal(Vertex /*v*/, const Vec3d& n) override { normals.emplace_back(n[0], n[1], n[2]); }
-    void set_color(Vertex /*v*/, const Vec3uc& c) override {
-        report();
-        colors.push_back(glm::vec3(c[0], c[1], c[2]) / 255.f);
-    }
-    std::size_t n_vertices() const override { return positions.size(); }
-    std::size_t n_faces() const override { return polygons.size() + face_halfedges.size(); }
-    std::size_t n_edges() const override { return halfedges.size() / 2; }
-    OpenMesh::BaseKernel* kernel() override { return &scratch_; }
-
-    // The rest is not asked for: the reader is given no chunk that would bring it.
-    void set_point(Vertex, const Vec3f&) override {}
-    void set_halfedge(Vertex, Half) override {}
-    void set_face(Half, Face) override {}
-    void set_color(Vertex, const Vec4uc&) override {}
-    void set_color(Vertex, const Vec3f&) override {}
-    void set_color(Vertex, const Vec4f&) override {}
-    void set_texcoord(Vertex, const Vec2f&) override {}
-    void set_texcoord(Vertex, const Vec3f&) override {}
-    void set_status(Vertex, const Status&) override {}
-    void set_texcoord(Half, const Vec2f&) override {}
-    void set_texcoord(Half, const Vec3f&) override {}
-    void set_status(Half, const Status&) override {}
-    void set_color(Edge, const Vec3uc&) override {}
-    void set_color(Edge, const Vec4uc&) override {}
-    void set_color(Edge, const Vec3f&) override {}
-    void set_color(Edge, const Vec4f&) override {}
-    void set_status(Edge, const Status&) override {}
-    void set_normal(Face, const Vec3f&) override {}
-    void set_normal(Face, const Vec3d&) override {}
-    void set_color(Face, const Vec3uc&) override {}
-    void set_color(Face, const Vec4uc&) override {}
-    void set_color(Face, const Vec3f&) override {}
-    void set_color(Face, const Vec4f&) override {}
-    void set_status(Face, const Status&) override {}
-    void set_face_texindex(Face, int) override {}
-    void add_face_texcoords(Face, Vertex, const std::vector<Vec2f>&) override {}
-    void add_face_texcoords(Face, Vertex, const std::vector<Vec3f>&) override {}
-    void request_face_texcoords2D() override {}
-    void add_texture_information(int, std::string) override {}
-
-  private:
-    void report() {
-        constexpr std::size_t calls_between_reports = 4096;
-        if (++calls_ % calls_between_reports == 0) parsed_.at(static_cast<std::size_t>(stream_.tellg()));
-    }
-    OmHalfedge& at(Half half) { return halfedges.at(static_cast<std::size_t>(half.idx())); }
-
-    std::istream& stream_;
-    ParsedBytes parsed_;
-    std::size_t calls_ = 0;
-    OpenMesh::PolyConnectivity scratch_;  // the reader insists on a kernel; it stays empty
+/// Half-edges 2e and 2e + 1 are edge e.
+struct Halfedge {
+    std::int64_t next = -1, to_vertex = -1;
 };
 
-/// Turns what the reader handed over into polygons, checking every index.
-class OmPolygons {
+class OmReader {
   public:
-    OmPolygons(const OmImporter& from, Mesh& mesh, const std::string& file)
-        : from_(from), mesh_(mesh), file_(file), walked_(from.halfedges.size(), 0) {}
+    OmReader(std::string_view bytes, const std::string& file)
+        : bytes_(bytes), file_(file), parsed_(bytes.size()) {
+        if (bytes.substr(0, 2) != "OM" || bytes.size() < header_size)
+            fail("this is not an OM file", "\"OM\" and its counts");
+        kind_ = bytes[2];
+        if (kind_ != 'T' && kind_ != 'Q' && kind_ != 'P')
+            fail(fmt::format("{} is not a kind of mesh", quoted_word(bytes.substr(2, 1))), "T, Q or P");
+        version_ = static_cast<unsigned char>(bytes[3]);
+        if (version_ > newest) fail("the file is of a newer version", "2.2 at most");
+        vertices_ = natural(4, 4);
+        faces_ = natural(8, 4);
+        edges_ = natural(12, 4);
+        if (vertices_ > most_corners || faces_ > most_corners || edges_ > most_corners / 2)
+            fail("a count is out of range", fmt::format("at most {}", most_corners));
+    }
 
-    void add_all() {
-        for (const auto& polygon : from_.polygons) {
-            for (const int v : polygon) add_corner(v);
-            close_face(mesh_, file_);
-        }
-        for (const int halfedge : from_.face_halfedges) {
-            add_loop(halfedge);
-            close_face(mesh_, file_);
-        }
+    Mesh read() {
+        read_chunks();
+        if (other_normals_) mesh_.warnings.emplace_back("vertex normals of an unusual type are ignored");
+        if (other_colors_) mesh_.warnings.emplace_back("vertex colours of an unusual type are ignored");
+        if (!positions_ && vertices_ > 0)
+            fail("the file has no positions of its vertices", "a chunk of positions");
+        if (positions_) mesh_.positions = vectors(*positions_, "a coordinate");
+        if (normals_) mesh_.normals = vectors(*normals_, "a normal");
+        if (normals_) mesh_.given_normals = GivenNormals::File;
+        if (colors_) read_colors(*colors_);
+        mesh_.first_corner.push_back(0);
+        if (face_chunk_ && version_ < version_2) add_polygons(*face_chunk_);
+        if (face_chunk_ && version_ >= version_2) add_loops(*face_chunk_);
+        return std::move(mesh_);
     }
 
   private:
-    void add_corner(int vertex) {
-        if (vertex < 0 || static_cast<std::size_t>(vertex) >= from_.positions.size())
-            fail(fmt::format("vertex index {} is out of range", vertex),
-                 from_.positions.empty() ? "vertices" : fmt::format("0 to {}", from_.positions.size() - 1));
+    struct Data {
+        ChunkHeader header;
+        std::size_t at;  // the first byte behind the header
+    };
+
+    [[noreturn]] void fail(std::string what, std::string expected) const {
+        throw Unreadable{{file_, "", std::move(what), std::move(expected), 0}};
+    }
+    [[noreturn]] void fail_in_face(const std::string& what, std::string expected) const {
+        fail(fmt::format("face {}: {}", mesh_.face_count(), what), std::move(expected));
+    }
+
+    /// Little-endian, of 1 to 8 bytes.
+    [[nodiscard]] std::size_t natural(std::size_t at, std::size_t size) const {
+        if (at + size > bytes_.size()) fail("the file ends early", "a chunk or the end mark");
+        std::size_t value = 0;
+        for (std::size_t i = 0; i < size; ++i)
+            value |= std::size_t{static_cast<unsigned char>(bytes_[at + i])} << (8 * i);
+        return value;
+    }
+    /// With a sign: its highest bit.
+    [[nodiscard]] std::int64_t integer(std::size_t at, std::size_t size) const {
+        const std::size_t sign = std::size_t{1} << (8 * size - 1), value = natural(at, size);
+        return static_cast<std::int64_t>(value ^ sign) - static_cast<std::int64_t>(sign);
+    }
+
+    /// Finds the chunks that make up the mesh, each there whole and once.
+    void read_chunks() {
+        std::size_t at = header_size;
+        while (at < bytes_.size()) {
+            parsed_.at(at);
+            const ChunkHeader header{static_cast<unsigned>(natural(at, 2))};
+            at += 2;
+            if (header.entity() == Chunk::Entity_Sentinel) return;
+            if (header.named() || header.type() == Chunk::Type_Custom) {  // writers put these last
+                mesh_.warnings.emplace_back("custom properties are ignored");
+                return;
+            }
+            const std::size_t size = data_size(header, at);
+            if (size > bytes_.size() - at)
+                fail("the file ends early", fmt::format("a chunk of {} bytes", size));
+            keep({header, at});
+            at += size;
+        }
+    }
+
+    [[nodiscard]] std::size_t count(const ChunkHeader& header) const {
+        switch (header.entity()) {
+        case Chunk::Entity_Vertex:
+            return vertices_;
+        case Chunk::Entity_Face:
+            return faces_;
+        case Chunk::Entity_Edge:
+            return edges_;
+        case Chunk::Entity_Halfedge:
+            return 2 * edges_;
+        case Chunk::Entity_Mesh:
+            return 1;
+        default:
+            fail(fmt::format("a chunk is of the unknown kind {}", header.entity()), "0, 1, 2, 4, 6 or 7");
+        }
+    }
+
+    std::size_t data_size(const ChunkHeader& header, std::size_t at) {
+        if (header.type() == Chunk::Type_Status) return 4 * count(header);
+        if (header.type() != Chunk::Type_Topology) return count(header) * header.vector_bytes();
+        const std::size_t size = header.integer_bytes();
+        if (size > 4) fail("indices have 8 bytes", "1, 2 or 4");
+        if (header.entity() == Chunk::Entity_Halfedge) return 3 * size * count(header);  // next, vertex, face
+        if (header.entity() != Chunk::Entity_Face || version_ >= version_2) return size * count(header);
+        if (kind_ != 'P') return (kind_ == 'T' ? 3 : 4) * size * faces_;
+        std::size_t total = 0;  // each face: 2 bytes of a count, then the vertices
+        for (std::size_t f = 0; f < faces_; ++f) {
+            parsed_.at(at + total);
+            total += 2 + size * natural(at + total, 2);
+        }
+        return total;
+    }
+
+    void keep(const Data& chunk) {
+        const auto once = [&](std::optional<Data>& as) {
+            if (as) fail("a chunk comes twice", "one of each");
+            as = chunk;
+        };
+        const ChunkHeader& header = chunk.header;
+        if (header.type() == Chunk::Type_Topology) {
+            if (header.entity() == Chunk::Entity_Halfedge) once(halfedge_chunk_);
+            if (header.entity() == Chunk::Entity_Face) once(face_chunk_);
+            return;
+        }
+        if (header.entity() != Chunk::Entity_Vertex) return;
+        const bool three = header.dimensions() == 3;
+        const bool floats = header.is_float() && header.size_code() == Chunk::Float_32 && three;
+        const bool bytes = !header.is_float() && header.integer_bytes() == 1 && three;
+        if (header.type() == Chunk::Type_Pos) {
+            if (!floats) fail("the positions are of an unusual type", "three 4-byte floats each");
+            once(positions_);
+        } else if (header.type() == Chunk::Type_Normal) {
+            floats ? once(normals_) : void(other_normals_ = true);
+        } else if (header.type() == Chunk::Type_Color) {
+            bytes ? once(colors_) : void(other_colors_ = true);
+        }
+    }
+
+    /// One a vertex. `what`: as a message calls one of its numbers.
+    std::vector<glm::vec3> vectors(const Data& chunk, const char* what) {
+        std::vector<glm::vec3> read(vertices_);
+        for (std::size_t v = 0; v < vertices_; ++v) {
+            parsed_.at(chunk.at + 12 * v);
+            for (std::size_t i = 0; i < 3; ++i) {
+                const auto number =
+                    std::bit_cast<float>(static_cast<std::uint32_t>(natural(chunk.at + 12 * v + 4 * i, 4)));
+                if (!(std::abs(number) <= static_cast<float>(max_number)))
+                    fail(fmt::format("vertex {}: {} of {} is out of range", v, what, number),
+                         "-1e30 to 1e30");
+                read[v][static_cast<int>(i)] = number;
+            }
+        }
+        return read;
+    }
+
+    void read_colors(const Data& chunk) {
+        mesh_.colors.resize(vertices_);
+        for (std::size_t v = 0; v < vertices_; ++v)
+            for (std::size_t i = 0; i < 3; ++i)
+                mesh_.colors[v][static_cast<int>(i)] =
+                    static_cast<float>(natural(chunk.at + 3 * v + i, 1)) / 255.f;
+    }
+
+    void add_corner(std::int64_t vertex) {
+        if (vertex < 0 || static_cast<std::size_t>(vertex) >= vertices_)
+            fail_in_face(fmt::format("vertex index {} is out of range", vertex),
+                         vertices_ == 0 ? "vertices" : fmt::format("0 to {}", vertices_ - 1));
         constexpr std::size_t corners_between_reports = 1 << 16;
         if (mesh_.corner_position.size() % corners_between_reports == 0)
-            report_or_leave(LoadStage::Building, mesh_.face_count(), from_.n_faces());
+            report_or_leave(LoadStage::Building, mesh_.face_count(), faces_);
         mesh_.corner_position.push_back(static_cast<std::uint32_t>(vertex));
     }
 
-    /// Round the face along its half-edges, each of which belongs to one loop only.
-    void add_loop(int first) {
-        int half = first;
-        do {
-            if (half < 0 || static_cast<std::size_t>(half) >= from_.halfedges.size())
-                fail(fmt::format("half-edge index {} is out of range", half),
-                     from_.halfedges.empty() ? "half-edges"
-                                             : fmt::format("0 to {}", from_.halfedges.size() - 1));
-            if (walked_[static_cast<std::size_t>(half)]++ != 0)
-                fail("its half-edges form no loop", "each once");
-            add_corner(from_.halfedges[static_cast<std::size_t>(half ^ 1)].to_vertex);  // where it starts
-            half = from_.halfedges[static_cast<std::size_t>(half)].next;
-        } while (half != first);
+    /// Before version 2: the vertices of each face.
+    void add_polygons(const Data& chunk) {
+        const std::size_t size = chunk.header.integer_bytes();
+        std::size_t at = chunk.at;
+        for (std::size_t f = 0; f < faces_; ++f) {
+            std::size_t corners = kind_ == 'T' ? 3 : 4;
+            if (kind_ == 'P') {
+                corners = natural(at, 2);
+                at += 2;
+            }
+            for (; corners > 0; --corners, at += size)
+                add_corner(static_cast<std::int64_t>(natural(at, size)));
+            close_face(mesh_, file_);
+        }
     }
 
-    [[noreturn]] void fail(const std::string& what, const std::string& expected) const {
-        throw Unreadable{{file_, "", fmt::format("face {}: {}", mesh_.face_count(), what), expected, 0}};
+    /// From version 2 on: one half-edge of each face, whose next ones lead round it.
+    void add_loops(const Data& chunk) {
+        const std::vector<Halfedge> halfedges = read_halfedges();
+        std::vector<char> walked(halfedges.size(), 0);  // each belongs to one face only
+        const std::size_t size = chunk.header.integer_bytes();
+        for (std::size_t f = 0; f < faces_; ++f) {
+            const std::int64_t first = integer(chunk.at + f * size, size);
+            std::int64_t half = first;
+            do {
+                if (half < 0 || static_cast<std::size_t>(half) >= halfedges.size())
+                    fail_in_face(
+                        fmt::format("half-edge index {} is out of range", half),
+                        halfedges.empty() ? "half-edges" : fmt::format("0 to {}", halfedges.size() - 1));
+                if (walked[static_cast<std::size_t>(half)]++ != 0)
+                    fail_in_face("its half-edges do not form a loop", "each once");
+                add_corner(halfedges[static_cast<std::size_t>(half ^ 1)].to_vertex);  // where it starts
+                half = halfedges[static_cast<std::size_t>(half)].next;
+            } while (half != first);
+            close_face(mesh_, file_);
+        }
     }
 
-    const OmImporter& from_;
-    Mesh& mesh_;
+    std::vector<Halfedge> read_halfedges() {
+        std::vector<Halfedge> all(halfedge_chunk_ ? 2 * edges_ : 0);
+        for (std::size_t h = 0; h < all.size(); ++h) {
+            const std::size_t size = halfedge_chunk_->header.integer_bytes(),
+                              at = halfedge_chunk_->at + 3 * size * h;
+            parsed_.at(at);
+            all[h] = {integer(at, size), integer(at + size, size)};
+        }
+        return all;
+    }
+
+    std::string_view bytes_;
     const std::string& file_;
-    std::vector<char> walked_;
+    ParsedBytes parsed_;
+    Mesh mesh_;
+    char kind_ = 'P';
+    unsigned version_ = 0;
+    std::size_t vertices_ = 0, faces_ = 0, edges_ = 0;
+    std::optional<Data> positions_, normals_, colors_, face_chunk_, halfedge_chunk_;
+    bool other_normals_ = false, other_colors_ = false;
 };
-
-void check_finite(const std::vector<glm::vec3>& vectors, const char* what, const std::string& file) {
-    for (std::size_t v = 0; v < vectors.size(); ++v)
-        for (int i = 0; i < 3; ++i)
-            if (!(std::abs(vectors[v][i]) <= static_cast<float>(max_number)))
-                throw Unreadable{{file, "",
-                                  fmt::format("vertex {}: {} of {} is out of range", v, what, vectors[v][i]),
-                                  "-1e30 to 1e30", 0}};
-}
 
 }  // namespace
 
-Mesh read_om(std::string_view bytes, const std::string& file) {
-    Mesh mesh;
-    mesh.first_corner.push_back(0);
-    std::istringstream stream(sound_om_chunks(bytes, file, mesh.warnings));
-    OmImporter importer(stream, bytes.size());
-    OpenMesh::IO::Options options = OpenMesh::IO::Options::Binary;
-    options += OpenMesh::IO::Options::VertexNormal;
-    options += OpenMesh::IO::Options::VertexColor;
-    {
-        static std::mutex one_at_a_time;  // the reader is one object and keeps its state in it
-        const std::lock_guard lock(one_at_a_time);
-        if (!OpenMesh::IO::OMReader().read(stream, importer, options))
-            throw Unreadable{{file, "", "OpenMesh cannot read this file", "an OM file that it wrote", 0}};
-    }
-    check_finite(importer.positions, "a coordinate", file);
-    check_finite(importer.normals, "a normal", file);
-    OmPolygons(importer, mesh, file).add_all();
-    if (importer.normals.size() == importer.positions.size()) {
-        mesh.normals = std::move(importer.normals);
-        mesh.given_normals = GivenNormals::File;
-    }
-    if (importer.colors.size() == importer.positions.size()) mesh.colors = std::move(importer.colors);
-    mesh.positions = std::move(importer.positions);
-    return mesh;
-}
+Mesh read_om(std::string_view bytes, const std::string& file) { return OmReader(bytes, file).read(); }
 
 }  // namespace glint

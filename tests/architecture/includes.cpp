@@ -13,6 +13,42 @@ using std::string_view;
 /// From the top of the house to the ground.
 constexpr std::array<string_view, 4> floors{"app", "ui", "renderer", "models"};
 
+/// The rooms of the renderer, each before those that may include it: a file; a folder with all in it; or,
+/// with a star, the files of a folder itself.
+constexpr std::array<string_view, 14> rooms{
+    "renderer/picture.h",        "renderer/simd/",       "renderer/lighting/",
+    "renderer/geometry/",        "renderer/visibility/", "renderer/surface/",
+    "renderer/strokes/",         "renderer/shade/",      "renderer/stages.h",
+    "renderer/inspect/explain/", "renderer/kernels/",    "renderer/*",
+    "renderer/image/",           "renderer/inspect/",
+};
+
+std::optional<std::size_t> room_of(string_view path) {
+    std::optional<std::size_t> found;
+    std::size_t longest = 0;
+    for (std::size_t i = 0; i < rooms.size(); ++i) {
+        const bool star = rooms[i].ends_with('*');
+        const string_view start = star ? rooms[i].substr(0, rooms[i].size() - 1) : rooms[i];
+        if (!path.starts_with(start) || start.size() <= longest) continue;
+        if (star && path.find('/', start.size()) != path.npos) continue;
+        found = i;
+        longest = start.size();
+    }
+    return found;
+}
+
+/// Why one file of the renderer may not include another.
+std::string complaint_inside(string_view path, string_view name) {
+    const auto from = room_of(path), to = room_of(name);
+    if (!from) return "is included by a file in none of the renderer's rooms";
+    if (!to) return "is in none of the renderer's rooms";
+    if (*to > *from)
+        return "is in a later room; expected simd -> lighting -> geometry -> visibility -> surface -> "
+               "strokes "
+               "-> shade -> inspect";
+    return {};
+}
+
 std::optional<std::size_t> floor_of(string_view path) {
     const string_view folder = path.substr(0, path.find('/'));
     const auto* at = std::find(floors.begin(), floors.end(), folder);
@@ -35,6 +71,9 @@ std::string complaint(string_view path, string_view name, bool quoted) {
     if (!from) return {};
     if (quoted && !to) return "is not written from the root of the project";
     if (to && *to < *from) return "points up; expected app -> ui -> renderer -> models";
+    if (floors[*from] == "renderer" && from == to) {
+        if (std::string why = complaint_inside(path, name); !why.empty()) return why;
+    }
     if (*from > 0 && is_gl_or_window(name)) return "brings GL, GLFW or a window below app";
     if (*from > 1 && name.starts_with("imgui")) return "brings ImGui below ui";
     if (name.starts_with("OpenMesh/") && !(path.starts_with("models/") && path.ends_with(".cpp"))) {

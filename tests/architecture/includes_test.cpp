@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "tests/support/catch.h"
@@ -27,6 +28,38 @@ TEST_CASE("includes point down only, and GL, GLFW, ImGui and OpenMesh stay where
     }
     CHECK(files > 10);
     for (const auto& line : found) FAIL_CHECK(line);
+}
+
+TEST_CASE("a room of the renderer that includes a later one is reported", "[architecture]") {
+    const auto reported = [](const char* path, const std::string& name) {
+        return forbidden_includes(path, "#include \"" + name + "\"").size() == 1;
+    };
+    CHECK(reported("renderer/simd/pow.h", "renderer/lighting/illuminate.h"));
+    CHECK(reported("renderer/lighting/phong.h", "renderer/geometry/interpolate.h"));
+    CHECK(reported("renderer/geometry/geometry.h", "renderer/visibility/binning.h"));
+    CHECK(reported("renderer/surface/surface.h", "renderer/shade/lighting.h"));
+    CHECK(reported("renderer/shade/lighting.h", "renderer/renderer.h"));
+    CHECK(reported("renderer/inspect/explain/explain.h", "renderer/renderer.h"));
+    CHECK(reported("renderer/renderer.h", "renderer/inspect/reflectance/lobes.h"));
+    CHECK(reported("renderer/renderer.h", "renderer/new_room/file.h"));
+    CHECK(reported("renderer/new_room/file.h", "renderer/renderer.h"));
+    CHECK_FALSE(reported("renderer/shade/lighting.h", "renderer/picture.h"));
+    CHECK_FALSE(reported("renderer/renderer.cpp", "renderer/inspect/explain/explain.h"));
+    CHECK_FALSE(reported("renderer/inspect/reflectance/highlight.h", "renderer/renderer.h"));
+    CHECK_FALSE(reported("renderer/surface/surface.h", "renderer/geometry/geometry.h"));
+}
+
+TEST_CASE("no folder holds more than 20 files", "[architecture]") {
+    std::map<std::string, int> files;
+    const fs::path root = GLINT_SOURCE_DIR;
+    for (const char* folder : {"app", "ui", "renderer", "models", "tests"})
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder))
+            if (entry.is_regular_file())
+                ++files[fs::relative(entry.path().parent_path(), root).generic_string()];
+    for (const auto& [folder, count] : files) {
+        INFO(folder << " holds " << count << " files");
+        CHECK(count <= 20);
+    }
 }
 
 TEST_CASE("an upward include is reported with its file and line", "[architecture]") {
