@@ -1,15 +1,17 @@
 #include "models/json/json_value.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
+#include "models/io/utf8.h"
+#include "models/json/json_reader.h"
+
 namespace glint {
 namespace {
-
-constexpr std::size_t max_depth = 64;  // of arrays and objects inside each other
-constexpr std::size_t max_values = 2'000'000;
 
 /// Builds a value from the parser's events, whose names are the library's.
 class Builder {
@@ -47,7 +49,7 @@ class Builder {
     };
 
     bool put(JsonValue value) {
-        if (++count_ > max_values) return false;
+        if (++count_ > max_json_values) return false;
         if (open_.empty()) {
             root_ = std::move(value);
         } else if (Open& in = open_.back(); !in.is_object) {
@@ -61,7 +63,7 @@ class Builder {
     }
     bool open(bool is_object) {
         open_.push_back({std::move(key_), is_object, {}, {}, {}});
-        return open_.size() <= max_depth;
+        return open_.size() <= max_json_depth;
     }
     /// A container is put where it belongs only now, with all that it holds: nothing moves while it is built.
     bool close() {
@@ -77,10 +79,8 @@ class Builder {
     std::size_t count_ = 0;
 };
 
-/// A number or text as the library writes it.
-template <class T> std::string plain(const T& value) {
-    return nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
+/// In the shortest form that reads back equal; null when it is not finite.
+std::string number_text(double value) { return nlohmann::json(value).dump(); }
 
 bool is_structured(const JsonValue& json) { return json.is_array() || json.is_object(); }
 
@@ -118,7 +118,7 @@ void append(std::string& text, const JsonValue& json, std::size_t indent) {
                      [&](const JsonValue& item) { append(text, item, indent + 2); });
     } else if (!json.members().empty()) {
         append_lines(text, json.members(), "{}", indent, [&](const auto& member) {
-            text += plain(member.first) + ": ";
+            text += json_string(member.first) + ": ";
             append(text, member.second, indent + 2);
         });
     } else {
@@ -214,8 +214,8 @@ void JsonValue::push_back(JsonValue value) {
 std::string JsonValue::text() const {
     if (is_boolean()) return boolean() ? "true" : "false";
     if (is_whole_number()) return std::to_string(std::get<std::int64_t>(value_));
-    if (is_number()) return plain(number());
-    if (is_string()) return plain(string());
+    if (is_number()) return number_text(number());
+    if (is_string()) return json_string(string());
     if (!is_array() && !is_object()) return "null";
     std::string text(1, is_array() ? '[' : '{');
     const auto separate = [&text] {
@@ -227,10 +227,32 @@ std::string JsonValue::text() const {
     }
     for (const auto& [name, value] : members()) {
         separate();
-        text.append(plain(name)).append(1, ':').append(value.text());
+        text.append(json_string(name)).append(1, ':').append(value.text());
     }
     text += is_array() ? ']' : '}';
     return text;
+}
+
+std::string json_string(std::string_view raw) {
+    std::string text = "\"";
+    for (std::size_t i = 0; i < raw.size();) {
+        const std::size_t length = utf8_length(raw.substr(i, 4));
+        const char c = raw[i];
+        if (length == 0)
+            text += "\uFFFD";
+        else if (c == '"' || c == '\\')
+            text.append(1, '\\').append(1, c);
+        else if (c == '\n')
+            text += "\\n";
+        else if (c == '\t')
+            text += "\\t";
+        else if (static_cast<unsigned char>(c) < 0x20 || c == '\x7f')
+            text += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        else
+            text += raw.substr(i, length);
+        i += std::max<std::size_t>(1, length);
+    }
+    return text + "\"";
 }
 
 std::string json_text(const JsonValue& json) {

@@ -91,6 +91,9 @@ class JsonValue {
     std::variant<std::nullptr_t, bool, std::int64_t, double, std::string, Elements, Members> value_{nullptr};
 };
 
+/// A JSON string; bytes that are not UTF-8 become U+FFFD, control characters escapes.
+[[nodiscard]] std::string json_string(std::string_view text);
+
 /// JSON as Glint prints it, for people to read as well: an object's keys one a line, lists of plain values on
 /// one, and a newline at the end.
 [[nodiscard]] std::string json_text(const JsonValue& json);

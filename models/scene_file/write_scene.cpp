@@ -7,6 +7,7 @@
 
 #include "models/fields/scene_fields.h"
 #include "models/io/utf8.h"
+#include "models/json/json_value.h"
 #include "models/scene_file/scene_file.h"
 
 namespace glint {
@@ -22,29 +23,6 @@ std::string number_text(float x) {
 }
 
 namespace {
-
-/// A JSON string; bytes that are not UTF-8 become U+FFFD.
-std::string string_text(std::string_view raw) {
-    std::string text = "\"";
-    for (std::size_t i = 0; i < raw.size();) {
-        const std::size_t length = utf8_length(raw.substr(i, 4));
-        const char c = raw[i];
-        if (length == 0)
-            text += "\uFFFD";
-        else if (c == '"' || c == '\\')
-            text.append(1, '\\').append(1, c);
-        else if (c == '\n')
-            text += "\\n";
-        else if (c == '\t')
-            text += "\\t";
-        else if (static_cast<unsigned char>(c) < 0x20 || c == '\x7f')
-            text += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-        else
-            text += raw.substr(i, length);
-        i += std::max<std::size_t>(1, length);
-    }
-    return text + "\"";
-}
 
 /// Where an object's text breaks into lines.
 struct Layout {
@@ -75,8 +53,8 @@ constexpr Layout layout_of(const Scene&) {
 
 template <class T> std::string text_of(const T& value);
 
-std::string text_of_value(const Text&, const std::string& s) { return string_text(s); }
-std::string text_of_value(const Path&, const std::string& s) { return string_text(escaped_bytes(s)); }
+std::string text_of_value(const Text&, const std::string& s) { return json_string(s); }
+std::string text_of_value(const Path&, const std::string& s) { return json_string(escaped_bytes(s)); }
 std::string text_of_value(const Switch&, bool b) { return b ? "true" : "false"; }
 std::string text_of_value(const Real&, float x) { return number_text(x); }
 std::string text_of_value(const Count&, int n) { return fmt::format("{}", n); }
@@ -88,7 +66,7 @@ std::string vector_text(const float* v, int size) {
 std::string text_of_value(const Colour&, const glm::vec3& v) { return vector_text(&v.x, 3); }
 std::string text_of_value(const Vector&, const glm::vec3& v) { return vector_text(&v.x, 3); }
 std::string text_of_value(const Homogeneous&, const glm::vec4& v) { return vector_text(&v.x, 4); }
-template <class E> std::string text_of_value(const OneOf&, E value) { return string_text(name_of(value)); }
+template <class E> std::string text_of_value(const OneOf&, E value) { return json_string(name_of(value)); }
 template <class T> std::string text_of_value(const Group&, const T& value) { return text_of(value); }
 std::string text_of_value(const OneProjection&, const Projection& p) {
     std::string text = text_of(p);
