@@ -23,7 +23,7 @@ void picture_took(FramePace& pace, int divisor, double ms) {
         // between nothing follows for a full one.
         pace.full_ms = ms * pixels_fewer;
     }
-    if (pace.in_vain || pace.full_ms <= slow_picture_ms) {
+    if (pace.in_vain || pace.full_ms <= pace.slow_ms) {
         pace.divisor = 1;
         return;
     }

@@ -6,12 +6,16 @@
 
 namespace glint {
 
+/// A picture at full size that takes longer than this is drawn smaller while something moves.
+inline constexpr double slow_picture_ms = 33;
+
 struct FramePace {
-    int divisor = 1;         // of the picture's width and height, for the next picture
-    double full_ms = 0;      // what one of full size took, or is judged to take
-    bool in_vain = false;    // smaller ones are not faster: the time goes elsewhere
-    double rests_since = 0;  // seconds on the clock that the caller keeps: the last change
-    int drawn_at = 0;        // divisor of the picture drawn in this frame; 0: none was, or nothing moves
+    double slow_ms = slow_picture_ms;  // infinite where no hand waits
+    int divisor = 1;                   // of the picture's width and height, for the next picture
+    double full_ms = 0;                // what one of full size took, or is judged to take
+    bool in_vain = false;              // smaller ones are not faster: the time goes elsewhere
+    double rests_since = 0;            // seconds on the clock that the caller keeps: the last change
+    int drawn_at = 0;  // divisor of the picture drawn in this frame; 0: none was, or nothing moves
     // For want of memory, pictures of this size are divided by that, hand or no hand. Now and then a larger
     // one is tried.
     PictureSize memory_divided{0, 0};
@@ -20,8 +24,6 @@ struct FramePace {
     bool memory_tries_again = false;
 };
 
-/// A picture at full size that takes longer than this is drawn smaller while something moves.
-inline constexpr double slow_picture_ms = 33;
 /// Smaller ones are chosen to take about this.
 inline constexpr double wanted_picture_ms = 24;
 inline constexpr int largest_divisor = 4;

@@ -24,6 +24,7 @@ void begin_slow_drag(test::Bench& bench, int divisor) {
     bench.move(bench.at_pixel({40, 40}));
     bench.button(true);
     bench.move(bench.at_pixel({60, 44}));
+    bench.state.pace.slow_ms = slow_picture_ms;
     bench.state.pace.divisor = divisor;
     bench.state.pace.full_ms = divisor > 2 ? 80 : 40;
 }
