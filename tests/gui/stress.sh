@@ -2,18 +2,23 @@
 # Random events against the real window: resolutions from 72 to 300 dpi, sizes from 1x1 to 2000 pixels, keys and clicks
 # 20 ms apart, drops from programs that vanish, files that change, two windows on one state folder. Fails when a
 # window dies, says anything but a warning, or does not answer; the seed, the life and the last events are printed.
-# PROGRAM HAND XDND_SOURCE [SECONDS [SEED [FIRST_LIFE]]]; the last repeats what was found from there.
+#
+#   tests/gui/stress.sh SECONDS SEED [FIRST_LIFE]     the last repeats what was found from there
+#
+# Of the sanitizers' build (cmake --preset dev && cmake --build --preset dev), or of the one that GLINT_BUILD names.
 set -u
 # A random hand in a file dialog must not reach anybody's files: as root it gives its rights up first.
 if [ "$(id -u)" -eq 0 ] && command -v setpriv >/dev/null; then
     exec setpriv --reuid=65534 --regid=65534 --clear-groups env HOME=/nonexistent bash "$0" "$@"
 fi
 # shellcheck disable=SC2034  # display.sh uses it
-program=$1
-hand=$2 source=$3
-seconds=${4:-60} seed=${5:-1} life=${6:-0}
+seconds=${1:-60} seed=${2:-1} life=${3:-0}
+build=${GLINT_BUILD:-$(cd "$(dirname "$0")/../.." && pwd)/build/dev}
+program=$build/app/glint hand=$build/tests/gui/stress_hand source=$build/tests/gui/xdnd_source
+set --
 # shellcheck source=tests/gui/display.sh
 . "$(dirname "$0")/display.sh"
+[ -x "$program" ] || { echo "$program is not there: cmake --preset dev && cmake --build --preset dev"; exit 2; }
 [ -x "$hand" ] || { echo "skipped: the hand was not built (libxtst-dev)"; exit 77; }
 
 # The program with scenes of its own beside it, which may be saved over.

@@ -121,7 +121,7 @@ class Hand {
         fmt::print("failed: {}; seed {}, life {}. The last events:\n", what, options_.seed, life_);
         for (const std::string& event : events_) fmt::print("    {}\n", event);
         fmt::print("Standard error:\n{}", complaints(one.errors));
-        fmt::print("Again: tests/gui/stress.sh PROGRAM HAND XDND_SOURCE {} {} {}\n", options_.seconds,
+        fmt::print("Again: tests/gui/stress.sh {} {} {}\n", options_.seconds,
                    options_.seed, life_);
     }
 
