@@ -43,14 +43,14 @@ PictureSize read_size(const std::string& option, std::string_view text) {
         return side && *side >= 1 && *side <= max_picture_side;
     };
     if (fits(width) && fits(height)) return {*width, *height};
-    throw wrong_usage(option, fmt::format("{} is no size of a picture", text),
+    throw wrong_usage(option, fmt::format("{} is not a picture size", text),
                       fmt::format("WIDTHxHEIGHT as in 1280x720, 1x1 to {0}x{0}", max_picture_side));
 }
 
 Pixel read_pixel(const std::string& option, std::string_view text) {
     const auto [x, y] = pair_of(text, ',');
     if (x && y) return {*x, *y};
-    throw wrong_usage(option, fmt::format("{} is no pixel", text), "X,Y as in 640,360");
+    throw wrong_usage(option, fmt::format("{} is not a pixel", text), "X,Y as in 640,360");
 }
 
 void require_inside(const std::string& option, Pixel pixel, PictureSize size) {
@@ -62,7 +62,7 @@ void require_inside(const std::string& option, Pixel pixel, PictureSize size) {
 int read_count(const std::string& option, std::string_view text, int least, int most) {
     const auto value = whole_number(text);
     if (value && *value >= least && *value <= most) return *value;
-    throw wrong_usage(option, fmt::format("{} is {}", text, value ? "out of range" : "no whole number"),
+    throw wrong_usage(option, fmt::format("{} is {}", text, value ? "out of range" : "not a whole number"),
                       fmt::format("{} to {}", least, most));
 }
 
@@ -71,7 +71,7 @@ double read_amount(const std::string& option, std::string_view text, double most
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool whole = error == std::errc{} && end == text.data() + text.size();
     if (whole && std::isfinite(value) && value >= 0 && value <= most) return value;
-    throw wrong_usage(option, fmt::format("{} is {}", text, whole ? "out of range" : "no number"),
+    throw wrong_usage(option, fmt::format("{} is {}", text, whole ? "out of range" : "not a number"),
                       std::isfinite(most) ? fmt::format("0 to {}", most) : "0 or more");
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-/// Where the first word stands that is no option and no option's value, so may name a command.
+/// Where the first word stands that is neither an option nor the value of one, so may name a command.
 std::size_t first_word(const Arguments& arguments) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string& a = arguments[i];

@@ -101,7 +101,7 @@ std::uint64_t default_memory_limit() {
 Result<std::uint64_t> parse_memory_size(const std::string& option, std::string_view text) {
     constexpr std::string_view units = "KMGT";
     const auto wrong = [&] {
-        return Problem{option, "", fmt::format("{} is no size of memory", text), size_words};
+        return Problem{option, "", fmt::format("{} is not a memory size", text), size_words};
     };
     std::uint64_t number = 0;
     const char* const end = text.data() + text.size();

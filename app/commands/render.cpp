@@ -91,7 +91,7 @@ void require_possible(const RenderArguments& arguments) {
         throw wrong_usage("--buffers", "the picture is too large", "at most 16777216 pixels");
     std::error_code ignored;
     if (!std::filesystem::is_directory(arguments.buffers, ignored))
-        throw wrong_usage("--buffers", arguments.buffers + " is no directory", "a directory that is there");
+        throw wrong_usage("--buffers", arguments.buffers + " is not a directory", "a directory that is there");
 }
 
 std::string stats_text(const Renderer& renderer, PictureSize size) {

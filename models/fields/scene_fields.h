@@ -33,7 +33,7 @@ template <Of<Falloff> F, class Visit> void fields(F& f, Visit&& visit) {
 template <Of<SpotCone> C, class Visit> void fields(C& c, Visit&& visit) {
     visit(Row{"direction", "Aim", "Where the cone's axis points, any length, in the light's own coordinates"},
           Vector{.condition = "not zero", .step = 0.005f}, c.direction);
-    visit(Row{"cutoff_deg", "Cutoff", "Angle from the axis to the edge of the cone; 180 is no cone"},
+    visit(Row{"cutoff_deg", "Cutoff", "Angle from the axis to the edge of the cone; 180: no cone"},
           Real{.range = {0, 90, "0 to 90, or 180", false, false, 180},
                .unit = "°",
                .step = 0.1f,

@@ -67,7 +67,7 @@ std::string_view take_field(std::string_view& rest) {
 
 std::optional<Problem> why_no_png(std::string_view bytes, const std::string& file) {
     if (bytes.starts_with(signature)) return {};
-    return Problem{file, "", "is no PNG picture", "one that Glint wrote"};
+    return Problem{file, "", "is not a PNG picture", "one that Glint wrote"};
 }
 
 Result<std::string> png_text(std::string_view bytes, std::string_view keyword, std::size_t max_bytes,

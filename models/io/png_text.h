@@ -10,7 +10,7 @@
 
 namespace glint {
 
-/// What is wrong with a file that begins with `bytes`, and so is no PNG; nothing when it may be one.
+/// What is wrong with a file that begins with `bytes`, and so is not a PNG; nothing when it may be one.
 [[nodiscard]] std::optional<Problem> why_no_png(std::string_view bytes, const std::string& file);
 
 /// Text of the first iTXt chunk with that keyword, compressed or not, wherever it stands. Problems, with

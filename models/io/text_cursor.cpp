@@ -18,7 +18,7 @@ void TextCursor::fail_missing(std::string_view name, const char* expected) const
 void TextCursor::fail_integer() {
     const std::string_view text = word();
     const bool digits = text.find_first_not_of("-0123456789") == std::string_view::npos;
-    fail(fmt::format("{} is {}", quoted_word(text), digits ? "out of range" : "no whole number"),
+    fail(fmt::format("{} is {}", quoted_word(text), digits ? "out of range" : "not a whole number"),
          "a whole number");
 }
 
@@ -31,7 +31,7 @@ void TextCursor::skip_rest() {
             return;
         }
         const char* newline = static_cast<const char*>(found);
-        const char* last = newline;  // one past the last character that is no carriage return
+        const char* last = newline;  // one past the last character that is not a carriage return
         while (last > at_ && last[-1] == '\r') --last;
         const bool joined = continued_ && last > at_ && last[-1] == '\\';
         at_ = newline + 1;
@@ -59,7 +59,7 @@ float TextCursor::unusual_number() {
     double value = 0;
     const auto [last, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const bool whole = last == digits.data() + digits.size() && error != std::errc::invalid_argument;
-    if (!whole || std::isnan(value)) fail(fmt::format("{} is no number", quoted_word(text)), "a number");
+    if (!whole || std::isnan(value)) fail(fmt::format("{} is not a number", quoted_word(text)), "a number");
     if (error == std::errc() && std::abs(value) <= max_number) return static_cast<float>(value);
     const std::size_t exponent = std::min(digits.find_first_of("eE"), digits.size());
     const bool tiny = digits.size() < 64 && digits.substr(exponent, 2).find('-') != std::string_view::npos;

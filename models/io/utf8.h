@@ -13,13 +13,13 @@ namespace glint {
 /// stray or missing continuation byte, an overlong form, a surrogate, a value above U+10FFFF).
 [[nodiscard]] std::size_t utf8_length(std::string_view text);
 
-/// Place of the first byte that is no part of a well-formed character; text.size() when all are.
+/// Place of the first byte that is not part of a well-formed character; text.size() when all are.
 [[nodiscard]] std::size_t first_invalid_utf8(std::string_view text);
 
-/// The same text with U+FFFD for each byte that is no part of a well-formed character.
+/// The same text with U+FFFD for each byte that is not part of a well-formed character.
 [[nodiscard]] std::string with_invalid_replaced(std::string_view text);
 
-/// Any bytes as UTF-8, so that unescaped_bytes() gives them back: a byte b that is no part of a well-formed
+/// Any bytes as UTF-8, so that unescaped_bytes() gives them back: a byte b that is not part of a well-formed
 /// character (it is 80 or more) becomes the character U+EF00 + b of the private use area, and so does every
 /// byte of such a character. Other text stays as it is. Source: MirBSD's OPTU-8.
 [[nodiscard]] std::string escaped_bytes(std::string_view bytes);

@@ -38,9 +38,9 @@ void Node::wrong_type(std::string expected) const {
         case Json::value_t::string:
             return in_quotes(value_.get_ref<const std::string&>()) + " is a string";
         case Json::value_t::boolean:
-            return value_.get<bool>() ? "true is no value of it" : "false is no value of it";
+            return value_.get<bool>() ? "true does not fit here" : "false does not fit here";
         case Json::value_t::null:
-            return "null is no value";
+            return "null is not a value";
         default:
             return fmt::format("{} is a number", value_.get<double>());
         }

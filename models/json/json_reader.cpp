@@ -170,7 +170,7 @@ Json read_json(std::string_view text, const std::string& file) {
     if (const std::size_t bad = first_invalid_utf8(text); bad < text.size()) {
         const auto byte = static_cast<unsigned char>(text[bad]);
         throw ProblemFound{
-            {file, "", fmt::format("the byte 0x{:02x} is no UTF-8", byte), "UTF-8 text", line_of(text, bad)}};
+            {file, "", fmt::format("the byte 0x{:02x} is not UTF-8", byte), "UTF-8 text", line_of(text, bad)}};
     }
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     if (text.starts_with(byte_order_mark))  // the library would pass over this one

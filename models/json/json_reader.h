@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 /// Thrown while a document is read, and caught before any public function of models returns.
 struct ProblemFound {
     Problem problem;
-    bool is_syntax = false;  // the text is no JSON
+    bool is_syntax = false;  // the text is not JSON
 };
 
 inline constexpr std::size_t max_json_bytes = std::size_t{64} << 20;

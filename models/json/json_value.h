@@ -64,11 +64,11 @@ class JsonValue {
     [[nodiscard]] bool boolean() const { return std::get<bool>(value_); }
     [[nodiscard]] double number() const;
     [[nodiscard]] const std::string& string() const { return std::get<std::string>(value_); }
-    /// Empty when it is no array, or no object.
+    /// Empty when it is not an array, or no object.
     [[nodiscard]] const Elements& elements() const;
     [[nodiscard]] const Members& members() const;
 
-    /// The member of that name; null where there is none, or where this is no object.
+    /// The member of that name; null where there is none, or where this is not an object.
     [[nodiscard]] const JsonValue* find(std::string_view name) const;
     /// What a JSON pointer (RFC 6901) leads to: "/lights/0/position"; null where it leads nowhere.
     [[nodiscard]] const JsonValue* at_pointer(std::string_view pointer) const;

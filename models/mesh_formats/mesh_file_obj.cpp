@@ -63,7 +63,7 @@ class ObjReader {
         } else if (has(free_form, keyword)) {
             ++free_form_;
         } else {
-            cursor_.fail(fmt::format("{} is no statement of an OBJ file", quoted_word(keyword)),
+            cursor_.fail(fmt::format("{} is not a statement of an OBJ file", quoted_word(keyword)),
                          "v, vt, vn, f, l, p, g, o, s, usemtl or mtllib");
         }
     }
@@ -124,7 +124,7 @@ class ObjReader {
             }
         }
         if (!good || at != end)
-            cursor_.fail(fmt::format("{} is no corner of a face", quoted_word(word)),
+            cursor_.fail(fmt::format("{} is not a corner of a face", quoted_word(word)),
                          "v, v/vt, v//vn or v/vt/vn");
         add_vertex(vertex);
         if (has_normal) add_normal(normal);

@@ -39,12 +39,12 @@ class OffReader {
   private:
     void read_header() {
         const char* expected = "OFF, COFF, NOFF or CNOFF";
-        if (!cursor_.next_line()) cursor_.fail("this is no OFF file", expected);
+        if (!cursor_.next_line()) cursor_.fail("this is not an OFF file", expected);
         const std::string_view keyword = cursor_.word();
         const auto* kind =
             std::find_if(kinds.begin(), kinds.end(), [&](const OffKind& k) { return k.keyword == keyword; });
         if (kind == kinds.end())
-            cursor_.fail(fmt::format("{} is no kind of OFF file that is read here", quoted_word(keyword)),
+            cursor_.fail(fmt::format("{} is not a kind of OFF file that is read here", quoted_word(keyword)),
                          expected);
         colors_ = kind->colors;
         normals_ = kind->normals;

@@ -141,7 +141,7 @@ class AsciiStl {
             if (is("solid", cursor_.word()))
                 read_solid();
             else
-                cursor_.fail("this is no STL file", "\"solid\", or a binary file of 84 + 50 n bytes");
+                cursor_.fail("this is not an STL file", "\"solid\", or a binary file of 84 + 50 n bytes");
         }
         return facets_.finish();
     }
@@ -217,7 +217,7 @@ Mesh read_stl(std::string_view bytes, const std::string& file) {
     const std::string_view word = bytes.substr(first, 5);
     if (word == "solid" || word == "SOLID" || word == "Solid") return AsciiStl(bytes, file).read();
     if (has_header && bytes.size() > promised) return read_binary(bytes, file);
-    throw Unreadable{{file, "", "this is no STL file, or one that ends early",
+    throw Unreadable{{file, "", "this is not an STL file, or one that ends early",
                       has_header ? fmt::format("{} bytes for its {} facets", promised, facet_count(bytes))
                                  : std::string("\"solid\", or a binary file of 84 + 50 n bytes"),
                       0}};

@@ -35,7 +35,7 @@ PlyFormat read_format(TextCursor& cursor) {
     if (word == "ascii") return PlyFormat::Ascii;
     if (word == "binary_little_endian") return PlyFormat::LittleEndian;
     if (word == "binary_big_endian") return PlyFormat::BigEndian;
-    cursor.fail(fmt::format("{} is no format of a PLY file", quoted_word(word)),
+    cursor.fail(fmt::format("{} is not a format of a PLY file", quoted_word(word)),
                 "ascii, binary_little_endian or binary_big_endian");
 }
 
@@ -89,7 +89,7 @@ class HeaderReader {
             } else if (keyword == "property") {
                 read_property();
             } else {
-                cursor_.fail(fmt::format("{} is no keyword of a PLY header", quoted_word(keyword)),
+                cursor_.fail(fmt::format("{} is not a keyword of a PLY header", quoted_word(keyword)),
                              "format, element, property, comment, obj_info or end_header");
             }
         }
@@ -132,7 +132,7 @@ class HeaderReader {
             property.is_list = true;
             property.count_type = type_of(cursor_.word());
             if (!is_integer(property.count_type))
-                cursor_.fail("a list's count is no whole number", "an integer type");
+                cursor_.fail("a list's count is not a whole number", "an integer type");
             type = cursor_.word();
         }
         property.type = type_of(type);
@@ -142,7 +142,7 @@ class HeaderReader {
         property.name = name;
         property.role = role_of(element.name, property);
         if (property.role == PlyRole::Indices && (!property.is_list || !is_integer(property.type)))
-            cursor_.fail(fmt::format("{} is no list of whole numbers", quoted_word(name)),
+            cursor_.fail(fmt::format("{} is not a list of whole numbers", quoted_word(name)),
                          "a list of an integer type");
         element.add(std::move(property));
     }
@@ -151,7 +151,7 @@ class HeaderReader {
         for (const auto& [name, type] : type_names)
             if (name == word) return type;
         cursor_.fail(
-            word.empty() ? "the property's type is missing" : fmt::format("{} is no type", quoted_word(word)),
+            word.empty() ? "the property's type is missing" : fmt::format("{} is not a type", quoted_word(word)),
             "char, uchar, short, ushort, int, uint, float or double");
     }
 
@@ -189,7 +189,7 @@ bool PlyElement::has_part_of_three(PlyRole first) const {
 
 PlyHeader read_ply_header(TextCursor& cursor) {
     if (!cursor.next_line() || cursor.word() != "ply")
-        cursor.fail("this is no PLY file", "\"ply\" as its first word");
+        cursor.fail("this is not a PLY file", "\"ply\" as its first word");
     return HeaderReader(cursor).read();
 }
 

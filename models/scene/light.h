@@ -22,7 +22,7 @@ struct Falloff {
 /// The cone of a spot: cos(angle from the axis)^exponent inside the cutoff, 0 outside.
 struct SpotCone {
     glm::vec3 direction{0, -1, 0};  // in the light's space, any length but 0
-    float cutoff_deg = 30;          // axis to edge, 0 to 90; 180 is no cone
+    float cutoff_deg = 30;          // axis to edge, 0 to 90; 180: no cone
     float exponent = 1;             // >= 0
     bool operator==(const SpotCone&) const = default;
 };

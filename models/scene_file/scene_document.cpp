@@ -144,7 +144,7 @@ Result<SceneDocument> open_document(const std::string& path, const std::vector<A
 
 Result<SceneDocument> save_document(const SceneDocument& document, const std::string& path) {
     if (path != "-" && extension_of(path) != ".json")
-        return Problem{path, "", "is no name of a scene file", "the extension .json"};
+        return Problem{path, "", "is not the name of a scene file", "the extension .json"};
     SceneDocument saved = document;
     saved.path = path;
     saved.mesh_dir = directory_of(path);
@@ -153,7 +153,7 @@ Result<SceneDocument> save_document(const SceneDocument& document, const std::st
     const Result<Scene> read_back = parse_scene(text, path);
     if (const Problem* problem = problem_of(read_back)) return *problem;
     if (std::get<Scene>(read_back) != saved.scene)
-        return Problem{path, "", "a name in the scene is no UTF-8 and would not read back", "names in UTF-8"};
+        return Problem{path, "", "a name in the scene is not UTF-8 and would not read back", "names in UTF-8"};
     const Result<std::monostate> written = write_file(path, text);
     if (const Problem* problem = problem_of(written)) return *problem;
     saved.stamp = file_stamp(path);

@@ -72,7 +72,7 @@ TEST_CASE("glint profile says what is wrong with its ends", "[cli][profile][bad-
     check_wrong({"profile", "-", "--from", "1,1", "--to", "64,1", "--size", "64x48"},
                 "--to: 64,1 is outside the picture; expected 0 to 63, 0 to 47");
     check_wrong({"profile", "-", "--from", "a", "--to", "1,1"},
-                "--from: a is no pixel; expected X,Y as in 640,360");
+                "--from: a is not a pixel; expected X,Y as in 640,360");
 }
 
 TEST_CASE("glint sheet draws each cell as glint render draws it", "[cli][sheet]") {
@@ -155,7 +155,7 @@ TEST_CASE("glint lobe says what is wrong with its options", "[cli][lobes][bad-in
     check_wrong({"lobe", "-", "--object", "1"}, "--object: 1 is out of range; expected 0 to 0");
     check_wrong({"lobe", "-", "--angle", "90"}, "--angle: 90 is out of range; expected 0 to 89.9");
     check_wrong({"lobe", "-", "--angle", "-5"}, "--angle: -5 is out of range; expected 0 to 89.9");
-    check_wrong({"lobe", "-", "--angle", "x"}, "--angle: x is no number; expected 0 to 89.9");
+    check_wrong({"lobe", "-", "--angle", "x"}, "--angle: x is not a number; expected 0 to 89.9");
     check_wrong({"lobe", "-", "--steps", "0"}, "--steps: 0 is out of range; expected 1 to 100000");
     check_wrong({"lobe", "-", "--format", "xml"}, "--format: xml is not known; expected csv, json");
 }
@@ -217,7 +217,7 @@ TEST_CASE("glint render --buffers writes what lies behind the pixels", "[cli][bu
     CHECK(beside_exr.names().size() == 11);
     CHECK(bytes_of(beside_exr.path("sum.exr")) == bytes_of(exr));
     check_wrong({"render", "-", "-o", out, "--buffers", "/nowhere"},
-                "--buffers: /nowhere is no directory; expected a directory that is there");
+                "--buffers: /nowhere is not a directory; expected a directory that is there");
     check_wrong({"render", "-", "-o", out, "--buffers", directory.path(""), "--samples", "4"},
                 "--buffers: a pixel of several samples has several surfaces; expected --samples 1");
 }

@@ -343,7 +343,7 @@ TEST_CASE("what is missing in two meshes is told of each, and once where one mes
                            "glint: warning: cube: " + none + "\nglint: warning: cone: " + none + "\n");
 }
 
-TEST_CASE("a mesh whose name is no UTF-8 is drawn, and its picture opens again", "[cli]") {
+TEST_CASE("a mesh whose name is not UTF-8 is drawn, and its picture opens again", "[cli]") {
     const TemporaryDirectory directory;
     const std::string obj = directory.file("caf\xe9.obj", pyramid), first = directory.path("a.png"),
                       again = directory.path("b.png");

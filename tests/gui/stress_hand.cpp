@@ -437,7 +437,7 @@ class Hand {
         note("drop " + file);
         const pid_t pid = fork();
         if (pid == 0) {
-            const int nowhere = open("/dev/null", O_WRONLY);  // that nobody takes a drop is no finding
+            const int nowhere = open("/dev/null", O_WRONLY);  // that nobody takes a drop is not a finding
             dup2(nowhere, STDERR_FILENO);
             execl(options_.source.c_str(), "xdnd_source", file.c_str(), nullptr);
             _exit(3);
@@ -468,7 +468,7 @@ class Hand {
     bool found_ = false;
 };
 
-/// Windows vanish between two requests: that is no finding.
+/// Windows vanish between two requests: that is not a finding.
 int pass_over(Display*, XErrorEvent*) { return 0; }
 
 }  // namespace

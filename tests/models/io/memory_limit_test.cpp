@@ -43,7 +43,7 @@ TEST_CASE("a size of memory is a whole number of bytes, K, M, G or T", "[memory]
         CHECK(size_of(wrong) == 0);
     }
     CHECK(std::get<Problem>(parse_memory_size("--memory", "8GB")).text() ==
-          "--memory: 8GB is no size of memory; expected bytes as in 8G, with K, M, G or T behind a whole "
+          "--memory: 8GB is not a memory size; expected bytes as in 8G, with K, M, G or T behind a whole "
           "number; "
           "1M at least");
 }

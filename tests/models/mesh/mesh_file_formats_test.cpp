@@ -120,14 +120,14 @@ TEST_CASE("a malformed PLY is answered with what was expected", "[mesh_file][ply
     const std::string head = "ply\nformat ascii 1.0\n";
     const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
     check_all({
-        {"m.ply", "solid", ":1: this is no PLY file; expected \"ply\" as its first word"},
+        {"m.ply", "solid", ":1: this is not a PLY file; expected \"ply\" as its first word"},
         {"m.ply", "ply\n", ":2: the header does not end; expected \"end_header\""},
         {"m.ply", "ply\nend_header\n", ":2: the header names no format; expected \"format ascii 1.0\", say"},
         {"m.ply", "ply\nformat text 1.0\n",
-         ":2: \"text\" is no format of a PLY file; expected ascii, binary_little_endian or "
+         ":2: \"text\" is not a format of a PLY file; expected ascii, binary_little_endian or "
          "binary_big_endian"},
         {"m.ply", head + "elements vertex 3\n",
-         ":3: \"elements\" is no keyword of a PLY header; expected format, element, property, comment, "
+         ":3: \"elements\" is not a keyword of a PLY header; expected format, element, property, comment, "
          "obj_info or "
          "end_header"},
         {"m.ply", head + "property float x\n",
@@ -136,9 +136,9 @@ TEST_CASE("a malformed PLY is answered with what was expected", "[mesh_file][ply
          ":3: a count of -1 is out of range; expected 0 to 2147483647"},
         {"m.ply", head + "element vertex 99999999999\n",
          ":3: a count of 99999999999 is out of range; expected 0 to 2147483647"},
-        {"m.ply", head + "element vertex many\n", ":3: \"many\" is no whole number; expected a whole number"},
+        {"m.ply", head + "element vertex many\n", ":3: \"many\" is not a whole number; expected a whole number"},
         {"m.ply", head + "element vertex 3\nproperty real x\n",
-         ":4: \"real\" is no type; expected char, uchar, short, ushort, int, uint, float or double"},
+         ":4: \"real\" is not a type; expected char, uchar, short, ushort, int, uint, float or double"},
         {"m.ply", head + "element vertex 3\nproperty float x\nproperty float x\n",
          ":5: property \"x\" comes twice; expected one"},
         {"m.ply", head + "element vertex 3\nproperty float x\nend_header\n",
@@ -146,13 +146,13 @@ TEST_CASE("a malformed PLY is answered with what was expected", "[mesh_file][ply
         {"m.ply", head + "element vertex 3\n" + xyz + "element face 1\nend_header\n",
          ":7: the faces have no corners; expected a property list vertex_indices"},
         {"m.ply", head + "element face 1\nproperty list float int vertex_indices\n",
-         ":4: a list's count is no whole number; expected an integer type"},
+         ":4: a list's count is not a whole number; expected an integer type"},
         {"m.ply", head + "element face 1\nproperty list uchar float vertex_indices\n",
-         ":4: \"vertex_indices\" is no list of whole numbers; expected a list of an integer type"},
+         ":4: \"vertex_indices\" is not a list of whole numbers; expected a list of an integer type"},
         {"m.ply", ply_head + "0 0 0\n1 0\n", ":11: z is missing; expected a number"},
         {"m.ply", ply_head + "0 0 0\n1 0 0 0\n",
          ":11: \"0\" is one too many; expected the header's properties only"},
-        {"m.ply", ply_head + "0 0 0\n1 0 x\n", ":11: \"x\" is no number; expected a number"},
+        {"m.ply", ply_head + "0 0 0\n1 0 x\n", ":11: \"x\" is not a number; expected a number"},
         {"m.ply", ply_head + "0 0 0\n1 0 2e30\n", ":11: \"2e30\" is out of range; expected -1e30 to 1e30"},
         {"m.ply", ply_head + "0 0 0\n1 0 0\n",
          ":12: the file ends after 2 of element \"vertex\"; expected 3"},
@@ -166,7 +166,7 @@ TEST_CASE("a malformed PLY is answered with what was expected", "[mesh_file][ply
         {"m.ply", ply_head + ply_vertices + "-3 0 1 2\n",
          ":13: vertex_indices has -3 entries; expected 0 or more"},
         {"m.ply", ply_head + ply_vertices + "3 0 1 1.5\n",
-         ":13: \"1.5\" is no whole number; expected a whole number"},
+         ":13: \"1.5\" is not a whole number; expected a whole number"},
     });
     const std::string binary = test::binary_ply(false);
     CHECK(error_of("m.ply", binary.substr(0, binary.size() - 1)) ==
@@ -213,11 +213,11 @@ TEST_CASE("an OFF's vertex colours are of 255 or shares; normals come before the
 TEST_CASE("a malformed OFF is answered with its line and what was expected", "[mesh_file][off]") {
     const std::string v = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
     check_all({
-        {"m.off", "# only a comment\n", ":2: this is no OFF file; expected OFF, COFF, NOFF or CNOFF"},
+        {"m.off", "# only a comment\n", ":2: this is not an OFF file; expected OFF, COFF, NOFF or CNOFF"},
         {"m.off", "4 2 0\n",
-         ":1: \"4\" is no kind of OFF file that is read here; expected OFF, COFF, NOFF or CNOFF"},
+         ":1: \"4\" is not a kind of OFF file that is read here; expected OFF, COFF, NOFF or CNOFF"},
         {"m.off", "4OFF\n",
-         ":1: \"4OFF\" is no kind of OFF file that is read here; expected OFF, COFF, NOFF or CNOFF"},
+         ":1: \"4OFF\" is not a kind of OFF file that is read here; expected OFF, COFF, NOFF or CNOFF"},
         {"m.off", "OFF BINARY\n\1\2\3", ":1: binary OFF is not read here; expected an ASCII file"},
         {"m.off", "OFF\n", ":2: the file ends early; expected the counts of vertices and faces"},
         {"m.off", "OFF\n3\n", ":2: the count of faces is missing; expected a whole number"},
@@ -268,12 +268,12 @@ TEST_CASE("a malformed STL is answered with what was expected", "[mesh_file][stl
     const std::string head = "solid s\nfacet normal 0 0 1\nouter loop\n";
     check_all({
         {"m.stl", "hello",
-         ": this is no STL file, or one that ends early; expected \"solid\", or a binary file of 84 + 50 n "
+         ": this is not an STL file, or one that ends early; expected \"solid\", or a binary file of 84 + 50 n "
          "bytes"},
         {"m.stl", test::binary_stl(3),
-         ": this is no STL file, or one that ends early; expected 234 bytes for its 3 facets"},
+         ": this is not an STL file, or one that ends early; expected 234 bytes for its 3 facets"},
         {"m.stl", test::binary_stl(4294967295u),
-         ": this is no STL file, or one that ends early; expected 214748364834 bytes for its 4294967295 "
+         ": this is not an STL file, or one that ends early; expected 214748364834 bytes for its 4294967295 "
          "facets"},
         {"m.stl", test::binary_stl(2, 2e30f), ": facet 0: a coordinate is 2e+30; expected -1e30 to 1e30"},
         {"m.stl", test::binary_stl(2, std::numeric_limits<float>::quiet_NaN()),
@@ -284,10 +284,10 @@ TEST_CASE("a malformed STL is answered with what was expected", "[mesh_file][stl
         {"m.stl", head + "vertex 0 0 0\nvertex 1 0 0\nendloop\n",
          ":6: \"endloop\" is out of place; expected \"vertex\""},
         {"m.stl", head + "vertex 0 0 0 0\n", ":4: \"0\" is one too many; expected 3 numbers"},
-        {"m.stl", head + "vertex 0 0 zero\n", ":4: \"zero\" is no number; expected a number"},
+        {"m.stl", head + "vertex 0 0 zero\n", ":4: \"zero\" is not a number; expected a number"},
         {"m.stl", head + "vertex 0 0 0\n", ":5: the file ends early; expected \"vertex\""},
         {"m.stl", "solid s\nfacet normal 0 0 1\nouter\n", ":3: the line ends early; expected \"loop\""},
         {"m.stl", "solid s\nendsolid s\nsolids\n",
-         ":3: this is no STL file; expected \"solid\", or a binary file of 84 + 50 n bytes"},
+         ":3: this is not an STL file; expected \"solid\", or a binary file of 84 + 50 n bytes"},
     });
 }

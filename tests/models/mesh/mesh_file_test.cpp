@@ -20,7 +20,7 @@ TEST_CASE("the extension names the format, in any case", "[mesh_file]") {
           "m.3ds: the extension is that of no mesh; expected .obj, .ply, .off, .stl or .om");
 }
 
-TEST_CASE("what is no readable file is an error that names it", "[mesh_file]") {
+TEST_CASE("what is not a readable file is an error that names it", "[mesh_file]") {
     CHECK(problem_of(read_mesh("/dev/null.obj")) != nullptr);
     CHECK(problem_of(read_mesh(GLINT_SOURCE_DIR "/no-such-file.obj")) != nullptr);
     const Result<Mesh> directory = read_mesh(GLINT_SOURCE_DIR);
@@ -81,7 +81,7 @@ TEST_CASE("a message quotes no more of a file than a short word", "[mesh_file]")
         CHECK(line.find("AKIA") == std::string::npos);
     }
     CHECK(error_of("m.obj", secret) ==
-          "m.obj:1: a word of 34 bytes is no statement of an OBJ file; expected v, vt, vn, f, l, p, g, o, s, "
+          "m.obj:1: a word of 34 bytes is not a statement of an OBJ file; expected v, vt, vn, f, l, p, g, o, s, "
           "usemtl "
           "or mtllib");
     CHECK(error_of("m.obj", "v 1 \x1b[2J 3").find("a word of 4 bytes") != std::string::npos);
@@ -119,25 +119,25 @@ TEST_CASE("a malformed OBJ is answered with its line and what was expected", "[m
           "m.obj:4: vertex index 99999999999 is out of range; expected 1 to 3");
     CHECK(error_of("m.obj", "f -1 -2 -3\n") ==
           "m.obj:1: vertex index -1 is out of range; expected vertices before it");
-    CHECK(line_4("f 1 2 x") == "m.obj:4: \"x\" is no corner of a face; expected v, v/vt, v//vn or v/vt/vn");
+    CHECK(line_4("f 1 2 x") == "m.obj:4: \"x\" is not a corner of a face; expected v, v/vt, v//vn or v/vt/vn");
     CHECK(line_4("f 1 2 3/") == "");  // some writers leave the slash
     CHECK(line_4("f 1 2 3//") ==
-          "m.obj:4: \"3//\" is no corner of a face; expected v, v/vt, v//vn or v/vt/vn");
+          "m.obj:4: \"3//\" is not a corner of a face; expected v, v/vt, v//vn or v/vt/vn");
     CHECK(line_4("f 1 2 3/1/1/1") ==
-          "m.obj:4: \"3/1/1/1\" is no corner of a face; expected v, v/vt, v//vn or v/vt/vn");
+          "m.obj:4: \"3/1/1/1\" is not a corner of a face; expected v, v/vt, v//vn or v/vt/vn");
     CHECK(line_4("f 1 2 3.5") ==
-          "m.obj:4: \"3.5\" is no corner of a face; expected v, v/vt, v//vn or v/vt/vn");
+          "m.obj:4: \"3.5\" is not a corner of a face; expected v, v/vt, v//vn or v/vt/vn");
     CHECK(line_4("f 1 2 99999999999999999999") ==
-          "m.obj:4: \"99999999999999999999\" is no corner of a face; expected v, v/vt, v//vn or v/vt/vn");
+          "m.obj:4: \"99999999999999999999\" is not a corner of a face; expected v, v/vt, v//vn or v/vt/vn");
     CHECK(line_4("f") == "m.obj:4: a face has no corners; expected at least 3 after \"f\"");
     CHECK(line_4("v 1 2") == "m.obj:4: z is missing; expected a number");
-    CHECK(line_4("v 1 two 3") == "m.obj:4: \"two\" is no number; expected a number");
-    CHECK(line_4("v 1 2,5 3") == "m.obj:4: \"2,5\" is no number; expected a number");
-    CHECK(line_4("v 1 +-1 3") == "m.obj:4: \"+-1\" is no number; expected a number");
-    CHECK(line_4("v 1 +-1e400 3") == "m.obj:4: \"+-1e400\" is no number; expected a number");
-    CHECK(line_4("v 1 ++1 3") == "m.obj:4: \"++1\" is no number; expected a number");
+    CHECK(line_4("v 1 two 3") == "m.obj:4: \"two\" is not a number; expected a number");
+    CHECK(line_4("v 1 2,5 3") == "m.obj:4: \"2,5\" is not a number; expected a number");
+    CHECK(line_4("v 1 +-1 3") == "m.obj:4: \"+-1\" is not a number; expected a number");
+    CHECK(line_4("v 1 +-1e400 3") == "m.obj:4: \"+-1e400\" is not a number; expected a number");
+    CHECK(line_4("v 1 ++1 3") == "m.obj:4: \"++1\" is not a number; expected a number");
     CHECK(read_text("m.obj", "v +1 -2 +0.5\nf 1 1 1\n").positions[0] == glm::vec3(1, -2, 0.5f));
-    CHECK(line_4("v 1 nan 3") == "m.obj:4: \"nan\" is no number; expected a number");
+    CHECK(line_4("v 1 nan 3") == "m.obj:4: \"nan\" is not a number; expected a number");
     CHECK(line_4("v 1 inf 3") == "m.obj:4: \"inf\" is out of range; expected -1e30 to 1e30");
     CHECK(line_4("v 1 -1.1e30 3") == "m.obj:4: \"-1.1e30\" is out of range; expected -1e30 to 1e30");
     CHECK(line_4("v 1 1e400 3") == "m.obj:4: \"1e400\" is out of range; expected -1e30 to 1e30");
@@ -146,8 +146,8 @@ TEST_CASE("a malformed OBJ is answered with its line and what was expected", "[m
           "m.obj:4: \"7\" is one too many; expected 3, 4 or 6 numbers after \"v\"");
     CHECK(line_4("vn 1 2") == "m.obj:4: z is missing; expected a number");
     CHECK(line_4("vn 1 2 3 4") == "m.obj:4: \"4\" is one too many; expected 3 numbers after \"vn\"");
-    CHECK(line_4("\n\nv 1 \\\n 2 \\\r\n x") == "m.obj:8: \"x\" is no number; expected a number");
+    CHECK(line_4("\n\nv 1 \\\n 2 \\\r\n x") == "m.obj:8: \"x\" is not a number; expected a number");
     CHECK(line_4("<html>") ==
-          "m.obj:4: \"<html>\" is no statement of an OBJ file; expected v, vt, vn, f, l, p, g, "
+          "m.obj:4: \"<html>\" is not a statement of an OBJ file; expected v, vt, vn, f, l, p, g, "
           "o, s, usemtl or mtllib");
 }

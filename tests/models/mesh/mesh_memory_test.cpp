@@ -1,4 +1,4 @@
-// Meshes are loaded once and counted once; what is no mesh, or too large, is not read to its end.
+// Meshes are loaded once and counted once; what is not a mesh, or too large, is not read to its end.
 #include "models/mesh/mesh_memory.h"
 
 #include <fmt/core.h>
@@ -199,7 +199,7 @@ TEST_CASE("a picture or a scene that is none is not read to its end", "[memory]"
         return problem_of(result) != nullptr && problem_of(result)->text().find(words) != std::string::npos;
     };
     const auto all = [&] {
-        return says(open_document(png), "is no PNG picture") &&
+        return says(open_document(png), "is not a PNG picture") &&
                says(read_png(png), "cannot be read as a PNG") && says(open_document(json), "is too long");
     };
     CHECK(all());

@@ -80,7 +80,7 @@ TEST_CASE("corners on a straight side leave no triangle without an area", "[tria
                                 {0, 2, 0}}));
 }
 
-TEST_CASE("what is not convex is no fan, even where a fan would do or all turns are left", "[triangulate]") {
+TEST_CASE("what is not convex is not a fan, even where a fan would do or all turns are left", "[triangulate]") {
     const auto is_fan = [](const Mesh& mesh) {
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
             if (mesh.triangles[i] != Triangle{{0, i + 1, i + 2}, 0}) return false;

@@ -1,4 +1,4 @@
-// JSON as a value: what is written reads back, what is no JSON is nothing, and no text is too deep.
+// JSON as a value: what is written reads back, what is not JSON is nothing, and no text is too deep.
 #include "models/json/json_value.h"
 
 #include <cmath>
@@ -37,7 +37,7 @@ TEST_CASE("pairs that begin with text make an object, anything else an array", "
     CHECK(JsonValue{{"x", 1}, 2}.is_array());
 }
 
-TEST_CASE("what is no JSON, or nested deeper than 64, is nothing", "[json]") {
+TEST_CASE("what is not JSON, or nested deeper than 64, is nothing", "[json]") {
     for (const char* text :
          {"", "{", "[1,]", "{\"a\":1", "nul", "1 2", "\"\xff\"", "[1e999]", "{1:2}", "// x\n1"})
         CHECK_FALSE(JsonValue::parse(text));

@@ -125,7 +125,7 @@ TEST_CASE("a picture that carries its scene opens as that scene", "[scene_docume
     CHECK(problem_at(place / "plain.png") ==
           place / "plain.png: the picture carries no scene; expected a PNG that Glint wrote");
     place.write("no.png", "nothing");
-    CHECK(problem_at(place / "no.png") == place / "no.png: is no PNG picture; expected one that Glint wrote");
+    CHECK(problem_at(place / "no.png") == place / "no.png: is not a PNG picture; expected one that Glint wrote");
 }
 
 TEST_CASE("a picture that is damaged anywhere is a problem and never a crash", "[scene_document]") {

@@ -25,7 +25,7 @@ void check_members(const std::vector<Wrong>& table) {
 
 }  // namespace
 
-TEST_CASE("text that is no JSON is a problem with its line and what was expected there", "[scene_error]") {
+TEST_CASE("text that is not JSON is a problem with its line and what was expected there", "[scene_error]") {
     const std::vector<Wrong> table{
         {"", R"(1: there is no text; expected an object, such as {"glint": 1})"},
         {"  \n  ", R"(1: there is no text; expected an object, such as {"glint": 1})"},
@@ -72,23 +72,23 @@ TEST_CASE("text that is no JSON is a problem with its line and what was expected
          R"(1: /lights/1/spot: the key "exponent" stands twice; expected it once)"},
         {"{\"glint\": 1,\n\"a\xff"
          "b\": 1}",
-         "2: the byte 0xff is no UTF-8; expected UTF-8 text"},
-        {"{\"glint\": \"\xc0\xaf\"}", "1: the byte 0xc0 is no UTF-8; expected UTF-8 text"},
+         "2: the byte 0xff is not UTF-8; expected UTF-8 text"},
+        {"{\"glint\": \"\xc0\xaf\"}", "1: the byte 0xc0 is not UTF-8; expected UTF-8 text"},
     };
     for (const Wrong& wrong : table) CHECK(line_of(wrong.text) == std::string("s:").append(wrong.line));
 }
 
-TEST_CASE("a document that is no scene of version 1 is a problem", "[scene_error]") {
+TEST_CASE("a document that is not a scene of version 1 is a problem", "[scene_error]") {
     const std::vector<Wrong> table{
         {"[]", R"(the value is an array; expected an object, such as {"glint": 1})"},
         {"3", R"(3 is a number; expected an object, such as {"glint": 1})"},
-        {"null", R"(null is no value; expected an object, such as {"glint": 1})"},
+        {"null", R"(null is not a value; expected an object, such as {"glint": 1})"},
         {R"("glint")", R"("glint" is a string; expected an object, such as {"glint": 1})"},
         {"{}", R"(the key "glint" is missing; expected "glint": 1, the version of the format)"},
         {R"({"GLINT": 1})", R"(the key "glint" is missing; expected "glint": 1, the version of the format)"},
         {R"({"glint": 2})", "/glint: version 2 is not known; expected 1"},
         {R"({"glint": "1"})", R"(/glint: "1" is a string; expected 1, the version of the format)"},
-        {R"({"glint": null})", "/glint: null is no value; expected 1, the version of the format"},
+        {R"({"glint": null})", "/glint: null is not a value; expected 1, the version of the format"},
     };
     for (const Wrong& wrong : table) CHECK(line_of(wrong.text) == std::string("s: ").append(wrong.line));
 }
@@ -135,7 +135,7 @@ TEST_CASE("a light outside its rules is a problem at its pointer", "[scene_error
         {R"("lights": [{"position": [1, 2, "x"]}])",
          R"(/lights/0/position/2: "x" is a string; expected a number)"},
         {R"("lights": [{"position": null}])",
-         "/lights/0/position: null is no value; expected an array of 3 or 4 numbers"},
+         "/lights/0/position: null is not a value; expected an array of 3 or 4 numbers"},
         {R"("lights": {})", "/lights: the value is an object; expected an array of lights"},
         {R"("lights": [[]])", "/lights/0: the value is an array; expected an object"},
         {R"("lights": [{"type": "pont"}])",
@@ -280,7 +280,7 @@ TEST_CASE("shading, npr and display outside their rules are problems at their po
         {R"("shading": {"power_table": 2.5})",
          "/shading/power_table: 2.5 is not a whole number; expected 0, or 2 to 65536 entries"},
         {R"("shading": {"power_table": true})",
-         "/shading/power_table: true is no value of it; expected 0, or 2 to 65536 entries"},
+         "/shading/power_table: true does not fit here; expected 0, or 2 to 65536 entries"},
         {R"("shading": {"two_sided": "yes"})",
          R"(/shading/two_sided: "yes" is a string; expected true or false)"},
         {R"("shading": {"terms": {"difuse": true}})",
@@ -293,7 +293,7 @@ TEST_CASE("shading, npr and display outside their rules are problems at their po
         {R"("npr": {"crease_deg": 200})", "/npr/crease_deg: 200 is out of range; expected 0 to 180"},
         {R"("npr": {"stroke_width_px": -1})", "/npr/stroke_width_px: -1 is out of range; expected 0 to 1e30"},
         {R"("npr": {"warm": [-1, 0, 0]})", "/npr/warm/0: -1 is out of range; expected 0 to 1e30"},
-        {R"("npr": {"alpha": true})", "/npr/alpha: true is no value of it; expected a number"},
+        {R"("npr": {"alpha": true})", "/npr/alpha: true does not fit here; expected a number"},
         {R"("display": {"exposure": 0})",
          "/display/exposure: 0 is out of range; expected more than 0, up to 1e30"},
         {R"("display": {"exposure": 1e31})",

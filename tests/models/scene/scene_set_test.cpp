@@ -76,7 +76,7 @@ TEST_CASE("an assignment by --set takes JSON values, and a word as a string", "[
     CHECK(problem_with(smallest, {"/npr={\"alpha\":1,\"alpha\":2}"}).find("stands twice") !=
           std::string::npos);
     CHECK(problem_with(smallest, {"/display/exposure=null"}) ==
-          "--set: /display/exposure: null is no value; expected a number");
+          "--set: /display/exposure: null is not a value; expected a number");
 }
 
 TEST_CASE("a type set alone brings its own w", "[scene_set]") {

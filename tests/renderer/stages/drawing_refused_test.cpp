@@ -191,9 +191,9 @@ TEST_CASE("the limit is an option of every command that takes a scene, and of th
     setenv("GLINT_MEMORY", "much", 1);
     const Ended wrong = run_glint({"info", scene});
     CHECK(wrong.status == 2);
-    CHECK(wrong.err.starts_with("glint: error: GLINT_MEMORY: much is no size of memory; expected "));
+    CHECK(wrong.err.starts_with("glint: error: GLINT_MEMORY: much is not a memory size; expected "));
     unsetenv("GLINT_MEMORY");
     const Ended option = run_glint({"info", scene, "--memory", "much"});
     CHECK(option.status == 2);
-    CHECK(option.err.starts_with("glint: error: --memory: much is no size of memory; expected "));
+    CHECK(option.err.starts_with("glint: error: --memory: much is not a memory size; expected "));
 }
