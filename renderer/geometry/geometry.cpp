@@ -63,8 +63,9 @@ void take_meshes(std::vector<ObjectGeometry>& objects, const Scene& scene) {
 void place_objects(Geometry& g, const Scene& scene) {
     const glm::dmat4 view = view_from_world(scene.camera);
     VertexJob job;
-    job.clip_from_view = matrix_of(clip_from_view(scene.camera.projection, g.size));
-    job.screen = screen_job(scene.camera, g.size);
+    g.clip_from_view = clip_from_view(scene.camera.projection, g.size);
+    job.clip_from_view = matrix_of(g.clip_from_view);
+    job.viewport = viewport_of(scene.camera, g.size);
     g.objects.resize(scene.objects.size());
     take_meshes(g.objects, scene);
     g.triangle_count = 0;
@@ -72,6 +73,7 @@ void place_objects(Geometry& g, const Scene& scene) {
         ObjectGeometry& o = g.objects[i];
         o.transform = scene.objects[i].transform;
         o.view_from_object = view * world_from_object(o.transform);
+        o.clip_from_object = g.clip_from_view * o.view_from_object;
         const glm::dmat3 linear(o.view_from_object);
         o.mirrored = glm::determinant(linear) < 0;
         o.normal_matrix = glm::transpose(glm::inverse(linear));

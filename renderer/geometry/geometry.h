@@ -22,7 +22,7 @@ struct ObjectGeometry {
     Transform transform;
     bool mirrored = false;  // the transform turns the winding over; facets stay outward all the same
     std::uint32_t first_triangle = 0;  // its triangles have the global numbers first_triangle + 0, 1, 2, ...
-    glm::dmat4 view_from_object{1.0};
+    glm::dmat4 view_from_object{1.0}, clip_from_object{1.0};
     glm::dmat3 normal_matrix{1.0};  // inverse transpose of its upper 3 x 3
     // Three a triangle, indices into vertices: of the mesh, and so the same list for all objects of one mesh.
     std::shared_ptr<const std::vector<std::uint32_t>> vertices_of_mesh;
@@ -38,6 +38,7 @@ struct ObjectGeometry {
 struct Geometry {
     Camera camera;
     PictureSize size{0, 0};
+    glm::dmat4 clip_from_view{1.0};
     std::vector<ObjectGeometry> objects;
     std::uint32_t triangle_count = 0;  // at most max_scene_triangles
 

@@ -6,7 +6,8 @@
 
 namespace glint {
 
-inline constexpr int subpixels = 256;  // the rasteriser's grid, per pixel
+inline constexpr int subpixel_bits = 8;
+inline constexpr int subpixels = 1 << subpixel_bits;  // the rasteriser's grid, per pixel
 
 /// A vertex on the rasteriser's grid, y down, (0, 0) the picture's upper left corner. Four numbers, read at
 /// once.
@@ -35,9 +36,9 @@ struct Matrix4 {
     double column[4][4];
 };
 
-/// How clip coordinates come onto the grid.
-struct ScreenJob {
-    double width = 0, height = 0;  // of the picture, pixels
+/// The picture as the target of the projection (viewport_transform.h).
+struct Viewport {
+    double width = 0, height = 0;  // pixels
     bool orthographic = false;
 };
 
@@ -45,7 +46,7 @@ struct ScreenJob {
 struct VertexJob {
     const float* positions = nullptr;  // object coordinates, three a vertex
     Matrix4 view_from_object, clip_from_view;
-    ScreenJob screen;
+    Viewport viewport;
     PlacedVertex* vertices = nullptr;
     ScreenVertex* on_screen = nullptr;
 };

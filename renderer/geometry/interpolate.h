@@ -15,8 +15,8 @@ template <Number F> struct ClipCorner { F x{}, y{}, w{}; };
 /// A place on the screen: x and y from -1 (left, bottom) to 1 (right, top).
 template <Number F> struct ScreenPoint { F x{}, y{}; };
 
-/// Of a place in pixels, y down, in a picture of width x height.
-template <Number F> ScreenPoint<F> screen_point(F x, F y, F width, F height) {
+/// Of a place in pixels, y down, in a picture of width x height: the inverse of to_pixel.
+template <Number F> ScreenPoint<F> to_ndc(F x, F y, F width, F height) {
     return {F(2) * x / width - F(1), F(1) - F(2) * y / height};
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "renderer/geometry/camera_normal.h"
+#include "renderer/simd/glm_vec3.h"
 
 namespace glint {
 namespace {
@@ -29,8 +30,6 @@ Vec3<double> object_normal(glm::vec3 n, const NormalMistakes& mistakes) {
     const glm::vec3 taken = mistakes.none_given ? opengl_default_normal : n;
     return {taken.x, taken.y, taken.z};
 }
-
-glm::vec3 to_glm(Vec3<double> v) { return {v.x, v.y, v.z}; }
 
 /// Lengths that a file's normals had before they were made unit, one for each of `of_mesh->normals`.
 std::vector<float> given_lengths(const ObjectNormals& normals) {

@@ -21,7 +21,7 @@ void place_lanes(const VertexJob& job, const float (&p)[3][together], int i, Ver
     const Point4<D> camera = transformed(job.view_from_object, object);
     const Point4<D> clip = transformed(job.clip_from_view, camera);
     const Outside<D> outside = outside_of(camera, clip);
-    const GridPoint<D> at = grid_point(job.screen, clip);
+    const GridPoint<D> at = grid_point(job.viewport, clip);
     const auto whole = outside.cut <= D(0);  // else it has no place on the grid
     store_narrowed(out.clip[0] + i, clip.x);
     store_narrowed(out.clip[1] + i, clip.y);

@@ -43,10 +43,21 @@ template <Number D> D nearest(D a) {
     const D towards_zero = whole_part(a), rest = a - towards_zero;  // exact
     return towards_zero + select(rest >= D(0.5), D(1), D(0)) - select(rest <= D(-0.5), D(1), D(0));
 }
-template <Number D> GridPoint<D> grid_point(const ScreenJob& screen, const Point4<D>& c) {
-    const D x = (c.x / c.w + D(1)) * D(0.5) * D(screen.width) * D(subpixels);
-    const D y = (D(1) - c.y / c.w) * D(0.5) * D(screen.height) * D(subpixels);
-    return {x, y, screen.orthographic ? D(0.5) * (D(1) - c.z / c.w) : D(1) / c.w};
+/// Pixels: x to the right, y down, (0, 0) the picture's upper left corner. Precondition: w != 0. Source:
+/// OpenGL 2.1, section 2.11.1.
+template <Number D> struct PixelPoint { D x, y; };
+template <Number D> PixelPoint<D> to_pixel(const Viewport& viewport, const Point4<D>& clip) {
+    return {(clip.x / clip.w + D(1)) * D(0.5) * D(viewport.width),
+            (D(1) - clip.y / clip.w) * D(0.5) * D(viewport.height)};
+}
+/// What the depth test compares, larger nearer, linear on the screen: 1/w in perspective, (1 - z_ndc)/2 when
+/// orthographic, where w is 1 everywhere.
+template <Number D> D inv_w_of(const Viewport& viewport, const Point4<D>& clip) {
+    return viewport.orthographic ? D(0.5) * (D(1) - clip.z / clip.w) : D(1) / clip.w;
+}
+template <Number D> GridPoint<D> grid_point(const Viewport& viewport, const Point4<D>& clip) {
+    const PixelPoint<D> at = to_pixel(viewport, clip);
+    return {at.x * D(subpixels), at.y * D(subpixels), inv_w_of(viewport, clip)};
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -19,8 +19,6 @@ static void store_colors(ColorBlock& out, std::size_t k, Vec3<Wide> c) {
     store(out.b + k, c.z);
 }
 
-constexpr std::size_t batch = 16;  // blocks whose points and sums stay in the first-level cache
-
 /// `Wide` points of a batch, and their sums so far.
 struct Group {
     PointAt<Wide> at;
@@ -39,7 +37,7 @@ union Slot {  // a group that is not filled with zeros first
     constexpr std::size_t share = block_size / GLINT_LANES;
     const auto part_of = [i](const auto* blocks) __attribute__((always_inline)) {
         constexpr std::size_t bytes = sizeof(*blocks) / share;
-        ask_early(reinterpret_cast<const char*>(blocks) + batch * sizeof(*blocks) + i * bytes, bytes);
+        ask_early(reinterpret_cast<const char*>(blocks) + batch_size * sizeof(*blocks) + i * bytes, bytes);
     };
     part_of(points);
     if (begun) part_of(begun);
@@ -52,10 +50,9 @@ union Slot {  // a group that is not filled with zeros first
 template <Reflection model, bool any_mistake>
 GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* points, const ColorBlock* begun,
                                       ColorBlock* colors, std::size_t blocks) {
-    const Equation equation{model, job.terms, any_mistake ? &job.mistakes : nullptr, job.power_table,
-                            numbers_near(job.grid)};
+    const Equation equation = equation_of(job, model, any_mistake);
     const MaterialAt<Wide> material = material_at<Wide>(job.material);
-    Slot slots[batch * block_size / GLINT_LANES];
+    Slot slots[batch_size * block_size / GLINT_LANES];
     const std::size_t count = blocks * block_size / GLINT_LANES;
     for (std::size_t i = 0; i < count; ++i) {
         const PointBlock& in = points[i * GLINT_LANES / block_size];
@@ -68,7 +65,7 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
             const ColorBlock& from = begun[i * GLINT_LANES / block_size];
             group.sum = {load<Wide>(from.r + k), load<Wide>(from.g + k), load<Wide>(from.b + k)};
         } else {
-            group.sum = before_lights(job, group.at);
+            group.sum = begin_sum(job, group.at);
         }
         slots[i].group = group;
     }
@@ -82,8 +79,9 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
             Arrival<Wide> arrival_behind;
             const auto finish = [&] {
                 Group& group = slots[behind].group;
-                add_light(group.sum, equation, light, material, reflected, towards_behind, arrival_behind,
-                          group.at);
+                add_light(group.sum, equation, light,
+                          illuminate(equation, light, material, reflected, towards_behind, arrival_behind,
+                                     group.at));
             };
             for (std::size_t i = 0; i < count; ++i) {
                 if (l == 0) ask_for_next(points, begun, i);
@@ -114,17 +112,16 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
     for (std::size_t i = 0; i < count; ++i) {
         ColorBlock& out = colors[i * GLINT_LANES / block_size];
         const std::size_t k = i * GLINT_LANES % block_size;
-        const Vec3<Wide> sum = job.clamp ? clamped(slots[i].group.sum) : slots[i].group.sum;
-        store_colors(out, k, sum);
+        store_colors(out, k, end_sum(job, slots[i].group.sum));
     }
 }
 
 template <Reflection model, bool any_mistake>
 static void light_as(const LightJob& job, const PointBlock* points, const ColorBlock* begun,
                      ColorBlock* colors, std::size_t blocks) {
-    for (std::size_t i = 0; i < blocks; i += batch)
+    for (std::size_t i = 0; i < blocks; i += batch_size)
         light_batch<model, any_mistake>(job, points + i, begun ? begun + i : nullptr, colors + i,
-                                        i + batch < blocks ? batch : blocks - i);
+                                        i + batch_size < blocks ? batch_size : blocks - i);
 }
 
 template <bool any_mistake>

@@ -8,6 +8,10 @@
 
 namespace glint::inline GLINT_ISA {
 
+/// The width of the distribution of facets, from roughness 0 to 1: roughness^2, not below min_alpha.
+inline constexpr float min_alpha = 0.001f;
+template <Number F> F ggx_alpha(F roughness) { return larger(roughness * roughness, F(min_alpha)); }
+
 /// Density of facets with normal h, per unit solid angle; integrates to 1 with the cosine n.h. The
 /// denominator is written with the sine, |n x h|, because 1 - (n.h)^2 would lose the narrow peak of a smooth
 /// surface to rounding.
@@ -32,7 +36,7 @@ template <Number F> F f_schlick(F f0, F c) {
 
 template <Number F>
 Response<F> cook_torrance(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
-    const F a = larger(m.roughness * m.roughness, F(0.001f));
+    const F a = ggx_alpha(m.roughness);
     const F n_dot_v = dot(at.n, at.v), v_dot_h = positive(dot(at.v, d.h));
     const auto lit = both(d.n_dot_l > F(0), n_dot_v > F(0));
     const F cos_l = select(lit, d.n_dot_l, F(1)), cos_v = select(lit, n_dot_v, F(1));

@@ -46,7 +46,7 @@ template <Number F> LightColors<F> colors_on(const MaterialAt<F>& m, const Light
 }
 
 template <Number F> ToLight<F> to_light(const LightAt<F>& light, const PointAt<F>& at) {
-    const Vec3<F> xyz = is_place(light) ? light.xyz - at.p : light.xyz;
+    const Vec3<F> xyz = vector_to_light(light, at.p);
     return {xyz, dot(at.n, xyz)};
 }
 

@@ -9,6 +9,7 @@
 namespace glint {
 
 inline constexpr std::size_t block_size = 16;  // points side by side; a multiple of every SIMD width
+inline constexpr std::size_t batch_size = 16;       // blocks that stay in the first-level cache between two steps
 
 /// One light, or one sample of an area light: camera coordinates, colours times intensity.
 /// Members as in LightAt (renderer/lighting/light_source.h).

@@ -7,10 +7,13 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// roughness 0 to 1 stands for a standard deviation of the facets' slope of 0 to 90 degrees.
+/// The standard deviation of the facets' slope, in degrees, that a roughness of 1 stands for.
+inline constexpr double max_sigma_deg = 90;
+
+/// `roughness`, 0 to 1, stands for a deviation of 0 to max_sigma_deg.
 template <Number F>
 Response<F> oren_nayar(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
-    const F sigma = m.roughness * F(1.57079633f);
+    const F sigma = m.roughness * F(static_cast<float>(max_sigma_deg * 3.14159265358979323846 / 180));
     const F variance = sigma * sigma;
     const F a = F(1) - F(0.5f) * variance / (variance + F(0.33f));
     const F b = F(0.45f) * variance / (variance + F(0.09f));

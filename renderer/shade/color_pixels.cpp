@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t batch = 16;  // runs whose colours stay in the first-level cache between the steps
+static_assert(batch_size == block_size, "RunsToDo and ReachBlock hold as many groups as a block has points");
 
 /// 16 pixels of one colour.
 struct UniformBlock {
@@ -76,14 +76,15 @@ void show_points(const std::uint32_t* point_rgba, const std::uint32_t (&points)[
 
 /// Flat, with nothing drawn over it: a pixel shows the bytes of its lit point.
 void show_faces(Lighting& l, const Surface& s) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 8 * batch), [&](const auto& range) {
-        for (std::size_t r = range.begin(); r != range.end(); ++r) {
-            const PixelRun& run = s.runs[r];
-            if (!l.again(run.object)) continue;
-            show_points(l.point_rgba.data(), s.face_refs[r].point, run.mask,
-                        &l.picture.rgba[4 * std::size_t{run.first_pixel}]);
-        }
-    });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 8 * batch_size),
+                      [&](const auto& range) {
+                          for (std::size_t r = range.begin(); r != range.end(); ++r) {
+                              const PixelRun& run = s.runs[r];
+                              if (!l.again(run.object)) continue;
+                              show_points(l.point_rgba.data(), s.face_refs[r].point, run.mask,
+                                          &l.picture.rgba[4 * std::size_t{run.first_pixel}]);
+                          }
+                      });
 }
 
 /// Calls visit(first, count) for each stretch of set bits.
@@ -99,10 +100,10 @@ template <class Visit> void for_stretches(unsigned bits, const Visit& visit) {
 /// are left alone.
 void color_batch(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display,
                  std::size_t first) {
-    std::array<ColorBlock, batch> colors;
-    std::array<std::uint32_t, batch * block_size> rgba;
-    const unsigned there = 0xFFFFu >> (batch - std::min(batch, s.runs.size() - first));
-    const RunsToDo todo = runs_to_do(l, s, first / batch);
+    std::array<ColorBlock, batch_size> colors;
+    std::array<std::uint32_t, batch_size * block_size> rgba;
+    const unsigned there = 0xFFFFu >> (batch_size - std::min(batch_size, s.runs.size() - first));
+    const RunsToDo todo = runs_to_do(l, s, first / batch_size);
     for_stretches(todo.light & there,
                   [&](std::size_t i, std::size_t count) { color_runs(l, s, first + i, count, &colors[i]); });
     for_stretches(todo.leave_dark & there, [&](std::size_t i, std::size_t count) {
@@ -116,17 +117,18 @@ void color_batch(Lighting& l, const Surface& s, const Strokes& strokes, const Di
         lighting_kernels().encode(display, &colors[begin], &rgba[begin * block_size], count);
         for (std::size_t i = begin; i < begin + count; ++i) {
             write_run(l, s.runs[first + i], colors[i], &rgba[i * block_size]);
-            if (first + i + batch < s.runs.size())  // the next batch's pixels
-                ask_early_to_write(&l.picture.rgba[4 * std::size_t{s.runs[first + i + batch].first_pixel}]);
+            if (first + i + batch_size < s.runs.size())  // the next batch's pixels
+                ask_early_to_write(
+                    &l.picture.rgba[4 * std::size_t{s.runs[first + i + batch_size].first_pixel}]);
         }
     });
 }
 
 void color_runs_to_bytes(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display) {
-    const std::size_t batches = (s.runs.size() + batch - 1) / batch;
+    const std::size_t batches = (s.runs.size() + batch_size - 1) / batch_size;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, batches, 8), [&](const auto& range) {
         for (std::size_t b = range.begin(); b != range.end(); ++b)
-            color_batch(l, s, strokes, display, b * batch);
+            color_batch(l, s, strokes, display, b * batch_size);
     });
 }
 
@@ -189,7 +191,7 @@ void color_pixels(Lighting& l, const Surface& s, const Strokes& strokes, const D
 void clear_picture(Lighting& l, PictureSize size, const Strokes& strokes, const DisplayJob& display) {
     const UniformBlock ground(l.display.background, display);
     l.picture.size = size;
-    const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    const std::size_t pixels = size.pixels();
     l.picture.rgba.resize(4 * pixels);
     l.picture.linear.resize(l.linear ? 3 * pixels : 0);
     const std::size_t blocks = (pixels + block_size - 1) / block_size;

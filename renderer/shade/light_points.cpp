@@ -26,8 +26,6 @@ void light_points(const Lighting& l, const Surface& s, std::size_t first, std::s
 
 namespace {
 
-constexpr std::size_t batch = 16;  // blocks whose colours stay in the first-level cache between the steps
-
 /// The colours of the mesh itself.
 void take_vertex_colors(const Surface& s, const Geometry& g, std::size_t block, ColorBlock& colors) {
     for (std::size_t i = 0; i < block_size; ++i) {
@@ -41,7 +39,7 @@ void take_vertex_colors(const Surface& s, const Geometry& g, std::size_t block, 
 
 void color_batch(Lighting& l, const Surface& s, const Geometry& g, const DisplayJob& display,
                  std::size_t first, std::size_t count) {
-    std::array<ColorBlock, batch> colors;
+    std::array<ColorBlock, batch_size> colors;
     if (l.shading.reflection != Reflection::None) {
         light_points(l, s, first, count, colors.data());
     } else {
@@ -59,12 +57,12 @@ void color_batch(Lighting& l, const Surface& s, const Geometry& g, const Display
 }  // namespace
 
 void color_points(Lighting& l, const Surface& s, const Geometry& g, const DisplayJob& display) {
-    const std::size_t all = s.points.size(), batches = (all + batch - 1) / batch;
+    const std::size_t all = s.points.size(), batches = (all + batch_size - 1) / batch_size;
     l.point_colors.resize(all * block_size);
     l.point_rgba.resize(s.choice.kind == SurfaceKind::Faces ? all * block_size : 0);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, batches, 4), [&](const auto& range) {
         for (std::size_t b = range.begin(); b != range.end(); ++b)
-            color_batch(l, s, g, display, b * batch, std::min(batch, all - b * batch));
+            color_batch(l, s, g, display, b * batch_size, std::min(batch_size, all - b * batch_size));
     });
 }
 

@@ -9,16 +9,13 @@
 #include <numbers>
 
 #include "models/fields/reflection_info.h"
+#include "models/mesh/normals.h"
 #include "renderer/geometry/not_too_far.h"
+#include "renderer/lighting/light_source.h"
 #include "renderer/shade/mistaken_lights.h"
 
 namespace glint {
 namespace {
-
-glm::dvec3 unit_or_zero(glm::dvec3 v) {
-    const double length = glm::length(v);
-    return length > 0 ? v / length : glm::dvec3(0);
-}
 
 LightSource::Rgb rgb(glm::dvec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -51,8 +48,9 @@ void put_at(LightSource& source, const glm::dvec3& place, double patch) {
     if (nearer == 1) return;
     source.patch = static_cast<float>(std::min(patch * nearer * nearer, near_float_limit));
     source.distance_scale = static_cast<float>(1 / nearer);
-    source.constant = static_cast<float>(std::min(
-        source.constant + distance * (source.linear + distance * source.quadratic), near_float_limit));
+    source.constant = static_cast<float>(
+        std::min(falloff_polynomial<double>(source.constant, source.linear, source.quadratic, distance),
+                 near_float_limit));
     source.linear = source.quadratic = 0;
 }
 
@@ -83,7 +81,7 @@ void add_area(std::vector<LightSource>& sources, LightSource source, const Light
 
 void add_light(std::vector<LightSource>& sources, const Light& light, int index, const glm::dmat4& view,
                const Mistakes& mistakes, double most) {
-    const Frame frame{mistaken_frame(mistakes, light.space, view)};
+    const Frame frame{camera_from_light(light.space, view, mistakes)};
     LightSource s;
     s.light = index;
     const glm::dvec3 intensity(light.intensity);
@@ -111,11 +109,7 @@ void add_light(std::vector<LightSource>& sources, const Light& light, int index,
     s.has_cone = light.kind == LightKind::Spot && light.spot.cutoff_deg < 180;
     if (s.has_cone) {
         s.axis = rgb(unit_or_zero(frame.direction(light.spot.direction)));
-        // cos 90 degrees is not quite 0 in floating point, and the edge belongs to the cone.
-        s.cos_cutoff =
-            light.spot.cutoff_deg == 90
-                ? 0.0f
-                : static_cast<float>(std::cos(glm::radians(static_cast<double>(light.spot.cutoff_deg))));
+        s.cos_cutoff = static_cast<float>(cos_of_cutoff(light.spot.cutoff_deg));
         s.exponent = light.spot.exponent;
     }
     spoil_source(mistakes, light, s);
@@ -184,6 +178,30 @@ float faintest_cosine_squared(float shininess) {
                          : std::numeric_limits<float>::lowest();  // anything to the power 0 is 1
 }
 
+double cos_of_cutoff(double degrees) {
+    // cos 90 degrees is not quite 0 in floating point, and the edge belongs to the cone.
+    return degrees == 90 ? 0 : std::cos(glm::radians(degrees));
+}
+
+glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world, const Mistakes& wrong) {
+    const bool world = (space == LightSpace::World) != wrong.light_in_wrong_space;
+    const glm::dmat4 frame = world ? view_from_world : glm::dmat4(1.0);
+    return wrong.light_moved_twice ? view_from_world * frame : frame;
+}
+
+SurfaceMaterial surface_material(const Material& m) {
+    SurfaceMaterial s;
+    s.k_a = rgb(m.ambient);
+    s.k_d = rgb(m.diffuse);
+    s.k_s = rgb(m.specular);
+    s.f0 = rgb(m.f0);
+    s.shininess = m.shininess;
+    s.roughness = m.roughness;
+    s.emission = rgb(m.emission);
+    s.faintest_squared = faintest_cosine_squared(m.shininess);
+    return s;
+}
+
 void light_sources(const Scene& scene, std::vector<LightSource>& sources) {
     const glm::dmat4 view = view_from_world(scene.camera);
     const double most = most_light(scene.objects);
@@ -205,13 +223,8 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& m,
     LightJob job;
     job.lights = lights.data();
     job.light_count = lights.size();
-    job.material.k_a = rgb(m.ambient);
-    job.material.k_d = rgb(m.diffuse);
-    job.material.k_s = rgb(m.specular);
-    job.material.f0 = rgb(m.f0);
-    job.material.shininess = opengl ? std::min(m.shininess, opengl_max_shininess) : m.shininess;
-    job.material.roughness = m.roughness;
-    job.material.emission = rgb(m.emission);
+    job.material = surface_material(m);
+    if (opengl) job.material.shininess = std::min(m.shininess, opengl_max_shininess);
     job.material.global_ambient = product(m.ambient, scene.global_ambient);
     job.model = scene.shading.reflection;
     job.terms = scene.shading.terms;

@@ -6,6 +6,8 @@
 #include <glm/trigonometric.hpp>
 
 #include "renderer/geometry/not_too_far.h"
+#include "renderer/lighting/light_source.h"
+#include "renderer/shade/light_sources.h"
 
 namespace glint {
 namespace {
@@ -19,12 +21,6 @@ LightJob::Projection projection_of(const glm::dmat4& m) {  // m[column][row]
 
 }  // namespace
 
-glm::dmat4 mistaken_frame(const Mistakes& wrong, LightSpace space, const glm::dmat4& view) {
-    const bool world = (space == LightSpace::World) != wrong.light_in_wrong_space;
-    const glm::dmat4 frame = world ? view : glm::dmat4(1.0);
-    return wrong.light_moved_twice ? view * frame : frame;
-}
-
 void spoil_source(const Mistakes& wrong, const Light& light, LightSource& source) {
     if (wrong.falloff_without_constant && light.kind != LightKind::Directional) {
         source.constant = 0;
@@ -34,12 +30,14 @@ void spoil_source(const Mistakes& wrong, const Light& light, LightSource& source
         const float r = glm::length(glm::vec3(light.position));
         const Falloff& f = light.falloff;
         source.has_falloff = true;
-        source.constant = f.constant + r * (f.linear + r * f.quadratic);  // the same wherever the point is
+        source.constant =
+            falloff_polynomial(f.constant, f.linear, f.quadratic, r);  // the same wherever the point is
         source.linear = source.quadratic = 0;
     }
     if (!source.has_cone || !(wrong.degrees_for_radians || wrong.cutoff_as_full_angle)) return;
     const double angle = wrong.cutoff_as_full_angle ? light.spot.cutoff_deg / 2.0 : light.spot.cutoff_deg;
-    source.cos_cutoff = static_cast<float>(std::cos(wrong.degrees_for_radians ? angle : glm::radians(angle)));
+    source.cos_cutoff =
+        static_cast<float>(wrong.degrees_for_radians ? std::cos(angle) : cos_of_cutoff(angle));
 }
 
 void spoil_job(const Scene& scene, PictureSize size, LightJob& job) {

@@ -6,10 +6,6 @@
 
 namespace glint {
 
-/// Camera coordinates from the light's: the view matrix for a world light and nothing for a camera light, or
-/// what is taken instead.
-[[nodiscard]] glm::dmat4 mistaken_frame(const Mistakes& mistakes, LightSpace space, const glm::dmat4& view);
-
 /// Falloff and cone as the mistakes have them. No mistake leaves the source as it is.
 void spoil_source(const Mistakes& mistakes, const Light& light, LightSource& source);
 

@@ -3,6 +3,8 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "renderer/geometry/to_screen.h"
+
 namespace glint {
 
 Occlusion::Occlusion(const Geometry& g)
@@ -10,7 +12,7 @@ Occlusion::Occlusion(const Geometry& g)
       orthographic_(is_orthographic(g.camera.projection)),
       near_(near_of(g.camera.projection)),
       far_(far_of(g.camera.projection)),
-      half_pixel_(glm::abs(1 / (clip_from_view(g.camera.projection, g.size)[1][1] * g.size.height))) {}
+      half_pixel_(glm::abs(1 / (g.clip_from_view[1][1] * g.size.height))) {}
 
 bool Occlusion::hides(std::uint32_t triangle, glm::dvec2 pixel, double nearness) const {
     // Nearness over a plane is k . (x, y, 1) on the screen, so at each corner, in clip coordinates,
@@ -31,7 +33,7 @@ bool Occlusion::hides(std::uint32_t triangle, glm::dvec2 pixel, double nearness)
     const glm::dvec3 k = (right[0] * across + right[1] * glm::cross(place[2], place[0]) +
                           right[2] * glm::cross(place[0], place[1])) /
                          determinant;
-    const glm::dvec3 at(2 * pixel.x / g_.size.width - 1, 1 - 2 * pixel.y / g_.size.height, 1);
+    const glm::dvec3 at(to_ndc(viewport_of(g_.camera, g_.size), pixel), 1);
     const double tolerance = orthographic_ ? half_pixel_ / (far_ - near_) : half_pixel_ * nearness;
     return glm::dot(k, at) > nearness + tolerance;
 }

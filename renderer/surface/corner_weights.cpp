@@ -11,8 +11,8 @@
 namespace glint {
 namespace {
 
-template <Number F> ScreenPoint<F> screen_point(PictureSize size, SamplePlace at) {
-    return glint::screen_point(F(at.x), F(at.y), static_cast<F>(size.width), static_cast<F>(size.height));
+template <Number F> ScreenPoint<F> ndc_of(PictureSize size, SamplePlace at) {
+    return to_ndc(F(at.x), F(at.y), static_cast<F>(size.width), static_cast<F>(size.height));
 }
 
 /// Weights, and the place that they give, of corners in clip and in camera coordinates.
@@ -155,22 +155,21 @@ void place_on_face(SampleFace& face, const Geometry& g) {
             clip[i] = {v.clip_x, v.clip_y, v.clip_w};
             camera[i] = {v.x, v.y, v.z};
         }
-        place(face, clip, camera, screen_point<float>(g.size, face.at));
+        place(face, clip, camera, ndc_of<float>(g.size, face.at));
         return;
     }
     // A face that had to be clipped may reach far beyond the picture: its corners in double, or float would
     // lose the place between them.
-    const glm::dmat4 clip_from_camera = clip_from_view(g.camera.projection, g.size);
     std::array<ClipCorner<double>, 3> clip;
     std::array<Vec3<double>, 3> camera;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec4 p =
             object.view_from_object * glm::dvec4(glm::dvec3(object.mesh->positions[corner[i]]), 1.0);
-        const glm::dvec4 c = clip_from_camera * p;
+        const glm::dvec4 c = g.clip_from_view * p;
         clip[i] = {c.x, c.y, c.w};
         camera[i] = {p.x, p.y, p.z};
     }
-    place(face, clip, camera, screen_point<double>(g.size, face.at));
+    place(face, clip, camera, ndc_of<double>(g.size, face.at));
 }
 
 CornerWeights corner_weights(Interpolation interpolation, const Geometry& g, const SampleFace& face) {

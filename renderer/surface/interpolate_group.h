@@ -6,23 +6,20 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// Below this a blended normal counts as none: opposite corner normals can cancel.
-inline constexpr float shortest_normal = 1e-6f;
-
 /// Pixels k and up of a run that begins at (x, y) and shows `seen`: their places, and the normals before they
 /// are made unit. False when some lane shows a clipped triangle.
 template <Number F>
 bool blend_lanes(const PlaceJob& job, const std::uint32_t* seen, std::size_t k, int x, int y,
                  PointBlock& out) {
     using I = IntOf<F>;
-    const I inverted = 0x7fffffff - load_ints<I>(seen + k);  // as seen_code made it
+    const I code = load_ints<I>(seen + k);
     const FacesOfLanes<F> face =
-        faces_of_lanes<F>(job, (inverted >> 1) - static_cast<int>(job.first_triangle));
+        faces_of_lanes<F>(job, triangle_of_code(code) - static_cast<int>(job.first_triangle));
     const F at_x = to_number(load_ints<I>(counting + k) + x) + F(0.5f), at_y = to_number(y) + 0.5f;
-    const ScreenPoint<F> at = screen_point(at_x, at_y, F(job.width), F(job.height));
+    const ScreenPoint<F> at = to_ndc(at_x, at_y, F(job.width), F(job.height));
     const Vec3<F> w = perspective_weights(face.a.clip, face.b.clip, face.c.clip, at);
     const Vec3<F> p = blend(w, face.a.p, face.b.p, face.c.p), sum = blend(w, face.a.n, face.b.n, face.c.n);
-    const F facing = job.two_sided ? F(1) - to_number((inverted & 1) << 1) : F(1);
+    const F facing = job.two_sided ? F(1) - to_number(back_of_code(code) << 1) : F(1);
     const Vec3<F> n = facing * sum;
     store(out.x + k, p.x);
     store(out.y + k, p.y);

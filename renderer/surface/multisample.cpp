@@ -38,15 +38,14 @@ struct PixelFragments {
 /// outside.
 double least_weight(const Geometry& g, const SampleSeen& seen, SamplePlace at) {
     const ObjectGeometry& object = g.objects[seen.object];
-    const glm::dmat4 clip_from_object = clip_from_view(g.camera.projection, g.size) * object.view_from_object;
     std::array<ClipCorner<double>, 3> corner;
     const auto positions = g.position_indices(seen.object, g.triangle(seen.object, seen.triangle));
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 p(object.mesh->positions[positions[i]]);
-        const glm::dvec4 c = clip_from_object * glm::dvec4(p, 1.0);
+        const glm::dvec4 c = object.clip_from_object * glm::dvec4(p, 1.0);
         corner[i] = {c.x, c.y, c.w};
     }
-    const ScreenPoint<double> point = screen_point<double>(at.x, at.y, g.size.width, g.size.height);
+    const ScreenPoint<double> point = to_ndc<double>(at.x, at.y, g.size.width, g.size.height);
     const Vec3<double> e = edge_functions(corner[0], corner[1], corner[2], point);
     const double sum = e.x + e.y + e.z;
     return sum > 0 ? std::min({e.x, e.y, e.z}) / sum : -HUGE_VAL;

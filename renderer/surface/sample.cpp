@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "renderer/simd/glm_vec3.h"
 #include "renderer/simd/vec3.h"
 #include "renderer/surface/surface.h"
 
@@ -9,9 +10,6 @@ namespace glint {
 namespace {
 
 using Vec = Vec3<float>;
-
-Vec to_vec(glm::vec3 v) { return {v.x, v.y, v.z}; }
-glm::vec3 to_glm(Vec v) { return {v.x, v.y, v.z}; }
 
 /// The interpolated normal, not yet unit.
 Vec blended_normal(const SurfaceInputs& surface, const Geometry& g, const SampleFace& face) {
@@ -27,8 +25,7 @@ Vec blended_normal(const SurfaceInputs& surface, const Geometry& g, const Sample
 
 SampleFace sample_face(const SurfaceChoice& choice, const Geometry& g, const Visibility& visibility, int x,
                        int y) {
-    const std::size_t pixel =
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(g.size.width) + static_cast<std::size_t>(x);
+    const std::size_t pixel = g.size.index(x, y);
     SampleFace face;
     face.at = {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
     face.triangle = visibility.triangle_at(pixel);
@@ -62,7 +59,8 @@ PlacedNormal pixel_point(const SurfaceInputs& surface, const Geometry& g, const 
     Vec n;
     if (!surface.choice.facet_normals) {
         const Vec sum = blended_normal(surface, g, face);
-        if (length(sum) > 1e-6f) n = surface.choice.mistakes.unnormalized_at_pixel ? sum : unit(sum);
+        if (length(sum) > shortest_normal)
+            n = surface.choice.mistakes.unnormalized_at_pixel ? sum : unit(sum);
     }
     // Opposite corner normals can cancel: then, too, the facet's own is the best there is.
     if (dot(n, n) == 0) n = to_vec(camera_facet_normal(object, t.face, surface.choice.mistakes));

@@ -6,6 +6,9 @@
 
 namespace glint {
 
+/// A blended normal not longer than this counts as none: opposite corner normals can cancel.
+inline constexpr float shortest_normal = 1e-6f;
+
 /// Up to 16 neighbouring pixels of one row that show the same object.
 struct PixelRun {
     std::uint32_t first_pixel = 0;  // a multiple of 16 in x

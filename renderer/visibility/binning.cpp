@@ -57,8 +57,7 @@ void lay_out_chunks(TileLists& lists, const Geometry& g, const SortJob& like, Cu
 
 /// How many tiles a box meets.
 std::uint64_t tiles_of(const TriangleBox& box) {
-    const std::uint32_t wide = (box.tiles >> 16 & 255u) - (box.tiles & 255u) + 1;
-    const std::uint32_t high = (box.tiles >> 24) - (box.tiles >> 8 & 255u) + 1;
+    const std::uint32_t wide = box.x1() - box.x0() + 1, high = box.y1() - box.y0() + 1;
     return std::uint64_t{wide} * high;
 }
 
@@ -77,8 +76,8 @@ void visit_cells(const CellGrid& grid, const SortedChunk& chunk, std::size_t beg
                  const Visit& visit) {
     for (std::size_t i = begin; i < end; ++i) {
         const TriangleBox& box = chunk.boxes[i];
-        const std::uint32_t x0 = box.tiles & 255u, y0 = box.tiles >> 8 & 255u, x1 = box.tiles >> 16 & 255u;
-        const std::uint32_t y1 = box.tiles >> 24, level = level_of(x0, y0, x1, y1), row = grid.row(level);
+        const std::uint32_t x0 = box.x0(), y0 = box.y0(), x1 = box.x1(), y1 = box.y1();
+        const std::uint32_t level = level_of(x0, y0, x1, y1), row = grid.row(level);
         for (std::uint32_t y = y0 >> level; y <= y1 >> level; ++y)
             for (std::uint32_t x = x0 >> level; x <= x1 >> level; ++x)
                 visit(grid.first[level] + y * row + x, box, level);
@@ -122,8 +121,8 @@ class Clipper {
     Clipper(TileLists& lists, const Geometry& g)
         : lists_(lists),
           camera_(g.camera.projection),
-          projection_(clip_from_view(camera_, g.size)),
-          screen_(screen_job(g.camera, g.size)) {}
+          clip_from_view_(g.clip_from_view),
+          viewport_(viewport_of(g.camera, g.size)) {}
 
     /// Triangle `t` of an object.
     void clip(const ObjectGeometry& object, std::uint32_t t) {
@@ -131,7 +130,8 @@ class Clipper {
         polygon.clear();
         for (std::size_t k = 0; k < 3; ++k) {
             const glm::vec3& p = object.mesh->positions[object.triangle_vertices[3 * std::size_t{t} + k]];
-            polygon.push_back(projection_ * (object.view_from_object * glm::dvec4(glm::dvec3(p), 1.0)));
+            // In two steps, as the kernels take them (transform_vertices.h), so that no crack opens.
+            polygon.push_back(clip_from_view_ * (object.view_from_object * glm::dvec4(glm::dvec3(p), 1.0)));
         }
         clip_polygon(polygon, lists_.spare_polygon);
         for (std::size_t i = 2; i < polygon.size(); ++i) {
@@ -147,13 +147,13 @@ class Clipper {
 
   private:
     [[nodiscard]] ScreenVertex corner(const glm::dvec4& clip) const {
-        return to_screen(screen_, held_in_view(camera_, clip));
+        return to_screen(viewport_, held_in_view(camera_, clip));
     }
 
     TileLists& lists_;
     const Projection& camera_;
-    glm::dmat4 projection_;
-    ScreenJob screen_;
+    const glm::dmat4& clip_from_view_;
+    Viewport viewport_;
 };
 
 void clip_triangles(TileLists& lists, const Geometry& g) {

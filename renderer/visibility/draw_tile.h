@@ -44,7 +44,7 @@ void draw_lane(const TileJob& job, const TriangleLanes<N>& lanes, unsigned lane,
     // Clockwise as seen is the back, unless the transform turned it over.
     const bool back = (area > 0) != mirrored;
     if (area == 0 || !(back ? job.draw_back : job.draw_front)) return;
-    const int code = static_cast<int>(seen_code(number, back));
+    const int code = static_cast<int>(seen_code(number, std::uint32_t{back}));
     if (lanes.small[lane]) {
         fill_patches<F>(edges_of_lane(lanes, lane), plane_of_lane(lanes, lane, code), tile);
         return;
@@ -71,7 +71,7 @@ unsigned draw_tiny(const TileJob& job, const TriangleLanes<NumberTraits<F>::widt
             counterclockwise = negative(area);
     const I back = mirrored ? counterclockwise : clockwise, front = mirrored ? clockwise : counterclockwise;
     const I drawn = tiny & ((back & (job.draw_back ? -1 : 0)) | (front & (job.draw_front ? -1 : 0)));
-    const I code = 0x7fffffff - ((load_ints<I>(lanes.number) << 1) - back);  // as seen_code has it
+    const I code = seen_code<I>(load_ints<I>(lanes.number), 0 - back);
     if (any_bit(drawn)) fill_tiny<F>(lanes, drawn, code, tile);
     return mask_bits(not_equal(drawable & inverted(tiny), in_all_lanes<I>(0)));
 }

@@ -1,11 +1,8 @@
 #pragma once
-// One triangle into one tile. Vertices lie on a grid of 1/256 pixel and edge functions are integers, so the
-// fill rule is exact: a sample on an edge belongs to exactly one of the faces that share it (top-left rule).
-// Source: J. Pineda 1988.
+// Draws one triangle into one tile, by the edge functions of fill_rule.h.
 
 #include "renderer/simd/double_lanes.h"
-#include "renderer/simd/int_lanes.h"
-#include "renderer/visibility/visibility_kernels.h"
+#include "renderer/visibility/fill_rule.h"
 
 namespace glint::inline GLINT_ISA {
 
@@ -26,8 +23,7 @@ struct TileTriangle {
 /// Positive when the corners run clockwise.
 inline long long doubled_area(const TileTriangle& t) {
     const TileCorner *a = t.corner, *b = a + 1, *c = a + 2;
-    return static_cast<long long>(b->x - a->x) * (c->y - a->y) -
-           static_cast<long long>(b->y - a->y) * (c->x - a->x);
+    return doubled_area<long long>(b->x - a->x, b->y - a->y, c->x - a->x, c->y - a->y);
 }
 
 inline void turn_over(TileTriangle& t) {
@@ -76,16 +72,17 @@ inline TilePlane plane_of(const TileTriangle& t) {
 }
 
 /// Patches of a tile (TilePixels), columns x0..x1 and rows y0..y1, and the three edges as functions of the
-/// pixel, not negative inside: values at the first patch's first pixel, steps a pixel. In units of 256: steps
-/// from sample to sample are whole ones, so what is cut off below never changes a sign.
+/// pixel (EdgeFunction): values at the first patch's first pixel, steps a pixel.
 struct PatchEdges {
     int x0, y0, x1, y1;
     int value[3], step_x[3], step_y[3];
 };
 
 /// The lanes' pixels within a patch: step s has those from s on.
-template <Number F> IntOf<F> patch_column(int s) { return load_ints<IntOf<F>>(counting + s) & 3; }
-template <Number F> IntOf<F> patch_row(int s) { return load_ints<IntOf<F>>(counting + s) >> 2; }
+template <Number F> IntOf<F> patch_column(int s) {
+    return load_ints<IntOf<F>>(counting + s) & (patch_side - 1);
+}
+template <Number F> IntOf<F> patch_row(int s) { return load_ints<IntOf<F>>(counting + s) >> patch_bits; }
 
 /// Pixels right of and below the one that the plane begins at.
 template <Number F> F nearness_at(const NearnessPlane<F>& plane, F column, F row) {
@@ -100,7 +97,7 @@ template <Number F>
 void keep_nearer(MaskOf<F> inside, F nearness, int triangle_code, float* nearest, std::int32_t* seen) {
     const F before = load<F>(nearest);
     const IntOf<F> shown = load_ints<IntOf<F>>(seen), code = in_all_lanes<IntOf<F>>(triangle_code);
-    const auto wins = both(inside, either(nearness > before, both(nearness >= before, code > shown)));
+    const auto wins = both(inside, is_in_front<F>(nearness, code, before, shown));
     store(nearest, select(wins, nearness, before));
     store_ints(seen, select(wins, code, shown));
 }

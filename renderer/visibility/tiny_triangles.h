@@ -24,7 +24,7 @@ template <unsigned N> void keep_nearer(const Fragments<N>& fragments, TilePixels
         const auto which = static_cast<unsigned>(fragments.covered[i]);
         const int at = fragments.at[which], code = fragments.code[which % N];
         const float nearness = fragments.nearness[which], before = tile.nearness[at];
-        if (nearness > before || (nearness >= before && code > tile.seen[at])) {
+        if (is_in_front<float>(nearness, code, before, tile.seen[at])) {
             tile.nearness[at] = nearness;
             tile.seen[at] = code;
         }
@@ -54,11 +54,13 @@ void fill_tiny(const TriangleLanes<NumberTraits<F>::width>& lanes, IntOf<F> chos
     int step = 0;
     for (int row = 0; row <= rows; ++row) {
         I edge[3] = {of_row[0], of_row[1], of_row[2]};
-        const I y = y0 + row, row_ends = (below - row) | (-1 - chosen);
-        const I patch_row = (y >> 2) * (patches_a_row * patch_pixels) + (y & (patch_side - 1)) * patch_side;
+        const I y = y0 + row, row_ends = (below - row) | inverted(chosen);
+        const I patch_row =
+            (y >> patch_bits) * (patches_a_row * patch_pixels) + (y & (patch_side - 1)) * patch_side;
         for (int column = 0; column <= columns; ++column) {
             const auto inside = not_negative(edge[0] | edge[1] | edge[2] | row_ends | (right - column));
-            const I x = x0 + column, at = patch_row + (x >> 2) * patch_pixels + (x & (patch_side - 1));
+            const I x = x0 + column,
+                    at = patch_row + (x >> patch_bits) * patch_pixels + (x & (patch_side - 1));
             const F nearness =
                 nearness_at<F>(plane, F(static_cast<float>(column)), F(static_cast<float>(row)));
             store_ints(found.at + step, at);

@@ -5,7 +5,8 @@
 
 namespace glint {
 
-inline constexpr int tile_size = 64;  // pixels a side
+inline constexpr int tile_bits = 6;
+inline constexpr int tile_size = 1 << tile_bits;  // pixels a side
 
 /// A piece of a triangle that had to be clipped.
 struct ClippedTriangle {
@@ -33,6 +34,15 @@ struct SortJob {
 struct TriangleBox {
     std::uint32_t number;  // global
     std::uint32_t tiles;   // x0, y0, x1, y1, eight bits each, x0 the lowest
+
+    /// I: an integer, or as many as there are lanes.
+    template <class I> static constexpr I packed(I x0, I y0, I x1, I y1) {
+        return x0 | y0 << 8 | x1 << 16 | y1 << 24;
+    }
+    [[nodiscard]] std::uint32_t x0() const { return tiles & 255u; }
+    [[nodiscard]] std::uint32_t y0() const { return tiles >> 8 & 255u; }
+    [[nodiscard]] std::uint32_t x1() const { return tiles >> 16 & 255u; }
+    [[nodiscard]] std::uint32_t y1() const { return tiles >> 24; }
 };
 
 /// Room for one entry a triangle, and one more.
@@ -46,17 +56,16 @@ struct SortedTriangles {
 // Which triangle is seen at each pixel of a tile.
 
 /// What a pixel holds that shows a triangle; 0 shows none. Larger for lower numbers, so that at equal depth
-/// the lower object and then the lower face wins by being larger. Numbers below 2^30.
-[[nodiscard]] constexpr std::uint32_t seen_code(std::uint32_t triangle, bool back) {
-    return 0x7fffffffu - (2 * triangle + (back ? 1u : 0u));
+/// the lower object and then the lower face wins by being larger. Numbers below 2^30; `back`: 1 where the
+/// triangle is wound clockwise as seen, else 0. I: an integer, or as many as there are lanes.
+template <class I> [[nodiscard]] constexpr I seen_code(I triangle, I back) {
+    return 0x7fffffff - ((triangle << 1) + back);
 }
-[[nodiscard]] constexpr std::uint32_t triangle_of_code(std::uint32_t code) {
-    return (0x7fffffffu - code) >> 1;
-}
-/// True where the triangle is wound clockwise as seen.
-[[nodiscard]] constexpr bool is_back(std::uint32_t code) { return (0x7fffffffu - code) & 1u; }
+template <class I> [[nodiscard]] constexpr I triangle_of_code(I code) { return (0x7fffffff - code) >> 1; }
+template <class I> [[nodiscard]] constexpr I back_of_code(I code) { return (0x7fffffff - code) & 1; }
 
-inline constexpr int patch_side = 4;  // pixels
+inline constexpr int patch_bits = 2;
+inline constexpr int patch_side = 1 << patch_bits;  // pixels
 inline constexpr int patch_pixels = patch_side * patch_side;
 inline constexpr int patches_a_row = tile_size / patch_side;
 

@@ -213,7 +213,7 @@ void place_all(Numbers& number) {
         const int alike = 1 + which % 12;  // neighbours that show the same
         for (int i = 0; i < static_cast<int>(block_size); ++i) {
             const std::uint32_t triangle = number.bits() % triangle_count;  // before the other: in this order
-            seen[i] = seen_code(triangle, number.bits() % 2 != 0);
+            seen[i] = seen_code<std::uint32_t>(triangle, number.bits() % 2 != 0);
             if (i % alike != 0) seen[i] = seen[i - 1];
         }
         job.two_sided = which % 2 != 0;

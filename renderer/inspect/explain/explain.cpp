@@ -7,9 +7,11 @@
 #include <glm/trigonometric.hpp>
 
 #include "renderer/geometry/interpolate.h"
+#include "renderer/geometry/to_screen.h"
 #include "renderer/lighting/display.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"
+#include "renderer/simd/glm_vec3.h"
 #include "renderer/strokes/stroke.h"
 
 namespace glint {
@@ -26,9 +28,6 @@ struct ExplainedStages {
     const Strokes& strokes;
     const Lighting& lighting;
 };
-
-Vec to_vec(glm::vec3 v) { return {v.x, v.y, v.z}; }
-glm::vec3 to_glm(Vec v) { return {v.x, v.y, v.z}; }
 
 /// Camera and world coordinates of the same vector or place.
 class Frames {
@@ -57,8 +56,8 @@ ExplainedLight explain_light(const LightTerms<float>& t, const LightSource& sour
     e.falloff = t.falloff;
     e.spot = t.spot;
     if (source.has_cone) {
-        const Vec axis = same<float>(source.axis);
-        e.spot_angle_deg = glm::degrees(std::acos(std::clamp(-dot(t.directions.l, axis), -1.0f, 1.0f)));
+        const float cosine = along_axis(light_at<float>(source), t.directions.l);
+        e.spot_angle_deg = glm::degrees(std::acos(std::clamp(cosine, -1.0f, 1.0f)));
     }
     e.diffuse_factor = t.response.diffuse;
     e.specular_factor = to_glm(t.response.specular);
@@ -99,28 +98,20 @@ ExplainedPoint explain_point(const ExplainedStages& stages, const LightJob& job,
     if (job.terms.emission) e.emission = to_glm(same<float>(job.material.emission));
     if (job.terms.ambient) e.global_ambient = to_glm(same<float>(job.material.global_ambient));
     if (job.tone.on) e.cool_to_warm = explain_tone(job, at);
-    Vec sum = before_lights(job, at);
-    e.base = to_glm(sum);
-    const Equation equation = equation_of(job);
-    const MaterialAt<float> material = material_at<float>(job.material);
-    for (std::size_t i = 0; i < job.light_count; ++i) {
+    e.base = to_glm(begin_sum(job, at));
+    e.sum = to_glm(shade_point(job, at, [&](std::size_t i, const LightTerms<float>& t, const Vec& share) {
         const LightSource& source = job.lights[i];
-        const LightAt<float> light_here = light_at<float>(source);
-        const LightTerms<float> t = illuminate(equation, light_here, material, at);
-        const Vec share = share_of(equation, light_here, t);
-        sum = sum + share;
         ExplainedLight light = explain_light(t, source, frames);
         light.share = to_glm(share);
         light.name = stages.lighting.lights[static_cast<std::size_t>(source.light)].name;
         if (!source.is_patch) {
             e.lights.push_back(light);
-            continue;
+            return;
         }
         if (e.lights.empty() || e.lights.back().index != source.light || e.lights.back().samples.empty())
             e.lights.emplace_back();
         join_samples(e.lights.back(), light);
-    }
-    e.sum = to_glm(job.clamp ? clamped(sum) : sum);
+    }));
     return e;
 }
 
@@ -156,15 +147,14 @@ void explain_stroke(Explanation& e, const ExplainedStages& stages, std::size_t p
 /// The point on its way from the mesh to the screen.
 ExplainedSpaces explain_spaces(const Geometry& g, const SampleFace& face) {
     const glm::dvec4 camera(glm::dvec3(face.p), 1);
-    const glm::dvec4 clip = clip_from_view(g.camera.projection, g.size) * camera;
+    const glm::dvec4 clip = g.clip_from_view * camera;
     ExplainedSpaces s;
     s.object = glm::vec3(glm::inverse(g.objects[face.object].view_from_object) * camera);
     s.world = glm::vec3(world_from_view(g.camera) * camera);
     s.camera = face.p;
     s.clip = glm::vec4(clip);
     s.ndc = glm::vec3(clip / clip.w);
-    s.pixel = {static_cast<float>((clip.x / clip.w + 1) * 0.5 * g.size.width),
-               static_cast<float>((1 - clip.y / clip.w) * 0.5 * g.size.height)};
+    s.pixel = glm::vec2(to_pixel(viewport_of(g.camera, g.size), clip));
     return s;
 }
 
