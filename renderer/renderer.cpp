@@ -62,16 +62,16 @@ struct Renderer::Kept {
         MemoryNeed own = share.need();
         own += stages.visibility.tiles.share.need();
         own += stages.surface.share.need();
-        own += stages.lighting.share.need();
+        own += stages.lighting.moving_light.memory();
         require_memory(all, own);
         share.set(memory.certain);
     }
 
     /// As if nothing had ever been drawn, and all memory given back.
     void forget() {
-        const bool keep_sums = stages.lighting.keep_sums;
+        const bool follow = stages.lighting.moving_light.allowed;
         stages = KeptStages{};
-        stages.lighting.keep_sums = keep_sums;
+        stages.lighting.moving_light.allowed = follow;
         warnings.clear();
         share = {};
         drawn = false;
@@ -159,7 +159,7 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
     return s.lighting.picture;
 }
 
-void Renderer::keep_sums(bool keep) { kept_->stages.lighting.keep_sums = keep; }
+void Renderer::keep_sums(bool keep) { kept_->stages.lighting.moving_light.allowed = keep; }
 const FrameStats& Renderer::stats() const { return kept_->stats; }
 const Warnings& Renderer::warnings() const { return kept_->warnings; }
 Explanation Renderer::explain(int x, int y) const { return explain_pixel(kept_->stages, x, y); }

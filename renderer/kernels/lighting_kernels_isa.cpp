@@ -5,7 +5,7 @@
 #include "renderer/lighting/display.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/blend_points.h"
-#include "renderer/shade/reach.h"
+#include "renderer/shade/group_bounds.h"
 #include "renderer/simd/int_lanes.h"
 #include "renderer/simd/wide.h"
 
@@ -151,16 +151,16 @@ static void light(const LightJob& job, const PointBlock* points, const ColorBloc
     light_with<false>(job, points, begun, colors, blocks);
 }
 
-GLINT_FLATTEN static std::uint16_t find_lit(const LightSource& source, const ReachBlock& b) {
+GLINT_FLATTEN static std::uint16_t find_lit(const LightSource& source, const BoundsBlock& b) {
     const LightAt<Wide> light = light_at<Wide>(source);
     if (light.has_ambient) return 0xFFFF;
     unsigned behind = 0;
     for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
-        const Reach<Wide> reach{{load<Wide>(b.x + k), load<Wide>(b.y + k), load<Wide>(b.z + k)},
-                                load<Wide>(b.radius + k),
-                                {load<Wide>(b.nx + k), load<Wide>(b.ny + k), load<Wide>(b.nz + k)},
-                                load<Wide>(b.spread + k)};
-        behind |= mask_bits(certainly_behind(light, reach)) << k;
+        const GroupBounds<Wide> bounds{{load<Wide>(b.x + k), load<Wide>(b.y + k), load<Wide>(b.z + k)},
+                                       load<Wide>(b.radius + k),
+                                       {load<Wide>(b.nx + k), load<Wide>(b.ny + k), load<Wide>(b.nz + k)},
+                                       load<Wide>(b.spread + k)};
+        behind |= mask_bits(certainly_behind(light, bounds)) << k;
     }
     return static_cast<std::uint16_t>(~behind);
 }

@@ -9,6 +9,7 @@
 #include "renderer/lighting/light_source.h"
 #include "renderer/lighting/mistakes.h"
 #include "renderer/lighting/reflection.h"
+#include "renderer/lighting/rounding.h"
 
 namespace glint::inline GLINT_ISA {
 
@@ -27,17 +28,8 @@ struct Equation {
     Terms terms;
     const Mistakes* mistakes = nullptr;  // null: none is made, and no table is used
     int power_table = 0;                 // Shading::power_table
-    float near = 0;                      // shares are rounded as on_grid(share, near) says
+    float rounding = 0;                  // each share is rounded(share, rounding); 0: not rounded
 };
-
-/// To the nearest multiple of a grid, a power of two, when |c| <= 2^22 grid: numbers near 3 * 2^22 grid,
-/// which is `near`, have just these steps. Sums of multiples up to 2^24 grid are exact in float, whatever
-/// their order: the sum of all lights but one can then be kept while that one is dragged. near = 0: c as it
-/// is.
-template <Number F> Vec3<F> on_grid(Vec3<F> c, float near) {
-    return {(c.x + F(near)) - F(near), (c.y + F(near)) - F(near), (c.z + F(near)) - F(near)};
-}
-inline float numbers_near(float grid) { return grid * 12582912.0f; }
 
 /// A light's colours times the material's.
 template <Number F> struct LightColors { Vec3<F> ambient, diffuse, specular; };
@@ -121,7 +113,7 @@ Vec3<F> share_of(const Equation& equation, const LightAt<F>& light, const LightT
     Vec3<F> share = t.diffuse + t.specular;
     if (light.has_ambient) share = share + t.ambient;
     if (equation.mistakes && equation.mistakes->clamp_each_light) share = clamped(share);
-    return on_grid(share, equation.near);
+    return rounded(share, equation.rounding);  // so that a partial sum can be kept, see rounding.h
 }
 
 }  // namespace glint::inline GLINT_ISA

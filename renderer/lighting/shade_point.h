@@ -51,7 +51,8 @@ template <Number F> Vec3<F> unlit(const SurfaceMaterial& material, const Terms& 
 /// The part of a job that is the same for every point. The kernels name model and mistakes themselves, so
 /// that the compiler knows them.
 inline Equation equation_of(const LightJob& job, Reflection model, bool any_mistake) {
-    return {model, job.terms, any_mistake ? &job.mistakes : nullptr, job.power_table, numbers_near(job.grid)};
+    return {model, job.terms, any_mistake ? &job.mistakes : nullptr, job.power_table,
+            rounding_magic(job.grid)};
 }
 inline Equation equation_of(const LightJob& job) { return equation_of(job, job.model, job.any_mistake); }
 
@@ -61,7 +62,7 @@ inline Equation equation_of(const LightJob& job) { return equation_of(job, job.m
 /// What the sum begins with: emission and global ambient light, or the tone that stands in their place.
 template <Number F> Vec3<F> begin_sum(const LightJob& job, const PointAt<F>& at) {
     if (job.tone.on) return cool_to_warm(job.tone, same<F>(job.material.k_d), at).color;
-    return on_grid(unlit<F>(job.material, job.terms), numbers_near(job.grid));
+    return rounded(unlit<F>(job.material, job.terms), rounding_magic(job.grid));
 }
 
 /// Adds one light's share to the sum, and returns it. A light for which may_add() is false has a share of 0

@@ -9,13 +9,13 @@
 #include <cstring>
 
 #include "renderer/shade/light_points.h"
-#include "renderer/shade/runs_to_do.h"
 #include "renderer/simd/lanes.h"
 
 namespace glint {
 namespace {
 
-static_assert(batch_size == block_size, "RunsToDo and ReachBlock hold as many groups as a block has points");
+static_assert(batch_size == block_size,
+              "GroupsToDo and BoundsBlock hold as many groups as a block has points");
 
 /// 16 pixels of one colour.
 struct UniformBlock {
@@ -96,6 +96,14 @@ template <class Visit> void for_stretches(unsigned bits, const Visit& visit) {
     }
 }
 
+/// The groups of objects whose material alone changed.
+GroupsToDo of_objects_again(const Lighting& l, const Surface& s, std::size_t first) {
+    GroupsToDo todo{0, 0};
+    for (std::size_t i = 0; i < std::min(batch_size, s.runs.size() - first); ++i)
+        todo.light |= unsigned{l.objects_again[s.runs[first + i].object]} << i;
+    return todo;
+}
+
 /// Up to 16 runs from `first` on: colour, strokes over it, bytes. Those that show already what they should
 /// are left alone.
 void color_batch(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display,
@@ -103,11 +111,12 @@ void color_batch(Lighting& l, const Surface& s, const Strokes& strokes, const Di
     std::array<ColorBlock, batch_size> colors;
     std::array<std::uint32_t, batch_size * block_size> rgba;
     const unsigned there = 0xFFFFu >> (batch_size - std::min(batch_size, s.runs.size() - first));
-    const RunsToDo todo = runs_to_do(l, s, first / batch_size);
+    const GroupsToDo todo = l.objects_again.empty() ? l.moving_light.groups_to_do(first / batch_size)
+                                                    : of_objects_again(l, s, first);
     for_stretches(todo.light & there,
                   [&](std::size_t i, std::size_t count) { color_runs(l, s, first + i, count, &colors[i]); });
     for_stretches(todo.leave_dark & there, [&](std::size_t i, std::size_t count) {
-        std::copy_n(&l.others[first + i], count, &colors[i]);
+        std::copy_n(l.moving_light.others(first + i), count, &colors[i]);
     });
     for_stretches((todo.light | todo.leave_dark) & there, [&](std::size_t begin, std::size_t count) {
         for (std::size_t i = begin; i < begin + count; ++i) {

@@ -20,8 +20,9 @@ void light_blocks(const std::vector<LightJob>& jobs, const Surface& s, std::size
 
 void light_points(const Lighting& l, const Surface& s, std::size_t first, std::size_t count,
                   ColorBlock* colors) {
-    if (l.moving < 0) return light_blocks(l.jobs, s, first, count, nullptr, colors);
-    light_blocks(l.moving_jobs, s, first, count, &l.others[first], colors);
+    const MovingLight& moving = l.moving_light;
+    if (!moving.is_followed()) return light_blocks(l.jobs, s, first, count, nullptr, colors);
+    light_blocks(moving.jobs(), s, first, count, moving.others(first), colors);
 }
 
 namespace {

@@ -8,11 +8,11 @@
 #include <limits>
 #include <numbers>
 
-#include "models/fields/reflection_info.h"
 #include "models/mesh/normals.h"
 #include "renderer/geometry/not_too_far.h"
 #include "renderer/lighting/light_source.h"
 #include "renderer/shade/mistaken_lights.h"
+#include "renderer/shade/moving_light.h"
 
 namespace glint {
 namespace {
@@ -138,39 +138,6 @@ CoolToWarm tone_of(const Npr& npr, const Material& m, const std::vector<LightSou
     return tone;
 }
 
-float largest(const LightSource::Rgb& a, const LightSource::Rgb& b) {
-    return std::max({a.x * b.x, a.y * b.y, a.z * b.z});
-}
-
-/// An upper bound of one light's share anywhere; infinite where the light has none.
-double most_of(const LightJob& job, const LightSource& light) {
-    const ReflectionInfo model = info_of(job.model);
-    const SurfaceMaterial& m = job.material;
-    const double falloff = light.has_falloff ? 1.0 / light.constant : 1.0;
-    return falloff * (largest(m.k_a, light.ambient) + model.max_diffuse * largest(m.k_d, light.diffuse) +
-                      model.max_specular * largest(m.k_s, light.specular));
-}
-
-/// The grid for LightJob::grid. None where a share has no bound (near a light without constant falloff, an
-/// area light, Cook-Torrance), and none for so few lights that keeping a sum would not pay.
-float share_grid(const LightJob& job) {
-    constexpr std::size_t fewest_lights = 3;
-    const bool bounded = info_of(job.model).is_bounded();
-    if (job.light_count < fewest_lights || !bounded || job.tone.on || job.any_mistake || job.clamp) return 0;
-    const SurfaceMaterial& m = job.material;
-    const double begun = std::max({m.emission.x + m.global_ambient.x, m.emission.y + m.global_ambient.y,
-                                   m.emission.z + m.global_ambient.z});
-    double most = begun, sum = begun;
-    for (std::size_t i = 0; i < job.light_count; ++i) {
-        const double share = job.lights[i].is_patch ? HUGE_VAL : most_of(job, job.lights[i]);
-        most = std::max(most, share);
-        sum += share;
-    }
-    const double steps = std::max(std::ldexp(most, -22), std::ldexp(sum, -24));
-    const bool usable = steps > 1e-30 && steps < 1e30;
-    return usable ? static_cast<float>(std::exp2(std::ceil(std::log2(steps)))) : 0;
-}
-
 }  // namespace
 
 float faintest_cosine_squared(float shininess) {
@@ -233,7 +200,7 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& m,
     job.infinite_viewer = !scene.shading.local_viewer || is_orthographic(scene.camera.projection);
     job.clamp = opengl && at_corners;
     spoil_job(scene, size, job);
-    job.grid = share_grid(job);
+    job.grid = rounding_grid(job);
     job.material.faintest_squared = faintest_cosine_squared(job.material.shininess);
     return job;
 }

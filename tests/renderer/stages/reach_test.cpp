@@ -1,10 +1,9 @@
 // Bounds of groups of points: what they leave out must add nothing.
-#include "renderer/shade/reach.h"
-
 #include <random>
 #include <vector>
 
 #include "renderer/lighting/illuminate.h"
+#include "renderer/shade/group_bounds.h"
 #include "tests/support/catch.h"
 
 using namespace glint;
@@ -15,7 +14,7 @@ using Vec = Vec3<float>;
 
 struct Points {
     std::vector<Vec> places, normals;
-    Reach<float> bounds;
+    GroupBounds<float> bounds;
 };
 
 class Dice {
@@ -79,7 +78,7 @@ TEST_CASE("nothing is certain of bounds that are not numbers, or of a light amon
     LightAt<float> light;
     light.w = 1;
     light.xyz = {0, 0, -1};
-    Reach<float> bounds{{0, 0, 0}, 0.5f, {0, 0, 1}, 0};
+    GroupBounds<float> bounds{{0, 0, 0}, 0.5f, {0, 0, 1}, 0};
     CHECK(certainly_behind(light, bounds));
     light.xyz = {0, 0, -0.4f};
     CHECK_FALSE(certainly_behind(light, bounds));
