@@ -60,7 +60,7 @@ void take_meshes(std::vector<ObjectGeometry>& objects, const Scene& scene) {
     }
 }
 
-void place_objects(Geometry& g, const Scene& scene) {
+void transform_objects(Geometry& g, const Scene& scene) {
     const glm::dmat4 view = view_from_world(scene.camera);
     VertexJob job;
     g.clip_from_view = clip_from_view(scene.camera.projection, g.size);
@@ -105,10 +105,10 @@ void count_triangles(const Scene& scene) {
 
 }  // namespace
 
-glm::vec3 ObjectGeometry::place(std::uint32_t position) const {
-    const glm::vec3 p(vertices[position].x, vertices[position].y, vertices[position].z);
-    if (glm::dot(p, p) <= static_cast<float>(farthest_place * farthest_place)) return p;
-    const glm::dvec4 object(glm::dvec3(mesh->positions[position]), 1.0);
+glm::vec3 ObjectGeometry::position(std::uint32_t index) const {
+    const glm::vec3 p(vertices[index].x, vertices[index].y, vertices[index].z);
+    if (glm::dot(p, p) <= static_cast<float>(max_distance * max_distance)) return p;
+    const glm::dvec4 object(glm::dvec3(mesh->positions[index]), 1.0);
     return glm::vec3(not_too_far(glm::dvec3(view_from_object * object)));
 }
 
@@ -124,7 +124,7 @@ bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size) {
     count_triangles(scene);
     kept.size = size;
     kept.camera = scene.camera;
-    place_objects(kept, scene);
+    transform_objects(kept, scene);
     return true;
 }
 

@@ -27,12 +27,12 @@ struct ObjectGeometry {
     // Three a triangle, indices into vertices: of the mesh, and so the same list for all objects of one mesh.
     std::shared_ptr<const std::vector<std::uint32_t>> vertices_of_mesh;
     std::span<const std::uint32_t> triangle_vertices;  // its numbers
-    std::vector<PlacedVertex> vertices;                // #V
+    std::vector<TransformedVertex> vertices;           // #V
     std::vector<ScreenVertex> screen;                  // #V
 
-    /// A position of the mesh in camera coordinates; one farther than `farthest_place`, as far in the same
+    /// A position of the mesh in camera coordinates; one farther than `max_distance`, as far in the same
     /// direction.
-    [[nodiscard]] glm::vec3 place(std::uint32_t position) const;
+    [[nodiscard]] glm::vec3 position(std::uint32_t index) const;
 };
 
 struct Geometry {

@@ -13,13 +13,13 @@ inline constexpr int subpixels = 1 << subpixel_bits;  // the rasteriser's grid, 
 /// once.
 struct alignas(16) ScreenVertex {
     std::int32_t x = 0, y = 0;  // 1/256 pixel
-    float nearness = 0;  // linear on the screen, larger is nearer: 1/w, or (1 - z_ndc)/2 when orthographic
+    float inv_w = 0;  // linear on the screen, larger is nearer: 1/w, or (1 - z_ndc)/2 when orthographic
     std::uint32_t outside =
         0;  // OutsideBits (outside_bits.h); with one of `needs_clipping` the rest has no meaning
 };
 
 /// A vertex as shading needs it: two records of four numbers, each read at once.
-struct alignas(32) PlacedVertex {
+struct alignas(32) TransformedVertex {
     float clip_x = 0, clip_y = 0, clip_w = 0;  // clip coordinates
     std::uint32_t outside = 0;                 // OutsideBits
     float x = 0, y = 0, z = 0;                 // camera coordinates
@@ -47,7 +47,7 @@ struct VertexJob {
     const float* positions = nullptr;  // object coordinates, three a vertex
     Matrix4 view_from_object, clip_from_view;
     Viewport viewport;
-    PlacedVertex* vertices = nullptr;
+    TransformedVertex* vertices = nullptr;
     ScreenVertex* on_screen = nullptr;
 };
 

@@ -39,7 +39,7 @@ Vec3<F> edge_functions(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, Screen
 template <Number F>
 Vec3<F> perspective_weights(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, ScreenPoint<F> at) {
     Vec3<F> e = edge_functions(a, b, c, at);
-    e = {positive(e.x), positive(e.y), positive(e.z)};
+    e = {max0(e.x), max0(e.y), max0(e.z)};
     const F inverse = inverse_or_zero(e.x + e.y + e.z), third = F(1.0f / 3);
     return select<F>(inverse > F(0), inverse * e, Vec3<F>{third, third, third});
 }

@@ -7,8 +7,8 @@
 
 namespace glint {
 
-std::pmr::vector<CutCorner> cut_at_near(const Geometry& g, std::uint32_t object_index,
-                                        std::span<const std::uint32_t> corners, CutMemory& memory) {
+std::pmr::vector<ClippedCorner> clip_at_near(const Geometry& g, std::uint32_t object_index,
+                                             std::span<const std::uint32_t> corners, ClipMemory& memory) {
     const ObjectGeometry& object = g.objects[object_index];
     const Viewport viewport = viewport_of(g.camera, g.size);
     std::pmr::vector<glm::dvec4> clip(&memory.pool);
@@ -17,7 +17,7 @@ std::pmr::vector<CutCorner> cut_at_near(const Geometry& g, std::uint32_t object_
         clip.push_back(object.clip_from_object *
                        glm::dvec4(glm::dvec3(object.mesh->positions[object.mesh->corner_position[c]]), 1.0));
 
-    std::pmr::vector<CutCorner> cut(&memory.pool);
+    std::pmr::vector<ClippedCorner> cut(&memory.pool);
     cut.reserve(corners.size() + 1);
     const auto add = [&](const glm::dvec4& corner, std::size_t i, std::size_t j, double t) {
         const glm::dvec4 c = before_eye(g.camera.projection, corner);

@@ -50,7 +50,8 @@ std::vector<float> given_lengths(const ObjectNormals& normals) {
 }
 
 /// As the mistakes would have them.
-void misplace_normals(ObjectNormals& normals, const Matrix3& matrix, const NormalMistakes& mistakes) {
+void transform_mistaken_normals(ObjectNormals& normals, const Matrix3& matrix,
+                                const NormalMistakes& mistakes) {
     std::vector<float> lengths;
     if (mistakes.unnormalized) lengths = given_lengths(normals);
     tbb::parallel_for(std::size_t{0}, normals.normals.size(), [&](std::size_t i) {
@@ -63,11 +64,12 @@ void misplace_normals(ObjectNormals& normals, const Matrix3& matrix, const Norma
     });
 }
 
-void place_normals(ObjectNormals& normals, const ObjectGeometry& object, const NormalMistakes& mistakes) {
+void transform_normals(ObjectNormals& normals, const ObjectGeometry& object, const NormalMistakes& mistakes) {
     const std::vector<glm::vec3>& from = normals.of_mesh->normals;
     normals.normals.resize(from.size());
     const Matrix3 matrix = camera_matrix(object, mistakes);
-    if (mistakes.unnormalized || mistakes.none_given) return misplace_normals(normals, matrix, mistakes);
+    if (mistakes.unnormalized || mistakes.none_given)
+        return transform_mistaken_normals(normals, matrix, mistakes);
     if (from.empty()) return;
     const NormalJob job{&from.front().x, matrix, normals.normals.data()};
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from.size(), 4096), [&job](const auto& range) {
@@ -114,7 +116,7 @@ void update_normals(std::vector<ObjectNormals>& kept, const Scene& scene, const 
                     const NormalMistakes& mistakes) {
     kept.resize(scene.objects.size());
     take_normals(kept, scene);
-    for (std::size_t o = 0; o < kept.size(); ++o) place_normals(kept[o], g.objects[o], mistakes);
+    for (std::size_t o = 0; o < kept.size(); ++o) transform_normals(kept[o], g.objects[o], mistakes);
 }
 
 bool same_normals(const std::vector<ObjectNormals>& kept, const Scene& scene) {

@@ -58,7 +58,7 @@ namespace glint {
 [[nodiscard]] inline ScreenVertex to_screen(const Viewport& viewport, const glm::dvec4& clip) {
     const GridPoint<double> at = grid_point(viewport, Point4<double>{clip.x, clip.y, clip.z, clip.w});
     return {static_cast<std::int32_t>(nearest(at.x)), static_cast<std::int32_t>(nearest(at.y)),
-            static_cast<float>(at.nearness)};
+            static_cast<float>(at.inv_w)};
 }
 
 }  // namespace glint

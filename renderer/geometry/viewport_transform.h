@@ -28,19 +28,19 @@ template <Number D> Outside<D> outside_of(const Point4<D>& camera, const Point4<
                     bit(c.y < -c.w, OutsideBottom) + bit(c.y > c.w, OutsideTop);
     const D g = D(guard_band) * c.w;  // NaN is not within
     const D squared = camera.x * camera.x + camera.y * camera.y + camera.z * camera.z;
-    const D floats = one((c.w - D(least_float_w)) * (D(most_float_w) - c.w) >= D(0)) *
-                     one(squared <= D(farthest_place * farthest_place));
+    const D floats = one((c.w - D(min_float_w)) * (D(max_float_w) - c.w) >= D(0)) *
+                     one(squared <= D(max_distance * max_distance));
     const D within = one(c.x >= -g) * one(c.x <= g) * one(c.y >= -g) * one(c.y <= g) * floats;
     return {sides, bit(c.z < -c.w, OutsideNear) + bit(c.z > c.w, OutsideFar) +
                        (D(1) - within) * D(static_cast<double>(OutsideGuard))};
 }
 
 /// On the rasteriser's grid, in whole units.
-template <Number D> struct GridPoint { D x, y, nearness; };
+template <Number D> struct GridPoint { D x, y, inv_w; };
 
 /// To the nearest whole number, halves away from zero. |a| < 2^31.
 template <Number D> D nearest(D a) {
-    const D towards_zero = whole_part(a), rest = a - towards_zero;  // exact
+    const D towards_zero = truncated(a), rest = a - towards_zero;  // exact
     return towards_zero + select(rest >= D(0.5), D(1), D(0)) - select(rest <= D(-0.5), D(1), D(0));
 }
 /// Pixels: x to the right, y down, (0, 0) the picture's upper left corner. Precondition: w != 0. Source:

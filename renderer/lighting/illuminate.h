@@ -37,15 +37,15 @@ template <Number F> LightColors<F> colors_on(const MaterialAt<F>& m, const Light
     return {m.k_a * light.ambient, m.k_d * light.diffuse, m.k_s * light.specular};
 }
 
-template <Number F> ToLight<F> to_light(const LightAt<F>& light, const PointAt<F>& at) {
+template <Number F> LightVector<F> light_vector(const LightAt<F>& light, const PointAt<F>& at) {
     const Vec3<F> xyz = vector_to_light(light, at.p);
     return {xyz, dot(at.n, xyz)};
 }
 
-template <Number F> Arrival<F> arrival(const LightAt<F>& light, const ToLight<F>& to_light) {
-    Arrival<F> a;
-    if (is_place(light)) {
-        a.distance = length(to_light.xyz);
+template <Number F> Attenuation<F> attenuation(const LightAt<F>& light, const LightVector<F>& light_vector) {
+    Attenuation<F> a;
+    if (is_positional(light)) {
+        a.distance = length(light_vector.xyz);
         a.inverse = inverse_or_zero(a.distance);
     }
     if (light.has_falloff) a.falloff = falloff(light, a.distance);
@@ -57,23 +57,23 @@ template <Number F> Arrival<F> arrival(const LightAt<F>& light, const ToLight<F>
 /// products of light, material and falloff stay finite.
 template <Number F>
 LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, const MaterialAt<F>& m,
-                         const LightColors<F>& colors, const ToLight<F>& to_light, const Arrival<F>& arrival,
-                         const PointAt<F>& at) {
+                         const LightColors<F>& colors, const LightVector<F>& light_vector,
+                         const Attenuation<F>& attenuation, const PointAt<F>& at) {
     LightTerms<F> t;
-    t.distance = arrival.distance;
-    t.directions = directions_for(to_light, arrival, at);
-    t.falloff = arrival.falloff;
+    t.distance = attenuation.distance;
+    t.directions = directions_for(light_vector, attenuation, at);
+    t.falloff = attenuation.falloff;
     if (light.is_patch) t.falloff = patch_factor(light, t.directions.l, t.distance);
     t.spot = light.has_cone ? spot_factor(light, t.directions.l) : F(1);
-    if (equation.mistakes) spoil_directions(*equation.mistakes, t.directions, to_light, at);
+    if (equation.mistakes) apply_direction_mistakes(*equation.mistakes, t.directions, light_vector, at);
     const F share = t.falloff * t.spot;  // of all three terms, as in OpenGL 2.1, section 2.14.1
 
     const auto lit_side = t.directions.n_dot_l > F(0);
     t.response = respond(equation.model, t.directions, m, at);
     t.response.specular = select<F>(lit_side, t.response.specular, Vec3<F>{});  // no highlight from behind
     if (equation.mistakes)
-        spoil_response(*equation.mistakes, equation.power_table, equation.model, t.response, t.directions, m,
-                       at);
+        apply_response_mistakes(*equation.mistakes, equation.power_table, equation.model, t.response,
+                                t.directions, m, at);
 
     if (equation.terms.ambient && light.has_ambient) t.ambient = share * colors.ambient;
     if (equation.mistakes && equation.mistakes->ambient_per_light_added_twice) t.ambient = F(2) * t.ambient;
@@ -90,21 +90,21 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
 template <Number F>
 LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, const MaterialAt<F>& m,
                          const PointAt<F>& at) {
-    const ToLight<F> towards = to_light(light, at);
-    return illuminate(equation, light, m, colors_on(m, light), towards, arrival(light, towards), at);
+    const LightVector<F> towards = light_vector(light, at);
+    return illuminate(equation, light, m, colors_on(m, light), towards, attenuation(light, towards), at);
 }
 
 /// False when the light can add nothing in any lane: it is behind the surface there and has no ambient share,
 /// or its cone points elsewhere. Asked first, because that is half of most pictures.
 template <Number F>
-bool may_add(const Equation& equation, const LightAt<F>& light, const ToLight<F>& to_light) {
+bool may_add(const Equation& equation, const LightAt<F>& light, const LightVector<F>& light_vector) {
     if (equation.mistakes) return true;
-    if (light.has_cone && !may_be_inside(light, to_light.xyz)) return false;
-    return (equation.terms.ambient && light.has_ambient) || any(to_light.n_dot > F(0));
+    if (light.has_cone && !may_be_inside(light, light_vector.xyz)) return false;
+    return (equation.terms.ambient && light.has_ambient) || any(light_vector.n_dot > F(0));
 }
 
 template <Number F> Vec3<F> clamped(Vec3<F> c) {
-    return {smaller(positive(c.x), F(1)), smaller(positive(c.y), F(1)), smaller(positive(c.z), F(1))};
+    return {min(max0(c.x), F(1)), min(max0(c.y), F(1)), min(max0(c.z), F(1))};
 }
 
 /// One light's share of the sum, in the order in which the picture adds it.

@@ -20,8 +20,8 @@ Response<F> oren_nayar(const Directions<F>& d, const MaterialAt<F>& m, const Poi
     // sin theta_l sin theta_v cos dphi is what l.v has beyond (n.l)(n.v); sin alpha tan beta is the product
     // of the sines over cos beta, the larger cosine.
     const F azimuth = d.l_dot_v - d.n_dot_l * at.n_dot_v;
-    const F larger_cosine = larger(d.n_dot_l, at.n_dot_v);
-    const F rough = positive(azimuth) * inverse_or_zero(larger_cosine);
+    const F larger_cosine = max(d.n_dot_l, at.n_dot_v);
+    const F rough = max0(azimuth) * inverse_or_zero(larger_cosine);
     return {lambert_cosine(d) * (a + b * rough), {}};
 }
 

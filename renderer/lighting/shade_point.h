@@ -9,15 +9,15 @@ namespace glint::inline GLINT_ISA {
 
 template <Number F> LightAt<F> light_at(const LightSource& s) {
     LightAt<F> light;
-    light.xyz = same<F>(s.xyz);
+    light.xyz = broadcast<F>(s.xyz);
     light.w = F(s.w);
-    light.ambient = same<F>(s.ambient);
-    light.diffuse = same<F>(s.diffuse);
-    light.specular = same<F>(s.specular);
+    light.ambient = broadcast<F>(s.ambient);
+    light.diffuse = broadcast<F>(s.diffuse);
+    light.specular = broadcast<F>(s.specular);
     light.constant = F(s.constant);
     light.linear = F(s.linear);
     light.quadratic = F(s.quadratic);
-    light.axis = same<F>(s.axis);
+    light.axis = broadcast<F>(s.axis);
     light.cos_cutoff = F(s.cos_cutoff);
     light.exponent = F(s.exponent);
     light.patch = F(s.patch);
@@ -29,22 +29,22 @@ template <Number F> LightAt<F> light_at(const LightSource& s) {
 }
 
 template <Number F> MaterialAt<F> material_at(const SurfaceMaterial& s) {
-    return {same<F>(s.k_a),        same<F>(s.k_d), same<F>(s.k_s), F(s.shininess),
-            F(s.faintest_squared), F(s.roughness), same<F>(s.f0)};
+    return {broadcast<F>(s.k_a),   broadcast<F>(s.k_d), broadcast<F>(s.k_s), F(s.shininess),
+            F(s.faintest_squared), F(s.roughness),      broadcast<F>(s.f0)};
 }
 
 /// A point with its direction to the eye: from p to the eye, or (0, 0, 1) for a viewer at infinity.
 template <Number F> PointAt<F> seen_from_eye(const LightJob& job, Vec3<F> p, Vec3<F> n) {
     if (job.mistakes.lit_after_projection) p = projected(job.projection, p);
     const Vec3<F> toward_z{F(0), F(0), F(1)};
-    return PointAt<F>(p, n, job.infinite_viewer ? toward_z : unit(same<F>(job.eye) - p));
+    return PointAt<F>(p, n, job.infinite_viewer ? toward_z : unit(broadcast<F>(job.eye) - p));
 }
 
 /// What is there without any light: emission + k_a I_a.
 template <Number F> Vec3<F> unlit(const SurfaceMaterial& material, const Terms& terms) {
     Vec3<F> sum;
-    if (terms.emission) sum = same<F>(material.emission);
-    if (terms.ambient) sum = sum + same<F>(material.global_ambient);
+    if (terms.emission) sum = broadcast<F>(material.emission);
+    if (terms.ambient) sum = sum + broadcast<F>(material.global_ambient);
     return sum;
 }
 
@@ -61,7 +61,7 @@ inline Equation equation_of(const LightJob& job) { return equation_of(job, job.m
 
 /// What the sum begins with: emission and global ambient light, or the tone that stands in their place.
 template <Number F> Vec3<F> begin_sum(const LightJob& job, const PointAt<F>& at) {
-    if (job.tone.on) return cool_to_warm(job.tone, same<F>(job.material.k_d), at).color;
+    if (job.tone.on) return cool_to_warm(job.tone, broadcast<F>(job.material.k_d), at).color;
     return rounded(unlit<F>(job.material, job.terms), rounding_magic(job.grid));
 }
 

@@ -21,7 +21,7 @@ template <Number F> MaskOf<F> certainly_behind(const LightAt<F>& light, const Gr
     const F room(1e-5f);       // far more than rounding takes, relative to each part
     const F shortest(1e-18f);  // whose square is lost below the smallest numbers
     const Vec3<F> d = vector_to_light(light, bounds.center);
-    const F away = is_place(light) ? bounds.radius + room * bounds.radius : F(0);
+    const F away = is_positional(light) ? bounds.radius + room * bounds.radius : F(0);
     const F most = (bounds.spread + room) * (length(d) + shortest) + away;
     return dot(bounds.normal, d) + most < F(0);
 }

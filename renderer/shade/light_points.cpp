@@ -9,11 +9,11 @@
 namespace glint {
 
 void light_blocks(const std::vector<LightJob>& jobs, const Surface& s, std::size_t first, std::size_t count,
-                  const ColorBlock* begun, ColorBlock* colors) {
+                  const ColorBlock* partial_sums, ColorBlock* colors) {
     for (std::size_t i = 0; i < count;) {  // neighbouring blocks of one object go in one call
         const std::size_t same = s.count_of_one_object(first + i, first + count);
         lighting_kernels().light(jobs[s.point_object[first + i]], &s.points[first + i],
-                                 begun ? begun + i : nullptr, colors + i, same);
+                                 partial_sums ? partial_sums + i : nullptr, colors + i, same);
         i += same;
     }
 }
@@ -30,7 +30,7 @@ namespace {
 /// The colours of the mesh itself.
 void take_vertex_colors(const Surface& s, const Geometry& g, std::size_t block, ColorBlock& colors) {
     for (std::size_t i = 0; i < block_size; ++i) {
-        const PointSource& source = s.sources[block * block_size + i];
+        const ShadingPoint& source = s.sources[block * block_size + i];
         const glm::vec3 c = source.item == no_index ? glm::vec3(0) : vertex_color(s, g, source);
         colors.r[i] = c.x;
         colors.g[i] = c.y;
@@ -67,7 +67,7 @@ void color_points(Lighting& l, const Surface& s, const Geometry& g, const Displa
     });
 }
 
-glm::vec3 vertex_color(const SurfaceInputs& s, const Geometry& g, const PointSource& source) {
+glm::vec3 vertex_color(const SurfaceInputs& s, const Geometry& g, const ShadingPoint& source) {
     const Mesh& mesh = *g.objects[source.object].mesh;
     if (mesh.colors.empty()) return glm::vec3(1);
     if (s.choice.kind == SurfaceKind::Corners) {

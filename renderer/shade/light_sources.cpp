@@ -11,13 +11,13 @@
 #include "models/mesh/normals.h"
 #include "renderer/geometry/not_too_far.h"
 #include "renderer/lighting/light_source.h"
-#include "renderer/shade/mistaken_lights.h"
+#include "renderer/shade/light_mistakes.h"
 #include "renderer/shade/moving_light.h"
 
 namespace glint {
 namespace {
 
-LightSource::Rgb rgb(glm::dvec3 v) {
+Float3 to_float3(glm::dvec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
@@ -25,12 +25,12 @@ LightSource::Rgb rgb(glm::dvec3 v) {
 constexpr double largest_product = 1e30;
 
 /// A product of colours, held at 1e30.
-LightSource::Rgb product(glm::dvec3 a, glm::dvec3 b, double most = largest_product) {
-    return rgb(glm::min(a * b, glm::dvec3(most)));
+Float3 product(glm::dvec3 a, glm::dvec3 b, double most = largest_product) {
+    return to_float3(glm::min(a * b, glm::dvec3(most)));
 }
 
 /// The most that a light's colour may be for its product with every material's to stay within 1e30.
-double most_light(const std::vector<Object>& objects) {
+double max_light(const std::vector<Object>& objects) {
     float most = 1;
     for (const Object& o : objects)
         for (const glm::vec3& k : {o.material.ambient, o.material.diffuse, o.material.specular})
@@ -40,11 +40,11 @@ double most_light(const std::vector<Object>& objects) {
 
 /// Puts a source, of an area light a sample with this patch, at its place; one whose distance squared no
 /// float holds, nearer to the eye in the same direction, and what depends on its distance is worked out here.
-void put_at(LightSource& source, const glm::dvec3& place, double patch) {
+void put_at(LightSource& source, const glm::dvec3& position, double patch) {
     constexpr double near_float_limit = 1e38;
-    const double distance = glm::length(place), nearer = share_of_way(place);
+    const double distance = glm::length(position), nearer = share_of_way(position);
     source.patch = static_cast<float>(std::min(patch, largest_product));
-    source.xyz = rgb(nearer * place);
+    source.xyz = to_float3(nearer * position);
     if (nearer == 1) return;
     source.patch = static_cast<float>(std::min(patch * nearer * nearer, near_float_limit));
     source.distance_scale = static_cast<float>(1 / nearer);
@@ -57,7 +57,7 @@ void put_at(LightSource& source, const glm::dvec3& place, double patch) {
 /// Camera coordinates of a light's places and directions.
 struct Frame {
     glm::dmat4 to_camera;
-    [[nodiscard]] glm::dvec3 place(glm::dvec3 p) const { return glm::dvec3(to_camera * glm::dvec4(p, 1)); }
+    [[nodiscard]] glm::dvec3 position(glm::dvec3 p) const { return glm::dvec3(to_camera * glm::dvec4(p, 1)); }
     [[nodiscard]] glm::dvec3 direction(glm::dvec3 d) const {
         return glm::dvec3(to_camera * glm::dvec4(d, 0));
     }
@@ -69,7 +69,7 @@ void add_area(std::vector<LightSource>& sources, LightSource source, const Light
     const glm::dvec3 across = glm::cross(u, v);
     const int n = static_cast<int>(std::lround(std::sqrt(light.area.samples)));
     source.is_patch = true;
-    source.axis = rgb(unit_or_zero(across));
+    source.axis = to_float3(unit_or_zero(across));
     const double patch = 4 * glm::length(across) / (std::numbers::pi * n * n);
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
@@ -91,15 +91,15 @@ void add_light(std::vector<LightSource>& sources, const Light& light, int index,
     const glm::dvec3 xyz(light.position);
     if (light.kind == LightKind::Directional) {
         const glm::dvec3 towards = frame.direction(xyz);
-        s.xyz = rgb(mistakes.unnormalized_light ? towards : unit_or_zero(towards));
-        spoil_source(mistakes, light, s);
+        s.xyz = to_float3(mistakes.unnormalized_light ? towards : unit_or_zero(towards));
+        apply_source_mistakes(mistakes, light, s);
         sources.push_back(s);
         return;
     }
-    const glm::dvec3 place = frame.place(xyz / static_cast<double>(light.position.w));
+    const glm::dvec3 position = frame.position(xyz / static_cast<double>(light.position.w));
     s.w = 1;
     if (light.kind == LightKind::Area) {
-        add_area(sources, s, light, frame, place);
+        add_area(sources, s, light, frame, position);
         return;
     }
     s.has_falloff = light.falloff != Falloff{};
@@ -108,12 +108,12 @@ void add_light(std::vector<LightSource>& sources, const Light& light, int index,
     s.quadratic = light.falloff.quadratic;
     s.has_cone = light.kind == LightKind::Spot && light.spot.cutoff_deg < 180;
     if (s.has_cone) {
-        s.axis = rgb(unit_or_zero(frame.direction(light.spot.direction)));
+        s.axis = to_float3(unit_or_zero(frame.direction(light.spot.direction)));
         s.cos_cutoff = static_cast<float>(cos_of_cutoff(light.spot.cutoff_deg));
         s.exponent = light.spot.exponent;
     }
-    spoil_source(mistakes, light, s);
-    put_at(s, place, 0);
+    apply_source_mistakes(mistakes, light, s);
+    put_at(s, position, 0);
     sources.push_back(s);
 }
 
@@ -124,8 +124,8 @@ CoolToWarm tone_of(const Npr& npr, const Material& m, const std::vector<LightSou
         static_cast<float>(largest_product) / std::max({1.0f, m.diffuse.x, m.diffuse.y, m.diffuse.z});
     CoolToWarm tone;
     tone.on = npr.cool_to_warm;
-    tone.cool = rgb(npr.cool);
-    tone.warm = rgb(npr.warm);
+    tone.cool = to_float3(npr.cool);
+    tone.warm = to_float3(npr.warm);
     tone.alpha = std::clamp(npr.alpha, -most, most);
     tone.beta = std::clamp(npr.beta, -most, most);
     if (lights.empty()) return tone;
@@ -134,7 +134,7 @@ CoolToWarm tone_of(const Npr& npr, const Material& m, const std::vector<LightSou
     std::size_t count = 0;
     for (; count < lights.size() && lights[count].light == lights[0].light; ++count)
         sum += glm::dvec3(lights[count].xyz.x, lights[count].xyz.y, lights[count].xyz.z);
-    tone.light = rgb(sum / static_cast<double>(count));
+    tone.light = to_float3(sum / static_cast<double>(count));
     return tone;
 }
 
@@ -158,20 +158,20 @@ glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world
 
 SurfaceMaterial surface_material(const Material& m) {
     SurfaceMaterial s;
-    s.k_a = rgb(m.ambient);
-    s.k_d = rgb(m.diffuse);
-    s.k_s = rgb(m.specular);
-    s.f0 = rgb(m.f0);
+    s.k_a = to_float3(m.ambient);
+    s.k_d = to_float3(m.diffuse);
+    s.k_s = to_float3(m.specular);
+    s.f0 = to_float3(m.f0);
     s.shininess = m.shininess;
     s.roughness = m.roughness;
-    s.emission = rgb(m.emission);
+    s.emission = to_float3(m.emission);
     s.faintest_squared = faintest_cosine_squared(m.shininess);
     return s;
 }
 
 void light_sources(const Scene& scene, std::vector<LightSource>& sources) {
     const glm::dmat4 view = view_from_world(scene.camera);
-    const double most = most_light(scene.objects);
+    const double most = max_light(scene.objects);
     sources.clear();
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
         if (scene.lights[i].enabled)
@@ -199,7 +199,7 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& m,
     if (job.tone.on) job.terms.emission = job.terms.ambient = job.terms.diffuse = false;
     job.infinite_viewer = !scene.shading.local_viewer || is_orthographic(scene.camera.projection);
     job.clamp = opengl && at_corners;
-    spoil_job(scene, size, job);
+    apply_job_mistakes(scene, size, job);
     job.grid = rounding_grid(job);
     job.material.faintest_squared = faintest_cosine_squared(job.material.shininess);
     return job;

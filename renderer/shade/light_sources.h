@@ -24,7 +24,7 @@ void light_sources(const Scene& scene, std::vector<LightSource>& sources);
 /// OpenGL 2.1 knows no shininess above 128.
 inline constexpr float opengl_max_shininess = 128;
 
-[[nodiscard]] inline LightSource::Rgb rgb(const glm::vec3& c) { return {c.x, c.y, c.z}; }
+[[nodiscard]] inline Float3 to_float3(const glm::vec3& c) { return {c.x, c.y, c.z}; }
 
 /// A material as the equation sees it, without k_a I_a: `global_ambient` stays 0.
 [[nodiscard]] SurfaceMaterial surface_material(const Material& material);

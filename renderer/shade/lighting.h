@@ -18,7 +18,7 @@ struct Lighting {
     std::vector<LightJob> jobs;             // one an object
     std::vector<ColorRecord> point_colors;  // Corners, Faces: of the lit points
     std::vector<std::uint32_t> point_rgba;  // Faces: the same as bytes, 16 a block
-    std::vector<std::size_t> run_groups;    // several samples a pixel: where runs of other pixels begin
+    std::vector<std::size_t> block_begins;  // several samples a pixel: where runs of other pixels begin
     Picture picture;
     // Coverage masks (Visibility::covered) of the last picture; empty with strokes or multisampling, where
     // they are not used.
@@ -53,7 +53,7 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& geometr
 /// Colour of a lit point under reflection `none`: the mesh's vertex colour (white where it has none); for a
 /// polygon the mean of its corners.
 [[nodiscard]] glm::vec3 vertex_color(const SurfaceInputs& surface, const Geometry& geometry,
-                                     const PointSource& source);
+                                     const ShadingPoint& source);
 
 [[nodiscard]] DisplayJob display_job(const Display& display);
 

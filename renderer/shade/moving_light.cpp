@@ -53,11 +53,11 @@ void bound_group(BoundsBlock& bounds, std::size_t i, const PointBlock& points, u
 /// Bounding sphere and normal cone of each pixel group; empty for per-vertex and per-face shading, which have
 /// few points to light.
 void bound_groups(const Surface& s, std::vector<BoundsBlock>& bounds) {
-    const std::size_t groups = s.choice.kind == SurfaceKind::Pixels ? s.runs.size() : 0;
+    const std::size_t groups = s.choice.kind == SurfaceKind::Pixels ? s.groups.size() : 0;
     bounds.resize((groups + block_size - 1) / block_size);
     tbb::parallel_for(std::size_t{0}, bounds.size(), [&](std::size_t n) {
         for (std::size_t r = n * block_size; r < std::min(groups, (n + 1) * block_size); ++r)
-            bound_group(bounds[n], r % block_size, s.points[r], s.runs[r].mask);
+            bound_group(bounds[n], r % block_size, s.points[r], s.groups[r].mask);
     });
 }
 
@@ -66,9 +66,7 @@ void give_lights(LightJob& job, const std::vector<LightSource>& lights) {
     job.light_count = lights.size();
 }
 
-float max_product(const LightSource::Rgb& a, const LightSource::Rgb& b) {
-    return std::max({a.x * b.x, a.y * b.y, a.z * b.z});
-}
+float max_product(const Float3& a, const Float3& b) { return std::max({a.x * b.x, a.y * b.y, a.z * b.z}); }
 
 /// An upper bound of one light's share anywhere; infinite where the light has none.
 double max_share(const LightJob& job, const LightSource& light) {

@@ -24,9 +24,9 @@ struct ShadeKernels {
     /// Colours of groups of 16 pixels from those of lit points: the blend of `each` points, numbers and
     /// weights [group][which][pixel]; or one point, numbers [group][pixel].
     void (*blend)(const ColorRecord* points, const std::uint32_t* numbers, const float* weights, int each,
-                  ColorBlock* colors, std::size_t runs);
+                  ColorBlock* colors, std::size_t groups);
     void (*pick)(const ColorRecord* points, const std::uint32_t* numbers, ColorBlock* colors,
-                 std::size_t runs);
+                 std::size_t groups);
 };
 
 /// Of the set that instruction_set.h chooses.

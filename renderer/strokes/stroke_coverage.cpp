@@ -90,7 +90,7 @@ class Filler {
         const std::uint32_t triangle = visibility_.triangle_at(g_.size.index(x, y));
         if (triangle == no_triangle || g_.object_of(triangle) == line.object) return false;
         return occlusion_.hides(triangle, line.a + t * (line.b - line.a),
-                                line.nearness_a + t * (line.nearness_b - line.nearness_a));
+                                line.inv_w_a + t * (line.inv_w_b - line.inv_w_a));
     }
 
     const Geometry& g_;

@@ -19,9 +19,9 @@ constexpr std::size_t chunk_size = 256;  // edges that one task follows
 /// An edge on the screen.
 struct Projected {
     glm::dvec2 a, b;  // pixels
-    double nearness_a, nearness_b;
-    [[nodiscard]] glm::dvec2 place(double t) const { return a + t * (b - a); }
-    [[nodiscard]] double nearness(double t) const { return nearness_a + t * (nearness_b - nearness_a); }
+    double inv_w_a, inv_w_b;
+    [[nodiscard]] glm::dvec2 position(double t) const { return a + t * (b - a); }
+    [[nodiscard]] double inv_w(double t) const { return inv_w_a + t * (inv_w_b - inv_w_a); }
 };
 
 /// Follows edges of one object.
@@ -81,16 +81,16 @@ class Follower {
     }
 
     [[nodiscard]] bool is_seen(const StrokeEdge& edge, const Projected& line, double t) const {
-        const glm::dvec2 place = line.place(t);
-        const double nearness = line.nearness(t);
+        const glm::dvec2 at = line.position(t);
+        const double inv_w = line.inv_w(t);
         const auto leaves_it_seen = [&](std::uint32_t triangle) {
             return triangle == no_triangle || is_own(edge.edge, triangle) ||
-                   !occlusion_.hides(triangle, place, nearness);
+                   !occlusion_.hides(triangle, at, inv_w);
         };
-        const std::uint32_t nearest = triangle_at(pixel_index(place.x), pixel_index(place.y));
+        const std::uint32_t nearest = triangle_at(pixel_index(at.x), pixel_index(at.y));
         if (edge.facing == EdgeFacing::Towards) return leaves_it_seen(nearest);
         if (edge.facing == EdgeFacing::Away) return is_of_object(nearest) && leaves_it_seen(nearest);
-        const int x = pixel_index(place.x - 0.5), y = pixel_index(place.y - 0.5);
+        const int x = pixel_index(at.x - 0.5), y = pixel_index(at.y - 0.5);
         for (int k = 0; k < 4; ++k)
             if (leaves_it_seen(triangle_at(x + k % 2, y + k / 2))) return true;
         return false;
@@ -119,9 +119,8 @@ class Follower {
     }
 
     void add(const Projected& line, double from, double to, std::vector<StrokeLine>& lines) const {
-        lines.push_back({glm::vec2(line.place(from)), glm::vec2(line.place(to)),
-                         static_cast<float>(line.nearness(from)), static_cast<float>(line.nearness(to)),
-                         object_});
+        lines.push_back({glm::vec2(line.position(from)), glm::vec2(line.position(to)),
+                         static_cast<float>(line.inv_w(from)), static_cast<float>(line.inv_w(to)), object_});
     }
 
     const Geometry& g_;

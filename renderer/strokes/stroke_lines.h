@@ -22,8 +22,8 @@ namespace glint {
 
 /// A piece of an edge that is seen.
 struct StrokeLine {
-    glm::vec2 a{0}, b{0};                  // pixels, y down, (0, 0) the picture's upper left corner
-    float nearness_a = 0, nearness_b = 0;  // as in ScreenVertex; linear from a to b
+    glm::vec2 a{0}, b{0};            // pixels, y down, (0, 0) the picture's upper left corner
+    float inv_w_a = 0, inv_w_b = 0;  // as in ScreenVertex; linear from a to b
     std::uint32_t object = 0;
 };
 

@@ -13,7 +13,7 @@
 namespace glint {
 
 /// A wider stroke is drawn this wide, with a warning.
-inline constexpr float most_stroke_width_px = 100;
+inline constexpr float max_stroke_width_px = 100;
 
 struct Strokes {
     std::vector<float>

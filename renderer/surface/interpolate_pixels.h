@@ -6,6 +6,6 @@
 namespace glint {
 
 /// Fills points, point_object and point_count of a surface whose runs are found.
-void place_pixels(Surface& surface, const Geometry& geometry, const Visibility& visibility);
+void interpolate_pixels(Surface& surface, const Geometry& geometry, const Visibility& visibility);
 
 }  // namespace glint

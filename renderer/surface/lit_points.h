@@ -6,6 +6,6 @@
 namespace glint {
 
 /// Fills points, point_object, sources and the refs of every run. Precondition: runs are found.
-void place_lit_points(Surface& surface, const Geometry& geometry, const Visibility& visibility);
+void collect_lit_points(Surface& surface, const Geometry& geometry, const Visibility& visibility);
 
 }  // namespace glint

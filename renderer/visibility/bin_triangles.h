@@ -15,7 +15,7 @@ template <class I> struct FromFirst { I x, y; };
 
 /// -1 where a triangle is culled or has no area, which nobody would see drawn. `small`: -1 where it is less
 /// than a tile wide and high, so that the products fit 32 bits; the others are left to drawing.
-template <class I> I culled(const SortJob& job, I small, FromFirst<I> b, FromFirst<I> c) {
+template <class I> I culled(const BinJob& job, I small, FromFirst<I> b, FromFirst<I> c) {
     const I area = doubled_area(b.x & small, b.y & small, c.x & small, c.y & small);
     const I clockwise = negative(0 - area), counterclockwise = negative(area);
     const int drop_clockwise = job.drop_clockwise ? -1 : 0;
@@ -26,16 +26,16 @@ template <class I> I culled(const SortJob& job, I small, FromFirst<I> b, FromFir
 
 /// The triangles of an object from `t` on, one a lane, those past `end` left out.
 template <Number F>
-void sort_lanes(const SortJob& job, std::uint32_t t, std::uint32_t end, SortedTriangles& out) {
+void bin_lanes(const BinJob& job, std::uint32_t t, std::uint32_t end, BinnedTriangles& out) {
     constexpr unsigned width = NumberTraits<F>::width;
     using I = IntOf<F>;
     unsigned at[3][width];
     for (unsigned i = 0; i < width; ++i)
         for (unsigned k = 0; k < 3; ++k)
             at[k][i] = job.triangle_vertices[3 * std::size_t{t + i < end ? t + i : t} + k];
-    const Quad<F> a = load_quads<F>(job.screen, at[0], sizeof(ScreenVertex)),
-                  b = load_quads<F>(job.screen, at[1], sizeof(ScreenVertex)),
-                  c = load_quads<F>(job.screen, at[2], sizeof(ScreenVertex));
+    const Columns<F> a = gather_transposed<F>(job.screen, at[0], sizeof(ScreenVertex)),
+                     b = gather_transposed<F>(job.screen, at[1], sizeof(ScreenVertex)),
+                     c = gather_transposed<F>(job.screen, at[2], sizeof(ScreenVertex));
     const I x[3] = {bits_of(a.a), bits_of(b.a), bits_of(c.a)};
     const I y[3] = {bits_of(a.b), bits_of(b.b), bits_of(c.b)};
     const SampleBox<I> box = sample_box(x, y, subpixels / 2 + job.margin, subpixels / 2 - job.margin,

@@ -47,20 +47,20 @@ inline constexpr int small_side = tile_size * subpixels;
 /// and 0 to last_y.
 template <class I>
 SampleBox<I> sample_box(const I (&x)[3], const I (&y)[3], int from, int to, int last_x, int last_y) {
-    const I left = smaller(smaller(x[0], x[1]), x[2]), right = larger(larger(x[0], x[1]), x[2]);
-    const I top = smaller(smaller(y[0], y[1]), y[2]), bottom = larger(larger(y[0], y[1]), y[2]);
+    const I left = min(min(x[0], x[1]), x[2]), right = max(max(x[0], x[1]), x[2]);
+    const I top = min(min(y[0], y[1]), y[2]), bottom = max(max(y[0], y[1]), y[2]);
     const int up = subpixels - 1 - from;  // the first sample at or after a side
-    return {larger((left + up) >> subpixel_bits, in_all_lanes<I>(0)),
-            larger((top + up) >> subpixel_bits, in_all_lanes<I>(0)),
-            smaller((right - to) >> subpixel_bits, in_all_lanes<I>(last_x)),
-            smaller((bottom - to) >> subpixel_bits, in_all_lanes<I>(last_y)),
+    return {max((left + up) >> subpixel_bits, broadcast<I>(0)),
+            max((top + up) >> subpixel_bits, broadcast<I>(0)),
+            min((right - to) >> subpixel_bits, broadcast<I>(last_x)),
+            min((bottom - to) >> subpixel_bits, broadcast<I>(last_y)),
             negative((right - left - small_side) & (bottom - top - small_side))};
 }
 
 /// True where a pixel that shows `shown` at depth `before` (ScreenVertex) shows `code` at `depth` instead:
 /// what is nearer wins, at equal depth the larger code. F: a float, or as many as there are lanes.
 template <Number F> MaskOf<F> is_in_front(F depth, IntOf<F> code, F before, IntOf<F> shown) {
-    return either(depth > before, both(depth >= before, code > shown));
+    return mask_or(depth > before, mask_and(depth >= before, code > shown));
 }
 
 }  // namespace glint::inline GLINT_ISA

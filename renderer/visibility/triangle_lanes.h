@@ -11,20 +11,20 @@ namespace glint::inline GLINT_ISA {
 template <Number F> struct CornerLanes {
     IntOf<F> number;  // their triangle's
     IntOf<F> x[3], y[3];
-    F nearness[3];
+    F inv_w[3];
 };
 
 /// What drawing them needs. Not -1: 0.
 template <unsigned N> struct TriangleLanes {
     int number[N];
     int x[3][N], y[3][N];
-    float nearness[3][N];
+    float inv_w[3][N];
     int x0[N], y0[N], x1[N], y1[N];  // as in TileTriangle
     int empty[N];                    // -1: the box holds no sample of the tile
     int small[N];                    // -1: what follows has been found, else it may not fit
     int area[N];
     int value[3][N], step_x[3][N], step_y[3][N];  // as in PatchEdges, of the triangle turned clockwise
-    NearnessPlane<float[N]> plane;                // at pixel (x0, y0)
+    DepthPlane<float[N]> plane;                   // at pixel (x0, y0)
 };
 
 /// Edge `k`, from a to b.
@@ -41,9 +41,9 @@ template <Number F> void store_planes(TriangleLanes<NumberTraits<F>::width>& out
     for (int i = 0; i < NumberTraits<F>::width; i += HalfAsMany<F>::width) {
         PlaneCorner<D> corner[3];
         for (int k = 0; k < 3; ++k)
-            corner[k] = {widened<D>(out.x[k] + i), widened<D>(out.y[k] + i), widened<D>(out.nearness[k] + i)};
-        const NearnessPlane<D> plane = nearness_plane<D>(corner, widened<D>(out.area + i),
-                                                         {widened<D>(out.x0 + i), widened<D>(out.y0 + i)});
+            corner[k] = {widened<D>(out.x[k] + i), widened<D>(out.y[k] + i), widened<D>(out.inv_w[k] + i)};
+        const DepthPlane<D> plane = depth_plane<D>(corner, widened<D>(out.area + i),
+                                                   {widened<D>(out.x0 + i), widened<D>(out.y0 + i)});
         store_narrowed(out.plane.value + i, plane.value);
         store_narrowed(out.plane.step_x + i, plane.step_x);
         store_narrowed(out.plane.step_y + i, plane.step_y);
@@ -65,7 +65,7 @@ template <Number F> void make_ready(const CornerLanes<F>& in, TriangleLanes<Numb
     for (int k = 0; k < 3; ++k) {
         store_ints(out.x[k], x[k]);
         store_ints(out.y[k], y[k]);
-        store(out.nearness[k], in.nearness[k]);
+        store(out.inv_w[k], in.inv_w[k]);
     }
     store_ints(out.x0, x0);
     store_ints(out.y0, y0);
@@ -86,7 +86,7 @@ template <Number F> void make_ready(const CornerLanes<F>& in, TriangleLanes<Numb
 
 template <unsigned N> TileTriangle triangle_of_lane(const TriangleLanes<N>& lanes, unsigned i) {
     TileTriangle t;
-    for (int k = 0; k < 3; ++k) t.corner[k] = {lanes.x[k][i], lanes.y[k][i], lanes.nearness[k][i]};
+    for (int k = 0; k < 3; ++k) t.corner[k] = {lanes.x[k][i], lanes.y[k][i], lanes.inv_w[k][i]};
     t.area = lanes.area[i];
     t.x0 = lanes.x0[i];
     t.y0 = lanes.y0[i];

@@ -17,7 +17,7 @@ struct ClippedTriangle {
 
 // Which tiles a triangle may touch.
 
-struct SortJob {
+struct BinJob {
     const std::uint32_t* triangle_vertices = nullptr;  // three a triangle
     const ScreenVertex* screen = nullptr;
     std::uint32_t first_triangle = 0;  // global number of the object's first
@@ -46,7 +46,7 @@ struct TriangleBox {
 };
 
 /// Room for one entry a triangle, and one more.
-struct SortedTriangles {
+struct BinnedTriangles {
     TriangleBox* boxes = nullptr;
     std::size_t box_count = 0;
     std::uint32_t* to_clip = nullptr;  // numbers within the object
@@ -72,7 +72,7 @@ inline constexpr int patches_a_row = tile_size / patch_side;
 /// A tile while it is drawn, in patches of 4 x 4 pixels, so that what a small triangle covers lies together:
 /// patch (px, py) begins at (16 py + px) 16, its pixels in reading order.
 struct alignas(64) TilePixels {
-    float nearness[tile_size * tile_size];
+    float inv_w[tile_size * tile_size];
     std::int32_t seen[tile_size * tile_size];  // seen_code
 };
 
@@ -113,7 +113,7 @@ struct TileJob {
 /// The kernels of one instruction set.
 struct VisibilityKernels {
     /// Adds the triangles begin .. end - 1 of one object.
-    void (*bin)(const SortJob& job, std::uint32_t begin, std::uint32_t end, SortedTriangles& out);
+    void (*bin)(const BinJob& job, std::uint32_t begin, std::uint32_t end, BinnedTriangles& out);
     /// Draws all of the job's triangles; what a tile shows in the end does not depend on their order.
     void (*draw)(const TileJob& job, TilePixels& tile);
     void (*take_rows)(const TilePixels& tile, const TileRows& out);

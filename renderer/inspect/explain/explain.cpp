@@ -34,7 +34,7 @@ class Frames {
   public:
     explicit Frames(const Camera& camera) : world_from_view_(world_from_view(camera)) {}
     [[nodiscard]] InBothFrames direction(Vec v) const { return both_frames(to_glm(v), 0); }
-    [[nodiscard]] InBothFrames place(Vec v) const { return both_frames(to_glm(v), 1); }
+    [[nodiscard]] InBothFrames position(Vec v) const { return both_frames(to_glm(v), 1); }
 
   private:
     [[nodiscard]] InBothFrames both_frames(glm::vec3 v, double w) const {
@@ -82,21 +82,21 @@ void join_samples(ExplainedLight& joined, const ExplainedLight& sample) {
 }
 
 ExplainedTone explain_tone(const LightJob& job, const PointAt<float>& at) {
-    const CoolToWarmTerms<float> t = cool_to_warm(job.tone, same<float>(job.material.k_d), at);
+    const CoolToWarmTerms<float> t = cool_to_warm(job.tone, broadcast<float>(job.material.k_d), at);
     return {true, t.n_dot_l, t.k_w, to_glm(t.cool), to_glm(t.warm), to_glm(t.color)};
 }
 
 /// The equation at one point, step by step; the sum is added in the picture's own order.
-ExplainedPoint explain_point(const ExplainedStages& stages, const LightJob& job, const PlacedNormal& place,
+ExplainedPoint explain_point(const ExplainedStages& stages, const LightJob& job, const PositionNormal& place,
                              const Frames& frames, bool lit) {
     const PointAt<float> at = seen_from_eye(job, to_vec(place.p), to_vec(place.n));
     ExplainedPoint e;
-    e.point = frames.place(at.p);
+    e.point = frames.position(at.p);
     e.normal = frames.direction(at.n);
     e.view = frames.direction(at.v);
     if (!lit) return e;
-    if (job.terms.emission) e.emission = to_glm(same<float>(job.material.emission));
-    if (job.terms.ambient) e.global_ambient = to_glm(same<float>(job.material.global_ambient));
+    if (job.terms.emission) e.emission = to_glm(broadcast<float>(job.material.emission));
+    if (job.terms.ambient) e.global_ambient = to_glm(broadcast<float>(job.material.global_ambient));
     if (job.tone.on) e.cool_to_warm = explain_tone(job, at);
     e.base = to_glm(begin_sum(job, at));
     e.sum = to_glm(shade_point(job, at, [&](std::size_t i, const LightTerms<float>& t, const Vec& share) {
@@ -124,7 +124,7 @@ void explain_corners(Explanation& e, const ExplainedStages& stages, const Sample
     for (std::size_t i = 0; i < static_cast<std::size_t>(sample.count); ++i) {
         ExplainedCorner corner;
         corner.weight = sample.weight[i];
-        const PlacedNormal place = lit_point(surface, stages.geometry, sample.source[i]);
+        const PositionNormal place = lit_point(surface, stages.geometry, sample.source[i]);
         corner.at = explain_point(stages, job, place, frames, lit);
         if (!lit) corner.at.sum = vertex_color(surface, stages.geometry, sample.source[i]);
         sum = surface.choice.kind == SurfaceKind::Faces
@@ -216,7 +216,7 @@ Explanation explain_stages(const ExplainedStages& stages, int x, int y) {
     e.spaces = explain_spaces(g, face);
     const LightJob& job = stages.lighting.jobs[face.object];
     const Frames frames(stages.scene.camera);
-    const PlacedNormal place = pixel_point(stages.surface, g, face);
+    const PositionNormal place = pixel_point(stages.surface, g, face);
     const bool lit_here = stages.surface.choice.kind == SurfaceKind::Pixels;
     e.at = explain_point(stages, job, place, frames, lit_here);
     e.sum = e.at.sum;

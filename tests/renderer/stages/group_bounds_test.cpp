@@ -41,8 +41,8 @@ Points some_points(Dice& dice, float scale) {
     points.bounds.center = place;
     points.bounds.normal = normal;
     for (int i = 0; i < 16; ++i) {
-        points.bounds.radius = larger(points.bounds.radius, length(points.places[i] - place));
-        points.bounds.spread = larger(points.bounds.spread, length(points.normals[i] - normal));
+        points.bounds.radius = max(points.bounds.radius, length(points.places[i] - place));
+        points.bounds.spread = max(points.bounds.spread, length(points.normals[i] - normal));
     }
     return points;
 }
@@ -50,7 +50,7 @@ Points some_points(Dice& dice, float scale) {
 bool some_in_front(const LightAt<float>& light, const Points& points) {
     for (std::size_t i = 0; i < 16; ++i) {
         const PointAt<float> at(points.places[i], points.normals[i], {0, 0, 1});
-        if (to_light(light, at).n_dot > 0) return true;
+        if (light_vector(light, at).n_dot > 0) return true;
     }
     return false;
 }
@@ -65,7 +65,7 @@ TEST_CASE("bounds that are certainly behind a light hold no point in front of it
         const Points points = some_points(dice, scale);
         LightAt<float> light;
         light.w = i % 3 ? 1.0f : 0.0f;
-        light.xyz = is_place(light) ? dice.vector(4 * scale) : unit(dice.vector(1));
+        light.xyz = is_positional(light) ? dice.vector(4 * scale) : unit(dice.vector(1));
         const bool behind = certainly_behind(light, points.bounds), front = some_in_front(light, points);
         REQUIRE_FALSE((behind && front));
         dark += !front;

@@ -7,9 +7,9 @@
 namespace glint {
 
 /// Falloff and cone as the mistakes have them. No mistake leaves the source as it is.
-void spoil_source(const Mistakes& mistakes, const Light& light, LightSource& source);
+void apply_source_mistakes(const Mistakes& mistakes, const Light& light, LightSource& source);
 
 /// Viewer, shininess and projection as the mistakes have them; notes whether any mistake is made at all.
-void spoil_job(const Scene& scene, PictureSize size, LightJob& job);
+void apply_job_mistakes(const Scene& scene, PictureSize size, LightJob& job);
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-#include "renderer/shade/mistaken_lights.h"
+#include "renderer/shade/light_mistakes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +14,14 @@ namespace {
 
 LightJob::Projection projection_of(const glm::dmat4& m) {  // m[column][row]
     const auto f = [&m](int row, int column) {             // products with places have to fit a float
-        return static_cast<float>(std::clamp(m[column][row], -farthest_place, farthest_place));
+        return static_cast<float>(std::clamp(m[column][row], -max_distance, max_distance));
     };
     return {f(0, 0), f(0, 2), f(0, 3), f(1, 1), f(1, 2), f(1, 3), f(2, 2), f(2, 3), f(3, 2), f(3, 3)};
 }
 
 }  // namespace
 
-void spoil_source(const Mistakes& wrong, const Light& light, LightSource& source) {
+void apply_source_mistakes(const Mistakes& wrong, const Light& light, LightSource& source) {
     if (wrong.falloff_without_constant && light.kind != LightKind::Directional) {
         source.constant = 0;
         source.has_falloff = true;
@@ -40,7 +40,7 @@ void spoil_source(const Mistakes& wrong, const Light& light, LightSource& source
         static_cast<float>(wrong.degrees_for_radians ? std::cos(angle) : cos_of_cutoff(angle));
 }
 
-void spoil_job(const Scene& scene, PictureSize size, LightJob& job) {
+void apply_job_mistakes(const Scene& scene, PictureSize size, LightJob& job) {
     const Mistakes& wrong = scene.shading.mistakes;
     job.mistakes = wrong;
     job.power_table = scene.shading.power_table;
