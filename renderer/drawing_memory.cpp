@@ -13,13 +13,13 @@
 namespace glint {
 namespace {
 
-// Of an object, whatever its mesh: its geometry, materials and jobs.
+// Bytes of an object, whatever its mesh: its geometry, materials and jobs.
 constexpr std::uint64_t bytes_an_object = 4096;
-// Of a triangle whose edges are looked for: OpenMesh's half-edges meanwhile, then ours.
+// Bytes of a triangle whose edges are looked for: OpenMesh's half-edges meanwhile, then ours.
 constexpr std::uint64_t bytes_of_edges = 200;
-// Of a normal that is averaged: its sum in doubles meanwhile.
+// Bytes of a normal that is averaged: its sum in doubles meanwhile.
 constexpr std::uint64_t bytes_of_sum = 48;
-// Of a point that is lit for several pixels: place and normal, what it is, its colour.
+// Bytes of a point that is lit for several pixels: position and normal, what it is, its colour.
 constexpr std::uint64_t bytes_of_point = (sizeof(PointBlock) + sizeof(std::uint32_t)) / block_size +
                                          sizeof(ShadingPoint) + sizeof(ColorRecord) + sizeof(std::uint32_t);
 
@@ -29,7 +29,8 @@ struct Extent {
     [[nodiscard]] double area() const { return width * height; }
 };
 
-/// Of the corners of the mesh's bounds on the screen; the whole picture where one is not before the eye.
+/// The extent of the corners of the mesh's bounds on the screen; the whole picture where one is not before
+/// the eye.
 Extent extent_of(const Object& object, const glm::dmat4& clip_from_world, PictureSize size) {
     const Extent whole{static_cast<double>(size.width), static_cast<double>(size.height)};
     const glm::dmat4 clip_from_object = clip_from_world * world_from_object(object.transform);
@@ -116,7 +117,7 @@ class ObjectsMemory {
     std::set<std::tuple<const Mesh*, NormalSource, NormalWeighting, float>> options_;
 };
 
-/// Of every pixel, whatever shows there.
+/// The bytes that every pixel takes, whatever shows there.
 std::uint64_t bytes_of_pixels(const Scene& scene, PictureSize size, bool linear, int samples) {
     const std::uint64_t width = static_cast<std::uint64_t>(size.width),
                         height = static_cast<std::uint64_t>(size.height);

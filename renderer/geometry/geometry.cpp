@@ -93,8 +93,8 @@ bool same_inputs(const Geometry& kept, const Scene& scene, PictureSize size) {
     return true;
 }
 
-/// Their numbers have 30 bits. A scene that is read is refused before (load_meshes); one that grows in memory
-/// ends here.
+/// Throws Refused for too many triangles: their numbers have 30 bits. A scene that is read is refused before
+/// (load_meshes); one that grows in memory ends here.
 void count_triangles(const Scene& scene) {
     std::size_t triangles = 0;
     for (const Object& o : scene.objects) triangles += o.mesh->triangles.size();

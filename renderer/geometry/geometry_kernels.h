@@ -13,9 +13,9 @@ inline constexpr int subpixels = 1 << subpixel_bits;  // the rasteriser's grid, 
 /// once.
 struct alignas(16) ScreenVertex {
     std::int32_t x = 0, y = 0;  // 1/256 pixel
-    float inv_w = 0;  // linear on the screen, larger is nearer: 1/w, or (1 - z_ndc)/2 when orthographic
-    std::uint32_t outside =
-        0;  // OutsideBits (outside_bits.h); with one of `needs_clipping` the rest has no meaning
+    float inv_w = 0;  // depth, linear on the screen, larger is nearer: inv_w_of (viewport_transform.h)
+    /// OutsideBits (outside_bits.h); with one of `needs_clipping` the rest has no meaning.
+    std::uint32_t outside = 0;
 };
 
 /// A vertex as shading needs it: two records of four numbers, each read at once.
@@ -26,7 +26,7 @@ struct alignas(32) TransformedVertex {
     float unused = 0;
 };
 
-/// A unit normal in camera coordinates, likewise.
+/// A unit normal, or zero, in camera coordinates: four numbers, read at once.
 struct alignas(16) CameraNormal {
     float x = 0, y = 0, z = 0, unused = 0;
 };
@@ -68,7 +68,7 @@ struct GeometryKernels {
     void (*transform_normals)(const NormalJob& job, std::size_t begin, std::size_t end);
 };
 
-/// Of the set that instruction_set.h chooses.
+/// The kernels of the instruction set that is in use (instruction_set.h).
 const GeometryKernels& geometry_kernels();
 
 }  // namespace glint

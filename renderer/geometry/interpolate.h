@@ -12,10 +12,10 @@ namespace glint::inline GLINT_ISA {
 /// the eye (1 for an orthographic camera).
 template <Number F> struct ClipCorner { F x{}, y{}, w{}; };
 
-/// A place on the screen: x and y from -1 (left, bottom) to 1 (right, top).
+/// A position on the screen in NDC: x and y from -1 (left, bottom) to 1 (right, top).
 template <Number F> struct ScreenPoint { F x{}, y{}; };
 
-/// Of a place in pixels, y down, in a picture of width x height: the inverse of to_pixel.
+/// Converts a position in pixels, y down, in a picture of width x height: the inverse of to_pixel.
 template <Number F> ScreenPoint<F> to_ndc(F x, F y, F width, F height) {
     return {F(2) * x / width - F(1), F(1) - F(2) * y / height};
 }

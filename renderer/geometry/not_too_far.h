@@ -1,5 +1,5 @@
 #pragma once
-// Places so far away that floats lose the square of their distance.
+// Positions so far away that the square of their distance does not fit a float.
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -49,7 +49,7 @@ std::vector<float> given_lengths(const ObjectNormals& normals) {
     return lengths;
 }
 
-/// As the mistakes would have them.
+/// Transforms the normals as the mistakes would have them.
 void transform_mistaken_normals(ObjectNormals& normals, const Matrix3& matrix,
                                 const NormalMistakes& mistakes) {
     std::vector<float> lengths;

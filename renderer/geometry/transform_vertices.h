@@ -14,7 +14,7 @@ struct VertexLists {
     float clip[4][together], camera[4][together] = {}, screen[4][together];
 };
 
-/// Of the vertices i and up; `p`: object coordinates.
+/// Transforms as many vertices as D has lanes, from i on. `p`: object coordinates.
 template <Number D>
 void transform_lanes(const VertexJob& job, const float (&p)[3][together], int i, VertexLists& out) {
     const Point4<D> object{widened<D>(p[0] + i), widened<D>(p[1] + i), widened<D>(p[2] + i), D(1)};

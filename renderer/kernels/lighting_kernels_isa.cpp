@@ -29,9 +29,8 @@ union Slot {  // a group that is not filled with zeros first
     Slot() {}
 };
 
-/// Group i's part of the batch that lies behind this one in memory, and may be the next to be lit. Asked for
-/// group by group while the first light is added, so that memory works while the processor computes; all at
-/// once, more would be asked for than it can wait for.
+/// Prefetches group i's share of the next batch. Spread over the first light's pass: issuing all lines at
+/// once overflows the line-fill buffers.
 [[gnu::always_inline]] static inline void prefetch_next(const PointBlock* points,
                                                         const ColorBlock* partial_sums, std::size_t i) {
     constexpr std::size_t share = block_size / GLINT_LANES;
@@ -43,10 +42,11 @@ union Slot {  // a group that is not filled with zeros first
     if (partial_sums) part_of(partial_sums);
 }
 
-/// One reflection model, so that the compiler leaves out what the others need; the text of the equation is
-/// one. flatten: it is many small functions, and each call would pass its vectors through memory.
-/// Light by light over a batch of points: the light stays in registers, whether it reaches the points is
-/// guessed well by the processor, and independent points fill the time that one's long powers take.
+/// Lights a batch by one reflection model, a template argument so that the compiler leaves out what the
+/// others need; the text of the equation is one. flatten: it is many small functions, and each call would
+/// pass its vectors through memory. Light by light over a batch of points: the light stays in registers,
+/// whether it reaches the points is guessed well by the processor, and independent points fill the time that
+/// one's long powers take.
 template <Reflection model, bool any_mistake>
 GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* points,
                                       const ColorBlock* partial_sums, ColorBlock* colors,
@@ -73,9 +73,8 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
     for (std::size_t l = 0; l < job.light_count; ++l) {
         const auto add = [&](const LightAt<Wide>& light) {
             const LightColors<Wide> reflected = colors_on(material, light);
-            // One group behind: its root and quotients were partial_sums before the group in front was
-            // finished, and are there when they are needed. The processor alone looks ahead no farther than a
-            // group or two.
+            // Software pipelining, depth 1: starts group i's square root and divisions, then finishes the
+            // group before. The processor alone looks ahead no farther than a group or two.
             std::size_t behind = count;
             LightVector<Wide> towards_behind;
             Attenuation<Wide> attenuation_behind;
@@ -97,7 +96,7 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
             }
             if (behind < count) finish();
         };
-        // Said once for each usual kind, so that the compiler leaves out what the others need.
+        // Three specialised copies of the loop: any light, a plain point light, a plain directional light.
         LightAt<Wide> light = light_at<Wide>(job.lights[l]);
         if (any_mistake || light.has_cone || light.is_patch || light.has_ambient) {
             add(light);

@@ -22,7 +22,7 @@ template <Number F> struct LightTerms {
     Vec3<F> ambient, diffuse, specular;  // what reaches the eye; 0 where the term is switched off
 };
 
-/// What kind of equation is asked for; the same for all points of a picture.
+/// Which equation is asked for: model, terms and rules; the same for all points of a picture.
 struct Equation {
     Reflection model = Reflection::Phong;
     Terms terms;
@@ -31,17 +31,21 @@ struct Equation {
     float rounding = 0;                  // each share is rounded(share, rounding); 0: not rounded
 };
 
-/// A light's colours times the material's.
+/// A light's colours times the material's: linear RGB, what reaches the eye where every factor is 1.
 template <Number F> struct LightColors { Vec3<F> ambient, diffuse, specular; };
 template <Number F> LightColors<F> colors_on(const MaterialAt<F>& m, const LightAt<F>& light) {
     return {m.k_a * light.ambient, m.k_d * light.diffuse, m.k_s * light.specular};
 }
 
+/// The vector from the point to the light in camera coordinates (scene units; for a directional light the
+/// unit direction) and its product with n. Not unit: lights that are behind the surface need no square root.
 template <Number F> LightVector<F> light_vector(const LightAt<F>& light, const PointAt<F>& at) {
     const Vec3<F> xyz = vector_to_light(light, at.p);
     return {xyz, dot(at.n, xyz)};
 }
 
+/// The distance to the light, its inverse and the falloff, 1 / (c + b r + a r^2). A light at the point itself
+/// has distance 0 and inverse 0; a directional light has 1 for all three.
 template <Number F> Attenuation<F> attenuation(const LightAt<F>& light, const LightVector<F>& light_vector) {
     Attenuation<F> a;
     if (is_positional(light)) {
@@ -52,9 +56,10 @@ template <Number F> Attenuation<F> attenuation(const LightAt<F>& light, const Li
     return a;
 }
 
-/// `colors`: colors_on(m, light), which is the same at all points. Degenerate input: a light at the point has
-/// l = 0, so only its ambient share is left; n = 0 likewise; l = -v gives h = 0. No result is NaN while
-/// products of light, material and falloff stay finite.
+/// The equation for one light and one point. `colors`: colors_on(m, light), which is the same at all points;
+/// `light_vector` and `attenuation`: what the functions of these names give here. Degenerate input: a light
+/// at the point has l = 0, so only its ambient share is left; n = 0 likewise; l = -v gives h = 0. No result
+/// is NaN while products of light, material and falloff stay finite.
 template <Number F>
 LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, const MaterialAt<F>& m,
                          const LightColors<F>& colors, const LightVector<F>& light_vector,
@@ -103,11 +108,12 @@ bool may_add(const Equation& equation, const LightAt<F>& light, const LightVecto
     return (equation.terms.ambient && light.has_ambient) || any(light_vector.n_dot > F(0));
 }
 
+/// Each component within 0 to 1; NaN gives 0.
 template <Number F> Vec3<F> clamped(Vec3<F> c) {
     return {min(max0(c.x), F(1)), min(max0(c.y), F(1)), min(max0(c.z), F(1))};
 }
 
-/// One light's share of the sum, in the order in which the picture adds it.
+/// One light's share of the sum: linear RGB, its terms added in the picture's order.
 template <Number F>
 Vec3<F> share_of(const Equation& equation, const LightAt<F>& light, const LightTerms<F>& t) {
     Vec3<F> share = t.diffuse + t.specular;

@@ -46,7 +46,7 @@ struct alignas(64) PointBlock {
     float x[block_size], y[block_size], z[block_size];     // place, camera coordinates
     float nx[block_size], ny[block_size], nz[block_size];  // normal, unit or zero
 };
-/// Their colours: linear RGB, not clamped.
+/// Colours of a block of points: linear RGB, not clamped.
 struct alignas(64) ColorBlock {
     float r[block_size], g[block_size], b[block_size];
 };
@@ -56,8 +56,10 @@ struct CoolToWarm {
     bool on = false;
     Float3 cool, warm;
     float alpha = 0, beta = 0;
-    Float3 light;       // camera coordinates: place (w = 1) or unit direction (w = 0) of the first enabled
-    float light_w = 0;  // light; zeros, which give n.l = 0, when there is none
+    /// The first enabled light, camera coordinates: position (light_w = 1) or unit direction (0). All zeros,
+    /// which give n.l = 0, without a light.
+    Float3 light;
+    float light_w = 0;
 };
 
 struct LightJob {
@@ -98,7 +100,7 @@ struct LightingKernels {
     void (*encode)(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba, std::size_t blocks);
 };
 
-/// Of the set that instruction_set.h chooses.
+/// The kernels of the instruction set that is in use (instruction_set.h).
 const LightingKernels& lighting_kernels();
 
 }  // namespace glint

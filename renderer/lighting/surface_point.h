@@ -6,15 +6,17 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// Camera coordinates. n and v unit (n may be zero where nothing defines it); v points towards the eye.
+/// A point to be lit: position, normal and direction to the eye. Camera coordinates, scene units. n and v
+/// unit (n may be zero where nothing defines it); v points towards the eye.
 template <Number F> struct PointAt {
     Vec3<F> p, n, v;
     F n_dot_v{};
     PointAt() = default;
-    PointAt(Vec3<F> place, Vec3<F> normal, Vec3<F> to_eye)
-        : p(place), n(normal), v(to_eye), n_dot_v(dot(normal, to_eye)) {}
+    PointAt(Vec3<F> position, Vec3<F> normal, Vec3<F> to_eye)
+        : p(position), n(normal), v(to_eye), n_dot_v(dot(normal, to_eye)) {}
 };
 
+/// What the surface is made of; the same at all points of an object.
 template <Number F> struct MaterialAt {
     Vec3<F> k_a, k_d, k_s;  // linear RGB
     Exponent<F> shininess;
@@ -37,22 +39,22 @@ template <Number F> struct Directions {
     F n_dot_unnormalized_h{}, unnormalized_h_squared{};  // n.h before h is made unit, and |h|^2 then
 };
 
-/// From a point to a light, not unit (of a directional light the unit direction itself), and its product with
-/// n.
+/// The vector from a point to a light, not unit (for a directional light the unit direction itself), and its
+/// product with n.
 template <Number F> struct LightVector {
     Vec3<F> xyz;
     F n_dot{};
 };
 
-/// What the distance to a light alone decides.
+/// What depends on the distance to a light alone.
 template <Number F> struct Attenuation {
     F distance{1}, inverse{1};  // scene units, and 1 / distance; 1 for a directional light
     F falloff{1};               // 1 where the light has none
 };
 
-/// All of them for l = light_vector / distance. Lecture: "Calculating R Vector",
-/// "Blinn-Phong Model". r.v = (2 n (n.l) - l).v = 2 (n.l)(n.v) - l.v, and h has the direction of l + v, which
-/// light_vector + distance v has too without a division.
+/// The vectors and cosines for l = light_vector / distance. Lecture: "Calculating R Vector", "Blinn-Phong
+/// Model". r.v = (2 n (n.l) - l).v = 2 (n.l)(n.v) - l.v, and h has the direction of l + v, which light_vector
+/// + distance v has too without a division.
 template <Number F>
 Directions<F> directions_for(const LightVector<F>& light_vector, const Attenuation<F>& attenuation,
                              const PointAt<F>& at) {
@@ -73,7 +75,7 @@ Directions<F> directions_for(const LightVector<F>& light_vector, const Attenuati
     return d;
 }
 
-/// The same for a unit l.
+/// The vectors and cosines for a unit l.
 template <Number F> Directions<F> directions_for(Vec3<F> l, const PointAt<F>& at) {
     return directions_for(LightVector<F>{l, dot(at.n, l)}, Attenuation<F>{}, at);
 }

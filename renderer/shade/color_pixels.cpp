@@ -61,8 +61,8 @@ void color_groups(Lighting& l, const Surface& s, std::size_t first, std::size_t 
     }
 }
 
-/// What the lit points show, as bytes. Unrolled, and with plain pointers: a byte written might change any
-/// other, which would have to be read anew.
+/// Copies the bytes of lit points to pixels. Unrolled, and with local pointers: stores of bytes may alias
+/// anything, and would make the compiler reload members after each.
 void show_points(const std::uint32_t* point_rgba, const std::uint32_t (&points)[block_size],
                  std::uint16_t mask, std::uint8_t* to) {
     if (mask == 0xFFFF) {
@@ -104,8 +104,8 @@ GroupsToDo of_objects_again(const Lighting& l, const Surface& s, std::size_t fir
     return todo;
 }
 
-/// Up to 16 groups from `first` on: colour, strokes over it, bytes. Those that show already what they should
-/// are left alone.
+/// Colours up to 16 groups from `first` on: colour, strokes over it, bytes. Groups that already show what
+/// they should are left alone.
 void color_batch(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display,
                  std::size_t first) {
     std::array<ColorBlock, batch_size> colors;
@@ -167,7 +167,7 @@ void add_background(ColorBlock& sum, const std::array<float, block_size>& covere
     }
 }
 
-/// The same with several samples a pixel: shares are added in linear light, group by group.
+/// Colours the pixels from several samples each: shares are added in linear light, group by group.
 void color_sampled_pixels(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display) {
     std::vector<std::size_t>& begins = l.block_begins;
     begins.assign(1, 0);

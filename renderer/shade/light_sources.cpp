@@ -21,7 +21,7 @@ Float3 to_float3(glm::dvec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-// Scenes may hold numbers to 1e30, whose products and squares no float holds; infinity times 0 is no number.
+// Scenes may hold numbers to 1e30, whose products and squares do not fit a float; infinity times 0 is NaN.
 constexpr double largest_product = 1e30;
 
 /// A product of colours, held at 1e30.

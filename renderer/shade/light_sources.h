@@ -13,7 +13,7 @@ namespace glint {
 /// The enabled lights in the scene's order; an area light gives one source a sample.
 [[nodiscard]] std::vector<LightSource> light_sources(const Scene& scene);
 
-/// The same in the memory of `sources`.
+/// Fills `sources` in its own memory.
 void light_sources(const Scene& scene, std::vector<LightSource>& sources);
 
 /// One object's part of the equation. `lights` must outlive the job. `at_corners`: the colours will be

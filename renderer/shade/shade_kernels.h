@@ -29,7 +29,7 @@ struct ShadeKernels {
                  std::size_t groups);
 };
 
-/// Of the set that instruction_set.h chooses.
+/// The kernels of the instruction set that is in use (instruction_set.h).
 const ShadeKernels& shade_kernels();
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// The integers of number.h as the rasteriser needs them: multiplied, compared and chosen, lane by lane.
+// The integers of lanes.h as the rasteriser needs them: multiplied, compared and chosen, lane by lane.
 
 #include "renderer/simd/lanes.h"
 

@@ -1,11 +1,11 @@
 #pragma once
 // The number type of the equation: `float`, or N floats side by side (`Lanes<N>`), with the same operations
-// and, bit for bit, the same results. Only this header and its three additions (doubles.h,
-// quads.h, whole_numbers.h) know the compiler's vector types and the processor's intrinsics. Everything here
+// and, bit for bit, the same results. Only this header and its three additions (double_lanes.h,
+// transpose.h, int_lanes.h) know the compiler's vector types and the processor's intrinsics. Everything here
 // lives in a namespace of its own instruction set, so that the linker can never take AVX code for the
-// baseline's (docs/architecture.md, "Same bytes everywhere").
+// baseline's (docs/architecture.md).
 //
-// Allowed in the equation: + - * / square_root, comparisons, select, and the bit moves of power.h. Nothing
+// Allowed in the equation: + - * / square_root, comparisons, select, and the bit moves of pow.h. Nothing
 // else, and -ffp-contract=off: then every width and every optimisation level gives the same bits.
 
 #ifndef GLINT_ISA
@@ -124,7 +124,7 @@ template <int N> bool any(IntLanes<N> m) {
 }
 inline bool any(bool m) { return m; }
 
-// Integers, for the bit moves of power.h.
+// Integers, for the bit moves of pow.h.
 template <int N> IntLanes<N> operator+(IntLanes<N> a, int b) { return {a.v + b}; }
 template <int N> IntLanes<N> operator+(IntLanes<N> a, IntLanes<N> b) { return {a.v + b.v}; }
 template <int N> IntLanes<N> operator-(IntLanes<N> a, int b) { return {a.v - b}; }

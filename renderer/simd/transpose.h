@@ -1,6 +1,7 @@
 #pragma once
-// Records of four floats, one for each lane, turned into four numbers: one 16-byte read a lane instead of
-// four gathers of four bytes, and the turning is done in registers. Shuffles only, so no bit can change.
+// Transposes between records of four floats, one a lane, and four numbers side by side (AoS and SoA): one
+// 16-byte read a lane instead of four gathers of four bytes, and the transpose is done in registers. Shuffles
+// only, so no bit can change.
 
 #include <cstddef>
 
@@ -72,7 +73,7 @@ template <Number F> Columns<F> transposed(const typename Rows<NumberTraits<F>::w
 
 }  // namespace transposing
 
-/// Lane i: the four floats that lie at[i] * step bytes behind `from`.
+/// Gathers, for lane i, the four floats that lie at[i] * step bytes behind `from`.
 template <Number F> Columns<F> gather_transposed(const void* from, const unsigned* at, std::size_t step) {
     constexpr int width = NumberTraits<F>::width;
     const auto* bytes = static_cast<const char*>(from);
@@ -99,7 +100,7 @@ template <int N> void transpose_triples(const float* triples, std::size_t count,
         for (std::size_t k = 0; k < 3; ++k) lists[k][i] = triples[3 * (i < count ? i : 0) + k];
 }
 
-/// The other way: four lists of N numbers of four bytes become N records, `step` bytes apart.
+/// Transposes four lists of N numbers of four bytes into N records, `step` bytes apart.
 template <int N> void store_transposed(const float (&lists)[4][N], void* records, std::size_t step) {
     auto* to = static_cast<char*>(records);
     for (int i = 0; i < N; i += 4) {

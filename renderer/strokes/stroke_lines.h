@@ -7,8 +7,8 @@
 // rim that pixel may show the edge's own surface, which bulges towards the eye; but a rim that is seen is
 // seen against something farther away or nothing, so one of the four pixels around it suffices to show it. An
 // edge whose facets all face away is seen through an opening if at all, and must find its own object there:
-// what lies beyond the outline is no sign of it. (Item buffers ask which face a pixel shows instead, and lose
-// edges between faces that are smaller than a pixel.)
+// what lies beyond the outline does not show that. (Item buffers ask which face a pixel shows instead, and
+// lose edges between faces that are smaller than a pixel.)
 
 #include <cstdint>
 #include <glm/vec2.hpp>

@@ -31,8 +31,7 @@ inline CornerRecords corner_records(const InterpolateJob& job, unsigned triangle
     return {job.vertices + vertex, job.normals + normal};
 }
 
-/// A triangle's corner `c` as `put(lanes, number)` makes it, from the lanes as they are and each number of
-/// it.
+/// Loads corner `c`; put(old, value) says which lanes receive each of its numbers.
 template <Number F, class Put>
 void put_corner(const InterpolateJob& job, unsigned triangle, unsigned c, CornerOfLanes<F>& out,
                 bool& clipped, const Put& put) {
@@ -84,7 +83,7 @@ CornerOfLanes<F> take_corner(const InterpolateJob& job, const unsigned* triangle
     }
 }
 
-/// Where a run shows more triangles than this, looking up lane by lane is faster.
+/// Where a group shows more triangles than this, looking up lane by lane is faster.
 inline constexpr int most_looked_up_once = 4;
 
 /// `triangles`: numbers within the object.

@@ -1,5 +1,5 @@
-// The surface under Pixels: place and normal of every visible pixel. The on_fast_path case, 16 pixels at
-// once, by the same formulas as one pixel alone (sample.cpp); the rest one by one.
+// The surface under Pixels: position and normal of every visible pixel. The fast path takes 16 pixels at
+// once, by the same formulas as one pixel alone (sample.cpp); it takes the others one by one.
 
 #include "renderer/surface/interpolate_pixels.h"
 

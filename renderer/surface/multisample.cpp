@@ -51,8 +51,8 @@ double least_weight(const Geometry& g, const SampleSeen& seen, PixelPosition at)
     return sum > 0 ? std::min({e.x, e.y, e.z}) / sum : -HUGE_VAL;
 }
 
-/// Of the triangles that a face shows at its samples, the one that holds their mean, or comes nearest to
-/// that.
+/// Finds, among the triangles that a face shows at its samples, the one that holds their mean, or comes
+/// nearest to that.
 SampleSeen triangle_at_mean(const Geometry& g, const PixelFragments& pixel, const Fragment& f) {
     SampleSeen best = f.seen;
     double deepest = -HUGE_VAL;

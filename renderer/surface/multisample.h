@@ -5,7 +5,7 @@
 
 namespace glint {
 
-/// Fills runs, group_samples and pixel_count from all planes of the visibility, in reading order.
+/// Fills groups, group_samples and pixel_count from all planes of the visibility, in reading order.
 void find_sampled_groups(Surface& surface, const Geometry& geometry, const Visibility& visibility);
 
 }  // namespace glint

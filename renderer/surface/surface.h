@@ -29,8 +29,8 @@ struct SurfaceChoice {
     SurfaceKind kind = SurfaceKind::Pixels;
     bool facet_normals = false;  // Pixels: the facet's normal instead of the interpolated one
     Interpolation interpolation = Interpolation::Perspective;
-    bool provoking =
-        false;  // Faces: each triangle at its last corner instead of each polygon at its centroid
+    /// Faces: each triangle at its last corner instead of each polygon at its centroid.
+    bool provoking = false;
     bool two_sided = false;  // a face seen from behind has its normals turned round
     NormalMistakes mistakes;
     bool operator==(const SurfaceChoice&) const = default;
@@ -50,7 +50,7 @@ struct GroupSamples {
     std::uint16_t back = 0;              // bit i: wound clockwise on the screen
 };
 
-/// Where the groups of a row of pixels begin, and how many pixels the row before shows a surface in.
+/// Where the groups of a row of pixels begin; `pixels` counts those of the row before that show a surface.
 struct RowGroups {
     std::size_t first_group = 0;
     std::uint64_t pixels = 0;
@@ -67,7 +67,7 @@ struct FaceRefs {
     std::uint32_t point[block_size];
 };
 
-/// What a lit point is, for those that are no pixels: its object and a number within it.
+/// A shading point on a vertex or face (Gouraud, flat): its object and a number within it.
 struct ShadingPoint {
     std::uint32_t object = 0;
     std::uint32_t item = 0;  // Corners: normal slot; Faces: polygon, or triangle when provoking
@@ -154,10 +154,11 @@ struct PositionNormal {
         block.nz[lane] = n.z;
     }
 };
-/// The pixel's own point under Pixels (and, for information, under the other kinds).
+/// Position and normal of the pixel's own point: what is lit under Pixels, and for information under the
+/// other kinds.
 [[nodiscard]] PositionNormal pixel_point(const SurfaceInputs& surface, const Geometry& geometry,
                                          const SampleFace& face);
-/// A lit point that is no pixel.
+/// Position and normal of a shading point on a vertex or face (Gouraud, flat).
 [[nodiscard]] PositionNormal lit_point(const SurfaceInputs& surface, const Geometry& geometry,
                                        const ShadingPoint& source);
 

@@ -41,7 +41,7 @@ struct SurfaceKernels {
                         PointBlock* out, std::uint8_t* on_fast_path);
 };
 
-/// Of the set that instruction_set.h chooses.
+/// The kernels of the instruction set that is in use (instruction_set.h).
 const SurfaceKernels& surface_kernels();
 
 }  // namespace glint

@@ -7,14 +7,14 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// Their corners, on the grid, relative to the sample of the tile's first pixel.
+/// The corners of several triangles, on the grid, relative to the sample of the tile's first pixel.
 template <Number F> struct CornerLanes {
     IntOf<F> number;  // their triangle's
     IntOf<F> x[3], y[3];
     F inv_w[3];
 };
 
-/// What drawing them needs. Not -1: 0.
+/// What drawing them needs. Flags are -1 (true) or 0.
 template <unsigned N> struct TriangleLanes {
     int number[N];
     int x[3][N], y[3][N];

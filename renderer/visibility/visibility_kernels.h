@@ -119,7 +119,7 @@ struct VisibilityKernels {
     void (*take_rows)(const TilePixels& tile, const TileRows& out);
 };
 
-/// Of the set that instruction_set.h chooses.
+/// The kernels of the instruction set that is in use (instruction_set.h).
 const VisibilityKernels& visibility_kernels();
 
 }  // namespace glint

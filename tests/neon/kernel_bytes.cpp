@@ -238,7 +238,7 @@ void place_vertices_and_normals(Numbers& number) {
     job.positions = numbers.data();
     job.view_from_object = {{{0.8, 0.6, 0, 0}, {-0.6, 0.8, 0, 0}, {0, 0, 1, 0}, {0.1, 0.2, -4, 1}}};
     job.clip_from_view = {{{1.4, 0, 0, 0}, {0, 2.4, 0, 0}, {0, 0, -1.02, -1}, {0, 0, -0.2, 0}}};
-    job.screen = {640, 480, false};
+    job.viewport = {640, 480, false};
     job.vertices = vertices.data();
     job.on_screen = on_screen.data();
     GLINT_ISA::drawing.geometry.transform_vertices(job, 0, count);

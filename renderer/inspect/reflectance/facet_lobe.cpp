@@ -25,7 +25,7 @@ double bounced_density(double alpha, glm::dvec3 v, glm::dvec3 l) {
     return static_cast<double>(d) * h.z / (4 * v_dot_h);
 }
 
-/// Its integral over the directions between two angles from n.
+/// The integral of bounced_density over the directions between two angles from n.
 double expected_share(double alpha, glm::dvec3 v, double from_deg, double to_deg) {
     constexpr int steps = 64, around = 360;
     double sum = 0;
