@@ -277,7 +277,7 @@ void run_window(const WindowOptions& options) {
     window.run();
     open_state = nullptr;  // all is answered: what is not saved was not to be
     end_memory(state);
-    // What was begun and nobody waits for any more. All that was to be kept is written.
+    // What was partial_sums and nobody waits for any more. All that was to be kept is written.
     glfwHideWindow(handle);
     if (!end_jobs(state, longest_farewell)) std::quick_exit(0);
 }

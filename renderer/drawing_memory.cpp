@@ -13,15 +13,15 @@
 namespace glint {
 namespace {
 
-// Of an object, whatever its mesh: its geometry, materials and jobs.
+// Bytes of an object, whatever its mesh: its geometry, materials and jobs.
 constexpr std::uint64_t bytes_an_object = 4096;
-// Of a triangle whose edges are looked for: OpenMesh's half-edges meanwhile, then ours.
+// Bytes of a triangle whose edges are looked for: OpenMesh's half-edges meanwhile, then ours.
 constexpr std::uint64_t bytes_of_edges = 200;
-// Of a normal that is averaged: its sum in doubles meanwhile.
+// Bytes of a normal that is averaged: its sum in doubles meanwhile.
 constexpr std::uint64_t bytes_of_sum = 48;
-// Of a point that is lit for several pixels: place and normal, what it is, its colour.
+// Bytes of a point that is lit for several pixels: position and normal, what it is, its colour.
 constexpr std::uint64_t bytes_of_point = (sizeof(PointBlock) + sizeof(std::uint32_t)) / block_size +
-                                         sizeof(PointSource) + sizeof(ColorRecord) + sizeof(std::uint32_t);
+                                         sizeof(ShadingPoint) + sizeof(ColorRecord) + sizeof(std::uint32_t);
 
 /// Width and height, in pixels, of where an object may show.
 struct Extent {
@@ -29,7 +29,8 @@ struct Extent {
     [[nodiscard]] double area() const { return width * height; }
 };
 
-/// Of the corners of the mesh's bounds on the screen; the whole picture where one is not before the eye.
+/// The extent of the corners of the mesh's bounds on the screen; the whole picture where one is not before
+/// the eye.
 Extent extent_of(const Object& object, const glm::dmat4& clip_from_world, PictureSize size) {
     const Extent whole{static_cast<double>(size.width), static_cast<double>(size.height)};
     const glm::dmat4 clip_from_object = clip_from_world * world_from_object(object.transform);
@@ -75,7 +76,7 @@ class ObjectsMemory {
     ObjectsMemory(const Scene& scene, std::uint64_t tiles, const SurfaceChoice& choice) {
         const bool edges = scene.npr.silhouettes || scene.npr.creases;
         for (const Object& object : scene.objects) add(object, tiles, choice, edges);
-        need[MemoryUse::Objects] += most_meanwhile_;
+        need[MemoryUse::Objects] += max_meanwhile_;
     }
     MemoryNeed need;
 
@@ -84,10 +85,10 @@ class ObjectsMemory {
         const Mesh& mesh = *object.mesh;
         const std::uint64_t triangles = mesh.triangles.size();
         const NormalCounts normals = normal_counts(object);
-        need[MemoryUse::Objects] += bytes_an_object +
-                                    mesh.positions.size() * (sizeof(PlacedVertex) + sizeof(ScreenVertex)) +
-                                    normals.normals * sizeof(CameraNormal) + lit_items(mesh, normals, choice);
-        need[MemoryUse::Tiles] += bytes_to_sort(triangles, tiles);
+        need[MemoryUse::Objects] +=
+            bytes_an_object + mesh.positions.size() * (sizeof(TransformedVertex) + sizeof(ScreenVertex)) +
+            normals.normals * sizeof(CameraNormal) + lit_items(mesh, normals, choice);
+        need[MemoryUse::Tiles] += bytes_to_bin(triangles, tiles);
         if (meshes_.insert(&mesh).second)
             need[MemoryUse::Objects] +=
                 3 * triangles * sizeof(std::uint32_t) + (edges ? triangles * bytes_of_edges : 0);
@@ -96,9 +97,9 @@ class ObjectsMemory {
         need[MemoryUse::Objects] +=
             normals.normals * sizeof(glm::vec3) + normals.corners * sizeof(std::uint32_t);
         if (normals.averaged)
-            most_meanwhile_ =
-                std::max(most_meanwhile_, normals.normals * bytes_of_sum +
-                                              (o.crease_deg < 180 ? triangles * bytes_of_edges : 0));
+            max_meanwhile_ =
+                std::max(max_meanwhile_, normals.normals * bytes_of_sum +
+                                             (o.crease_deg < 180 ? triangles * bytes_of_edges : 0));
     }
 
     /// Corners or faces that may be lit, each as it is and turned round; few are seen from both sides.
@@ -111,21 +112,21 @@ class ObjectsMemory {
         return items * (2 * (sizeof(std::uint8_t) + sizeof(std::uint32_t)) + bytes_of_point);
     }
 
-    std::uint64_t most_meanwhile_ = 0;
+    std::uint64_t max_meanwhile_ = 0;
     std::set<const Mesh*> meshes_;
     std::set<std::tuple<const Mesh*, NormalSource, NormalWeighting, float>> options_;
 };
 
-/// Of every pixel, whatever shows there.
+/// The bytes that every pixel takes, whatever shows there.
 std::uint64_t bytes_of_pixels(const Scene& scene, PictureSize size, bool linear, int samples) {
     const std::uint64_t width = static_cast<std::uint64_t>(size.width),
                         height = static_cast<std::uint64_t>(size.height);
-    const std::uint64_t groups = (width + block_size - 1) / block_size * height;
+    const std::uint64_t blocks = (width + block_size - 1) / block_size * height;
     std::uint64_t a_pixel =
         4 * sizeof(std::uint8_t) + sizeof(std::uint32_t) * static_cast<std::uint64_t>(samples);
     if (linear) a_pixel += 3 * sizeof(float);
     if (scene.npr.silhouettes || scene.npr.creases) a_pixel += sizeof(float);
-    return width * height * a_pixel + groups * 2 * sizeof(std::uint16_t) + height * sizeof(SampledRow);
+    return width * height * a_pixel + blocks * 2 * sizeof(std::uint16_t) + height * sizeof(SampledRow);
 }
 
 /// What depends on where the objects show: guessed from their bounds on the screen.
@@ -137,22 +138,23 @@ class ShownMemory {
         for (const Object& object : scene.objects)
             add(extent_of(object, clip_from_world, size), static_cast<double>(object.mesh->triangles.size()),
                 samples);
-        const double groups = std::ceil(size.width / double(block_size)) * size.height;
+        const double blocks = std::ceil(size.width / double(block_size)) * size.height;
         // Where objects lie before one another, a row of 16 pixels is divided at their outlines at most.
-        const double runs = std::min(runs_, groups + outline_rows_) + divided_;
-        need +=
-            memory_need(MemoryUse::Pixels, bytes_of_runs(choice, static_cast<std::uint64_t>(runs), samples));
+        const double groups = std::min(groups_, blocks + outline_rows_) + divided_;
+        need += memory_need(MemoryUse::Pixels,
+                            bytes_of_groups(choice, static_cast<std::uint64_t>(groups), samples));
         need += memory_need(MemoryUse::Tiles, static_cast<std::uint64_t>(entries_) * sizeof(TileEntry));
     }
     MemoryNeed need;
 
   private:
     void add(const Extent& extent, double triangles, int samples) {
-        const double runs = (extent.width / double(block_size) + 2) * (extent.height + 1);
-        runs_ += runs;
+        const double groups = (extent.width / double(block_size) + 2) * (extent.height + 1);
+        groups_ += groups;
         outline_rows_ += 2 * (extent.height + 1);
         if (triangles == 0) return;
-        if (samples > 1) divided_ += runs * more_runs(triangles / 2 / std::max(extent.area(), 1.0), samples);
+        if (samples > 1)
+            divided_ += groups * more_groups(triangles / 2 / std::max(extent.area(), 1.0), samples);
         // Half of them are seen, and a triangle fills half its box.
         const double side =
             std::min(std::sqrt(4 * extent.area() / triangles) / tile_size + 1, double(CellGrid::widest));
@@ -160,10 +162,10 @@ class ShownMemory {
                     std::min(side * side, (extent.width / tile_size + 2) * (extent.height / tile_size + 2));
     }
 
-    /// Several samples make one more run of 16 pixels where an edge passes through one of them, a few more
+    /// Several samples make one more group of 16 pixels where an edge passes through one of them, a few more
     /// where a vertex lies in one, and one a sample where triangles are as small as pixels. `density`:
     /// triangles that are seen, a pixel; their edges are then about 4.6 sqrt(density) long, a pixel.
-    static double more_runs(double density, int samples) {
+    static double more_groups(double density, int samples) {
         const double edges = 4.6 * std::sqrt(density) * double(block_size),
                      vertices = density / 2 * double(block_size);
         const double more =
@@ -171,7 +173,7 @@ class ShownMemory {
         return std::min(more, samples - 1.0);
     }
 
-    double runs_ = 0, outline_rows_ = 0, divided_ = 0, entries_ = 0;
+    double groups_ = 0, outline_rows_ = 0, divided_ = 0, entries_ = 0;
 };
 
 }  // namespace

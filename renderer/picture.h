@@ -16,10 +16,7 @@ struct Picture {
     std::vector<float> linear;  // 3 floats a pixel, same order: linear colour before exposure, unclamped;
                                 // empty unless asked for
 
-    [[nodiscard]] std::size_t pixel(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
-               static_cast<std::size_t>(x);
-    }
+    [[nodiscard]] std::size_t pixel(int x, int y) const { return size.index(x, y); }
     [[nodiscard]] glm::vec3 linear_at(int x, int y) const {
         const float* p = &linear[3 * pixel(x, y)];
         return {p[0], p[1], p[2]};
@@ -28,7 +25,7 @@ struct Picture {
 
 /// Bytes of `rgba` of a picture of that size.
 [[nodiscard]] inline std::uint64_t picture_memory(PictureSize size) {
-    return 4 * static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
+    return 4 * std::uint64_t{size.pixels()};
 }
 
 }  // namespace glint

@@ -21,12 +21,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int most_threads = 256;
+constexpr int max_threads = 256;
 
 /// Lets the library start more threads than there are cores, when asked for. One for the whole process,
 /// because of several the smallest would count.
 void allow_threads() {
-    static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, most_threads);
+    static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, max_threads);
 }
 
 double ms_since(Clock::time_point start) {
@@ -62,16 +62,16 @@ struct Renderer::Kept {
         MemoryNeed own = share.need();
         own += stages.visibility.tiles.share.need();
         own += stages.surface.share.need();
-        own += stages.lighting.share.need();
+        own += stages.lighting.moving_light.memory();
         require_memory(all, own);
         share.set(memory.certain);
     }
 
     /// As if nothing had ever been drawn, and all memory given back.
     void forget() {
-        const bool keep_sums = stages.lighting.keep_sums;
+        const bool follow = stages.lighting.moving_light.allowed;
         stages = KeptStages{};
-        stages.lighting.keep_sums = keep_sums;
+        stages.lighting.moving_light.allowed = follow;
         warnings.clear();
         share = {};
         drawn = false;
@@ -95,7 +95,7 @@ struct Renderer::Kept {
         for (std::size_t o = 0; o < scene.objects.size(); ++o)
             for (const std::string& w : stages.surface.normals[o].of_mesh->warnings)
                 add(source_name(scene.objects[o].source) + ": " + w);
-        if ((scene.npr.silhouettes || scene.npr.creases) && scene.npr.stroke_width_px > most_stroke_width_px)
+        if ((scene.npr.silhouettes || scene.npr.creases) && scene.npr.stroke_width_px > max_stroke_width_px)
             add("a stroke wider than 100 pixels is drawn 100 pixels wide");
         if (scene.shading.rules != Rules::OpenGL2) return;
         const auto clamped = std::count_if(scene.objects.begin(), scene.objects.end(), [](const Object& o) {
@@ -108,7 +108,7 @@ struct Renderer::Kept {
 };
 
 Renderer::Renderer(int threads)
-    : kept_(std::make_unique<Kept>(threads > 0 ? std::min(threads, most_threads)
+    : kept_(std::make_unique<Kept>(threads > 0 ? std::min(threads, max_threads)
                                                : tbb::info::default_concurrency())) {
     allow_threads();
 }
@@ -159,7 +159,7 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
     return s.lighting.picture;
 }
 
-void Renderer::keep_sums(bool keep) { kept_->stages.lighting.keep_sums = keep; }
+void Renderer::keep_sums(bool keep) { kept_->stages.lighting.moving_light.allowed = keep; }
 const FrameStats& Renderer::stats() const { return kept_->stats; }
 const Warnings& Renderer::warnings() const { return kept_->warnings; }
 Explanation Renderer::explain(int x, int y) const { return explain_pixel(kept_->stages, x, y); }
@@ -178,7 +178,7 @@ std::optional<SeenPoint> Renderer::seen_at(int x, int y) const {
     const std::uint32_t triangle = s.visibility.triangle_at(s.lighting.picture.pixel(x, y));
     if (triangle == no_triangle) return std::nullopt;
     const SampleFace face = sample_face(s.surface.choice, s.geometry, s.visibility, x, y);
-    const PlacedNormal at = pixel_point(s.surface, s.geometry, face);
+    const PositionNormal at = pixel_point(s.surface, s.geometry, face);
     return SeenPoint{static_cast<int>(face.object), s.geometry.triangle(face.object, triangle).face, at.p,
                      at.n};
 }

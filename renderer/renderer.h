@@ -29,7 +29,7 @@ struct FrameStats {
     std::uint64_t shaded_pixels = 0;  // pixels that show a surface
     std::uint64_t evaluations = 0;    // of the lighting equation: points lit x enabled lights
     int threads = 0;
-    const char* instruction_set = "";  // "sse2", "avx2", "avx512"
+    const char* instruction_set = "";  // scalar, sse2, avx2, avx512 or neon
 };
 
 /// What shows at a pixel. Camera coordinates, scene units.
@@ -42,8 +42,8 @@ struct SeenPoint {
 
 class Renderer {
   public:
-    explicit Renderer(
-        int threads = 0);  // 0: all cores. The picture is the same, bit for bit, for every number
+    /// `threads` = 0: all cores. The picture is the same, bit for bit, for every number.
+    explicit Renderer(int threads = 0);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -68,10 +68,10 @@ class Renderer {
     /// bit. Precondition: render() was called with one sample a pixel, and the pixel is inside the picture.
     [[nodiscard]] Explanation explain(int x, int y) const;
 
-    /// The same pixel if the scene were `other`, which may differ from the drawn one in lights, materials,
-    /// ambient light, display and shading, but in nothing that decides which face a pixel shows (camera,
-    /// meshes, transforms, `cull`) nor in strokes. Equal to render(other) and explain(), to the last bit, at
-    /// the cost of one pixel; the picture stays.
+    /// Explains the pixel as if the scene were `other`, which may differ from the drawn one in lights,
+    /// materials, ambient light, display and shading, but in nothing that decides which face a pixel shows
+    /// (camera, meshes, transforms, `cull`) nor in strokes. Equal to render(other) and explain(), to the last
+    /// bit, at the cost of one pixel; the picture stays.
     [[nodiscard]] Explanation explain_as(const Scene& other, int x, int y) const;
 
     /// Object index at a pixel of the last picture, or -1.

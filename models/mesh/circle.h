@@ -10,11 +10,11 @@ struct CosSin {
     double c, s;
 };
 
-/// Of the angle 2 pi k / n, n >= 1, |k| and n below 2^59. Exactly symmetric: eighths of a turn are
-/// reflections of one another, and the four axes are hit exactly. Error below 1e-15.
+/// Cosine and sine of the angle 2 pi k / n, n >= 1, |k| and n below 2^59. Exactly symmetric: eighths of a
+/// turn are reflections of one another, and the four axes are hit exactly. Error below 1e-15.
 [[nodiscard]] CosSin on_circle(std::int64_t k, std::int64_t n);
 
-/// Of an angle in radians, |angle| below 1000. Error below 1e-13.
+/// Cosine and sine of an angle in radians, |angle| below 1000. Error below 1e-13.
 [[nodiscard]] CosSin cos_sin(double angle);
 
 /// The angle in radians, 0 to pi, of the direction (x, y) with y >= 0; 0 for (0, 0). Error below 1e-9.

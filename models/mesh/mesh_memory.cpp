@@ -6,8 +6,8 @@
 namespace glint {
 namespace {
 
-// Of a triangle, with its part of the vertices, polygons and normals. While a primitive is made its places
-// are doubles, and lists that grow are there twice. Of all primitives the cube needs most.
+// Bytes of a triangle, with its part of the vertices, polygons and normals. While a primitive is made its
+// places are doubles, and lists that grow are there twice. Of all primitives the cube needs most.
 constexpr std::uint64_t bytes_a_triangle_to_make = 260, bytes_a_triangle_once_made = 96;
 constexpr std::uint64_t bytes_of_the_smallest = 1 << 16;
 

@@ -18,12 +18,6 @@ void warn_of_missing(std::size_t corners, Warnings& warnings) {
          "corners have no normal; their vertex normals are used");
 }
 
-glm::vec3 unit_or_zero(const glm::vec3& v) {
-    const glm::dvec3 d(v);
-    const double length = std::sqrt(glm::dot(d, d));
-    return length > 0 ? glm::vec3(d / length) : glm::vec3(0);
-}
-
 CornerNormals facet_normals(const Mesh& mesh) {
     CornerNormals result;
     result.normals.resize(mesh.face_count());
@@ -49,7 +43,7 @@ std::vector<std::size_t> corners_without_normal(const Mesh& mesh) {
 CornerNormals given_normals(const Mesh& mesh, const NormalOptions& options) {
     CornerNormals result;
     result.normals.reserve(mesh.normals.size());
-    for (const glm::vec3& n : mesh.normals) result.normals.push_back(unit_or_zero(n));
+    for (const glm::vec3& n : mesh.normals) result.normals.push_back(glm::vec3(unit_or_zero(glm::dvec3(n))));
     result.corner = mesh.corner_normal;
     const std::vector<std::size_t> without = corners_without_normal(mesh);
     if (without.empty()) return result;
@@ -77,6 +71,11 @@ NormalSource automatic(GivenNormals given) {
 }
 
 }  // namespace
+
+glm::dvec3 unit_or_zero(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    return length > 0 ? v / length : glm::dvec3(0);
+}
 
 glm::vec3 facet_normal(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
     return glm::vec3(triangle_plane(a, b, c).normal);

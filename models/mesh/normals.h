@@ -19,6 +19,9 @@ struct NormalOptions {
     bool operator==(const NormalOptions&) const = default;
 };
 
+/// v / |v|; (0, 0, 0) stays so.
+[[nodiscard]] glm::dvec3 unit_or_zero(const glm::dvec3& v);
+
 /// Unit normal of triangle a, b, c, on the side from which they run counter-clockwise.
 /// Three points in one frame, any unit of length; the result is in that frame.
 /// Degenerate (equal or collinear corners): (0, 0, 0), which lights black and is counted by `glint info`.

@@ -14,11 +14,11 @@ struct PolygonPlane {
     double area = 0;       // of the projection along the normal, in square scene units
 };
 
-/// Of the triangle a, b, c. No area when |(b - a) x (c - a)| <= 1e-12 (longest edge)^2.
+/// The plane of the triangle a, b, c. No area when |(b - a) x (c - a)| <= 1e-12 (longest edge)^2.
 [[nodiscard]] PolygonPlane triangle_plane(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
-/// Of polygon `face` by Newell's method; the same threshold, so fewer than three distinct corners have no
-/// area.
+/// The plane of polygon `face` by Newell's method; the same threshold, so fewer than three distinct corners
+/// have no area.
 [[nodiscard]] PolygonPlane polygon_plane(const Mesh& mesh, std::size_t face);
 
 /// Appends the corners of polygon `face` that do not repeat the place of the corner before them (the last

@@ -31,7 +31,7 @@ struct Topology {
     }
 };
 
-/// Degenerate polygons are included; a side from a vertex to itself is no edge.
+/// Degenerate polygons are included; a side from a vertex to itself is not an edge.
 /// Time: about linear (n log n in what OpenMesh cannot hold).
 [[nodiscard]] Topology make_topology(const Mesh& mesh);
 

@@ -38,6 +38,14 @@ inline constexpr int max_picture_side = 16384;
 struct PictureSize {
     int width = 1280, height = 720;
     bool operator==(const PictureSize&) const = default;
+
+    [[nodiscard]] std::size_t pixels() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
+    /// Pixels are numbered row by row from the upper left corner. Precondition: (x, y) lies inside.
+    [[nodiscard]] std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
 };
 
 /// Camera coordinates from world coordinates: rows (u, -u.eye), (v, -v.eye), (w, -w.eye), (0 0 0 1), with

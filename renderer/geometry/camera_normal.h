@@ -7,7 +7,7 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// As long as the matrix leaves it.
+/// Transforms a normal to camera coordinates; its length is what the matrix leaves.
 template <Number D> Vec3<D> to_camera(const Matrix3& m, Vec3<D> n) {
     const auto row = [&](int r) {
         return D(m.column[0][r]) * n.x + D(m.column[1][r]) * n.y + D(m.column[2][r]) * n.z;
@@ -15,6 +15,7 @@ template <Number D> Vec3<D> to_camera(const Matrix3& m, Vec3<D> n) {
     return {row(0), row(1), row(2)};
 }
 
+/// v / |v|, correctly rounded divisions; (0, 0, 0) stays so.
 template <Number D> Vec3<D> unit_or_zero(Vec3<D> v) {
     const D length = square_root(dot(v, v));
     const auto any_length = length > D(0);

@@ -1,19 +1,12 @@
 #include "renderer/geometry/clip.h"
 
-#include <array>
 #include <glm/geometric.hpp>
 
 namespace glint {
 namespace {
 
-// A plane as the row to multiply: inside where dot(plane, corner) >= 0.
-using Plane = glm::dvec4;
-constexpr std::array<Plane, 6> planes{Plane{0, 0, 1, 1},          Plane{0, 0, -1, 1},
-                                      Plane{1, 0, 0, guard_band}, Plane{-1, 0, 0, guard_band},
-                                      Plane{0, 1, 0, guard_band}, Plane{0, -1, 0, guard_band}};
-
 /// `kept`: its memory is used for what stays.
-void clip_to_plane(std::vector<glm::dvec4>& polygon, std::vector<glm::dvec4>& kept, const Plane& plane) {
+void clip_to_plane(std::vector<glm::dvec4>& polygon, std::vector<glm::dvec4>& kept, const glm::dvec4& plane) {
     kept.clear();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const glm::dvec4 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
@@ -29,7 +22,8 @@ void clip_to_plane(std::vector<glm::dvec4>& polygon, std::vector<glm::dvec4>& ke
 }  // namespace
 
 void clip_polygon(std::vector<glm::dvec4>& polygon, std::vector<glm::dvec4>& spare) {
-    for (const Plane& plane : planes) clip_to_plane(polygon, spare, plane);
+    constexpr auto planes = view_planes(guard_band, guard_band);
+    for (const glm::dvec4& plane : planes) clip_to_plane(polygon, spare, plane);
 }
 
 }  // namespace glint

@@ -60,11 +60,12 @@ void take_meshes(std::vector<ObjectGeometry>& objects, const Scene& scene) {
     }
 }
 
-void place_objects(Geometry& g, const Scene& scene) {
+void transform_objects(Geometry& g, const Scene& scene) {
     const glm::dmat4 view = view_from_world(scene.camera);
     VertexJob job;
-    job.clip_from_view = matrix_of(clip_from_view(scene.camera.projection, g.size));
-    job.screen = screen_job(scene.camera, g.size);
+    g.clip_from_view = clip_from_view(scene.camera.projection, g.size);
+    job.clip_from_view = matrix_of(g.clip_from_view);
+    job.viewport = viewport_of(scene.camera, g.size);
     g.objects.resize(scene.objects.size());
     take_meshes(g.objects, scene);
     g.triangle_count = 0;
@@ -72,6 +73,7 @@ void place_objects(Geometry& g, const Scene& scene) {
         ObjectGeometry& o = g.objects[i];
         o.transform = scene.objects[i].transform;
         o.view_from_object = view * world_from_object(o.transform);
+        o.clip_from_object = g.clip_from_view * o.view_from_object;
         const glm::dmat3 linear(o.view_from_object);
         o.mirrored = glm::determinant(linear) < 0;
         o.normal_matrix = glm::transpose(glm::inverse(linear));
@@ -91,8 +93,8 @@ bool same_inputs(const Geometry& kept, const Scene& scene, PictureSize size) {
     return true;
 }
 
-/// Their numbers have 30 bits. A scene that is read is refused before (load_meshes); one that grows in memory
-/// ends here.
+/// Throws Refused for too many triangles: their numbers have 30 bits. A scene that is read is refused before
+/// (load_meshes); one that grows in memory ends here.
 void count_triangles(const Scene& scene) {
     std::size_t triangles = 0;
     for (const Object& o : scene.objects) triangles += o.mesh->triangles.size();
@@ -103,10 +105,10 @@ void count_triangles(const Scene& scene) {
 
 }  // namespace
 
-glm::vec3 ObjectGeometry::place(std::uint32_t position) const {
-    const glm::vec3 p(vertices[position].x, vertices[position].y, vertices[position].z);
-    if (glm::dot(p, p) <= static_cast<float>(farthest_place * farthest_place)) return p;
-    const glm::dvec4 object(glm::dvec3(mesh->positions[position]), 1.0);
+glm::vec3 ObjectGeometry::position(std::uint32_t index) const {
+    const glm::vec3 p(vertices[index].x, vertices[index].y, vertices[index].z);
+    if (glm::dot(p, p) <= static_cast<float>(max_distance * max_distance)) return p;
+    const glm::dvec4 object(glm::dvec3(mesh->positions[index]), 1.0);
     return glm::vec3(not_too_far(glm::dvec3(view_from_object * object)));
 }
 
@@ -122,7 +124,7 @@ bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size) {
     count_triangles(scene);
     kept.size = size;
     kept.camera = scene.camera;
-    place_objects(kept, scene);
+    transform_objects(kept, scene);
     return true;
 }
 

@@ -22,22 +22,23 @@ struct ObjectGeometry {
     Transform transform;
     bool mirrored = false;  // the transform turns the winding over; facets stay outward all the same
     std::uint32_t first_triangle = 0;  // its triangles have the global numbers first_triangle + 0, 1, 2, ...
-    glm::dmat4 view_from_object{1.0};
+    glm::dmat4 view_from_object{1.0}, clip_from_object{1.0};
     glm::dmat3 normal_matrix{1.0};  // inverse transpose of its upper 3 x 3
     // Three a triangle, indices into vertices: of the mesh, and so the same list for all objects of one mesh.
     std::shared_ptr<const std::vector<std::uint32_t>> vertices_of_mesh;
     std::span<const std::uint32_t> triangle_vertices;  // its numbers
-    std::vector<PlacedVertex> vertices;                // #V
+    std::vector<TransformedVertex> vertices;           // #V
     std::vector<ScreenVertex> screen;                  // #V
 
-    /// A position of the mesh in camera coordinates; one farther than `farthest_place`, as far in the same
+    /// A position of the mesh in camera coordinates; one farther than `max_distance`, as far in the same
     /// direction.
-    [[nodiscard]] glm::vec3 place(std::uint32_t position) const;
+    [[nodiscard]] glm::vec3 position(std::uint32_t index) const;
 };
 
 struct Geometry {
     Camera camera;
     PictureSize size{0, 0};
+    glm::dmat4 clip_from_view{1.0};
     std::vector<ObjectGeometry> objects;
     std::uint32_t triangle_count = 0;  // at most max_scene_triangles
 

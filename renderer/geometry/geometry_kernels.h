@@ -6,26 +6,27 @@
 
 namespace glint {
 
-inline constexpr int subpixels = 256;  // the rasteriser's grid, per pixel
+inline constexpr int subpixel_bits = 8;
+inline constexpr int subpixels = 1 << subpixel_bits;  // the rasteriser's grid, per pixel
 
 /// A vertex on the rasteriser's grid, y down, (0, 0) the picture's upper left corner. Four numbers, read at
 /// once.
 struct alignas(16) ScreenVertex {
     std::int32_t x = 0, y = 0;  // 1/256 pixel
-    float nearness = 0;  // linear on the screen, larger is nearer: 1/w, or (1 - z_ndc)/2 when orthographic
-    std::uint32_t outside =
-        0;  // OutsideBits (outside_bits.h); with one of `needs_clipping` the rest has no meaning
+    float inv_w = 0;  // depth, linear on the screen, larger is nearer: inv_w_of (viewport_transform.h)
+    /// OutsideBits (outside_bits.h); with one of `needs_clipping` the rest has no meaning.
+    std::uint32_t outside = 0;
 };
 
 /// A vertex as shading needs it: two records of four numbers, each read at once.
-struct alignas(32) PlacedVertex {
+struct alignas(32) TransformedVertex {
     float clip_x = 0, clip_y = 0, clip_w = 0;  // clip coordinates
     std::uint32_t outside = 0;                 // OutsideBits
     float x = 0, y = 0, z = 0;                 // camera coordinates
     float unused = 0;
 };
 
-/// A unit normal in camera coordinates, likewise.
+/// A unit normal, or zero, in camera coordinates: four numbers, read at once.
 struct alignas(16) CameraNormal {
     float x = 0, y = 0, z = 0, unused = 0;
 };
@@ -35,9 +36,9 @@ struct Matrix4 {
     double column[4][4];
 };
 
-/// How clip coordinates come onto the grid.
-struct ScreenJob {
-    double width = 0, height = 0;  // of the picture, pixels
+/// The picture as the target of the projection (viewport_transform.h).
+struct Viewport {
+    double width = 0, height = 0;  // pixels
     bool orthographic = false;
 };
 
@@ -45,8 +46,8 @@ struct ScreenJob {
 struct VertexJob {
     const float* positions = nullptr;  // object coordinates, three a vertex
     Matrix4 view_from_object, clip_from_view;
-    ScreenJob screen;
-    PlacedVertex* vertices = nullptr;
+    Viewport viewport;
+    TransformedVertex* vertices = nullptr;
     ScreenVertex* on_screen = nullptr;
 };
 
@@ -67,7 +68,7 @@ struct GeometryKernels {
     void (*transform_normals)(const NormalJob& job, std::size_t begin, std::size_t end);
 };
 
-/// Of the set that instruction_set.h chooses.
+/// The kernels of the instruction set that is in use (instruction_set.h).
 const GeometryKernels& geometry_kernels();
 
 }  // namespace glint

@@ -12,11 +12,11 @@ namespace glint::inline GLINT_ISA {
 /// the eye (1 for an orthographic camera).
 template <Number F> struct ClipCorner { F x{}, y{}, w{}; };
 
-/// A place on the screen: x and y from -1 (left, bottom) to 1 (right, top).
+/// A position on the screen in NDC: x and y from -1 (left, bottom) to 1 (right, top).
 template <Number F> struct ScreenPoint { F x{}, y{}; };
 
-/// Of a place in pixels, y down, in a picture of width x height.
-template <Number F> ScreenPoint<F> screen_point(F x, F y, F width, F height) {
+/// Converts a position in pixels, y down, in a picture of width x height: the inverse of to_pixel.
+template <Number F> ScreenPoint<F> to_ndc(F x, F y, F width, F height) {
     return {F(2) * x / width - F(1), F(1) - F(2) * y / height};
 }
 
@@ -39,7 +39,7 @@ Vec3<F> edge_functions(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, Screen
 template <Number F>
 Vec3<F> perspective_weights(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, ScreenPoint<F> at) {
     Vec3<F> e = edge_functions(a, b, c, at);
-    e = {positive(e.x), positive(e.y), positive(e.z)};
+    e = {max0(e.x), max0(e.y), max0(e.z)};
     const F inverse = inverse_or_zero(e.x + e.y + e.z), third = F(1.0f / 3);
     return select<F>(inverse > F(0), inverse * e, Vec3<F>{third, third, third});
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "renderer/geometry/camera_normal.h"
+#include "renderer/simd/glm_vec3.h"
 
 namespace glint {
 namespace {
@@ -30,8 +31,6 @@ Vec3<double> object_normal(glm::vec3 n, const NormalMistakes& mistakes) {
     return {taken.x, taken.y, taken.z};
 }
 
-glm::vec3 to_glm(Vec3<double> v) { return {v.x, v.y, v.z}; }
-
 /// Lengths that a file's normals had before they were made unit, one for each of `of_mesh->normals`.
 std::vector<float> given_lengths(const ObjectNormals& normals) {
     std::vector<float> lengths(normals.of_mesh->normals.size(), 1);
@@ -50,8 +49,9 @@ std::vector<float> given_lengths(const ObjectNormals& normals) {
     return lengths;
 }
 
-/// As the mistakes would have them.
-void misplace_normals(ObjectNormals& normals, const Matrix3& matrix, const NormalMistakes& mistakes) {
+/// Transforms the normals as the mistakes would have them.
+void transform_mistaken_normals(ObjectNormals& normals, const Matrix3& matrix,
+                                const NormalMistakes& mistakes) {
     std::vector<float> lengths;
     if (mistakes.unnormalized) lengths = given_lengths(normals);
     tbb::parallel_for(std::size_t{0}, normals.normals.size(), [&](std::size_t i) {
@@ -64,11 +64,12 @@ void misplace_normals(ObjectNormals& normals, const Matrix3& matrix, const Norma
     });
 }
 
-void place_normals(ObjectNormals& normals, const ObjectGeometry& object, const NormalMistakes& mistakes) {
+void transform_normals(ObjectNormals& normals, const ObjectGeometry& object, const NormalMistakes& mistakes) {
     const std::vector<glm::vec3>& from = normals.of_mesh->normals;
     normals.normals.resize(from.size());
     const Matrix3 matrix = camera_matrix(object, mistakes);
-    if (mistakes.unnormalized || mistakes.none_given) return misplace_normals(normals, matrix, mistakes);
+    if (mistakes.unnormalized || mistakes.none_given)
+        return transform_mistaken_normals(normals, matrix, mistakes);
     if (from.empty()) return;
     const NormalJob job{&from.front().x, matrix, normals.normals.data()};
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from.size(), 4096), [&job](const auto& range) {
@@ -115,7 +116,7 @@ void update_normals(std::vector<ObjectNormals>& kept, const Scene& scene, const 
                     const NormalMistakes& mistakes) {
     kept.resize(scene.objects.size());
     take_normals(kept, scene);
-    for (std::size_t o = 0; o < kept.size(); ++o) place_normals(kept[o], g.objects[o], mistakes);
+    for (std::size_t o = 0; o < kept.size(); ++o) transform_normals(kept[o], g.objects[o], mistakes);
 }
 
 bool same_normals(const std::vector<ObjectNormals>& kept, const Scene& scene) {

@@ -1,6 +1,6 @@
 #pragma once
-// The normals of the objects as shading takes them: camera coordinates, unit.
-// Lecture: "Vertex Normals"; formulas: a normal goes by the inverse transpose of the points' matrix.
+// The normals of the objects as shading takes them: camera coordinates, unit. Lecture: "Vertex Normals"; a
+// normal is transformed by the inverse transpose of the points' matrix.
 
 #include <memory>
 #include <vector>

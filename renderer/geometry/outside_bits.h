@@ -24,8 +24,8 @@ inline constexpr double guard_band = 64;
 
 /// Within these w, products of two corners' clip coordinates fit a float, and keep its digits where the
 /// corners lie close together. Beyond, pixels are placed in doubles.
-inline constexpr double least_float_w = 1e-12, most_float_w = 1e15;
+inline constexpr double min_float_w = 1e-12, max_float_w = 1e15;
 /// So far from the eye a place may be for the square of its distance to fit a float.
-inline constexpr double farthest_place = 1e18;
+inline constexpr double max_distance = 1e18;
 
 }  // namespace glint

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 
 #include "models/scene/camera.h"
+#include "renderer/geometry/interpolate.h"
 #include "renderer/geometry/viewport_transform.h"
 
 namespace glint {
@@ -17,9 +19,23 @@ namespace glint {
     return out;
 }
 
-[[nodiscard]] inline ScreenJob screen_job(const Camera& camera, PictureSize size) {
+[[nodiscard]] inline Viewport viewport_of(const Camera& camera, PictureSize size) {
     return {static_cast<double>(size.width), static_cast<double>(size.height),
             is_orthographic(camera.projection)};
+}
+
+/// The kernels' to_pixel and inv_w_of for GLM's vectors. Precondition: clip.w != 0.
+[[nodiscard]] inline glm::dvec2 to_pixel(const Viewport& viewport, const glm::dvec4& clip) {
+    const PixelPoint<double> at = to_pixel(viewport, Point4<double>{clip.x, clip.y, clip.z, clip.w});
+    return {at.x, at.y};
+}
+[[nodiscard]] inline double inv_w_of(const Viewport& viewport, const glm::dvec4& clip) {
+    return inv_w_of(viewport, Point4<double>{clip.x, clip.y, clip.z, clip.w});
+}
+/// The inverse of to_pixel: x and y from -1 (left, bottom) to 1 (right, top).
+[[nodiscard]] inline glm::dvec2 to_ndc(const Viewport& viewport, glm::dvec2 pixel) {
+    const ScreenPoint<double> at = to_ndc(pixel.x, pixel.y, viewport.width, viewport.height);
+    return {at.x, at.y};
 }
 
 /// A corner that the near plane has left, but where it lies beyond it by more than rounding takes from usual
@@ -39,10 +55,10 @@ namespace glint {
 }
 
 /// Precondition: held_in_view().
-[[nodiscard]] inline ScreenVertex to_screen(const ScreenJob& screen, const glm::dvec4& clip) {
-    const GridPoint<double> at = grid_point(screen, Point4<double>{clip.x, clip.y, clip.z, clip.w});
+[[nodiscard]] inline ScreenVertex to_screen(const Viewport& viewport, const glm::dvec4& clip) {
+    const GridPoint<double> at = grid_point(viewport, Point4<double>{clip.x, clip.y, clip.z, clip.w});
     return {static_cast<std::int32_t>(nearest(at.x)), static_cast<std::int32_t>(nearest(at.y)),
-            static_cast<float>(at.nearness)};
+            static_cast<float>(at.inv_w)};
 }
 
 }  // namespace glint

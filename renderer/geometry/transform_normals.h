@@ -12,7 +12,7 @@ void eight_normals(const NormalJob& job, std::size_t first, std::size_t count, C
     using D = typename HalfAsMany<F>::Type;
     constexpr int eight = 8;
     float n[3][eight], lists[4][eight] = {};
-    lists_of_triples(job.normals + 3 * first, count, n);
+    transpose_triples(job.normals + 3 * first, count, n);
     for (int i = 0; i < eight; i += HalfAsMany<F>::width) {
         const Vec3<D> object{widened<D>(n[0] + i), widened<D>(n[1] + i), widened<D>(n[2] + i)};
         const Vec3<D> camera = unit_or_zero(to_camera(job.matrix, object));
@@ -20,11 +20,11 @@ void eight_normals(const NormalJob& job, std::size_t first, std::size_t count, C
         store_narrowed(lists[1] + i, camera.y);
         store_narrowed(lists[2] + i, camera.z);
     }
-    turn_into_records(lists, out, sizeof(CameraNormal));
+    store_transposed(lists, out, sizeof(CameraNormal));
 }
 
 /// The normals begin .. end - 1.
-template <Number F> void place_normals(const NormalJob& job, std::size_t begin, std::size_t end) {
+template <Number F> void transform_normals(const NormalJob& job, std::size_t begin, std::size_t end) {
     std::size_t first = begin;
     for (; end - first >= 8; first += 8) eight_normals<F>(job, first, 8, job.in_camera + first);
     if (first == end) return;

@@ -8,57 +8,57 @@ namespace glint::inline GLINT_ISA {
 
 inline constexpr int together = 8;  // a multiple of every number of doubles side by side
 
-/// What vertices come to, as lists of numbers in the order of their records: the halves of PlacedVertex, and
-/// ScreenVertex.
+/// What vertices come to, as lists of numbers in the order of their records: the halves of TransformedVertex,
+/// and ScreenVertex.
 struct VertexLists {
     float clip[4][together], camera[4][together] = {}, screen[4][together];
 };
 
-/// Of the vertices i and up; `p`: object coordinates.
+/// Transforms as many vertices as D has lanes, from i on. `p`: object coordinates.
 template <Number D>
-void place_lanes(const VertexJob& job, const float (&p)[3][together], int i, VertexLists& out) {
+void transform_lanes(const VertexJob& job, const float (&p)[3][together], int i, VertexLists& out) {
     const Point4<D> object{widened<D>(p[0] + i), widened<D>(p[1] + i), widened<D>(p[2] + i), D(1)};
     const Point4<D> camera = transformed(job.view_from_object, object);
     const Point4<D> clip = transformed(job.clip_from_view, camera);
     const Outside<D> outside = outside_of(camera, clip);
-    const GridPoint<D> at = grid_point(job.screen, clip);
+    const GridPoint<D> at = grid_point(job.viewport, clip);
     const auto whole = outside.cut <= D(0);  // else it has no place on the grid
     store_narrowed(out.clip[0] + i, clip.x);
     store_narrowed(out.clip[1] + i, clip.y);
     store_narrowed(out.clip[2] + i, clip.w);
-    store_whole(out.clip[3] + i, outside.sides + outside.cut);
+    store_truncated(out.clip[3] + i, outside.sides + outside.cut);
     store_narrowed(out.camera[0] + i, camera.x);
     store_narrowed(out.camera[1] + i, camera.y);
     store_narrowed(out.camera[2] + i, camera.z);
-    store_whole(out.screen[0] + i, nearest(select(whole, at.x, D(0))));
-    store_whole(out.screen[1] + i, nearest(select(whole, at.y, D(0))));
-    store_narrowed(out.screen[2] + i, select(whole, at.nearness, D(0)));
-    store_whole(out.screen[3] + i, outside.sides + outside.cut);
+    store_truncated(out.screen[0] + i, nearest(select(whole, at.x, D(0))));
+    store_truncated(out.screen[1] + i, nearest(select(whole, at.y, D(0))));
+    store_narrowed(out.screen[2] + i, select(whole, at.inv_w, D(0)));
+    store_truncated(out.screen[3] + i, outside.sides + outside.cut);
 }
 
 /// Eight from `first` on; those past the first `count` repeat the first.
 template <Number F>
-void place_eight(const VertexJob& job, std::size_t first, std::size_t count, PlacedVertex* vertices,
-                 ScreenVertex* on_screen) {
+void transform_eight(const VertexJob& job, std::size_t first, std::size_t count, TransformedVertex* vertices,
+                     ScreenVertex* on_screen) {
     float p[3][together];
-    lists_of_triples(job.positions + 3 * first, count, p);
+    transpose_triples(job.positions + 3 * first, count, p);
     VertexLists lists;
     for (int i = 0; i < together; i += HalfAsMany<F>::width)
-        place_lanes<typename HalfAsMany<F>::Type>(job, p, i, lists);
-    turn_into_records(lists.clip, vertices, sizeof(PlacedVertex));
-    turn_into_records(lists.camera, &vertices->x, sizeof(PlacedVertex));
-    turn_into_records(lists.screen, on_screen, sizeof(ScreenVertex));
+        transform_lanes<typename HalfAsMany<F>::Type>(job, p, i, lists);
+    store_transposed(lists.clip, vertices, sizeof(TransformedVertex));
+    store_transposed(lists.camera, &vertices->x, sizeof(TransformedVertex));
+    store_transposed(lists.screen, on_screen, sizeof(ScreenVertex));
 }
 
 /// The vertices begin .. end - 1.
-template <Number F> void place_vertices(const VertexJob& job, std::size_t begin, std::size_t end) {
+template <Number F> void transform_all_vertices(const VertexJob& job, std::size_t begin, std::size_t end) {
     std::size_t first = begin;
     for (; end - first >= together; first += together)
-        place_eight<F>(job, first, together, job.vertices + first, job.on_screen + first);
+        transform_eight<F>(job, first, together, job.vertices + first, job.on_screen + first);
     if (first == end) return;
-    PlacedVertex vertices[together];
+    TransformedVertex vertices[together];
     ScreenVertex on_screen[together];
-    place_eight<F>(job, first, end - first, vertices, on_screen);
+    transform_eight<F>(job, first, end - first, vertices, on_screen);
     for (std::size_t i = 0; first + i < end; ++i) {
         job.vertices[first + i] = vertices[i];
         job.on_screen[first + i] = on_screen[i];

@@ -28,25 +28,36 @@ template <Number D> Outside<D> outside_of(const Point4<D>& camera, const Point4<
                     bit(c.y < -c.w, OutsideBottom) + bit(c.y > c.w, OutsideTop);
     const D g = D(guard_band) * c.w;  // NaN is not within
     const D squared = camera.x * camera.x + camera.y * camera.y + camera.z * camera.z;
-    const D floats = one((c.w - D(least_float_w)) * (D(most_float_w) - c.w) >= D(0)) *
-                     one(squared <= D(farthest_place * farthest_place));
+    const D floats = one((c.w - D(min_float_w)) * (D(max_float_w) - c.w) >= D(0)) *
+                     one(squared <= D(max_distance * max_distance));
     const D within = one(c.x >= -g) * one(c.x <= g) * one(c.y >= -g) * one(c.y <= g) * floats;
     return {sides, bit(c.z < -c.w, OutsideNear) + bit(c.z > c.w, OutsideFar) +
                        (D(1) - within) * D(static_cast<double>(OutsideGuard))};
 }
 
 /// On the rasteriser's grid, in whole units.
-template <Number D> struct GridPoint { D x, y, nearness; };
+template <Number D> struct GridPoint { D x, y, inv_w; };
 
 /// To the nearest whole number, halves away from zero. |a| < 2^31.
 template <Number D> D nearest(D a) {
-    const D towards_zero = whole_part(a), rest = a - towards_zero;  // exact
+    const D towards_zero = truncated(a), rest = a - towards_zero;  // exact
     return towards_zero + select(rest >= D(0.5), D(1), D(0)) - select(rest <= D(-0.5), D(1), D(0));
 }
-template <Number D> GridPoint<D> grid_point(const ScreenJob& screen, const Point4<D>& c) {
-    const D x = (c.x / c.w + D(1)) * D(0.5) * D(screen.width) * D(subpixels);
-    const D y = (D(1) - c.y / c.w) * D(0.5) * D(screen.height) * D(subpixels);
-    return {x, y, screen.orthographic ? D(0.5) * (D(1) - c.z / c.w) : D(1) / c.w};
+/// Pixels: x to the right, y down, (0, 0) the picture's upper left corner. Precondition: w != 0. Source:
+/// OpenGL 2.1, section 2.11.1.
+template <Number D> struct PixelPoint { D x, y; };
+template <Number D> PixelPoint<D> to_pixel(const Viewport& viewport, const Point4<D>& clip) {
+    return {(clip.x / clip.w + D(1)) * D(0.5) * D(viewport.width),
+            (D(1) - clip.y / clip.w) * D(0.5) * D(viewport.height)};
+}
+/// What the depth test compares, larger nearer, linear on the screen: 1/w in perspective, (1 - z_ndc)/2 when
+/// orthographic, where w is 1 everywhere.
+template <Number D> D inv_w_of(const Viewport& viewport, const Point4<D>& clip) {
+    return viewport.orthographic ? D(0.5) * (D(1) - clip.z / clip.w) : D(1) / clip.w;
+}
+template <Number D> GridPoint<D> grid_point(const Viewport& viewport, const Point4<D>& clip) {
+    const PixelPoint<D> at = to_pixel(viewport, clip);
+    return {at.x * D(subpixels), at.y * D(subpixels), inv_w_of(viewport, clip)};
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -74,9 +74,7 @@ class PngWriter {
     png_infop info_ = nullptr;
 };
 
-std::uint64_t pixels_of(PictureSize size) {
-    return static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
-}
+std::uint64_t pixels_of(PictureSize size) { return size.pixels(); }
 constexpr std::uint64_t bytes_beside_pixels = 1 << 20;  // of the libraries
 
 Problem unreadable(const std::string& path, const std::string& what) {

@@ -12,25 +12,25 @@
 namespace glint::inline GLINT_ISA {
 
 GLINT_FLATTEN static void vertices(const VertexJob& job, std::size_t begin, std::size_t end) {
-    place_vertices<Wide>(job, begin, end);
+    transform_all_vertices<Wide>(job, begin, end);
 }
 
 GLINT_FLATTEN static void normals(const NormalJob& job, std::size_t begin, std::size_t end) {
-    place_normals<Wide>(job, begin, end);
+    transform_normals<Wide>(job, begin, end);
 }
 
-GLINT_FLATTEN static void sort(const SortJob& job, std::uint32_t begin, std::uint32_t end,
-                               SortedTriangles& out) {
-    for (std::uint32_t t = begin; t < end; t += GLINT_LANES) sort_lanes<Wide>(job, t, end, out);
+GLINT_FLATTEN static void sort(const BinJob& job, std::uint32_t begin, std::uint32_t end,
+                               BinnedTriangles& out) {
+    for (std::uint32_t t = begin; t < end; t += GLINT_LANES) bin_lanes<Wide>(job, t, end, out);
 }
 
 GLINT_FLATTEN static void draw(const TileJob& job, TilePixels& tile) { draw_tile<Wide>(job, tile); }
 
 GLINT_FLATTEN static void rows(const TilePixels& tile, const TileRows& out) { take_rows<Wide>(tile, out); }
 
-GLINT_FLATTEN static void place(const PlaceJob& job, const PixelRun* runs, std::size_t count, PointBlock* out,
-                                std::uint8_t* usual) {
-    place_runs<Wide>(job, runs, count, out, usual);
+GLINT_FLATTEN static void place(const InterpolateJob& job, const PixelGroup* groups, std::size_t count,
+                                PointBlock* out, std::uint8_t* on_fast_path) {
+    interpolate_groups<Wide>(job, groups, count, out, on_fast_path);
 }
 
 extern const DrawingKernels drawing;

@@ -9,7 +9,7 @@
 
 namespace glint {
 
-/// Of the set in use.
+/// The name of the set in use.
 [[nodiscard]] const char* instruction_set_name();
 
 /// What keeps GLINT_ISA from being obeyed: a name that no set has, or a set that this processor lacks.

@@ -87,7 +87,7 @@ std::optional<InstructionSetProblem> instruction_set_problem() {
     const std::string name = forced;
     InstructionSetProblem found{{}, true};
     found.problem.file = "GLINT_ISA";
-    found.problem.what = name + " is no instruction set";
+    found.problem.what = name + " is not an instruction set";
     std::string names;
     const std::vector<Set> known = sets();
     for (auto set = known.rbegin(); set != known.rend(); ++set)

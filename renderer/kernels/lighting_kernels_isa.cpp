@@ -5,7 +5,7 @@
 #include "renderer/lighting/display.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/blend_points.h"
-#include "renderer/shade/reach.h"
+#include "renderer/shade/group_bounds.h"
 #include "renderer/simd/int_lanes.h"
 #include "renderer/simd/wide.h"
 
@@ -19,8 +19,6 @@ static void store_colors(ColorBlock& out, std::size_t k, Vec3<Wide> c) {
     store(out.b + k, c.z);
 }
 
-constexpr std::size_t batch = 16;  // blocks whose points and sums stay in the first-level cache
-
 /// `Wide` points of a batch, and their sums so far.
 struct Group {
     PointAt<Wide> at;
@@ -31,31 +29,31 @@ union Slot {  // a group that is not filled with zeros first
     Slot() {}
 };
 
-/// Group i's part of the batch that lies behind this one in memory, and may be the next to be lit. Asked for
-/// group by group while the first light is added, so that memory works while the processor computes; all at
-/// once, more would be asked for than it can wait for.
-[[gnu::always_inline]] static inline void ask_for_next(const PointBlock* points, const ColorBlock* begun,
-                                                       std::size_t i) {
+/// Prefetches group i's share of the next batch. Spread over the first light's pass: issuing all lines at
+/// once overflows the line-fill buffers.
+[[gnu::always_inline]] static inline void prefetch_next(const PointBlock* points,
+                                                        const ColorBlock* partial_sums, std::size_t i) {
     constexpr std::size_t share = block_size / GLINT_LANES;
     const auto part_of = [i](const auto* blocks) __attribute__((always_inline)) {
         constexpr std::size_t bytes = sizeof(*blocks) / share;
-        ask_early(reinterpret_cast<const char*>(blocks) + batch * sizeof(*blocks) + i * bytes, bytes);
+        prefetch(reinterpret_cast<const char*>(blocks) + batch_size * sizeof(*blocks) + i * bytes, bytes);
     };
     part_of(points);
-    if (begun) part_of(begun);
+    if (partial_sums) part_of(partial_sums);
 }
 
-/// One reflection model, so that the compiler leaves out what the others need; the text of the equation is
-/// one. flatten: it is many small functions, and each call would pass its vectors through memory.
-/// Light by light over a batch of points: the light stays in registers, whether it reaches the points is
-/// guessed well by the processor, and independent points fill the time that one's long powers take.
+/// Lights a batch by one reflection model, a template argument so that the compiler leaves out what the
+/// others need; the text of the equation is one. flatten: it is many small functions, and each call would
+/// pass its vectors through memory. Light by light over a batch of points: the light stays in registers,
+/// whether it reaches the points is guessed well by the processor, and independent points fill the time that
+/// one's long powers take.
 template <Reflection model, bool any_mistake>
-GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* points, const ColorBlock* begun,
-                                      ColorBlock* colors, std::size_t blocks) {
-    const Equation equation{model, job.terms, any_mistake ? &job.mistakes : nullptr, job.power_table,
-                            numbers_near(job.grid)};
+GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* points,
+                                      const ColorBlock* partial_sums, ColorBlock* colors,
+                                      std::size_t blocks) {
+    const Equation equation = equation_of(job, model, any_mistake);
     const MaterialAt<Wide> material = material_at<Wide>(job.material);
-    Slot slots[batch * block_size / GLINT_LANES];
+    Slot slots[batch_size * block_size / GLINT_LANES];
     const std::size_t count = blocks * block_size / GLINT_LANES;
     for (std::size_t i = 0; i < count; ++i) {
         const PointBlock& in = points[i * GLINT_LANES / block_size];
@@ -64,40 +62,41 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
         const Vec3<Wide> n{load<Wide>(in.nx + k), load<Wide>(in.ny + k), load<Wide>(in.nz + k)};
         Group group;
         group.at = seen_from_eye(job, p, n);
-        if (begun) {
-            const ColorBlock& from = begun[i * GLINT_LANES / block_size];
+        if (partial_sums) {
+            const ColorBlock& from = partial_sums[i * GLINT_LANES / block_size];
             group.sum = {load<Wide>(from.r + k), load<Wide>(from.g + k), load<Wide>(from.b + k)};
         } else {
-            group.sum = before_lights(job, group.at);
+            group.sum = begin_sum(job, group.at);
         }
         slots[i].group = group;
     }
     for (std::size_t l = 0; l < job.light_count; ++l) {
         const auto add = [&](const LightAt<Wide>& light) {
             const LightColors<Wide> reflected = colors_on(material, light);
-            // One group behind: its root and quotients were begun before the group in front was finished, and
-            // are there when they are needed. The processor alone looks ahead no farther than a group or two.
+            // Software pipelining, depth 1: starts group i's square root and divisions, then finishes the
+            // group before. The processor alone looks ahead no farther than a group or two.
             std::size_t behind = count;
-            ToLight<Wide> towards_behind;
-            Arrival<Wide> arrival_behind;
+            LightVector<Wide> towards_behind;
+            Attenuation<Wide> attenuation_behind;
             const auto finish = [&] {
                 Group& group = slots[behind].group;
-                add_light(group.sum, equation, light, material, reflected, towards_behind, arrival_behind,
-                          group.at);
+                add_light(group.sum, equation, light,
+                          illuminate(equation, light, material, reflected, towards_behind, attenuation_behind,
+                                     group.at));
             };
             for (std::size_t i = 0; i < count; ++i) {
-                if (l == 0) ask_for_next(points, begun, i);
-                const ToLight<Wide> towards = to_light(light, slots[i].group.at);
+                if (l == 0) prefetch_next(points, partial_sums, i);
+                const LightVector<Wide> towards = light_vector(light, slots[i].group.at);
                 if (!may_add(equation, light, towards)) continue;
-                const Arrival<Wide> begins = arrival(light, towards);
+                const Attenuation<Wide> begins = attenuation(light, towards);
                 if (behind < count) finish();
                 behind = i;
                 towards_behind = towards;
-                arrival_behind = begins;
+                attenuation_behind = begins;
             }
             if (behind < count) finish();
         };
-        // Said once for each usual kind, so that the compiler leaves out what the others need.
+        // Three specialised copies of the loop: any light, a plain point light, a plain directional light.
         LightAt<Wide> light = light_at<Wide>(job.lights[l]);
         if (any_mistake || light.has_cone || light.is_patch || light.has_ambient) {
             add(light);
@@ -114,56 +113,55 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
     for (std::size_t i = 0; i < count; ++i) {
         ColorBlock& out = colors[i * GLINT_LANES / block_size];
         const std::size_t k = i * GLINT_LANES % block_size;
-        const Vec3<Wide> sum = job.clamp ? clamped(slots[i].group.sum) : slots[i].group.sum;
-        store_colors(out, k, sum);
+        store_colors(out, k, end_sum(job, slots[i].group.sum));
     }
 }
 
 template <Reflection model, bool any_mistake>
-static void light_as(const LightJob& job, const PointBlock* points, const ColorBlock* begun,
+static void light_as(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
                      ColorBlock* colors, std::size_t blocks) {
-    for (std::size_t i = 0; i < blocks; i += batch)
-        light_batch<model, any_mistake>(job, points + i, begun ? begun + i : nullptr, colors + i,
-                                        i + batch < blocks ? batch : blocks - i);
+    for (std::size_t i = 0; i < blocks; i += batch_size)
+        light_batch<model, any_mistake>(job, points + i, partial_sums ? partial_sums + i : nullptr,
+                                        colors + i, i + batch_size < blocks ? batch_size : blocks - i);
 }
 
 template <bool any_mistake>
-static void light_with(const LightJob& job, const PointBlock* points, const ColorBlock* begun,
+static void light_with(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
                        ColorBlock* colors, std::size_t blocks) {
     switch (job.model) {
     case Reflection::None:
-        return light_as<Reflection::None, any_mistake>(job, points, begun, colors, blocks);
+        return light_as<Reflection::None, any_mistake>(job, points, partial_sums, colors, blocks);
     case Reflection::Lambert:
-        return light_as<Reflection::Lambert, any_mistake>(job, points, begun, colors, blocks);
+        return light_as<Reflection::Lambert, any_mistake>(job, points, partial_sums, colors, blocks);
     case Reflection::Phong:
-        return light_as<Reflection::Phong, any_mistake>(job, points, begun, colors, blocks);
+        return light_as<Reflection::Phong, any_mistake>(job, points, partial_sums, colors, blocks);
     case Reflection::BlinnPhong:
-        return light_as<Reflection::BlinnPhong, any_mistake>(job, points, begun, colors, blocks);
+        return light_as<Reflection::BlinnPhong, any_mistake>(job, points, partial_sums, colors, blocks);
     case Reflection::Retro:
-        return light_as<Reflection::Retro, any_mistake>(job, points, begun, colors, blocks);
+        return light_as<Reflection::Retro, any_mistake>(job, points, partial_sums, colors, blocks);
     case Reflection::OrenNayar:
-        return light_as<Reflection::OrenNayar, any_mistake>(job, points, begun, colors, blocks);
+        return light_as<Reflection::OrenNayar, any_mistake>(job, points, partial_sums, colors, blocks);
     case Reflection::CookTorrance:
-        return light_as<Reflection::CookTorrance, any_mistake>(job, points, begun, colors, blocks);
+        return light_as<Reflection::CookTorrance, any_mistake>(job, points, partial_sums, colors, blocks);
     }
 }
 
-static void light(const LightJob& job, const PointBlock* points, const ColorBlock* begun, ColorBlock* colors,
-                  std::size_t blocks) {
-    if (job.any_mistake) return light_with<true>(job, points, begun, colors, blocks);
-    light_with<false>(job, points, begun, colors, blocks);
+static void light(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
+                  ColorBlock* colors, std::size_t blocks) {
+    if (job.any_mistake) return light_with<true>(job, points, partial_sums, colors, blocks);
+    light_with<false>(job, points, partial_sums, colors, blocks);
 }
 
-GLINT_FLATTEN static std::uint16_t find_lit(const LightSource& source, const ReachBlock& b) {
+GLINT_FLATTEN static std::uint16_t find_lit(const LightSource& source, const BoundsBlock& b) {
     const LightAt<Wide> light = light_at<Wide>(source);
     if (light.has_ambient) return 0xFFFF;
     unsigned behind = 0;
     for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
-        const Reach<Wide> reach{{load<Wide>(b.x + k), load<Wide>(b.y + k), load<Wide>(b.z + k)},
-                                load<Wide>(b.radius + k),
-                                {load<Wide>(b.nx + k), load<Wide>(b.ny + k), load<Wide>(b.nz + k)},
-                                load<Wide>(b.spread + k)};
-        behind |= mask_bits(certainly_behind(light, reach)) << k;
+        const GroupBounds<Wide> bounds{{load<Wide>(b.x + k), load<Wide>(b.y + k), load<Wide>(b.z + k)},
+                                       load<Wide>(b.radius + k),
+                                       {load<Wide>(b.nx + k), load<Wide>(b.ny + k), load<Wide>(b.nz + k)},
+                                       load<Wide>(b.spread + k)};
+        behind |= mask_bits(certainly_behind(light, bounds)) << k;
     }
     return static_cast<std::uint16_t>(~behind);
 }
@@ -181,8 +179,8 @@ GLINT_FLATTEN static void encode(const DisplayJob& job, const ColorBlock* colors
     }
 }
 
-GLINT_FLATTEN static void blend_runs(const ColorRecord* points, const std::uint32_t* numbers,
-                                     const float* weights, int each, ColorBlock* colors, std::size_t runs) {
+GLINT_FLATTEN static void blend_groups(const ColorRecord* points, const std::uint32_t* numbers,
+                                       const float* weights, int each, ColorBlock* colors, std::size_t runs) {
     for (std::size_t i = 0; i < runs; ++i) {
         const std::size_t first = i * static_cast<std::size_t>(each) * block_size;
         for (std::size_t k = 0; k < block_size; k += GLINT_LANES)
@@ -191,8 +189,8 @@ GLINT_FLATTEN static void blend_runs(const ColorRecord* points, const std::uint3
     }
 }
 
-GLINT_FLATTEN static void pick_runs(const ColorRecord* points, const std::uint32_t* numbers,
-                                    ColorBlock* colors, std::size_t runs) {
+GLINT_FLATTEN static void pick_groups(const ColorRecord* points, const std::uint32_t* numbers,
+                                      ColorBlock* colors, std::size_t runs) {
     for (std::size_t i = 0; i < runs; ++i)
         for (std::size_t k = 0; k < block_size; k += GLINT_LANES)
             store_colors(colors[i], k, colors_of<Wide>(points, numbers + i * block_size + k));
@@ -201,6 +199,6 @@ GLINT_FLATTEN static void pick_runs(const ColorRecord* points, const std::uint32
 #define GLINT_TEXT_(name) #name
 #define GLINT_TEXT(name) GLINT_TEXT_(name)
 extern const ColorKernels colors;
-const ColorKernels colors{GLINT_TEXT(GLINT_ISA), {light, encode}, {find_lit, blend_runs, pick_runs}};
+const ColorKernels colors{GLINT_TEXT(GLINT_ISA), {light, encode}, {find_lit, blend_groups, pick_groups}};
 
 }  // namespace glint::inline GLINT_ISA

@@ -7,7 +7,7 @@
 namespace glint::inline GLINT_ISA {
 
 template <Number F> Response<F> blinn_phong(const Directions<F>& d, const MaterialAt<F>& m) {
-    const F s = highlight(d.n_dot_long_h, d.long_h_squared, m);
+    const F s = highlight(d.n_dot_unnormalized_h, d.unnormalized_h_squared, m);
     return {lambert_cosine(d), {s, s, s}};
 }
 

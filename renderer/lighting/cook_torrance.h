@@ -8,11 +8,15 @@
 
 namespace glint::inline GLINT_ISA {
 
+/// The width of the distribution of facets, from roughness 0 to 1: roughness^2, not below min_alpha.
+inline constexpr float min_alpha = 0.001f;
+template <Number F> F ggx_alpha(F roughness) { return max(roughness * roughness, F(min_alpha)); }
+
 /// Density of facets with normal h, per unit solid angle; integrates to 1 with the cosine n.h. The
 /// denominator is written with the sine, |n x h|, because 1 - (n.h)^2 would lose the narrow peak of a smooth
 /// surface to rounding.
 template <Number F> F d_ggx(Vec3<F> n, Vec3<F> h, F a) {
-    const F cosine = positive(dot(n, h));
+    const F cosine = max0(dot(n, h));
     const Vec3<F> sine = cross(n, h);
     const F t = cosine * cosine * (a * a) + dot(sine, sine);
     return a * a / (F(3.14159265f) * (t * t));
@@ -21,7 +25,7 @@ template <Number F> F d_ggx(Vec3<F> n, Vec3<F> h, F a) {
 /// Smith's Lambda for the cosine c > 0 of a direction with n.
 template <Number F> F lambda_ggx(F c, F a) {
     const F tan2 = F(1) / (c * c) - F(1);
-    return F(0.5f) * (square_root(F(1) + a * a * positive(tan2)) - F(1));
+    return F(0.5f) * (square_root(F(1) + a * a * max0(tan2)) - F(1));
 }
 
 /// Schlick's Fresnel factor for the cosine c of h with v.
@@ -32,9 +36,9 @@ template <Number F> F f_schlick(F f0, F c) {
 
 template <Number F>
 Response<F> cook_torrance(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
-    const F a = larger(m.roughness * m.roughness, F(0.001f));
-    const F n_dot_v = dot(at.n, at.v), v_dot_h = positive(dot(at.v, d.h));
-    const auto lit = both(d.n_dot_l > F(0), n_dot_v > F(0));
+    const F a = ggx_alpha(m.roughness);
+    const F n_dot_v = dot(at.n, at.v), v_dot_h = max0(dot(at.v, d.h));
+    const auto lit = mask_and(d.n_dot_l > F(0), n_dot_v > F(0));
     const F cos_l = select(lit, d.n_dot_l, F(1)), cos_v = select(lit, n_dot_v, F(1));
     const F g = F(1) / (F(1) + lambda_ggx(cos_l, a) + lambda_ggx(cos_v, a));
     const F dg = F(3.14159265f) * d_ggx(at.n, d.h, a) * g / (F(4) * cos_v);

@@ -5,6 +5,7 @@
 // lecture's are used).
 
 #include "renderer/lighting/light_job.h"
+#include "renderer/lighting/light_source.h"
 #include "renderer/lighting/surface_point.h"
 
 namespace glint::inline GLINT_ISA {
@@ -20,11 +21,13 @@ template <Number F> struct CoolToWarmTerms {
 template <Number F>
 CoolToWarmTerms<F> cool_to_warm(const CoolToWarm& tone, Vec3<F> k_d, const PointAt<F>& at) {
     CoolToWarmTerms<F> t;
-    const Vec3<F> l = unit(same<F>(tone.light) - F(tone.light_w) * at.p);  // w = 0 is a direction already
-    t.n_dot_l = dot(at.n, l);
+    LightAt<F> light;
+    light.xyz = broadcast<F>(tone.light);
+    light.w = F(tone.light_w);
+    t.n_dot_l = dot(at.n, unit(vector_to_light(light, at.p)));
     t.k_w = F(0.5f) * (F(1) + t.n_dot_l);
-    t.cool = same<F>(tone.cool) + F(tone.alpha) * k_d;
-    t.warm = same<F>(tone.warm) + F(tone.beta) * k_d;
+    t.cool = broadcast<F>(tone.cool) + F(tone.alpha) * k_d;
+    t.warm = broadcast<F>(tone.warm) + F(tone.beta) * k_d;
     t.color = t.k_w * t.warm + (F(1) - t.k_w) * t.cool;
     return t;
 }

@@ -16,7 +16,7 @@ template <Number F> F srgb_encoded(F x) {
 
 /// 0 to 1; NaN gives 0. The transfer keeps the order and the ends, so clamping first gives the same result.
 template <Number F> F displayed(const DisplayJob& job, F linear) {
-    const F exposed = smaller(positive(linear * F(job.exposure)), F(1));
+    const F exposed = min(max0(linear * F(job.exposure)), F(1));
     return job.srgb ? srgb_encoded(exposed) : exposed;
 }
 

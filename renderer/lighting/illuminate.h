@@ -9,6 +9,7 @@
 #include "renderer/lighting/light_source.h"
 #include "renderer/lighting/mistakes.h"
 #include "renderer/lighting/reflection.h"
+#include "renderer/lighting/rounding.h"
 
 namespace glint::inline GLINT_ISA {
 
@@ -21,67 +22,63 @@ template <Number F> struct LightTerms {
     Vec3<F> ambient, diffuse, specular;  // what reaches the eye; 0 where the term is switched off
 };
 
-/// What kind of equation is asked for; the same for all points of a picture.
+/// Which equation is asked for: model, terms and rules; the same for all points of a picture.
 struct Equation {
     Reflection model = Reflection::Phong;
     Terms terms;
     const Mistakes* mistakes = nullptr;  // null: none is made, and no table is used
     int power_table = 0;                 // Shading::power_table
-    float near = 0;                      // shares are rounded as on_grid(share, near) says
+    float rounding = 0;                  // each share is rounded(share, rounding); 0: not rounded
 };
 
-/// To the nearest multiple of a grid, a power of two, when |c| <= 2^22 grid: numbers near 3 * 2^22 grid,
-/// which is `near`, have just these steps. Sums of multiples up to 2^24 grid are exact in float, whatever
-/// their order: the sum of all lights but one can then be kept while that one is dragged. near = 0: c as it
-/// is.
-template <Number F> Vec3<F> on_grid(Vec3<F> c, float near) {
-    return {(c.x + F(near)) - F(near), (c.y + F(near)) - F(near), (c.z + F(near)) - F(near)};
-}
-inline float numbers_near(float grid) { return grid * 12582912.0f; }
-
-/// A light's colours times the material's.
+/// A light's colours times the material's: linear RGB, what reaches the eye where every factor is 1.
 template <Number F> struct LightColors { Vec3<F> ambient, diffuse, specular; };
 template <Number F> LightColors<F> colors_on(const MaterialAt<F>& m, const LightAt<F>& light) {
     return {m.k_a * light.ambient, m.k_d * light.diffuse, m.k_s * light.specular};
 }
 
-template <Number F> ToLight<F> to_light(const LightAt<F>& light, const PointAt<F>& at) {
-    const Vec3<F> xyz = is_place(light) ? light.xyz - at.p : light.xyz;
+/// The vector from the point to the light in camera coordinates (scene units; for a directional light the
+/// unit direction) and its product with n. Not unit: lights that are behind the surface need no square root.
+template <Number F> LightVector<F> light_vector(const LightAt<F>& light, const PointAt<F>& at) {
+    const Vec3<F> xyz = vector_to_light(light, at.p);
     return {xyz, dot(at.n, xyz)};
 }
 
-template <Number F> Arrival<F> arrival(const LightAt<F>& light, const ToLight<F>& to_light) {
-    Arrival<F> a;
-    if (is_place(light)) {
-        a.distance = length(to_light.xyz);
+/// The distance to the light, its inverse and the falloff, 1 / (c + b r + a r^2). A light at the point itself
+/// has distance 0 and inverse 0; a directional light has 1 for all three.
+template <Number F> Attenuation<F> attenuation(const LightAt<F>& light, const LightVector<F>& light_vector) {
+    Attenuation<F> a;
+    if (is_positional(light)) {
+        a.distance = length(light_vector.xyz);
         a.inverse = inverse_or_zero(a.distance);
     }
     if (light.has_falloff) a.falloff = falloff(light, a.distance);
     return a;
 }
 
-/// `colors`: colors_on(m, light), which is the same at all points. Degenerate input: a light at the point has
-/// l = 0, so only its ambient share is left; n = 0 likewise; l = -v gives h = 0. No result is NaN while
-/// products of light, material and falloff stay finite.
+/// The equation for one light and one point. `colors`: colors_on(m, light), which is the same at all points;
+/// `light_vector` and `attenuation`: what the functions of these names give here. Degenerate input: a light
+/// at the point has l = 0, so only its ambient share is left; n = 0 likewise; l = -v gives h = 0. No result
+/// is NaN while products of light, material and falloff stay finite.
 template <Number F>
 LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, const MaterialAt<F>& m,
-                         const LightColors<F>& colors, const ToLight<F>& to_light, const Arrival<F>& arrival,
-                         const PointAt<F>& at) {
+                         const LightColors<F>& colors, const LightVector<F>& light_vector,
+                         const Attenuation<F>& attenuation, const PointAt<F>& at) {
     LightTerms<F> t;
-    t.distance = arrival.distance;
-    t.directions = directions_for(to_light, arrival, at);
-    t.falloff = arrival.falloff;
+    t.distance = attenuation.distance;
+    t.directions = directions_for(light_vector, attenuation, at);
+    t.falloff = attenuation.falloff;
     if (light.is_patch) t.falloff = patch_factor(light, t.directions.l, t.distance);
     t.spot = light.has_cone ? spot_factor(light, t.directions.l) : F(1);
-    if (equation.mistakes) spoil_directions(*equation.mistakes, t.directions, to_light, at);
+    if (equation.mistakes) apply_direction_mistakes(*equation.mistakes, t.directions, light_vector, at);
     const F share = t.falloff * t.spot;  // of all three terms, as in OpenGL 2.1, section 2.14.1
 
     const auto lit_side = t.directions.n_dot_l > F(0);
     t.response = respond(equation.model, t.directions, m, at);
     t.response.specular = select<F>(lit_side, t.response.specular, Vec3<F>{});  // no highlight from behind
     if (equation.mistakes)
-        spoil_response(*equation.mistakes, equation.power_table, equation.model, t.response, t.directions, m,
-                       at);
+        apply_response_mistakes(*equation.mistakes, equation.power_table, equation.model, t.response,
+                                t.directions, m, at);
 
     if (equation.terms.ambient && light.has_ambient) t.ambient = share * colors.ambient;
     if (equation.mistakes && equation.mistakes->ambient_per_light_added_twice) t.ambient = F(2) * t.ambient;
@@ -98,30 +95,31 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
 template <Number F>
 LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, const MaterialAt<F>& m,
                          const PointAt<F>& at) {
-    const ToLight<F> towards = to_light(light, at);
-    return illuminate(equation, light, m, colors_on(m, light), towards, arrival(light, towards), at);
+    const LightVector<F> towards = light_vector(light, at);
+    return illuminate(equation, light, m, colors_on(m, light), towards, attenuation(light, towards), at);
 }
 
 /// False when the light can add nothing in any lane: it is behind the surface there and has no ambient share,
 /// or its cone points elsewhere. Asked first, because that is half of most pictures.
 template <Number F>
-bool may_add(const Equation& equation, const LightAt<F>& light, const ToLight<F>& to_light) {
+bool may_add(const Equation& equation, const LightAt<F>& light, const LightVector<F>& light_vector) {
     if (equation.mistakes) return true;
-    if (light.has_cone && !may_be_inside(light, to_light.xyz)) return false;
-    return (equation.terms.ambient && light.has_ambient) || any(to_light.n_dot > F(0));
+    if (light.has_cone && !may_be_inside(light, light_vector.xyz)) return false;
+    return (equation.terms.ambient && light.has_ambient) || any(light_vector.n_dot > F(0));
 }
 
+/// Each component within 0 to 1; NaN gives 0.
 template <Number F> Vec3<F> clamped(Vec3<F> c) {
-    return {smaller(positive(c.x), F(1)), smaller(positive(c.y), F(1)), smaller(positive(c.z), F(1))};
+    return {min(max0(c.x), F(1)), min(max0(c.y), F(1)), min(max0(c.z), F(1))};
 }
 
-/// One light's share of the sum, in the order in which the picture adds it.
+/// One light's share of the sum: linear RGB, its terms added in the picture's order.
 template <Number F>
 Vec3<F> share_of(const Equation& equation, const LightAt<F>& light, const LightTerms<F>& t) {
     Vec3<F> share = t.diffuse + t.specular;
     if (light.has_ambient) share = share + t.ambient;
     if (equation.mistakes && equation.mistakes->clamp_each_light) share = clamped(share);
-    return on_grid(share, equation.near);
+    return rounded(share, equation.rounding);  // so that a partial sum can be kept, see rounding.h
 }
 
 }  // namespace glint::inline GLINT_ISA

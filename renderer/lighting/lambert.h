@@ -7,7 +7,7 @@
 namespace glint::inline GLINT_ISA {
 
 /// <n.l>: 0 from 90 degrees on.
-template <Number F> F lambert_cosine(const Directions<F>& d) { return positive(d.n_dot_l); }
+template <Number F> F lambert_cosine(const Directions<F>& d) { return max0(d.n_dot_l); }
 
 template <Number F> Response<F> lambert(const Directions<F>& d) { return {lambert_cosine(d), {}}; }
 

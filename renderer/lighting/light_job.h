@@ -9,19 +9,22 @@
 namespace glint {
 
 inline constexpr std::size_t block_size = 16;  // points side by side; a multiple of every SIMD width
+inline constexpr std::size_t batch_size = 16;  // blocks that stay in the first-level cache between two steps
+
+/// Three numbers: a position, a direction or a linear RGB colour.
+struct Float3 {
+    float x = 0, y = 0, z = 0;
+    bool operator==(const Float3&) const = default;
+};
 
 /// One light, or one sample of an area light: camera coordinates, colours times intensity.
 /// Members as in LightAt (renderer/lighting/light_source.h).
 struct LightSource {
-    struct Rgb {
-        float x = 0, y = 0, z = 0;
-        bool operator==(const Rgb&) const = default;
-    };
-    Rgb xyz;
+    Float3 xyz;
     float w = 0;
-    Rgb ambient, diffuse, specular;
+    Float3 ambient, diffuse, specular;
     float constant = 1, linear = 0, quadratic = 0;
-    Rgb axis;
+    Float3 axis;
     float cos_cutoff = -1, exponent = 0;
     float patch = 0;
     float distance_scale = 1;  // more where a place too far for floats stands that many times nearer
@@ -32,10 +35,10 @@ struct LightSource {
 
 /// One object's material as the equation sees it.
 struct SurfaceMaterial {
-    LightSource::Rgb k_a, k_d, k_s, f0;
+    Float3 k_a, k_d, k_s, f0;
     float shininess = 0, roughness = 0;
-    float faintest_squared = 0;                 // see MaterialAt; the same in all modes
-    LightSource::Rgb emission, global_ambient;  // k_e and k_a I_a: what is there without any light
+    float faintest_squared = 0;       // see MaterialAt; the same in all modes
+    Float3 emission, global_ambient;  // k_e and k_a I_a: what is there without any light
 };
 
 /// Points to light, components side by side; those past the last are zeros.
@@ -43,7 +46,7 @@ struct alignas(64) PointBlock {
     float x[block_size], y[block_size], z[block_size];     // place, camera coordinates
     float nx[block_size], ny[block_size], nz[block_size];  // normal, unit or zero
 };
-/// Their colours: linear RGB, not clamped.
+/// Colours of a block of points: linear RGB, not clamped.
 struct alignas(64) ColorBlock {
     float r[block_size], g[block_size], b[block_size];
 };
@@ -51,11 +54,12 @@ struct alignas(64) ColorBlock {
 /// Cool-to-warm shading (renderer/lighting/cool_to_warm.h) in place of emission, ambient and diffuse.
 struct CoolToWarm {
     bool on = false;
-    LightSource::Rgb cool, warm;
+    Float3 cool, warm;
     float alpha = 0, beta = 0;
-    LightSource::Rgb
-        light;          // camera coordinates: place (w = 1) or unit direction (w = 0) of the first enabled
-    float light_w = 0;  // light; zeros, which give n.l = 0, when there is none
+    /// The first enabled light, camera coordinates: position (light_w = 1) or unit direction (0). All zeros,
+    /// which give n.l = 0, without a light.
+    Float3 light;
+    float light_w = 0;
 };
 
 struct LightJob {
@@ -65,7 +69,7 @@ struct LightJob {
     Reflection model = Reflection::Phong;
     Terms terms;
     CoolToWarm tone;
-    LightSource::Rgb eye;          // where v points to: the origin of camera coordinates
+    Float3 eye;                    // where v points to: the origin of camera coordinates
     bool infinite_viewer = false;  // v = (0, 0, 1) instead of from the point to the eye
     float grid = 0;      // each light's share is rounded to a multiple of this power of two; 0: not rounded
     bool clamp = false;  // to 0..1 after the sum (OpenGL's rule for colours at vertices)
@@ -88,15 +92,15 @@ struct DisplayJob {
 
 /// The kernels of one instruction set.
 struct LightingKernels {
-    /// `begun`: sums to which the job's lights are added, or null: then they begin with what is there without
-    /// any light. May be the same as `colors`.
-    void (*light)(const LightJob& job, const PointBlock* points, const ColorBlock* begun, ColorBlock* colors,
-                  std::size_t blocks);
+    /// `partial_sums`: sums to which the job's lights are added, or null: then they begin with what is there
+    /// without any light. May be the same as `colors`.
+    void (*light)(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
+                  ColorBlock* colors, std::size_t blocks);
     /// 16 pixels a block as bytes r, g, b, 255 in memory order.
     void (*encode)(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba, std::size_t blocks);
 };
 
-/// Of the set that instruction_set.h chooses.
+/// The kernels of the instruction set that is in use (instruction_set.h).
 const LightingKernels& lighting_kernels();
 
 }  // namespace glint

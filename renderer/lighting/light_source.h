@@ -21,36 +21,50 @@ template <Number F> struct LightAt {
 };
 
 /// False for a directional light.
-template <Number F> bool is_place(const LightAt<F>& light) { return lane(light.w, 0) > 0; }
+template <Number F> bool is_positional(const LightAt<F>& light) { return lane(light.w, 0) > 0; }
+
+/// From p to the light, not unit; for a directional light the unit direction itself.
+template <Number F> Vec3<F> vector_to_light(const LightAt<F>& light, Vec3<F> p) {
+    return is_positional(light) ? light.xyz - p : light.xyz;
+}
+
+/// constant + linear r + quadratic r^2. D: any number type.
+template <class D> D falloff_polynomial(D constant, D linear, D quadratic, D r) {
+    return constant + r * (linear + r * quadratic);
+}
 
 /// 1 / (constant + linear r + quadratic r^2) at the distance r >= 0; 0 where that would divide by zero.
 /// Lecture: "Light Source Falloff" (its a, b, c are quadratic, linear, constant).
 template <Number F> F falloff(const LightAt<F>& light, F r) {
-    return inverse_or_zero(light.constant + r * (light.linear + r * light.quadratic));
+    return inverse_or_zero(falloff_polynomial(light.constant, light.linear, light.quadratic, r));
 }
+
+/// The cosine of the angle between the axis of a spot and the ray to the point, times |v|, for v towards the
+/// light.
+template <Number F> F along_axis(const LightAt<F>& light, Vec3<F> v) { return -dot(v, light.axis); }
 
 /// cos(angle)^exponent between the spot's axis and the ray to the point, 0 outside the cone; the edge is
 /// inside. l: unit, towards the light. Source: OpenGL 2.1, section 2.14.1; lecture: "point + direction +
 /// cutoff angle".
 template <Number F> F spot_factor(const LightAt<F>& light, Vec3<F> l) {
-    const F cos_angle = -dot(l, light.axis);
+    const F cos_angle = along_axis(light, l);
     const auto inside = cos_angle >= light.cos_cutoff;
     if (!any(inside)) return F(0);
-    return select(inside, power(smaller(cos_angle, F(1)), light.exponent), F(0));
+    return select(inside, power(min(cos_angle, F(1)), light.exponent), F(0));
 }
 
 /// False where the cone certainly leaves out all lanes, asked before a root is drawn: the signed square of
 /// the cosine times |to_light|^2, with room for rounding.
 template <Number F> bool may_be_inside(const LightAt<F>& light, Vec3<F> to_light) {
-    const F along = -dot(to_light, light.axis);
-    const F least = light.cos_cutoff * magnitude(light.cos_cutoff) - F(1e-5f);
-    return any(along * magnitude(along) >= least * dot(to_light, to_light));
+    const F along = along_axis(light, to_light);
+    const F least = light.cos_cutoff * abs(light.cos_cutoff) - F(1e-5f);
+    return any(along * abs(along) >= least * dot(to_light, to_light));
 }
 
 /// What one sample of an area light puts in place of falloff: A |cos theta'| / (pi n^2 r^2), theta' at the
 /// emitter; 0 at r = 0, and never more than 1e37. With all samples it tends to Lambert's polygon formula.
 template <Number F> F patch_factor(const LightAt<F>& light, Vec3<F> l, F r) {
-    return smaller(light.patch * magnitude(dot(l, light.axis)) * inverse_or_zero(r * r), F(1e37f));
+    return min(light.patch * abs(dot(l, light.axis)) * inverse_or_zero(r * r), F(1e37f));
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -11,14 +11,14 @@ namespace glint::inline GLINT_ISA {
 
 /// l keeps its length, in all that a reflection model sees, or h is not made unit.
 template <Number F>
-void spoil_directions(const Mistakes& wrong, Directions<F>& d, const ToLight<F>& to_light,
-                      const PointAt<F>& at) {
-    if (wrong.unnormalized_light) d = directions_for(to_light, Arrival<F>{}, at);
+void apply_direction_mistakes(const Mistakes& wrong, Directions<F>& d, const LightVector<F>& light_vector,
+                              const PointAt<F>& at) {
+    if (wrong.unnormalized_light) d = directions_for(light_vector, Attenuation<F>{}, at);
     if (wrong.unnormalized_half) {  // half of l + v, whatever its length
         d.h = F(0.5f) * (d.l + at.v);
         d.n_dot_h = dot(at.n, d.h);
-        d.n_dot_long_h = d.n_dot_h;
-        d.long_h_squared = F(1);
+        d.n_dot_unnormalized_h = d.n_dot_h;
+        d.unnormalized_h_squared = F(1);
     }
 }
 
@@ -26,28 +26,28 @@ void spoil_directions(const Mistakes& wrong, Directions<F>& d, const ToLight<F>&
 /// fraction counts as even.
 template <Number F> F unclamped_power(F x, F s) {
     const F half = s * F(0.5f), magic = F(8388608.0f);
-    const F nearest = (half + magic) - magic, rest = magnitude(s - (nearest + nearest));
-    const F value = power(magnitude(x), s);
-    return select(both(x < F(0), rest >= F(1)), -value, value);
+    const F nearest = (half + magic) - magic, rest = abs(s - (nearest + nearest));
+    const F value = power(abs(x), s);
+    return select(mask_and(x < F(0), rest >= F(1)), -value, value);
 }
 
 /// The cosine of the nearest of `entries` entries, evenly from 0 to 1: a table of powers holds the powers of
 /// these, so that looking up is the same as rounding the cosine.
 template <Number F> F nearest_entry(F cosine, int entries) {
     const F last = F(static_cast<float>(entries - 1)), magic = F(8388608.0f);
-    return ((smaller(positive(cosine), F(1)) * last + magic) - magic) / last;
+    return ((min(max0(cosine), F(1)) * last + magic) - magic) / last;
 }
 
 /// c^shininess without the hold at 1 that a cosine needs not: of vectors that kept their lengths.
 template <Number F> F unheld_highlight(F c, const MaterialAt<F>& m) {
-    const F squared = larger(c * c, m.faintest_squared), most = F(0x1p127f);
-    const F power = smaller(power_of_root(smaller(squared, most), m.shininess), most);
-    return select(c * magnitude(c) > m.faintest_squared, power, F(0));
+    const F squared = max(c * c, m.faintest_squared), most = F(0x1p127f);
+    const F power = min(power_of_root(min(squared, most), m.shininess), most);
+    return select(c * abs(c) > m.faintest_squared, power, F(0));
 }
 
 template <Number F>
-void spoil_response(const Mistakes& wrong, int power_table, Reflection model, Response<F>& used,
-                    const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
+void apply_response_mistakes(const Mistakes& wrong, int power_table, Reflection model, Response<F>& used,
+                             const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
     const auto keep_side = [&](Vec3<F> specular) {
         return wrong.specular_behind_surface ? specular : select<F>(d.n_dot_l > F(0), specular, Vec3<F>{});
     };
@@ -87,7 +87,7 @@ void spoil_response(const Mistakes& wrong, int power_table, Reflection model, Re
 }
 
 /// The number nearest to a within +-most.
-template <Number F> F held(F a, float most) { return smaller(larger(a, F(-most)), F(most)); }
+template <Number F> F held(F a, float most) { return min(max(a, F(-most)), F(most)); }
 /// The share of a light with vectors that kept their lengths, so that with a colour of 0 it is 0.
 template <Number F> F held_share(F a) { return held(a, 0x1p120f); }
 
@@ -96,7 +96,7 @@ template <Number F> F held_share(F a) { return held(a, 0x1p120f); }
 template <Number F> Vec3<F> projected(const LightJob::Projection& m, Vec3<F> p) {
     constexpr float far = 1e18f;
     const F w = F(m.w_per_z) * p.z + F(m.w);
-    const F inverse = select(magnitude(w) >= F(smallest_normal), F(1) / w, F(0));
+    const F inverse = select(abs(w) >= F(smallest_normal), F(1) / w, F(0));
     return {held((F(m.x) * p.x + F(m.x_per_z) * p.z + F(m.x_plus)) * inverse, far),
             held((F(m.y) * p.y + F(m.y_per_z) * p.z + F(m.y_plus)) * inverse, far),
             held((F(m.z) * p.z + F(m.z_plus)) * inverse, far)};

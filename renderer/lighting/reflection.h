@@ -1,5 +1,6 @@
 #pragma once
-// The closed list of reflection models. A new one is one small file and one line here.
+// The closed list of reflection models. docs/changing.md says what a new one touches: its file, a line here
+// and its row in models/fields/reflection_info.h.
 
 #include "models/scene/shading.h"
 #include "renderer/lighting/blinn_phong.h"

@@ -9,15 +9,15 @@ namespace glint::inline GLINT_ISA {
 
 template <Number F> LightAt<F> light_at(const LightSource& s) {
     LightAt<F> light;
-    light.xyz = same<F>(s.xyz);
+    light.xyz = broadcast<F>(s.xyz);
     light.w = F(s.w);
-    light.ambient = same<F>(s.ambient);
-    light.diffuse = same<F>(s.diffuse);
-    light.specular = same<F>(s.specular);
+    light.ambient = broadcast<F>(s.ambient);
+    light.diffuse = broadcast<F>(s.diffuse);
+    light.specular = broadcast<F>(s.specular);
     light.constant = F(s.constant);
     light.linear = F(s.linear);
     light.quadratic = F(s.quadratic);
-    light.axis = same<F>(s.axis);
+    light.axis = broadcast<F>(s.axis);
     light.cos_cutoff = F(s.cos_cutoff);
     light.exponent = F(s.exponent);
     light.patch = F(s.patch);
@@ -29,58 +29,72 @@ template <Number F> LightAt<F> light_at(const LightSource& s) {
 }
 
 template <Number F> MaterialAt<F> material_at(const SurfaceMaterial& s) {
-    return {same<F>(s.k_a),        same<F>(s.k_d), same<F>(s.k_s), F(s.shininess),
-            F(s.faintest_squared), F(s.roughness), same<F>(s.f0)};
+    return {broadcast<F>(s.k_a),   broadcast<F>(s.k_d), broadcast<F>(s.k_s), F(s.shininess),
+            F(s.faintest_squared), F(s.roughness),      broadcast<F>(s.f0)};
 }
 
 /// A point with its direction to the eye: from p to the eye, or (0, 0, 1) for a viewer at infinity.
 template <Number F> PointAt<F> seen_from_eye(const LightJob& job, Vec3<F> p, Vec3<F> n) {
     if (job.mistakes.lit_after_projection) p = projected(job.projection, p);
     const Vec3<F> toward_z{F(0), F(0), F(1)};
-    return PointAt<F>(p, n, job.infinite_viewer ? toward_z : unit(same<F>(job.eye) - p));
+    return PointAt<F>(p, n, job.infinite_viewer ? toward_z : unit(broadcast<F>(job.eye) - p));
 }
 
 /// What is there without any light: emission + k_a I_a.
 template <Number F> Vec3<F> unlit(const SurfaceMaterial& material, const Terms& terms) {
     Vec3<F> sum;
-    if (terms.emission) sum = same<F>(material.emission);
-    if (terms.ambient) sum = sum + same<F>(material.global_ambient);
+    if (terms.emission) sum = broadcast<F>(material.emission);
+    if (terms.ambient) sum = sum + broadcast<F>(material.global_ambient);
     return sum;
 }
 
-/// The part of a job that is the same for every point.
-inline Equation equation_of(const LightJob& job) {
-    return {job.model, job.terms, job.any_mistake ? &job.mistakes : nullptr, job.power_table,
-            numbers_near(job.grid)};
+/// The part of a job that is the same for every point. The kernels name model and mistakes themselves, so
+/// that the compiler knows them.
+inline Equation equation_of(const LightJob& job, Reflection model, bool any_mistake) {
+    return {model, job.terms, any_mistake ? &job.mistakes : nullptr, job.power_table,
+            rounding_magic(job.grid)};
 }
+inline Equation equation_of(const LightJob& job) { return equation_of(job, job.model, job.any_mistake); }
+
+// The sum over the lights, which the picture (lighting_kernels_isa.cpp, many points at once), the explanation
+// and the tests all make of these three steps.
 
 /// What the sum begins with: emission and global ambient light, or the tone that stands in their place.
-template <Number F> Vec3<F> before_lights(const LightJob& job, const PointAt<F>& at) {
-    if (job.tone.on) return cool_to_warm(job.tone, same<F>(job.material.k_d), at).color;
-    return on_grid(unlit<F>(job.material, job.terms), numbers_near(job.grid));
+template <Number F> Vec3<F> begin_sum(const LightJob& job, const PointAt<F>& at) {
+    if (job.tone.on) return cool_to_warm(job.tone, broadcast<F>(job.material.k_d), at).color;
+    return rounded(unlit<F>(job.material, job.terms), rounding_magic(job.grid));
 }
 
-/// Adds one light's share to the sum.
+/// Adds one light's share to the sum, and returns it. A light for which may_add() is false has a share of 0
+/// and may be left out.
 template <Number F>
-void add_light(Vec3<F>& sum, const Equation& equation, const LightAt<F>& light, const MaterialAt<F>& material,
-               const LightColors<F>& colors, const ToLight<F>& towards, const Arrival<F>& arrival,
-               const PointAt<F>& at) {
-    sum =
-        sum + share_of(equation, light, illuminate(equation, light, material, colors, towards, arrival, at));
+Vec3<F> add_light(Vec3<F>& sum, const Equation& equation, const LightAt<F>& light,
+                  const LightTerms<F>& terms) {
+    const Vec3<F> share = share_of(equation, light, terms);
+    sum = sum + share;
+    return share;
 }
 
-/// The whole equation at one point.
-template <Number F> Vec3<F> shade_point(const LightJob& job, const Equation& equation, const PointAt<F>& at) {
+/// The colour of the point: linear RGB before exposure.
+template <Number F> Vec3<F> end_sum(const LightJob& job, Vec3<F> sum) {
+    return job.clamp ? clamped(sum) : sum;
+}
+
+/// The whole equation at one point. `visit(i, terms, share)` sees what light i of the job adds.
+template <Number F, class Visit>
+Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at, const Visit& visit) {
+    const Equation equation = equation_of(job);
     const MaterialAt<F> material = material_at<F>(job.material);
-    Vec3<F> sum = before_lights(job, at);
+    Vec3<F> sum = begin_sum(job, at);
     for (std::size_t i = 0; i < job.light_count; ++i) {
         const LightAt<F> light = light_at<F>(job.lights[i]);
-        const ToLight<F> towards = to_light(light, at);
-        if (may_add(equation, light, towards))
-            add_light(sum, equation, light, material, colors_on(material, light), towards,
-                      arrival(light, towards), at);
+        const LightTerms<F> terms = illuminate(equation, light, material, at);
+        visit(i, terms, add_light(sum, equation, light, terms));
     }
-    return job.clamp ? clamped(sum) : sum;
+    return end_sum(job, sum);
+}
+template <Number F> Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at) {
+    return shade_point(job, at, [](std::size_t, const LightTerms<F>&, const Vec3<F>&) {});
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -6,15 +6,17 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// Camera coordinates. n and v unit (n may be zero where nothing defines it); v points towards the eye.
+/// A point to be lit: position, normal and direction to the eye. Camera coordinates, scene units. n and v
+/// unit (n may be zero where nothing defines it); v points towards the eye.
 template <Number F> struct PointAt {
     Vec3<F> p, n, v;
     F n_dot_v{};
     PointAt() = default;
-    PointAt(Vec3<F> place, Vec3<F> normal, Vec3<F> to_eye)
-        : p(place), n(normal), v(to_eye), n_dot_v(dot(normal, to_eye)) {}
+    PointAt(Vec3<F> position, Vec3<F> normal, Vec3<F> to_eye)
+        : p(position), n(normal), v(to_eye), n_dot_v(dot(normal, to_eye)) {}
 };
 
+/// What the surface is made of; the same at all points of an object.
 template <Number F> struct MaterialAt {
     Vec3<F> k_a, k_d, k_s;  // linear RGB
     Exponent<F> shininess;
@@ -33,59 +35,60 @@ template <Number F> struct Response {
 /// does not use is never computed: the compiler leaves it out.
 template <Number F> struct Directions {
     Vec3<F> l, r, h;  // towards the light; l mirrored at n; halfway between l and v (0 when l = -v)
-    F n_dot_l{}, r_dot_v{}, n_dot_h{}, l_dot_v{};  // not clamped
-    F n_dot_long_h{}, long_h_squared{};            // n.h before h is made unit, and |h|^2 then
+    F n_dot_l{}, r_dot_v{}, n_dot_h{}, l_dot_v{};        // not clamped
+    F n_dot_unnormalized_h{}, unnormalized_h_squared{};  // n.h before h is made unit, and |h|^2 then
 };
 
-/// From a point to a light, not unit (of a directional light the unit direction itself), and its product with
-/// n.
-template <Number F> struct ToLight {
+/// The vector from a point to a light, not unit (for a directional light the unit direction itself), and its
+/// product with n.
+template <Number F> struct LightVector {
     Vec3<F> xyz;
     F n_dot{};
 };
 
-/// What the distance to a light alone decides.
-template <Number F> struct Arrival {
+/// What depends on the distance to a light alone.
+template <Number F> struct Attenuation {
     F distance{1}, inverse{1};  // scene units, and 1 / distance; 1 for a directional light
     F falloff{1};               // 1 where the light has none
 };
 
-/// All of them for l = to_light / distance. Lecture: "Calculating R Vector",
-/// "Blinn-Phong Model". r.v = (2 n (n.l) - l).v = 2 (n.l)(n.v) - l.v, and h has the direction of l + v, which
-/// to_light + distance v has too without a division.
+/// The vectors and cosines for l = light_vector / distance. Lecture: "Calculating R Vector", "Blinn-Phong
+/// Model". r.v = (2 n (n.l) - l).v = 2 (n.l)(n.v) - l.v, and h has the direction of l + v, which light_vector
+/// + distance v has too without a division.
 template <Number F>
-Directions<F> directions_for(const ToLight<F>& to_light, const Arrival<F>& arrival, const PointAt<F>& at) {
-    const F distance = arrival.distance, inverse = arrival.inverse;
+Directions<F> directions_for(const LightVector<F>& light_vector, const Attenuation<F>& attenuation,
+                             const PointAt<F>& at) {
+    const F distance = attenuation.distance, inverse = attenuation.inverse;
     Directions<F> d;
-    d.l = inverse * to_light.xyz;
-    d.n_dot_l = inverse * to_light.n_dot;
-    const F along_v = dot(to_light.xyz, at.v);
+    d.l = inverse * light_vector.xyz;
+    d.n_dot_l = inverse * light_vector.n_dot;
+    const F along_v = dot(light_vector.xyz, at.v);
     d.l_dot_v = inverse * along_v;
     d.r = (d.n_dot_l + d.n_dot_l) * at.n - d.l;
-    d.r_dot_v = inverse * ((to_light.n_dot + to_light.n_dot) * at.n_dot_v - along_v);
-    const Vec3<F> long_h = to_light.xyz + distance * at.v;
-    d.n_dot_long_h = to_light.n_dot + distance * at.n_dot_v;
-    d.long_h_squared = dot(long_h, long_h);
-    const F shorten = inverse_or_zero(square_root(d.long_h_squared));
-    d.h = shorten * long_h;
-    d.n_dot_h = shorten * d.n_dot_long_h;
+    d.r_dot_v = inverse * ((light_vector.n_dot + light_vector.n_dot) * at.n_dot_v - along_v);
+    const Vec3<F> unnormalized_h = light_vector.xyz + distance * at.v;
+    d.n_dot_unnormalized_h = light_vector.n_dot + distance * at.n_dot_v;
+    d.unnormalized_h_squared = dot(unnormalized_h, unnormalized_h);
+    const F shorten = inverse_or_zero(square_root(d.unnormalized_h_squared));
+    d.h = shorten * unnormalized_h;
+    d.n_dot_h = shorten * d.n_dot_unnormalized_h;
     return d;
 }
 
-/// The same for a unit l.
+/// The vectors and cosines for a unit l.
 template <Number F> Directions<F> directions_for(Vec3<F> l, const PointAt<F>& at) {
-    return directions_for(ToLight<F>{l, dot(at.n, l)}, Arrival<F>{}, at);
+    return directions_for(LightVector<F>{l, dot(at.n, l)}, Attenuation<F>{}, at);
 }
 
 /// c^shininess for the cosine c = scaled / length, of any sign, as (c^2)^(shininess / 2), so that no root has
 /// to be drawn for the length. 0 where c^2, with c's sign, is not above `faintest_squared`, as over much of a
 /// picture.
 template <Number F> F highlight(F scaled, F length_squared, const MaterialAt<F>& m) {
-    const F squared = larger(length_squared, F(smallest_normal));
-    const auto seen = scaled * magnitude(scaled) > m.faintest_squared * squared;
+    const F squared = max(length_squared, F(smallest_normal));
+    const auto seen = scaled * abs(scaled) > m.faintest_squared * squared;
     if (!any(seen)) return F(0);
     // Where h is all but lost to rounding, the quotient may be anything.
-    const F cosine_squared = smaller(larger(scaled * scaled / squared, m.faintest_squared), F(1));
+    const F cosine_squared = min(max(scaled * scaled / squared, m.faintest_squared), F(1));
     return select(seen, power_of_root(cosine_squared, m.shininess), F(0));
 }
 template <Number F> F highlight(F cosine, const MaterialAt<F>& m) { return highlight(cosine, F(1), m); }

@@ -9,7 +9,7 @@ namespace glint::inline GLINT_ISA {
 
 /// The colours of the lit points with these numbers.
 template <Number F> Vec3<F> colors_of(const ColorRecord* points, const std::uint32_t* number) {
-    const Quad<F> color = load_quads<F>(points, number, sizeof(ColorRecord));
+    const Columns<F> color = gather_transposed<F>(points, number, sizeof(ColorRecord));
     return {color.a, color.b, color.c};
 }
 

@@ -9,13 +9,13 @@
 #include <cstring>
 
 #include "renderer/shade/light_points.h"
-#include "renderer/shade/runs_to_do.h"
 #include "renderer/simd/lanes.h"
 
 namespace glint {
 namespace {
 
-constexpr std::size_t batch = 16;  // runs whose colours stay in the first-level cache between the steps
+static_assert(batch_size == block_size,
+              "GroupsToDo and BoundsBlock hold as many groups as a block has points");
 
 /// 16 pixels of one colour.
 struct UniformBlock {
@@ -30,24 +30,24 @@ struct UniformBlock {
     }
 };
 
-void write_run(Lighting& l, const PixelRun& run, const ColorBlock& color, const std::uint32_t* rgba) {
-    if (run.mask == 0xFFFF && !l.linear) {  // the usual case
-        std::memcpy(&l.picture.rgba[4 * std::size_t{run.first_pixel}], rgba, 4 * block_size);
+void write_group(Lighting& l, const PixelGroup& group, const ColorBlock& color, const std::uint32_t* rgba) {
+    if (group.mask == 0xFFFF && !l.linear) {  // the usual case
+        std::memcpy(&l.picture.rgba[4 * std::size_t{group.first_pixel}], rgba, 4 * block_size);
         return;
     }
     for (std::size_t i = 0; i < block_size; ++i) {
-        if (!(run.mask >> i & 1u)) continue;
-        std::memcpy(&l.picture.rgba[4 * (run.first_pixel + i)], &rgba[i], 4);
+        if (!(group.mask >> i & 1u)) continue;
+        std::memcpy(&l.picture.rgba[4 * (group.first_pixel + i)], &rgba[i], 4);
         if (!l.linear) continue;
-        float* to = &l.picture.linear[3 * (run.first_pixel + i)];
+        float* to = &l.picture.linear[3 * (group.first_pixel + i)];
         to[0] = color.r[i];
         to[1] = color.g[i];
         to[2] = color.b[i];
     }
 }
 
-/// Colours of `count` runs from `first` on.
-void color_runs(Lighting& l, const Surface& s, std::size_t first, std::size_t count, ColorBlock* colors) {
+/// Colours of `count` groups from `first` on.
+void color_groups(Lighting& l, const Surface& s, std::size_t first, std::size_t count, ColorBlock* colors) {
     const ShadeKernels& kernels = shade_kernels();
     const std::size_t ref = s.corner_ref(first, 0);
     switch (s.choice.kind) {
@@ -61,8 +61,8 @@ void color_runs(Lighting& l, const Surface& s, std::size_t first, std::size_t co
     }
 }
 
-/// What the lit points show, as bytes. Unrolled, and with plain pointers: a byte written might change any
-/// other, which would have to be read anew.
+/// Copies the bytes of lit points to pixels. Unrolled, and with local pointers: stores of bytes may alias
+/// anything, and would make the compiler reload members after each.
 void show_points(const std::uint32_t* point_rgba, const std::uint32_t (&points)[block_size],
                  std::uint16_t mask, std::uint8_t* to) {
     if (mask == 0xFFFF) {
@@ -76,14 +76,15 @@ void show_points(const std::uint32_t* point_rgba, const std::uint32_t (&points)[
 
 /// Flat, with nothing drawn over it: a pixel shows the bytes of its lit point.
 void show_faces(Lighting& l, const Surface& s) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 8 * batch), [&](const auto& range) {
-        for (std::size_t r = range.begin(); r != range.end(); ++r) {
-            const PixelRun& run = s.runs[r];
-            if (!l.again(run.object)) continue;
-            show_points(l.point_rgba.data(), s.face_refs[r].point, run.mask,
-                        &l.picture.rgba[4 * std::size_t{run.first_pixel}]);
-        }
-    });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.groups.size(), 8 * batch_size),
+                      [&](const auto& range) {
+                          for (std::size_t r = range.begin(); r != range.end(); ++r) {
+                              const PixelGroup& group = s.groups[r];
+                              if (!l.again(group.object)) continue;
+                              show_points(l.point_rgba.data(), s.face_refs[r].point, group.mask,
+                                          &l.picture.rgba[4 * std::size_t{group.first_pixel}]);
+                          }
+                      });
 }
 
 /// Calls visit(first, count) for each stretch of set bits.
@@ -95,46 +96,57 @@ template <class Visit> void for_stretches(unsigned bits, const Visit& visit) {
     }
 }
 
-/// Up to 16 runs from `first` on: colour, strokes over it, bytes. Those that show already what they should
-/// are left alone.
+/// The groups of objects whose material alone changed.
+GroupsToDo of_objects_again(const Lighting& l, const Surface& s, std::size_t first) {
+    GroupsToDo todo{0, 0};
+    for (std::size_t i = 0; i < std::min(batch_size, s.groups.size() - first); ++i)
+        todo.light |= unsigned{l.objects_again[s.groups[first + i].object]} << i;
+    return todo;
+}
+
+/// Colours up to 16 groups from `first` on: colour, strokes over it, bytes. Groups that already show what
+/// they should are left alone.
 void color_batch(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display,
                  std::size_t first) {
-    std::array<ColorBlock, batch> colors;
-    std::array<std::uint32_t, batch * block_size> rgba;
-    const unsigned there = 0xFFFFu >> (batch - std::min(batch, s.runs.size() - first));
-    const RunsToDo todo = runs_to_do(l, s, first / batch);
-    for_stretches(todo.light & there,
-                  [&](std::size_t i, std::size_t count) { color_runs(l, s, first + i, count, &colors[i]); });
+    std::array<ColorBlock, batch_size> colors;
+    std::array<std::uint32_t, batch_size * block_size> rgba;
+    const unsigned there = 0xFFFFu >> (batch_size - std::min(batch_size, s.groups.size() - first));
+    const GroupsToDo todo = l.objects_again.empty() ? l.moving_light.groups_to_do(first / batch_size)
+                                                    : of_objects_again(l, s, first);
+    for_stretches(todo.light & there, [&](std::size_t i, std::size_t count) {
+        color_groups(l, s, first + i, count, &colors[i]);
+    });
     for_stretches(todo.leave_dark & there, [&](std::size_t i, std::size_t count) {
-        std::copy_n(&l.others[first + i], count, &colors[i]);
+        std::copy_n(l.moving_light.others(first + i), count, &colors[i]);
     });
     for_stretches((todo.light | todo.leave_dark) & there, [&](std::size_t begin, std::size_t count) {
         for (std::size_t i = begin; i < begin + count; ++i) {
-            const PixelRun& run = s.runs[first + i];
-            draw_over(strokes, l.npr.stroke, run.first_pixel, run.mask, colors[i]);
+            const PixelGroup& group = s.groups[first + i];
+            draw_over(strokes, l.npr.stroke, group.first_pixel, group.mask, colors[i]);
         }
         lighting_kernels().encode(display, &colors[begin], &rgba[begin * block_size], count);
         for (std::size_t i = begin; i < begin + count; ++i) {
-            write_run(l, s.runs[first + i], colors[i], &rgba[i * block_size]);
-            if (first + i + batch < s.runs.size())  // the next batch's pixels
-                ask_early_to_write(&l.picture.rgba[4 * std::size_t{s.runs[first + i + batch].first_pixel}]);
+            write_group(l, s.groups[first + i], colors[i], &rgba[i * block_size]);
+            if (first + i + batch_size < s.groups.size())  // the next batch's pixels
+                prefetch_to_write(
+                    &l.picture.rgba[4 * std::size_t{s.groups[first + i + batch_size].first_pixel}]);
         }
     });
 }
 
-void color_runs_to_bytes(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display) {
-    const std::size_t batches = (s.runs.size() + batch - 1) / batch;
+void color_groups_to_bytes(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display) {
+    const std::size_t batches = (s.groups.size() + batch_size - 1) / batch_size;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, batches, 8), [&](const auto& range) {
         for (std::size_t b = range.begin(); b != range.end(); ++b)
-            color_batch(l, s, strokes, display, b * batch);
+            color_batch(l, s, strokes, display, b * batch_size);
     });
 }
 
-/// Adds one run's share to the pixels of its group.
-void add_share(ColorBlock& sum, std::array<float, block_size>& covered, const PixelRun& run,
-               const RunSamples& samples, const ColorBlock& color) {
+/// Adds one group's share to the pixels of its group.
+void add_share(ColorBlock& sum, std::array<float, block_size>& covered, const PixelGroup& group,
+               const GroupSamples& samples, const ColorBlock& color) {
     for (std::size_t i = 0; i < block_size; ++i) {
-        if (!(run.mask >> i & 1u)) continue;
+        if (!(group.mask >> i & 1u)) continue;
         const float w = samples.weight[i];
         covered[i] += w;
         sum.r[i] += w * color.r[i];
@@ -155,57 +167,58 @@ void add_background(ColorBlock& sum, const std::array<float, block_size>& covere
     }
 }
 
-/// The same with several samples a pixel: shares are added in linear light, group by group.
+/// Colours the pixels from several samples each: shares are added in linear light, group by group.
 void color_sampled_pixels(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display) {
-    std::vector<std::size_t>& group = l.run_groups;
-    group.assign(1, 0);
-    for (std::size_t r = 1; r <= s.runs.size(); ++r)
-        if (r == s.runs.size() || s.runs[r].first_pixel != s.runs[r - 1].first_pixel) group.push_back(r);
-    tbb::parallel_for(std::size_t{1}, group.size(), [&](std::size_t n) {
+    std::vector<std::size_t>& begins = l.block_begins;
+    begins.assign(1, 0);
+    for (std::size_t r = 1; r <= s.groups.size(); ++r)
+        if (r == s.groups.size() || s.groups[r].first_pixel != s.groups[r - 1].first_pixel)
+            begins.push_back(r);
+    tbb::parallel_for(std::size_t{1}, begins.size(), [&](std::size_t n) {
         ColorBlock sum{}, color;
         std::array<float, block_size> covered{};
-        PixelRun all = s.runs[group[n - 1]];
-        for (std::size_t r = group[n - 1]; r < group[n]; ++r) {
-            color_runs(l, s, r, 1, &color);
-            add_share(sum, covered, s.runs[r], s.run_samples[r], color);
-            all.mask = static_cast<std::uint16_t>(all.mask | s.runs[r].mask);
+        PixelGroup all = s.groups[begins[n - 1]];
+        for (std::size_t r = begins[n - 1]; r < begins[n]; ++r) {
+            color_groups(l, s, r, 1, &color);
+            add_share(sum, covered, s.groups[r], s.group_samples[r], color);
+            all.mask = static_cast<std::uint16_t>(all.mask | s.groups[r].mask);
         }
         add_background(sum, covered, l.display.background);
         draw_over(strokes, l.npr.stroke, all.first_pixel, all.mask, sum);
         std::array<std::uint32_t, block_size> rgba;
         lighting_kernels().encode(display, &sum, rgba.data(), 1);
-        write_run(l, all, sum, rgba.data());
+        write_group(l, all, sum, rgba.data());
     });
 }
 
 }  // namespace
 
 void color_pixels(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display) {
-    if (!s.run_samples.empty()) return color_sampled_pixels(l, s, strokes, display);
+    if (!s.group_samples.empty()) return color_sampled_pixels(l, s, strokes, display);
     const bool as_they_are = s.choice.kind == SurfaceKind::Faces && strokes.coverage.empty() && !l.linear;
-    as_they_are ? show_faces(l, s) : color_runs_to_bytes(l, s, strokes, display);
+    as_they_are ? show_faces(l, s) : color_groups_to_bytes(l, s, strokes, display);
 }
 
 void clear_picture(Lighting& l, PictureSize size, const Strokes& strokes, const DisplayJob& display) {
     const UniformBlock ground(l.display.background, display);
     l.picture.size = size;
-    const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    const std::size_t pixels = size.pixels();
     l.picture.rgba.resize(4 * pixels);
     l.picture.linear.resize(l.linear ? 3 * pixels : 0);
     const std::size_t blocks = (pixels + block_size - 1) / block_size;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 1024), [&](const auto& range) {
         for (std::size_t b = range.begin(); b != range.end(); ++b) {
             const std::size_t left = std::min(block_size, pixels - b * block_size);
-            const PixelRun run{static_cast<std::uint32_t>(b * block_size), 0,
-                               static_cast<std::uint16_t>(0xFFFFu >> (block_size - left))};
+            const PixelGroup group{static_cast<std::uint32_t>(b * block_size), 0,
+                                   static_cast<std::uint16_t>(0xFFFFu >> (block_size - left))};
             ColorBlock drawn = ground.color;
-            if (!draw_over(strokes, l.npr.stroke, run.first_pixel, run.mask, drawn)) {
-                write_run(l, run, ground.color, ground.rgba.data());
+            if (!draw_over(strokes, l.npr.stroke, group.first_pixel, group.mask, drawn)) {
+                write_group(l, group, ground.color, ground.rgba.data());
                 continue;
             }
             std::array<std::uint32_t, block_size> drawn_rgba{};
             lighting_kernels().encode(display, &drawn, drawn_rgba.data(), 1);
-            write_run(l, run, drawn, drawn_rgba.data());
+            write_group(l, group, drawn, drawn_rgba.data());
         }
     });
 }
@@ -215,11 +228,11 @@ void uncover(Lighting& l, const Visibility& v, const DisplayJob& display) {
     const auto width = static_cast<std::size_t>(l.picture.size.width);
     tbb::parallel_for(std::size_t{0}, static_cast<std::size_t>(l.picture.size.height), [&](std::size_t y) {
         for (std::size_t i = 0; i < v.groups_a_row; ++i) {
-            const std::size_t group = y * v.groups_a_row + i;
-            const auto bare = static_cast<std::uint16_t>(l.covered[group] & ~v.covered[group]);
+            const std::size_t block = y * v.groups_a_row + i;
+            const auto bare = static_cast<std::uint16_t>(l.covered[block] & ~v.covered[block]);
             if (bare == 0) continue;
-            const PixelRun run{static_cast<std::uint32_t>(y * width + i * block_size), 0, bare};
-            write_run(l, run, ground.color, ground.rgba.data());
+            const PixelGroup group{static_cast<std::uint32_t>(y * width + i * block_size), 0, bare};
+            write_group(l, group, ground.color, ground.rgba.data());
         }
     });
 }

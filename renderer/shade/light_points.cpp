@@ -9,29 +9,28 @@
 namespace glint {
 
 void light_blocks(const std::vector<LightJob>& jobs, const Surface& s, std::size_t first, std::size_t count,
-                  const ColorBlock* begun, ColorBlock* colors) {
+                  const ColorBlock* partial_sums, ColorBlock* colors) {
     for (std::size_t i = 0; i < count;) {  // neighbouring blocks of one object go in one call
         const std::size_t same = s.count_of_one_object(first + i, first + count);
         lighting_kernels().light(jobs[s.point_object[first + i]], &s.points[first + i],
-                                 begun ? begun + i : nullptr, colors + i, same);
+                                 partial_sums ? partial_sums + i : nullptr, colors + i, same);
         i += same;
     }
 }
 
 void light_points(const Lighting& l, const Surface& s, std::size_t first, std::size_t count,
                   ColorBlock* colors) {
-    if (l.moving < 0) return light_blocks(l.jobs, s, first, count, nullptr, colors);
-    light_blocks(l.moving_jobs, s, first, count, &l.others[first], colors);
+    const MovingLight& moving = l.moving_light;
+    if (!moving.is_followed()) return light_blocks(l.jobs, s, first, count, nullptr, colors);
+    light_blocks(moving.jobs(), s, first, count, moving.others(first), colors);
 }
 
 namespace {
 
-constexpr std::size_t batch = 16;  // blocks whose colours stay in the first-level cache between the steps
-
 /// The colours of the mesh itself.
 void take_vertex_colors(const Surface& s, const Geometry& g, std::size_t block, ColorBlock& colors) {
     for (std::size_t i = 0; i < block_size; ++i) {
-        const PointSource& source = s.sources[block * block_size + i];
+        const ShadingPoint& source = s.sources[block * block_size + i];
         const glm::vec3 c = source.item == no_index ? glm::vec3(0) : vertex_color(s, g, source);
         colors.r[i] = c.x;
         colors.g[i] = c.y;
@@ -41,7 +40,7 @@ void take_vertex_colors(const Surface& s, const Geometry& g, std::size_t block, 
 
 void color_batch(Lighting& l, const Surface& s, const Geometry& g, const DisplayJob& display,
                  std::size_t first, std::size_t count) {
-    std::array<ColorBlock, batch> colors;
+    std::array<ColorBlock, batch_size> colors;
     if (l.shading.reflection != Reflection::None) {
         light_points(l, s, first, count, colors.data());
     } else {
@@ -59,16 +58,16 @@ void color_batch(Lighting& l, const Surface& s, const Geometry& g, const Display
 }  // namespace
 
 void color_points(Lighting& l, const Surface& s, const Geometry& g, const DisplayJob& display) {
-    const std::size_t all = s.points.size(), batches = (all + batch - 1) / batch;
+    const std::size_t all = s.points.size(), batches = (all + batch_size - 1) / batch_size;
     l.point_colors.resize(all * block_size);
     l.point_rgba.resize(s.choice.kind == SurfaceKind::Faces ? all * block_size : 0);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, batches, 4), [&](const auto& range) {
         for (std::size_t b = range.begin(); b != range.end(); ++b)
-            color_batch(l, s, g, display, b * batch, std::min(batch, all - b * batch));
+            color_batch(l, s, g, display, b * batch_size, std::min(batch_size, all - b * batch_size));
     });
 }
 
-glm::vec3 vertex_color(const SurfaceInputs& s, const Geometry& g, const PointSource& source) {
+glm::vec3 vertex_color(const SurfaceInputs& s, const Geometry& g, const ShadingPoint& source) {
     const Mesh& mesh = *g.objects[source.object].mesh;
     if (mesh.colors.empty()) return glm::vec3(1);
     if (s.choice.kind == SurfaceKind::Corners) {

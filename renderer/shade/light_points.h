@@ -5,16 +5,17 @@
 
 namespace glint {
 
-/// Lights `count` blocks of points from `first` on, each with its object's job; `begun`: sums to which the
-/// jobs' lights are added, one for each of these blocks, or null.
+/// Lights `count` blocks of points from `first` on, each with its object's job; `partial_sums`: sums to which
+/// the jobs' lights are added, one for each of these blocks, or null.
 void light_blocks(const std::vector<LightJob>& jobs, const Surface& surface, std::size_t first,
-                  std::size_t count, const ColorBlock* begun, ColorBlock* colors);
+                  std::size_t count, const ColorBlock* partial_sums, ColorBlock* colors);
 
-/// The same with all lights, or with the moving one over the kept sum of the others.
+/// Lights `count` blocks of points from `first` on with all lights, or with the moving one over the kept sum
+/// of the others.
 void light_points(const Lighting& lighting, const Surface& surface, std::size_t first, std::size_t count,
                   ColorBlock* colors);
 
-/// Corners, Faces: brings point_colors up to date; Faces: point_rgba too.
+/// Under Corners and Faces: brings point_colors up to date; Faces: point_rgba too.
 void color_points(Lighting& lighting, const Surface& surface, const Geometry& geometry,
                   const DisplayJob& display);
 

@@ -8,32 +8,29 @@
 #include <limits>
 #include <numbers>
 
-#include "models/fields/reflection_info.h"
+#include "models/mesh/normals.h"
 #include "renderer/geometry/not_too_far.h"
-#include "renderer/shade/mistaken_lights.h"
+#include "renderer/lighting/light_source.h"
+#include "renderer/shade/light_mistakes.h"
+#include "renderer/shade/moving_light.h"
 
 namespace glint {
 namespace {
 
-glm::dvec3 unit_or_zero(glm::dvec3 v) {
-    const double length = glm::length(v);
-    return length > 0 ? v / length : glm::dvec3(0);
-}
-
-LightSource::Rgb rgb(glm::dvec3 v) {
+Float3 to_float3(glm::dvec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-// Scenes may hold numbers to 1e30, whose products and squares no float holds; infinity times 0 is no number.
+// Scenes may hold numbers to 1e30, whose products and squares do not fit a float; infinity times 0 is NaN.
 constexpr double largest_product = 1e30;
 
 /// A product of colours, held at 1e30.
-LightSource::Rgb product(glm::dvec3 a, glm::dvec3 b, double most = largest_product) {
-    return rgb(glm::min(a * b, glm::dvec3(most)));
+Float3 product(glm::dvec3 a, glm::dvec3 b, double most = largest_product) {
+    return to_float3(glm::min(a * b, glm::dvec3(most)));
 }
 
 /// The most that a light's colour may be for its product with every material's to stay within 1e30.
-double most_light(const std::vector<Object>& objects) {
+double max_light(const std::vector<Object>& objects) {
     float most = 1;
     for (const Object& o : objects)
         for (const glm::vec3& k : {o.material.ambient, o.material.diffuse, o.material.specular})
@@ -43,23 +40,24 @@ double most_light(const std::vector<Object>& objects) {
 
 /// Puts a source, of an area light a sample with this patch, at its place; one whose distance squared no
 /// float holds, nearer to the eye in the same direction, and what depends on its distance is worked out here.
-void put_at(LightSource& source, const glm::dvec3& place, double patch) {
+void put_at(LightSource& source, const glm::dvec3& position, double patch) {
     constexpr double near_float_limit = 1e38;
-    const double distance = glm::length(place), nearer = share_of_way(place);
+    const double distance = glm::length(position), nearer = share_of_way(position);
     source.patch = static_cast<float>(std::min(patch, largest_product));
-    source.xyz = rgb(nearer * place);
+    source.xyz = to_float3(nearer * position);
     if (nearer == 1) return;
     source.patch = static_cast<float>(std::min(patch * nearer * nearer, near_float_limit));
     source.distance_scale = static_cast<float>(1 / nearer);
-    source.constant = static_cast<float>(std::min(
-        source.constant + distance * (source.linear + distance * source.quadratic), near_float_limit));
+    source.constant = static_cast<float>(
+        std::min(falloff_polynomial<double>(source.constant, source.linear, source.quadratic, distance),
+                 near_float_limit));
     source.linear = source.quadratic = 0;
 }
 
 /// Camera coordinates of a light's places and directions.
 struct Frame {
     glm::dmat4 to_camera;
-    [[nodiscard]] glm::dvec3 place(glm::dvec3 p) const { return glm::dvec3(to_camera * glm::dvec4(p, 1)); }
+    [[nodiscard]] glm::dvec3 position(glm::dvec3 p) const { return glm::dvec3(to_camera * glm::dvec4(p, 1)); }
     [[nodiscard]] glm::dvec3 direction(glm::dvec3 d) const {
         return glm::dvec3(to_camera * glm::dvec4(d, 0));
     }
@@ -71,7 +69,7 @@ void add_area(std::vector<LightSource>& sources, LightSource source, const Light
     const glm::dvec3 across = glm::cross(u, v);
     const int n = static_cast<int>(std::lround(std::sqrt(light.area.samples)));
     source.is_patch = true;
-    source.axis = rgb(unit_or_zero(across));
+    source.axis = to_float3(unit_or_zero(across));
     const double patch = 4 * glm::length(across) / (std::numbers::pi * n * n);
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
@@ -83,7 +81,7 @@ void add_area(std::vector<LightSource>& sources, LightSource source, const Light
 
 void add_light(std::vector<LightSource>& sources, const Light& light, int index, const glm::dmat4& view,
                const Mistakes& mistakes, double most) {
-    const Frame frame{mistaken_frame(mistakes, light.space, view)};
+    const Frame frame{camera_from_light(light.space, view, mistakes)};
     LightSource s;
     s.light = index;
     const glm::dvec3 intensity(light.intensity);
@@ -93,15 +91,15 @@ void add_light(std::vector<LightSource>& sources, const Light& light, int index,
     const glm::dvec3 xyz(light.position);
     if (light.kind == LightKind::Directional) {
         const glm::dvec3 towards = frame.direction(xyz);
-        s.xyz = rgb(mistakes.unnormalized_light ? towards : unit_or_zero(towards));
-        spoil_source(mistakes, light, s);
+        s.xyz = to_float3(mistakes.unnormalized_light ? towards : unit_or_zero(towards));
+        apply_source_mistakes(mistakes, light, s);
         sources.push_back(s);
         return;
     }
-    const glm::dvec3 place = frame.place(xyz / static_cast<double>(light.position.w));
+    const glm::dvec3 position = frame.position(xyz / static_cast<double>(light.position.w));
     s.w = 1;
     if (light.kind == LightKind::Area) {
-        add_area(sources, s, light, frame, place);
+        add_area(sources, s, light, frame, position);
         return;
     }
     s.has_falloff = light.falloff != Falloff{};
@@ -110,16 +108,12 @@ void add_light(std::vector<LightSource>& sources, const Light& light, int index,
     s.quadratic = light.falloff.quadratic;
     s.has_cone = light.kind == LightKind::Spot && light.spot.cutoff_deg < 180;
     if (s.has_cone) {
-        s.axis = rgb(unit_or_zero(frame.direction(light.spot.direction)));
-        // cos 90 degrees is not quite 0 in floating point, and the edge belongs to the cone.
-        s.cos_cutoff =
-            light.spot.cutoff_deg == 90
-                ? 0.0f
-                : static_cast<float>(std::cos(glm::radians(static_cast<double>(light.spot.cutoff_deg))));
+        s.axis = to_float3(unit_or_zero(frame.direction(light.spot.direction)));
+        s.cos_cutoff = static_cast<float>(cos_of_cutoff(light.spot.cutoff_deg));
         s.exponent = light.spot.exponent;
     }
-    spoil_source(mistakes, light, s);
-    put_at(s, place, 0);
+    apply_source_mistakes(mistakes, light, s);
+    put_at(s, position, 0);
     sources.push_back(s);
 }
 
@@ -130,8 +124,8 @@ CoolToWarm tone_of(const Npr& npr, const Material& m, const std::vector<LightSou
         static_cast<float>(largest_product) / std::max({1.0f, m.diffuse.x, m.diffuse.y, m.diffuse.z});
     CoolToWarm tone;
     tone.on = npr.cool_to_warm;
-    tone.cool = rgb(npr.cool);
-    tone.warm = rgb(npr.warm);
+    tone.cool = to_float3(npr.cool);
+    tone.warm = to_float3(npr.warm);
     tone.alpha = std::clamp(npr.alpha, -most, most);
     tone.beta = std::clamp(npr.beta, -most, most);
     if (lights.empty()) return tone;
@@ -140,41 +134,8 @@ CoolToWarm tone_of(const Npr& npr, const Material& m, const std::vector<LightSou
     std::size_t count = 0;
     for (; count < lights.size() && lights[count].light == lights[0].light; ++count)
         sum += glm::dvec3(lights[count].xyz.x, lights[count].xyz.y, lights[count].xyz.z);
-    tone.light = rgb(sum / static_cast<double>(count));
+    tone.light = to_float3(sum / static_cast<double>(count));
     return tone;
-}
-
-float largest(const LightSource::Rgb& a, const LightSource::Rgb& b) {
-    return std::max({a.x * b.x, a.y * b.y, a.z * b.z});
-}
-
-/// An upper bound of one light's share anywhere; infinite where the light has none.
-double most_of(const LightJob& job, const LightSource& light) {
-    const ReflectionInfo model = info_of(job.model);
-    const SurfaceMaterial& m = job.material;
-    const double falloff = light.has_falloff ? 1.0 / light.constant : 1.0;
-    return falloff * (largest(m.k_a, light.ambient) + model.max_diffuse * largest(m.k_d, light.diffuse) +
-                      model.max_specular * largest(m.k_s, light.specular));
-}
-
-/// The grid for LightJob::grid. None where a share has no bound (near a light without constant falloff, an
-/// area light, Cook-Torrance), and none for so few lights that keeping a sum would not pay.
-float share_grid(const LightJob& job) {
-    constexpr std::size_t fewest_lights = 3;
-    const bool bounded = info_of(job.model).is_bounded();
-    if (job.light_count < fewest_lights || !bounded || job.tone.on || job.any_mistake || job.clamp) return 0;
-    const SurfaceMaterial& m = job.material;
-    const double begun = std::max({m.emission.x + m.global_ambient.x, m.emission.y + m.global_ambient.y,
-                                   m.emission.z + m.global_ambient.z});
-    double most = begun, sum = begun;
-    for (std::size_t i = 0; i < job.light_count; ++i) {
-        const double share = job.lights[i].is_patch ? HUGE_VAL : most_of(job, job.lights[i]);
-        most = std::max(most, share);
-        sum += share;
-    }
-    const double steps = std::max(std::ldexp(most, -22), std::ldexp(sum, -24));
-    const bool usable = steps > 1e-30 && steps < 1e30;
-    return usable ? static_cast<float>(std::exp2(std::ceil(std::log2(steps)))) : 0;
 }
 
 }  // namespace
@@ -184,9 +145,33 @@ float faintest_cosine_squared(float shininess) {
                          : std::numeric_limits<float>::lowest();  // anything to the power 0 is 1
 }
 
+double cos_of_cutoff(double degrees) {
+    // cos 90 degrees is not quite 0 in floating point, and the edge belongs to the cone.
+    return degrees == 90 ? 0 : std::cos(glm::radians(degrees));
+}
+
+glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world, const Mistakes& wrong) {
+    const bool world = (space == LightSpace::World) != wrong.light_in_wrong_space;
+    const glm::dmat4 frame = world ? view_from_world : glm::dmat4(1.0);
+    return wrong.light_moved_twice ? view_from_world * frame : frame;
+}
+
+SurfaceMaterial surface_material(const Material& m) {
+    SurfaceMaterial s;
+    s.k_a = to_float3(m.ambient);
+    s.k_d = to_float3(m.diffuse);
+    s.k_s = to_float3(m.specular);
+    s.f0 = to_float3(m.f0);
+    s.shininess = m.shininess;
+    s.roughness = m.roughness;
+    s.emission = to_float3(m.emission);
+    s.faintest_squared = faintest_cosine_squared(m.shininess);
+    return s;
+}
+
 void light_sources(const Scene& scene, std::vector<LightSource>& sources) {
     const glm::dmat4 view = view_from_world(scene.camera);
-    const double most = most_light(scene.objects);
+    const double most = max_light(scene.objects);
     sources.clear();
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
         if (scene.lights[i].enabled)
@@ -205,13 +190,8 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& m,
     LightJob job;
     job.lights = lights.data();
     job.light_count = lights.size();
-    job.material.k_a = rgb(m.ambient);
-    job.material.k_d = rgb(m.diffuse);
-    job.material.k_s = rgb(m.specular);
-    job.material.f0 = rgb(m.f0);
-    job.material.shininess = opengl ? std::min(m.shininess, opengl_max_shininess) : m.shininess;
-    job.material.roughness = m.roughness;
-    job.material.emission = rgb(m.emission);
+    job.material = surface_material(m);
+    if (opengl) job.material.shininess = std::min(m.shininess, opengl_max_shininess);
     job.material.global_ambient = product(m.ambient, scene.global_ambient);
     job.model = scene.shading.reflection;
     job.terms = scene.shading.terms;
@@ -219,8 +199,8 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& m,
     if (job.tone.on) job.terms.emission = job.terms.ambient = job.terms.diffuse = false;
     job.infinite_viewer = !scene.shading.local_viewer || is_orthographic(scene.camera.projection);
     job.clamp = opengl && at_corners;
-    spoil_job(scene, size, job);
-    job.grid = share_grid(job);
+    apply_job_mistakes(scene, size, job);
+    job.grid = rounding_grid(job);
     job.material.faintest_squared = faintest_cosine_squared(job.material.shininess);
     return job;
 }

@@ -13,7 +13,7 @@ namespace glint {
 /// The enabled lights in the scene's order; an area light gives one source a sample.
 [[nodiscard]] std::vector<LightSource> light_sources(const Scene& scene);
 
-/// The same in the memory of `sources`.
+/// Fills `sources` in its own memory.
 void light_sources(const Scene& scene, std::vector<LightSource>& sources);
 
 /// One object's part of the equation. `lights` must outlive the job. `at_corners`: the colours will be
@@ -24,7 +24,18 @@ void light_sources(const Scene& scene, std::vector<LightSource>& sources);
 /// OpenGL 2.1 knows no shininess above 128.
 inline constexpr float opengl_max_shininess = 128;
 
-[[nodiscard]] inline LightSource::Rgb rgb(const glm::vec3& c) { return {c.x, c.y, c.z}; }
+[[nodiscard]] inline Float3 to_float3(const glm::vec3& c) { return {c.x, c.y, c.z}; }
+
+/// A material as the equation sees it, without k_a I_a: `global_ambient` stays 0.
+[[nodiscard]] SurfaceMaterial surface_material(const Material& material);
+
+/// Camera coordinates from a light's own: the view matrix for a light given in world coordinates, and nothing
+/// for one given in camera coordinates; `mistakes` may put another matrix in place.
+[[nodiscard]] glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world,
+                                           const Mistakes& mistakes = {});
+
+/// The cosine of a cone's half angle, 0 to 180 degrees.
+[[nodiscard]] double cos_of_cutoff(double degrees);
 
 /// The square of the cosine whose power is 2^-24, the last bit of a highlight of 1; -4, below every square
 /// with its sign, for a shininess of 0, where every cosine counts (0^0 is 1).

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "renderer/shade/color_pixels.h"
-#include "renderer/shade/kept_sum.h"
 #include "renderer/shade/light_points.h"
 #include "renderer/shade/light_sources.h"
 
@@ -23,9 +22,43 @@ void find_objects_again(Lighting& l, const Scene& scene, bool same_but_materials
         l.objects_again.push_back(l.materials[i] != scene.objects[i].material);
 }
 
-bool same_tone(const Npr& a, const Npr& b) {
-    return a.cool_to_warm == b.cool_to_warm && a.cool == b.cool && a.warm == b.warm && a.alpha == b.alpha &&
-           a.beta == b.beta;
+/// What this stage reads of `npr`: everything but what the strokes' stage reads, so that a new member counts
+/// unless it is named here.
+Npr without_strokes(Npr npr) {
+    const Npr none;
+    npr.silhouettes = none.silhouettes;
+    npr.creases = none.creases;
+    npr.crease_deg = none.crease_deg;
+    npr.stroke_width_px = none.stroke_width_px;
+    npr.stroke = none.stroke;
+    return npr;
+}
+
+/// What is as it was when the kept picture was made.
+struct Unchanged {
+    bool ground = false;     // background, strokes and display: what pixels without a surface show
+    bool pixels = false;     // ground, and which surface each pixel shows
+    bool equation = false;   // the surface, and all of the equation but lights and materials
+    bool materials = false;  // of every object
+    bool lights = false;
+
+    [[nodiscard]] bool all_but_lights() const { return equation && materials; }
+    [[nodiscard]] bool all_but_materials() const { return pixels && equation && lights; }
+    [[nodiscard]] bool all() const { return all_but_materials() && materials; }
+};
+
+Unchanged compare(const Lighting& kept, const Scene& scene, const Strokes& strokes, bool linear,
+                  RedoneStages redone) {
+    const bool same_strokes =
+        !redone.strokes && (strokes.coverage.empty() || kept.npr.stroke == scene.npr.stroke);
+    Unchanged same;
+    same.ground = kept.display == scene.display && kept.linear == linear && same_strokes;
+    same.pixels = same.ground && !redone.visibility;
+    same.equation = !redone.surface && kept.global_ambient == scene.global_ambient &&
+                    kept.shading == scene.shading && without_strokes(kept.npr) == without_strokes(scene.npr);
+    same.materials = same_materials(kept.materials, scene);
+    same.lights = kept.lights == scene.lights;
+    return same;
 }
 
 /// Makes sources and jobs anew in the memory of the old ones; false when some object's grid differs.
@@ -68,17 +101,10 @@ DisplayJob display_job(const Display& display) {
 
 bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, const Visibility& visibility,
                      const Surface& surface, const Strokes& strokes, bool linear, RedoneStages redone) {
-    const bool same_strokes =
-        !redone.strokes && (strokes.coverage.empty() || kept.npr.stroke == scene.npr.stroke);
-    const bool same_ground = kept.display == scene.display && kept.linear == linear && same_strokes;
-    const bool same_display = same_ground && !redone.visibility;
-    const bool same_equation = !redone.surface && kept.global_ambient == scene.global_ambient &&
-                               kept.shading == scene.shading && same_tone(kept.npr, scene.npr);
-    const bool same_but_lights = same_equation && same_materials(kept.materials, scene);
-    const bool same_lights = kept.lights == scene.lights;
-    if (same_display && same_but_lights && same_lights) return false;
-    find_objects_again(kept, scene, same_display && same_equation && same_lights);
-    const int moving = same_but_lights ? changed_light(kept.lights, scene.lights) : -1;
+    const Unchanged same = compare(kept, scene, strokes, linear, redone);
+    if (same.all()) return false;
+    find_objects_again(kept, scene, same.all_but_materials());
+    const int moving = same.all_but_lights() ? changed_light(kept.lights, scene.lights) : -1;
     kept.lights = scene.lights;
     kept.global_ambient = scene.global_ambient;
     kept.shading = scene.shading;
@@ -87,11 +113,11 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, cons
     kept.linear = linear;
     const bool at_corners = surface.choice.kind != SurfaceKind::Pixels;
     const bool same_grids = take_jobs(kept, scene, g.size, at_corners);
-    keep_others(kept, surface, moving, same_grids);
+    kept.moving_light.follow(moving, same_grids, kept.sources, kept.jobs, surface);
     const DisplayJob display = display_job(scene.display);
-    if (!same_display) {
-        prepare_picture(kept, g.size, visibility, strokes, display, same_ground);
-        std::fill(kept.shown_lit.begin(), kept.shown_lit.end(), 0xFFFF);
+    if (!same.pixels) {
+        prepare_picture(kept, g.size, visibility, strokes, display, same.ground);
+        kept.moving_light.forget_picture();
     }
     if (at_corners) color_points(kept, surface, g, display);
     color_pixels(kept, surface, strokes, display);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/picture.h"
+#include "renderer/shade/moving_light.h"
 #include "renderer/shade/shade_kernels.h"
 #include "renderer/strokes/strokes.h"
 #include "renderer/surface/surface.h"
@@ -17,26 +18,15 @@ struct Lighting {
     std::vector<LightJob> jobs;             // one an object
     std::vector<ColorRecord> point_colors;  // Corners, Faces: of the lit points
     std::vector<std::uint32_t> point_rgba;  // Faces: the same as bytes, 16 a block
-    std::vector<std::size_t> run_groups;    // several samples a pixel: where runs of other pixels begin
+    std::vector<std::size_t> block_begins;  // several samples a pixel: where runs of other pixels begin
     Picture picture;
-    // Visibility::covered as the picture shows it; empty where strokes or several samples a pixel have no
-    // such thing.
+    // Coverage masks (Visibility::covered) of the last picture; empty with strokes or multisampling, where
+    // they are not used.
     std::vector<std::uint16_t> covered;
     bool linear = false;  // picture.linear is kept up too
     // Where a material alone changes: the objects to light again, by index; empty: all.
     std::vector<std::uint8_t> objects_again;
-    // While one light alone changes: the sum of the others at each of the surface's points. Kept where shares
-    // lie on a grid (LightJob::grid), so that the order of the sum does not matter.
-    bool keep_sums = true;
-    int moving = -1;                 // index in Scene::lights of the light that `others` leaves out; -1: none
-    std::vector<ColorBlock> others;  // #points
-    std::vector<ReachBlock> reach;   // bounds of 16 blocks of points each
-    // Bit i of word b: block 16 b + i holds, in the kept picture, more than `others`; all: the picture is
-    // older.
-    std::vector<std::uint16_t> shown_lit;
-    MemoryShare share;  // of `others`
-    std::vector<LightSource> moving_sources, other_sources;
-    std::vector<LightJob> moving_jobs;  // with the moving light alone, one an object
+    MovingLight moving_light;  // while one light alone changes
     // What the kept picture was made of, beside the surface and the strokes.
     std::vector<Light> lights;
     std::vector<Material> materials;
@@ -63,7 +53,7 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& geometr
 /// Colour of a lit point under reflection `none`: the mesh's vertex colour (white where it has none); for a
 /// polygon the mean of its corners.
 [[nodiscard]] glm::vec3 vertex_color(const SurfaceInputs& surface, const Geometry& geometry,
-                                     const PointSource& source);
+                                     const ShadingPoint& source);
 
 [[nodiscard]] DisplayJob display_job(const Display& display);
 

@@ -72,13 +72,13 @@ template <int N> void store_narrowed(float* to, Doubles<N> a) {
     __builtin_memcpy(to, &few, sizeof(few));
 }
 /// Whole numbers of less than 2^31, as ints; and what is left of such a number without its fraction.
-inline void store_whole(void* to, double a) { store_ints(to, static_cast<int>(a)); }
-template <int N> void store_whole(void* to, Doubles<N> a) {
+inline void store_truncated(void* to, double a) { store_ints(to, static_cast<int>(a)); }
+template <int N> void store_truncated(void* to, Doubles<N> a) {
     const auto few = __builtin_convertvector(a.v, typename Vector<int, N>::Type);
     __builtin_memcpy(to, &few, sizeof(few));
 }
-inline double whole_part(double a) { return static_cast<double>(static_cast<int>(a)); }
-template <int N> Doubles<N> whole_part(Doubles<N> a) {
+inline double truncated(double a) { return static_cast<double>(static_cast<int>(a)); }
+template <int N> Doubles<N> truncated(Doubles<N> a) {
     return Doubles<N>(__builtin_convertvector(__builtin_convertvector(a.v, typename Vector<int, N>::Type),
                                               typename Doubles<N>::V));
 }

@@ -1,11 +1,11 @@
 #pragma once
 // The number type of the equation: `float`, or N floats side by side (`Lanes<N>`), with the same operations
-// and, bit for bit, the same results. Only this header and its three additions (doubles.h,
-// quads.h, whole_numbers.h) know the compiler's vector types and the processor's intrinsics. Everything here
+// and, bit for bit, the same results. Only this header and its three additions (double_lanes.h,
+// transpose.h, int_lanes.h) know the compiler's vector types and the processor's intrinsics. Everything here
 // lives in a namespace of its own instruction set, so that the linker can never take AVX code for the
-// baseline's (docs/architecture.md, "Same bytes everywhere").
+// baseline's (docs/architecture.md).
 //
-// Allowed in the equation: + - * / square_root, comparisons, select, and the bit moves of power.h. Nothing
+// Allowed in the equation: + - * / square_root, comparisons, select, and the bit moves of pow.h. Nothing
 // else, and -ffp-contract=off: then every width and every optimisation level gives the same bits.
 
 #ifndef GLINT_ISA
@@ -96,14 +96,14 @@ inline Mask16 operator<(Lanes<16> a, Lanes<16> b) { return compared<_CMP_LT_OS>(
 inline Mask16 operator>(Lanes<16> a, Lanes<16> b) { return compared<_CMP_GT_OS>(a, b); }
 inline Mask16 operator<=(Lanes<16> a, Lanes<16> b) { return compared<_CMP_LE_OS>(a, b); }
 inline Mask16 operator>=(Lanes<16> a, Lanes<16> b) { return compared<_CMP_GE_OS>(a, b); }
-inline Mask16 both(Mask16 a, Mask16 b) { return {static_cast<unsigned short>(a.bits & b.bits)}; }
+inline Mask16 mask_and(Mask16 a, Mask16 b) { return {static_cast<unsigned short>(a.bits & b.bits)}; }
 inline Lanes<16> select(Mask16 m, Lanes<16> a, Lanes<16> b) {
     return Lanes<16>((LanesOf<16>::Floats)_mm512_mask_blend_ps(m.bits, (__m512)b.v, (__m512)a.v));
 }
 inline bool any(Mask16 m) { return m.bits != 0; }
 #endif
-template <int N> IntLanes<N> both(IntLanes<N> a, IntLanes<N> b) { return {a.v & b.v}; }
-inline bool both(bool a, bool b) { return a && b; }
+template <int N> IntLanes<N> mask_and(IntLanes<N> a, IntLanes<N> b) { return {a.v & b.v}; }
+inline bool mask_and(bool a, bool b) { return a && b; }
 
 /// a where the mask holds, else b; neither side is skipped.
 template <SideBySide L> L select(MaskOf<L> m, L a, L b) { return L(m.v ? a.v : b.v); }
@@ -124,7 +124,7 @@ template <int N> bool any(IntLanes<N> m) {
 }
 inline bool any(bool m) { return m; }
 
-// Integers, for the bit moves of power.h.
+// Integers, for the bit moves of pow.h.
 template <int N> IntLanes<N> operator+(IntLanes<N> a, int b) { return {a.v + b}; }
 template <int N> IntLanes<N> operator+(IntLanes<N> a, IntLanes<N> b) { return {a.v + b.v}; }
 template <int N> IntLanes<N> operator-(IntLanes<N> a, int b) { return {a.v - b}; }
@@ -173,9 +173,9 @@ template <int N> Lanes<N> square_root(Lanes<N> a) {
 
 // Small helpers that read like the lecture.
 inline constexpr float smallest_normal = 0x1p-126f;  // below it the mantissa is not normalised
-template <Number F> F larger(F a, F b) { return select(a > b, a, b); }
-template <Number F> F smaller(F a, F b) { return select(a < b, a, b); }
-template <int N> Lanes<N> larger(Lanes<N> a, Lanes<N> b) {  // one instruction with the same meaning, NaN too
+template <Number F> F max(F a, F b) { return select(a > b, a, b); }
+template <Number F> F min(F a, F b) { return select(a < b, a, b); }
+template <int N> Lanes<N> max(Lanes<N> a, Lanes<N> b) {  // one instruction with the same meaning, NaN too
 #ifdef __AVX512F__
     if constexpr (N == 16)
         return Lanes<N>((typename LanesOf<N>::Floats)_mm512_maskz_max_ps(0xFFFF, (__m512)a.v, (__m512)b.v));
@@ -189,7 +189,7 @@ template <int N> Lanes<N> larger(Lanes<N> a, Lanes<N> b) {  // one instruction w
 #endif
     return select(a > b, a, b);
 }
-template <int N> Lanes<N> smaller(Lanes<N> a, Lanes<N> b) {
+template <int N> Lanes<N> min(Lanes<N> a, Lanes<N> b) {
 #ifdef __AVX512F__
     if constexpr (N == 16)
         return Lanes<N>((typename LanesOf<N>::Floats)_mm512_maskz_min_ps(0xFFFF, (__m512)a.v, (__m512)b.v));
@@ -203,9 +203,9 @@ template <int N> Lanes<N> smaller(Lanes<N> a, Lanes<N> b) {
 #endif
     return select(a < b, a, b);
 }
-template <Number F> F positive(F a) { return larger(a, F(0)); }  // <a> = max(a, 0); NaN gives 0
-template <Number F> F magnitude(F a) { return number_of_bits(bits_of(a) & 0x7fffffff); }
-inline double magnitude(double a) { return a < 0 ? -a : a; }
+template <Number F> F max0(F a) { return max(a, F(0)); }  // <a> = max(a, 0); NaN gives 0
+template <Number F> F abs(F a) { return number_of_bits(bits_of(a) & 0x7fffffff); }
+inline double abs(double a) { return a < 0 ? -a : a; }
 /// 1 / a, or 0 where a is 0, negative, or so small that 1 / a could overflow.
 template <Number F> F inverse_or_zero(F a) { return select(a >= F(smallest_normal), F(1) / a, F(0)); }
 inline double inverse_or_zero(double a) { return a >= 0x1p-1022 ? 1 / a : 0; }
@@ -248,10 +248,10 @@ inline void store(float* to, float a) { *to = a; }
 template <int N> void store(float* to, Lanes<N> a) { __builtin_memcpy(to, &a.v, sizeof(a.v)); }
 /// Asks for the cache lines of `bytes` bytes from `from` on before they are read. Nothing happens where there
 /// is no memory. Inlined always: g++ 12 would drop calls of a function that does nothing else.
-[[gnu::always_inline]] inline void ask_early(const void* from, unsigned long bytes) {
+[[gnu::always_inline]] inline void prefetch(const void* from, unsigned long bytes) {
     for (unsigned long i = 0; i < bytes; i += 64) __builtin_prefetch(static_cast<const char*>(from) + i);
 }
-[[gnu::always_inline]] inline void ask_early_to_write(void* to) { __builtin_prefetch(to, 1); }  // one line
+[[gnu::always_inline]] inline void prefetch_to_write(void* to) { __builtin_prefetch(to, 1); }  // one line
 inline float lane(float a, int) { return a; }
 template <int N> float lane(Lanes<N> a, int i) { return a.v[i]; }
 

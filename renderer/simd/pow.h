@@ -28,7 +28,7 @@ template <Number F> F log2_of(F x) {
 
 /// 2^y for y >= -126 (below that a number without meaning), held at 2^127 above.
 template <Number F> F exp2_above(F y) {
-    const F held = smaller(y, F(127));
+    const F held = min(y, F(127));
     const F magic = F(12582912.0f);  // 1.5 * 2^23: adding it leaves the nearest whole number in the low bits
     const F shifted = held + magic;
     const F f = held - (shifted - magic);
@@ -80,14 +80,14 @@ template <Number F> F whole_power(F x, int n) {
 
 /// sqrt(x)^s for normal x > 0, held at 2^-126 below.
 template <Number F> F power_of_root(F x, const Exponent<F>& s) {
-    if (s.whole < 0) return exp2_above(larger(s.value * (F(0.5f) * log2_of(x)), F(-126)));
+    if (s.whole < 0) return exp2_above(max(s.value * (F(0.5f) * log2_of(x)), F(-126)));
     const F even = whole_power(x, s.whole / 2);
     return s.whole % 2 ? even * square_root(x) : even;
 }
 
 /// x^s for any x; a negative one counts as 0. 0^0 is 1.
 template <Number F> F power(F x, const Exponent<F>& s) {
-    return s.whole >= 0 ? whole_power(positive(x), s.whole) : power(x, s.value);
+    return s.whole >= 0 ? whole_power(max0(x), s.whole) : power(x, s.value);
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -1,6 +1,7 @@
 #pragma once
-// Records of four floats, one for each lane, turned into four numbers: one 16-byte read a lane instead of
-// four gathers of four bytes, and the turning is done in registers. Shuffles only, so no bit can change.
+// Transposes between records of four floats, one a lane, and four numbers side by side (AoS and SoA): one
+// 16-byte read a lane instead of four gathers of four bytes, and the transpose is done in registers. Shuffles
+// only, so no bit can change.
 
 #include <cstddef>
 
@@ -9,9 +10,9 @@
 namespace glint::inline GLINT_ISA {
 
 /// The four floats of each lane's record, side by side.
-template <Number F> struct Quad { F a, b, c, d; };
+template <Number F> struct Columns { F a, b, c, d; };
 
-namespace quads {
+namespace transposing {
 
 typedef float Row __attribute__((vector_size(16)));
 inline Row row(const char* from) {
@@ -22,8 +23,8 @@ inline Row row(const char* from) {
 
 // What turning needs of each width: N floats of N / 4 rows; two vectors' floats in turn, from the lower or
 // the upper half of each row; and two vectors' pairs of floats in turn.
-template <int N> struct Turn;
-template <> struct Turn<4> {
+template <int N> struct Rows;
+template <> struct Rows<4> {
     using V = LanesOf<4>::Floats;
     static V rows(const char* const* at, int offset) { return row(at[0] + offset); }
     static V low(V a, V b) { return __builtin_shufflevector(a, b, 0, 4, 1, 5); }
@@ -31,7 +32,7 @@ template <> struct Turn<4> {
     static V low_pairs(V a, V b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5); }
     static V high_pairs(V a, V b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7); }
 };
-template <> struct Turn<8> {
+template <> struct Rows<8> {
     using V = LanesOf<8>::Floats;
     static V rows(const char* const* at, int offset) {
         return __builtin_shufflevector(row(at[0] + offset), row(at[1] + offset), 0, 1, 2, 3, 4, 5, 6, 7);
@@ -41,10 +42,10 @@ template <> struct Turn<8> {
     static V low_pairs(V a, V b) { return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13); }
     static V high_pairs(V a, V b) { return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15); }
 };
-template <> struct Turn<16> {
+template <> struct Rows<16> {
     using V = LanesOf<16>::Floats;
     static V rows(const char* const* at, int offset) {
-        return __builtin_shufflevector(Turn<8>::rows(at, offset), Turn<8>::rows(at + 2, offset), 0, 1, 2, 3,
+        return __builtin_shufflevector(Rows<8>::rows(at, offset), Rows<8>::rows(at + 2, offset), 0, 1, 2, 3,
                                        4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
     }
     static V low(V a, V b) {
@@ -62,52 +63,52 @@ template <> struct Turn<16> {
 };
 
 /// From r[k], which holds the records of lanes k, k + 4, k + 8, ...
-template <Number F> Quad<F> turned(const typename Turn<NumberTraits<F>::width>::V* r) {
-    using T = Turn<NumberTraits<F>::width>;
+template <Number F> Columns<F> transposed(const typename Rows<NumberTraits<F>::width>::V* r) {
+    using T = Rows<NumberTraits<F>::width>;
     const auto ab0 = T::low(r[0], r[1]), ab2 = T::low(r[2], r[3]);
     const auto cd0 = T::high(r[0], r[1]), cd2 = T::high(r[2], r[3]);
     return {F(T::low_pairs(ab0, ab2)), F(T::high_pairs(ab0, ab2)), F(T::low_pairs(cd0, cd2)),
             F(T::high_pairs(cd0, cd2))};
 }
 
-}  // namespace quads
+}  // namespace transposing
 
-/// Lane i: the four floats that lie at[i] * step bytes behind `from`.
-template <Number F> Quad<F> load_quads(const void* from, const unsigned* at, std::size_t step) {
+/// Gathers, for lane i, the four floats that lie at[i] * step bytes behind `from`.
+template <Number F> Columns<F> gather_transposed(const void* from, const unsigned* at, std::size_t step) {
     constexpr int width = NumberTraits<F>::width;
     const auto* bytes = static_cast<const char*>(from);
     if constexpr (width == 1) {
-        Quad<F> record;
+        Columns<F> record;
         __builtin_memcpy(&record, bytes + at[0] * step, sizeof(record));
         return record;
     } else {
-        typename quads::Turn<width>::V rows[4];
+        typename transposing::Rows<width>::V rows[4];
 #pragma GCC unroll 4  // or the rows would go through memory
         for (int k = 0; k < 4; ++k) {
             const char* record[width / 4];
 #pragma GCC unroll 4
             for (int row = 0; row < width / 4; ++row) record[row] = bytes + at[k + 4 * row] * step;
-            rows[k] = quads::Turn<width>::rows(record, 0);
+            rows[k] = transposing::Rows<width>::rows(record, 0);
         }
-        return quads::turned<F>(rows);
+        return transposing::transposed<F>(rows);
     }
 }
 
 /// `count` triples of numbers as three lists of N; in place of those past the count stands the first.
-template <int N> void lists_of_triples(const float* triples, std::size_t count, float (&lists)[3][N]) {
+template <int N> void transpose_triples(const float* triples, std::size_t count, float (&lists)[3][N]) {
     for (std::size_t i = 0; i < N; ++i)
         for (std::size_t k = 0; k < 3; ++k) lists[k][i] = triples[3 * (i < count ? i : 0) + k];
 }
 
-/// The other way: four lists of N numbers of four bytes become N records, `step` bytes apart.
-template <int N> void turn_into_records(const float (&lists)[4][N], void* records, std::size_t step) {
+/// Transposes four lists of N numbers of four bytes into N records, `step` bytes apart.
+template <int N> void store_transposed(const float (&lists)[4][N], void* records, std::size_t step) {
     auto* to = static_cast<char*>(records);
     for (int i = 0; i < N; i += 4) {
-        quads::Row list[4];
-        for (int k = 0; k < 4; ++k) __builtin_memcpy(&list[k], lists[k] + i, sizeof(quads::Row));
-        const Quad<Lanes<4>> turned = quads::turned<Lanes<4>>(list);
+        transposing::Row list[4];
+        for (int k = 0; k < 4; ++k) __builtin_memcpy(&list[k], lists[k] + i, sizeof(transposing::Row));
+        const Columns<Lanes<4>> turned = transposing::transposed<Lanes<4>>(list);
         const Lanes<4> record[4] = {turned.a, turned.b, turned.c, turned.d};
-        for (int k = 0; k < 4; ++k, to += step) __builtin_memcpy(to, &record[k].v, sizeof(quads::Row));
+        for (int k = 0; k < 4; ++k, to += step) __builtin_memcpy(to, &record[k].v, sizeof(transposing::Row));
     }
 }
 

@@ -24,11 +24,17 @@ template <Number F> F length(Vec3<F> a) { return square_root(dot(a, a)); }
 /// a / |a|. (0, 0, 0) stays (0, 0, 0): a missing normal lights black, never NaN.
 template <Number F> Vec3<F> unit(Vec3<F> a) { return inverse_or_zero(length(a)) * a; }
 
+/// A unit vector at right angles to the unit vector a. One number a vector (float or double).
+template <class D> Vec3<D> any_perpendicular(Vec3<D> a) {
+    const Vec3<D> helper = abs(a.x) < D(0.6) ? Vec3<D>{D(1), D(0), D(0)} : Vec3<D>{D(0), D(1), D(0)};
+    return unit(helper - dot(helper, a) * a);
+}
+
 template <Number F> Vec3<F> select(MaskOf<F> m, Vec3<F> a, Vec3<F> b) {
     return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
 }
 
 /// All lanes alike, from anything with x, y, z.
-template <Number F, class V> Vec3<F> same(const V& a) { return {F(a.x), F(a.y), F(a.z)}; }
+template <Number F, class V> Vec3<F> broadcast(const V& a) { return {F(a.x), F(a.y), F(a.z)}; }
 
 }  // namespace glint::inline GLINT_ISA

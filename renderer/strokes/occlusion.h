@@ -12,9 +12,9 @@ class Occlusion {
     explicit Occlusion(const Geometry& geometry);
 
     /// True when the plane of a triangle (global number) lies in front of a place on the screen (pixels, y
-    /// down) of the given nearness (ScreenVertex), by more than half of what a pixel measures at that depth.
+    /// down) of the given inv_w (ScreenVertex), by more than half of what a pixel measures at that depth.
     /// The triangle may reach behind the eye. Seen exactly from its side it hides nothing.
-    [[nodiscard]] bool hides(std::uint32_t triangle, glm::dvec2 pixel, double nearness) const;
+    [[nodiscard]] bool hides(std::uint32_t triangle, glm::dvec2 pixel, double inv_w) const;
 
   private:
     const Geometry& g_;

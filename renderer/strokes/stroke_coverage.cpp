@@ -73,7 +73,7 @@ class Filler {
     /// One row of one line.
     void draw(const StrokeLine& line, int y) const {
         const Span span = pixels_near(line, reach_, y, g_.size.width);
-        float* const row = &coverage_[static_cast<std::size_t>(y) * static_cast<std::size_t>(g_.size.width)];
+        float* const row = &coverage_[g_.size.index(0, y)];
         const glm::vec2 along = line.b - line.a;
         const float squared = glm::dot(along, along);
         for (int x = span.from; x <= span.to; ++x) {
@@ -87,12 +87,10 @@ class Filler {
     }
 
     [[nodiscard]] bool is_behind_another(const StrokeLine& line, int x, int y, float t) const {
-        const std::uint32_t triangle =
-            visibility_.triangle_at(static_cast<std::size_t>(y) * static_cast<std::size_t>(g_.size.width) +
-                                    static_cast<std::size_t>(x));
+        const std::uint32_t triangle = visibility_.triangle_at(g_.size.index(x, y));
         if (triangle == no_triangle || g_.object_of(triangle) == line.object) return false;
         return occlusion_.hides(triangle, line.a + t * (line.b - line.a),
-                                line.nearness_a + t * (line.nearness_b - line.nearness_a));
+                                line.inv_w_a + t * (line.inv_w_b - line.inv_w_a));
     }
 
     const Geometry& g_;
@@ -114,8 +112,7 @@ float stroke_share(float distance_px, float width_px) {
 
 std::vector<float> stroke_coverage(const Geometry& g, const Visibility& visibility,
                                    std::span<const StrokeLine> lines, float width_px) {
-    std::vector<float> coverage(
-        static_cast<std::size_t>(g.size.width) * static_cast<std::size_t>(g.size.height), 0.0f);
+    std::vector<float> coverage(g.size.pixels(), 0.0f);
     const Filler filler(g, visibility, lines, width_px, coverage);
     tbb::parallel_for(0, filler.band_count(), [&filler](int band) { filler.fill(band); });
     return coverage;

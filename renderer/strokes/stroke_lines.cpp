@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "renderer/geometry/clip.h"
 #include "renderer/geometry/to_screen.h"
 #include "renderer/strokes/occlusion.h"
 
@@ -18,9 +19,9 @@ constexpr std::size_t chunk_size = 256;  // edges that one task follows
 /// An edge on the screen.
 struct Projected {
     glm::dvec2 a, b;  // pixels
-    double nearness_a, nearness_b;
-    [[nodiscard]] glm::dvec2 place(double t) const { return a + t * (b - a); }
-    [[nodiscard]] double nearness(double t) const { return nearness_a + t * (nearness_b - nearness_a); }
+    double inv_w_a, inv_w_b;
+    [[nodiscard]] glm::dvec2 position(double t) const { return a + t * (b - a); }
+    [[nodiscard]] double inv_w(double t) const { return inv_w_a + t * (inv_w_b - inv_w_a); }
 };
 
 /// Follows edges of one object.
@@ -33,8 +34,8 @@ class Follower {
           object_(object),
           mesh_(mesh),
           occlusion_(g),
-          clip_from_object_(clip_from_view(g.camera.projection, g.size) * g.objects[object].view_from_object),
-          orthographic_(is_orthographic(g.camera.projection)),
+          clip_from_object_(g.objects[object].clip_from_object),
+          viewport_(viewport_of(g.camera, g.size)),
           reach_x_(1 + 2 * margin_px / g.size.width),
           reach_y_(1 + 2 * margin_px / g.size.height) {}
 
@@ -59,10 +60,8 @@ class Follower {
         const auto [i, j] = mesh_.topology.edges[edge];
         const glm::dvec4 a = clip_from_object_ * glm::dvec4(glm::dvec3(p[i]), 1.0);
         const glm::dvec4 d = clip_from_object_ * glm::dvec4(glm::dvec3(p[j]), 1.0) - a;
-        const glm::dvec4 planes[] = {{0, 0, 1, 1},         {0, 0, -1, 1},       {1, 0, 0, reach_x_},
-                                     {-1, 0, 0, reach_x_}, {0, 1, 0, reach_y_}, {0, -1, 0, reach_y_}};
-        double from = 0, to = 1;  // shares of the way from a to b; inside where dot(plane, corner) >= 0
-        for (const glm::dvec4& plane : planes) {
+        double from = 0, to = 1;  // shares of the way from a to b
+        for (const glm::dvec4& plane : view_planes(reach_x_, reach_y_)) {
             const double at_a = glm::dot(plane, a), change = glm::dot(plane, d);
             if (change > 0) from = std::max(from, -at_a / change);
             if (change < 0) to = std::min(to, -at_a / change);
@@ -70,7 +69,8 @@ class Follower {
         }
         if (!(from <= to)) return std::nullopt;
         const glm::dvec4 start = held(a + from * d), end = held(a + to * d);
-        return Projected{pixel(start), pixel(end), nearness(start), nearness(end)};
+        return Projected{to_pixel(viewport_, start), to_pixel(viewport_, end), inv_w_of(viewport_, start),
+                         inv_w_of(viewport_, end)};
     }
 
     /// An end of the part; where an edge is so long that its place is lost to rounding, one near the picture.
@@ -80,24 +80,17 @@ class Follower {
         return {std::clamp(c.x, -x, x), std::clamp(c.y, -y, y), c.z, c.w};
     }
 
-    [[nodiscard]] glm::dvec2 pixel(const glm::dvec4& clip) const {
-        return {(clip.x / clip.w + 1) * 0.5 * g_.size.width, (1 - clip.y / clip.w) * 0.5 * g_.size.height};
-    }
-    [[nodiscard]] double nearness(const glm::dvec4& clip) const {
-        return orthographic_ ? 0.5 * (1 - clip.z / clip.w) : 1 / clip.w;
-    }
-
     [[nodiscard]] bool is_seen(const StrokeEdge& edge, const Projected& line, double t) const {
-        const glm::dvec2 place = line.place(t);
-        const double nearness = line.nearness(t);
+        const glm::dvec2 at = line.position(t);
+        const double inv_w = line.inv_w(t);
         const auto leaves_it_seen = [&](std::uint32_t triangle) {
             return triangle == no_triangle || is_own(edge.edge, triangle) ||
-                   !occlusion_.hides(triangle, place, nearness);
+                   !occlusion_.hides(triangle, at, inv_w);
         };
-        const std::uint32_t nearest = triangle_at(pixel_index(place.x), pixel_index(place.y));
+        const std::uint32_t nearest = triangle_at(pixel_index(at.x), pixel_index(at.y));
         if (edge.facing == EdgeFacing::Towards) return leaves_it_seen(nearest);
         if (edge.facing == EdgeFacing::Away) return is_of_object(nearest) && leaves_it_seen(nearest);
-        const int x = pixel_index(place.x - 0.5), y = pixel_index(place.y - 0.5);
+        const int x = pixel_index(at.x - 0.5), y = pixel_index(at.y - 0.5);
         for (int k = 0; k < 4; ++k)
             if (leaves_it_seen(triangle_at(x + k % 2, y + k / 2))) return true;
         return false;
@@ -109,8 +102,7 @@ class Follower {
     [[nodiscard]] std::uint32_t triangle_at(int x, int y) const {
         x = std::clamp(x, 0, g_.size.width - 1);
         y = std::clamp(y, 0, g_.size.height - 1);
-        return visibility_.triangle_at(static_cast<std::size_t>(y) * static_cast<std::size_t>(g_.size.width) +
-                                       static_cast<std::size_t>(x));
+        return visibility_.triangle_at(g_.size.index(x, y));
     }
 
     [[nodiscard]] bool is_of_object(std::uint32_t triangle) const {
@@ -127,9 +119,8 @@ class Follower {
     }
 
     void add(const Projected& line, double from, double to, std::vector<StrokeLine>& lines) const {
-        lines.push_back({glm::vec2(line.place(from)), glm::vec2(line.place(to)),
-                         static_cast<float>(line.nearness(from)), static_cast<float>(line.nearness(to)),
-                         object_});
+        lines.push_back({glm::vec2(line.position(from)), glm::vec2(line.position(to)),
+                         static_cast<float>(line.inv_w(from)), static_cast<float>(line.inv_w(to)), object_});
     }
 
     const Geometry& g_;
@@ -138,7 +129,7 @@ class Follower {
     const MeshEdges& mesh_;
     Occlusion occlusion_;
     glm::dmat4 clip_from_object_;
-    bool orthographic_;
+    Viewport viewport_;
     double reach_x_, reach_y_;  // how far a line matters, in half picture widths and heights
 };
 

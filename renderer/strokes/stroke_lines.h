@@ -7,8 +7,8 @@
 // rim that pixel may show the edge's own surface, which bulges towards the eye; but a rim that is seen is
 // seen against something farther away or nothing, so one of the four pixels around it suffices to show it. An
 // edge whose facets all face away is seen through an opening if at all, and must find its own object there:
-// what lies beyond the outline is no sign of it. (Item buffers ask which face a pixel shows instead, and lose
-// edges between faces that are smaller than a pixel.)
+// what lies beyond the outline does not show that. (Item buffers ask which face a pixel shows instead, and
+// lose edges between faces that are smaller than a pixel.)
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -22,8 +22,8 @@ namespace glint {
 
 /// A piece of an edge that is seen.
 struct StrokeLine {
-    glm::vec2 a{0}, b{0};                  // pixels, y down, (0, 0) the picture's upper left corner
-    float nearness_a = 0, nearness_b = 0;  // as in ScreenVertex; linear from a to b
+    glm::vec2 a{0}, b{0};            // pixels, y down, (0, 0) the picture's upper left corner
+    float inv_w_a = 0, inv_w_b = 0;  // as in ScreenVertex; linear from a to b
     std::uint32_t object = 0;
 };
 

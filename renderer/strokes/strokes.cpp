@@ -54,7 +54,7 @@ bool update_strokes(Strokes& kept, const Scene& scene, const Geometry& g, const 
                     bool visibility_redone) {
     const Npr& npr = scene.npr;
     const EdgeChoice choice{npr.silhouettes, npr.creases, npr.crease_deg, scene.shading.cull};
-    const float width_px = std::min(npr.stroke_width_px, most_stroke_width_px);
+    const float width_px = std::min(npr.stroke_width_px, max_stroke_width_px);
     const bool wanted = (npr.silhouettes || npr.creases) && width_px > 0;
     if (!wanted && kept.coverage.empty()) return false;
     if (wanted && !kept.coverage.empty() && !visibility_redone && kept.choice == choice &&
@@ -77,7 +77,7 @@ bool draw_over(const Strokes& strokes, const glm::vec3& stroke, std::size_t firs
         if (!(mask >> i & 1u) || strokes.coverage[first_pixel + i] == 0) continue;
         any = true;
         const Vec3<float> shaded{colors.r[i], colors.g[i], colors.b[i]};
-        const Vec3<float> c = drawn_over(shaded, strokes.coverage[first_pixel + i], same<float>(stroke));
+        const Vec3<float> c = drawn_over(shaded, strokes.coverage[first_pixel + i], broadcast<float>(stroke));
         colors.r[i] = c.x;
         colors.g[i] = c.y;
         colors.b[i] = c.z;

@@ -13,11 +13,11 @@
 namespace glint {
 
 /// A wider stroke is drawn this wide, with a warning.
-inline constexpr float most_stroke_width_px = 100;
+inline constexpr float max_stroke_width_px = 100;
 
 struct Strokes {
-    std::vector<float>
-        coverage;  // width x height, 0 to 1: the share that strokes hide; empty without strokes
+    /// width x height, 0 to 1: the share that strokes hide; empty without strokes.
+    std::vector<float> coverage;
     std::vector<MeshEdges> meshes;  // of the scene's meshes, each once; kept while the scene has them
     // What the kept coverage was made of, beside geometry and visibility.
     EdgeChoice choice;

@@ -11,8 +11,8 @@
 namespace glint {
 namespace {
 
-template <Number F> ScreenPoint<F> screen_point(PictureSize size, SamplePlace at) {
-    return glint::screen_point(F(at.x), F(at.y), static_cast<F>(size.width), static_cast<F>(size.height));
+template <Number F> ScreenPoint<F> ndc_of(PictureSize size, PixelPosition at) {
+    return to_ndc(F(at.x), F(at.y), static_cast<F>(size.width), static_cast<F>(size.height));
 }
 
 /// Weights, and the place that they give, of corners in clip and in camera coordinates.
@@ -33,7 +33,7 @@ CornerWeights of_triangle(const Triangle& t, Vec3<float> w) {
     return weights;
 }
 
-void add_cut(CornerWeights& weights, const CutCorner& corner, double weight) {
+void add_clipped(CornerWeights& weights, const ClippedCorner& corner, double weight) {
     weights.add(corner.a, static_cast<float>(weight * (1 - corner.t)));
     if (corner.t > 0) weights.add(corner.b, static_cast<float>(weight * corner.t));
 }
@@ -43,16 +43,16 @@ double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 /// Linear on the screen over the fan of a triangle that the near plane cuts. Where nothing of the fan is left
 /// around the sample (a sliver, or numbers so large that the cut is lost to rounding), the
 /// perspective-correct ones.
-CornerWeights cut_screen_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
-    CutMemory memory;
-    const auto cut = cut_at_near(g, face.object, triangle.corner, memory);
+CornerWeights clipped_screen_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
+    ClipMemory memory;
+    const auto cut = clip_at_near(g, face.object, triangle.corner, memory);
     const glm::dvec2 at(face.at.x, face.at.y);
     CornerWeights best = of_triangle(triangle, {face.weights.x, face.weights.y, face.weights.z});
     // The smallest weight is largest in the fan's triangle that holds the sample. The grid of the rasteriser
     // may put that a little outside; by a whole width no more.
     double best_inside = -1;
     for (std::size_t i = 2; i < cut.size(); ++i) {
-        const CutCorner &a = cut[0], &b = cut[i - 1], &c = cut[i];
+        const ClippedCorner &a = cut[0], &b = cut[i - 1], &c = cut[i];
         const double area = cross(b.pixel - a.pixel, c.pixel - a.pixel);
         const double wb = cross(at - a.pixel, c.pixel - a.pixel) / area;
         const double wc = cross(b.pixel - a.pixel, at - a.pixel) / area;
@@ -60,9 +60,9 @@ CornerWeights cut_screen_weights(const Geometry& g, const SampleFace& face, cons
         if (!(inside > best_inside)) continue;  // NaN: it has no area
         best_inside = inside;
         best = {};
-        add_cut(best, a, 1 - wb - wc);
-        add_cut(best, b, wb);
-        add_cut(best, c, wc);
+        add_clipped(best, a, 1 - wb - wc);
+        add_clipped(best, b, wb);
+        add_clipped(best, c, wc);
     }
     return best;
 }
@@ -70,17 +70,17 @@ CornerWeights cut_screen_weights(const Geometry& g, const SampleFace& face, cons
 /// Where the scanline meets an edge of the polygon.
 struct Crossing {
     double x = 0, t = 0;  // t: share of the way from `from` to `to`
-    const CutCorner *from = nullptr, *to = nullptr;
+    const ClippedCorner *from = nullptr, *to = nullptr;
 };
 
 /// Crossings of the scanline at height y, from left to right. An edge is crossed if y0 <= y < y1 or y1 <= y <
 /// y0, so that a corner counts once and a horizontal edge never.
-std::pmr::vector<Crossing> crossings_at(const std::pmr::vector<CutCorner>& polygon, double y,
-                                        CutMemory& memory) {
+std::pmr::vector<Crossing> crossings_at(const std::pmr::vector<ClippedCorner>& polygon, double y,
+                                        ClipMemory& memory) {
     std::pmr::vector<Crossing> found(&memory.pool);
     found.reserve(polygon.size());
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const CutCorner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const ClippedCorner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
         if ((a.pixel.y <= y) == (b.pixel.y <= y)) continue;
         const double t = (y - a.pixel.y) / (b.pixel.y - a.pixel.y);
         found.push_back({a.pixel.x + t * (b.pixel.x - a.pixel.x), t, &a, &b});
@@ -90,21 +90,21 @@ std::pmr::vector<Crossing> crossings_at(const std::pmr::vector<CutCorner>& polyg
 }
 
 /// The height of the sample, moved onto the polygon where the rasteriser's grid put it a hair outside.
-double height_within(const std::pmr::vector<CutCorner>& polygon, double y) {
-    const auto [low, high] =
-        std::minmax_element(polygon.begin(), polygon.end(),
-                            [](const CutCorner& a, const CutCorner& b) { return a.pixel.y < b.pixel.y; });
+double height_within(const std::pmr::vector<ClippedCorner>& polygon, double y) {
+    const auto [low, high] = std::minmax_element(
+        polygon.begin(), polygon.end(),
+        [](const ClippedCorner& a, const ClippedCorner& b) { return a.pixel.y < b.pixel.y; });
     return std::clamp(y, low->pixel.y, std::nextafter(high->pixel.y, low->pixel.y));
 }
 
 CornerWeights scanline_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
     const Vec3<float> perspective{face.weights.x, face.weights.y, face.weights.z};
     const Mesh& mesh = *g.objects[face.object].mesh;
-    CutMemory memory;
+    ClipMemory memory;
     std::pmr::vector<std::uint32_t> corners(&memory.pool);
     for (std::uint32_t c = mesh.first_corner[triangle.face]; c < mesh.first_corner[triangle.face + 1]; ++c)
         corners.push_back(c);
-    const auto polygon = cut_at_near(g, face.object, corners, memory);
+    const auto polygon = clip_at_near(g, face.object, corners, memory);
     CornerWeights weights;
     if (polygon.empty()) return of_triangle(triangle, perspective);
     const auto crossing = crossings_at(polygon, height_within(polygon, face.at.y), memory);
@@ -122,10 +122,10 @@ CornerWeights scanline_weights(const Geometry& g, const SampleFace& face, const 
     if (!left) return of_triangle(triangle, perspective);
     const double span = right->x - left->x;
     const double s = span > 0 ? std::clamp((at - left->x) / span, 0.0, 1.0) : 0.0;
-    add_cut(weights, *left->from, (1 - s) * (1 - left->t));
-    add_cut(weights, *left->to, (1 - s) * left->t);
-    add_cut(weights, *right->from, s * (1 - right->t));
-    add_cut(weights, *right->to, s * right->t);
+    add_clipped(weights, *left->from, (1 - s) * (1 - left->t));
+    add_clipped(weights, *left->to, (1 - s) * left->t);
+    add_clipped(weights, *right->from, s * (1 - right->t));
+    add_clipped(weights, *right->to, s * right->t);
     return weights;
 }
 
@@ -142,7 +142,7 @@ void CornerWeights::add(std::uint32_t which, float w) {
     weight[i] += w;
 }
 
-void place_on_face(SampleFace& face, const Geometry& g) {
+void locate_on_face(SampleFace& face, const Geometry& g) {
     const ObjectGeometry& object = g.objects[face.object];
     const auto corner = g.position_indices(face.object, g.triangle(face.object, face.triangle));
     std::uint32_t outside = 0;
@@ -151,26 +151,25 @@ void place_on_face(SampleFace& face, const Geometry& g) {
         std::array<ClipCorner<float>, 3> clip;
         std::array<Vec3<float>, 3> camera;
         for (std::size_t i = 0; i < 3; ++i) {
-            const PlacedVertex& v = object.vertices[corner[i]];
+            const TransformedVertex& v = object.vertices[corner[i]];
             clip[i] = {v.clip_x, v.clip_y, v.clip_w};
             camera[i] = {v.x, v.y, v.z};
         }
-        place(face, clip, camera, screen_point<float>(g.size, face.at));
+        place(face, clip, camera, ndc_of<float>(g.size, face.at));
         return;
     }
     // A face that had to be clipped may reach far beyond the picture: its corners in double, or float would
     // lose the place between them.
-    const glm::dmat4 clip_from_camera = clip_from_view(g.camera.projection, g.size);
     std::array<ClipCorner<double>, 3> clip;
     std::array<Vec3<double>, 3> camera;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec4 p =
             object.view_from_object * glm::dvec4(glm::dvec3(object.mesh->positions[corner[i]]), 1.0);
-        const glm::dvec4 c = clip_from_camera * p;
+        const glm::dvec4 c = g.clip_from_view * p;
         clip[i] = {c.x, c.y, c.w};
         camera[i] = {p.x, p.y, p.z};
     }
-    place(face, clip, camera, screen_point<double>(g.size, face.at));
+    place(face, clip, camera, ndc_of<double>(g.size, face.at));
 }
 
 CornerWeights corner_weights(Interpolation interpolation, const Geometry& g, const SampleFace& face) {
@@ -182,10 +181,10 @@ CornerWeights corner_weights(Interpolation interpolation, const Geometry& g, con
     case Interpolation::Scanline:
         return scanline_weights(g, face, triangle);
     case Interpolation::Screen: {
-        const std::vector<PlacedVertex>& v = g.objects[face.object].vertices;
+        const std::vector<TransformedVertex>& v = g.objects[face.object].vertices;
         const auto p = g.position_indices(face.object, triangle);
         if ((v[p[0]].outside | v[p[1]].outside | v[p[2]].outside) & OutsideNear)
-            return cut_screen_weights(g, face, triangle);
+            return clipped_screen_weights(g, face, triangle);
         return of_triangle(triangle,
                            screen_weights(perspective, v[p[0]].clip_w, v[p[1]].clip_w, v[p[2]].clip_w));
     }

@@ -10,13 +10,13 @@
 namespace glint {
 
 /// A place on the screen in pixels, y down, (0, 0) the picture's upper left corner.
-struct SamplePlace {
+struct PixelPosition {
     float x = 0, y = 0;
 };
 
 /// One visible sample: the face it shows and the weights of its drawn triangle's corners.
 struct SampleFace {
-    SamplePlace at;
+    PixelPosition at;
     std::uint32_t object = 0, triangle = 0;  // triangle: global number
     bool turned = false;                     // two_sided and seen from behind
     glm::vec3 weights{0};                    // perspective-correct
@@ -36,7 +36,7 @@ struct CornerWeights {
 };
 
 /// Fills in `weights` and `p` of the triangle seen at `face.at`.
-void place_on_face(SampleFace& face, const Geometry& geometry);
+void locate_on_face(SampleFace& face, const Geometry& geometry);
 
 /// `perspective`: of the drawn triangle's corners, correct in space. `screen`: linear on the screen over the
 /// drawn triangle. `scanline`: along the polygon's edges on the screen, then along the scanline between them.

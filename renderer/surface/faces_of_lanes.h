@@ -21,23 +21,22 @@ template <Number F> struct FacesOfLanes {
 
 /// Where corner `c` of a triangle (number within the object) is, and its normal.
 struct CornerRecords {
-    const PlacedVertex* vertex;
+    const TransformedVertex* vertex;
     const CameraNormal* normal;
 };
-inline CornerRecords corner_records(const PlaceJob& job, unsigned triangle, unsigned c) {
+inline CornerRecords corner_records(const InterpolateJob& job, unsigned triangle, unsigned c) {
     const unsigned vertex = job.triangle_vertices[3 * std::size_t{triangle} + c];
     const unsigned normal =
         job.corner_normal ? job.corner_normal[job.triangle_corners[4 * std::size_t{triangle} + c]] : vertex;
     return {job.vertices + vertex, job.normals + normal};
 }
 
-/// A triangle's corner `c` as `put(lanes, number)` makes it, from the lanes as they are and each number of
-/// it.
+/// Loads corner `c`; put(old, value) says which lanes receive each of its numbers.
 template <Number F, class Put>
-void put_corner(const PlaceJob& job, unsigned triangle, unsigned c, CornerOfLanes<F>& out, bool& clipped,
-                const Put& put) {
+void put_corner(const InterpolateJob& job, unsigned triangle, unsigned c, CornerOfLanes<F>& out,
+                bool& clipped, const Put& put) {
     const CornerRecords corner = corner_records(job, triangle, c);
-    const PlacedVertex& v = *corner.vertex;
+    const TransformedVertex& v = *corner.vertex;
     const CameraNormal& n = *corner.normal;
     out = {{put(out.clip.x, v.clip_x), put(out.clip.y, v.clip_y), put(out.clip.w, v.clip_w)},
            {put(out.p.x, v.x), put(out.p.y, v.y), put(out.p.z, v.z)},
@@ -45,7 +44,7 @@ void put_corner(const PlaceJob& job, unsigned triangle, unsigned c, CornerOfLane
     clipped |= (v.outside & job.clipped_bits) != 0;
 }
 template <Number F, class Put>
-void put_face(const PlaceJob& job, unsigned triangle, FacesOfLanes<F>& out, const Put& put) {
+void put_face(const InterpolateJob& job, unsigned triangle, FacesOfLanes<F>& out, const Put& put) {
     put_corner(job, triangle, 0, out.a, out.clipped, put);
     put_corner(job, triangle, 1, out.b, out.clipped, put);
     put_corner(job, triangle, 2, out.c, out.clipped, put);
@@ -53,14 +52,14 @@ void put_face(const PlaceJob& job, unsigned triangle, FacesOfLanes<F>& out, cons
 
 /// Corner `c` of each lane's own triangle.
 template <Number F>
-CornerOfLanes<F> take_corner(const PlaceJob& job, const unsigned* triangle, unsigned c, bool& clipped) {
+CornerOfLanes<F> take_corner(const InterpolateJob& job, const unsigned* triangle, unsigned c, bool& clipped) {
     constexpr int width = NumberTraits<F>::width;
     if constexpr (width == 1) {
         CornerOfLanes<F> corner;
         put_corner(job, triangle[0], c, corner, clipped, [](F, float from) { return from; });
         return corner;
     } else {
-        using T = quads::Turn<width>;
+        using T = transposing::Rows<width>;
         typename T::V clip[4], p[4], n[4];
         const auto take_rows = [&](int k) {  // lanes k, k + 4, ...
             const char *vertex[width / 4], *normal[width / 4];
@@ -77,23 +76,23 @@ CornerOfLanes<F> take_corner(const PlaceJob& job, const unsigned* triangle, unsi
         take_rows(1);
         take_rows(2);
         take_rows(3);
-        const Quad<F> clips = quads::turned<F>(clip), ps = quads::turned<F>(p), ns = quads::turned<F>(n);
+        const Columns<F> clips = transposing::transposed<F>(clip), ps = transposing::transposed<F>(p),
+                         ns = transposing::transposed<F>(n);
         clipped |= any_bit(bits_of(clips.d) & static_cast<int>(job.clipped_bits));
         return {{clips.a, clips.b, clips.c}, {ps.a, ps.b, ps.c}, {ns.a, ns.b, ns.c}};
     }
 }
 
-/// Where a run shows more triangles than this, looking up lane by lane is faster.
+/// Where a group shows more triangles than this, looking up lane by lane is faster.
 inline constexpr int most_looked_up_once = 4;
 
 /// `triangles`: numbers within the object.
-template <Number F> FacesOfLanes<F> faces_of_lanes(const PlaceJob& job, IntOf<F> triangles) {
+template <Number F> FacesOfLanes<F> faces_of_lanes(const InterpolateJob& job, IntOf<F> triangles) {
     constexpr int width = NumberTraits<F>::width;
     unsigned number[width];
     store_ints(number, triangles);
     FacesOfLanes<F> faces;
-    unsigned changes =
-        mask_bits(not_equal(triangles, from_lane_before(triangles)));  // bit i: begins at lane i
+    unsigned changes = mask_bits(not_equal(triangles, slide1up(triangles)));  // bit i: begins at lane i
     if (width == 1 || __builtin_popcount(changes) > most_looked_up_once) {
         faces.a = take_corner<F>(job, number, 0, faces.clipped);
         faces.b = take_corner<F>(job, number, 1, faces.clipped);
@@ -103,7 +102,7 @@ template <Number F> FacesOfLanes<F> faces_of_lanes(const PlaceJob& job, IntOf<F>
     put_face(job, number[0], faces, [](F, float of_corner) { return F(of_corner); });
     for (; changes; changes &= changes - 1) {
         const int first = __builtin_ctz(changes);
-        const auto before = lanes_before<F>(first);
+        const auto before = first_n<F>(first);
         put_face(job, number[first], faces,
                  [&before](F lanes, float of_corner) { return select(before, lanes, F(of_corner)); });
     }

@@ -6,23 +6,20 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// Below this a blended normal counts as none: opposite corner normals can cancel.
-inline constexpr float shortest_normal = 1e-6f;
-
-/// Pixels k and up of a run that begins at (x, y) and shows `seen`: their places, and the normals before they
-/// are made unit. False when some lane shows a clipped triangle.
+/// Pixels k and up of a group that begins at (x, y) and shows `seen`: their places, and the normals before
+/// they are made unit. False when some lane shows a clipped triangle.
 template <Number F>
-bool blend_lanes(const PlaceJob& job, const std::uint32_t* seen, std::size_t k, int x, int y,
+bool blend_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size_t k, int x, int y,
                  PointBlock& out) {
     using I = IntOf<F>;
-    const I inverted = 0x7fffffff - load_ints<I>(seen + k);  // as seen_code made it
+    const I code = load_ints<I>(seen + k);
     const FacesOfLanes<F> face =
-        faces_of_lanes<F>(job, (inverted >> 1) - static_cast<int>(job.first_triangle));
-    const F at_x = to_number(load_ints<I>(counting + k) + x) + F(0.5f), at_y = to_number(y) + 0.5f;
-    const ScreenPoint<F> at = screen_point(at_x, at_y, F(job.width), F(job.height));
+        faces_of_lanes<F>(job, triangle_of_code(code) - static_cast<int>(job.first_triangle));
+    const F at_x = to_number(load_ints<I>(iota + k) + x) + F(0.5f), at_y = to_number(y) + 0.5f;
+    const ScreenPoint<F> at = to_ndc(at_x, at_y, F(job.width), F(job.height));
     const Vec3<F> w = perspective_weights(face.a.clip, face.b.clip, face.c.clip, at);
     const Vec3<F> p = blend(w, face.a.p, face.b.p, face.c.p), sum = blend(w, face.a.n, face.b.n, face.c.n);
-    const F facing = job.two_sided ? F(1) - to_number((inverted & 1) << 1) : F(1);
+    const F facing = job.two_sided ? F(1) - to_number(back_of_code(code) << 1) : F(1);
     const Vec3<F> n = facing * sum;
     store(out.x + k, p.x);
     store(out.y + k, p.y);
@@ -47,33 +44,33 @@ template <Number F> bool make_normals_unit(PointBlock& block) {
     return long_enough;
 }
 
-/// What the pixels of a run show; those that it leaves out, what its first does: then in `filled`.
-inline const std::uint32_t* seen_in_run(const PlaceJob& job, const PixelRun& run,
-                                        std::uint32_t (&filled)[block_size]) {
-    const std::uint32_t* seen = job.seen + run.first_pixel;
-    if (run.mask == 0xFFFF) return seen;
-    const std::uint32_t first = seen[__builtin_ctz(run.mask)];
-    for (std::size_t i = 0; i < block_size; ++i) filled[i] = run.mask >> i & 1u ? seen[i] : first;
+/// What the pixels of a group show; those that it leaves out, what its first does: then in `filled`.
+inline const std::uint32_t* seen_in_group(const InterpolateJob& job, const PixelGroup& group,
+                                          std::uint32_t (&filled)[block_size]) {
+    const std::uint32_t* seen = job.seen + group.first_pixel;
+    if (group.mask == 0xFFFF) return seen;
+    const std::uint32_t first = seen[__builtin_ctz(group.mask)];
+    for (std::size_t i = 0; i < block_size; ++i) filled[i] = group.mask >> i & 1u ? seen[i] : first;
     return filled;
 }
 
 template <Number F>
-void place_runs(const PlaceJob& job, const PixelRun* runs, std::size_t count, PointBlock* out,
-                std::uint8_t* usual) {
+void interpolate_groups(const InterpolateJob& job, const PixelGroup* groups, std::size_t count,
+                        PointBlock* out, std::uint8_t* on_fast_path) {
     const auto row = static_cast<std::uint32_t>(job.width);
     for (std::size_t i = 0; i < count; ++i) {
         std::uint32_t filled[block_size];
-        const std::uint32_t* seen = seen_in_run(job, runs[i], filled);
-        const auto x = static_cast<int>(runs[i].first_pixel % row);
-        const auto y = static_cast<int>(runs[i].first_pixel / row);
+        const std::uint32_t* seen = seen_in_group(job, groups[i], filled);
+        const auto x = static_cast<int>(groups[i].first_pixel % row);
+        const auto y = static_cast<int>(groups[i].first_pixel / row);
         bool all = true;
         for (std::size_t k = 0; k < block_size; k += NumberTraits<F>::width)
             all &= blend_lanes<F>(job, seen, k, x, y, out[i]);
-        usual[i] = all;
-        // One run behind: a root and a quotient that would otherwise be waited for.
-        if (i > 0) usual[i - 1] &= make_normals_unit<F>(out[i - 1]);
+        on_fast_path[i] = all;
+        // One group behind: a root and a quotient that would otherwise be waited for.
+        if (i > 0) on_fast_path[i - 1] &= make_normals_unit<F>(out[i - 1]);
     }
-    if (count > 0) usual[count - 1] &= make_normals_unit<F>(out[count - 1]);
+    if (count > 0) on_fast_path[count - 1] &= make_normals_unit<F>(out[count - 1]);
 }
 
 }  // namespace glint::inline GLINT_ISA

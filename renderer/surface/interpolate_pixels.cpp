@@ -1,5 +1,5 @@
-// The surface under Pixels: place and normal of every visible pixel. The usual case, 16 pixels at once, by
-// the same formulas as one pixel alone (sample.cpp); the rest one by one.
+// The surface under Pixels: position and normal of every visible pixel. The fast path takes 16 pixels at
+// once, by the same formulas as one pixel alone (sample.cpp); it takes the others one by one.
 
 #include "renderer/surface/interpolate_pixels.h"
 
@@ -21,9 +21,9 @@ namespace {
 // The kernels read a mesh's triangles as plain numbers.
 static_assert(sizeof(Triangle) == 4 * sizeof(std::uint32_t) && offsetof(Triangle, corner) == 0);
 
-PlaceJob place_job(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t o) {
+InterpolateJob place_job(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t o) {
     const ObjectGeometry& object = g.objects[o];
-    PlaceJob job;
+    InterpolateJob job;
     job.vertices = object.vertices.data();
     job.normals = s.normals[o].normals.data();
     job.triangle_vertices = object.triangle_vertices.data();
@@ -40,47 +40,48 @@ PlaceJob place_job(const Surface& s, const Geometry& g, const Visibility& visibi
     return job;
 }
 
-void place_one_by_one(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t run,
+void place_one_by_one(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t group,
                       PointBlock& out) {
     out = {};
     for (unsigned i = 0; i < block_size; ++i) {
-        if (s.runs[run].mask >> i & 1u) pixel_point(s, g, face_of_lane(s, g, visibility, run, i)).put(out, i);
+        if (s.groups[group].mask >> i & 1u)
+            pixel_point(s, g, face_of_lane(s, g, visibility, group, i)).put(out, i);
     }
 }
 
-constexpr std::size_t most_together = 64;  // runs
+constexpr std::size_t most_together = 64;  // groups
 
-/// Runs first .. first + count - 1, all of one object.
+/// Groups first .. first + count - 1, all of one object.
 void place_together(Surface& s, const Geometry& g, const Visibility& visibility, std::size_t first,
                     std::size_t count) {
-    std::array<std::uint8_t, most_together> usual;
-    surface_kernels().interpolate(s.place_jobs[s.runs[first].object], &s.runs[first], count, &s.points[first],
-                                  usual.data());
+    std::array<std::uint8_t, most_together> on_fast_path;
+    surface_kernels().interpolate(s.interpolate_jobs[s.groups[first].object], &s.groups[first], count,
+                                  &s.points[first], on_fast_path.data());
     for (std::size_t i = 0; i < count; ++i)
-        if (!usual[i]) place_one_by_one(s, g, visibility, first + i, s.points[first + i]);
+        if (!on_fast_path[i]) place_one_by_one(s, g, visibility, first + i, s.points[first + i]);
 }
 
 }  // namespace
 
-void place_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
-    s.points.resize(s.runs.size());
-    s.point_object.resize(s.runs.size());
+void interpolate_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
+    s.points.resize(s.groups.size());
+    s.point_object.resize(s.groups.size());
     s.point_count = s.pixel_count;
-    if (!s.run_samples.empty())
+    if (!s.group_samples.empty())
         s.point_count = std::transform_reduce(
-            s.runs.begin(), s.runs.end(), std::uint64_t{0}, std::plus<>(),
-            [](const PixelRun& run) { return static_cast<std::uint64_t>(std::popcount(run.mask)); });
-    const bool usual = s.run_samples.empty() && !s.choice.facet_normals &&
-                       s.choice.interpolation == Interpolation::Perspective &&
-                       !s.choice.mistakes.unnormalized_at_pixel;
-    s.place_jobs.clear();
+            s.groups.begin(), s.groups.end(), std::uint64_t{0}, std::plus<>(),
+            [](const PixelGroup& group) { return static_cast<std::uint64_t>(std::popcount(group.mask)); });
+    const bool on_fast_path = s.group_samples.empty() && !s.choice.facet_normals &&
+                              s.choice.interpolation == Interpolation::Perspective &&
+                              !s.choice.mistakes.unnormalized_at_pixel;
+    s.interpolate_jobs.clear();
     for (std::size_t o = 0; o < g.objects.size(); ++o)
-        s.place_jobs.push_back(g.objects[o].mesh->triangles.empty() ? PlaceJob{}
-                                                                    : place_job(s, g, visibility, o));
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.runs.size(), 256), [&](const auto& range) {
-        for (std::size_t r = range.begin(); r != range.end(); ++r) s.point_object[r] = s.runs[r].object;
+        s.interpolate_jobs.push_back(g.objects[o].mesh->triangles.empty() ? InterpolateJob{}
+                                                                          : place_job(s, g, visibility, o));
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.groups.size(), 256), [&](const auto& range) {
+        for (std::size_t r = range.begin(); r != range.end(); ++r) s.point_object[r] = s.groups[r].object;
         for (std::size_t r = range.begin(); r != range.end();) {
-            if (!usual) {
+            if (!on_fast_path) {
                 place_one_by_one(s, g, visibility, r, s.points[r]);
                 ++r;
                 continue;

@@ -24,12 +24,12 @@ void number_items(Surface& s, const Geometry& g) {
     s.lit_items.point.assign(first.back(), no_index);
 }
 
-/// Calls visit(run number, lane, sources) for every pixel that shows a surface.
+/// Calls visit(group number, lane, sources) for every pixel that shows a surface.
 template <class Visit>
 void visit_pixels(const Surface& s, const Geometry& g, const Visibility& visibility, const Visit& visit) {
-    tbb::parallel_for(std::size_t{0}, s.runs.size(), [&](std::size_t r) {
+    tbb::parallel_for(std::size_t{0}, s.groups.size(), [&](std::size_t r) {
         for (unsigned i = 0; i < block_size; ++i)
-            if (s.runs[r].mask >> i & 1u)
+            if (s.groups[r].mask >> i & 1u)
                 visit(r, i, sample_sources(s, g, face_of_lane(s, g, visibility, r, i)));
     });
 }
@@ -60,7 +60,7 @@ void place_points(Surface& s, const Geometry& g) {
     tbb::parallel_for(std::size_t{0}, s.points.size(), [&](std::size_t b) {
         PointBlock block{};
         for (std::size_t i = 0; i < block_size; ++i) {
-            const PointSource& source = s.sources[b * block_size + i];
+            const ShadingPoint& source = s.sources[b * block_size + i];
             if (source.item != no_index) lit_point(s, g, source).put(block, i);
         }
         s.points[b] = block;
@@ -70,11 +70,11 @@ void place_points(Surface& s, const Geometry& g) {
 void refer_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
     const LitItems& items = s.lit_items;
     const bool corners = s.choice.kind == SurfaceKind::Corners;
-    s.refs_per_pixel = most_blended(s.choice);
-    const std::size_t refs = corners ? s.corner_ref(s.runs.size(), 0) : 0;
+    s.refs_per_pixel = max_blended(s.choice);
+    const std::size_t refs = corners ? s.corner_ref(s.groups.size(), 0) : 0;
     s.ref_point.assign(refs, 0);
     s.ref_weight.assign(refs, 0);
-    s.face_refs.assign(corners ? 0 : s.runs.size(), FaceRefs{});
+    s.face_refs.assign(corners ? 0 : s.groups.size(), FaceRefs{});
     visit_pixels(s, g, visibility, [&](std::size_t r, unsigned i, const SampleSources& sample) {
         if (!corners) {
             s.face_refs[r].point[i] = items.point[items.number(sample.source[0])];
@@ -90,7 +90,7 @@ void refer_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
 
 }  // namespace
 
-void place_lit_points(Surface& s, const Geometry& g, const Visibility& visibility) {
+void collect_lit_points(Surface& s, const Geometry& g, const Visibility& visibility) {
     number_items(s, g);
     LitItems& items = s.lit_items;
     visit_pixels(s, g, visibility, [&](std::size_t, unsigned, const SampleSources& sample) {

@@ -5,7 +5,7 @@
 
 namespace glint {
 
-/// Fills points, point_object, sources and the refs of every run. Precondition: runs are found.
-void place_lit_points(Surface& surface, const Geometry& geometry, const Visibility& visibility);
+/// Fills points, point_object, sources and the refs of every group. Precondition: the groups are found.
+void collect_lit_points(Surface& surface, const Geometry& geometry, const Visibility& visibility);
 
 }  // namespace glint

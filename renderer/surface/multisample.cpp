@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr int most_samples = 8;
+constexpr int max_samples = 8;
 
 /// What one sample shows.
 struct SampleSeen {
@@ -22,43 +22,42 @@ struct SampleSeen {
 struct Fragment {
     SampleSeen seen;
     unsigned samples = 0;
-    SamplePlace at;
+    PixelPosition at;
     float weight = 0;
     bool taken = false;
 };
 
 /// The faces of one pixel, in the order of their first samples.
 struct PixelFragments {
-    std::array<SampleSeen, most_samples> sample;
-    std::array<Fragment, most_samples> fragment;
+    std::array<SampleSeen, max_samples> sample;
+    std::array<Fragment, max_samples> fragment;
     int count = 0;
 };
 
 /// How deep inside a triangle a place of the screen lies: the least of its corners' weights there, negative
 /// outside.
-double least_weight(const Geometry& g, const SampleSeen& seen, SamplePlace at) {
+double least_weight(const Geometry& g, const SampleSeen& seen, PixelPosition at) {
     const ObjectGeometry& object = g.objects[seen.object];
-    const glm::dmat4 clip_from_object = clip_from_view(g.camera.projection, g.size) * object.view_from_object;
     std::array<ClipCorner<double>, 3> corner;
     const auto positions = g.position_indices(seen.object, g.triangle(seen.object, seen.triangle));
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 p(object.mesh->positions[positions[i]]);
-        const glm::dvec4 c = clip_from_object * glm::dvec4(p, 1.0);
+        const glm::dvec4 c = object.clip_from_object * glm::dvec4(p, 1.0);
         corner[i] = {c.x, c.y, c.w};
     }
-    const ScreenPoint<double> point = screen_point<double>(at.x, at.y, g.size.width, g.size.height);
+    const ScreenPoint<double> point = to_ndc<double>(at.x, at.y, g.size.width, g.size.height);
     const Vec3<double> e = edge_functions(corner[0], corner[1], corner[2], point);
     const double sum = e.x + e.y + e.z;
     return sum > 0 ? std::min({e.x, e.y, e.z}) / sum : -HUGE_VAL;
 }
 
-/// Of the triangles that a face shows at its samples, the one that holds their mean, or comes nearest to
-/// that.
+/// Finds, among the triangles that a face shows at its samples, the one that holds their mean, or comes
+/// nearest to that.
 SampleSeen triangle_at_mean(const Geometry& g, const PixelFragments& pixel, const Fragment& f) {
     SampleSeen best = f.seen;
     double deepest = -HUGE_VAL;
     std::uint32_t tried = no_triangle;
-    for (unsigned s = 0; s < most_samples; ++s) {
+    for (unsigned s = 0; s < max_samples; ++s) {
         const SampleSeen& sample = pixel.sample[s];
         if (!(f.samples >> s & 1u) || sample.triangle == tried) continue;
         tried = sample.triangle;
@@ -71,7 +70,7 @@ SampleSeen triangle_at_mean(const Geometry& g, const PixelFragments& pixel, cons
 
 /// Whether a face shows several of its triangles.
 bool is_divided(const PixelFragments& pixel, const Fragment& f) {
-    for (unsigned s = 0; s < most_samples; ++s)
+    for (unsigned s = 0; s < max_samples; ++s)
         if ((f.samples >> s & 1u) && pixel.sample[s].triangle != f.seen.triangle) return true;
     return false;
 }
@@ -117,18 +116,18 @@ PixelFragments fragments_of(const Geometry& g, const Visibility& visibility, std
     return found;
 }
 
-/// Takes fragments of one object, at most one a pixel, into a run; false when none is left.
-bool next_run(std::array<PixelFragments, block_size>& pixels, std::uint32_t first_pixel, PixelRun& run,
-              RunSamples& samples) {
-    run = {first_pixel, no_index, 0};
-    samples = RunSamples{};
+/// Takes fragments of one object, at most one a pixel, into a group; false when none is left.
+bool next_group(std::array<PixelFragments, block_size>& pixels, std::uint32_t first_pixel, PixelGroup& group,
+                GroupSamples& samples) {
+    group = {first_pixel, no_index, 0};
+    samples = GroupSamples{};
     for (std::size_t i = 0; i < block_size; ++i) {
         for (int k = 0; k < pixels[i].count; ++k) {
             Fragment& f = pixels[i].fragment[static_cast<std::size_t>(k)];
-            if (f.taken || (run.object != no_index && run.object != f.seen.object)) continue;
+            if (f.taken || (group.object != no_index && group.object != f.seen.object)) continue;
             f.taken = true;
-            run.object = f.seen.object;
-            run.mask = static_cast<std::uint16_t>(run.mask | 1u << i);
+            group.object = f.seen.object;
+            group.mask = static_cast<std::uint16_t>(group.mask | 1u << i);
             samples.triangle[i] = f.seen.triangle;
             samples.weight[i] = f.weight;
             samples.at[i] = f.at;
@@ -136,11 +135,11 @@ bool next_run(std::array<PixelFragments, block_size>& pixels, std::uint32_t firs
             break;
         }
     }
-    return run.mask != 0;
+    return group.mask != 0;
 }
 
 void find_row(const Geometry& g, const Visibility& visibility, int y, SampledRow& row) {
-    row.runs.clear();
+    row.groups.clear();
     row.samples.clear();
     row.pixels = 0;
     const auto width = static_cast<std::uint32_t>(g.size.width);
@@ -152,10 +151,10 @@ void find_row(const Geometry& g, const Visibility& visibility, int y, SampledRow
                                      static_cast<float>(y));
             row.pixels += pixels[i].count > 0;
         }
-        PixelRun run;
-        RunSamples samples;
-        while (next_run(pixels, begin + x0, run, samples)) {
-            row.runs.push_back(run);
+        PixelGroup group;
+        GroupSamples samples;
+        while (next_group(pixels, begin + x0, group, samples)) {
+            row.groups.push_back(group);
             row.samples.push_back(samples);
         }
     }
@@ -163,25 +162,25 @@ void find_row(const Geometry& g, const Visibility& visibility, int y, SampledRow
 
 }  // namespace
 
-void find_sampled_runs(Surface& s, const Geometry& g, const Visibility& visibility) {
+void find_sampled_groups(Surface& s, const Geometry& g, const Visibility& visibility) {
     s.sampled_rows.resize(static_cast<std::size_t>(g.size.height));
     s.share.set({});
     tbb::parallel_for(0, g.size.height, [&](int y) {
         SampledRow& row = s.sampled_rows[static_cast<std::size_t>(y)];
         find_row(g, visibility, y, row);
         s.share.add(
-            memory_need(MemoryUse::Pixels, bytes_of_runs(s.choice, row.runs.size(), visibility.samples)));
+            memory_need(MemoryUse::Pixels, bytes_of_groups(s.choice, row.groups.size(), visibility.samples)));
     });
     std::size_t count = 0;
-    for (const SampledRow& row : s.sampled_rows) count += row.runs.size();
-    s.runs.clear();
-    s.runs.reserve(count);
-    s.run_samples.clear();
-    s.run_samples.reserve(count);
+    for (const SampledRow& row : s.sampled_rows) count += row.groups.size();
+    s.groups.clear();
+    s.groups.reserve(count);
+    s.group_samples.clear();
+    s.group_samples.reserve(count);
     s.pixel_count = 0;
     for (const SampledRow& row : s.sampled_rows) {
-        s.runs.insert(s.runs.end(), row.runs.begin(), row.runs.end());
-        s.run_samples.insert(s.run_samples.end(), row.samples.begin(), row.samples.end());
+        s.groups.insert(s.groups.end(), row.groups.begin(), row.groups.end());
+        s.group_samples.insert(s.group_samples.end(), row.samples.begin(), row.samples.end());
         s.pixel_count += row.pixels;
     }
 }

@@ -5,7 +5,7 @@
 
 namespace glint {
 
-/// Fills runs, run_samples and pixel_count from all planes of the visibility, in reading order.
-void find_sampled_runs(Surface& surface, const Geometry& geometry, const Visibility& visibility);
+/// Fills groups, group_samples and pixel_count from all planes of the visibility, in reading order.
+void find_sampled_groups(Surface& surface, const Geometry& geometry, const Visibility& visibility);
 
 }  // namespace glint

@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "renderer/simd/glm_vec3.h"
 #include "renderer/simd/vec3.h"
 #include "renderer/surface/surface.h"
 
@@ -9,9 +10,6 @@ namespace glint {
 namespace {
 
 using Vec = Vec3<float>;
-
-Vec to_vec(glm::vec3 v) { return {v.x, v.y, v.z}; }
-glm::vec3 to_glm(Vec v) { return {v.x, v.y, v.z}; }
 
 /// The interpolated normal, not yet unit.
 Vec blended_normal(const SurfaceInputs& surface, const Geometry& g, const SampleFace& face) {
@@ -27,64 +25,64 @@ Vec blended_normal(const SurfaceInputs& surface, const Geometry& g, const Sample
 
 SampleFace sample_face(const SurfaceChoice& choice, const Geometry& g, const Visibility& visibility, int x,
                        int y) {
-    const std::size_t pixel =
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(g.size.width) + static_cast<std::size_t>(x);
+    const std::size_t pixel = g.size.index(x, y);
     SampleFace face;
     face.at = {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
     face.triangle = visibility.triangle_at(pixel);
     face.object = g.object_of(face.triangle);
     face.turned = choice.two_sided && visibility.back_at(pixel);
-    place_on_face(face, g);
+    locate_on_face(face, g);
     return face;
 }
 
-SampleFace face_of_lane(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t run,
+SampleFace face_of_lane(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t group,
                         unsigned lane) {
-    if (s.run_samples.empty()) {
+    if (s.group_samples.empty()) {
         const auto width = static_cast<std::uint32_t>(g.size.width);
-        const std::uint32_t pixel = s.runs[run].first_pixel + lane;
+        const std::uint32_t pixel = s.groups[group].first_pixel + lane;
         return sample_face(s.choice, g, visibility, static_cast<int>(pixel % width),
                            static_cast<int>(pixel / width));
     }
-    const RunSamples& samples = s.run_samples[run];
+    const GroupSamples& samples = s.group_samples[group];
     SampleFace face;
     face.at = samples.at[lane];
-    face.object = s.runs[run].object;
+    face.object = s.groups[group].object;
     face.triangle = samples.triangle[lane];
     face.turned = s.choice.two_sided && (samples.back >> lane & 1u);
-    place_on_face(face, g);
+    locate_on_face(face, g);
     return face;
 }
 
-PlacedNormal pixel_point(const SurfaceInputs& surface, const Geometry& g, const SampleFace& face) {
+PositionNormal pixel_point(const SurfaceInputs& surface, const Geometry& g, const SampleFace& face) {
     const ObjectGeometry& object = g.objects[face.object];
     const Triangle& t = g.triangle(face.object, face.triangle);
     Vec n;
     if (!surface.choice.facet_normals) {
         const Vec sum = blended_normal(surface, g, face);
-        if (length(sum) > 1e-6f) n = surface.choice.mistakes.unnormalized_at_pixel ? sum : unit(sum);
+        if (length(sum) > shortest_normal)
+            n = surface.choice.mistakes.unnormalized_at_pixel ? sum : unit(sum);
     }
     // Opposite corner normals can cancel: then, too, the facet's own is the best there is.
     if (dot(n, n) == 0) n = to_vec(camera_facet_normal(object, t.face, surface.choice.mistakes));
     return {face.p, face.turned ? -to_glm(n) : to_glm(n)};
 }
 
-PlacedNormal lit_point(const SurfaceInputs& surface, const Geometry& g, const PointSource& source) {
+PositionNormal lit_point(const SurfaceInputs& surface, const Geometry& g, const ShadingPoint& source) {
     const ObjectGeometry& object = g.objects[source.object];
     const Mesh& mesh = *object.mesh;
     const ObjectNormals& normals = surface.normals[source.object];
-    PlacedNormal at;
+    PositionNormal at;
     if (surface.choice.kind == SurfaceKind::Faces && !surface.choice.provoking) {
         const auto around = mesh.corners_of(source.item);
         glm::dvec3 sum(0);
-        for (const std::uint32_t p : around) sum += glm::dvec3(object.place(p));
+        for (const std::uint32_t p : around) sum += glm::dvec3(object.position(p));
         at = {glm::vec3(sum / static_cast<double>(around.size())),
               camera_facet_normal(object, source.item, surface.choice.mistakes)};
     } else if (surface.choice.kind == SurfaceKind::Faces) {
         const std::uint32_t corner = mesh.triangles[source.item].corner[2];
-        at = {object.place(mesh.corner_position[corner]), normals.at_corner(corner)};
+        at = {object.position(mesh.corner_position[corner]), normals.at_corner(corner)};
     } else {
-        at = {object.place(normals.position_of_slot(source.item)), normals.normal_of_slot(source.item)};
+        at = {object.position(normals.position_of_slot(source.item)), normals.normal_of_slot(source.item)};
     }
     if (source.turned) at.n = -at.n;
     return at;

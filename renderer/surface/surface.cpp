@@ -11,16 +11,17 @@
 namespace glint {
 namespace {
 
-/// Calls visit(run) for the runs of one row, left to right; a group of 16 pixels gives one run an object.
+/// Calls visit(group) for the groups of one row, left to right; a group of 16 pixels gives one group an
+/// object.
 template <class Visit>
 void visit_row(const Geometry& g, const Visibility& visibility, int y, const Visit& visit) {
     const auto width = static_cast<std::uint32_t>(g.size.width);
     const std::uint16_t* covered = &visibility.covered[static_cast<std::size_t>(y) * visibility.groups_a_row];
     for (std::uint32_t x0 = 0; x0 < width; x0 += block_size) {
-        std::uint32_t left = covered[x0 / block_size];  // pixels of this group that no run has yet
+        std::uint32_t left = covered[x0 / block_size];  // pixels of this group that no group has yet
         const std::uint32_t first_pixel = static_cast<std::uint32_t>(y) * width + x0;
         if (left && g.objects.size() == 1) {
-            visit(PixelRun{first_pixel, 0, static_cast<std::uint16_t>(left)});
+            visit(PixelGroup{first_pixel, 0, static_cast<std::uint16_t>(left)});
             continue;
         }
         while (left) {
@@ -28,40 +29,40 @@ void visit_row(const Geometry& g, const Visibility& visibility, int y, const Vis
             const std::uint32_t o = g.object_of(visibility.triangle_at(first_pixel + first));
             const std::uint32_t low = g.objects[o].first_triangle;
             const auto count = static_cast<std::uint32_t>(g.objects[o].mesh->triangles.size());
-            PixelRun run{first_pixel, o, 0};
+            PixelGroup group{first_pixel, o, 0};
             for (std::uint32_t i = first; i < block_size; ++i)
                 if ((left >> i & 1u) && visibility.triangle_at(first_pixel + i) - low < count)
-                    run.mask = static_cast<std::uint16_t>(run.mask | 1u << i);
-            left &= ~static_cast<std::uint32_t>(run.mask);
-            visit(run);
+                    group.mask = static_cast<std::uint16_t>(group.mask | 1u << i);
+            left &= ~static_cast<std::uint32_t>(group.mask);
+            visit(group);
         }
     }
 }
 
-/// All runs of the picture, in reading order whatever the number of threads.
-void find_runs(Surface& s, const Geometry& g, const Visibility& visibility) {
+/// All groups of the picture, in reading order whatever the number of threads.
+void find_groups(Surface& s, const Geometry& g, const Visibility& visibility) {
     const auto height = static_cast<std::size_t>(g.size.height);
-    s.row_runs.assign(height + 1, {});
+    s.row_groups.assign(height + 1, {});
     tbb::parallel_for(std::size_t{0}, height, [&](std::size_t y) {
-        RowRuns counted;
-        visit_row(g, visibility, static_cast<int>(y), [&counted](const PixelRun& run) {
-            ++counted.first_run;
+        RowGroups counted;
+        visit_row(g, visibility, static_cast<int>(y), [&counted](const PixelGroup& group) {
+            ++counted.first_group;
             counted.pixels +=
-                run.mask == 0xFFFF ? block_size : static_cast<unsigned>(std::popcount(run.mask));
+                group.mask == 0xFFFF ? block_size : static_cast<unsigned>(std::popcount(group.mask));
         });
-        s.row_runs[y + 1] = counted;
+        s.row_groups[y + 1] = counted;
     });
-    for (std::size_t y = 1; y <= height; ++y) s.row_runs[y].first_run += s.row_runs[y - 1].first_run;
-    const std::size_t count = s.row_runs[height].first_run;
-    s.share.set(memory_need(MemoryUse::Pixels, bytes_of_runs(s.choice, count, visibility.samples)));
-    s.runs.resize(count);
+    for (std::size_t y = 1; y <= height; ++y) s.row_groups[y].first_group += s.row_groups[y - 1].first_group;
+    const std::size_t count = s.row_groups[height].first_group;
+    s.share.set(memory_need(MemoryUse::Pixels, bytes_of_groups(s.choice, count, visibility.samples)));
+    s.groups.resize(count);
     tbb::parallel_for(std::size_t{0}, height, [&](std::size_t y) {
-        PixelRun* next = s.runs.data() + s.row_runs[y].first_run;
-        visit_row(g, visibility, static_cast<int>(y), [&next](const PixelRun& run) { *next++ = run; });
+        PixelGroup* next = s.groups.data() + s.row_groups[y].first_group;
+        visit_row(g, visibility, static_cast<int>(y), [&next](const PixelGroup& group) { *next++ = group; });
     });
-    s.run_samples.clear();
+    s.group_samples.clear();
     s.pixel_count = 0;
-    for (const RowRuns& row : s.row_runs) s.pixel_count += row.pixels;
+    for (const RowGroups& row : s.row_groups) s.pixel_count += row.pixels;
 }
 
 }  // namespace
@@ -82,17 +83,17 @@ SurfaceChoice surface_choice(const Shading& shading) {
     return c;
 }
 
-std::uint64_t bytes_of_runs(const SurfaceChoice& choice, std::uint64_t runs, int samples) {
-    std::uint64_t a_run = sizeof(PixelRun);
+std::uint64_t bytes_of_groups(const SurfaceChoice& choice, std::uint64_t groups, int samples) {
+    std::uint64_t a_run = sizeof(PixelGroup);
     if (choice.kind == SurfaceKind::Pixels) a_run += sizeof(PointBlock) + sizeof(std::uint32_t);
     if (choice.kind == SurfaceKind::Faces) a_run += sizeof(FaceRefs);
     if (choice.kind == SurfaceKind::Corners)
-        a_run += static_cast<std::uint64_t>(most_blended(choice)) * block_size *
+        a_run += static_cast<std::uint64_t>(max_blended(choice)) * block_size *
                  (sizeof(std::uint32_t) + sizeof(float));
     // Row by row, where lists that grow are there twice, and all together.
     if (samples > 1)
-        a_run += 2 * (sizeof(PixelRun) + sizeof(RunSamples)) + sizeof(RunSamples) + sizeof(std::size_t);
-    return runs * a_run;
+        a_run += 2 * (sizeof(PixelGroup) + sizeof(GroupSamples)) + sizeof(GroupSamples) + sizeof(std::size_t);
+    return groups * a_run;
 }
 
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& g, const Visibility& visibility,
@@ -102,13 +103,13 @@ bool update_surface(Surface& kept, const Scene& scene, const Geometry& g, const 
     kept.choice = choice;
     update_normals(kept.normals, scene, g, choice.mistakes);
     if (visibility.samples > 1)
-        find_sampled_runs(kept, g, visibility);
+        find_sampled_groups(kept, g, visibility);
     else
-        find_runs(kept, g, visibility);
+        find_groups(kept, g, visibility);
     if (choice.kind == SurfaceKind::Pixels)
-        place_pixels(kept, g, visibility);
+        interpolate_pixels(kept, g, visibility);
     else
-        place_lit_points(kept, g, visibility);
+        collect_lit_points(kept, g, visibility);
     return true;
 }
 

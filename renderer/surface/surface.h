@@ -29,50 +29,50 @@ struct SurfaceChoice {
     SurfaceKind kind = SurfaceKind::Pixels;
     bool facet_normals = false;  // Pixels: the facet's normal instead of the interpolated one
     Interpolation interpolation = Interpolation::Perspective;
-    bool provoking =
-        false;  // Faces: each triangle at its last corner instead of each polygon at its centroid
+    /// Faces: each triangle at its last corner instead of each polygon at its centroid.
+    bool provoking = false;
     bool two_sided = false;  // a face seen from behind has its normals turned round
     NormalMistakes mistakes;
     bool operator==(const SurfaceChoice&) const = default;
 };
 [[nodiscard]] SurfaceChoice surface_choice(const Shading& shading);
 /// How many corners a pixel blends at most under Corners.
-[[nodiscard]] inline int most_blended(const SurfaceChoice& choice) {
+[[nodiscard]] inline int max_blended(const SurfaceChoice& choice) {
     return choice.interpolation == Interpolation::Scanline ? CornerWeights::most : 3;
 }
 
-/// With several samples a pixel: what each lane of a run shows. A pixel then has a run for each face seen in
-/// it.
-struct RunSamples {
+/// With several samples a pixel: what each lane of a group shows. A pixel then has a group for each face seen
+/// in it.
+struct GroupSamples {
     std::uint32_t triangle[block_size];  // global number
     float weight[block_size];            // share of the pixel's samples
-    SamplePlace at[block_size];          // mean of the samples that show it
+    PixelPosition at[block_size];        // mean of the samples that show it
     std::uint16_t back = 0;              // bit i: wound clockwise on the screen
 };
 
-/// Where the runs of a row of pixels begin, and how many pixels the row before shows a surface in.
-struct RowRuns {
-    std::size_t first_run = 0;
+/// Where the groups of a row of pixels begin; `pixels` counts those of the row before that show a surface.
+struct RowGroups {
+    std::size_t first_group = 0;
     std::uint64_t pixels = 0;
 };
 
-/// The runs of one row of pixels, with several samples.
+/// The groups of one row of pixels, with several samples.
 struct SampledRow {
-    std::vector<PixelRun> runs;
-    std::vector<RunSamples> samples;  // one a run
-    std::uint64_t pixels = 0;         // that show a surface
+    std::vector<PixelGroup> groups;
+    std::vector<GroupSamples> samples;  // one a group
+    std::uint64_t pixels = 0;           // that show a surface
 };
 
 struct FaceRefs {
     std::uint32_t point[block_size];
 };
 
-/// What a lit point is, for those that are no pixels: its object and a number within it.
-struct PointSource {
+/// A shading point on a vertex or face (Gouraud, flat): its object and a number within it.
+struct ShadingPoint {
     std::uint32_t object = 0;
     std::uint32_t item = 0;  // Corners: normal slot; Faces: polygon, or triangle when provoking
     bool turned = false;     // its normal is turned round (two_sided, seen from behind)
-    bool operator==(const PointSource&) const = default;
+    bool operator==(const ShadingPoint&) const = default;
 };
 
 /// All that could be lit of a scene, its objects one after the other, each item twice: as it is and turned.
@@ -81,7 +81,7 @@ struct LitItems {
     std::vector<std::uint8_t> seen;    // 1: some pixel shows it
     std::vector<std::uint32_t> point;  // the lit point's number, or no_index
 
-    [[nodiscard]] std::size_t number(const PointSource& s) const {
+    [[nodiscard]] std::size_t number(const ShadingPoint& s) const {
         return first[s.object] + 2 * std::size_t{s.item} + (s.turned ? 1 : 0);
     }
 };
@@ -89,23 +89,23 @@ struct LitItems {
 struct Surface {
     SurfaceChoice choice;
     std::vector<ObjectNormals> normals;
-    std::vector<PixelRun> runs;               // those of one group of 16 pixels lie together
-    std::vector<RunSamples> run_samples;      // one a run; empty with one sample a pixel
-    std::vector<RowRuns> row_runs;            // #rows + 1, with one sample a pixel
-    std::vector<SampledRow> sampled_rows;     // #rows, with several
-    std::vector<PlaceJob> place_jobs;         // Pixels: one an object
-    std::vector<PointBlock> points;           // lit points; Pixels: points[i] belongs to runs[i]
-    std::vector<std::uint32_t> point_object;  // #points: the object whose material each block has
-    std::vector<PointSource> sources;  // Corners, Faces: 16 a block of points; unused ones have no_index
-    std::vector<FaceRefs> face_refs;   // Faces: one a run
-    LitItems lit_items;                // Corners, Faces: how they got their numbers
-    // Corners: what each pixel blends; entry k of lane i of a run is at corner_ref(run, k) + i.
+    std::vector<PixelGroup> groups;                // those of one group of 16 pixels lie together
+    std::vector<GroupSamples> group_samples;       // one a group; empty with one sample a pixel
+    std::vector<RowGroups> row_groups;             // #rows + 1, with one sample a pixel
+    std::vector<SampledRow> sampled_rows;          // #rows, with several
+    std::vector<InterpolateJob> interpolate_jobs;  // Pixels: one an object
+    std::vector<PointBlock> points;                // lit points; Pixels: points[i] belongs to groups[i]
+    std::vector<std::uint32_t> point_object;       // #points: the object whose material each block has
+    std::vector<ShadingPoint> sources;  // Corners, Faces: 16 a block of points; unused ones have no_index
+    std::vector<FaceRefs> face_refs;    // Faces: one a group
+    LitItems lit_items;                 // Corners, Faces: how they got their numbers
+    // Corners: what each pixel blends; entry k of lane i of a group is at corner_ref(group, k) + i.
     int refs_per_pixel = 3;                // 8 under scanline interpolation
     std::vector<std::uint32_t> ref_point;  // numbers of lit points
     std::vector<float> ref_weight;         // 0: nothing to blend
     std::uint64_t pixel_count = 0;         // that show a surface
     std::uint64_t point_count = 0;         // lit
-    MemoryShare share;                     // of what there is for each run
+    MemoryShare share;                     // of what there is for each group
 
     /// How many blocks of points from `first` on, and before `end`, are of the same object: at least 1.
     [[nodiscard]] std::size_t count_of_one_object(std::size_t first, std::size_t end) const {
@@ -113,15 +113,15 @@ struct Surface {
         while (next < end && point_object[next] == point_object[first]) ++next;
         return next - first;
     }
-    [[nodiscard]] std::size_t corner_ref(std::size_t run, int k) const {
-        return (run * static_cast<std::size_t>(refs_per_pixel) + static_cast<std::size_t>(k)) * block_size;
+    [[nodiscard]] std::size_t corner_ref(std::size_t group, int k) const {
+        return (group * static_cast<std::size_t>(refs_per_pixel) + static_cast<std::size_t>(k)) * block_size;
     }
 };
 
-/// Bytes of so many runs and of all that there is for each, with `samples` a pixel.
-[[nodiscard]] std::uint64_t bytes_of_runs(const SurfaceChoice& choice, std::uint64_t runs, int samples);
+/// Bytes of so many groups and of all that there is for each, with `samples` a pixel.
+[[nodiscard]] std::uint64_t bytes_of_groups(const SurfaceChoice& choice, std::uint64_t groups, int samples);
 
-/// Does the stage again when anything it reads differs; true when it did. Throws Refused where the runs
+/// Does the stage again when anything it reads differs; true when it did. Throws Refused where the groups
 /// do not fit.
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& geometry, const Visibility& visibility,
                     bool visibility_redone);
@@ -134,15 +134,15 @@ struct SurfaceInputs {
     SurfaceInputs(const Surface& s) : choice(s.choice), normals(s.normals) {}  // NOLINT: one for the other
 };
 
-/// What lane `lane` of run `run` shows.
+/// What lane `lane` of group `group` shows.
 [[nodiscard]] SampleFace face_of_lane(const Surface& surface, const Geometry& geometry,
-                                      const Visibility& visibility, std::size_t run, unsigned lane);
+                                      const Visibility& visibility, std::size_t group, unsigned lane);
 /// What pixel (x, y) shows at its centre; the picture must have one sample a pixel.
 [[nodiscard]] SampleFace sample_face(const SurfaceChoice& choice, const Geometry& geometry,
                                      const Visibility& visibility, int x, int y);
 
 /// A place and its unit normal, camera coordinates.
-struct PlacedNormal {
+struct PositionNormal {
     glm::vec3 p{0}, n{0};
 
     void put(PointBlock& block, std::size_t lane) const {
@@ -154,17 +154,18 @@ struct PlacedNormal {
         block.nz[lane] = n.z;
     }
 };
-/// The pixel's own point under Pixels (and, for information, under the other kinds).
-[[nodiscard]] PlacedNormal pixel_point(const SurfaceInputs& surface, const Geometry& geometry,
-                                       const SampleFace& face);
-/// A lit point that is no pixel.
-[[nodiscard]] PlacedNormal lit_point(const SurfaceInputs& surface, const Geometry& geometry,
-                                     const PointSource& source);
+/// Position and normal of the pixel's own point: what is lit under Pixels, and for information under the
+/// other kinds.
+[[nodiscard]] PositionNormal pixel_point(const SurfaceInputs& surface, const Geometry& geometry,
+                                         const SampleFace& face);
+/// Position and normal of a shading point on a vertex or face (Gouraud, flat).
+[[nodiscard]] PositionNormal lit_point(const SurfaceInputs& surface, const Geometry& geometry,
+                                       const ShadingPoint& source);
 
 /// The sources that a sample blends under Corners (weights in the same order), or shows under Faces (one).
 struct SampleSources {
     int count = 0;
-    std::array<PointSource, CornerWeights::most> source;
+    std::array<ShadingPoint, CornerWeights::most> source;
     std::array<float, CornerWeights::most> weight{};
 };
 [[nodiscard]] SampleSources sample_sources(const SurfaceInputs& surface, const Geometry& geometry,

@@ -6,16 +6,19 @@
 
 namespace glint {
 
+/// A blended normal not longer than this counts as none: opposite corner normals can cancel.
+inline constexpr float shortest_normal = 1e-6f;
+
 /// Up to 16 neighbouring pixels of one row that show the same object.
-struct PixelRun {
+struct PixelGroup {
     std::uint32_t first_pixel = 0;  // a multiple of 16 in x
     std::uint32_t object = 0;
     std::uint16_t mask = 0;  // bit i: pixel first_pixel + i
 };
 
 /// One object, as the pixels that show it look their corners up.
-struct PlaceJob {
-    const PlacedVertex* vertices = nullptr;
+struct InterpolateJob {
+    const TransformedVertex* vertices = nullptr;
     const CameraNormal* normals = nullptr;
     const std::uint32_t* triangle_vertices = nullptr;  // three a triangle
     // Where one normal a vertex does not suffice, else null: each triangle's corners (four numbers, the last
@@ -34,11 +37,11 @@ struct SurfaceKernels {
     /// Positions and normals of the pixels of `count` groups of one object, a block a group.
     /// on_fast_path[i] = 0 if group i shows a clipped triangle or a degenerate normal; out[i] is then
     /// undefined, and the caller finds it by doubles. Else 1.
-    void (*interpolate)(const PlaceJob& job, const PixelRun* runs, std::size_t count, PointBlock* out,
-                        std::uint8_t* on_fast_path);
+    void (*interpolate)(const InterpolateJob& job, const PixelGroup* groups, std::size_t count,
+                        PointBlock* out, std::uint8_t* on_fast_path);
 };
 
-/// Of the set that instruction_set.h chooses.
+/// The kernels of the instruction set that is in use (instruction_set.h).
 const SurfaceKernels& surface_kernels();
 
 }  // namespace glint

@@ -3,58 +3,52 @@
 
 #include "renderer/simd/int_lanes.h"
 #include "renderer/simd/transpose.h"
-#include "renderer/visibility/visibility_kernels.h"
+#include "renderer/visibility/fill_rule.h"
 
 namespace glint::inline GLINT_ISA {
 
 /// -1 where some of the bits are set, else 0; the bits below 2^31.
-template <class I> I mask_of_bits(I a) { return (0 - a) >> 31; }
+template <class I> I mask_of_bits(I a) { return negative(0 - a); }
 
 /// A corner on the grid, relative to the triangle's first.
 template <class I> struct FromFirst { I x, y; };
 
 /// -1 where a triangle is culled or has no area, which nobody would see drawn. `small`: -1 where it is less
 /// than a tile wide and high, so that the products fit 32 bits; the others are left to drawing.
-template <class I> I culled(const SortJob& job, I small, FromFirst<I> b, FromFirst<I> c) {
-    const I area = (b.x & small) * (c.y & small) - (b.y & small) * (c.x & small);
-    const I clockwise = (0 - area) >> 31, counterclockwise = area >> 31;
+template <class I> I culled(const BinJob& job, I small, FromFirst<I> b, FromFirst<I> c) {
+    const I area = doubled_area(b.x & small, b.y & small, c.x & small, c.y & small);
+    const I clockwise = negative(0 - area), counterclockwise = negative(area);
     const int drop_clockwise = job.drop_clockwise ? -1 : 0;
     const int drop_counterclockwise = job.drop_counterclockwise ? -1 : 0;
     const I kept = (clockwise & ~drop_clockwise) | (counterclockwise & ~drop_counterclockwise);
-    return small & (-1 - kept);
+    return small & inverted(kept);
 }
 
 /// The triangles of an object from `t` on, one a lane, those past `end` left out.
 template <Number F>
-void sort_lanes(const SortJob& job, std::uint32_t t, std::uint32_t end, SortedTriangles& out) {
+void bin_lanes(const BinJob& job, std::uint32_t t, std::uint32_t end, BinnedTriangles& out) {
     constexpr unsigned width = NumberTraits<F>::width;
     using I = IntOf<F>;
     unsigned at[3][width];
     for (unsigned i = 0; i < width; ++i)
         for (unsigned k = 0; k < 3; ++k)
             at[k][i] = job.triangle_vertices[3 * std::size_t{t + i < end ? t + i : t} + k];
-    const Quad<F> a = load_quads<F>(job.screen, at[0], sizeof(ScreenVertex)),
-                  b = load_quads<F>(job.screen, at[1], sizeof(ScreenVertex)),
-                  c = load_quads<F>(job.screen, at[2], sizeof(ScreenVertex));
-    const I ax = bits_of(a.a), bx = bits_of(b.a), cx = bits_of(c.a);
-    const I ay = bits_of(a.b), by = bits_of(b.b), cy = bits_of(c.b);
-    // A sample lies at 256 k + 128: the first at or after the least, the last at or before the most.
-    const int before = job.margin - subpixels / 2 + 1, after = job.margin - subpixels / 2;
-    const I left = smaller(smaller(ax, bx), cx), right = larger(larger(ax, bx), cx);
-    const I top = smaller(smaller(ay, by), cy), bottom = larger(larger(ay, by), cy);
-    const I x0 = larger((left - before) >> 8, in_all_lanes<I>(0));
-    const I y0 = larger((top - before) >> 8, in_all_lanes<I>(0));
-    const I x1 = smaller((right + after) >> 8, in_all_lanes<I>(job.width - 1));
-    const I y1 = smaller((bottom + after) >> 8, in_all_lanes<I>(job.height - 1));
+    const Columns<F> a = gather_transposed<F>(job.screen, at[0], sizeof(ScreenVertex)),
+                     b = gather_transposed<F>(job.screen, at[1], sizeof(ScreenVertex)),
+                     c = gather_transposed<F>(job.screen, at[2], sizeof(ScreenVertex));
+    const I x[3] = {bits_of(a.a), bits_of(b.a), bits_of(c.a)};
+    const I y[3] = {bits_of(a.b), bits_of(b.b), bits_of(c.b)};
+    const SampleBox<I> box = sample_box(x, y, subpixels / 2 + job.margin, subpixels / 2 - job.margin,
+                                        job.width - 1, job.height - 1);
     const I some = bits_of(a.d) | bits_of(b.d) | bits_of(c.d);
     const I all = bits_of(a.d) & bits_of(b.d) & bits_of(c.d);
     const I beyond = mask_of_bits(all & static_cast<int>(job.beyond_bits));
     const I cut = mask_of_bits(some & static_cast<int>(job.clipped_bits));
-    const I empty = ((x1 - x0) | (y1 - y0)) >> 31;
-    const I small = ((right - left - tile_size * subpixels) & (bottom - top - tile_size * subpixels)) >> 31;
-    const I unseen = culled<I>(job, small, {bx - ax, by - ay}, {cx - ax, cy - ay});
+    const I empty = negative((box.x1 - box.x0) | (box.y1 - box.y0));
+    const I unseen = culled<I>(job, box.small, {x[1] - x[0], y[1] - y[0]}, {x[2] - x[0], y[2] - y[0]});
     int tiles[width], wanted[width], clipped[width];
-    store_ints(tiles, (x0 >> 6) | (y0 >> 6) << 8 | (x1 >> 6) << 16 | (y1 >> 6) << 24);
+    store_ints(tiles, TriangleBox::packed<I>(box.x0 >> tile_bits, box.y0 >> tile_bits, box.x1 >> tile_bits,
+                                             box.y1 >> tile_bits));
     store_ints(wanted, (beyond | cut | empty | unseen) + 1);
     store_ints(clipped, cut - (cut & beyond));
     const unsigned count = end - t < width ? end - t : width;

@@ -17,15 +17,15 @@ constexpr std::uint32_t chunk_size = 8192;                // triangles that one 
 constexpr std::size_t max_pieces = std::size_t{1} << 30;  // their vertices' numbers are 4 i, 4 i + 1, ...
 
 /// One chunk more, at the back, without parts.
-SortedChunk& add_chunk(TileLists& lists, std::size_t& count) {
+BinnedChunk& add_chunk(TileLists& lists, std::size_t& count) {
     if (count == lists.chunks.size()) lists.chunks.emplace_back();  // else in the memory of the frame before
     lists.chunks[count].parts.clear();
     return lists.chunks[count++];
 }
 
 /// `like`: what is the same for all of the picture.
-SortJob sort_job(const ObjectGeometry& object, const SortJob& like, Cull cull) {
-    SortJob job = like;
+BinJob sort_job(const ObjectGeometry& object, const BinJob& like, Cull cull) {
+    BinJob job = like;
     job.triangle_vertices = object.triangle_vertices.data();
     job.screen = object.screen.data();
     job.first_triangle = object.first_triangle;
@@ -36,7 +36,7 @@ SortJob sort_job(const ObjectGeometry& object, const SortJob& like, Cull cull) {
 }
 
 /// A task has a number for each cell, so small objects share one: a task each would come to objects x cells.
-void lay_out_chunks(TileLists& lists, const Geometry& g, const SortJob& like, Cull cull) {
+void lay_out_chunks(TileLists& lists, const Geometry& g, const BinJob& like, Cull cull) {
     std::size_t count = 0;
     std::uint32_t room = 0;  // triangles that the last chunk has room for
     for (std::uint32_t o = 0; o < g.objects.size(); ++o) {
@@ -57,8 +57,7 @@ void lay_out_chunks(TileLists& lists, const Geometry& g, const SortJob& like, Cu
 
 /// How many tiles a box meets.
 std::uint64_t tiles_of(const TriangleBox& box) {
-    const std::uint32_t wide = (box.tiles >> 16 & 255u) - (box.tiles & 255u) + 1;
-    const std::uint32_t high = (box.tiles >> 24) - (box.tiles >> 8 & 255u) + 1;
+    const std::uint32_t wide = box.x1() - box.x0() + 1, high = box.y1() - box.y0() + 1;
     return std::uint64_t{wide} * high;
 }
 
@@ -73,12 +72,12 @@ std::uint32_t level_of(std::uint32_t x0, std::uint32_t y0, std::uint32_t x1, std
 
 /// Calls visit(cell, box, level) for the boxes begin .. end - 1 of a chunk and every cell that lists them.
 template <class Visit>
-void visit_cells(const CellGrid& grid, const SortedChunk& chunk, std::size_t begin, std::size_t end,
+void visit_cells(const CellGrid& grid, const BinnedChunk& chunk, std::size_t begin, std::size_t end,
                  const Visit& visit) {
     for (std::size_t i = begin; i < end; ++i) {
         const TriangleBox& box = chunk.boxes[i];
-        const std::uint32_t x0 = box.tiles & 255u, y0 = box.tiles >> 8 & 255u, x1 = box.tiles >> 16 & 255u;
-        const std::uint32_t y1 = box.tiles >> 24, level = level_of(x0, y0, x1, y1), row = grid.row(level);
+        const std::uint32_t x0 = box.x0(), y0 = box.y0(), x1 = box.x1(), y1 = box.y1();
+        const std::uint32_t level = level_of(x0, y0, x1, y1), row = grid.row(level);
         for (std::uint32_t y = y0 >> level; y <= y1 >> level; ++y)
             for (std::uint32_t x = x0 >> level; x <= x1 >> level; ++x)
                 visit(grid.first[level] + y * row + x, box, level);
@@ -86,12 +85,12 @@ void visit_cells(const CellGrid& grid, const SortedChunk& chunk, std::size_t beg
 }
 
 /// Finds a chunk's boxes, and how many of them each cell lists.
-void sort_chunk(const CellGrid& grid, SortedChunk& chunk) {
+void bin_chunk(const CellGrid& grid, BinnedChunk& chunk) {
     std::size_t room = 1;
     for (const ChunkPart& part : chunk.parts) room += part.end - part.begin;
     if (chunk.boxes.size() < room) chunk.boxes.resize(room);
     if (chunk.to_clip.size() < room) chunk.to_clip.resize(room);
-    SortedTriangles out{chunk.boxes.data(), 0, chunk.to_clip.data(), 0};
+    BinnedTriangles out{chunk.boxes.data(), 0, chunk.to_clip.data(), 0};
     for (ChunkPart& part : chunk.parts) {
         visibility_kernels().bin(part.job, part.begin, part.end, out);
         part.box_end = out.box_count;
@@ -122,8 +121,8 @@ class Clipper {
     Clipper(TileLists& lists, const Geometry& g)
         : lists_(lists),
           camera_(g.camera.projection),
-          projection_(clip_from_view(camera_, g.size)),
-          screen_(screen_job(g.camera, g.size)) {}
+          clip_from_view_(g.clip_from_view),
+          viewport_(viewport_of(g.camera, g.size)) {}
 
     /// Triangle `t` of an object.
     void clip(const ObjectGeometry& object, std::uint32_t t) {
@@ -131,7 +130,8 @@ class Clipper {
         polygon.clear();
         for (std::size_t k = 0; k < 3; ++k) {
             const glm::vec3& p = object.mesh->positions[object.triangle_vertices[3 * std::size_t{t} + k]];
-            polygon.push_back(projection_ * (object.view_from_object * glm::dvec4(glm::dvec3(p), 1.0)));
+            // In two steps, as the kernels take them (transform_vertices.h), so that no crack opens.
+            polygon.push_back(clip_from_view_ * (object.view_from_object * glm::dvec4(glm::dvec3(p), 1.0)));
         }
         clip_polygon(polygon, lists_.spare_polygon);
         for (std::size_t i = 2; i < polygon.size(); ++i) {
@@ -147,19 +147,19 @@ class Clipper {
 
   private:
     [[nodiscard]] ScreenVertex corner(const glm::dvec4& clip) const {
-        return to_screen(screen_, held_in_view(camera_, clip));
+        return to_screen(viewport_, held_in_view(camera_, clip));
     }
 
     TileLists& lists_;
     const Projection& camera_;
-    glm::dmat4 projection_;
-    ScreenJob screen_;
+    const glm::dmat4& clip_from_view_;
+    Viewport viewport_;
 };
 
 void clip_triangles(TileLists& lists, const Geometry& g) {
     Clipper clipper(lists, g);
     lists.clipped.clear();
-    for (const SortedChunk& chunk : lists.chunks) {
+    for (const BinnedChunk& chunk : lists.chunks) {
         std::size_t n = 0;
         for (const ChunkPart& part : chunk.parts)
             for (; n < part.clip_end; ++n) clipper.clip(g.objects[part.object], chunk.to_clip[n]);
@@ -169,7 +169,7 @@ void clip_triangles(TileLists& lists, const Geometry& g) {
 
 /// The clipped pieces as one more chunk, the last. To the kernel they are an object whose every triangle has
 /// vertices of its own, four records apart; which of them are culled is found where they are drawn.
-void sort_pieces(TileLists& lists, const Geometry& g, const SortJob& like) {
+void bin_pieces(TileLists& lists, const Geometry& g, const BinJob& like) {
     static_assert(sizeof(ClippedTriangle) == 4 * sizeof(ScreenVertex));
     const auto count = static_cast<std::uint32_t>(lists.clipped.size());
     lists.clipped_vertices.clear();
@@ -180,21 +180,21 @@ void sort_pieces(TileLists& lists, const Geometry& g, const SortJob& like) {
     part.job.screen = count > 0 ? lists.clipped.front().corner : nullptr;
     part.job.first_triangle = g.triangle_count;
     lists.pieces.parts.assign(1, part);
-    sort_chunk(lists.grid, lists.pieces);
+    bin_chunk(lists.grid, lists.pieces);
 }
 
 void refuse_too_many_tiles(std::uint64_t met) {
-    if (met > most_met_tiles)
+    if (met > max_met_tiles)
         throw Refused(
             {"", "", fmt::format("the triangles meet {} tiles of the picture", met),
-             fmt::format("at most {}: fewer or smaller triangles, or a smaller picture", most_met_tiles)});
+             fmt::format("at most {}: fewer or smaller triangles, or a smaller picture", max_met_tiles)});
 }
 
 /// Turns each chunk's counts into where its entries begin in their cells, so that the order never depends on
 /// threads. Those of one cell are fewer than 2^31, all together may be more than 2^32.
 void number_places(TileLists& lists) {
     std::uint32_t levels = lists.pieces.levels;
-    for (const SortedChunk& chunk : lists.chunks) levels |= chunk.levels;
+    for (const BinnedChunk& chunk : lists.chunks) levels |= chunk.levels;
     lists.cell_first.resize(lists.grid.cell_count() + 1);
     std::size_t first = 0;
     for (std::uint32_t level = 0; level < CellGrid::levels; ++level)
@@ -202,7 +202,7 @@ void number_places(TileLists& lists) {
             lists.cell_first[cell] = first;
             if (!(levels >> level & 1u)) continue;
             std::uint32_t place = 0;
-            for (SortedChunk& chunk : lists.chunks) place += std::exchange(chunk.next[cell], place);
+            for (BinnedChunk& chunk : lists.chunks) place += std::exchange(chunk.next[cell], place);
             place += std::exchange(lists.pieces.next[cell], place);
             first += place;
         }
@@ -211,10 +211,10 @@ void number_places(TileLists& lists) {
     lists.entries.resize(first);
 }
 
-void put_into_cells(TileLists& lists, SortedChunk& chunk) {
+void put_into_cells(TileLists& lists, BinnedChunk& chunk) {
     std::size_t begin = 0;
     for (const ChunkPart& part : chunk.parts) {
-        const SortJob& job = part.job;
+        const BinJob& job = part.job;
         visit_cells(lists.grid, chunk, begin, part.box_end,
                     [&](std::uint32_t cell, const TriangleBox& box, std::uint32_t) {
                         const std::uint32_t* vertex =
@@ -228,13 +228,13 @@ void put_into_cells(TileLists& lists, SortedChunk& chunk) {
 
 }  // namespace
 
-std::uint64_t bytes_to_sort(std::uint64_t triangles, std::uint64_t tiles) {
+std::uint64_t bytes_to_bin(std::uint64_t triangles, std::uint64_t tiles) {
     const std::uint64_t chunks = (triangles + chunk_size - 1) / chunk_size;
     constexpr std::uint64_t a_triangle = sizeof(TriangleBox) + sizeof(std::uint32_t);
     // The cells of all levels are less than twice the tiles, and one a level.
     const std::uint64_t cells = 2 * tiles + CellGrid::levels;
     return (triangles + chunks) * a_triangle +
-           chunks * (sizeof(SortedChunk) + sizeof(ChunkPart) + cells * sizeof(std::uint32_t));
+           chunks * (sizeof(BinnedChunk) + sizeof(ChunkPart) + cells * sizeof(std::uint32_t));
 }
 
 CellGrid::CellGrid(PictureSize size)
@@ -244,9 +244,9 @@ CellGrid::CellGrid(PictureSize size)
         first[level + 1] = first[level] + row(level) * (((tiles_y - 1) >> level) + 1);
 }
 
-void sort_into_tiles(TileLists& lists, const Geometry& g, Cull cull, bool multisampled) {
+void bin_into_tiles(TileLists& lists, const Geometry& g, Cull cull, bool multisampled) {
     lists.grid = CellGrid(g.size);
-    SortJob like;
+    BinJob like;
     like.width = g.size.width;
     like.height = g.size.height;
     like.margin = multisampled ? subpixels / 2 : 0;
@@ -254,12 +254,12 @@ void sort_into_tiles(TileLists& lists, const Geometry& g, Cull cull, bool multis
     like.beyond_bits = ~std::uint32_t{OutsideGuard};
     lay_out_chunks(lists, g, like, cull);
     tbb::parallel_for(std::size_t{0}, lists.chunks.size(),
-                      [&lists](std::size_t i) { sort_chunk(lists.grid, lists.chunks[i]); });
+                      [&lists](std::size_t i) { bin_chunk(lists.grid, lists.chunks[i]); });
     std::uint64_t met = 0;
-    for (const SortedChunk& chunk : lists.chunks) met += chunk.met;
+    for (const BinnedChunk& chunk : lists.chunks) met += chunk.met;
     refuse_too_many_tiles(met);  // clipping alone could take minutes
     clip_triangles(lists, g);
-    sort_pieces(lists, g, like);
+    bin_pieces(lists, g, like);
     refuse_too_many_tiles(met + lists.pieces.met);
     number_places(lists);
     tbb::parallel_for(std::size_t{0}, lists.chunks.size(),

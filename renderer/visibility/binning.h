@@ -35,12 +35,12 @@ struct CellGrid {
 /// Neighbouring triangles of one object.
 struct ChunkPart {
     std::uint32_t object = 0, begin = 0, end = 0;  // triangles, numbers within the object
-    SortJob job;
+    BinJob job;
     std::size_t box_end = 0, clip_end = 0;  // where its boxes and clipped triangles end in the chunk's
 };
 
 /// Neighbouring triangles, which one task sorts: of one object, or of several small ones.
-struct SortedChunk {
+struct BinnedChunk {
     std::vector<ChunkPart> parts;
     std::vector<TriangleBox> boxes;      // of those that may be seen, rising
     std::vector<std::uint32_t> to_clip;  // numbers within their objects, rising
@@ -55,8 +55,8 @@ struct TileLists {
     std::vector<TileEntry> entries;        // numbers rising within a cell
     std::vector<ClippedTriangle> clipped;  // numbered Geometry::triangle_count and on in the entries
     // What they were made of.
-    std::vector<SortedChunk> chunks;  // of all triangles, in rising order
-    SortedChunk pieces;               // of the clipped ones: to sorting they are one more object, with
+    std::vector<BinnedChunk> chunks;  // of all triangles, in rising order
+    BinnedChunk pieces;               // of the clipped ones: to sorting they are one more object, with
     std::vector<std::uint32_t> clipped_vertices;     // three vertices each of their own
     std::vector<glm::dvec4> polygon, spare_polygon;  // while a triangle is clipped
     MemoryShare share;                               // of the entries and the clipped triangles
@@ -67,15 +67,15 @@ struct TileLists {
 };
 
 /// Tiles that triangles may meet, of all together: each is a step of drawing, and so many take minutes.
-inline constexpr std::uint64_t most_met_tiles = std::uint64_t{1} << 30;
+inline constexpr std::uint64_t max_met_tiles = std::uint64_t{1} << 30;
 
 /// Bytes that sorting takes of an object of so many triangles, whatever its place, in a picture of so many
 /// tiles.
-[[nodiscard]] std::uint64_t bytes_to_sort(std::uint64_t triangles, std::uint64_t tiles);
+[[nodiscard]] std::uint64_t bytes_to_bin(std::uint64_t triangles, std::uint64_t tiles);
 
 /// Makes the lists anew in the memory of the old ones. `multisampled`: for samples anywhere in their pixels,
 /// not at the centres alone. Throws Refused where they do not fit, and when the triangles meet more than
-/// most_met_tiles.
-void sort_into_tiles(TileLists& lists, const Geometry& geometry, Cull cull, bool multisampled);
+/// max_met_tiles.
+void bin_into_tiles(TileLists& lists, const Geometry& geometry, Cull cull, bool multisampled);
 
 }  // namespace glint

@@ -21,17 +21,17 @@ template <Number F> CornerLanes<F> corner_lanes(const TileJob& job, const TileRu
     constexpr unsigned width = NumberTraits<F>::width;
     unsigned at[width], vertex[3][width];
     for (unsigned lane = 0; lane < width; ++lane) at[lane] = i + lane < run.count ? i + lane : run.count - 1;
-    const Quad<F> entries = load_quads<F>(run.entries, at, sizeof(TileEntry));
+    const Columns<F> entries = gather_transposed<F>(run.entries, at, sizeof(TileEntry));
     store_ints(vertex[0], bits_of(entries.b));
     store_ints(vertex[1], bits_of(entries.c));
     store_ints(vertex[2], bits_of(entries.d));
     CornerLanes<F> corners;
     corners.number = bits_of(entries.a);
     for (unsigned k = 0; k < 3; ++k) {
-        const Quad<F> v = load_quads<F>(run.screen, vertex[k], sizeof(ScreenVertex));
+        const Columns<F> v = gather_transposed<F>(run.screen, vertex[k], sizeof(ScreenVertex));
         corners.x[k] = bits_of(v.a) - (job.x0 * subpixels + subpixels / 2 + job.offset_x);
         corners.y[k] = bits_of(v.b) - (job.y0 * subpixels + subpixels / 2 + job.offset_y);
-        corners.nearness[k] = v.c;
+        corners.inv_w[k] = v.c;
     }
     return corners;
 }
@@ -44,7 +44,7 @@ void draw_lane(const TileJob& job, const TriangleLanes<N>& lanes, unsigned lane,
     // Clockwise as seen is the back, unless the transform turned it over.
     const bool back = (area > 0) != mirrored;
     if (area == 0 || !(back ? job.draw_back : job.draw_front)) return;
-    const int code = static_cast<int>(seen_code(number, back));
+    const int code = static_cast<int>(seen_code(number, std::uint32_t{back}));
     if (lanes.small[lane]) {
         fill_patches<F>(edges_of_lane(lanes, lane), plane_of_lane(lanes, lane, code), tile);
         return;
@@ -63,7 +63,7 @@ unsigned draw_tiny(const TileJob& job, const TriangleLanes<NumberTraits<F>::widt
                    bool mirrored, TilePixels& tile) {
     using I = IntOf<F>;
     const I drawable =
-        negative(load_ints<I>(counting) - static_cast<int>(count)) & inverted(load_ints<I>(lanes.empty));
+        negative(load_ints<I>(iota) - static_cast<int>(count)) & inverted(load_ints<I>(lanes.empty));
     const I wide = load_ints<I>(lanes.x1) - load_ints<I>(lanes.x0) - tiny_side;
     const I high = load_ints<I>(lanes.y1) - load_ints<I>(lanes.y0) - tiny_side;
     const I tiny = drawable & load_ints<I>(lanes.small) & negative(wide & high);
@@ -71,13 +71,13 @@ unsigned draw_tiny(const TileJob& job, const TriangleLanes<NumberTraits<F>::widt
             counterclockwise = negative(area);
     const I back = mirrored ? counterclockwise : clockwise, front = mirrored ? clockwise : counterclockwise;
     const I drawn = tiny & ((back & (job.draw_back ? -1 : 0)) | (front & (job.draw_front ? -1 : 0)));
-    const I code = 0x7fffffff - ((load_ints<I>(lanes.number) << 1) - back);  // as seen_code has it
+    const I code = seen_code<I>(load_ints<I>(lanes.number), 0 - back);
     if (any_bit(drawn)) fill_tiny<F>(lanes, drawn, code, tile);
-    return mask_bits(not_equal(drawable & inverted(tiny), in_all_lanes<I>(0)));
+    return mask_bits(not_equal(drawable & inverted(tiny), broadcast<I>(0)));
 }
 
 /// Asks for the vertices of the triangles begin .. end - 1 of a run, which lie anywhere in memory.
-inline void ask_early(const TileRun& run, unsigned begin, unsigned end) {
+inline void prefetch(const TileRun& run, unsigned begin, unsigned end) {
     for (unsigned i = begin; i < end && i < run.count; ++i)
         for (const std::uint32_t vertex : run.entries[i].vertex) __builtin_prefetch(run.screen + vertex);
 }
@@ -86,7 +86,7 @@ template <Number F> void draw_run(const TileJob& job, const TileRun& run, TilePi
     constexpr unsigned width = NumberTraits<F>::width;
     TriangleLanes<width> lanes;
     for (unsigned i = 0; i < run.count; i += width) {
-        ask_early(run, i + width, i + 2 * width);
+        prefetch(run, i + width, i + 2 * width);
         make_ready(corner_lanes<F>(job, run, i), lanes);
         const unsigned count = run.count - i < width ? run.count - i : width;
         unsigned left = (1u << count) - 1;
@@ -104,7 +104,7 @@ template <Number F> void draw_run(const TileJob& job, const TileRun& run, TilePi
 
 inline void clear(TilePixels& tile) {
     for (int i = 0; i < tile_size * tile_size; ++i) {
-        tile.nearness[i] = 0;
+        tile.inv_w[i] = 0;
         tile.seen[i] = 0;
     }
 }
@@ -136,7 +136,7 @@ template <Number F> void draw_tile(const TileJob& job, TilePixels& tile) {
 template <Number F> unsigned covered_of_patch(const std::int32_t* seen) {
     unsigned bits = 0;
     for (int i = 0; i < patch_pixels; i += NumberTraits<F>::width)
-        bits |= mask_bits(load_ints<IntOf<F>>(seen + i) > in_all_lanes<IntOf<F>>(0)) << i;
+        bits |= mask_bits(load_ints<IntOf<F>>(seen + i) > broadcast<IntOf<F>>(0)) << i;
     return bits;
 }
 
@@ -146,7 +146,7 @@ template <Number F> void take_patches(const TilePixels& tile, int y, const TileR
     std::uint64_t covered[patch_side] = {};  // of each row: bit i the pixel i
     for (int p = 0; p < patches_a_row && p * patch_side < out.width; ++p) {
         const std::int32_t* patch = tile.seen + first + std::ptrdiff_t{p} * patch_pixels;
-        const int x = p * patch_side, within = smaller(out.width - x, patch_side);
+        const int x = p * patch_side, within = min(out.width - x, patch_side);
         const std::uint64_t bits = covered_of_patch<F>(patch);
         for (int row = 0; row < patch_side && y + row < out.height; ++row) {
             std::uint32_t* to = out.seen + static_cast<std::size_t>(y + row) * out.row + x;

@@ -1,18 +1,15 @@
 #pragma once
-// One triangle into one tile. Vertices lie on a grid of 1/256 pixel and edge functions are integers, so the
-// fill rule is exact: a sample on an edge belongs to exactly one of the faces that share it (top-left rule).
-// Source: J. Pineda 1988.
+// Draws one triangle into one tile, by the edge functions of fill_rule.h.
 
 #include "renderer/simd/double_lanes.h"
-#include "renderer/simd/int_lanes.h"
-#include "renderer/visibility/visibility_kernels.h"
+#include "renderer/visibility/fill_rule.h"
 
 namespace glint::inline GLINT_ISA {
 
 /// A corner on the grid, relative to the sample of the tile's first pixel.
 struct TileCorner {
     int x, y;
-    float nearness;
+    float inv_w;
 };
 
 /// A triangle as it is drawn: turned so that it runs clockwise as seen (y down).
@@ -26,8 +23,7 @@ struct TileTriangle {
 /// Positive when the corners run clockwise.
 inline long long doubled_area(const TileTriangle& t) {
     const TileCorner *a = t.corner, *b = a + 1, *c = a + 2;
-    return static_cast<long long>(b->x - a->x) * (c->y - a->y) -
-           static_cast<long long>(b->y - a->y) * (c->x - a->x);
+    return doubled_area<long long>(b->x - a->x, b->y - a->y, c->x - a->x, c->y - a->y);
 }
 
 inline void turn_over(TileTriangle& t) {
@@ -38,18 +34,18 @@ inline void turn_over(TileTriangle& t) {
 }
 
 /// Nearness over a triangle, linear on the screen: value at the sample of pixel (x0, y0), steps a pixel.
-template <class D> struct NearnessPlane { D value, step_x, step_y; };
+template <class D> struct DepthPlane { D value, step_x, step_y; };
 
 /// A corner on the grid, and pixel (x0, y0) of the tile.
-template <class D> struct PlaneCorner { D x, y, nearness; };
+template <class D> struct PlaneCorner { D x, y, inv_w; };
 template <class D> struct TilePixel { D x0, y0; };
 
 /// `area`: doubled, positive when the corners run clockwise; either way round gives the same plane.
 template <class D>
-NearnessPlane<D> nearness_plane(const PlaneCorner<D> (&corner)[3], D area, const TilePixel<D>& pixel) {
+DepthPlane<D> depth_plane(const PlaneCorner<D> (&corner)[3], D area, const TilePixel<D>& pixel) {
     const auto& [a, b, c] = corner;
     const D x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;
-    const D q0 = a.nearness, q1 = b.nearness - q0, q2 = c.nearness - q0, inverse = D(1) / area;
+    const D q0 = a.inv_w, q1 = b.inv_w - q0, q2 = c.inv_w - q0, inverse = D(1) / area;
     const D per_x = (q1 * y2 - q2 * y1) * inverse, per_y = (q2 * x1 - q1 * x2) * inverse;
     const D value = q0 + per_x * (pixel.x0 * D(subpixels) - a.x) + per_y * (pixel.y0 * D(subpixels) - a.y);
     return {value, per_x * D(subpixels), per_y * D(subpixels)};
@@ -57,7 +53,7 @@ NearnessPlane<D> nearness_plane(const PlaneCorner<D> (&corner)[3], D area, const
 
 /// What the pixels get where a triangle is seen.
 struct TilePlane {
-    NearnessPlane<float> nearness;
+    DepthPlane<float> inv_w;
     TilePixel<int> from;  // where its value is
     int code;             // seen_code
 };
@@ -66,8 +62,8 @@ inline TilePlane plane_of(const TileTriangle& t) {
     PlaneCorner<double> corner[3];
     for (int k = 0; k < 3; ++k)
         corner[k] = {static_cast<double>(t.corner[k].x), static_cast<double>(t.corner[k].y),
-                     t.corner[k].nearness};
-    const NearnessPlane<double> plane = nearness_plane<double>(
+                     t.corner[k].inv_w};
+    const DepthPlane<double> plane = depth_plane<double>(
         corner, static_cast<double>(t.area), {static_cast<double>(t.x0), static_cast<double>(t.y0)});
     return {
         {static_cast<float>(plane.value), static_cast<float>(plane.step_x), static_cast<float>(plane.step_y)},
@@ -76,32 +72,31 @@ inline TilePlane plane_of(const TileTriangle& t) {
 }
 
 /// Patches of a tile (TilePixels), columns x0..x1 and rows y0..y1, and the three edges as functions of the
-/// pixel, not negative inside: values at the first patch's first pixel, steps a pixel. In units of 256: steps
-/// from sample to sample are whole ones, so what is cut off below never changes a sign.
+/// pixel (EdgeFunction): values at the first patch's first pixel, steps a pixel.
 struct PatchEdges {
     int x0, y0, x1, y1;
     int value[3], step_x[3], step_y[3];
 };
 
 /// The lanes' pixels within a patch: step s has those from s on.
-template <Number F> IntOf<F> patch_column(int s) { return load_ints<IntOf<F>>(counting + s) & 3; }
-template <Number F> IntOf<F> patch_row(int s) { return load_ints<IntOf<F>>(counting + s) >> 2; }
+template <Number F> IntOf<F> patch_column(int s) { return load_ints<IntOf<F>>(iota + s) & (patch_side - 1); }
+template <Number F> IntOf<F> patch_row(int s) { return load_ints<IntOf<F>>(iota + s) >> patch_bits; }
 
 /// Pixels right of and below the one that the plane begins at.
-template <Number F> F nearness_at(const NearnessPlane<F>& plane, F column, F row) {
-    return positive((plane.value + row * plane.step_y) + column * plane.step_x);
+template <Number F> F inv_w_at(const DepthPlane<F>& plane, F column, F row) {
+    return max0((plane.value + row * plane.step_y) + column * plane.step_x);
 }
-template <Number F> NearnessPlane<F> in_all_lanes(const NearnessPlane<float>& plane) {
+template <Number F> DepthPlane<F> broadcast(const DepthPlane<float>& plane) {
     return {F(plane.value), F(plane.step_x), F(plane.step_y)};
 }
 
 /// Lanes of a patch: keeps the nearer of what is there and the triangle.
 template <Number F>
-void keep_nearer(MaskOf<F> inside, F nearness, int triangle_code, float* nearest, std::int32_t* seen) {
+void keep_nearer(MaskOf<F> inside, F inv_w, int triangle_code, float* nearest, std::int32_t* seen) {
     const F before = load<F>(nearest);
-    const IntOf<F> shown = load_ints<IntOf<F>>(seen), code = in_all_lanes<IntOf<F>>(triangle_code);
-    const auto wins = both(inside, either(nearness > before, both(nearness >= before, code > shown)));
-    store(nearest, select(wins, nearness, before));
+    const IntOf<F> shown = load_ints<IntOf<F>>(seen), code = broadcast<IntOf<F>>(triangle_code);
+    const auto wins = mask_and(inside, is_in_front<F>(inv_w, code, before, shown));
+    store(nearest, select(wins, inv_w, before));
     store_ints(seen, select(wins, code, shown));
 }
 
@@ -125,9 +120,9 @@ template <Number F> void fill_patches(const PatchEdges& e, const TilePlane& plan
                 if (!any(inside)) continue;
                 const F column = to_number(patch_column<F>(s * width) + (px * patch_side - plane.from.x0));
                 const F row = to_number(patch_row<F>(s * width) + (py * patch_side - plane.from.y0));
-                const F nearness = nearness_at<F>(in_all_lanes<F>(plane.nearness), column, row);
+                const F inv_w = inv_w_at<F>(broadcast<F>(plane.inv_w), column, row);
                 const std::ptrdiff_t at = first + std::ptrdiff_t{s} * width;
-                keep_nearer<F>(inside, nearness, plane.code, tile.nearness + at, tile.seen + at);
+                keep_nearer<F>(inside, inv_w, plane.code, tile.inv_w + at, tile.seen + at);
             }
             if (px == e.x1) break;  // before a step that may leave 32 bits
             for (int k = 0; k < 3; ++k)

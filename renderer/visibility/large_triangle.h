@@ -5,17 +5,10 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// An edge as a function of the pixel: not negative inside (PatchEdges).
-struct LongEdge {
-    long long value;           // at the tile's first pixel
-    long long step_x, step_y;  // to the next pixel
-};
+using LongEdge = EdgeFunction<long long>;
 
-/// From a to b. A sample exactly on the edge is inside when the edge is a top or a left one.
 inline LongEdge edge_from(const TileCorner& a, const TileCorner& b) {
-    const long long dx = b.x - a.x, dy = b.y - a.y;
-    const bool top_or_left = dy < 0 || (dy == 0 && dx > 0);
-    return {(dy * a.x - dx * a.y - (top_or_left ? 0 : 1)) >> 8, -dy, dx};
+    return edge_function<long long>(a.x, a.y, b.x, b.y);
 }
 
 enum class Fit { Outside, Fits, TooLarge };

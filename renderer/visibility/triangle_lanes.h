@@ -7,43 +7,33 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// Their corners, on the grid, relative to the sample of the tile's first pixel.
+/// The corners of several triangles, on the grid, relative to the sample of the tile's first pixel.
 template <Number F> struct CornerLanes {
     IntOf<F> number;  // their triangle's
     IntOf<F> x[3], y[3];
-    F nearness[3];
+    F inv_w[3];
 };
 
-/// What drawing them needs. Not -1: 0.
+/// What drawing them needs. Flags are -1 (true) or 0.
 template <unsigned N> struct TriangleLanes {
     int number[N];
     int x[3][N], y[3][N];
-    float nearness[3][N];
+    float inv_w[3][N];
     int x0[N], y0[N], x1[N], y1[N];  // as in TileTriangle
     int empty[N];                    // -1: the box holds no sample of the tile
     int small[N];                    // -1: what follows has been found, else it may not fit
     int area[N];
     int value[3][N], step_x[3][N], step_y[3][N];  // as in PatchEdges, of the triangle turned clockwise
-    NearnessPlane<float[N]> plane;                // at pixel (x0, y0)
+    DepthPlane<float[N]> plane;                   // at pixel (x0, y0)
 };
-
-/// A triangle less high and wide than this is small: within 2^14 of the grid of each other and so 2^15 of the
-/// tile, its corners' products stay below 2^29.
-inline constexpr int small_side = tile_size * subpixels;
-
-/// -1 where a < 0, else 0; and the other way round.
-template <class I> I negative(I a) { return a >> 31; }
-template <class I> I inverted(I a) { return -1 - a; }
 
 /// Edge `k`, from a to b.
 template <class I, unsigned N>
 void store_edge(TriangleLanes<N>& out, int k, I ax, I ay, I bx, I by, I patch_x, I patch_y) {
-    const I dx = bx - ax, dy = by - ay;
-    const I top_or_left = negative(dy) | (negative(0 - dx) & inverted(negative(0 - dy)));
-    const I at_tile = (dy * ax - dx * ay + inverted(top_or_left)) >> 8;
-    store_ints(out.value[k], at_tile - dy * patch_x + dx * patch_y);
-    store_ints(out.step_x[k], 0 - dy);
-    store_ints(out.step_y[k], dx);
+    const EdgeFunction<I> edge = edge_function(ax, ay, bx, by);
+    store_ints(out.value[k], edge.value + edge.step_x * patch_x + edge.step_y * patch_y);
+    store_ints(out.step_x[k], edge.step_x);
+    store_ints(out.step_y[k], edge.step_y);
 }
 
 template <Number F> void store_planes(TriangleLanes<NumberTraits<F>::width>& out) {
@@ -51,9 +41,9 @@ template <Number F> void store_planes(TriangleLanes<NumberTraits<F>::width>& out
     for (int i = 0; i < NumberTraits<F>::width; i += HalfAsMany<F>::width) {
         PlaneCorner<D> corner[3];
         for (int k = 0; k < 3; ++k)
-            corner[k] = {widened<D>(out.x[k] + i), widened<D>(out.y[k] + i), widened<D>(out.nearness[k] + i)};
-        const NearnessPlane<D> plane = nearness_plane<D>(corner, widened<D>(out.area + i),
-                                                         {widened<D>(out.x0 + i), widened<D>(out.y0 + i)});
+            corner[k] = {widened<D>(out.x[k] + i), widened<D>(out.y[k] + i), widened<D>(out.inv_w[k] + i)};
+        const DepthPlane<D> plane = depth_plane<D>(corner, widened<D>(out.area + i),
+                                                   {widened<D>(out.x0 + i), widened<D>(out.y0 + i)});
         store_narrowed(out.plane.value + i, plane.value);
         store_narrowed(out.plane.step_x + i, plane.step_x);
         store_narrowed(out.plane.step_y + i, plane.step_y);
@@ -64,24 +54,18 @@ template <Number F> void make_ready(const CornerLanes<F>& in, TriangleLanes<Numb
     using I = IntOf<F>;
     const I(&x)[3] = in.x;
     const I(&y)[3] = in.y;
-    const I left = smaller(smaller(x[0], x[1]), x[2]), right = larger(larger(x[0], x[1]), x[2]);
-    const I top = smaller(smaller(y[0], y[1]), y[2]), bottom = larger(larger(y[0], y[1]), y[2]);
-    // A sample lies at 256 k: the first at or after the least, the last at or before the most.
-    const I none = in_all_lanes<I>(0), last = in_all_lanes<I>(tile_size - 1);
-    const I x0 = larger((left + (subpixels - 1)) >> 8, none), x1 = smaller(right >> 8, last);
-    const I y0 = larger((top + (subpixels - 1)) >> 8, none), y1 = smaller(bottom >> 8, last);
-    const I small = negative(right - left - small_side) & negative(bottom - top - small_side);
+    const auto [x0, y0, x1, y1, small] = sample_box(x, y, 0, 0, tile_size - 1, tile_size - 1);
     I sx[3], sy[3];  // zeros where the products below would not fit
     for (int k = 0; k < 3; ++k) {
         sx[k] = small & x[k];
         sy[k] = small & y[k];
     }
-    const I area = (sx[1] - sx[0]) * (sy[2] - sy[0]) - (sy[1] - sy[0]) * (sx[2] - sx[0]);
+    const I area = doubled_area<I>(sx[1] - sx[0], sy[1] - sy[0], sx[2] - sx[0], sy[2] - sy[0]);
     store_ints(out.number, in.number);
     for (int k = 0; k < 3; ++k) {
         store_ints(out.x[k], x[k]);
         store_ints(out.y[k], y[k]);
-        store(out.nearness[k], in.nearness[k]);
+        store(out.inv_w[k], in.inv_w[k]);
     }
     store_ints(out.x0, x0);
     store_ints(out.y0, y0);
@@ -102,7 +86,7 @@ template <Number F> void make_ready(const CornerLanes<F>& in, TriangleLanes<Numb
 
 template <unsigned N> TileTriangle triangle_of_lane(const TriangleLanes<N>& lanes, unsigned i) {
     TileTriangle t;
-    for (int k = 0; k < 3; ++k) t.corner[k] = {lanes.x[k][i], lanes.y[k][i], lanes.nearness[k][i]};
+    for (int k = 0; k < 3; ++k) t.corner[k] = {lanes.x[k][i], lanes.y[k][i], lanes.inv_w[k][i]};
     t.area = lanes.area[i];
     t.x0 = lanes.x0[i];
     t.y0 = lanes.y0[i];

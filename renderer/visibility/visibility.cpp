@@ -28,8 +28,8 @@ bool update_visibility(Visibility& kept, const Geometry& g, Cull cull, int sampl
     if (!geometry_redone && kept.cull == cull && kept.samples == samples) return false;
     kept.cull = cull;
     kept.samples = samples;
-    sort_into_tiles(kept.tiles, g, cull, samples > 1);
-    kept.plane = static_cast<std::size_t>(g.size.width) * static_cast<std::size_t>(g.size.height);
+    bin_into_tiles(kept.tiles, g, cull, samples > 1);
+    kept.plane = g.size.pixels();
     kept.groups_a_row = (static_cast<std::size_t>(g.size.width) + block_size - 1) / block_size;
     const std::size_t codes = kept.plane * static_cast<std::size_t>(samples);
     const std::size_t tiles = kept.tiles.grid.tile_count();

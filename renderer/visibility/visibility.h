@@ -26,7 +26,7 @@ struct Visibility {
         return seen[pixel] ? triangle_of_code(seen[pixel]) : no_triangle;
     }
     /// True when the triangle seen is wound clockwise on the screen.
-    [[nodiscard]] bool back_at(std::size_t pixel) const { return seen[pixel] && is_back(seen[pixel]); }
+    [[nodiscard]] bool back_at(std::size_t pixel) const { return seen[pixel] && back_of_code(seen[pixel]); }
 };
 
 /// Where sample `which` of `samples` lies in its pixel, in 1/256 pixel from the centre. One sample is the

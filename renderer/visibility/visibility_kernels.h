@@ -5,7 +5,8 @@
 
 namespace glint {
 
-inline constexpr int tile_size = 64;  // pixels a side
+inline constexpr int tile_bits = 6;
+inline constexpr int tile_size = 1 << tile_bits;  // pixels a side
 
 /// A piece of a triangle that had to be clipped.
 struct ClippedTriangle {
@@ -16,7 +17,7 @@ struct ClippedTriangle {
 
 // Which tiles a triangle may touch.
 
-struct SortJob {
+struct BinJob {
     const std::uint32_t* triangle_vertices = nullptr;  // three a triangle
     const ScreenVertex* screen = nullptr;
     std::uint32_t first_triangle = 0;  // global number of the object's first
@@ -33,10 +34,19 @@ struct SortJob {
 struct TriangleBox {
     std::uint32_t number;  // global
     std::uint32_t tiles;   // x0, y0, x1, y1, eight bits each, x0 the lowest
+
+    /// I: an integer, or as many as there are lanes.
+    template <class I> static constexpr I packed(I x0, I y0, I x1, I y1) {
+        return x0 | y0 << 8 | x1 << 16 | y1 << 24;
+    }
+    [[nodiscard]] std::uint32_t x0() const { return tiles & 255u; }
+    [[nodiscard]] std::uint32_t y0() const { return tiles >> 8 & 255u; }
+    [[nodiscard]] std::uint32_t x1() const { return tiles >> 16 & 255u; }
+    [[nodiscard]] std::uint32_t y1() const { return tiles >> 24; }
 };
 
 /// Room for one entry a triangle, and one more.
-struct SortedTriangles {
+struct BinnedTriangles {
     TriangleBox* boxes = nullptr;
     std::size_t box_count = 0;
     std::uint32_t* to_clip = nullptr;  // numbers within the object
@@ -46,24 +56,23 @@ struct SortedTriangles {
 // Which triangle is seen at each pixel of a tile.
 
 /// What a pixel holds that shows a triangle; 0 shows none. Larger for lower numbers, so that at equal depth
-/// the lower object and then the lower face wins by being larger. Numbers below 2^30.
-[[nodiscard]] constexpr std::uint32_t seen_code(std::uint32_t triangle, bool back) {
-    return 0x7fffffffu - (2 * triangle + (back ? 1u : 0u));
+/// the lower object and then the lower face wins by being larger. Numbers below 2^30; `back`: 1 where the
+/// triangle is wound clockwise as seen, else 0. I: an integer, or as many as there are lanes.
+template <class I> [[nodiscard]] constexpr I seen_code(I triangle, I back) {
+    return 0x7fffffff - ((triangle << 1) + back);
 }
-[[nodiscard]] constexpr std::uint32_t triangle_of_code(std::uint32_t code) {
-    return (0x7fffffffu - code) >> 1;
-}
-/// True where the triangle is wound clockwise as seen.
-[[nodiscard]] constexpr bool is_back(std::uint32_t code) { return (0x7fffffffu - code) & 1u; }
+template <class I> [[nodiscard]] constexpr I triangle_of_code(I code) { return (0x7fffffff - code) >> 1; }
+template <class I> [[nodiscard]] constexpr I back_of_code(I code) { return (0x7fffffff - code) & 1; }
 
-inline constexpr int patch_side = 4;  // pixels
+inline constexpr int patch_bits = 2;
+inline constexpr int patch_side = 1 << patch_bits;  // pixels
 inline constexpr int patch_pixels = patch_side * patch_side;
 inline constexpr int patches_a_row = tile_size / patch_side;
 
 /// A tile while it is drawn, in patches of 4 x 4 pixels, so that what a small triangle covers lies together:
 /// patch (px, py) begins at (16 py + px) 16, its pixels in reading order.
 struct alignas(64) TilePixels {
-    float nearness[tile_size * tile_size];
+    float inv_w[tile_size * tile_size];
     std::int32_t seen[tile_size * tile_size];  // seen_code
 };
 
@@ -104,13 +113,13 @@ struct TileJob {
 /// The kernels of one instruction set.
 struct VisibilityKernels {
     /// Adds the triangles begin .. end - 1 of one object.
-    void (*bin)(const SortJob& job, std::uint32_t begin, std::uint32_t end, SortedTriangles& out);
+    void (*bin)(const BinJob& job, std::uint32_t begin, std::uint32_t end, BinnedTriangles& out);
     /// Draws all of the job's triangles; what a tile shows in the end does not depend on their order.
     void (*draw)(const TileJob& job, TilePixels& tile);
     void (*take_rows)(const TilePixels& tile, const TileRows& out);
 };
 
-/// Of the set that instruction_set.h chooses.
+/// The kernels of the instruction set that is in use (instruction_set.h).
 const VisibilityKernels& visibility_kernels();
 
 }  // namespace glint

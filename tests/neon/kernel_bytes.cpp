@@ -33,12 +33,12 @@ class Numbers {
     float between(float low, float high) {
         return low + (high - low) * (static_cast<float>(bits() >> 8) * 0x1p-24f);
     }
-    LightSource::Rgb rgb(float low, float high) {
+    Float3 rgb(float low, float high) {
         const float x = between(low, high), y = between(low, high);
         return {x, y, between(low, high)};
     }
-    LightSource::Rgb unit() {
-        LightSource::Rgb v = rgb(-1, 1);
+    Float3 unit() {
+        Float3 v = rgb(-1, 1);
         const float length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
         return {v.x / length, v.y / length, v.z / length};
     }
@@ -52,7 +52,7 @@ std::vector<PointBlock> some_points(Numbers& number) {
     for (PointBlock& block : points)
         for (std::size_t i = 0; i < block_size; ++i) {
             const bool none = number.bits() % 19 == 0;  // past the last of an object: zeros
-            const LightSource::Rgb n = number.unit();
+            const Float3 n = number.unit();
             block.x[i] = none ? 0 : number.between(-3, 3);
             block.y[i] = none ? 0 : number.between(-3, 3);
             block.z[i] = none ? 0 : number.between(-9, -1);
@@ -170,7 +170,7 @@ void light_all(Numbers& number, const std::vector<PointBlock>& points) {
 
 /// Corners that triangles share, as an object has them.
 struct SomeMesh {
-    std::vector<PlacedVertex> vertices;
+    std::vector<TransformedVertex> vertices;
     std::vector<CameraNormal> normals;
     std::vector<std::uint32_t> triangle_vertices;
 };
@@ -180,7 +180,7 @@ constexpr std::uint32_t vertex_count = 300, triangle_count = 500;
 SomeMesh some_mesh(Numbers& number) {
     SomeMesh mesh;
     for (std::uint32_t i = 0; i < vertex_count; ++i) {
-        PlacedVertex v;
+        TransformedVertex v;
         v.clip_w = number.between(1, 9);
         v.clip_x = number.between(-1, 1) * v.clip_w;
         v.clip_y = number.between(-1, 1) * v.clip_w;
@@ -188,7 +188,7 @@ SomeMesh some_mesh(Numbers& number) {
         v.y = number.between(-3, 3);
         v.z = -v.clip_w;
         mesh.vertices.push_back(v);
-        const LightSource::Rgb n = number.unit();
+        const Float3 n = number.unit();
         mesh.normals.push_back({n.x, n.y, n.z});
     }
     for (std::uint32_t i = 0; i < 3 * triangle_count; ++i)
@@ -198,7 +198,7 @@ SomeMesh some_mesh(Numbers& number) {
 
 void place_all(Numbers& number) {
     const SomeMesh mesh = some_mesh(number);
-    PlaceJob job;
+    InterpolateJob job;
     job.vertices = mesh.vertices.data();
     job.normals = mesh.normals.data();
     job.triangle_vertices = mesh.triangle_vertices.data();
@@ -208,18 +208,18 @@ void place_all(Numbers& number) {
     std::vector<std::uint32_t> plane(640 * 200);
     job.seen = plane.data();
     for (int which = 0; which < 200; ++which) {
-        const PixelRun run{static_cast<std::uint32_t>(640 * which + 16 * (which % 40)), 0, 0xFFFF};
-        std::uint32_t* seen = &plane[run.first_pixel];
+        const PixelGroup group{static_cast<std::uint32_t>(640 * which + 16 * (which % 40)), 0, 0xFFFF};
+        std::uint32_t* seen = &plane[group.first_pixel];
         const int alike = 1 + which % 12;  // neighbours that show the same
         for (int i = 0; i < static_cast<int>(block_size); ++i) {
             const std::uint32_t triangle = number.bits() % triangle_count;  // before the other: in this order
-            seen[i] = seen_code(triangle, number.bits() % 2 != 0);
+            seen[i] = seen_code<std::uint32_t>(triangle, number.bits() % 2 != 0);
             if (i % alike != 0) seen[i] = seen[i - 1];
         }
         job.two_sided = which % 2 != 0;
         PointBlock out{};
         std::uint8_t told = 0;
-        GLINT_ISA::drawing.surface.interpolate(job, &run, 1, &out, &told);
+        GLINT_ISA::drawing.surface.interpolate(job, &group, 1, &out, &told);
         hash.add(std::uint32_t{told});
         if (!told) continue;
         for (const auto& numbers : {&out.x, &out.y, &out.z, &out.nx, &out.ny, &out.nz})
@@ -232,25 +232,25 @@ void place_vertices_and_normals(Numbers& number) {
     constexpr std::size_t count = 203;  // not a multiple of anything
     std::vector<float> numbers;
     for (std::size_t i = 0; i < 3 * count; ++i) numbers.push_back(number.between(-6, 6));
-    std::vector<PlacedVertex> vertices(count);
+    std::vector<TransformedVertex> vertices(count);
     std::vector<ScreenVertex> on_screen(count);
     VertexJob job;
     job.positions = numbers.data();
     job.view_from_object = {{{0.8, 0.6, 0, 0}, {-0.6, 0.8, 0, 0}, {0, 0, 1, 0}, {0.1, 0.2, -4, 1}}};
     job.clip_from_view = {{{1.4, 0, 0, 0}, {0, 2.4, 0, 0}, {0, 0, -1.02, -1}, {0, 0, -0.2, 0}}};
-    job.screen = {640, 480, false};
+    job.viewport = {640, 480, false};
     job.vertices = vertices.data();
     job.on_screen = on_screen.data();
     GLINT_ISA::drawing.geometry.transform_vertices(job, 0, count);
     Hash hash;
-    for (const PlacedVertex& v : vertices) {
+    for (const TransformedVertex& v : vertices) {
         for (const float a : {v.clip_x, v.clip_y, v.clip_w, v.x, v.y, v.z}) hash.add(a);
         hash.add(v.outside);
     }
     for (const ScreenVertex& v : on_screen) {
         hash.add(static_cast<std::uint32_t>(v.x));
         hash.add(static_cast<std::uint32_t>(v.y));
-        hash.add(v.nearness);
+        hash.add(v.inv_w);
     }
     hash.print("vertices", count);
     std::vector<CameraNormal> in_camera(count);
@@ -274,7 +274,7 @@ void sort_and_draw(Numbers& number, float spread) {
     for (std::uint32_t i = 0; i < vertex_count; ++i) screen.push_back(some_vertex(number, spread));
     std::vector<std::uint32_t> vertices;
     for (std::uint32_t i = 0; i < 3 * triangle_count; ++i) vertices.push_back(number.bits() % vertex_count);
-    SortJob sort;
+    BinJob sort;
     sort.triangle_vertices = vertices.data();
     sort.screen = screen.data();
     sort.width = 640;
@@ -284,7 +284,7 @@ void sort_and_draw(Numbers& number, float spread) {
     sort.drop_clockwise = spread > 50;
     std::vector<TriangleBox> boxes(triangle_count + 1);
     std::vector<std::uint32_t> to_clip(triangle_count + 1);
-    SortedTriangles sorted{boxes.data(), 0, to_clip.data(), 0};
+    BinnedTriangles sorted{boxes.data(), 0, to_clip.data(), 0};
     GLINT_ISA::drawing.visibility.bin(sort, 0, triangle_count, sorted);
     Hash hash;
     std::vector<TileEntry> entries;
@@ -304,7 +304,7 @@ void sort_and_draw(Numbers& number, float spread) {
     static TilePixels tile;
     GLINT_ISA::drawing.visibility.draw(job, tile);
     for (const std::int32_t code : tile.seen) hash.add(static_cast<std::uint32_t>(code));
-    for (const float nearness : tile.nearness) hash.add(nearness);
+    for (const float inv_w : tile.inv_w) hash.add(inv_w);
     static std::uint32_t seen[tile_size][tile_size];
     static std::uint16_t covered[tile_size][tile_size / block_size];
     const int within = spread < 100 ? tile_size : 53;  // of a tile at the picture's border

@@ -3,7 +3,17 @@
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
+#include "renderer/geometry/to_screen.h"
+
 namespace glint {
+namespace {
+
+Viewport viewport_of(const ScreenMap& map) {
+    return {static_cast<double>(map.size.width), static_cast<double>(map.size.height),
+            map.clip_from_view[2][3] == 0};
+}
+
+}  // namespace
 
 ScreenMap screen_map(const Camera& camera, PictureSize size) {
     ScreenMap map;
@@ -19,13 +29,11 @@ OnScreen project(const ScreenMap& map, glm::dvec3 world) {
     const glm::dvec4 view = map.view_from_world * glm::dvec4(world, 1);
     const glm::dvec4 clip = map.clip_from_view * view;
     if (!(clip.w > 1e-9)) return {{}, -view.z, false};
-    return {{(clip.x / clip.w + 1) / 2 * map.size.width, (1 - clip.y / clip.w) / 2 * map.size.height},
-            -view.z,
-            true};
+    return {to_pixel(viewport_of(map), clip), -view.z, true};
 }
 
 glm::dvec3 unproject(const ScreenMap& map, glm::dvec2 pixel, double depth) {
-    const glm::dvec2 ndc{2 * pixel.x / map.size.width - 1, 1 - 2 * pixel.y / map.size.height};
+    const glm::dvec2 ndc = to_ndc(viewport_of(map), pixel);
     const glm::dmat4& m = map.clip_from_view;  // m[column][row]
     const double z = -depth, w = m[2][3] * z + m[3][3];
     const double x = (ndc.x * w - m[2][0] * z - m[3][0]) / m[0][0];

@@ -45,7 +45,7 @@ std::uint64_t buffers_memory(PictureSize size) {
 
 std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, PictureSize size) {
     std::vector<PixelBuffer> buffers;
-    const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    const std::size_t pixels = size.pixels();
     for (const char* name : names) {
         PixelBuffer buffer;
         buffer.name = name;

@@ -14,18 +14,17 @@ struct PixelBuffer {
     Picture picture;  // `linear` alone is filled: three numbers a pixel
 };
 
-/// Of the last picture, drawn with one sample a pixel; 0 on background unless said. Camera coordinates, scene
-/// units.
-///   position, normal   x, y, z; under flat and gouraud of the pixel's own point, which is not what is lit
-///   depth              distance in front of the camera, in all three
-///   face               1 where a surface shows, its object's number, its face's number (from 0)
-///   emission, global_ambient, ambient, diffuse, specular   the terms of the sum, the last three of all
-///   lights
-///                      together; under gouraud and flat blended as the colours are
-///   sum                the pixel's linear colour before exposure, background too
+/// The buffers of the last picture, drawn with one sample a pixel; 0 on background unless said. Camera
+/// coordinates, scene units.
+///   position, normal          x, y, z; under flat and gouraud of the pixel's own point, which is not lit
+///   depth                     distance in front of the camera, in all three
+///   face                      1 where a surface shows, its object's number, its face's number (from 0)
+///   emission, global_ambient  terms of the sum; under gouraud and flat blended as the colours are
+///   ambient, diffuse, specular  the same, of all lights together
+///   sum                       the pixel's linear colour before exposure, background too
 [[nodiscard]] std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, PictureSize size);
 
-/// Bytes that they take.
+/// The memory that the buffers take, in bytes.
 [[nodiscard]] std::uint64_t buffers_memory(PictureSize size);
 
 }  // namespace glint

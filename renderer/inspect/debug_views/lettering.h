@@ -11,7 +11,7 @@
 
 namespace glint {
 
-/// A scalable font. Text is UTF-8; what is no UTF-8 shows as U+FFFD.
+/// A scalable font. Text is UTF-8; what is not UTF-8 shows as U+FFFD.
 class Font {
   public:
     /// The file that the environment variable GLINT_FONT names, or the first of DejaVu Sans, Liberation Sans,

@@ -51,20 +51,13 @@ Rgb hue_color(std::uint64_t number) {
 
 template <class PixelWork> void for_pixels(PictureSize size, const PixelWork& work) {
     tbb::parallel_for(0, size.height, [&](int y) {
-        for (int x = 0; x < size.width; ++x)
-            work(static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
-                     static_cast<std::size_t>(x),
-                 x, y);
+        for (int x = 0; x < size.width; ++x) work(size.index(x, y), x, y);
     });
 }
 
 void put(Picture& picture, std::size_t pixel, Rgb color) {
     std::copy(color.begin(), color.end(), picture.rgba.begin() + static_cast<std::ptrdiff_t>(4 * pixel));
     picture.rgba[4 * pixel + 3] = 255;
-}
-
-std::size_t pixels_of(PictureSize size) {
-    return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
 }
 
 }  // namespace
@@ -83,7 +76,7 @@ LookPainter::LookPainter(int threads)
 
 void LookPainter::measure_normals(const Scene& scene, PictureSize size) {
     const Picture& drawn = renderer_->render(normal_scene(scene, false), size, true);
-    normals_.resize(pixels_of(size));
+    normals_.resize(size.pixels());
     for_pixels(size, [&](std::size_t i, int x, int y) {
         const bool hit = renderer_->object_at(x, y) >= 0;
         normals_[i] = hit ? drawn.linear_at(x, y) : glm::vec3(none);
@@ -123,7 +116,7 @@ void LookPainter::paint_faces(const Scene& scene, const Renderer& drawn_by, Pict
     names_.clear();
     for (const Object& object : scene.objects) names_.push_back(object.name);
     constexpr std::uint64_t no_face = std::numeric_limits<std::uint64_t>::max();
-    faces_.assign(pixels_of(size), no_face);
+    faces_.assign(size.pixels(), no_face);
     for_pixels(size, [&](std::size_t i, int x, int y) {
         const auto seen = drawn_by.seen_at(x, y);
         if (seen) faces_[i] = (static_cast<std::uint64_t>(seen->object) << 32) | seen->face;
@@ -155,8 +148,8 @@ const Picture& LookPainter::paint(LookChoice choice, const Scene& scene, const R
     scale_ = {};
     terms_ = nullptr;
     picture_.size = size;
-    picture_.rgba.resize(4 * pixels_of(size));
-    values_.assign(pixels_of(size), none);
+    picture_.rgba.resize(4 * size.pixels());
+    values_.assign(size.pixels(), none);
     switch (choice.look) {
     case Look::Normal:
         measure_normals(scene, size);

@@ -40,8 +40,8 @@ struct LookChoice {
 /// A scene whose linear picture is the normal at each pixel: the facets' or the interpolated ones. Mistakes
 /// in the normals stay. Lights, materials, background and strokes are replaced.
 [[nodiscard]] Scene normal_scene(const Scene& scene, bool facet);
-/// Likewise n.l of one light, in all three channels. An area light counts as its middle.
-/// Precondition: 0 <= light < #lights.
+/// A scene whose linear picture is n.l of one light, in all three channels. An area light counts as its
+/// middle. Precondition: 0 <= light < #lights.
 [[nodiscard]] Scene n_dot_l_scene(const Scene& scene, int light);
 /// The scene with one term alone. Precondition: Emission, Ambient, Diffuse or Specular.
 [[nodiscard]] Scene term_scene(const Scene& scene, Look term);
@@ -59,7 +59,7 @@ struct LookScale {
 /// The colour, 0 to 255, of a value on a scale: of NDotL with its break at 0, else from dark to light.
 /// Values outside take the ends' colours.
 [[nodiscard]] std::array<std::uint8_t, 3> look_color(Look look, const LookScale& scale, double value);
-/// Of a normal: (n + 1) / 2.
+/// The colour of a normal: (n + 1) / 2.
 [[nodiscard]] std::array<std::uint8_t, 3> normal_color(glm::vec3 normal);
 
 class LookPainter {
@@ -73,7 +73,7 @@ class LookPainter {
     [[nodiscard]] const LookScale& scale() const { return scale_; }
     /// The number at a pixel of the last painting, or a word where there is none.
     [[nodiscard]] std::string value_text(int x, int y) const;
-    /// Likewise as a number; NaN on background and where it is not one number.
+    /// The same value as a number; NaN on background and where it is not one number.
     [[nodiscard]] float value_at(int x, int y) const;
 
   private:

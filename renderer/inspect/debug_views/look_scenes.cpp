@@ -1,5 +1,6 @@
 // The scenes whose pictures are measurements.
 #include "renderer/inspect/debug_views/look.h"
+#include "renderer/inspect/light_alone.h"
 
 namespace glint {
 namespace {
@@ -47,11 +48,8 @@ Scene normal_scene(const Scene& scene, bool facet) {
 
 Scene n_dot_l_scene(const Scene& scene, int light) {
     Scene s = measuring_scene(scene);
-    Light l = scene.lights[static_cast<std::size_t>(light)];
+    Light l = white(scene.lights[static_cast<std::size_t>(light)]);
     if (l.kind != LightKind::Directional) l.kind = LightKind::Point;
-    l.diffuse = glm::vec3(1);
-    l.intensity = 1;
-    l.enabled = true;
     l.falloff = {};
     s.lights = {l};
     return s;

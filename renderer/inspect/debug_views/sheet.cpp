@@ -124,8 +124,7 @@ Picture make_sheet(const SheetAxis& rows, const SheetAxis& columns, PictureSize 
     const Layout l = layout_of(rows, cell, font);
     Picture sheet;
     sheet.size = size_of(l, rows, columns);
-    sheet.rgba.assign(
-        4 * static_cast<std::size_t>(sheet.size.width) * static_cast<std::size_t>(sheet.size.height), paper);
+    sheet.rgba.assign(4 * sheet.size.pixels(), paper);
     for (std::size_t c = 0; c < columns.values.size(); ++c) draw_column_heading(sheet, l, font, columns, c);
     for (std::size_t r = 0; r < rows.values.size(); ++r) {
         draw_row_heading(sheet, l, font, rows, r);

@@ -7,9 +7,11 @@
 #include <glm/trigonometric.hpp>
 
 #include "renderer/geometry/interpolate.h"
+#include "renderer/geometry/to_screen.h"
 #include "renderer/lighting/display.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"
+#include "renderer/simd/glm_vec3.h"
 #include "renderer/strokes/stroke.h"
 
 namespace glint {
@@ -27,15 +29,12 @@ struct ExplainedStages {
     const Lighting& lighting;
 };
 
-Vec to_vec(glm::vec3 v) { return {v.x, v.y, v.z}; }
-glm::vec3 to_glm(Vec v) { return {v.x, v.y, v.z}; }
-
 /// Camera and world coordinates of the same vector or place.
 class Frames {
   public:
     explicit Frames(const Camera& camera) : world_from_view_(world_from_view(camera)) {}
     [[nodiscard]] InBothFrames direction(Vec v) const { return both_frames(to_glm(v), 0); }
-    [[nodiscard]] InBothFrames place(Vec v) const { return both_frames(to_glm(v), 1); }
+    [[nodiscard]] InBothFrames position(Vec v) const { return both_frames(to_glm(v), 1); }
 
   private:
     [[nodiscard]] InBothFrames both_frames(glm::vec3 v, double w) const {
@@ -57,8 +56,8 @@ ExplainedLight explain_light(const LightTerms<float>& t, const LightSource& sour
     e.falloff = t.falloff;
     e.spot = t.spot;
     if (source.has_cone) {
-        const Vec axis = same<float>(source.axis);
-        e.spot_angle_deg = glm::degrees(std::acos(std::clamp(-dot(t.directions.l, axis), -1.0f, 1.0f)));
+        const float cosine = along_axis(light_at<float>(source), t.directions.l);
+        e.spot_angle_deg = glm::degrees(std::acos(std::clamp(cosine, -1.0f, 1.0f)));
     }
     e.diffuse_factor = t.response.diffuse;
     e.specular_factor = to_glm(t.response.specular);
@@ -83,44 +82,36 @@ void join_samples(ExplainedLight& joined, const ExplainedLight& sample) {
 }
 
 ExplainedTone explain_tone(const LightJob& job, const PointAt<float>& at) {
-    const CoolToWarmTerms<float> t = cool_to_warm(job.tone, same<float>(job.material.k_d), at);
+    const CoolToWarmTerms<float> t = cool_to_warm(job.tone, broadcast<float>(job.material.k_d), at);
     return {true, t.n_dot_l, t.k_w, to_glm(t.cool), to_glm(t.warm), to_glm(t.color)};
 }
 
 /// The equation at one point, step by step; the sum is added in the picture's own order.
-ExplainedPoint explain_point(const ExplainedStages& stages, const LightJob& job, const PlacedNormal& place,
+ExplainedPoint explain_point(const ExplainedStages& stages, const LightJob& job, const PositionNormal& place,
                              const Frames& frames, bool lit) {
     const PointAt<float> at = seen_from_eye(job, to_vec(place.p), to_vec(place.n));
     ExplainedPoint e;
-    e.point = frames.place(at.p);
+    e.point = frames.position(at.p);
     e.normal = frames.direction(at.n);
     e.view = frames.direction(at.v);
     if (!lit) return e;
-    if (job.terms.emission) e.emission = to_glm(same<float>(job.material.emission));
-    if (job.terms.ambient) e.global_ambient = to_glm(same<float>(job.material.global_ambient));
+    if (job.terms.emission) e.emission = to_glm(broadcast<float>(job.material.emission));
+    if (job.terms.ambient) e.global_ambient = to_glm(broadcast<float>(job.material.global_ambient));
     if (job.tone.on) e.cool_to_warm = explain_tone(job, at);
-    Vec sum = before_lights(job, at);
-    e.base = to_glm(sum);
-    const Equation equation = equation_of(job);
-    const MaterialAt<float> material = material_at<float>(job.material);
-    for (std::size_t i = 0; i < job.light_count; ++i) {
+    e.base = to_glm(begin_sum(job, at));
+    e.sum = to_glm(shade_point(job, at, [&](std::size_t i, const LightTerms<float>& t, const Vec& share) {
         const LightSource& source = job.lights[i];
-        const LightAt<float> light_here = light_at<float>(source);
-        const LightTerms<float> t = illuminate(equation, light_here, material, at);
-        const Vec share = share_of(equation, light_here, t);
-        sum = sum + share;
         ExplainedLight light = explain_light(t, source, frames);
         light.share = to_glm(share);
         light.name = stages.lighting.lights[static_cast<std::size_t>(source.light)].name;
         if (!source.is_patch) {
             e.lights.push_back(light);
-            continue;
+            return;
         }
         if (e.lights.empty() || e.lights.back().index != source.light || e.lights.back().samples.empty())
             e.lights.emplace_back();
         join_samples(e.lights.back(), light);
-    }
-    e.sum = to_glm(job.clamp ? clamped(sum) : sum);
+    }));
     return e;
 }
 
@@ -133,7 +124,7 @@ void explain_corners(Explanation& e, const ExplainedStages& stages, const Sample
     for (std::size_t i = 0; i < static_cast<std::size_t>(sample.count); ++i) {
         ExplainedCorner corner;
         corner.weight = sample.weight[i];
-        const PlacedNormal place = lit_point(surface, stages.geometry, sample.source[i]);
+        const PositionNormal place = lit_point(surface, stages.geometry, sample.source[i]);
         corner.at = explain_point(stages, job, place, frames, lit);
         if (!lit) corner.at.sum = vertex_color(surface, stages.geometry, sample.source[i]);
         sum = surface.choice.kind == SurfaceKind::Faces
@@ -156,15 +147,14 @@ void explain_stroke(Explanation& e, const ExplainedStages& stages, std::size_t p
 /// The point on its way from the mesh to the screen.
 ExplainedSpaces explain_spaces(const Geometry& g, const SampleFace& face) {
     const glm::dvec4 camera(glm::dvec3(face.p), 1);
-    const glm::dvec4 clip = clip_from_view(g.camera.projection, g.size) * camera;
+    const glm::dvec4 clip = g.clip_from_view * camera;
     ExplainedSpaces s;
     s.object = glm::vec3(glm::inverse(g.objects[face.object].view_from_object) * camera);
     s.world = glm::vec3(world_from_view(g.camera) * camera);
     s.camera = face.p;
     s.clip = glm::vec4(clip);
     s.ndc = glm::vec3(clip / clip.w);
-    s.pixel = {static_cast<float>((clip.x / clip.w + 1) * 0.5 * g.size.width),
-               static_cast<float>((1 - clip.y / clip.w) * 0.5 * g.size.height)};
+    s.pixel = glm::vec2(to_pixel(viewport_of(g.camera, g.size), clip));
     return s;
 }
 
@@ -226,7 +216,7 @@ Explanation explain_stages(const ExplainedStages& stages, int x, int y) {
     e.spaces = explain_spaces(g, face);
     const LightJob& job = stages.lighting.jobs[face.object];
     const Frames frames(stages.scene.camera);
-    const PlacedNormal place = pixel_point(stages.surface, g, face);
+    const PositionNormal place = pixel_point(stages.surface, g, face);
     const bool lit_here = stages.surface.choice.kind == SurfaceKind::Pixels;
     e.at = explain_point(stages, job, place, frames, lit_here);
     e.sum = e.at.sum;

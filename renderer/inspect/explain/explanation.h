@@ -52,8 +52,8 @@ struct ExplainedPoint {
     std::vector<ExplainedLight> lights;  // enabled ones, in the scene's order
     glm::vec3 emission{0}, global_ambient{0};
     ExplainedTone cool_to_warm;
-    glm::vec3 base{
-        0};  // what the sum begins with: emission + global ambient light, rounded likewise, or the tone
+    /// What the sum begins with: emission + global ambient light, rounded as the shares are, or the tone.
+    glm::vec3 base{0};
     glm::vec3 sum{0};
 };
 
@@ -74,8 +74,7 @@ struct ExplainedSpaces {
 
 /// The last step of a pixel's sum: (1 - coverage) shaded + coverage color.
 struct ExplainedStroke {
-    float coverage =
-        0;  // share of the pixel under silhouette and crease strokes; 0: no stroke, nothing to add
+    float coverage = 0;  // share of the pixel under strokes; 0: no stroke, nothing to add
     glm::vec3 color{0};
     glm::vec3 shaded{0};  // the sum before
 };

@@ -5,6 +5,7 @@
 #include <glm/trigonometric.hpp>
 #include <optional>
 
+#include "renderer/inspect/light_alone.h"
 #include "renderer/inspect/reflectance/lobes.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"
@@ -14,19 +15,9 @@ namespace {
 
 /// The light as the equation sees it, switched on; nothing for an area light, which is many.
 std::optional<LightAt<float>> equation_light(const Scene& scene, int light) {
-    Scene alone;
-    alone.camera = scene.camera;
-    alone.shading.mistakes = scene.shading.mistakes;
-    alone.lights = {scene.lights[static_cast<std::size_t>(light)]};
-    alone.lights[0].enabled = true;
-    if (alone.lights[0].kind == LightKind::Area) return std::nullopt;
-    return light_at<float>(light_sources(alone).front());
-}
-
-/// A unit vector at right angles to a unit one.
-Vec3<float> across(Vec3<float> a) {
-    const Vec3<float> helper = std::abs(a.x) < 0.6f ? Vec3<float>{1, 0, 0} : Vec3<float>{0, 1, 0};
-    return unit(helper - dot(helper, a) * a);
+    const Light& asked = scene.lights[static_cast<std::size_t>(light)];
+    if (asked.kind == LightKind::Area) return std::nullopt;
+    return light_at<float>(light_sources(alone(scene, asked)).front());
 }
 
 }  // namespace
@@ -52,7 +43,7 @@ std::vector<glm::dvec2> spot_curve(const Scene& scene, int light, int steps) {
     for (const double edge : {cutoff - 1e-3, cutoff + 1e-3})
         if (edge < 90) angles.insert(angles.end(), {-edge, edge});
     std::sort(angles.begin(), angles.end());
-    const Vec3<float> side = across(source->axis);
+    const Vec3<float> side = any_perpendicular(source->axis);
     for (const double deg : angles) {
         const double angle = glm::radians(deg);
         const Vec3<float> ray =

@@ -10,8 +10,8 @@
 namespace glint {
 
 /// (r, falloff) from 0 to `farthest` (> 0) scene units, `steps` (>= 1) steps; empty for a light whose falloff
-/// is no function of r alone (directional: none, area: of its samples). Precondition: `light` is an index of
-/// Scene::lights; it may be off.
+/// is not a function of r alone (directional: none, area: of its samples). Precondition: `light` is an index
+/// of Scene::lights; it may be off.
 [[nodiscard]] std::vector<glm::dvec2> falloff_curve(const Scene& scene, int light, double farthest,
                                                     int steps);
 

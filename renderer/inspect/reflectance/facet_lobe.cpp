@@ -15,8 +15,6 @@ namespace {
 constexpr int bins = 18;
 constexpr double bin_deg = 90.0 / bins, pi = std::numbers::pi;
 
-double alpha_of(double roughness) { return std::max(roughness * roughness, 0.001); }
-
 /// Density of directions l into which facets bounce a ray from v.
 double bounced_density(double alpha, glm::dvec3 v, glm::dvec3 l) {
     const glm::dvec3 h = glm::normalize(v + l);
@@ -27,7 +25,7 @@ double bounced_density(double alpha, glm::dvec3 v, glm::dvec3 l) {
     return static_cast<double>(d) * h.z / (4 * v_dot_h);
 }
 
-/// Its integral over the directions between two angles from n.
+/// The integral of bounced_density over the directions between two angles from n.
 double expected_share(double alpha, glm::dvec3 v, double from_deg, double to_deg) {
     constexpr int steps = 64, around = 360;
     double sum = 0;
@@ -47,7 +45,7 @@ double expected_share(double alpha, glm::dvec3 v, double from_deg, double to_deg
 
 glm::dvec3 sampled_normal(double roughness, std::mt19937& random) {
     const double u = uniform(random), azimuth = 2 * pi * uniform(random);
-    const double polar = std::atan(alpha_of(roughness) * std::sqrt(u / (1 - u)));
+    const double polar = std::atan(ggx_alpha(roughness) * std::sqrt(u / (1 - u)));
     return {std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)};
 }
 
@@ -57,7 +55,7 @@ std::vector<LobeBin> facet_lobe(double roughness, double view_deg, int rays, std
     for (std::size_t i = 0; i < bins; ++i) {
         lobe[i].from_deg = bin_deg * static_cast<double>(i);
         lobe[i].to_deg = lobe[i].from_deg + bin_deg;
-        lobe[i].expected = expected_share(alpha_of(roughness), v, lobe[i].from_deg, lobe[i].to_deg);
+        lobe[i].expected = expected_share(ggx_alpha(roughness), v, lobe[i].from_deg, lobe[i].to_deg);
     }
     std::mt19937 random(seed);
     for (int i = 0; i < rays; ++i) {

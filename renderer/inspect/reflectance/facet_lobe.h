@@ -1,7 +1,7 @@
 #pragma once
-// The same in space: facets drawn from the GGX density bounce a ray, and the directions in which it leaves,
-// counted, tend to D(h) (n.h) / (4 v.h), the lobe of cook-torrance before shadowing and Fresnel. Lecture:
-// microfacets; B. Walter and others 2007 for the sampling.
+// A microfacet lobe in space: facets drawn from the GGX density bounce a ray, and the directions in which it
+// leaves, counted, tend to D(h) (n.h) / (4 v.h), the lobe of cook-torrance before shadowing and Fresnel.
+// Lecture: microfacets; B. Walter and others 2007 for the sampling.
 
 #include <cstdint>
 #include <glm/vec3.hpp>

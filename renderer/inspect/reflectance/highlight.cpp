@@ -1,15 +1,15 @@
 #include "renderer/inspect/reflectance/highlight.h"
 
 #include "models/fields/reflection_info.h"
+#include "renderer/inspect/light_alone.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"
+#include "renderer/simd/glm_vec3.h"
 
 namespace glint {
 namespace {
 
 using Vec = Vec3<float>;
-
-Vec to_vec(glm::vec3 v) { return {v.x, v.y, v.z}; }
 
 Material mirror_like(const Scene& scene, const SeenPoint& point) {
     Material material = scene.objects[static_cast<std::size_t>(point.object)].material;
@@ -19,27 +19,21 @@ Material mirror_like(const Scene& scene, const SeenPoint& point) {
 
 /// What of a scene the highlight of one light depends on, the objects aside.
 Scene with_light_alone(const Scene& scene, const Light& light) {
-    Scene alone;
-    alone.camera = scene.camera;
-    alone.shading = scene.shading;
-    alone.shading.terms.specular = true;
-    alone.lights = {light};
-    alone.lights[0].enabled = true;
-    alone.lights[0].specular = glm::vec3(1);
-    alone.lights[0].intensity = 1;
-    return alone;
+    Scene s = alone(scene, white(light));
+    s.shading.terms.specular = true;
+    return s;
 }
 
 }  // namespace
 
 std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
                                  std::span<const SeenPoint> points) {
-    const Scene alone = with_light_alone(scene, light);
-    const std::vector<LightSource> sources = light_sources(alone);
+    const Scene lit = with_light_alone(scene, light);
+    const std::vector<LightSource> sources = light_sources(lit);
     std::vector<double> highlights;
     highlights.reserve(points.size());
     for (const SeenPoint& point : points) {
-        const LightJob job = light_job(alone, size, mirror_like(scene, point), sources, false);
+        const LightJob job = light_job(lit, size, mirror_like(scene, point), sources, false);
         const MaterialAt<float> material = material_at<float>(job.material);
         const PointAt<float> at = seen_from_eye(job, to_vec(point.place), to_vec(point.normal));
         double sum = 0;
@@ -53,10 +47,10 @@ std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Lig
 }
 
 double cosine_at(const Scene& scene, PictureSize size, const Light& light, const SeenPoint& point) {
-    const Scene alone = with_light_alone(scene, light);
-    const std::vector<LightSource> sources = light_sources(alone);
+    const Scene lit = with_light_alone(scene, light);
+    const std::vector<LightSource> sources = light_sources(lit);
     if (sources.empty()) return 0;
-    const LightJob job = light_job(alone, size, mirror_like(scene, point), sources, false);
+    const LightJob job = light_job(lit, size, mirror_like(scene, point), sources, false);
     const PointAt<float> at = seen_from_eye(job, to_vec(point.place), to_vec(point.normal));
     const LightSource& middle = sources[sources.size() / 2];
     const auto terms =

@@ -6,8 +6,10 @@
 #include <numbers>
 #include <vector>
 
+#include "renderer/inspect/light_alone.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"
+#include "renderer/simd/glm_vec3.h"
 
 namespace glint {
 namespace {
@@ -16,26 +18,15 @@ using Vec = Vec3<float>;
 constexpr float step = 0.1f;                             // of a distance
 constexpr float turn = std::numbers::pi_v<float> / 180;  // one degree
 
-Vec to_vec(glm::vec3 v) { return {v.x, v.y, v.z}; }
-
 std::array<Vec, 2> across(Vec a) {
-    const Vec helper = std::abs(a.x) < 0.6f ? Vec{1, 0, 0} : Vec{0, 1, 0};
-    const Vec first = unit(helper - dot(helper, a) * a);
-    return {first,
-            {a.y * first.z - a.z * first.y, a.z * first.x - a.x * first.z, a.x * first.y - a.y * first.x}};
+    const Vec first = any_perpendicular(a);
+    return {first, cross(a, first)};
 }
 
 Scene with_white_light(const Scene& scene, const Light& light) {
-    Scene alone;
-    alone.camera = scene.camera;
-    alone.shading = scene.shading;
-    alone.shading.terms.diffuse = alone.shading.terms.specular = true;
-    alone.lights = {light};
-    Light& white = alone.lights[0];
-    white.enabled = true;
-    white.intensity = 1;
-    white.diffuse = white.specular = glm::vec3(1);
-    return alone;
+    Scene s = alone(scene, white(light));
+    s.shading.terms.diffuse = s.shading.terms.specular = true;
+    return s;
 }
 
 struct TwoTerms {

@@ -20,9 +20,9 @@ struct LightNeeds {
     float falloff = 1, spot = 1;  // at the point; of an area light, of its middle sample
 };
 
-/// Of one light, white and of full strength whatever its own colours are, on or off. `place`, `normal`
-/// (unit): of the surface, camera coordinates. Camera, shading and mistakes are the scene's; its own lights
-/// and objects do not count.
+/// How far each term moves when the light, the viewer or the surface is moved a little. The light is taken as
+/// white, of intensity 1 and switched on. `place`, `normal` (unit): position and normal of the surface,
+/// camera coordinates. Camera, shading and mistakes are the scene's; its own lights and objects do not count.
 [[nodiscard]] LightNeeds light_needs(const Scene& scene, PictureSize size, const Light& light,
                                      const Material& material, glm::vec3 place, glm::vec3 normal);
 

@@ -10,29 +10,15 @@
 
 #include "models/fields/reflection_info.h"
 #include "renderer/inspect/reflectance/seeded.h"
-#include "renderer/lighting/illuminate.h"
+#include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"
+#include "renderer/simd/glm_vec3.h"
 
 namespace glint {
 namespace {
 
 using Vec = Vec3<float>;
 constexpr double pi = std::numbers::pi;
-
-Vec to_vec(glm::vec3 v) { return {v.x, v.y, v.z}; }
-glm::vec3 to_glm(Vec v) { return {v.x, v.y, v.z}; }
-
-MaterialAt<float> material_of(const Material& m) {
-    MaterialAt<float> at;
-    at.k_a = to_vec(m.ambient);
-    at.k_d = to_vec(m.diffuse);
-    at.k_s = to_vec(m.specular);
-    at.shininess = m.shininess;
-    at.faintest_squared = faintest_cosine_squared(m.shininess);
-    at.roughness = m.roughness;
-    at.f0 = to_vec(m.f0);
-    return at;
-}
 
 /// The integral of value(v) n.v over the hemisphere of v, by midpoints around the axis of the lobe: dense
 /// near it, as a smooth surface needs, and in each half-plane through it exactly down to the horizon, where
@@ -73,8 +59,9 @@ Reflected reflected(const Reflector& reflector, glm::vec3 l, glm::vec3 v) {
     LightAt<float> white;
     white.xyz = to_vec(l);
     white.ambient = white.diffuse = white.specular = {1, 1, 1};
-    const LightTerms<float> t = illuminate({reflector.reflection, reflector.terms, nullptr}, white,
-                                           material_of(reflector.material), {{}, {0, 0, 1}, to_vec(v)});
+    const LightTerms<float> t =
+        illuminate({reflector.reflection, reflector.terms, nullptr}, white,
+                   material_at<float>(surface_material(reflector.material)), {{}, {0, 0, 1}, to_vec(v)});
     return {to_glm(t.ambient), to_glm(t.diffuse), to_glm(t.specular)};
 }
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "renderer/inspect/reflectance/seeded.h"
+#include "renderer/lighting/oren_nayar.h"
 
 namespace glint {
 namespace {
@@ -178,7 +179,7 @@ double smith_g1(double sigma_deg, double light_deg) {
 
 MicrofacetPicture microfacet_picture(const MicrofacetOptions& options) {
     MicrofacetPicture p;
-    p.sigma_deg = 90 * options.roughness;
+    p.sigma_deg = max_sigma_deg * options.roughness;
     std::mt19937 random(options.seed);
     make_profile(p, options, random);
     aim_rays(p, options, random);

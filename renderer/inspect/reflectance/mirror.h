@@ -11,7 +11,7 @@ struct MirrorSteps {
 };
 
 /// The equation's own r for a normal of any length: with |n| = k, p is k^2 times as long as it should be, and
-/// r is no mirror direction. n and l in one frame; the results are in it.
+/// r is not a mirror direction. n and l in one frame; the results are in it.
 [[nodiscard]] MirrorSteps mirror_steps(glm::vec3 n, glm::vec3 l);
 
 }  // namespace glint

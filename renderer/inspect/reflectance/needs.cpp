@@ -7,6 +7,9 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
+#include "renderer/simd/double_lanes.h"
+#include "renderer/simd/vec3.h"
+
 namespace glint {
 namespace {
 
@@ -14,8 +17,8 @@ constexpr double turn = std::numbers::pi / 180;  // one degree
 
 /// Two unit vectors across `a` and each other.
 std::array<glm::dvec3, 2> across(glm::dvec3 a) {
-    const glm::dvec3 other = std::abs(a.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    const glm::dvec3 first = glm::normalize(glm::cross(a, other));
+    const Vec3<double> p = any_perpendicular(Vec3<double>{a.x, a.y, a.z});
+    const glm::dvec3 first(p.x, p.y, p.z);
     return {first, glm::cross(a, first)};
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr PictureSize size{64, 48};
 
 /// Typical numbers of Gooch et al. 1998: b = .4, y = .4, alpha = .2, beta = .6.
-CoolToWarm typical_tone(LightSource::Rgb light) {
+CoolToWarm typical_tone(Float3 light) {
     CoolToWarm tone;
     tone.on = true;
     tone.cool = {0, 0, 0.4f};
@@ -60,7 +60,7 @@ void check_near(glm::vec3 a, glm::vec3 b) {
 TEST_CASE("cool-to-warm at 120, 90 and 60 degrees from the light, worked by hand", "[npr]") {
     // k_d = (.8, .3, .3): cool + alpha k_d = (.16, .06, .46), warm + beta k_d = (.88, .58, .18).
     const float sine = std::sqrt(0.75f);
-    const auto color = [](LightSource::Rgb light) {
+    const auto color = [](Float3 light) {
         const auto t =
             cool_to_warm<float>(typical_tone(light), {0.8f, 0.3f, 0.3f}, {{}, {0, 0, 1}, {0, 0, 1}});
         return glm::vec3(t.color.x, t.color.y, t.color.z);

@@ -192,14 +192,14 @@ TEST_CASE("every piece that clipping leaves lies on the rasteriser's grid, howev
         Geometry g;
         REQUIRE(update_geometry(g, scene, size));
         TileLists lists;
-        sort_into_tiles(lists, g, Cull::None, false);
+        bin_into_tiles(lists, g, Cull::None, false);
         pieces += lists.clipped.size();
         const std::int32_t most = 66 * 128 * size.width;  // 64 half widths from the middle, and some
         for (const ClippedTriangle& piece : lists.clipped)
             for (const ScreenVertex& v : piece.corner) {
-                CAPTURE(stretch, v.x, v.y, v.nearness);
+                CAPTURE(stretch, v.x, v.y, v.inv_w);
                 CHECK((std::abs(std::int64_t{v.x}) <= most && std::abs(std::int64_t{v.y}) <= most));
-                CHECK((v.nearness > 0 && v.nearness <= 1 / 0.04f));  // 1 / w: behind the near plane at 0.1
+                CHECK((v.inv_w > 0 && v.inv_w <= 1 / 0.04f));  // 1 / w: behind the near plane at 0.1
             }
     }
     CHECK(pieces > 0);

@@ -105,12 +105,12 @@ TEST_CASE("two lights of OpenGL's equation sum to the worked colour", "[lighting
     job.model = Reflection::BlinnPhong;
     const Vec p{1, 2, -5}, n{1.0f / 3, 2.0f / 3, 2.0f / 3};
 
-    const Vec local = shade_point(job, equation_of(job), seen_from_eye(job, p, n));
+    const Vec local = shade_point(job, seen_from_eye(job, p, n));
     CHECK(local.x == Approx(0.4093527).epsilon(1e-6));
     CHECK(local.y == Approx(0.3690836).epsilon(1e-6));
     CHECK(local.z == Approx(0.4317301).epsilon(1e-6));
     job.infinite_viewer = true;
-    const Vec infinite = shade_point(job, equation_of(job), seen_from_eye(job, p, n));
+    const Vec infinite = shade_point(job, seen_from_eye(job, p, n));
     CHECK(infinite.x == Approx(0.4311943).epsilon(1e-6));
     CHECK(infinite.y == Approx(0.3909251).epsilon(1e-6));
     CHECK(infinite.z == Approx(0.4535716).epsilon(1e-6));

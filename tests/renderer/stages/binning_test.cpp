@@ -28,7 +28,7 @@ TileLists sorted(const Scene& scene, PictureSize size) {
     Geometry g;
     REQUIRE(update_geometry(g, scene, size));
     TileLists lists;
-    sort_into_tiles(lists, g, Cull::None, false);
+    bin_into_tiles(lists, g, Cull::None, false);
     return lists;
 }
 
@@ -106,12 +106,12 @@ TEST_CASE("triangles that meet more than 2^30 tiles are refused in one line, bef
     REQUIRE(update_geometry(g, flat_scene(corners, largest), largest));
     TileLists lists;
     CHECK_THROWS_WITH(
-        sort_into_tiles(lists, g, Cull::None, false),
+        bin_into_tiles(lists, g, Cull::None, false),
         "the triangles meet 1073807360 tiles of the picture; expected at most 1073741824: fewer or "
         "smaller triangles, or a smaller picture");
     CHECK(lists.entries.empty());
     REQUIRE(update_geometry(g, flat_scene(corners, largest), {640, 480}));
-    CHECK_NOTHROW(sort_into_tiles(lists, g, Cull::None, false));
+    CHECK_NOTHROW(bin_into_tiles(lists, g, Cull::None, false));
 }
 
 TEST_CASE("many small objects share a task, so that memory is not objects times tiles",

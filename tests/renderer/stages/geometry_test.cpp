@@ -59,7 +59,7 @@ TEST_CASE("vertices come to where GLM's matrices put them, however many there ar
         for (std::size_t i = 0; i < o.vertices.size(); ++i) {
             const glm::dvec4 p = o.view_from_object * glm::dvec4(glm::dvec3(o.mesh->positions[i]), 1);
             const glm::dvec4 c = clip_from_camera * p;
-            const PlacedVertex& v = o.vertices[i];
+            const TransformedVertex& v = o.vertices[i];
             CHECK(glm::vec3(v.x, v.y, v.z) == glm::vec3(p));
             CHECK(glm::vec3(v.clip_x, v.clip_y, v.clip_w) == glm::vec3(c.x, c.y, c.w));
             REQUIRE(v.outside == outside(c));
@@ -69,7 +69,7 @@ TEST_CASE("vertices come to where GLM's matrices put them, however many there ar
             if (v.outside & needs_clipping) continue;
             CHECK(s.x == std::lround((c.x / c.w + 1) * 0.5 * size.width * 256));
             CHECK(s.y == std::lround((1 - c.y / c.w) * 0.5 * size.height * 256));
-            CHECK(s.nearness == static_cast<float>(count % 3 == 0 ? 0.5 * (1 - c.z / c.w) : 1 / c.w));
+            CHECK(s.inv_w == static_cast<float>(count % 3 == 0 ? 0.5 * (1 - c.z / c.w) : 1 / c.w));
         }
     }
     CHECK(met == 127);  // every kind of outside

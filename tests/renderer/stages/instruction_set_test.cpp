@@ -65,7 +65,7 @@ TEST_CASE("an instruction set that does not exist is one line and wrong usage", 
     const Ended ended = run_glint({"--version"});
     CHECK(ended.status == 2);
     CHECK(ended.out.empty());
-    CHECK(
-        ended.err ==
-        "glint: error: GLINT_ISA: sse9 is no instruction set; expected one of scalar, sse2, avx2, avx512\n");
+    CHECK(ended.err ==
+          "glint: error: GLINT_ISA: sse9 is not an instruction set; expected one of scalar, sse2, avx2, "
+          "avx512\n");
 }

@@ -30,7 +30,7 @@ std::uint32_t expected(const std::vector<ScreenVertex>& v, std::int32_t x, std::
     const Wide area = Wide{v[1].x - v[0].x} * (v[2].y - v[0].y) - Wide{v[1].y - v[0].y} * (v[2].x - v[0].x);
     if (area == 0) return 0;
     const ScreenVertex* const clockwise[3]{&v[0], &v[area > 0 ? 1 : 2], &v[area > 0 ? 2 : 1]};
-    return belongs(clockwise, x, y) ? seen_code(7, area > 0) : 0;
+    return belongs(clockwise, x, y) ? seen_code<std::uint32_t>(7, area > 0) : 0;
 }
 
 void draw(const std::vector<ScreenVertex>& screen, int x0, int y0, TilePixels& tile) {

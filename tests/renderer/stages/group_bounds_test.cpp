@@ -1,10 +1,9 @@
 // Bounds of groups of points: what they leave out must add nothing.
-#include "renderer/shade/reach.h"
-
 #include <random>
 #include <vector>
 
 #include "renderer/lighting/illuminate.h"
+#include "renderer/shade/group_bounds.h"
 #include "tests/support/catch.h"
 
 using namespace glint;
@@ -15,7 +14,7 @@ using Vec = Vec3<float>;
 
 struct Points {
     std::vector<Vec> places, normals;
-    Reach<float> bounds;
+    GroupBounds<float> bounds;
 };
 
 class Dice {
@@ -42,8 +41,8 @@ Points some_points(Dice& dice, float scale) {
     points.bounds.center = place;
     points.bounds.normal = normal;
     for (int i = 0; i < 16; ++i) {
-        points.bounds.radius = larger(points.bounds.radius, length(points.places[i] - place));
-        points.bounds.spread = larger(points.bounds.spread, length(points.normals[i] - normal));
+        points.bounds.radius = max(points.bounds.radius, length(points.places[i] - place));
+        points.bounds.spread = max(points.bounds.spread, length(points.normals[i] - normal));
     }
     return points;
 }
@@ -51,7 +50,7 @@ Points some_points(Dice& dice, float scale) {
 bool some_in_front(const LightAt<float>& light, const Points& points) {
     for (std::size_t i = 0; i < 16; ++i) {
         const PointAt<float> at(points.places[i], points.normals[i], {0, 0, 1});
-        if (to_light(light, at).n_dot > 0) return true;
+        if (light_vector(light, at).n_dot > 0) return true;
     }
     return false;
 }
@@ -66,7 +65,7 @@ TEST_CASE("bounds that are certainly behind a light hold no point in front of it
         const Points points = some_points(dice, scale);
         LightAt<float> light;
         light.w = i % 3 ? 1.0f : 0.0f;
-        light.xyz = is_place(light) ? dice.vector(4 * scale) : unit(dice.vector(1));
+        light.xyz = is_positional(light) ? dice.vector(4 * scale) : unit(dice.vector(1));
         const bool behind = certainly_behind(light, points.bounds), front = some_in_front(light, points);
         REQUIRE_FALSE((behind && front));
         dark += !front;
@@ -79,7 +78,7 @@ TEST_CASE("nothing is certain of bounds that are not numbers, or of a light amon
     LightAt<float> light;
     light.w = 1;
     light.xyz = {0, 0, -1};
-    Reach<float> bounds{{0, 0, 0}, 0.5f, {0, 0, 1}, 0};
+    GroupBounds<float> bounds{{0, 0, 0}, 0.5f, {0, 0, 1}, 0};
     CHECK(certainly_behind(light, bounds));
     light.xyz = {0, 0, -0.4f};
     CHECK_FALSE(certainly_behind(light, bounds));

@@ -6,14 +6,10 @@
 
 namespace glint {
 
-/// Camera coordinates from the light's: the view matrix for a world light and nothing for a camera light, or
-/// what is taken instead.
-[[nodiscard]] glm::dmat4 mistaken_frame(const Mistakes& mistakes, LightSpace space, const glm::dmat4& view);
-
 /// Falloff and cone as the mistakes have them. No mistake leaves the source as it is.
-void spoil_source(const Mistakes& mistakes, const Light& light, LightSource& source);
+void apply_source_mistakes(const Mistakes& mistakes, const Light& light, LightSource& source);
 
 /// Viewer, shininess and projection as the mistakes have them; notes whether any mistake is made at all.
-void spoil_job(const Scene& scene, PictureSize size, LightJob& job);
+void apply_job_mistakes(const Scene& scene, PictureSize size, LightJob& job);
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-#include "renderer/shade/mistaken_lights.h"
+#include "renderer/shade/light_mistakes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,26 +6,22 @@
 #include <glm/trigonometric.hpp>
 
 #include "renderer/geometry/not_too_far.h"
+#include "renderer/lighting/light_source.h"
+#include "renderer/shade/light_sources.h"
 
 namespace glint {
 namespace {
 
 LightJob::Projection projection_of(const glm::dmat4& m) {  // m[column][row]
     const auto f = [&m](int row, int column) {             // products with places have to fit a float
-        return static_cast<float>(std::clamp(m[column][row], -farthest_place, farthest_place));
+        return static_cast<float>(std::clamp(m[column][row], -max_distance, max_distance));
     };
     return {f(0, 0), f(0, 2), f(0, 3), f(1, 1), f(1, 2), f(1, 3), f(2, 2), f(2, 3), f(3, 2), f(3, 3)};
 }
 
 }  // namespace
 
-glm::dmat4 mistaken_frame(const Mistakes& wrong, LightSpace space, const glm::dmat4& view) {
-    const bool world = (space == LightSpace::World) != wrong.light_in_wrong_space;
-    const glm::dmat4 frame = world ? view : glm::dmat4(1.0);
-    return wrong.light_moved_twice ? view * frame : frame;
-}
-
-void spoil_source(const Mistakes& wrong, const Light& light, LightSource& source) {
+void apply_source_mistakes(const Mistakes& wrong, const Light& light, LightSource& source) {
     if (wrong.falloff_without_constant && light.kind != LightKind::Directional) {
         source.constant = 0;
         source.has_falloff = true;
@@ -34,15 +30,17 @@ void spoil_source(const Mistakes& wrong, const Light& light, LightSource& source
         const float r = glm::length(glm::vec3(light.position));
         const Falloff& f = light.falloff;
         source.has_falloff = true;
-        source.constant = f.constant + r * (f.linear + r * f.quadratic);  // the same wherever the point is
+        source.constant =
+            falloff_polynomial(f.constant, f.linear, f.quadratic, r);  // the same wherever the point is
         source.linear = source.quadratic = 0;
     }
     if (!source.has_cone || !(wrong.degrees_for_radians || wrong.cutoff_as_full_angle)) return;
     const double angle = wrong.cutoff_as_full_angle ? light.spot.cutoff_deg / 2.0 : light.spot.cutoff_deg;
-    source.cos_cutoff = static_cast<float>(std::cos(wrong.degrees_for_radians ? angle : glm::radians(angle)));
+    source.cos_cutoff =
+        static_cast<float>(wrong.degrees_for_radians ? std::cos(angle) : cos_of_cutoff(angle));
 }
 
-void spoil_job(const Scene& scene, PictureSize size, LightJob& job) {
+void apply_job_mistakes(const Scene& scene, PictureSize size, LightJob& job) {
     const Mistakes& wrong = scene.shading.mistakes;
     job.mistakes = wrong;
     job.power_table = scene.shading.power_table;
