@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
 #include "ui/commands/palette.h"
 #include "ui/commands/shortcuts.h"
 #include "ui/document/take_back.h"
@@ -44,7 +44,7 @@ UiRequests requests(UiState& state) {
 
 UiRequests whole_frame(UiState& state, const UiInput& input) {
     frame_wish_reset();
-    if (input.close_asked) run_action(state, Action::Quit);
+    if (input.close_asked) run_command(state, CommandId::Quit);
     take_dropped(state, input);
     run_keys(state, input);
     follow_b_key(state, input.b_held);

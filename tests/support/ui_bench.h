@@ -8,12 +8,21 @@
 #include <vector>
 
 #include "tests/support/catch.h"
+#include "ui/commands/command.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/named_controls.h"
 #include "ui/widgets/theme.h"
 
 namespace glint::test {
+
+/// A command by its name in menus.
+inline const Command& command_named(std::string_view name) {
+    for (const Command& command : commands())
+        if (command.name == name) return command;
+    FAIL("there is no command " << name);
+    return commands()[0];
+}
 
 class Bench {
   public:

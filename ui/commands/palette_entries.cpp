@@ -3,8 +3,9 @@
 #include <filesystem>
 
 #include "models/scene/mistakes.h"
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
 #include "ui/commands/palette.h"
+#include "ui/document/document_actions.h"
 #include "ui/fields/choices.h"
 #include "ui/fields/material_panel.h"
 #include "ui/picture/handles/light_place.h"
@@ -14,16 +15,13 @@ namespace {
 
 using Entries = std::vector<PaletteEntry>;
 
-void add_actions(Entries& entries, const UiState& state) {
-    const ActionInfo* before = nullptr;
-    for (const ActionInfo& info : actions()) {
-        const bool again = before != nullptr && before->action == info.action;  // another key for the same
-        before = &info;
-        if (again || info.action == Action::Palette) continue;
-        const auto on = is_on(state, info.action);
-        entries.push_back({info.name, on ? (*on ? "Action · on" : "Action · off") : "Action",
-                           keys_of(info.action), why_not(state, info.action),
-                           [action = info.action](UiState& s) { run_action(s, action); }});
+void add_commands(Entries& entries, const UiState& state) {
+    for (const Command& command : commands()) {
+        if (command.id == CommandId::Palette) continue;
+        const auto on = is_on(state, command);
+        entries.push_back({command.name, on ? (*on ? "Action · on" : "Action · off") : "Action",
+                           keys_of(command), why_disabled(state, command),
+                           [&command](UiState& s) { run_command(s, command); }});
     }
 }
 
@@ -154,7 +152,7 @@ void add_scenes(Entries& entries, const UiState& state) {
 
 std::vector<PaletteEntry> palette_entries(const UiState& state) {
     Entries entries;
-    add_actions(entries, state);
+    add_commands(entries, state);
     add_recent(entries, state);
     add_choices(entries, state, "Reflection", &Shading::reflection);
     add_choices(entries, state, "Interpolation", &Shading::interpolation);

@@ -1,9 +1,8 @@
-// Opening, beginning anew, saving, quitting, and the question that comes first.
+#include "ui/document/document_actions.h"
+
 #include <fmt/core.h>
 
 #include <filesystem>
-
-#include "ui/commands/actions.h"
 
 namespace glint {
 

@@ -6,7 +6,7 @@
 
 #include "models/fields/choices.h"
 #include "renderer/renderer.h"
-#include "ui/commands/actions.h"
+#include "ui/document/document_actions.h"
 #include "ui/ui.h"
 
 namespace glint {

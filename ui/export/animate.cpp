@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "models/fields/scene_numbers.h"
-#include "ui/commands/actions.h"
 #include "ui/commands/fuzzy.h"
+#include "ui/document/document_actions.h"
 #include "ui/fields/choices.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "ui/commands/actions.h"
+#include "ui/document/document_actions.h"
 #include "ui/widgets/modal.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

@@ -9,6 +9,7 @@
 #include "ui/fields/field_panel.h"
 #include "ui/fields/material_panel.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/shortcut.h"
 
 namespace glint {
 namespace {
@@ -78,11 +79,16 @@ void mesh_facts(const Object& object) {
 
 /// Which gizmo stands on the object in the picture.
 void gizmo_field(GizmoMode& gizmo) {
-    static const std::array<Choice, 4> modes{
-        Choice{"", "–", "No gizmo in the picture"},
-        Choice{"", "Move", "Arrows, planes and the middle move it (key G)"},
-        Choice{"", "Turn", "Rings turn it round an axis or the line of sight (key R)"},
-        Choice{"", "Scale", "Boxes scale it along its own axes, the middle as a whole (key T)"}};
+    const auto with_key = [](const char* what, CommandId id) {
+        return fmt::format("{} (key {})", what, keys_of(id));
+    };
+    static const std::string move = with_key("Arrows, planes and the middle move it", CommandId::MoveByHand),
+                             turn = with_key("Rings turn it round an axis or the line of sight",
+                                             CommandId::RotateByHand),
+                             scale = with_key("Boxes scale it along its own axes, the middle as a whole",
+                                              CommandId::ScaleByHand);
+    const std::array modes{Choice{"", "–", "No gizmo in the picture"}, Choice{"", "Move", move.c_str()},
+                           Choice{"", "Turn", turn.c_str()}, Choice{"", "Scale", scale.c_str()}};
     row("By hand");
     gizmo = static_cast<GizmoMode>(
         segments("##gizmo", static_cast<int>(gizmo), modes, {"What drags in the picture do to it", ""}));

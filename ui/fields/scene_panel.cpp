@@ -11,6 +11,7 @@
 #include "ui/fields/object_panel.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -50,8 +51,10 @@ bool row_menu(Scene& scene, Selection& selection, Selection row) {
     bool edited = false;
     if (!ImGui::BeginPopupContextItem("##menu")) return false;
     selection = row;
-    if (ImGui::MenuItem("Duplicate", "Ctrl+D")) duplicate(scene, selection), edited = true;
-    if (ImGui::MenuItem("Delete", "Del")) remove(scene, selection), edited = true;
+    if (ImGui::MenuItem("Duplicate", keys_of(CommandId::Duplicate).c_str()))
+        duplicate(scene, selection), edited = true;
+    if (ImGui::MenuItem("Delete", keys_of(CommandId::Delete).c_str()))
+        remove(scene, selection), edited = true;
     ImGui::EndPopup();
     return edited;
 }
@@ -109,7 +112,8 @@ bool add_light_menu(Scene& scene, Selection& selection) {
     if (!ImGui::BeginPopup("##add-light")) return false;
     for (const LightKind kind : enumerators<LightKind>) {
         const Choice choice = choice_of(kind);
-        if (ImGui::MenuItem(choice.label, kind == LightKind::Point ? "L" : nullptr))
+        const std::string keys = kind == LightKind::Point ? keys_of(CommandId::AddLight) : "";
+        if (ImGui::MenuItem(choice.label, keys.c_str()))
             if (const auto index = add_light(scene, kind)) {
                 selection = {Selection::Kind::Light, *index};
                 edited = true;

@@ -1,6 +1,5 @@
 #pragma once
-// What the window does for a lecture: large type, a clean picture, freeze, pen, the scenes of a folder one by
-// one, a step wedge. One place for ui.cpp and actions.cpp to call.
+// What the window does for a lecture: large type, a clean picture, freeze, pen, a step wedge.
 
 #include <optional>
 #include <string>
@@ -12,7 +11,6 @@
 namespace glint {
 
 struct UiState;
-enum class Action;
 
 /// Type and widgets are so many times larger: the smallest type, 13 units, becomes 18.
 inline constexpr float projector_scale = 1.4f;
@@ -24,11 +22,6 @@ struct LectureState {
     PenState pen;
     WedgeState wedge;
 };
-
-/// The part of run_action(), why_not() and is_on() that is about lectures.
-void run_lecture_action(UiState& state, Action action);
-[[nodiscard]] std::string lecture_why_not(const UiState& state, Action action);
-[[nodiscard]] std::optional<bool> lecture_is_on(const UiState& state, Action action);
 
 /// Escape: puts away what is in hand. False when there is nothing.
 bool leave_lecture_tool(UiState& state);

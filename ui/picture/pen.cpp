@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "ui/widgets/icons.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -103,11 +104,11 @@ void pen_bar(PenState& pen, const PictureView& view) {
     tooltip("Last line", "Takes the last line back");
     ImGui::SameLine(0, px(4));
     if (ImGui::Button("Wipe")) pen.lines.clear();
-    tooltip("Wipe", "Takes all lines away", "Shift+W");
+    tooltip("Wipe", "Takes all lines away", "", keys_of(CommandId::WipePen));
     ImGui::EndDisabled();
     ImGui::SameLine(0, px(4));
     if (icon_button("##away", Icon::Close)) pen.on = false;
-    tooltip("Put the pen away", "The lines stay until they are wiped", "W, Esc");
+    tooltip("Put the pen away", "The lines stay until they are wiped", "", keys_of(CommandId::Pen) + ", Esc");
     ImGui::End();
     ImGui::PopStyleVar();
 }

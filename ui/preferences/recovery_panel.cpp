@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "ui/commands/actions.h"
+#include "ui/document/document_actions.h"
 #include "ui/export/over_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/theme.h"

@@ -11,7 +11,7 @@
 
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
-#include "ui/commands/actions.h"
+#include "ui/document/document_actions.h"
 #include "ui/export/animate.h"
 #include "ui/widgets/modal.h"
 #include "ui/widgets/theme.h"

@@ -1,6 +1,6 @@
 #include "ui/shell/toolbar.h"
 
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
 #include "ui/commands/menu_bar.h"
 #include "ui/fields/choices.h"
 #include "ui/widgets/fonts.h"
@@ -75,27 +75,28 @@ void term_switch(const char* letter, const char* name, const char* key, Symbol s
 }
 
 void term_switches(Terms& terms) {
-    term_switch("e", "Emission (E)", "/shading/terms/emission", Symbol::Emission, terms.emission);
+    term_switch("e", "Emission", "/shading/terms/emission", Symbol::Emission, terms.emission);
     ImGui::SameLine(0, px(3));
-    term_switch("a", "Ambient (A)", "/shading/terms/ambient", Symbol::Ambient, terms.ambient);
+    term_switch("a", "Ambient", "/shading/terms/ambient", Symbol::Ambient, terms.ambient);
     ImGui::SameLine(0, px(3));
-    term_switch("d", "Diffuse (D)", "/shading/terms/diffuse", Symbol::Diffuse, terms.diffuse);
+    term_switch("d", "Diffuse", "/shading/terms/diffuse", Symbol::Diffuse, terms.diffuse);
     ImGui::SameLine(0, px(3));
-    term_switch("s", "Specular (S)", "/shading/terms/specular", Symbol::Specular, terms.specular);
+    term_switch("s", "Specular", "/shading/terms/specular", Symbol::Specular, terms.specular);
 }
 
 void history_buttons(UiState& state) {
     const History& history = state.editor.history;
     ImGui::BeginDisabled(!history.can_undo());
-    if (icon_button("##undo", Icon::Undo)) run_action(state, Action::Undo);
+    if (icon_button("##undo", Icon::Undo)) run_command(state, CommandId::Undo);
     ImGui::EndDisabled();
-    tooltip("Undo", history.can_undo() ? history.undo_name().c_str() : "Nothing to undo", "Ctrl+Z");
+    tooltip("Undo", history.can_undo() ? history.undo_name().c_str() : "Nothing to undo", "",
+            keys_of(CommandId::Undo));
     ImGui::SameLine(0, px(2));
     ImGui::BeginDisabled(!history.can_redo());
-    if (icon_button("##redo", Icon::Redo)) run_action(state, Action::Redo);
+    if (icon_button("##redo", Icon::Redo)) run_command(state, CommandId::Redo);
     ImGui::EndDisabled();
-    tooltip("Redo", history.can_redo() ? history.redo_name().c_str() : "Nothing to redo",
-            "Ctrl+Shift+Z or Ctrl+Y");
+    tooltip("Redo", history.can_redo() ? history.redo_name().c_str() : "Nothing to redo", "",
+            keys_of(CommandId::Redo));
 }
 
 /// What stands to the right of the menus.

@@ -5,6 +5,7 @@
 #include "ui/shell/layout.h"
 #include "ui/views/compare_view.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -115,7 +116,7 @@ void settings_popup(CompareState& state) {
         const bool can = setting.kind != Setting::Kind::Stored || state.choice.stored.has_value();
         const auto flags = can ? 0 : ImGuiSelectableFlags_Disabled;
         if (ImGui::Selectable(label_of(setting).c_str(), part == setting, flags)) part = setting;
-        if (!can) tooltip("B, stored", "Store a scene first", "", "Ctrl+B");
+        if (!can) tooltip("B, stored", "Store a scene first", "", keys_of(CommandId::StoreB));
     }
     ImGui::EndPopup();
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -38,7 +39,7 @@ void presets_popup(CompareChoice& choice) {
         const auto flags = needs_b && !choice.stored ? ImGuiSelectableFlags_Disabled : 0;
         if (ImGui::Selectable(preset.label, choice.parts == preset.parts, flags))
             set_parts(choice, preset.parts);
-        if (flags != 0) tooltip(preset.label, "Store a scene first", "", "Ctrl+B");
+        if (flags != 0) tooltip(preset.label, "Store a scene first", "", keys_of(CommandId::StoreB));
     }
     ImGui::EndPopup();
 }

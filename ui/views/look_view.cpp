@@ -8,6 +8,7 @@
 
 #include "ui/plots/plot.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -156,7 +157,8 @@ bool look_controls(LookState& state, const Scene& scene) {
         }
         ImGui::EndCombo();
     } else {
-        tooltip("What is shown", info_of(look).what, "", "I, Shift+I");
+        tooltip("What is shown", info_of(look).what, "",
+                keys_of(CommandId::NextLook) + ", " + keys_of(CommandId::PreviousLook));
     }
     ImGui::SameLine(0, px(4));
     (void)light_combo(state, scene);

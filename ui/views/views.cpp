@@ -63,13 +63,6 @@ void ask_part(UiState& state) {
     if (!is_explained(state)) state.why.reset();
 }
 
-void store_b(UiState& state) {
-    CompareChoice& choice = state.views.compare.choice;
-    choice.stored = state.editor.scene();
-    choice.shows_stored = false;
-    state.notifications.add(Tone::Done, "Stored as B: press B to look at it");
-}
-
 }  // namespace
 
 void look_at(ViewsState& views, Look look, bool keep_comparing) {
@@ -151,75 +144,6 @@ std::string views_hint(const ViewsState& views) {
         return "Drag the card over one side of an edge: the band beside it goes";
     }
     return {};  // not reached
-}
-
-void run_views_action(UiState& state, Action action) {
-    CompareChoice& choice = state.views.compare.choice;
-    LookSet& look = state.views.look.set;
-    state.viewport.touched = true;  // no hints for beginners over what was asked for
-    switch (action) {
-    case Action::Scope:
-        return toggle_scope(state.views.scope);
-    case Action::Compare:
-        choice.on = !choice.on;
-        look.choice.look = Look::Picture;
-        return;
-    case Action::Magnify:
-        zoom_about(state.views.magnifier, state.views.magnifier.zoom > 1 ? 1 : usual_zoom,
-                   state.viewport.probe.value_or(glm::dvec2(0.5)));
-        return;
-    case Action::LitDots:
-        state.views.lit.dots = !state.views.lit.dots;
-        return;
-    case Action::Needles:
-        state.views.lit.needles = !state.views.lit.needles;
-        return;
-    case Action::NextLook:
-        return look_at(state.views, look_after(look.choice.look, 1));
-    case Action::PreviousLook:
-        return look_at(state.views, look_after(look.choice.look, -1));
-    case Action::OverRange:
-        look.over_range = !look.over_range;
-        if (look.over_range) look_at(state.views, Look::Picture, state.views.compare.choice.on);
-        return;
-    case Action::StoreB:
-        return store_b(state);
-    case Action::ShowB:
-        choice.shows_stored = !choice.shows_stored;
-        state.views.compare.b_turned = true;
-        state.views.compare.b_since = ImGui::GetTime();
-        state.views.compare.b_frames = 0;
-        return;
-    default:
-        return;
-    }
-}
-
-std::string views_why_not(const UiState& state, Action action) {
-    if (action == Action::ShowB && !state.views.compare.choice.stored)
-        return "No scene is stored as B (Ctrl+B)";
-    return {};
-}
-
-std::optional<bool> views_is_on(const UiState& state, Action action) {
-    switch (action) {
-    case Action::Scope:
-        return state.views.scope.open;
-    case Action::Compare:
-        return state.views.compare.choice.on;
-    case Action::ShowB:
-        return state.views.compare.choice.shows_stored;
-    case Action::Magnify:
-        return state.views.magnifier.zoom > 1;
-    case Action::LitDots:
-        return state.views.lit.dots;
-    case Action::Needles:
-        return state.views.lit.needles;
-    case Action::OverRange:
-        return state.views.look.set.over_range;
-    default:
-        return {};
-    }
 }
 
 void follow_b_key(UiState& state, bool held) {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "ui/commands/actions.h"
 #include "ui/shell/layout.h"
+#include "ui/ui.h"
 
 namespace glint {
 
@@ -36,11 +36,6 @@ void views_windows(UiState& state, const Layout& layout);
 
 /// What a drag or click would do for a view's tool, for the status line; empty when none has the mouse.
 [[nodiscard]] std::string views_hint(const ViewsState& views);
-
-/// The part of run_action(), why_not() and is_on() that is about looking.
-void run_views_action(UiState& state, Action action);
-[[nodiscard]] std::string views_why_not(const UiState& state, Action action);
-[[nodiscard]] std::optional<bool> views_is_on(const UiState& state, Action action);
 
 /// B pressed stays, B held goes back when it is let go of. Once a frame, after the keys' actions.
 void follow_b_key(UiState& state, bool held);

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
 #include "ui/views/compare_panel.h"
 #include "ui/views/views.h"
 #include "ui/widgets/fonts.h"
@@ -12,18 +12,18 @@
 namespace glint {
 namespace {
 
-/// A button that runs an action and shows whether it is on.
-void action_button(UiState& state, const char* label, Action action, const char* what) {
-    const ActionInfo& info = info_of(action);
-    const bool on = is_on(state, action).value_or(false);
-    const std::string refused = why_not(state, action);
+/// A button that runs a command and shows whether it is on.
+void command_button(UiState& state, const char* label, CommandId id, const char* what) {
+    const Command& row = command(id);
+    const bool on = is_on(state, row).value_or(false);
+    const std::string refused = why_disabled(state, row);
     ImGui::PushStyleColor(ImGuiCol_Button, on ? theme().accent : theme().field);
     ImGui::PushStyleColor(ImGuiCol_Text, on ? theme().accent_text : theme().text);
     ImGui::BeginDisabled(!refused.empty());
-    if (ImGui::SmallButton(label)) run_action(state, action);
+    if (ImGui::SmallButton(label)) run_command(state, row);
     ImGui::EndDisabled();
     ImGui::PopStyleColor(2);
-    tooltip(info.name, what, refused, keys_of(action));
+    tooltip(row.name, what, refused, keys_of(row));
     ImGui::SameLine(0, px(4));
 }
 
@@ -33,27 +33,28 @@ void views_bar(UiState& state) {
     ImGui::PushFont(fonts().small);
     if (look_controls(state.views.look, state.editor.scene()))
         look_at(state.views, state.views.look.set.choice.look);
-    action_button(state, "Over-range", Action::OverRange,
-                  "Stripes over pixels whose colour exceeds 1 in a channel and is cut off");
-    action_button(
-        state, "Scope", Action::Scope,
+    command_button(state, "Over-range", CommandId::OverRange,
+                   "Stripes over pixels whose colour exceeds 1 in a channel and is cut off");
+    command_button(
+        state, "Scope", CommandId::Scope,
         "Intensity along a line over the picture, with its first and second difference: Mach bands in "
         "numbers");
-    action_button(state, "Compare", Action::Compare,
-                  "Flat, Gouraud and Phong, or any settings, side by side under lines to drag");
-    action_button(
-        state, "Pixels", Action::Magnify,
+    command_button(state, "Compare", CommandId::Compare,
+                   "Flat, Gouraud and Phong, or any settings, side by side under lines to drag");
+    command_button(
+        state, "Pixels", CommandId::Magnify,
         "Each pixel as a square with its number in it: 0 to 255, red, green and blue where there is room. "
         "Ctrl+wheel zooms, the right button moves");
-    action_button(
-        state, "Dots", Action::LitDots,
+    command_button(
+        state, "Dots", CommandId::LitDots,
         "A dot at each place that the equation is evaluated at, thinned, and how often it is in a frame");
     compare_controls(state.views.compare);
     if (state.views.compare.choice.shows_stored) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme().warning);
         ImGui::TextUnformatted("B is shown");
         ImGui::PopStyleColor();
-        tooltip("B is shown", "The stored scene, through the edited scene's camera", "", "B");
+        tooltip("B is shown", "The stored scene, through the edited scene's camera", "",
+                keys_of(CommandId::ShowB));
     }
     ImGui::PopFont();
 }

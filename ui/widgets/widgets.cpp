@@ -13,6 +13,7 @@
 #include "models/saturate.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/named_controls.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
@@ -125,7 +126,11 @@ void tooltip(const char* title, const char* what, const std::string& range, cons
     ImGui::PushFont(fonts().title);
     ImGui::TextUnformatted(title, ImGui::FindRenderedTextEnd(title));
     ImGui::PopFont();
-    if (*what != 0) ImGui::TextUnformatted(what);
+    const std::string keys = keys_of_value(key);
+    if (!keys.empty())
+        ImGui::TextUnformatted(fmt::format("{} (key {})", what, keys).c_str());
+    else if (*what != 0)
+        ImGui::TextUnformatted(what);
     ImGui::PushFont(fonts().small);
     if (!range.empty()) dim_text(range.c_str());
     if (!key.empty()) dim_text(key.c_str());

@@ -10,7 +10,7 @@
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
 #include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
 #include "ui/export/clipboard.h"
 #include "ui/export/command_text.h"
 
@@ -193,12 +193,12 @@ TEST_CASE("a picture goes to the clipboard through the desktop's tool, or its la
     unsetenv("WAYLAND_DISPLAY");
     Bench bench;
     bench.frames(2);
-    CHECK(why_not(bench.state, Action::CopyPicture) == "Needs the program xclip");
+    CHECK(why_disabled(bench.state, test::command_named("Copy picture")) == "Needs the program xclip");
     const std::string script = folder.file("xclip", "#!/bin/sh\n/bin/cat >'" + folder.path("got.png") +
                                                         "'\necho \"$@\" >'" + folder.path("words") + "'\n");
     fs::permissions(script, fs::perms::owner_all);
-    CHECK(why_not(bench.state, Action::CopyPicture).empty());
-    run_action(bench.state, Action::CopyPicture);
+    CHECK(why_disabled(bench.state, test::command_named("Copy picture")).empty());
+    run_command(bench.state, test::command_named("Copy picture"));
     while (bench.state.exporting.job) bench.frame();
     CHECK(bench.state.notifications.list.back().tone == Tone::Done);
     CHECK(bytes_of(folder.path("words")) == "-selection clipboard -t image/png -i\n");
@@ -206,7 +206,7 @@ TEST_CASE("a picture goes to the clipboard through the desktop's tool, or its la
     REQUIRE(problem_of(got) == nullptr);
     CHECK(std::get<Picture>(got).rgba == bench.state.picture->rgba);
     (void)folder.file("xclip", "#!/bin/sh\nexit 3\n");
-    run_action(bench.state, Action::CopyPicture);
+    run_command(bench.state, test::command_named("Copy picture"));
     while (bench.state.exporting.job) bench.frame();
     CHECK(bench.state.notifications.list.back().tone == Tone::Error);
     setenv("PATH", path_before.c_str(), 1);

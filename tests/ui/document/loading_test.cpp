@@ -6,7 +6,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 #include "tests/support/ui_why_bench.h"
-#include "ui/commands/actions.h"
+#include "ui/document/document_actions.h"
 #include "ui/preferences/end_jobs.h"
 
 using namespace glint;

@@ -2,13 +2,14 @@
 // back.
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
 #include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
 
 using namespace glint;
 using test::Bench;
@@ -41,10 +42,12 @@ class Cage {
     std::filesystem::path home_;
 };
 
-/// Actions with which a new history begins.
-bool ends_history(Action action) {
-    return action == Action::Quit || action == Action::New || action == Action::Open ||
-           action == Action::NextScene || action == Action::PreviousScene;
+/// Commands with which a new history begins.
+bool ends_history(const Command& command) {
+    static const std::set<std::string_view> names{"Quit", "New scene", "Open…", "Next scene of the folder",
+                                                  "Scene before it"};
+    for (const std::string_view name : names) (void)test::command_named(name);  // they are called so
+    return names.contains(command.name);
 }
 
 class Monkey {
@@ -118,10 +121,11 @@ class Monkey {
         frame({});
     }
     void key() {
-        const auto table = actions();
-        const ActionInfo& info = table[random_() % table.size()];
+        const auto table = commands();
+        const Command& command = table[random_() % table.size()];
         UiInput input;
-        if (info.press.key != Key::Other && !ends_history(info.action)) input.presses.push_back(info.press);
+        if (!command.keys.empty() && !ends_history(command))
+            input.presses.push_back(command.keys[random_() % command.keys.size()]);
         if (random_() % 3 == 0) input.presses.push_back({Key::Escape});
         if (random_() % 6 == 0) input.presses.push_back({Key::Enter});
         if (random_() % 6 == 0) input.presses.push_back({random_() % 2 == 0 ? Key::Up : Key::Down});

@@ -1,8 +1,8 @@
 // What is told by number of one scene is never looked up in another.
 #include "tests/support/catch.h"
 #include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
 #include "ui/commands/palette.h"
+#include "ui/document/document_actions.h"
 #include "ui/picture/draw_picture.h"
 
 using namespace glint;

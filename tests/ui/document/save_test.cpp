@@ -8,7 +8,7 @@
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
 #include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
+#include "ui/document/document_actions.h"
 #include "ui/widgets/modal.h"
 
 using namespace glint;

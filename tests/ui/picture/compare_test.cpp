@@ -1,7 +1,7 @@
 // Comparing: every part is the full picture of its setting, column by column and byte by byte.
 #include "tests/support/catch.h"
 #include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
 
 using namespace glint;
 using test::Bench;
@@ -136,7 +136,7 @@ TEST_CASE("the difference shows the first part against the last, with the number
 TEST_CASE("B is the stored scene, shown by a key and never edited by it", "[ui][window][compare]") {
     Bench bench;
     bench.frames(2);
-    CHECK_FALSE(can_run(bench.state, Action::ShowB));
+    CHECK_FALSE(can_run(bench.state, command(CommandId::ShowB)));
     bench.key(Key::B, true);
     const Scene stored = bench.scene();
     bench.scene().lights[0].intensity = 3;

@@ -5,7 +5,6 @@
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
 #include "tests/support/ui_why_bench.h"
-#include "ui/commands/actions.h"
 #include "ui/views/views.h"
 
 using namespace glint;

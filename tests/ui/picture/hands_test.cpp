@@ -4,7 +4,7 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
 
 using namespace glint;
 using test::Bench;
@@ -301,7 +301,8 @@ TEST_CASE(
                           std::string(GLINT_SOURCE_DIR) + "/assets/scenes/skew-quad.json", {})));
         bench.scene().shading.interpolation = interpolation;
         bench.frames(2);
-        CHECK_FALSE(why_not(bench.state, Action::RotateAboutPicked).empty());
+        CHECK_FALSE(
+            why_disabled(bench.state, test::command_named("Rotate it about the picked point")).empty());
         const glm::dvec2 pixel =
             project(screen_map(bench.scene().camera, bench.state.picture->size), {-2.5, 0.1, 0}).pixel;
         bench.click(bench.at_pixel(pixel));

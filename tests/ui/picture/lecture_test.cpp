@@ -4,7 +4,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 #include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
 #include "ui/lecture/folder_scenes.h"
 
 using namespace glint;
@@ -130,7 +130,7 @@ TEST_CASE("the step wedge says what is swallowed", "[ui][lecture]") {
           "On black this projector swallows steps below 6/255: colours 0.016 apart look the same");
     Bench bench;
     bench.frame();
-    run_action(bench.state, Action::StepWedge);
+    run_command(bench.state, test::command_named("Step wedge: what does this projector show?"));
     bench.frames(2);
     bench.click({60, 120});
     CHECK(bench.state.lecture.wedge.rows[0].seen == 0);

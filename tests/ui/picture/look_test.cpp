@@ -1,7 +1,6 @@
 // Looking at a quantity in place of the picture.
 #include "tests/support/catch.h"
 #include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
 #include "ui/views/views.h"
 
 using namespace glint;

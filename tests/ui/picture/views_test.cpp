@@ -3,7 +3,7 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
 #include "ui/inspector/outside_lines.h"
 #include "ui/inspector/outside_view.h"
 #include "ui/picture/camera_views.h"
@@ -87,8 +87,10 @@ TEST_CASE("a kept view is come back to by a key, as one step", "[ui][hands][wind
     Bench bench;
     bench.frames(2);
     const Scene before = bench.scene();
-    CHECK_FALSE(why_not(bench.state, Action::NextView).empty());
+    CHECK_FALSE(why_disabled(bench.state, command(CommandId::NextView)).empty());
     bench.key(Key::U, false, true);
+    // It is remembered with the settings, longer than the window lasts.
+    CHECK(bench.state.notifications.list.back().text == "This view is kept: U comes back to it");
     bench.drag(bench.at_pixel({40, 400}), bench.at_pixel({240, 340}));
     CHECK_FALSE(bench.scene().camera == before.camera);
     bench.key(Key::U);

@@ -8,7 +8,8 @@
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 #include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
+#include "ui/document/document_actions.h"
 
 using namespace glint;
 using test::Bench;
@@ -34,14 +35,13 @@ TEST_CASE("whatever is opened in the same frame as a dialog, both are drawn", "[
     // The folder of the dialogs, and a small picture.
     Bench bench({420, 240});
     bench.frames(2);
-    const Action dialogs[] = {Action::New, Action::Open, Action::ExportPicture, Action::SaveAs};
-    for (const Action dialog : dialogs)
-        for (const ActionInfo& info : actions()) {
-            if (info.action == Action::CopyPicture) continue;  // it runs a program
-            INFO(info.name << ", then " << info_of(dialog).name);
+    for (const char* dialog : {"New scene", "Open…", "Export picture…", "Save as…"})
+        for (const Command& command : commands()) {
+            if (&command == &test::command_named("Copy picture")) continue;  // it runs a program
+            INFO(command.name << ", then " << dialog);
             start_afresh(bench);
-            run_action(bench.state, info.action);
-            run_action(bench.state, dialog);
+            run_command(bench.state, command);
+            run_command(bench.state, test::command_named(dialog));
             // As from keys in one frame: nothing of it has been drawn yet.
             bench.frames(3);
             CHECK(modal_of(bench.state) != Modal::None);

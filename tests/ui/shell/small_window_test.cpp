@@ -5,7 +5,6 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
 #include "ui/inspector/tabs.h"
 #include "ui/widgets/display_scale.h"
 

@@ -1,7 +1,10 @@
-// From keys to actions.
+// From keys to commands.
 #include <imgui_internal.h>
 
-#include "ui/commands/actions.h"
+#include <algorithm>
+
+#include "ui/commands/command.h"
+#include "ui/ui.h"
 #include "ui/views/views.h"
 #include "ui/widgets/modal.h"
 
@@ -39,11 +42,11 @@ void run_keys(UiState& state, const UiInput& input) {
         // While text is typed its keys are text; Ctrl+S still saves.
         const bool typing = ImGui::GetIO().WantTextInput;
         if (typing && !(press.ctrl && press.key == Key::S)) continue;
-        for (const ActionInfo& info : actions())
-            if (info.press.key != Key::Other && info.press == press) {
-                run_action(state, info.action);
-                break;
-            }
+        const auto has_key = [&press](const Command& command) {
+            return std::find(command.keys.begin(), command.keys.end(), press) != command.keys.end();
+        };
+        const auto found = std::find_if(commands().begin(), commands().end(), has_key);
+        if (found != commands().end()) run_command(state, *found);
     }
 }
 
