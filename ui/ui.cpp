@@ -36,7 +36,8 @@ UiRequests requests(UiState& state) {
     state.quits = false;
     wants.title = fmt::format("{}{} – Glint", state.editor.unsaved() ? "● " : "", state.editor.title());
     wants.sleep_s = frame_wish();
-    const Scene& next = state.preview ? *state.preview : state.editor.scene();
+    const std::optional<Scene> preview = preview_of(state);
+    const Scene& next = preview ? *preview : state.editor.scene();
     if (!(next == state.drawn)) wants.sleep_s = 0;  // edited or previewed after the picture was drawn
     if (ImGui::GetIO().WantTextInput) wants.sleep_s = std::min(wants.sleep_s, 0.3);  // the text cursor blinks
     return wants;
@@ -75,7 +76,6 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     remember(state, in_hand);
     tend_memory(state);
     tend_animation(state);
-    keep_frozen(state);
     ImGui::PopFont();
     return requests(state);
 }

@@ -22,6 +22,7 @@
 #include "ui/inspector/sensitivity_job.h"
 #include "ui/inspector/state.h"
 #include "ui/lecture/lecture.h"
+#include "ui/picture/tool.h"
 #include "ui/picture/viewport.h"
 #include "ui/preferences/memory.h"
 #include "ui/shell/frame_pace.h"
@@ -49,6 +50,7 @@ struct UiState {
 
     Editor editor;
     ViewportState viewport;
+    ToolCapture capture;  // the tool on the picture that a button holds
     LayoutState layout;
     WhyState why_column;  // tab and switches
     SensitivityState sensitivity;
@@ -83,10 +85,6 @@ struct UiState {
     std::optional<Explanation> why;    // of the probe in `picture`, where that shows the edited scene
     ItemCounts explained;  // of the scene that `why` is about: it names lights and objects by number
     glm::ivec2 asked{0};   // the pixel of the whole picture that `why` is about
-    /// A panel that wants another scene on the screen than the edited one (one term alone, one light alone)
-    /// puts it here in every frame in which it wants it. It is drawn in the next frame, with the same meshes
-    /// and camera; `why` stays what it was, and nothing of it reaches the history or a file.
-    std::optional<Scene> preview;
 };
 
 struct UiRequests {

@@ -1,38 +1,14 @@
 // From keys to commands.
-#include <imgui_internal.h>
+#include <imgui.h>
 
 #include <algorithm>
 
 #include "ui/commands/command.h"
+#include "ui/picture/tool.h"
 #include "ui/ui.h"
-#include "ui/views/views.h"
 #include "ui/widgets/modal.h"
 
 namespace glint {
-namespace {
-
-/// Escape leaves the innermost thing: a drag, a dialog, a sheet.
-void escape(UiState& state) {
-    if (cancel_gesture(state.viewport, state.editor.scene())) return;
-    if (state.palette.open) {
-        state.palette.open = false;
-        return;
-    }
-    if (modal_of(state) != Modal::None) return leave_modal(state);
-    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
-        return ImGui::ClosePopupToLevel(0, true);
-    if (state.loading.active())
-        cancel_loads(state);
-    else if (state.shows_shortcuts)
-        state.shows_shortcuts = false;
-    else if (leave_lecture_tool(state))
-        return;
-    else if (!leave_view_tool(state.views) && !ImGui::GetIO().WantTextInput)
-        state.viewport.probe.reset();
-}
-
-}  // namespace
-
 void run_keys(UiState& state, const UiInput& input) {
     const bool busy =
         state.viewport.gesture != Gesture::None || (ImGui::IsAnyMouseDown() && ImGui::IsAnyItemActive());

@@ -28,7 +28,7 @@ void put_views_away(UiState& state) {
     views.grid.renderer.reset();
     views.grid.solo.reset();
     views.grid.muted.clear();
-    state.preview.reset();
+    state.why_column.instead.reset();
     state.why.reset();
     state.shown = state.picture;
     ++state.picture_serial;

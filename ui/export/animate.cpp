@@ -129,6 +129,7 @@ void tend_animation(UiState& state) {
                 state.notifications.add(Tone::Done, std::get<std::string>(result));
         }
     }
+    animate.frame.reset();
     if (!animate.playing) return;
     const double frame = (ImGui::GetTime() - animate.began) * animate.frames_a_second;
     Result<Scene> scene = scene_at(state.editor.document, animate.animation, static_cast<int>(frame));
@@ -137,7 +138,7 @@ void tend_animation(UiState& state) {
         animate.playing = false;
         return;
     }
-    state.preview = std::get<Scene>(std::move(scene));
+    animate.frame = std::get<Scene>(std::move(scene));
     wish_frame_in((std::floor(frame) + 1 - frame) / animate.frames_a_second);
 }
 

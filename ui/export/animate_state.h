@@ -11,6 +11,7 @@ namespace glint {
 
 struct AnimateState {
     bool open = false, playing = false;
+    std::optional<Scene> frame;  // while it plays: what the next picture shows
     Animation animation;
     std::string search;                     // for the number that shall move
     int frames_a_second = 25;               // 1 to 50: GIF counts hundredths of a second

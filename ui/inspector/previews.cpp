@@ -30,7 +30,7 @@ Scene with_term_alone(Scene scene, Symbol term) {
 }
 
 void show_instead(UiState& state, const Scene& scene, const std::string& name) {
-    state.preview = scene;
+    state.why_column.instead = scene;
     state.why_column.preview_name = name;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "models/scene/scene.h"
 #include "ui/inspector/blocked.h"
 #include "ui/widgets/theme.h"
 
@@ -24,7 +25,9 @@ struct WhyState {
     std::optional<Symbol> pointed_vector;
     int pointed_light = -1;
     BlockedState blocked;
-    std::string preview_name;  // of what the picture shows in place of the scene; empty: the scene
+    // What the mouse points at in the column alone, or otherwise: the next picture shows it.
+    std::optional<Scene> instead;
+    std::string preview_name;  // over it; or empty
 };
 
 }  // namespace glint

@@ -86,7 +86,6 @@ std::span<const WhyTabInfo> why_tabs() { return tabs; }
 void why_column(UiState& state, const PictureView& view) {
     const std::optional<Symbol> pointed_vector = std::exchange(state.why_column.pointed_vector, std::nullopt);
     const int pointed_light = std::exchange(state.why_column.pointed_light, -1);
-    state.why_column.preview_name.clear();
     why_heading(state);
     tab_bar(state.why_column);
     for (const WhyTabInfo& info : tabs) {

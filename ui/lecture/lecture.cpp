@@ -5,19 +5,6 @@
 #include "ui/widgets/theme.h"
 
 namespace glint {
-bool leave_lecture_tool(UiState& state) {
-    LectureState& lecture = state.lecture;
-    if (lecture.wedge.open) return !(lecture.wedge.open = false);
-    if (lecture.pen.on) return !(lecture.pen.on = false);
-    if (state.layout.bare) return !(state.layout.bare = false);
-    return false;
-}
-
-void keep_frozen(UiState& state) {
-    const auto& frozen = state.lecture.frozen;
-    if (!frozen) return;
-    state.preview = *frozen;
-}
 
 void frozen_badge(ImDrawList& list, const LectureState& lecture, const PictureView& view) {
     if (!lecture.frozen) return;

@@ -23,12 +23,6 @@ struct LectureState {
     WedgeState wedge;
 };
 
-/// Escape: puts away what is in hand. False when there is nothing.
-bool leave_lecture_tool(UiState& state);
-
-/// At the end of a frame: what is frozen is shown in the next one.
-void keep_frozen(UiState& state);
-
 /// A word over the picture while it does not show what is edited.
 void frozen_badge(ImDrawList& list, const LectureState& lecture, const PictureView& view);
 

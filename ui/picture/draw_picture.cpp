@@ -22,21 +22,21 @@ bool shows_pictures(const UiState& state) {
 }
 
 /// Whether a smaller picture may stand for the whole one for a moment: no numbers of many pixels are shown.
-bool may_be_small(const UiState& state) {
+bool may_be_small(const UiState& state, bool previewed) {
     const bool camera = state.viewport.gesture == Gesture::Orbit || state.viewport.gesture == Gesture::Pan ||
                         state.viewport.gesture == Gesture::Dolly;
     const bool light =
         state.viewport.gesture == Gesture::Hand && state.viewport.held.grip.kind == GripKind::Light;
     const bool field = state.viewport.gesture == Gesture::None && ImGui::IsAnyItemActive();
-    return (camera || light || field) && !state.preview && !views_need_linear(state.views) &&
+    return (camera || light || field) && !previewed && !views_need_linear(state.views) &&
            !(state.views.magnifier.zoom > 1) && shows_pictures(state);
 }
 
 /// The size of the next picture of a scene that differs (`changed`) from the last one or does not.
-PictureSize paced_size(UiState& state, PictureSize full, bool changed) {
+PictureSize paced_size(UiState& state, PictureSize full, bool changed, bool small_will_do) {
     FramePace& pace = state.pace;
     const bool small_now = state.picture != nullptr && !(state.picture->size == full);
-    if (!may_be_small(state)) {
+    if (!small_will_do) {
         end_of_motion(pace);
         return full;
     }
@@ -93,6 +93,15 @@ const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size) {
     return tells ? state.renderer.get() : nullptr;
 }
 
+std::optional<Scene> preview_of(const UiState& state) {
+    if (state.lecture.frozen) return state.lecture.frozen;
+    if (state.animate.frame) return state.animate.frame;
+    if (state.why_column.instead) return state.why_column.instead;
+    const CompareChoice& compare = state.views.compare.choice;
+    if (!compare.shows_stored) return {};
+    return scene_under({Setting::Kind::Stored, 0}, state.editor.scene(), compare.stored.get());
+}
+
 bool is_explained(const UiState& state) {
     return state.why && state.explained == item_counts(state.editor.scene());
 }
@@ -100,14 +109,14 @@ bool is_explained(const UiState& state) {
 void draw_picture(UiState& state, const PictureView& view) {
     tend_loads(state);
     if (const auto problem = settle(state.editor)) state.notifications.add(*problem);
-    const bool moves = may_be_small(state);
+    const std::optional<Scene> preview = preview_of(state);
+    const Scene& shown = preview ? *preview : state.editor.scene();
+    const bool moves = may_be_small(state, preview.has_value());
     state.pace.drawn_at = 0;
-    const bool changed = !(state.drawn == (state.preview ? *state.preview : state.editor.scene()));
+    const bool changed = !(state.drawn == shown);
     if (state.editor.before) state.pace.memory_divisor = 1;  // another document may be a smaller one
     const PictureSize size =
-        size_for_memory(state.pace, paced_size(state, view.map.size, changed), view.map.size);
-    const std::optional<Scene> preview = std::exchange(state.preview, std::nullopt);
-    const Scene& shown = preview ? *preview : state.editor.scene();
+        size_for_memory(state.pace, paced_size(state, view.map.size, changed, moves), view.map.size);
     const bool same_size = state.picture != nullptr && state.picture->size == size;
     const bool linear = views_need_linear(state.views);
     const bool has_linear = state.picture != nullptr && !state.picture->linear.empty();

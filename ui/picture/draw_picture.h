@@ -1,6 +1,8 @@
 #pragma once
 // When the picture is drawn, and how large.
 
+#include <optional>
+
 #include "renderer/renderer.h"
 #include "ui/picture/picture_view.h"
 
@@ -17,6 +19,11 @@ struct UiState;
 /// shows another scene. Whoever hovers, picks or drags asks this one: a number of an object that is not there
 /// is of no use.
 [[nodiscard]] const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size);
+
+/// What the next picture shows in place of the edited scene, with the same meshes; nothing of it reaches the
+/// history or a file, and `why` stays what it was. Of several that want one: what is frozen, what is
+/// animated, what the mouse points at in the column, B.
+[[nodiscard]] std::optional<Scene> preview_of(const UiState& state);
 
 /// Whether `why` is there and names lights and objects by numbers that the open scene has.
 [[nodiscard]] bool is_explained(const UiState& state);

@@ -8,6 +8,8 @@
 
 #include "models/saturate.h"
 #include "models/scene/transform.h"
+#include "ui/picture/tool.h"
+#include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 
@@ -109,35 +111,47 @@ void zoom_about(MagnifierState& magnifier, int zoom, glm::dvec2 share) {
     magnifier.zoom = zoom;
 }
 
-bool magnifier_hand(MagnifierState& magnifier, const PictureView& view) {
+namespace {
+
+/// Ctrl and the wheel zoom; once enlarged, the right button moves.
+bool magnifier_hover(ToolFrame& frame) {
     ImGuiIO& io = ImGui::GetIO();
-    if (!ImGui::IsMousePosValid()) return false;
-    const glm::dvec2 size(view.map.size.width, view.map.size.height);
-    const glm::dvec2 share = view.to_pixel(io.MousePos) / size;
-    if (ImGui::IsItemHovered() && io.KeyCtrl && io.MouseWheel != 0) {
-        const int zoom = io.MouseWheel > 0 ? magnifier.zoom * 2 : magnifier.zoom / 2;
-        zoom_about(magnifier, zoom, share);
-        io.MouseWheel = 0;  // the camera does not move too
-        return true;
-    }
-    if (magnifier.zoom <= 1) return magnifier.moves = false;
-    if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-        magnifier.moves = true;
-        magnifier.last = {io.MousePos.x, io.MousePos.y};
-    }
-    if (!magnifier.moves) return false;
-    const glm::dvec2 now(io.MousePos.x, io.MousePos.y);
-    magnifier.centre = glm::clamp(
-        magnifier.centre - (now - magnifier.last) / (size * double(view.units_per_pixel)), 0.0, 1.0);
-    magnifier.last = now;
-    magnifier.moves = ImGui::IsMouseDown(ImGuiMouseButton_Right);
+    MagnifierState& magnifier = frame.state.views.magnifier;
+    if (!frame.over) return false;
+    if (!io.KeyCtrl || io.MouseWheel == 0)
+        return magnifier.zoom > 1 && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    const glm::dvec2 size(frame.view.map.size.width, frame.view.map.size.height);
+    zoom_about(magnifier, io.MouseWheel > 0 ? magnifier.zoom * 2 : magnifier.zoom / 2, frame.pixel / size);
+    io.MouseWheel = 0;  // the camera does not move too
     return true;
 }
 
-void draw_big_pixels(ImDrawList& list, const MagnifierState& magnifier, const PictureView& view,
-                     const Picture& shown, const Renderer& renderer, const Scene& drawn,
-                     std::optional<glm::ivec2> picked) {
-    if (magnifier.zoom <= 1 || view.units_per_pixel < px(least_square) || !(shown.size == view.map.size))
+int magnifier_press(ToolFrame& frame) {
+    MagnifierState& magnifier = frame.state.views.magnifier;
+    if (magnifier.zoom <= 1 || !ImGui::IsMouseClicked(ImGuiMouseButton_Right)) return not_taken;
+    magnifier.last = {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
+    return ImGuiMouseButton_Right;
+}
+
+bool magnifier_drag(ToolFrame& frame) {
+    MagnifierState& magnifier = frame.state.views.magnifier;
+    if (magnifier.zoom <= 1) return false;
+    const glm::dvec2 size(frame.view.map.size.width, frame.view.map.size.height);
+    const glm::dvec2 now(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+    magnifier.centre = glm::clamp(
+        magnifier.centre - (now - magnifier.last) / (size * double(frame.view.units_per_pixel)), 0.0, 1.0);
+    magnifier.last = now;
+    return true;
+}
+
+/// Squares, their numbers, edges between faces, and the scan line and polygon of the picked pixel. Nothing
+/// before a pixel is large enough.
+void draw_big_pixels(ImDrawList& list, UiState& state, const PictureView& view) {
+    const Picture& shown = *state.shown;
+    const Renderer& renderer = *state.renderer;
+    const auto picked = probe_pixel(state.viewport, view.map.size);
+    if (state.views.magnifier.zoom <= 1 || view.units_per_pixel < px(least_square) ||
+        !(shown.size == view.map.size))
         return;
     const PixelRange range = visible(list, view);
     const ImU32 line = packed({0.5f, 0.5f, 0.5f, 1}, 0.35f);
@@ -146,10 +160,15 @@ void draw_big_pixels(ImDrawList& list, const MagnifierState& magnifier, const Pi
     for (int y = range.y0; y <= range.y1; ++y)
         list.AddLine(view.to_window({range.x0, y}), view.to_window({range.x1, y}), line);
     draw_edges(list, view, renderer, range);
-    if (picked) draw_picked(list, view, renderer, drawn, *picked);
+    if (picked) draw_picked(list, view, renderer, state.drawn, *picked);
     if (view.units_per_pixel < px(least_number)) return;
     for (int y = range.y0; y < range.y1; ++y)
         for (int x = range.x0; x < range.x1; ++x) draw_number(list, view, shown, x, y);
 }
+
+}  // namespace
+
+const Tool magnifier_tool{
+    .hover = magnifier_hover, .press = magnifier_press, .drag = magnifier_drag, .draw = draw_big_pixels};
 
 }  // namespace glint

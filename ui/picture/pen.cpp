@@ -1,7 +1,10 @@
 #include "ui/picture/pen.h"
 
 #include <glm/geometric.hpp>
+#include <utility>
 
+#include "ui/picture/tool.h"
+#include "ui/ui.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
@@ -24,15 +27,43 @@ ImVec2 to_window(glm::vec2 place, const PictureView& view) {
     return view.to_window({view.map.size.width / 2.0 + place.x * height, height / 2 + place.y * height});
 }
 
-void begin_line(PenState& pen, glm::vec2 place) {
+/// False where the pen has drawn as much as it may.
+bool begin_line(PenState& pen, glm::vec2 place) {
     std::size_t places = 0;
     for (const PenLine& line : pen.lines) places += line.places.size();
-    if (places > most_places) return;
+    if (places > most_places) return false;
     pen.lines.push_back({{place}, pen.colour});
-    pen.drawing = true;
+    return true;
 }
 
+/// The other buttons and the wheel still move the camera.
+bool pen_hover(ToolFrame& frame) {
+    const ImGuiIO& io = ImGui::GetIO();
+    return frame.state.lecture.pen.on && frame.over && !io.MouseDown[ImGuiMouseButton_Right] &&
+           !io.MouseDown[ImGuiMouseButton_Middle] && io.MouseWheel == 0;
+}
+
+int pen_press(ToolFrame& frame) {
+    const bool begins = ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
+                        begin_line(frame.state.lecture.pen, to_place(frame.pixel, frame.view));
+    return begins ? ImGuiMouseButton_Left : not_taken;
+}
+
+bool pen_drag(ToolFrame& frame) {
+    PenState& pen = frame.state.lecture.pen;
+    if (!pen.on || pen.lines.empty()) return false;
+    auto& places = pen.lines.back().places;
+    const glm::vec2 place = to_place(frame.pixel, frame.view);
+    if (glm::distance(place, places.back()) * float(frame.view.map.size.height) >= float(least_step))
+        places.push_back(place);
+    return true;
+}
+
+bool put_pen_away(UiState& state) { return std::exchange(state.lecture.pen.on, false); }
+
 }  // namespace
+
+const Tool pen_tool{.hover = pen_hover, .press = pen_press, .drag = pen_drag, .cancel = put_pen_away};
 
 ImVec4 pen_colour(int index) {
     // Okabe and Ito's yellow, sky blue, vermillion and green; white. On a picture: not the theme's.
@@ -42,24 +73,6 @@ ImVec4 pen_colour(int index) {
                                                      {0, 0.62f, 0.45f, 1},
                                                      {1, 1, 1, 1}};
     return colours[index];
-}
-
-bool pen_hand(PenState& pen, const PictureView& view) {
-    if (!pen.on) return pen.drawing = false;
-    const ImGuiIO& io = ImGui::GetIO();
-    const bool hovered = ImGui::IsItemHovered() && ImGui::IsMousePosValid();
-    const glm::dvec2 pixel = view.to_pixel(io.MousePos);
-    if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) begin_line(pen, to_place(pixel, view));
-    if (pen.drawing && ImGui::IsMousePosValid()) {
-        auto& places = pen.lines.back().places;
-        const glm::vec2 place = to_place(pixel, view);
-        if (glm::distance(place, places.back()) * float(view.map.size.height) >= float(least_step))
-            places.push_back(place);
-    }
-    if (!io.MouseDown[ImGuiMouseButton_Left]) pen.drawing = false;
-    // The other buttons and the wheel still move the camera.
-    return pen.drawing || (hovered && !io.MouseDown[ImGuiMouseButton_Right] &&
-                           !io.MouseDown[ImGuiMouseButton_Middle] && io.MouseWheel == 0);
 }
 
 void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view) {

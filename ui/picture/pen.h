@@ -19,16 +19,13 @@ struct PenLine {
 };
 
 struct PenState {
-    bool on = false, drawing = false;
+    bool on = false;
     int colour = 0;
     std::vector<PenLine> lines;
 };
 
 inline constexpr int pen_colour_count = 5;
 [[nodiscard]] ImVec4 pen_colour(int index);
-
-/// Reads the mouse over the picture, the item drawn last. True while the pen has it.
-[[nodiscard]] bool pen_hand(PenState& pen, const PictureView& view);
 
 void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view);
 

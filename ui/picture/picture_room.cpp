@@ -4,9 +4,8 @@
 
 #include "models/saturate.h"
 #include "ui/inspector/vectors/vectors_overlay.h"
-#include "ui/picture/draw_picture.h"
+#include "ui/picture/tool.h"
 #include "ui/ui.h"
-#include "ui/views/views.h"
 #include "ui/widgets/area.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -80,19 +79,9 @@ bool picture_room(UiState& state, const Layout& layout, const UiInput& input) {
              {std::min(high.x, layout.centre.high.x) - low.x, std::min(high.y, layout.centre.high.y) - low.y},
              ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                  ImGuiButtonFlags_MouseButtonMiddle);
-    const Renderer* renderer = renderer_of_open_scene(state, view.map.size);
-    if (state.viewport.gesture == Gesture::None &&
-        (pen_hand(state.lecture.pen, view) || views_hand(state, view))) {
-        state.viewport.hovered = false;
-        state.viewport.hovered_grip = {};
-        state.viewport.touched |= ImGui::IsAnyMouseDown();
-        ImGui::End();
-        return false;
-    }
-    const bool busy = viewport_gestures(
-        state.viewport, {state.editor.scene(), state.editor.selection, renderer, view}, input);
+    use_tools(state, view, input);
     ImGui::End();
-    return busy;
+    return state.viewport.gesture != Gesture::None;
 }
 
 void picture_overlay(UiState& state, const Layout& layout, const PictureView& view) {
@@ -101,10 +90,7 @@ void picture_overlay(UiState& state, const Layout& layout, const PictureView& vi
     const ImVec2 high = view.to_window({view.map.size.width, view.map.size.height});
     list.PushClipRect(view.origin, high, true);
     if (!state.layout.bare) {
-        draw_overlay(list, state.viewport,
-                     {state.editor.scene(), state.editor.selection,
-                      renderer_of_open_scene(state, view.map.size), view});
-        draw_views_overlay(list, state, view);
+        draw_tools(list, state, view);
         draw_point_vectors(list, state, view);
         first_hints(state, view);
         frozen_badge(list, state.lecture, view);

@@ -137,7 +137,7 @@ ViewMemory views_to_remember(const UiState& state) {
 
 void recall_views(UiState& state, const ViewMemory& memory) {
     ViewsState& views = state.views;
-    std::optional<Scene> stored = std::move(views.compare.choice.stored);
+    std::shared_ptr<const Scene> stored = std::move(views.compare.choice.stored);
     views.compare.choice = memory.compare;
     views.compare.choice.stored = std::move(stored);
     views.look.set = {{memory.look, 0}, memory.over_range};

@@ -131,6 +131,8 @@ void left_column(UiState& state, const Layout& layout, const PictureView& view) 
 }
 
 void why_columns(UiState& state, const Layout& layout, const PictureView& view) {
+    state.why_column.instead.reset();
+    state.why_column.preview_name.clear();
     const bool in_left = layout.why_in_left && layout.has_left && state.left_shows_why;
     if (!layout.has_right && !in_left) return;
     if (in_left)

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "ui/inspector/mistakes_tab.h"
+#include "ui/picture/tool.h"
 #include "ui/shell/toolbar.h"
-#include "ui/views/views.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -93,8 +93,7 @@ void status_line(UiState& state, const Rect& area) {
         const ImVec2 left = ImGui::GetCursorScreenPos();
         const float right = area.high.x - width - px(10);
         const float mark = mistakes_mark(state, {right, left.y});
-        std::string hint = views_hint(state.views);
-        if (hint.empty()) hint = gesture_hint(state.viewport, state.editor.scene());
+        const std::string hint = tools_hint(state);
         const ImVec4 room{left.x, area.low.y, right - mark - px(16), area.high.y};
         ImGui::GetWindowDrawList()->AddText(nullptr, 0, left, packed(theme().text), hint.c_str(), nullptr, 0,
                                             &room);

@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/shell/layout.h"
+#include "ui/picture/tool.h"
+#include "ui/ui.h"
 #include "ui/views/compare_view.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/shortcut.h"
@@ -48,8 +49,6 @@ bool holds(const Rect& rect, ImVec2 at) {
 }
 
 void find_under(CompareState& state, const PictureView& view) {
-    state.under = state.label_under = -1;
-    if (!ImGui::IsItemHovered()) return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     for (int i = 0; i < static_cast<int>(state.choice.parts.size()); ++i)
         if (holds(label_rect(state.choice, i, view), mouse)) state.label_under = i;
@@ -113,7 +112,7 @@ void settings_popup(CompareState& state) {
         Setting& part = state.choice.parts[static_cast<std::size_t>(state.asked)];
         if (setting.kind != last) ImGui::Separator();
         last = setting.kind;
-        const bool can = setting.kind != Setting::Kind::Stored || state.choice.stored.has_value();
+        const bool can = setting.kind != Setting::Kind::Stored || state.choice.stored != nullptr;
         const auto flags = can ? 0 : ImGuiSelectableFlags_Disabled;
         if (ImGui::Selectable(label_of(setting).c_str(), part == setting, flags)) part = setting;
         if (!can) tooltip("B, stored", "Store a scene first", "", keys_of(CommandId::StoreB));
@@ -121,30 +120,52 @@ void settings_popup(CompareState& state) {
     ImGui::EndPopup();
 }
 
-}  // namespace
-
-bool compare_hand(CompareState& state, const PictureView& view) {
-    if (!state.choice.on || !ImGui::IsMousePosValid()) return false;
-    if (state.dragged < 0) {
-        find_under(state, view);
-        if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-            state.dragged = state.under;
-            if (state.label_under >= 0) {
-                state.asked = state.label_under;
-                ImGui::OpenPopup("##part");
-            }
-        }
-    } else {
-        drag(state, view);
-        if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.dragged = -1;
-    }
-    if (state.under >= 0 || state.dragged >= 0)
+/// Lines are dragged, labels clicked. The scope's line that is about to be drawn may begin on either.
+bool compare_hover(ToolFrame& frame) {
+    CompareState& state = frame.state.views.compare;
+    state.under = state.label_under = -1;
+    if (!state.choice.on || !frame.over || frame.state.views.scope.armed) return false;
+    find_under(state, frame.view);
+    if (state.under >= 0)
         ImGui::SetMouseCursor(state.choice.stacked ? ImGuiMouseCursor_ResizeNS : ImGuiMouseCursor_ResizeEW);
     if (state.label_under >= 0) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    return state.dragged >= 0 || state.under >= 0 || state.label_under >= 0;
+    return state.under >= 0 || state.label_under >= 0;
 }
 
-void draw_compare(ImDrawList& list, CompareState& state, const PictureView& view) {
+int compare_press(ToolFrame& frame) {
+    CompareState& state = frame.state.views.compare;
+    if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return not_taken;
+    state.dragged = state.under;
+    if (state.label_under >= 0) {
+        state.asked = state.label_under;
+        ImGui::OpenPopup("##part");
+    }
+    return state.dragged >= 0 ? ImGuiMouseButton_Left : not_taken;
+}
+
+bool compare_drag(ToolFrame& frame) {
+    CompareState& state = frame.state.views.compare;
+    if (!state.choice.on || state.dragged >= static_cast<int>(state.choice.wipes.size())) {
+        state.dragged = -1;
+        return false;
+    }
+    drag(state, frame.view);
+    ImGui::SetMouseCursor(state.choice.stacked ? ImGuiMouseCursor_ResizeNS : ImGuiMouseCursor_ResizeEW);
+    return true;
+}
+
+void compare_release(ToolFrame& frame) { frame.state.views.compare.dragged = -1; }
+
+std::string compare_hint(const UiState& ui) {
+    const CompareState& state = ui.views.compare;
+    if (!state.choice.on) return {};
+    if (state.under >= 0 || state.dragged >= 0) return "Drag the line";
+    return state.label_under >= 0 ? "Click: what this part shows" : "";
+}
+
+/// Lines and labels; the list of a part's settings once its label was clicked.
+void draw_compare(ImDrawList& list, UiState& ui, const PictureView& view) {
+    CompareState& state = ui.views.compare;
     if (!state.choice.on) return;
     if (!state.choice.difference) {
         for (int i = 0; i < static_cast<int>(state.choice.wipes.size()); ++i) draw_wipe(list, state, i, view);
@@ -153,5 +174,10 @@ void draw_compare(ImDrawList& list, CompareState& state, const PictureView& view
     }
     settings_popup(state);
 }
+
+}  // namespace
+
+const Tool compare_tool{compare_hover, compare_press, compare_drag, compare_release,
+                        nullptr,       compare_hint,  draw_compare};
 
 }  // namespace glint

@@ -29,7 +29,7 @@ void draw_parts(CompareState& state, const DrawnScene& drawn) {
     state.drawn_by.assign(choice.parts.size(), &drawn.renderer);
     state.ms = 0;
     for (std::size_t i = 0; i < choice.parts.size(); ++i) {
-        const Scene scene = scene_under(choice.parts[i], drawn.scene, choice.stored);
+        const Scene scene = scene_under(choice.parts[i], drawn.scene, choice.stored.get());
         if (scene == drawn.scene) continue;
         if (!state.renderers[i]) state.renderers[i] = std::make_unique<Renderer>(drawn.threads);
         state.pictures[i] =

@@ -22,11 +22,11 @@ struct CompareChoice {
     std::vector<Setting> parts{setting_of(ShadingMode::Flat), setting_of(ShadingMode::Gouraud),
                                setting_of(ShadingMode::Phong)};  // 2 or 3, from left to right
     std::vector<double> wipes{1.0 / 3, 2.0 / 3};  // #parts - 1, rising: shares of the picture's length
-    bool stacked = false;         // parts from top to bottom under level lines, the length being the height
-    bool difference = false;      // of the first and the last part, in place of all parts
-    int gain = 1;                 // of the difference: 1, 2, 4 ... 64
-    std::optional<Scene> stored;  // "B"
-    bool shows_stored = false;    // B alone in place of the picture
+    bool stacked = false;     // parts from top to bottom under level lines, the length being the height
+    bool difference = false;  // of the first and the last part, in place of all parts
+    int gain = 1;             // of the difference: 1, 2, 4 ... 64
+    std::shared_ptr<const Scene> stored;  // "B": shared, as choices are copied and compared in every frame
+    bool shows_stored = false;            // B alone in place of the picture
     bool operator==(const CompareChoice&) const = default;
 };
 inline constexpr int most_gain = 64;
@@ -74,11 +74,5 @@ const Picture& compose(CompareState& state, const DrawnScene& drawn);
 
 /// Sets how many parts there are, their lines spread evenly.
 void set_parts(CompareChoice& choice, std::vector<Setting> parts);
-
-/// Reads the mouse over the picture: lines are dragged, labels clicked. True while it has the mouse.
-[[nodiscard]] bool compare_hand(CompareState& state, const PictureView& view);
-
-/// Lines and labels; the list of a part's settings once its label was clicked.
-void draw_compare(ImDrawList& list, CompareState& state, const PictureView& view);
 
 }  // namespace glint

@@ -66,7 +66,7 @@ std::string label_of(Setting setting) {
     return {};  // not reached
 }
 
-Scene scene_under(Setting setting, const Scene& edited, const std::optional<Scene>& stored) {
+Scene scene_under(Setting setting, const Scene& edited, const Scene* stored) {
     const auto index = static_cast<std::size_t>(setting.index);
     Scene scene = edited;
     switch (setting.kind) {
@@ -82,7 +82,7 @@ Scene scene_under(Setting setting, const Scene& edited, const std::optional<Scen
         scene.shading.interpolation = static_cast<Interpolation>(index);
         break;
     case Setting::Kind::Stored:
-        if (!stored) break;
+        if (stored == nullptr) break;
         scene = *stored;
         scene.camera = edited.camera;
         break;

@@ -31,8 +31,8 @@ struct Setting {
 /// "Gouraud", "As edited", "B".
 [[nodiscard]] std::string label_of(Setting setting);
 
-/// The scene that a setting shows, seen by the edited scene's camera. Stored without a stored scene: as
-/// edited.
-[[nodiscard]] Scene scene_under(Setting setting, const Scene& edited, const std::optional<Scene>& stored);
+/// The scene that a setting shows, seen by the edited scene's camera. Stored without a stored scene (null):
+/// as edited.
+[[nodiscard]] Scene scene_under(Setting setting, const Scene& edited, const Scene* stored);
 
 }  // namespace glint

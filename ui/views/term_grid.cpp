@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ui/inspector/equation/parts.h"
+#include "ui/inspector/previews.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
@@ -197,7 +198,7 @@ void term_grid_tab(UiState& state, const PictureView& view) {
     const std::optional<GridCell> alone = pointed ? pointed : grid.solo;
     for (const GridCell cell : grid_cells(scene))
         if (alone ? cell == *alone : !is_among(grid.muted, cell)) shown.push_back(cell);
-    if (alone || !grid.muted.empty()) state.preview = with_cells(scene, shown);
+    if (alone || !grid.muted.empty()) show_instead(state, with_cells(scene, shown), "");
 }
 
 }  // namespace glint

@@ -59,7 +59,7 @@ void ask_part(UiState& state) {
     state.why = renderer->explain(pixel.x, pixel.y);
     const int part = part_of(compare, pixel, state.shown->size);
     const Setting setting = compare.choice.parts[static_cast<std::size_t>(part)];
-    state.explained = item_counts(scene_under(setting, state.drawn, compare.choice.stored));
+    state.explained = item_counts(scene_under(setting, state.drawn, compare.choice.stored.get()));
     if (!is_explained(state)) state.why.reset();
 }
 
@@ -70,23 +70,7 @@ void look_at(ViewsState& views, Look look, bool keep_comparing) {
     if (!keep_comparing) views.compare.choice.on = false;
 }
 
-void begin_views(UiState& state) {
-    state.layout.scope = state.views.scope.open;
-    const CompareChoice& choice = state.views.compare.choice;
-    if (choice.shows_stored && !state.preview)
-        state.preview = scene_under({Setting::Kind::Stored, 0}, state.editor.scene(), choice.stored);
-}
-
-bool views_hand(UiState& state, const PictureView& view) {
-    ViewsState& views = state.views;
-    if (magnifier_hand(views.magnifier, view)) return true;
-    if (views.scope.hand == ScopeState::Hand::None && !views.scope.armed &&
-        compare_hand(views.compare, view)) {
-        views.scope.under = ScopeState::Hand::None;
-        return true;
-    }
-    return scope_hand(views.scope, view);
-}
+void begin_views(UiState& state) { state.layout.scope = state.views.scope.open; }
 
 bool views_need_linear(const ViewsState& views) { return views.scope.open || views.look.set.over_range; }
 
@@ -97,15 +81,6 @@ void update_views(UiState& state) {
     update_scope(state.views.scope, *state.renderer, readable ? *state.shown : *state.picture);
     ask_part(state);
     update_lit_dots(state.views.lit, *state.renderer, state.picture->size, state.picture_serial);
-}
-
-void draw_views_overlay(ImDrawList& list, UiState& state, const PictureView& view) {
-    draw_big_pixels(list, state.views.magnifier, view, *state.shown, *state.renderer, state.drawn,
-                    probe_pixel(state.viewport, view.map.size));
-    draw_lit_dots(list, state.views.lit, *state.renderer, state.drawn, view);
-    draw_compare(list, state.views.compare, view);
-    draw_look_legend(list, state.views.look, state.drawn, view, probe_pixel(state.viewport, view.map.size));
-    draw_scope_line(list, state.views.scope, view);
 }
 
 void views_windows(UiState& state, const Layout& layout) {
@@ -122,30 +97,6 @@ void views_windows(UiState& state, const Layout& layout) {
     }
 }
 
-std::string views_hint(const ViewsState& views) {
-    using Hand = ScopeState::Hand;
-    const ScopeState& scope = views.scope;
-    const CompareState& compare = views.compare;
-    if (compare.choice.on && (compare.under >= 0 || compare.dragged >= 0)) return "Drag the line";
-    if (compare.choice.on && compare.label_under >= 0) return "Click: what this part shows";
-    if (!scope.open) return {};
-    switch (scope.hand != Hand::None ? scope.hand : scope.under) {
-    case Hand::None:
-        return {};
-    case Hand::New:
-        return "Drag a line over the picture · Click: the whole scan line · Shift: level or upright · Esc: "
-               "not now";
-    case Hand::From:
-    case Hand::To:
-        return "Drag the end of the line · Shift: level or upright";
-    case Hand::Line:
-        return "Drag the line";
-    case Hand::Card:
-        return "Drag the card over one side of an edge: the band beside it goes";
-    }
-    return {};  // not reached
-}
-
 void follow_b_key(UiState& state, bool held) {
     constexpr double long_press = 0.4;  // seconds
     constexpr int enough_frames = 2;    // one slow frame makes no long press
@@ -158,12 +109,6 @@ void follow_b_key(UiState& state, bool held) {
     compare.b_turned = false;
     if (compare.b_frames > enough_frames && ImGui::GetTime() - compare.b_since > long_press)
         compare.choice.shows_stored = !compare.choice.shows_stored;
-}
-
-bool leave_view_tool(ViewsState& views) {
-    if (!views.scope.armed) return false;
-    views.scope.armed = false;
-    return true;
 }
 
 }  // namespace glint

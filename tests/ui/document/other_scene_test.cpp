@@ -76,7 +76,7 @@ TEST_CASE("the last picture answers only for a scene with its surfaces", "[ui][o
     CHECK_FALSE(answers());
     bench.frames(1);
     CHECK(answers());
-    bench.state.preview = before;  // another scene on the screen
+    bench.state.why_column.instead = before;  // another scene on the screen
     bench.frames(1);
     CHECK_FALSE(answers());
 }
@@ -107,7 +107,7 @@ TEST_CASE("the columns say nothing of a scene that is gone, while a preview show
     REQUIRE(bench.state.why->object_index == 2);
     const Scene shown = bench.scene();
     bench.scene().objects.resize(1);
-    bench.state.preview = shown;
+    bench.state.why_column.instead = shown;
     bench.frames(1);
     CHECK_FALSE(bench.state.why.has_value());
 }

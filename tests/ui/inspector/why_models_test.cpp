@@ -49,7 +49,7 @@ TEST_CASE("while a scene with other objects is on the screen the models wait", "
     other.objects.push_back(other.objects.front());
     other.objects.back().transform.translate = {0, 0, 1.5f};
     for (int i = 0; i < 3; ++i) {
-        bench.state.preview = other;
+        bench.state.why_column.instead = other;
         bench.frames(1);
     }
     CHECK(bench.state.drawn.objects.size() == 2);

@@ -6,6 +6,7 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/ui_bench.h"
+#include "ui/picture/draw_picture.h"
 
 using namespace glint;
 using test::Bench;
@@ -57,8 +58,8 @@ TEST_CASE("a preview shows for a frame and leaves the scene, the history and the
     REQUIRE(bench.state.why.has_value());
     const glm::vec3 sum = bench.state.why->sum;
     const Scene scene = bench.scene();
-    bench.state.preview = scene;
-    bench.state.preview->lights.clear();
+    bench.state.why_column.instead = scene;
+    bench.state.why_column.instead->lights.clear();
     bench.frame();
     CHECK(bench.state.drawn.lights.empty());
     CHECK(bench.scene() == scene);
@@ -67,6 +68,84 @@ TEST_CASE("a preview shows for a frame and leaves the scene, the history and the
     bench.frame();
     CHECK(bench.state.drawn == scene);
     CHECK_FALSE(bench.state.editor.unsaved());
+}
+
+TEST_CASE(
+    "of several scenes in place of the edited one the frozen shows, then the animated, the pointed at, B",
+    "[ui][window]") {
+    Bench bench;
+    bench.frames(2);
+    const auto with_ambient = [&](float ambient) {
+        Scene scene = bench.scene();
+        scene.global_ambient.x = ambient;
+        return scene;
+    };
+    CHECK_FALSE(preview_of(bench.state).has_value());
+    CompareChoice& compare = bench.state.views.compare.choice;
+    compare.stored = std::make_shared<const Scene>(with_ambient(4));
+    CHECK_FALSE(preview_of(bench.state).has_value());  // stored, and not looked at
+    compare.shows_stored = true;
+    CHECK(preview_of(bench.state)->global_ambient.x == 4);
+    bench.state.why_column.instead = with_ambient(3);
+    CHECK(preview_of(bench.state)->global_ambient.x == 3);
+    bench.state.animate.frame = with_ambient(2);
+    CHECK(preview_of(bench.state)->global_ambient.x == 2);
+    bench.state.lecture.frozen = with_ambient(1);
+    CHECK(preview_of(bench.state)->global_ambient.x == 1);
+}
+
+TEST_CASE("nothing is to be drawn while B rests on the screen", "[ui][window]") {
+    Bench bench;
+    bench.frames(2);
+    bench.key(Key::B, true);
+    bench.scene().lights[0].intensity = 0.25f;
+    bench.key(Key::B);
+    bench.frames(3);
+    bench.state.notifications.list.clear();
+    bench.frames(2);
+    CHECK(bench.state.drawn.lights[0].intensity != 0.25f);
+    CHECK(bench.frame().sleep_s > 0);
+}
+
+TEST_CASE("B is one scene, however often what is compared is copied and remembered", "[ui][compare]") {
+    Bench bench;
+    bench.frames(2);
+    bench.key(Key::C);
+    bench.key(Key::B, true);
+    bench.frames(3);
+    const ViewsState& views = bench.state.views;
+    REQUIRE(views.compare.choice.stored != nullptr);
+    CHECK(&*views.shown_from.compare.stored == &*views.compare.choice.stored);
+}
+
+TEST_CASE("Escape leaves the innermost thing first, one a press", "[ui][window]") {
+    Bench bench;
+    bench.click(bench.at_pixel({400, 300}));
+    bench.frames(2);
+    UiState& state = bench.state;
+    const Scene before = bench.scene();
+    bench.key(Key::P);
+    state.layout.bare = state.lecture.pen.on = state.lecture.wedge.open = state.shows_shortcuts = true;
+    bench.frames(1);
+    state.asks_overwrite = true;
+    const auto open_now = [&] {
+        return std::vector<bool>{state.asks_overwrite,
+                                 state.shows_shortcuts,
+                                 state.lecture.wedge.open,
+                                 state.lecture.pen.on,
+                                 state.layout.bare,
+                                 state.views.scope.armed,
+                                 state.viewport.probe.has_value()};
+    };
+    std::vector<bool> left(7, true);
+    REQUIRE(open_now() == left);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        bench.key(Key::Escape);
+        bench.frames(2);
+        left[i] = false;
+        CHECK(open_now() == left);
+    }
+    CHECK(bench.scene() == before);
 }
 
 TEST_CASE("a light is dragged by its handle, which stays under the cursor, as one step", "[ui][window]") {
