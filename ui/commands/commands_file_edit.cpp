@@ -4,10 +4,9 @@
 #include <filesystem>
 
 #include "ui/commands/command_rows.h"
-#include "ui/commands/palette.h"
+#include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
 #include "ui/export/clipboard.h"
-#include "ui/export/command_text.h"
 #include "ui/picture/draw_picture.h"
 
 namespace glint {
@@ -15,15 +14,15 @@ namespace {
 
 void copy_command(UiState& state) {
     const std::string command =
-        render_command_text(state.editor.document, state.editor.saved, state.picture->size, 1,
+        render_command_text(state.editor.document, state.editor.saved, state.rendered->size, 1,
                             std::filesystem::path(offered_name(state, ".png")).filename().string());
     ImGui::SetClipboardText(command.c_str());
     state.notifications.add(Tone::Done, "The command that draws this picture is on the clipboard");
 }
 
-std::string why_no_copy(const UiState& state) {
+std::string copy_disabled_reason(const UiState& state) {
     if (state.exporting.job) return unless_busy(true);
-    return state.picture == nullptr ? unless_drawn(nullptr) : why_no_clipboard();
+    return state.rendered == nullptr ? unless_drawn(nullptr) : clipboard_disabled_reason();
 }
 
 void add_bulb(UiState& state) {
@@ -51,14 +50,14 @@ void choose_gizmo(UiState& state, GizmoMode mode) {
 
 /// The point stays where it was picked, so that the pixel there goes on showing it while all else turns.
 void rotate_about_picked(UiState& state) {
-    state.editor.selection = {Selection::Kind::Object, state.why->object_index};
+    state.editor.selection = {Selection::Kind::Object, state.explanation->object_index};
     state.viewport.gizmo = GizmoMode::Rotate;
-    state.viewport.pivot = glm::dvec3(state.why->spaces.world);
+    state.viewport.pivot = glm::dvec3(state.explanation->spaces.world);
 }
 
 void type_numbers(UiState& state) {
     state.layout.left = state.types_into_panel = true;
-    state.layout.folded = state.left_shows_why = false;
+    state.layout.hides_columns = state.left_shows_inspector = false;
 }
 
 }  // namespace
@@ -90,7 +89,7 @@ std::vector<Command> file_commands() {
          .keys = {{Key::F12}},
          .menu = Menu::File,
          .run = [](UiState& s) { s.files.ask(FilePurpose::SavePicture, offered_name(s, ".png")); },
-         .why_disabled = [](const UiState& s) { return unless_drawn(s.picture); },
+         .why_disabled = [](const UiState& s) { return unless_drawn(s.rendered); },
          .line_above = true},
         {.name = "Export picture…",
          .keys = {{Key::E, ctrl}},
@@ -101,12 +100,12 @@ std::vector<Command> file_commands() {
          .keys = {{Key::C, ctrl, shift}},
          .menu = Menu::File,
          .run = begin_copy,
-         .why_disabled = why_no_copy},
+         .why_disabled = copy_disabled_reason},
         {.name = "Copy as command",
          .keys = {{Key::K, ctrl, shift}},
          .menu = Menu::File,
          .run = copy_command,
-         .why_disabled = [](const UiState& s) { return unless_drawn(s.picture); }},
+         .why_disabled = [](const UiState& s) { return unless_drawn(s.rendered); }},
         {.name = "Quit",
          .keys = {{Key::Q, ctrl}},
          .menu = Menu::File,
@@ -175,7 +174,7 @@ std::vector<Command> edit_commands() {
          .is_on = [](const UiState& s) { return s.viewport.gizmo == GizmoMode::Rotate && s.viewport.pivot; },
          .why_disabled =
              [](const UiState& s) {
-                 return unless(is_explained(s) && s.why->hit, "No point is picked: click one");
+                 return unless(is_explained(s) && s.explanation->hit, "No point is picked: click one");
              }},
         {.name = "Scale the object by hand",
          .keys = {{Key::T}},

@@ -1,7 +1,7 @@
 // The commands of the menus Lecture and Help.
 #include "ui/commands/command_rows.h"
 #include "ui/document/document_actions.h"
-#include "ui/lecture/folder_scenes.h"
+#include "ui/lecture/lecture.h"
 
 namespace glint {
 namespace {
@@ -24,8 +24,8 @@ void open_other(UiState& state, int step) {
 void switch_projector(UiState& state) {
     LectureState& lecture = state.lecture;
     lecture.projector = !lecture.projector;
-    if (lecture.projector) lecture.folded_before = state.layout.folded;
-    state.layout.folded = lecture.projector || lecture.folded_before;
+    if (lecture.projector) lecture.hid_columns_before = state.layout.hides_columns;
+    state.layout.hides_columns = lecture.projector || lecture.hid_columns_before;
 }
 
 void switch_frozen(UiState& state) {
@@ -33,7 +33,7 @@ void switch_frozen(UiState& state) {
     if (frozen)
         frozen.reset();
     else
-        frozen = state.drawn;
+        frozen = state.rendered_scene;
 }
 
 void switch_animate(UiState& state) {
@@ -62,14 +62,14 @@ std::vector<Command> lecture_commands() {
         {.name = "Clean picture: no handles, no panels",
          .keys = {{Key::F10}},
          .menu = Menu::Lecture,
-         .run = [](UiState& s) { s.layout.bare ^= true; },
-         .is_on = [](const UiState& s) { return s.layout.bare; }},
+         .run = [](UiState& s) { s.layout.hides_all ^= true; },
+         .is_on = [](const UiState& s) { return s.layout.hides_all; }},
         {.name = "Freeze the picture",
          .keys = {{Key::F8}},
          .menu = Menu::Lecture,
          .run = switch_frozen,
          .is_on = [](const UiState& s) { return s.lecture.frozen.has_value(); },
-         .why_disabled = [](const UiState& s) { return unless_drawn(s.picture); },
+         .why_disabled = [](const UiState& s) { return unless_drawn(s.rendered); },
          .id = CommandId::Freeze},
         {.name = "Pen",
          .keys = {{Key::W}},

@@ -2,7 +2,6 @@
 #include <imgui.h>
 
 #include "ui/commands/command_rows.h"
-#include "ui/picture/camera_views.h"
 #include "ui/picture/orbit.h"
 #include "ui/ui.h"
 #include "ui/views/views.h"
@@ -28,7 +27,7 @@ template <ViewFrom side> void look_from(UiState& state) {
 
 void switch_projection(UiState& state) {
     Camera& camera = state.editor.scene().camera;
-    if (state.picture != nullptr) camera = other_projection(camera, state.picture->size);
+    if (state.rendered != nullptr) camera = other_projection(camera, state.rendered->size);
 }
 
 void keep_this_view(UiState& state) {
@@ -53,13 +52,13 @@ void switch_magnifier(UiState& state) {
 }
 
 void step_look(UiState& state, int steps) {
-    look_at(state.views, look_after(state.views.look.set.choice.look, steps));
+    show_quantity(state.views, look_after(state.views.look.set.choice.look, steps));
 }
 
 void switch_over_range(UiState& state) {
     LookSet& look = state.views.look.set;
     look.over_range = !look.over_range;
-    if (look.over_range) look_at(state.views, Look::Picture, state.views.compare.choice.on);
+    if (look.over_range) show_quantity(state.views, Look::Picture, state.views.compare.choice.on);
 }
 
 void switch_b(UiState& state) {
@@ -158,8 +157,8 @@ std::vector<Command> looking_commands() {
         {.name = "Vectors at the picked point",
          .keys = {{Key::V}},
          .menu = Menu::View,
-         .run = [](UiState& s) { s.why_column.shows_vectors ^= true; },
-         .is_on = [](const UiState& s) { return s.why_column.shows_vectors; }},
+         .run = [](UiState& s) { s.inspector.shows_vectors ^= true; },
+         .is_on = [](const UiState& s) { return s.inspector.shows_vectors; }},
         {.name = "Next quantity in place of the picture",
          .keys = {{Key::I}},
          .menu = Menu::View,
@@ -232,18 +231,18 @@ std::vector<Command> layout_commands() {
     return {
         {.name = "Scene column",
          .menu = Menu::View,
-         .run = [](UiState& s) { s.layout.left = !s.layout.left, s.layout.folded = false; },
-         .is_on = [](const UiState& s) { return s.layout.left && !s.layout.folded; },
+         .run = [](UiState& s) { s.layout.left = !s.layout.left, s.layout.hides_columns = false; },
+         .is_on = [](const UiState& s) { return s.layout.left && !s.layout.hides_columns; },
          .line_above = true},
         {.name = "Why column",
          .menu = Menu::View,
-         .run = [](UiState& s) { s.layout.right = !s.layout.right, s.layout.folded = false; },
-         .is_on = [](const UiState& s) { return s.layout.right && !s.layout.folded; }},
+         .run = [](UiState& s) { s.layout.right = !s.layout.right, s.layout.hides_columns = false; },
+         .is_on = [](const UiState& s) { return s.layout.right && !s.layout.hides_columns; }},
         {.name = "Picture alone",
          .keys = {{Key::F11}},
          .menu = Menu::View,
-         .run = [](UiState& s) { s.layout.folded ^= true; },
-         .is_on = [](const UiState& s) { return s.layout.folded; }},
+         .run = [](UiState& s) { s.layout.hides_columns ^= true; },
+         .is_on = [](const UiState& s) { return s.layout.hides_columns; }},
         {.name = "Light theme",
          .menu = Menu::View,
          .run = [](UiState& s) { s.dark ^= true; },

@@ -1,10 +1,9 @@
-#include "ui/commands/menu_bar.h"
-
 #include <imgui.h>
 
 #include <filesystem>
 
 #include "ui/commands/command.h"
+#include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -31,7 +30,7 @@ void menu_item(UiState& state, const Command& command) {
 }
 
 void recent_menu(UiState& state) {
-    const auto& recent = state.memory.recent;
+    const auto& recent = state.persistence.recent;
     if (!ImGui::BeginMenu("Open recent", !recent.empty())) return;
     std::string chosen;
     for (const std::string& path : recent) {

@@ -4,10 +4,10 @@
 
 #include "models/scene/mistakes.h"
 #include "ui/commands/command.h"
-#include "ui/commands/palette.h"
+#include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
-#include "ui/fields/choices.h"
-#include "ui/fields/material_panel.h"
+#include "ui/fields/field_panel.h"
+#include "ui/fields/panels.h"
 #include "ui/picture/handles/light_place.h"
 
 namespace glint {
@@ -96,7 +96,7 @@ void add_light_choices(Entries& entries, const UiState& state) {
                            light.kind == kind ? "Light · chosen" : "Light", "", "",
                            [light_of, kind](UiState& s) {
                                const Scene& scene = s.editor.scene();
-                               const ScreenMap map = screen_map(scene.camera, s.picture->size);
+                               const ScreenMap map = screen_map(scene.camera, s.rendered->size);
                                const Dome dome = sun_dome(scene.camera.target, scene_bounds(scene), map);
                                light_of(s) = as_kind(light_of(s), kind, dome, map);
                            }});
@@ -128,7 +128,7 @@ void add_open(Entries& entries, std::string name, std::string group, const std::
 }
 
 void add_recent(Entries& entries, const UiState& state) {
-    for (const std::string& path : state.memory.recent) {
+    for (const std::string& path : state.persistence.recent) {
         const std::filesystem::path file(path);
         add_open(entries, fmt::format("Open {}", file.filename().string()), file.parent_path().string(),
                  path);

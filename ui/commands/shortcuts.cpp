@@ -1,5 +1,3 @@
-#include "ui/commands/shortcuts.h"
-
 #include <imgui.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <utility>
 
 #include "ui/commands/command.h"
+#include "ui/commands/menus.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"

@@ -42,7 +42,7 @@ void begin_mesh(UiState& state, const MeshSource& source, int index);
 
 /// Once a frame, before anything is drawn: takes what has come. Meshes that an edit left unloaded are made
 /// at once where that is quick, else they are begun. A problem is a notification, and the scene stays.
-void tend_loads(UiState& state);
+void poll_loads(UiState& state);
 
 /// Whether an object waits for its mesh: no undo step yet.
 [[nodiscard]] bool awaits_mesh(const UiState& state);

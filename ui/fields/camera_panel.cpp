@@ -1,14 +1,11 @@
-#include "ui/fields/camera_panel.h"
-
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "ui/document/limits.h"
 #include "ui/fields/field_panel.h"
-#include "ui/picture/camera_views.h"
+#include "ui/fields/panels.h"
 #include "ui/picture/orbit.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
@@ -38,7 +35,7 @@ bool look_from(Camera& camera) {
         {"Front", CommandId::ViewFront, ViewFrom::Front}, {"Right", CommandId::ViewRight, ViewFrom::Right},
         {"Above", CommandId::ViewTop, ViewFrom::Top},     {"Behind", CommandId::ViewBack, ViewFrom::Back},
         {"Left", CommandId::ViewLeft, ViewFrom::Left},    {"Below", CommandId::ViewBottom, ViewFrom::Bottom}};
-    section("Look from");
+    section_heading("Look from");
     const Camera before = camera;
     const float gap = px(3), width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
     for (int i = 0; i < 6; ++i) {
@@ -69,7 +66,7 @@ bool camera_panel(Camera& camera, PictureSize size) {
     FieldPanel panel(camera, "/camera");
     bool edited = panel.draw({"eye", "target", "up"}).rest().edited();
     edited |= look_from(camera);
-    section("Projection");
+    section_heading("Projection");
     ProjectionKind kind = kind_of(camera.projection);
     if (choice_field("Kind", kind, {"How the view volume is projected", "/camera/projection/type"})) {
         camera.projection = as_projection(camera, kind, size);

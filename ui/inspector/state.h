@@ -11,10 +11,10 @@
 namespace glint {
 
 /// One answer to "why that colour?" each; their labels and order are in ui/inspector/tabs.cpp.
-enum class WhyTab { Equation, Vectors, Plots, Grid, Models, Sensitivity, Mistakes, Matrices, Outside };
+enum class InspectorTab { Equation, Vectors, Plots, Grid, Models, Sensitivity, Mistakes, Matrices, Outside };
 
-struct WhyState {
-    WhyTab tab = WhyTab::Equation;
+struct InspectorState {
+    InspectorTab tab = InspectorTab::Equation;
     int corner = 0;                                  // whose numbers are listed under Gouraud and flat
     int channel = 0;                                 // whose product is written out: 0 red, 1 green, 2 blue
     bool shows_vectors = true, shows_facet = false;  // in the picture

@@ -1,14 +1,54 @@
 #pragma once
 // What the window does for a lecture: large type, a clean picture, freeze, pen, a step wedge.
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "models/scene/scene.h"
-#include "ui/lecture/step_wedge.h"
 #include "ui/picture/pen.h"
 
 namespace glint {
+
+// Patches that differ little from their ground: which of them a projector, in its room, still tells apart.
+
+/// Differences in steps of 1/255 of the display's range.
+inline constexpr std::array<int, 10> wedge_steps{1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
+
+/// A ground and what is seen on it.
+struct WedgeRow {
+    const char* name;  // "black"
+    int ground;        // 0 .. 255
+    int sign;          // patches are ground + sign * step
+    int seen = -1;     // index of the smallest step seen; -1: not asked yet; wedge_steps.size(): none
+    bool operator==(const WedgeRow&) const = default;
+};
+
+struct WedgeState {
+    bool open = false;
+    std::array<WedgeRow, 3> rows{{{"black", 0, 1}, {"grey", 128, 1}, {"white", 255, -1}}};
+};
+
+/// What a row's answer means: "On black, differences below 6/255 are swallowed: a colour of 0.02 is black."
+[[nodiscard]] std::string wedge_words(const WedgeRow& row);
+
+/// The whole window, while it is open.
+void step_wedge(WedgeState& wedge);
+
+// The scenes of a folder, in the order in which a person would count them.
+
+/// Numbers within names count as numbers, capitals do not: "Step 2" < "step 10" < "step 10b".
+[[nodiscard]] bool natural_less(std::string_view a, std::string_view b);
+
+/// The scene files (.json) of a folder in that order, as paths. Hidden ones are left out; empty when the
+/// folder cannot be read.
+[[nodiscard]] std::vector<std::string> folder_scenes(const std::string& folder);
+
+/// The scene `step` places after `path` (before it, when negative) in its folder; for a path that is not in
+/// the list the one that would be next to it. Empty when there is none.
+[[nodiscard]] std::string scene_beside(const std::string& path, int step);
 
 struct UiState;
 
@@ -16,9 +56,9 @@ struct UiState;
 inline constexpr float projector_scale = 1.4f;
 
 struct LectureState {
-    bool projector = false;       // large type, strong contrast
-    bool folded_before = false;   // the layout that it found
-    std::optional<Scene> frozen;  // shown whatever is edited
+    bool projector = false;           // large type, strong contrast
+    bool hid_columns_before = false;  // the layout that it found
+    std::optional<Scene> frozen;      // shown whatever is edited
     PenState pen;
     WedgeState wedge;
 };

@@ -45,7 +45,7 @@ void draw_number(ImDrawList& list, const PictureView& view, const Picture& shown
     const bool three = view.units_per_pixel >= px(least_three) && !(r == g && g == b);
     const std::string text = three ? fmt::format("{}\n{}\n{}", r, g, b)
                                    : fmt::format("{}", (2126 * r + 7152 * g + 722 * b + 5000) / 10000);
-    const float height = std::min(view.units_per_pixel * (three ? 0.28f : 0.4f), fonts().small->FontSize);
+    const float height = std::min(view.units_per_pixel * (three ? 0.28f : 0.4f), small_text_height());
     const ImVec2 size = fonts().figures->CalcTextSizeA(height, 1e9f, 0, text.c_str());
     const ImVec2 middle = view.to_window(glm::dvec2(x, y) + 0.5);
     list.AddText(fonts().figures, height, {middle.x - size.x / 2, middle.y - size.y / 2}, ink, text.c_str());
@@ -55,7 +55,7 @@ void draw_number(ImDrawList& list, const PictureView& view, const Picture& shown
 void draw_edges(ImDrawList& list, const PictureView& view, const Renderer& renderer,
                 const PixelRange& range) {
     const PictureSize size = view.map.size;
-    const ImU32 colour = packed(theme().warning);
+    const ImU32 colour = to_u32(theme().warning);
     for (int y = range.y0; y < range.y1; ++y)
         for (int x = range.x0; x < range.x1; ++x) {
             const auto here = face_at(renderer, size, x, y);
@@ -71,7 +71,7 @@ void draw_picked(ImDrawList& list, const PictureView& view, const Renderer& rend
                  glm::ivec2 picked) {
     const PictureSize size = view.map.size;
     list.AddRect(view.to_window({0, picked.y}), view.to_window({size.width, picked.y + 1}),
-                 packed(theme().accent), 0, 0, px(1.5f));
+                 to_u32(theme().accent), 0, 0, px(1.5f));
     const auto seen = renderer.seen_at(picked.x, picked.y);
     if (!seen || static_cast<std::size_t>(seen->object) >= drawn.objects.size()) return;
     const Object& object = drawn.objects[static_cast<std::size_t>(seen->object)];
@@ -86,7 +86,7 @@ void draw_picked(ImDrawList& list, const PictureView& view, const Renderer& rend
         if (!at.in_front) return list.PathClear();
         list.PathLineTo(view.to_window(at.pixel));
     }
-    list.PathStroke(packed({1, 1, 1, 1}, 0.9f), ImDrawFlags_Closed, px(1.5f));
+    list.PathStroke(to_u32({1, 1, 1, 1}, 0.9f), ImDrawFlags_Closed, px(1.5f));
 }
 
 }  // namespace
@@ -147,20 +147,20 @@ bool magnifier_drag(ToolFrame& frame) {
 /// Squares, their numbers, edges between faces, and the scan line and polygon of the picked pixel. Nothing
 /// before a pixel is large enough.
 void draw_big_pixels(ImDrawList& list, UiState& state, const PictureView& view) {
-    const Picture& shown = *state.shown;
+    const Picture& shown = *state.displayed;
     const Renderer& renderer = *state.renderer;
     const auto picked = probe_pixel(state.viewport, view.map.size);
     if (state.views.magnifier.zoom <= 1 || view.units_per_pixel < px(least_square) ||
         !(shown.size == view.map.size))
         return;
     const PixelRange range = visible(list, view);
-    const ImU32 line = packed({0.5f, 0.5f, 0.5f, 1}, 0.35f);
+    const ImU32 line = to_u32({0.5f, 0.5f, 0.5f, 1}, 0.35f);
     for (int x = range.x0; x <= range.x1; ++x)
         list.AddLine(view.to_window({x, range.y0}), view.to_window({x, range.y1}), line);
     for (int y = range.y0; y <= range.y1; ++y)
         list.AddLine(view.to_window({range.x0, y}), view.to_window({range.x1, y}), line);
     draw_edges(list, view, renderer, range);
-    if (picked) draw_picked(list, view, renderer, state.drawn, *picked);
+    if (picked) draw_picked(list, view, renderer, state.rendered_scene, *picked);
     if (view.units_per_pixel < px(least_number)) return;
     for (int y = range.y0; y < range.y1; ++y)
         for (int x = range.x0; x < range.x1; ++x) draw_number(list, view, shown, x, y);

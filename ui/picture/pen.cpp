@@ -78,7 +78,7 @@ ImVec4 pen_colour(int index) {
 void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view) {
     for (const PenLine& line : pen.lines) {
         for (const bool rim : {true, false}) {  // a dark rim keeps it visible on every ground
-            const ImU32 colour = rim ? IM_COL32(0, 0, 0, 130) : packed(pen_colour(line.colour));
+            const ImU32 colour = rim ? IM_COL32(0, 0, 0, 130) : to_u32(pen_colour(line.colour));
             const float width = px(rim ? line_width + 2 : line_width);
             if (line.places.size() == 1) {
                 list.AddCircleFilled(to_window(line.places[0], view), width * 0.75f, colour);
@@ -105,8 +105,8 @@ void pen_bar(PenState& pen, const PictureView& view) {
         if (hit_area("##colour", {size, size})) pen.colour = i;
         const ImVec2 low = ImGui::GetItemRectMin(), mid{low.x + size / 2, low.y + size / 2};
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        list.AddCircleFilled(mid, size * 0.32f, packed(pen_colour(i)));
-        if (pen.colour == i) list.AddCircle(mid, size * 0.45f, packed(theme().text), 0, px(1.5f));
+        list.AddCircleFilled(mid, size * 0.32f, to_u32(pen_colour(i)));
+        if (pen.colour == i) list.AddCircle(mid, size * 0.45f, to_u32(theme().text), 0, px(1.5f));
         tooltip("Pen", "Draws in this colour over the picture");
         ImGui::PopID();
         ImGui::SameLine(0, px(2));

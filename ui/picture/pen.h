@@ -1,5 +1,6 @@
 #pragma once
-// A pen to draw over the picture with, as on a blackboard. What it draws is nobody's scene and no picture's.
+// A pen to draw over the picture with, as on a blackboard. Strokes are kept apart from the scene and the
+// saved picture.
 
 #include <imgui.h>
 

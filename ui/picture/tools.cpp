@@ -4,9 +4,9 @@
 #include <array>
 
 #include "ui/picture/tool.h"
+#include "ui/shell/modal.h"
 #include "ui/ui.h"
 #include "ui/views/views.h"
-#include "ui/widgets/modal.h"
 
 namespace glint {
 namespace {
@@ -45,7 +45,7 @@ bool cancel_loading(UiState& state) {
 
 bool close_shortcuts(UiState& state) { return std::exchange(state.shows_shortcuts, false); }
 bool close_wedge(UiState& state) { return std::exchange(state.lecture.wedge.open, false); }
-bool show_panels(UiState& state) { return std::exchange(state.layout.bare, false); }
+bool show_panels(UiState& state) { return std::exchange(state.layout.hides_all, false); }
 
 bool forget_probe(UiState& state) {
     if (!state.viewport.probe || ImGui::GetIO().WantTextInput) return false;
@@ -80,9 +80,10 @@ void use_tools(UiState& state, const PictureView& view, const UiInput& input) {
 void draw_tools(ImDrawList& list, UiState& state, const PictureView& view) {
     hand_tool.draw(list, state, view);
     magnifier_tool.draw(list, state, view);
-    draw_lit_dots(list, state.views.lit, *state.renderer, state.drawn, view);
+    draw_lit_dots(list, state.views.lit, *state.renderer, state.rendered_scene, view);
     compare_tool.draw(list, state, view);
-    draw_look_legend(list, state.views.look, state.drawn, view, probe_pixel(state.viewport, view.map.size));
+    draw_look_legend(list, state.views.look, state.rendered_scene, view,
+                     probe_pixel(state.viewport, view.map.size));
     scope_tool.draw(list, state, view);
 }
 

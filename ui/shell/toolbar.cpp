@@ -1,8 +1,7 @@
-#include "ui/shell/toolbar.h"
-
 #include "ui/commands/command.h"
-#include "ui/commands/menu_bar.h"
-#include "ui/fields/choices.h"
+#include "ui/commands/menus.h"
+#include "ui/fields/field_panel.h"
+#include "ui/shell/columns.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
@@ -20,7 +19,7 @@ void caption(const char* text) {
     ImGui::Dummy({size.x, height});
     const ImFont* font = fonts().small;
     ImGui::GetWindowDrawList()->AddText(font, font->FontSize * ImGui::GetIO().FontGlobalScale,
-                                        {at.x, at.y + (height - size.y) / 2}, packed(theme().dim_text), text);
+                                        {at.x, at.y + (height - size.y) / 2}, to_u32(theme().dim_text), text);
     ImGui::SameLine(0, px(6));
 }
 
@@ -63,13 +62,13 @@ void term_switch(const char* letter, const char* name, const char* key, Symbol s
     const ImVec4& colour = theme()[symbol];
     const float radius = size / 2 - px(1);
     if (on)
-        list.AddCircleFilled(middle, radius, packed(colour));
+        list.AddCircleFilled(middle, radius, to_u32(colour));
     else
-        list.AddCircle(middle, radius, packed(ImGui::IsItemHovered() ? colour : theme().disabled_text), 0,
+        list.AddCircle(middle, radius, to_u32(ImGui::IsItemHovered() ? colour : theme().disabled_text), 0,
                        px(1.5f));
     const ImVec2 text = ImGui::CalcTextSize(letter);
     const ImVec4& ink = on ? (theme().dark ? theme().window : ImVec4(1, 1, 1, 1)) : theme().dim_text;
-    list.AddText({middle.x - text.x / 2, middle.y - text.y / 2}, packed(ink), letter);
+    list.AddText({middle.x - text.x / 2, middle.y - text.y / 2}, to_u32(ink), letter);
     tooltip(name, "One term of the equation, on or off", on ? "on" : "off", key);
     ImGui::PopID();
 }

@@ -113,16 +113,16 @@ void set_cursor(const ScopeState& scope) {
 }
 
 void draw_end(ImDrawList& list, ImVec2 at, bool lit) {
-    list.AddCircleFilled(at, px(lit ? 7 : 5.5f), packed({0, 0, 0, 1}, 0.7f));
-    list.AddCircleFilled(at, px(lit ? 5.5f : 4), packed({1, 1, 1, 1}));
+    list.AddCircleFilled(at, px(lit ? 7 : 5.5f), to_u32({0, 0, 0, 1}, 0.7f));
+    list.AddCircleFilled(at, px(lit ? 5.5f : 4), to_u32({1, 1, 1, 1}));
 }
 
 void draw_card(ImDrawList& list, const ScopeState& scope, const PictureView& view) {
     const ImVec2 low = view.to_window((scope.card_at - scope.card_size / 2.0) * size_of(view));
     const ImVec2 high = view.to_window((scope.card_at + scope.card_size / 2.0) * size_of(view));
-    list.AddRectFilled(low, high, packed(theme().surround));
+    list.AddRectFilled(low, high, to_u32(theme().surround));
     if (scope.hand == Hand::Card || scope.under == Hand::Card)
-        list.AddRect(low, high, packed(theme().accent));
+        list.AddRect(low, high, to_u32(theme().accent));
 }
 
 bool scope_hover(ToolFrame& frame) {
@@ -183,15 +183,15 @@ void draw_scope_line(ImDrawList& list, UiState& state, const PictureView& view) 
     if (!scope.open) return;
     if (scope.card) draw_card(list, scope, view);
     const ImVec2 from = place_of(scope.from, view), to = place_of(scope.to, view);
-    list.AddLine(from, to, packed({0, 0, 0, 1}, 0.55f), px(3));
-    list.AddLine(from, to, packed({1, 1, 1, 1}, 0.9f), px(1));
+    list.AddLine(from, to, to_u32({0, 0, 0, 1}, 0.55f), px(3));
+    list.AddLine(from, to, to_u32({1, 1, 1, 1}, 0.9f), px(1));
     draw_end(list, from, scope.hand == Hand::From || scope.under == Hand::From);
     draw_end(list, to, scope.hand == Hand::To || scope.under == Hand::To);
     if (scope.hovered < 0) return;
     const ProfileSample& sample = scope.samples[static_cast<std::size_t>(scope.hovered)];
     const ImVec2 at = view.to_window(glm::dvec2(sample.pixel) + 0.5);
-    list.AddCircle(at, px(7), packed({0, 0, 0, 1}, 0.7f), 0, px(3.5f));
-    list.AddCircle(at, px(7), packed(theme().accent), 0, px(1.8f));
+    list.AddCircle(at, px(7), to_u32({0, 0, 0, 1}, 0.7f), 0, px(3.5f));
+    list.AddCircle(at, px(7), to_u32(theme().accent), 0, px(1.8f));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/shell/layout.h"
+#include "ui/widgets/area.h"
 
 namespace glint {
 

@@ -6,13 +6,13 @@
 
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
-#include "tests/support/ui_bench.h"
 #include "ui/commands/command.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -52,7 +52,7 @@ bool ends_history(const Command& command) {
 
 class Monkey {
   public:
-    Monkey(Bench& bench, unsigned seed) : bench_(bench), random_(seed) {}
+    Monkey(HeadlessWindow& bench, unsigned seed) : bench_(bench), random_(seed) {}
 
     void act() {
         switch (random_() % 16) {
@@ -147,7 +147,7 @@ class Monkey {
         frame({});
     }
 
-    Bench& bench_;
+    HeadlessWindow& bench_;
     std::mt19937 random_;
     std::array<bool, 3> held_{};
 };
@@ -178,7 +178,7 @@ void check_scene(const Scene& scene, int event) {
 }  // namespace
 
 TEST_CASE("a dialog that was left does not hold up what opens next", "[ui]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     for (const Key key : {Key::O, Key::E}) {
         bench.key(key, true);
@@ -200,7 +200,7 @@ TEMPLATE_TEST_CASE_SIG(
     const char* chosen = std::getenv("GLINT_MONKEY_SEED");
     const unsigned seed = run + (chosen != nullptr ? static_cast<unsigned>(std::atoi(chosen)) : first_seed);
     INFO("seed " << seed);
-    Bench bench({900, 420});
+    HeadlessWindow bench({900, 420});
     Monkey monkey(bench, seed);
     int undone = 0, compared = 0;
     for (int event = 0; event < events_a_run; ++event) {

@@ -3,13 +3,13 @@
 
 #include "models/fields/choices.h"
 #include "tests/support/catch.h"
-#include "tests/support/ui_bench.h"
+#include "tests/support/headless_window.h"
 #include "ui/commands/command.h"
 #include "ui/commands/fuzzy.h"
-#include "ui/commands/palette.h"
+#include "ui/commands/menus.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -25,7 +25,7 @@ std::string changed_value(const Scene& before, const Scene& after) {
     return {};
 }
 
-void type(Bench& bench, const char* letters) {
+void type(HeadlessWindow& bench, const char* letters) {
     for (; *letters != 0; ++letters) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(*letters));
     bench.frames(2);
 }
@@ -72,7 +72,7 @@ TEST_CASE("a command changes that value of the scene of which controls show its 
         if (sets.empty()) continue;
         INFO(command.name << " sets " << sets);
         CHECK_FALSE(keys_of_value(sets).empty());
-        Bench bench;
+        HeadlessWindow bench;
         bench.scene().shading.mode = sets.ends_with("\"flat\"") ? ShadingMode::Phong : ShadingMode::Flat;
         const Scene before = bench.scene();
         run_command(bench.state, command);
@@ -86,7 +86,7 @@ TEST_CASE("a command changes that value of the scene of which controls show its 
 }
 
 TEST_CASE("what controls show of keys is what the table of commands says", "[ui][commands]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     bench.frames(2);
     const auto shown_at = [&](const char* control) {
@@ -112,7 +112,7 @@ TEST_CASE("what controls show of keys is what the table of commands says", "[ui]
 
 TEST_CASE("hints for beginners go when a command shows something over the picture, and stay otherwise",
           "[ui][commands]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     REQUIRE_FALSE(bench.state.viewport.touched);
     bench.key(Key::N, true);         // a new scene
@@ -125,7 +125,7 @@ TEST_CASE("hints for beginners go when a command shows something over the pictur
 }
 
 TEST_CASE("every command is found by the palette or opens it, once", "[ui][commands]") {
-    Bench bench;
+    HeadlessWindow bench;
     const auto entries = palette_entries(bench.state);
     for (const Command& command : commands()) {
         if (command.id == CommandId::Palette) continue;
@@ -150,7 +150,7 @@ TEST_CASE("words match by their letters in order, beginnings of words first", "[
 }
 
 TEST_CASE("Ctrl+K, a few letters and Enter do what the best match says", "[ui][palette]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frame();
     bench.key(Key::K, true);
     REQUIRE(bench.state.palette.open);
@@ -165,7 +165,7 @@ TEST_CASE("Ctrl+K, a few letters and Enter do what the best match says", "[ui][p
 }
 
 TEST_CASE("what cannot be done now is shown with its reason and stays undone", "[ui][palette]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frame();
     bench.key(Key::K, true);
     bench.frame();
@@ -181,7 +181,7 @@ TEST_CASE("what cannot be done now is shown with its reason and stays undone", "
 
 TEST_CASE("by keys alone a light is selected, its kind and space chosen, and a number typed",
           "[ui][commands]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const auto choose = [&](const char* letters) {
         bench.key(Key::K, true);
