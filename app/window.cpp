@@ -17,7 +17,7 @@
 #include "app/texture.h"
 #include "app/window_input.h"
 #include "app/x_errors.h"
-#include "ui/preferences/end_jobs.h"
+#include "ui/preferences/persistence.h"
 #include "ui/ui.h"
 #include "ui/widgets/display_scale.h"
 #include "ui/widgets/fonts.h"
@@ -72,7 +72,7 @@ struct Glfw {
     Glfw& operator=(const Glfw&) = delete;
 };
 
-GLFWwindow* make_window(const Settings& remembered) {
+GLFWwindow* make_window(const Preferences& remembered) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 0);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
@@ -197,7 +197,7 @@ class Window {
     }
 
     void note_size() {
-        Settings& settings = state_.memory.settings;
+        Preferences& settings = state_.persistence.preferences;
         settings.maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
         if (!settings.maximized) glfwGetWindowSize(window_, &settings.width, &settings.height);
     }
@@ -217,7 +217,8 @@ class Window {
         UiRequests wants = ui_frame(state_, input_.ui);
         ImGui::Render();
         input_.ui = {};
-        if (state_.picture_serial != uploaded_ && state_.shown != nullptr) texture_->upload(*state_.shown);
+        if (state_.picture_serial != uploaded_ && state_.displayed != nullptr)
+            texture_->upload(*state_.displayed);
         uploaded_ = state_.picture_serial;
         TermGridState& grid = state_.views.grid;
         if (grid.sheet_serial != uploaded_thumbnails_) thumbnails_->upload(grid.sheet);
@@ -238,7 +239,8 @@ class Window {
             return PixelRect{int(std::lround(rect.low.x * dots.x)), int(std::lround(rect.low.y * dots.y)),
                              int(std::lround(rect.high.x * dots.x)), int(std::lround(rect.high.y * dots.y))};
         };
-        texture_->copy_to_window(in_pixels(state_.placed.picture), in_pixels(state_.placed.room), height);
+        texture_->copy_to_window(in_pixels(state_.picture_rect.picture), in_pixels(state_.picture_rect.room),
+                                 height);
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
         glfwSwapBuffers(window_);
     }
@@ -264,10 +266,10 @@ void run_window(const WindowOptions& options) {
     take_document(state.editor, take(first_document(options)));
     state.shipped_scenes = fs::path(default_scene_path()).parent_path().string();
     for (const std::string& warning : state.editor.document.warnings) say_warning(warning);
-    begin_memory(state, state_folder());
+    begin_persistence(state, state_folder());
     const Glfw glfw;
     if (!glfw.ready) throw impossible("no display to open a window on");
-    GLFWwindow* handle = make_window(state.memory.settings);
+    GLFWwindow* handle = make_window(state.persistence.preferences);
     if (handle == nullptr) throw impossible("the display has no OpenGL 3.0");
     glfwSetWindowSizeLimits(handle, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
     open_state = &state;
@@ -276,8 +278,8 @@ void run_window(const WindowOptions& options) {
     if (!window.ready()) throw impossible("the display has no OpenGL 3.0");
     window.run();
     open_state = nullptr;  // all is answered: what is not saved was not to be
-    end_memory(state);
-    // What was partial_sums and nobody waits for any more. All that was to be kept is written.
+    end_persistence(state);
+    // What was begun and nobody waits for any more. All that was to be kept is written.
     glfwHideWindow(handle);
     if (!end_jobs(state, longest_farewell)) std::quick_exit(0);
 }

@@ -16,14 +16,15 @@
 #include "ui/document/editor.h"
 #include "ui/document/file_dialog.h"
 #include "ui/document/loading.h"
-#include "ui/export/animate_state.h"
+#include "ui/export/animation.h"
 #include "ui/export/export_picture.h"
 #include "ui/inspector/outside_view.h"
 #include "ui/inspector/sensitivity_job.h"
 #include "ui/inspector/state.h"
 #include "ui/lecture/lecture.h"
+#include "ui/picture/tool.h"
 #include "ui/picture/viewport.h"
-#include "ui/preferences/memory.h"
+#include "ui/preferences/persistence.h"
 #include "ui/shell/frame_pace.h"
 #include "ui/shell/layout.h"
 #include "ui/shell/notifications.h"
@@ -33,7 +34,7 @@ namespace glint {
 
 /// What waits for the answer to "save changes?".
 struct Pending {
-    enum class What { Nothing, New, Open, TakeUp, Quit };
+    enum class What { Nothing, New, Open, Recover, Quit };
     What what = What::Nothing;
     std::string path;     // to open; of the copy to take up
     bool asking = false;  // the question is on the screen; else the changes are being saved
@@ -49,22 +50,23 @@ struct UiState {
 
     Editor editor;
     ViewportState viewport;
+    ToolCapture capture;  // the tool on the picture that a button holds
     LayoutState layout;
-    WhyState why_column;  // tab and switches
+    InspectorState inspector;  // tab and switches
     SensitivityState sensitivity;
     ViewsState views;  // how the picture is looked at
     Notifications notifications;
     FileDialog files;
     PaletteState palette;
     Loading loading;
-    Memory memory;
+    Persistence persistence;
     ExportState exporting;
     LectureState lecture;
     AnimateState animate;
     Pending pending;
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
     int mesh_for_object = -1;    // whose mesh the file dialog chooses; -1: a new object's
-    bool dark = true, shows_shortcuts = false, left_shows_why = false;
+    bool dark = true, shows_shortcuts = false, left_shows_inspector = false;
     bool types_into_panel = false;  // asked for: the selected item's first field takes the keys
     bool quits = false;
     bool asks_overwrite = false;  // saving would write over what another program put into the file
@@ -74,19 +76,15 @@ struct UiState {
     OutsideState outside;
 
     std::unique_ptr<Renderer> renderer;
-    const Picture* picture = nullptr;  // the last one drawn
-    const Picture* shown = nullptr;    // what the window shows: `picture`, or what ui/views made of it
-    std::uint64_t picture_serial = 0;  // counts what was shown: the texture follows it
-    PlacedPicture placed;              // where it lies in the window
-    Scene drawn;                       // what `picture` shows
-    bool drawn_is_edited = false;      // that was the edited scene, not a preview
-    std::optional<Explanation> why;    // of the probe in `picture`, where that shows the edited scene
-    ItemCounts explained;  // of the scene that `why` is about: it names lights and objects by number
-    glm::ivec2 asked{0};   // the pixel of the whole picture that `why` is about
-    /// A panel that wants another scene on the screen than the edited one (one term alone, one light alone)
-    /// puts it here in every frame in which it wants it. It is drawn in the next frame, with the same meshes
-    /// and camera; `why` stays what it was, and nothing of it reaches the history or a file.
-    std::optional<Scene> preview;
+    const Picture* rendered = nullptr;       // the last one drawn
+    const Picture* displayed = nullptr;      // what the window shows: `rendered`, or what ui/views made of it
+    std::uint64_t picture_serial = 0;        // counts what was shown: the texture follows it
+    PlacedPicture picture_rect;              // where it lies in the window
+    Scene rendered_scene;                    // what `rendered` shows
+    bool rendered_is_edited = false;         // that was the edited scene, not a preview
+    std::optional<Explanation> explanation;  // of the probe in `rendered`, where that shows the edited scene
+    ItemCounts explained;  // of the scene that `explanation` is about: it names lights and objects by number
+    glm::ivec2 asked{0};   // the pixel of the whole picture that `explanation` is about
 };
 
 struct UiRequests {
@@ -96,7 +94,7 @@ struct UiRequests {
 };
 
 /// Between ImGui::NewFrame() and ImGui::Render(). The caller fills the window with theme().panel, puts
-/// UiState::shown where UiState::placed says, and draws ImGui's data over both.
+/// UiState::displayed where UiState::picture_rect says, and draws ImGui's data over both.
 [[nodiscard]] UiRequests ui_frame(UiState& state, const UiInput& input);
 
 }  // namespace glint

@@ -17,11 +17,11 @@ Scene opened(const std::string& path, const std::vector<Assignment>& changes = {
     return std::get<SceneDocument>(open_document(std::string(GLINT_SOURCE_DIR) + "/" + path, changes)).scene;
 }
 
-/// The largest number of bytes that were held at once while `deed` ran, beside those held before.
-template <class Deed> double most_held(const Deed& deed) {
+/// The largest number of bytes that were held at once while `action` ran, beside those held before.
+template <class Do> double most_held(const Do& action) {
     const std::int64_t before = bytes_held;
     most_bytes_held = before;
-    deed();
+    action();
     return static_cast<double>(most_bytes_held - before);
 }
 

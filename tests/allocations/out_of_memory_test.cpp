@@ -2,13 +2,13 @@
 // hand stays, or is the new one, whole; and the next picture is right.
 #include "tests/allocations/counted_new.h"
 #include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
 #include "tests/support/memory_helpers.h"
-#include "tests/support/ui_bench.h"
-#include "ui/picture/picture_room.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/views/views.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -26,7 +26,7 @@ SceneDocument other_document() {
 }
 
 /// Lets the allocation number `which` of a frame fail, and all large ones after it in that frame.
-void failing_frame(Bench& bench, long which, std::size_t large) {
+void failing_frame(HeadlessWindow& bench, long which, std::size_t large) {
     large_bytes = large;
     large_ones_fail = false;
     fails_after = which;
@@ -40,44 +40,44 @@ void failing_frame(Bench& bench, long which, std::size_t large) {
     stop();
 }
 
-/// How many allocations a frame makes after `deed`.
-template <class Deed> long allocations_after(const Deed& deed) {
-    Bench bench(window);
+/// How many allocations a frame makes after `action`.
+template <class Do> long allocations_after(const Do& action) {
+    HeadlessWindow bench(window);
     bench.frames(2);
-    deed(bench);
+    action(bench);
     const long before = allocations;
     (void)bench.frame();
     return allocations - before;
 }
 
-PictureSize whole_size(Bench& bench) {
+PictureSize whole_size(HeadlessWindow& bench) {
     return picture_view(lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).centre, bench.state)
         .map.size;
 }
 
-void check_next_picture(Bench& bench) {
+void check_next_picture(HeadlessWindow& bench) {
     for (int i = 0; i < 10; ++i) {  // a larger picture is tried again, and there is memory now
         bench.state.pace.memory_rests_until = 0;
         (void)bench.frame();
     }
-    REQUIRE(bench.state.picture != nullptr);
-    REQUIRE(bench.state.shown != nullptr);
+    REQUIRE(bench.state.rendered != nullptr);
+    REQUIRE(bench.state.displayed != nullptr);
     Renderer fresh(1);
-    const Picture& right = fresh.render(bench.scene(), bench.state.picture->size);
-    CHECK(bench.state.picture->rgba == right.rgba);
-    CHECK(bench.state.picture->size == whole_size(bench));
+    const Picture& right = fresh.render(bench.scene(), bench.state.rendered->size);
+    CHECK(bench.state.rendered->rgba == right.rgba);
+    CHECK(bench.state.rendered->size == whole_size(bench));
 }
 
-/// `deed` before a frame in which the allocations fail from some number on: about `tries` numbers.
-template <class Deed, class Check> void fail_one_by_one(const Deed& deed, int tries, const Check& check) {
-    const long count = allocations_after(deed);
+/// `action` before a frame in which the allocations fail from some number on: about `tries` numbers.
+template <class Do, class Check> void fail_one_by_one(const Do& action, int tries, const Check& check) {
+    const long count = allocations_after(action);
     REQUIRE(count > 0);
     for (const std::size_t large : {SIZE_MAX, std::size_t{1} << 14})
         for (long which = 0; which < count; which += std::max(count / tries, 1L)) {
             CAPTURE(which, count, large);
-            Bench bench(window);
+            HeadlessWindow bench(window);
             bench.frames(2);
-            deed(bench);
+            action(bench);
             REQUIRE_NOTHROW(failing_frame(bench, which, large));
             check_next_picture(bench);
             check(bench);
@@ -90,8 +90,8 @@ TEST_CASE("when memory runs out as another document is drawn, it is there whole,
           "[ui][memory]") {
     const SceneDocument other = other_document();
     const Scene first = first_scene().scene;
-    fail_one_by_one([&](Bench& bench) { take_document(bench.state.editor, other); }, 60,
-                    [&](Bench& bench) {
+    fail_one_by_one([&](HeadlessWindow& bench) { take_document(bench.state.editor, other); }, 60,
+                    [&](HeadlessWindow& bench) {
                         const bool is_new = bench.state.editor.document.path == "other.json";
                         CHECK(bench.scene() == (is_new ? other.scene : first));
                         CHECK(bench.state.editor.history.present() == bench.scene());
@@ -101,8 +101,8 @@ TEST_CASE("when memory runs out as another document is drawn, it is there whole,
 
 TEST_CASE("when memory runs out as an edit is drawn, it is taken back or there", "[ui][memory]") {
     const Scene first = first_scene().scene;
-    fail_one_by_one([](Bench& bench) { bench.scene().shading.mode = ShadingMode::Gouraud; }, 40,
-                    [&](Bench& bench) {
+    fail_one_by_one([](HeadlessWindow& bench) { bench.scene().shading.mode = ShadingMode::Gouraud; }, 40,
+                    [&](HeadlessWindow& bench) {
                         Scene edited = first;
                         edited.shading.mode = ShadingMode::Gouraud;
                         CHECK((bench.scene() == first || bench.scene() == edited));
@@ -110,24 +110,26 @@ TEST_CASE("when memory runs out as an edit is drawn, it is taken back or there",
 }
 
 TEST_CASE("when memory runs out as pictures are compared or looked at, the picture stays", "[ui][memory]") {
-    const auto nothing_more = [](Bench&) {};
+    const auto nothing_more = [](HeadlessWindow&) {};
     fail_one_by_one(
-        [](Bench& bench) {
+        [](HeadlessWindow& bench) {
             CompareChoice& choice = bench.state.views.compare.choice;
-            set_parts(choice, {{Setting::Kind::Mode, 0}, {Setting::Kind::Mode, 2}});
+            set_parts(choice, {{Variant::Kind::Mode, 0}, {Variant::Kind::Mode, 2}});
             choice.on = true;
         },
         30, nothing_more);
-    fail_one_by_one([](Bench& bench) { look_at(bench.state.views, Look::Normal); }, 30, nothing_more);
-    fail_one_by_one([](Bench& bench) { bench.state.views.scope.open = true; }, 30, nothing_more);
+    fail_one_by_one([](HeadlessWindow& bench) { show_quantity(bench.state.views, Look::Normal); }, 30,
+                    nothing_more);
+    fail_one_by_one([](HeadlessWindow& bench) { bench.state.views.scope.open = true; }, 30, nothing_more);
 }
 
 TEST_CASE("when memory runs out as a pixel is explained, the window goes on", "[ui][memory]") {
-    fail_one_by_one([](Bench& bench) { bench.state.viewport.probe = glm::dvec2(0.5); }, 30, [](Bench&) {});
+    fail_one_by_one([](HeadlessWindow& bench) { bench.state.viewport.probe = glm::dvec2(0.5); }, 30,
+                    [](HeadlessWindow&) {});
 }
 
 TEST_CASE("a document that needs more memory than there is leaves the open one as it is", "[ui][memory]") {
-    Bench bench(window);
+    HeadlessWindow bench(window);
     bench.frames(2);
     const Scene before = bench.scene();
     SceneDocument large = other_document();
@@ -146,7 +148,7 @@ TEST_CASE("a document that needs more memory than there is leaves the open one a
 TEST_CASE("where the system itself has no more memory, the open document stays", "[ui][memory]") {
     CHECK(test::in_process_with_room(std::uint64_t{300} << 20, [] {
         set_memory_limit(std::uint64_t{1} << 50);  // nothing is refused by us
-        Bench bench(window);
+        HeadlessWindow bench(window);
         bench.frames(2);
         const Scene before = bench.scene();
         SceneDocument large = other_document();
@@ -158,12 +160,12 @@ TEST_CASE("where the system itself has no more memory, the open document stays",
         bench.frames(3);
         Renderer fresh(1);
         return bench.scene() == before && bench.state.notifications.list.size() == 1 &&
-               bench.state.picture->rgba == fresh.render(before, whole_size(bench)).rgba;
+               bench.state.rendered->rgba == fresh.render(before, whole_size(bench)).rgba;
     }));
 }
 
 TEST_CASE("a window too large for its picture shows a coarser one, and says so once", "[ui][memory]") {
-    Bench bench({400, 300});
+    HeadlessWindow bench({400, 300});
     bench.frames(2);
     const test::MemoryLimit limit(3 << 20);
     ImGui::GetIO().DisplaySize = {2560, 1600};
@@ -173,8 +175,8 @@ TEST_CASE("a window too large for its picture shows a coarser one, and says so o
     bench.state.notifications.list.clear();
     bench.frames(200);  // tried again, which is not said again
     CHECK(bench.state.notifications.list.empty());
-    CHECK(bench.state.picture->size.width >= 100);
+    CHECK(bench.state.rendered->size.width >= 100);
     ImGui::GetIO().DisplaySize = {500, 350};
     bench.frames(3);
-    CHECK(bench.state.picture->size == whole_size(bench));
+    CHECK(bench.state.rendered->size == whole_size(bench));
 }

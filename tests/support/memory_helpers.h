@@ -28,9 +28,9 @@ inline constexpr bool can_limit_address_space = false;
 inline constexpr bool can_limit_address_space = true;
 #endif
 
-/// What `deed` says in a process of its own that may take only so many bytes of address space more than it
+/// What `action` says in a process of its own that may take only so many bytes of address space more than it
 /// has; false too when that process does not end well.
-template <class Deed> bool in_process_with_room(std::uint64_t bytes, const Deed& deed) {
+template <class Do> bool in_process_with_room(std::uint64_t bytes, const Do& action) {
     const pid_t child = fork();
     if (child == 0) {
         std::uint64_t pages = 0;
@@ -40,7 +40,7 @@ template <class Deed> bool in_process_with_room(std::uint64_t bytes, const Deed&
         setrlimit(RLIMIT_AS, &limit);
         bool well = false;
         try {
-            well = deed();
+            well = action();
         } catch (...) {
         }
         _exit(well ? 0 : 1);

@@ -1,10 +1,10 @@
-#include "ui/commands/menu_bar.h"
-
 #include <imgui.h>
 
 #include <filesystem>
 
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
+#include "ui/commands/menus.h"
+#include "ui/document/document_actions.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -12,23 +12,25 @@ namespace glint {
 namespace {
 
 /// Undo and redo say what they would undo.
-std::string shown_name(const UiState& state, const ActionInfo& info) {
+std::string shown_name(const UiState& state, const Command& command) {
     const History& history = state.editor.history;
-    if (info.action == Action::Undo && history.can_undo()) return "Undo " + history.undo_name();
-    if (info.action == Action::Redo && history.can_redo()) return "Redo " + history.redo_name();
-    return *info.menu_name != 0 ? info.menu_name : info.name;
+    if (command.id == CommandId::Undo && history.can_undo()) return "Undo " + history.undo_name();
+    if (command.id == CommandId::Redo && history.can_redo()) return "Redo " + history.redo_name();
+    return command.name;
 }
 
-void menu_item(UiState& state, const ActionInfo& info) {
-    const std::string refused = why_not(state, info.action);
-    const std::string label = shown_name(state, info) + "##" + info.name;
-    if (ImGui::MenuItem(label.c_str(), info.keys, is_on(state, info.action).value_or(false), refused.empty()))
-        run_action(state, info.action);
-    if (!refused.empty()) tooltip(info.name, refused.c_str());
+void menu_item(UiState& state, const Command& command) {
+    const std::string refused = why_disabled(state, command);
+    const std::string label = shown_name(state, command) + "##" + command.name;
+    // Of several keys the first; the sheet of shortcuts shows all.
+    const std::string keys = command.keys.empty() ? "" : text_of(command.keys[0]);
+    if (ImGui::MenuItem(label.c_str(), keys.c_str(), is_on(state, command).value_or(false), refused.empty()))
+        run_command(state, command);
+    if (!refused.empty()) tooltip(command.name, refused.c_str());
 }
 
 void recent_menu(UiState& state) {
-    const auto& recent = state.memory.recent;
+    const auto& recent = state.persistence.recent;
     if (!ImGui::BeginMenu("Open recent", !recent.empty())) return;
     std::string chosen;
     for (const std::string& path : recent) {
@@ -43,11 +45,11 @@ void recent_menu(UiState& state) {
 
 void menu(UiState& state, Menu which, const char* name) {
     if (!ImGui::BeginMenu(name)) return;
-    for (const ActionInfo& info : actions()) {
-        if (info.menu != which) continue;
-        if (info.after_line) ImGui::Separator();
-        menu_item(state, info);
-        if (info.action == Action::Open) recent_menu(state);
+    for (const Command& command : commands()) {
+        if (command.menu != which) continue;
+        if (command.line_above) ImGui::Separator();
+        menu_item(state, command);
+        if (command.id == CommandId::Open) recent_menu(state);
     }
     ImGui::EndMenu();
 }

@@ -1,11 +1,10 @@
-#include "ui/commands/palette.h"
-
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "ui/commands/fuzzy.h"
+#include "ui/commands/menus.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -23,7 +22,7 @@ void draw_matched(ImDrawList& list, ImVec2 at, const std::string& name, const st
     const auto piece = [&](std::size_t to, const ImVec4& colour) {
         if (to <= from) return;
         const char *first = name.data() + from, *last = name.data() + to;
-        list.AddText(at, packed(colour), first, last);
+        list.AddText(at, to_u32(colour), first, last);
         at.x += ImGui::CalcTextSize(first, last).x;
         from = to;
     };
@@ -46,7 +45,7 @@ bool entry_row(const PaletteEntry& entry, const std::string& text, bool chosen, 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (chosen || ImGui::IsItemHovered())
         list.AddRectFilled(low, {low.x + width, low.y + height},
-                           packed(chosen ? theme().field_active : theme().field), px(4));
+                           to_u32(chosen ? theme().field_active : theme().field), px(4));
     const float y = low.y + (height - ImGui::GetTextLineHeight()) / 2;
     const bool possible = entry.refused.empty();
     draw_matched(list, {low.x + px(8), y}, entry.name, text, possible ? theme().text : theme().disabled_text);
@@ -56,9 +55,9 @@ bool entry_row(const PaletteEntry& entry, const std::string& text, bool chosen, 
     const float right = low.x + width - px(8);
     const float name_end = low.x + px(20) + ImGui::CalcTextSize(entry.name.c_str()).x;
     if (right - keys_width - note_width > name_end)
-        list.AddText({right - keys_width - note_width, y}, packed(theme().dim_text), note.c_str());
+        list.AddText({right - keys_width - note_width, y}, to_u32(theme().dim_text), note.c_str());
     if (!entry.keys.empty())
-        list.AddText({right - keys_width + px(14), y}, packed(theme().accent), entry.keys.c_str());
+        list.AddText({right - keys_width + px(14), y}, to_u32(theme().accent), entry.keys.c_str());
     ImGui::PopID();
     return clicked;
 }
@@ -92,7 +91,7 @@ int entry_list(PaletteState& state, const UiInput& input) {
         if (chosen && state.chosen != before) ImGui::SetScrollHereY(0.5f);
     }
     ImGui::PopStyleVar();
-    if (matches.empty()) dim_text("Nothing is called so");
+    if (matches.empty()) dim_text("No match");
     ImGui::EndChild();
     return decided;
 }

@@ -3,10 +3,11 @@
 #include <filesystem>
 
 #include "models/scene/mistakes.h"
-#include "ui/commands/actions.h"
-#include "ui/commands/palette.h"
-#include "ui/fields/choices.h"
-#include "ui/fields/material_panel.h"
+#include "ui/commands/command.h"
+#include "ui/commands/menus.h"
+#include "ui/document/document_actions.h"
+#include "ui/fields/field_panel.h"
+#include "ui/fields/panels.h"
 #include "ui/picture/handles/light_place.h"
 
 namespace glint {
@@ -14,16 +15,13 @@ namespace {
 
 using Entries = std::vector<PaletteEntry>;
 
-void add_actions(Entries& entries, const UiState& state) {
-    const ActionInfo* before = nullptr;
-    for (const ActionInfo& info : actions()) {
-        const bool again = before != nullptr && before->action == info.action;  // another key for the same
-        before = &info;
-        if (again || info.action == Action::Palette) continue;
-        const auto on = is_on(state, info.action);
-        entries.push_back({info.name, on ? (*on ? "Action · on" : "Action · off") : "Action",
-                           keys_of(info.action), why_not(state, info.action),
-                           [action = info.action](UiState& s) { run_action(s, action); }});
+void add_commands(Entries& entries, const UiState& state) {
+    for (const Command& command : commands()) {
+        if (command.id == CommandId::Palette) continue;
+        const auto on = is_on(state, command);
+        entries.push_back({command.name, on ? (*on ? "Action · on" : "Action · off") : "Action",
+                           keys_of(command), why_disabled(state, command),
+                           [&command](UiState& s) { run_command(s, command); }});
     }
 }
 
@@ -98,7 +96,7 @@ void add_light_choices(Entries& entries, const UiState& state) {
                            light.kind == kind ? "Light · chosen" : "Light", "", "",
                            [light_of, kind](UiState& s) {
                                const Scene& scene = s.editor.scene();
-                               const ScreenMap map = screen_map(scene.camera, s.picture->size);
+                               const ScreenMap map = screen_map(scene.camera, s.rendered->size);
                                const Dome dome = sun_dome(scene.camera.target, scene_bounds(scene), map);
                                light_of(s) = as_kind(light_of(s), kind, dome, map);
                            }});
@@ -130,7 +128,7 @@ void add_open(Entries& entries, std::string name, std::string group, const std::
 }
 
 void add_recent(Entries& entries, const UiState& state) {
-    for (const std::string& path : state.memory.recent) {
+    for (const std::string& path : state.persistence.recent) {
         const std::filesystem::path file(path);
         add_open(entries, fmt::format("Open {}", file.filename().string()), file.parent_path().string(),
                  path);
@@ -154,7 +152,7 @@ void add_scenes(Entries& entries, const UiState& state) {
 
 std::vector<PaletteEntry> palette_entries(const UiState& state) {
     Entries entries;
-    add_actions(entries, state);
+    add_commands(entries, state);
     add_recent(entries, state);
     add_choices(entries, state, "Reflection", &Shading::reflection);
     add_choices(entries, state, "Interpolation", &Shading::interpolation);

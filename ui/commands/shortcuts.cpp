@@ -1,12 +1,12 @@
-#include "ui/commands/shortcuts.h"
-
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
+#include "ui/commands/menus.h"
+#include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -39,7 +39,7 @@ void add_mouse_lines(Lines& lines) {
     lines.insert(lines.end(), mouse.begin(), mouse.end());
 }
 
-/// Every action that has a key, once, in the table's order, under the names of the menus.
+/// Every command that has a key, in the table's order, under the names of the menus.
 Lines all_lines() {
     static constexpr std::array headings{std::pair{Menu::File, "File"}, std::pair{Menu::Edit, "Edit"},
                                          std::pair{Menu::View, "View"}, std::pair{Menu::Lecture, "Lecture"},
@@ -47,9 +47,9 @@ Lines all_lines() {
     Lines lines;
     const auto add = [&lines](Menu menu, const char* heading) {
         lines.push_back({heading, ""});
-        for (const ActionInfo& info : actions())
-            if (*info.keys != 0 && info.menu == menu && &info == &info_of(info.action))
-                lines.push_back({info.name, keys_of(info.action)});
+        for (const Command& command : commands())
+            if (!command.keys.empty() && command.menu == menu)
+                lines.push_back({command.name, keys_of(command)});
     };
     for (const auto& [menu, heading] : headings) add(menu, heading);
     add(Menu::None, "Shading, terms, directions of view");

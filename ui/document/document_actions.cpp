@@ -1,9 +1,8 @@
-// Opening, beginning anew, saving, quitting, and the question that comes first.
+#include "ui/document/document_actions.h"
+
 #include <fmt/core.h>
 
 #include <filesystem>
-
-#include "ui/commands/actions.h"
 
 namespace glint {
 
@@ -21,7 +20,7 @@ void take_scene(UiState& state, SceneDocument document) {
     state.viewport.probe.reset();
     state.viewport.pivot.reset();
     state.viewport.hovered_grip = {};
-    state.why.reset();
+    state.explanation.reset();
     state.mesh_for_object = -1;
     state.palette.open = false;
 }
@@ -35,7 +34,7 @@ void finish_pending(UiState& state) {
         cancel_loads(state);
         take_scene(state, first_scene());
     }
-    if (now.what == Pending::What::TakeUp) take_up_copy(state, now.path);
+    if (now.what == Pending::What::Recover) recover_autosave(state, now.path);
     if (now.what == Pending::What::Open) begin_open(state, now.path);
 }
 

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <span>
 
+#include "ui/shell/modal.h"
 #include "ui/widgets/icons.h"
-#include "ui/widgets/modal.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -150,7 +150,7 @@ bool entry_list(FileDialog& dialog) {
             decided |= twice && !entry.folder;
         }
         draw_icon(*ImGui::GetWindowDrawList(), entry.folder ? Icon::Folder : Icon::File,
-                  {low.x + 0.6f * line, low.y + line / 2}, 0.8f * line, packed(theme().dim_text));
+                  {low.x + 0.6f * line, low.y + line / 2}, 0.8f * line, to_u32(theme().dim_text));
     }
     if (dialog.entries.empty()) dim_text("Nothing here that fits");
     ImGui::EndChild();

@@ -1,10 +1,9 @@
-#include "ui/document/history.h"
-
 #include <cassert>
 #include <set>
 
 #include "models/memory_limit.h"
 #include "models/mesh/mesh_memory.h"
+#include "ui/document/editor.h"
 
 namespace glint {
 namespace {

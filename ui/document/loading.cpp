@@ -6,7 +6,7 @@
 
 #include "models/fields/choices.h"
 #include "renderer/renderer.h"
-#include "ui/commands/actions.h"
+#include "ui/document/document_actions.h"
 #include "ui/ui.h"
 
 namespace glint {
@@ -103,8 +103,9 @@ void give_mesh(UiState& state, const AwaitedMesh& awaited, const MeshPtr& mesh) 
     Editor& editor = state.editor;
     for (Object& object : editor.scene().objects)
         if (waits(object, awaited)) object.mesh = mesh;
-    state.drawn_is_edited = false;
-    state.drawn = {};  // a scene with other meshes is equal to it: it must be drawn again all the same
+    state.rendered_is_edited = false;
+    state.rendered_scene =
+        {};  // a scene with other meshes is equal to it: it must be drawn again all the same
     if (awaited.mesh_before) return;
     if (const auto index = add_object(editor.scene(), awaited.wanted)) {
         editor.scene().objects[static_cast<std::size_t>(*index)].mesh = mesh;
@@ -204,7 +205,7 @@ void begin_mesh(UiState& state, const MeshSource& source, int index) {
     }
 }
 
-void tend_loads(UiState& state) {
+void poll_loads(UiState& state) {
     Loading& loading = state.loading;
     tend_document(state);
     tend_meshes(state);

@@ -41,8 +41,8 @@ void begin_open(UiState& state, const std::string& path);
 void begin_mesh(UiState& state, const MeshSource& source, int index);
 
 /// Once a frame, before anything is drawn: takes what has come. Meshes that an edit left unloaded are made
-/// at once where that is quick, else they are partial_sums. A problem is a notification, and the scene stays.
-void tend_loads(UiState& state);
+/// at once where that is quick, else they are begun. A problem is a notification, and the scene stays.
+void poll_loads(UiState& state);
 
 /// Whether an object waits for its mesh: no undo step yet.
 [[nodiscard]] bool awaits_mesh(const UiState& state);

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "ui/export/over_picture.h"
+#include "ui/export/export_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
@@ -21,14 +21,14 @@ void bar(float share) {
     const float width = ImGui::GetContentRegionAvail().x, height = px(5);
     ImGui::Dummy({width, height});
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(low, {low.x + width, low.y + height}, packed(theme().field_active), px(2));
+    list.AddRectFilled(low, {low.x + width, low.y + height}, to_u32(theme().field_active), px(2));
     float from = 0, to = share;
     if (share < 0) {
         from = static_cast<float>(0.5 - 0.5 * std::cos(ImGui::GetTime() * 3)) * 0.75f;
         to = from + 0.25f;
     }
     list.AddRectFilled({low.x + from * width, low.y}, {low.x + to * width, low.y + height},
-                       packed(theme().accent), px(2));
+                       to_u32(theme().accent), px(2));
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ void bar(float share) {
 void loading_panel(UiState& state, const Rect& picture) {
     const LoadJob* job = state.loading.document ? state.loading.document.get() : state.loading.meshes.get();
     if (job == nullptr) return;
-    wish_frame_in(seconds_a_frame);
+    redraw_within(seconds_a_frame);
     if (ImGui::GetTime() - state.loading.since < shown_after) return;
     const float width = begin_over_picture("##loading", px(400), picture, ImGuiWindowFlags_NoNav);
     ImGui::AlignTextToFramePadding();

@@ -9,7 +9,7 @@
 
 #include "models/fields/choices.h"
 #include "models/io/utf8.h"
-#include "ui/document/limits.h"
+#include "ui/fields/field_panel.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/picture/screen.h"
 

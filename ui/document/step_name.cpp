@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "models/fields/scene_fields.h"
-#include "ui/document/history.h"
+#include "ui/document/editor.h"
 
 namespace glint {
 namespace {

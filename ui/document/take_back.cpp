@@ -1,5 +1,3 @@
-#include "ui/document/take_back.h"
-
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "models/memory_limit.h"
+#include "ui/document/document_actions.h"
 #include "ui/ui.h"
 
 namespace glint {
@@ -28,9 +27,9 @@ void put_views_away(UiState& state) {
     views.grid.renderer.reset();
     views.grid.solo.reset();
     views.grid.muted.clear();
-    state.preview.reset();
-    state.why.reset();
-    state.shown = state.picture;
+    state.inspector.instead.reset();
+    state.explanation.reset();
+    state.displayed = state.rendered;
     ++state.picture_serial;
 }
 
@@ -46,16 +45,16 @@ bool same(const Scene& a, const Scene& b) { return a == b && same_meshes(a, b); 
 /// already, smaller or with less, it stays.
 void take_scene_back(UiState& state) {
     Editor& editor = state.editor;
-    const bool knows_drawn = state.drawn_is_edited && !editor.before;
-    if (knows_drawn && same(state.drawn, editor.scene())) return;
+    const bool knows_drawn = state.rendered_is_edited && !editor.before;
+    if (knows_drawn && same(state.rendered_scene, editor.scene())) return;
     (void)cancel_gesture(state.viewport, editor.scene());
-    if (state.memory.copy && state.memory.copied == editor.scene())
-        state.memory.copy.reset();  // the file stays: what it holds is in no other
+    if (state.persistence.autosave && state.persistence.autosaved_scene == editor.scene())
+        state.persistence.autosave.reset();  // the file stays: what it holds is in no other
     if (editor.before) {
         const std::unique_ptr<Editor> before = std::move(editor.before);
         editor = std::move(*before);
     } else if (knows_drawn) {
-        editor.scene() = state.drawn;
+        editor.scene() = state.rendered_scene;
     } else {
         editor.scene() = editor.history.present();
     }
@@ -64,7 +63,7 @@ void take_scene_back(UiState& state) {
 
 bool can_draw(UiState& state, const Scene& scene, PictureSize size) {
     try {
-        state.picture = &state.renderer->render(scene, size);
+        state.rendered = &state.renderer->render(scene, size);
     } catch (const std::exception&) {
         return false;
     }
@@ -80,12 +79,12 @@ void draw_what_can_be(UiState& state, PictureSize full) {
     if (divisor > largest_divisor_for_memory) {
         Scene nothing = scene;
         nothing.objects.clear();
-        state.picture = &state.renderer->render(nothing, divided(full, divisor));
+        state.rendered = &state.renderer->render(nothing, divided(full, divisor));
     }
     state.pace.memory_divisor = divisor;
     state.pace.memory_divided = full;
-    state.drawn = scene;
-    state.drawn_is_edited = true;
+    state.rendered_scene = scene;
+    state.rendered_is_edited = true;
 }
 
 }  // namespace
@@ -99,7 +98,7 @@ void say_what_failed(UiState& state, const std::exception& error) {
 }
 
 void take_back(UiState& state, const std::exception& error, PictureSize full, bool previewed) {
-    if (state.picture == nullptr) throw;
+    if (state.rendered == nullptr) throw;
     FramePace& pace = state.pace;
     if (pace.memory_tries_again) {  // in vain, and that was said before
         pace.memory_divisor *= 2;
@@ -113,12 +112,12 @@ void take_back(UiState& state, const std::exception& error, PictureSize full, bo
     if (!previewed) take_scene_back(state);
     put_views_away(state);
     draw_what_can_be(state, full);
-    state.shown = state.picture;
+    state.displayed = state.rendered;
     ++state.picture_serial;
 }
 
 void give_up_frame(UiState& state, const std::exception& error) {
-    if (state.picture == nullptr) throw;
+    if (state.rendered == nullptr) throw;
     say_what_failed(state, error);
     // Fonts of windows that are open, which the windows' ends would miss.
     GImGui->FontStack.resize(0);

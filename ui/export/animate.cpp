@@ -7,15 +7,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/mat4x4.hpp>
+#include <numbers>
+#include <optional>
 
 #include "models/fields/scene_numbers.h"
-#include "ui/commands/actions.h"
 #include "ui/commands/fuzzy.h"
-#include "ui/fields/choices.h"
+#include "ui/document/document_actions.h"
+#include "ui/fields/field_panel.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
+
 namespace {
 
 constexpr int most_frames = 2000;
@@ -37,7 +43,7 @@ std::vector<SceneNumber> matching(const std::vector<SceneNumber>& numbers, const
 
 void choose_number(AnimateState& animate, const Scene& scene) {
     Animation& animation = animate.animation;
-    ImGui::SetNextItemWidth(row("Number"));
+    ImGui::SetNextItemWidth(label_cell("Number"));
     ImGui::InputTextWithHint("##search", "type a part of its name: roughness, intensity …", &animate.search);
     tooltip("Number", "What goes to and fro, by its key in the scene file");
     const auto found = matching(numbers_of(scene), animate.search);
@@ -116,10 +122,10 @@ void animate_panel(UiState& state) {
     if (!animate.open) animate.playing = false;
 }
 
-void tend_animation(UiState& state) {
+void poll_animation(UiState& state) {
     AnimateState& animate = state.animate;
     if (animate.job) {
-        wish_frame_in(0.1);
+        redraw_within(0.1);
         if (animate.job->done()) {
             const Result<std::string> result = animate.job->take();
             animate.job.reset();
@@ -129,6 +135,7 @@ void tend_animation(UiState& state) {
                 state.notifications.add(Tone::Done, std::get<std::string>(result));
         }
     }
+    animate.frame.reset();
     if (!animate.playing) return;
     const double frame = (ImGui::GetTime() - animate.began) * animate.frames_a_second;
     Result<Scene> scene = scene_at(state.editor.document, animate.animation, static_cast<int>(frame));
@@ -137,8 +144,47 @@ void tend_animation(UiState& state) {
         animate.playing = false;
         return;
     }
-    state.preview = std::get<Scene>(std::move(scene));
-    wish_frame_in((std::floor(frame) + 1 - frame) / animate.frames_a_second);
+    animate.frame = std::get<Scene>(std::move(scene));
+    redraw_within((std::floor(frame) + 1 - frame) / animate.frames_a_second);
+}
+
+namespace {
+
+/// 0 .. frames - 1.
+int within_period(const Animation& animation, int frame) {
+    const int period = std::max(animation.frames, 1);
+    return ((frame % period) + period) % period;
+}
+
+Scene turned(Scene scene, double angle) {
+    Camera& camera = scene.camera;
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(camera.up)), target(camera.target);
+    const glm::dmat4 turn = glm::rotate(glm::dmat4(1), angle, axis);
+    camera.eye = glm::vec3(target + glm::dvec3(turn * glm::dvec4(glm::dvec3(camera.eye) - target, 0)));
+    return scene;
+}
+
+}  // namespace
+
+double value_at(const Animation& animation, int frame) {
+    const double share = double(within_period(animation, frame)) / std::max(animation.frames, 1);
+    return animation.from + (animation.to - animation.from) * (1 - std::abs(1 - 2 * share));
+}
+
+Result<Scene> scene_at(const SceneDocument& document, const Animation& animation, int frame) {
+    const int at = within_period(animation, frame);
+    if (animation.motion == Motion::Turntable)
+        return at == 0 ? document.scene
+                       : turned(document.scene, 2 * std::numbers::pi * at / std::max(animation.frames, 1));
+    Scene scene = document.scene;
+    const std::optional<SceneNumber> number = number_at(scene, animation.pointer);
+    const double value = value_at(animation, frame);
+    if (const auto problem =
+            set_number(scene, animation.pointer, number && number->is_whole ? std::round(value) : value))
+        return *problem;
+    const Result<Warnings> warned = load_meshes(scene, document.path, document.mesh_dir);
+    if (const Problem* problem = problem_of(warned)) return *problem;
+    return scene;
 }
 
 }  // namespace glint

@@ -9,7 +9,7 @@ namespace glint {
 void animate_panel(UiState& state);
 
 /// Once a frame: what plays is shown in the next one; what is being written goes on.
-void tend_animation(UiState& state);
+void poll_animation(UiState& state);
 
 /// Writes all frames aside: NAME.png as NAME-0001.png, NAME-0002.png, …, each carrying its scene; NAME.gif as
 /// one file. The picture's size is `size`, with `samples` a pixel.

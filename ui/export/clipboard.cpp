@@ -76,7 +76,7 @@ std::vector<std::string> clipboard_command() {
     return {};
 }
 
-std::string why_no_clipboard() {
+std::string clipboard_disabled_reason() {
     if (!clipboard_command().empty()) return {};
     return is_set("WAYLAND_DISPLAY") ? "Needs wl-copy, of the package wl-clipboard"
                                      : "Needs the program xclip";
@@ -84,7 +84,7 @@ std::string why_no_clipboard() {
 
 Result<std::monostate> copy_png(const std::string& bytes) {
     const std::vector<std::string> command = clipboard_command();
-    if (command.empty()) return Problem{"", "", why_no_clipboard(), ""};
+    if (command.empty()) return Problem{"", "", clipboard_disabled_reason(), ""};
     const int input = file_of(bytes);
     if (input < 0) return Problem{command[0], "", "there is not enough memory for the picture", ""};
     const int status = run_tool(command, input);

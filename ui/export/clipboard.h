@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "models/problem.h"
+#include "models/scene_file/scene_file.h"
 
 namespace glint {
 
@@ -13,9 +14,17 @@ namespace glint {
 [[nodiscard]] std::vector<std::string> clipboard_command();
 
 /// Why there is none, for the one who wants it; empty when there is one.
-[[nodiscard]] std::string why_no_clipboard();
+[[nodiscard]] std::string clipboard_disabled_reason();
 
 /// Puts PNG bytes on the clipboard and waits until the tool has taken them. Not for the window's thread.
 [[nodiscard]] Result<std::monostate> copy_png(const std::string& bytes);
+
+// The command line that draws the picture on the screen.
+
+/// `glint render FILE --set … --size WxH -o OUT` for a POSIX shell: what differs from the file stands in
+/// --set. `in_file`: the scene as the document's file has it. A document without a file, or whose file is
+/// gone, is set whole on an empty scene from standard input. `samples`: 1, 2, 4 or 8.
+[[nodiscard]] std::string render_command_text(const SceneDocument& document, const Scene& in_file,
+                                              PictureSize size, int samples, const std::string& out);
 
 }  // namespace glint

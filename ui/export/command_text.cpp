@@ -1,11 +1,10 @@
-#include "ui/export/command_text.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "models/json/json_value.h"
+#include "ui/export/clipboard.h"
 #include "ui/shell/shell_word.h"
 
 namespace glint {

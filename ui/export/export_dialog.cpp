@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "ui/commands/actions.h"
-#include "ui/widgets/modal.h"
+#include "ui/document/document_actions.h"
+#include "ui/shell/modal.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -31,9 +31,9 @@ bool size_button(const char* name, PictureSize size, ExportOptions& options) {
 }
 
 void size_rows(UiState& state, ExportOptions& options) {
-    row("Size");
-    if (state.picture != nullptr) {
-        size_button("As shown", state.picture->size, options);
+    label_cell("Size");
+    if (state.rendered != nullptr) {
+        size_button("As shown", state.rendered->size, options);
         ImGui::SameLine(0, px(3));
     }
     for (const NamedSize& named : sizes) {
@@ -60,7 +60,7 @@ void export_dialog(UiState& state) {
     constexpr const char* names[] = {"1", "2", "4", "8"};
     for (const char* name : names) options.push_back({name, name, "Samples a pixel"});
     const auto at = std::find(samples.begin(), samples.end(), exporting.options.samples) - samples.begin();
-    row("Samples");
+    label_cell("Samples");
     const int chosen = segments("##samples", static_cast<int>(at), options,
                                 {"More make the edges smooth; inside a face nothing changes", ""});
     exporting.options.samples = samples[static_cast<std::size_t>(chosen)];

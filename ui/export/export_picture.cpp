@@ -1,6 +1,7 @@
 #include "ui/export/export_picture.h"
 
 #include <fmt/core.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <cctype>
@@ -10,9 +11,11 @@
 #include "renderer/image/image_file.h"
 #include "ui/export/clipboard.h"
 #include "ui/ui.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -68,7 +71,7 @@ void begin_export(UiState& state, const ExportOptions& options, const std::strin
 
 void begin_copy(UiState& state) {
     const int threads = state.renderer->stats().threads;
-    const PictureSize size = state.picture->size;
+    const PictureSize size = state.rendered->size;
     state.exporting.since = ImGui::GetTime();
     state.exporting.job = std::make_unique<Job<std::string>>(
         "Copy",
@@ -82,14 +85,31 @@ void begin_copy(UiState& state) {
         });
 }
 
-void tend_export(UiState& state) {
+void poll_export(UiState& state) {
     auto& job = state.exporting.job;
     if (!job) return;
-    if (!job->done()) return wish_frame_in(seconds_a_look);
+    if (!job->done()) return redraw_within(seconds_a_look);
     const Result<std::string> result = job->take();
     job.reset();
     if (const Problem* problem = problem_of(result)) return state.notifications.add(*problem);
     state.notifications.add(Tone::Done, std::get<std::string>(result));
+}
+
+float begin_over_picture(const char* id, float widest, const Rect& picture, int more) {
+    const float width = std::min(widest, ImGui::GetIO().DisplaySize.x - px(20));
+    const float middle = std::max((picture.low.x + picture.high.x) / 2, width / 2);
+    ImGui::SetNextWindowPos({middle, picture.low.y + px(14)}, ImGuiCond_Always, {0.5f, 0});
+    ImGui::SetNextWindowSize({width, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
+    ImGui::Begin(id, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | more);
+    return width;
+}
+
+void end_over_picture() {
+    ImGui::End();
+    ImGui::PopStyleVar();
 }
 
 }  // namespace glint

@@ -1,15 +1,13 @@
-#include "ui/fields/camera_panel.h"
-
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "ui/document/limits.h"
 #include "ui/fields/field_panel.h"
-#include "ui/picture/camera_views.h"
+#include "ui/fields/panels.h"
 #include "ui/picture/orbit.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
@@ -30,18 +28,21 @@ double half_height(const Camera& camera) {
 /// Six buttons that look at the target from a side.
 bool look_from(Camera& camera) {
     static constexpr struct {
-        const char *label, *keys;
+        const char* label;
+        CommandId command;
         ViewFrom from;
-    } sides[] = {{"Front", "pad 1", ViewFrom::Front},    {"Right", "pad 3", ViewFrom::Right},
-                 {"Above", "pad 7", ViewFrom::Top},      {"Behind", "Ctrl+pad 1", ViewFrom::Back},
-                 {"Left", "Ctrl+pad 3", ViewFrom::Left}, {"Below", "Ctrl+pad 7", ViewFrom::Bottom}};
-    section("Look from");
+    } sides[] = {
+        {"Front", CommandId::ViewFront, ViewFrom::Front}, {"Right", CommandId::ViewRight, ViewFrom::Right},
+        {"Above", CommandId::ViewTop, ViewFrom::Top},     {"Behind", CommandId::ViewBack, ViewFrom::Back},
+        {"Left", CommandId::ViewLeft, ViewFrom::Left},    {"Below", CommandId::ViewBottom, ViewFrom::Bottom}};
+    section_heading("Look from");
     const Camera before = camera;
     const float gap = px(3), width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
     for (int i = 0; i < 6; ++i) {
         if (i % 3 != 0) ImGui::SameLine(0, gap);
         if (ImGui::Button(sides[i].label, {width, 0})) camera = seen_from(camera, sides[i].from);
-        tooltip(sides[i].label, "Looks at the target from there, as far away as now", sides[i].keys);
+        tooltip(sides[i].label, "Looks at the target from there, as far away as now", "",
+                keys_of(sides[i].command));
     }
     return camera != before;
 }
@@ -65,7 +66,7 @@ bool camera_panel(Camera& camera, PictureSize size) {
     FieldPanel panel(camera, "/camera");
     bool edited = panel.draw({"eye", "target", "up"}).rest().edited();
     edited |= look_from(camera);
-    section("Projection");
+    section_heading("Projection");
     ProjectionKind kind = kind_of(camera.projection);
     if (choice_field("Kind", kind, {"How the view volume is projected", "/camera/projection/type"})) {
         camera.projection = as_projection(camera, kind, size);

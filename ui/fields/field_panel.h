@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "models/fields/choices.h"
 #include "models/fields/scene_fields.h"
-#include "ui/fields/choices.h"
+#include "models/fields/scene_rules.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -68,7 +69,7 @@ class FieldPanel {
     template <class T, class Draw> FieldPanel& group(std::string_view key, T& value, const Draw& draw_group) {
         Field* field = find(key);
         if (field == nullptr || !field->row.applies) return *this;
-        section(field->row.label);
+        section_heading(field->row.label);
         edited_ |= draw_group(value, field->help.pointer);
         return *this;
     }
@@ -84,7 +85,7 @@ class FieldPanel {
     }
     /// A heading.
     FieldPanel& heading(const char* title) {
-        section(title);
+        section_heading(title);
         return *this;
     }
     /// Draws all fields that have not been drawn or skipped.
@@ -134,6 +135,33 @@ class FieldPanel {
 /// All fields of a struct.
 template <class T> [[nodiscard]] bool field_rows(T& value, const std::string& pointer) {
     return FieldPanel(value, pointer).rest().edited();
+}
+
+// What the scene file would refuse, the window does not let happen: what is saved opens again. Ranges of
+// single numbers are kept by the fields; conditions between numbers are those of models/fields/scene_rules.h.
+
+/// `edited` if it breaks no condition, else as it was `before`. True when the edit stands.
+template <class Item> bool keep_valid(Item& edited, const Item& before) {
+    if (!violation_of(edited)) return true;
+    edited = before;
+    return false;
+}
+
+// Fields for the closed sets of a scene (models/fields/choices.h).
+
+/// A drop-down for the enumerators of E.
+template <class E> bool choice_field(const char* label, E& value, const Help& help) {
+    const E before = value;
+    value = static_cast<E>(choose(label, static_cast<int>(value), choices<E>, help));
+    return value != before;
+}
+
+/// Joined buttons for the enumerators of E, in a row with a label.
+template <class E> bool segment_field(const char* label, E& value, const Help& help) {
+    label_cell(label);
+    const E before = value;
+    value = static_cast<E>(segments(label, static_cast<int>(value), choices<E>, help));
+    return value != before;
 }
 
 }  // namespace glint

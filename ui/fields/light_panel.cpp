@@ -1,9 +1,7 @@
-#include "ui/fields/light_panel.h"
-
 #include <imgui.h>
 
-#include "ui/document/limits.h"
 #include "ui/fields/field_panel.h"
+#include "ui/fields/panels.h"
 
 namespace glint {
 namespace {

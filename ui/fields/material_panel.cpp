@@ -1,10 +1,9 @@
-#include "ui/fields/material_panel.h"
-
 #include <imgui.h>
 
 #include <string>
 
 #include "ui/fields/field_panel.h"
+#include "ui/fields/panels.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 
@@ -53,7 +52,7 @@ bool preset_row(const MaterialPreset& preset, bool chosen) {
 bool preset_field(Material& material) {
     const MaterialPreset* present = preset_of(material);
     bool edited = false;
-    ImGui::SetNextItemWidth(row("Preset"));
+    ImGui::SetNextItemWidth(label_cell("Preset"));
     const std::string shown = present != nullptr ? std::string(present->name) : "Custom";
     const bool open = ImGui::BeginCombo("##preset", shown.c_str(), ImGuiComboFlags_HeightLarge);
     if (!open) {
@@ -62,7 +61,7 @@ bool preset_field(Material& material) {
     }
     std::string_view family;
     for (const MaterialPreset& preset : material_presets()) {
-        if (preset.family != family) section(std::string(family = preset.family).c_str());
+        if (preset.family != family) section_heading(std::string(family = preset.family).c_str());
         if (!preset_row(preset, &preset == present)) continue;
         apply(preset, material);
         edited = true;

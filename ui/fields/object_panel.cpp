@@ -1,14 +1,12 @@
-#include "ui/fields/object_panel.h"
-
 #include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 
-#include "ui/document/limits.h"
 #include "ui/fields/field_panel.h"
-#include "ui/fields/material_panel.h"
+#include "ui/fields/panels.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/shortcut.h"
 
 namespace glint {
 namespace {
@@ -20,8 +18,8 @@ std::string shown_source(const MeshSource& source) {
 }
 
 /// Drop-down of all primitives and, at its end, of files.
-bool source_field(Object& object, const std::string& pointer, ObjectWishes& wishes) {
-    ImGui::SetNextItemWidth(row("Mesh"));
+bool source_field(Object& object, const std::string& pointer, ObjectRequests& requests) {
+    ImGui::SetNextItemWidth(label_cell("Mesh"));
     if (!ImGui::BeginCombo("##mesh", shown_source(object.source).c_str(), ImGuiComboFlags_HeightLarge)) {
         tooltip("Mesh", "The shape: one that needs no file, or a file", "", pointer + "/mesh");
         return false;
@@ -39,7 +37,7 @@ bool source_field(Object& object, const std::string& pointer, ObjectWishes& wish
         }
     }
     ImGui::Separator();
-    if (ImGui::Selectable("File…")) wishes.browse_mesh = true;
+    if (ImGui::Selectable("File…")) requests.browse_mesh = true;
     ImGui::EndCombo();
     return edited;
 }
@@ -61,15 +59,15 @@ void mesh_facts(const Object& object) {
     if (!object.mesh) return;
     const Mesh& mesh = *object.mesh;
     const std::size_t faces = mesh.face_count(), triangles = mesh.triangles.size();
-    row("");
+    label_cell("");
     // Where every face is a triangle one number says it all, and two need two lines.
     if (faces != triangles) {
         dim_text(fmt::format("{} {}", faces, faces == 1 ? "face" : "faces").c_str());
-        row("");
+        label_cell("");
     }
     dim_text(fmt::format("{} {}", triangles, triangles == 1 ? "triangle" : "triangles").c_str());
     for (const std::string& warning : mesh.warnings) {
-        row("");
+        label_cell("");
         ImGui::PushTextWrapPos(0);
         dim_text(warning.c_str());
         ImGui::PopTextWrapPos();
@@ -78,30 +76,36 @@ void mesh_facts(const Object& object) {
 
 /// Which gizmo stands on the object in the picture.
 void gizmo_field(GizmoMode& gizmo) {
-    static const std::array<Choice, 4> modes{
-        Choice{"", "–", "No gizmo in the picture"},
-        Choice{"", "Move", "Arrows, planes and the middle move it (key G)"},
-        Choice{"", "Turn", "Rings turn it round an axis or the line of sight (key R)"},
-        Choice{"", "Scale", "Boxes scale it along its own axes, the middle as a whole (key T)"}};
-    row("By hand");
+    const auto with_key = [](const char* what, CommandId id) {
+        return fmt::format("{} (key {})", what, keys_of(id));
+    };
+    static const std::string move = with_key("Arrows, planes and the middle move it", CommandId::MoveByHand),
+                             turn = with_key("Rings turn it round an axis or the line of sight",
+                                             CommandId::RotateByHand),
+                             scale = with_key("Boxes scale it along its own axes, the middle as a whole",
+                                              CommandId::ScaleByHand);
+    const std::array modes{Choice{"", "–", "No gizmo in the picture"}, Choice{"", "Move", move.c_str()},
+                           Choice{"", "Turn", turn.c_str()}, Choice{"", "Scale", scale.c_str()}};
+    label_cell("By hand");
     gizmo = static_cast<GizmoMode>(
         segments("##gizmo", static_cast<int>(gizmo), modes, {"What drags in the picture do to it", ""}));
 }
 
 }  // namespace
 
-bool object_panel(Object& object, const std::string& pointer, Reflection reflection, ObjectWishes& wishes) {
+bool object_panel(Object& object, const std::string& pointer, Reflection reflection,
+                  ObjectRequests& requests) {
     const Object before = object;
     FieldPanel panel(object, pointer);
     panel.draw({"name"});
-    bool edited = source_field(object, pointer, wishes);
+    bool edited = source_field(object, pointer, requests);
     edited |= detail_field(object, pointer);
     mesh_facts(object);
     panel.group("material", object.material, [&](Material& material, const std::string& at) {
         return material_panel(material, at, reflection);
     });
     panel.group("transform", object.transform, [&](Transform& transform, const std::string& at) {
-        gizmo_field(wishes.gizmo);
+        gizmo_field(requests.gizmo);
         return field_rows(transform, at);
     });
     panel.group("normals", object.normals, field_rows<NormalOptions>);

@@ -1,16 +1,14 @@
-#include "ui/fields/scene_panel.h"
-
 #include <imgui_internal.h>
 
 #include <cstring>
 #include <string>
 #include <vector>
 
-#include "ui/document/limits.h"
-#include "ui/fields/choices.h"
-#include "ui/fields/object_panel.h"
+#include "ui/fields/field_panel.h"
+#include "ui/fields/panels.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -29,7 +27,7 @@ bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float in
     const bool hovered = ImGui::IsItemHovered();
     if (selected || hovered)
         list.AddRectFilled(low, {low.x + width, low.y + height},
-                           packed(selected ? theme().accent : theme().field_hovered, selected ? 0.3f : 0.6f),
+                           to_u32(selected ? theme().accent : theme().field_hovered, selected ? 0.3f : 0.6f),
                            ImGui::GetStyle().FrameRounding);
     draw_icon(list, icon, {low.x + indent + 0.5f * height, low.y + 0.5f * height}, 0.58f * height, colour);
     const float right = low.x + width - reserve;
@@ -40,7 +38,7 @@ bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float in
 }
 
 bool plain_row(Icon icon, const char* name, Selection::Kind kind, Selection& selection) {
-    const bool clicked = item_row(icon, packed(theme().dim_text), name, selection.kind == kind, 0, 0);
+    const bool clicked = item_row(icon, to_u32(theme().dim_text), name, selection.kind == kind, 0, 0);
     if (clicked) selection = {kind, 0};
     return clicked;
 }
@@ -50,8 +48,10 @@ bool row_menu(Scene& scene, Selection& selection, Selection row) {
     bool edited = false;
     if (!ImGui::BeginPopupContextItem("##menu")) return false;
     selection = row;
-    if (ImGui::MenuItem("Duplicate", "Ctrl+D")) duplicate(scene, selection), edited = true;
-    if (ImGui::MenuItem("Delete", "Del")) remove(scene, selection), edited = true;
+    if (ImGui::MenuItem("Duplicate", keys_of(CommandId::Duplicate).c_str()))
+        duplicate(scene, selection), edited = true;
+    if (ImGui::MenuItem("Delete", keys_of(CommandId::Delete).c_str()))
+        remove(scene, selection), edited = true;
     ImGui::EndPopup();
     return edited;
 }
@@ -64,7 +64,7 @@ bool space_button(Light& light, const Camera& camera) {
     const char* letter = world ? "W" : "C";
     const ImVec2 text = ImGui::CalcTextSize(letter);
     ImGui::GetWindowDrawList()->AddText({low.x + (size - text.x) / 2, low.y + (size - text.y) / 2},
-                                        packed(ImGui::IsItemHovered() ? theme().text : theme().dim_text),
+                                        to_u32(ImGui::IsItemHovered() ? theme().text : theme().dim_text),
                                         letter);
     tooltip(world ? "World light" : "Camera light",
             world ? "Stays with the scene. Click: let it ride along with the camera, from where it is now"
@@ -85,7 +85,7 @@ bool light_row(Scene& scene, int index, Selection& selection) {
     const float size = ImGui::GetFrameHeight();
     ImGui::PushID(index);
     bool edited = false;
-    if (item_row(icon_of(light.kind), packed(legible(colour_of(light)), light.enabled ? 1 : 0.4f),
+    if (item_row(icon_of(light.kind), to_u32(legible(colour_of(light)), light.enabled ? 1 : 0.4f),
                  light.name.c_str(), selection == row, px(8), 2 * size))
         selection = row;
     const bool structural = row_menu(scene, selection, row);
@@ -109,7 +109,8 @@ bool add_light_menu(Scene& scene, Selection& selection) {
     if (!ImGui::BeginPopup("##add-light")) return false;
     for (const LightKind kind : enumerators<LightKind>) {
         const Choice choice = choice_of(kind);
-        if (ImGui::MenuItem(choice.label, kind == LightKind::Point ? "L" : nullptr))
+        const std::string keys = kind == LightKind::Point ? keys_of(CommandId::AddLight) : "";
+        if (ImGui::MenuItem(choice.label, keys.c_str()))
             if (const auto index = add_light(scene, kind)) {
                 selection = {Selection::Kind::Light, *index};
                 edited = true;
@@ -120,10 +121,10 @@ bool add_light_menu(Scene& scene, Selection& selection) {
     return edited;
 }
 
-bool add_object_menu(Scene& scene, Selection& selection, SceneWishes& wishes) {
+bool add_object_menu(Scene& scene, Selection& selection, SceneRequests& requests) {
     bool edited = false;
     if (!ImGui::BeginPopup("##add-object")) return false;
-    if (ImGui::MenuItem("Mesh file…")) wishes.browse_mesh = true;
+    if (ImGui::MenuItem("Mesh file…")) requests.browse_mesh = true;
     ImGui::Separator();
     for (const Primitive primitive : enumerators<Primitive>) {
         const std::string name(name_of(primitive));
@@ -154,7 +155,7 @@ bool object_row(Scene& scene, int index, Selection& selection) {
     const Selection row{Selection::Kind::Object, index};
     const std::string& name = scene.objects[static_cast<std::size_t>(index)].name;
     ImGui::PushID(static_cast<int>(max_lights) + index);
-    if (item_row(Icon::Object, packed(theme().dim_text), name.c_str(), selection == row, px(8), 0))
+    if (item_row(Icon::Object, to_u32(theme().dim_text), name.c_str(), selection == row, px(8), 0))
         selection = row;
     const bool edited = row_menu(scene, selection, row);
     ImGui::PopID();
@@ -175,7 +176,7 @@ template <class Item, class DrawRow> bool rows(const std::vector<Item>& items, D
 
 }  // namespace
 
-bool scene_panel(Scene& scene, Selection& selection, SceneWishes& wishes) {
+bool scene_panel(Scene& scene, Selection& selection, SceneRequests& requests) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, px(1)});
     bool edited = false;
     plain_row(Icon::Camera, "Camera", Selection::Kind::Camera, selection);
@@ -186,7 +187,7 @@ bool scene_panel(Scene& scene, Selection& selection, SceneWishes& wishes) {
     edited |= rows(scene.lights, [&](int i) { return light_row(scene, i, selection); });
     if (scene.lights.empty()) dim_text("   No light yet: press + or L");
     list_heading("Objects", "##add-object", scene.objects.size() >= max_objects);
-    edited |= add_object_menu(scene, selection, wishes);
+    edited |= add_object_menu(scene, selection, requests);
     edited |= rows(scene.objects, [&](int i) { return object_row(scene, i, selection); });
     if (scene.objects.empty()) dim_text("   Nothing to light yet: press +");
     ImGui::PopStyleVar();

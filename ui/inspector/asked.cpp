@@ -19,7 +19,7 @@ std::optional<glm::ivec2> asked_pixel(const UiState& state, const PictureView& v
                       std::clamp(saturated_int(at.y), 0, size.height - 1));
 }
 
-const ExplainedPoint& asked_point(const WhyState& state, const Explanation& why) {
+const ExplainedPoint& asked_point(const InspectorState& state, const Explanation& why) {
     if (!why.lit_per_corner || why.corners.empty()) return why.at;
     const auto last = static_cast<int>(why.corners.size()) - 1;
     return why.corners[static_cast<std::size_t>(std::clamp(state.corner, 0, last))].at;
@@ -31,7 +31,7 @@ const ExplainedLight* asked_light(const UiState& state, const ExplainedPoint& po
                             [index](const ExplainedLight& light) { return light.index == index; });
     };
     if (point.lights.empty()) return nullptr;
-    if (const auto it = find(state.why_column.pointed_light); it != point.lights.end()) return &*it;
+    if (const auto it = find(state.inspector.pointed_light); it != point.lights.end()) return &*it;
     const Selection& selection = state.editor.selection;
     if (selection.kind == Selection::Kind::Light)
         if (const auto it = find(selection.index); it != point.lights.end()) return &*it;
@@ -42,6 +42,44 @@ const ExplainedLight* asked_light(const UiState& state, const ExplainedPoint& po
     return &*std::max_element(
         point.lights.begin(), point.lights.end(),
         [&](const ExplainedLight& a, const ExplainedLight& b) { return adds(a) < adds(b); });
+}
+
+Scene with_term_alone(Scene scene, Symbol term) {
+    Terms& terms = scene.shading.terms;
+    switch (term) {
+    case Symbol::Ambient:
+        terms = {false, true, false, false};
+        break;
+    case Symbol::Diffuse:
+        terms = {false, false, true, false};
+        break;
+    case Symbol::Specular:
+        terms = {false, false, false, true};
+        break;
+    case Symbol::Emission:
+        terms = {true, false, false, false};
+        break;
+    case Symbol::N:
+    case Symbol::L:
+    case Symbol::V:
+    case Symbol::R:
+    case Symbol::H:
+        break;
+    }
+    return scene;
+}
+
+void show_instead(UiState& state, const Scene& scene, const std::string& name) {
+    state.inspector.instead = scene;
+    state.inspector.preview_name = name;
+}
+
+Scene with_light_alone(Scene scene, int light) {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        scene.lights[i].enabled = static_cast<int>(i) == light;
+    scene.global_ambient = glm::vec3(0);
+    scene.shading.terms.emission = false;
+    return scene;
 }
 
 }  // namespace glint

@@ -28,9 +28,9 @@ int blocker_index(const Scene& scene, const ExplainedPoint& point, const Explain
 }
 
 void update(UiState& state, const Explanation& why, const ExplainedPoint& point) {
-    BlockedState& blocked = state.why_column.blocked;
+    BlockedState& blocked = state.inspector.blocked;
     const glm::ivec2 pixel(why.x, why.y);
-    const int corner = state.why_column.corner;
+    const int corner = state.inspector.corner;
     if (blocked.serial == state.picture_serial && blocked.pixel == pixel && blocked.corner == corner) return;
     blocked.by.clear();
     const Scene& scene = state.editor.scene();
@@ -46,7 +46,7 @@ void update(UiState& state, const Explanation& why, const ExplainedPoint& point)
 std::string blocked_words(UiState& state, const Explanation& why, const ExplainedPoint& point,
                           std::size_t which) {
     update(state, why, point);
-    const std::vector<int>& by = state.why_column.blocked.by;
+    const std::vector<int>& by = state.inspector.blocked.by;
     const Scene& scene = state.editor.scene();
     if (which >= by.size() || by[which] < 0) return "";
     const auto object = static_cast<std::size_t>(by[which]);

@@ -1,9 +1,8 @@
-#include "ui/inspector/heading.h"
-
 #include <fmt/core.h>
 #include <imgui.h>
 
 #include "ui/inspector/equation/parts.h"
+#include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
@@ -22,7 +21,7 @@ struct Square {
 };
 
 void nothing_picked(const Square& square) {
-    ImGui::GetWindowDrawList()->AddRect(square.low, square.high(), packed(theme().line), px(4));
+    ImGui::GetWindowDrawList()->AddRect(square.low, square.high(), to_u32(theme().line), px(4));
     ImGui::Dummy({square.edge, square.edge});
     ImGui::SameLine(0, px(10));
     ImGui::BeginGroup();
@@ -37,14 +36,14 @@ void picked(UiState& state, const Explanation& why, const Square& square) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto [r, g, b] = why.byte;
     list.AddRectFilled(square.low, square.high(), IM_COL32(r, g, b, 255), px(4));
-    list.AddRect(square.low, square.high(), packed(theme().line), px(4));
+    list.AddRect(square.low, square.high(), to_u32(theme().line), px(4));
     ImGui::Dummy({square.edge, square.edge});
     tooltip("Colour", "As it is on the screen: red, green, blue from 0 to 255",
             fmt::format("{} {} {}   #{:02x}{:02x}{:02x}", r, g, b, r, g, b));
     ImGui::SameLine(0, px(10));
     ImGui::BeginGroup();
-    figures(fmt::format("{} {}, {}   {} {} {}", ImGui::GetIO().KeyAlt ? "under" : "pixel", state.asked.x,
-                        state.asked.y, r, g, b));
+    mono_text(fmt::format("{} {}, {}   {} {} {}", ImGui::GetIO().KeyAlt ? "under" : "pixel", state.asked.x,
+                          state.asked.y, r, g, b));
     if (why.hit) {
         if (ImGui::Selectable(fmt::format("{}, face {}", why.object, why.face).c_str(), false, 0,
                               {ImGui::GetContentRegionAvail().x - px(26), 0}))
@@ -62,16 +61,16 @@ void picked(UiState& state, const Explanation& why, const Square& square) {
 
 }  // namespace
 
-void why_heading(UiState& state) {
+void inspector_heading(UiState& state) {
     const Square square{ImGui::GetCursorScreenPos(), 2 * ImGui::GetTextLineHeight() + px(6)};
-    if (state.why)
-        picked(state, *state.why, square);
+    if (state.explanation)
+        picked(state, *state.explanation, square);
     else
         nothing_picked(square);
     ImGui::SetCursorScreenPos({square.low.x, square.high().y + px(8)});
 }
 
-void why_empty_state(const char* promise) {
+void inspector_empty_state(const char* promise) {
     ImGui::Dummy({0, px(4)});
     wrapped_dim(promise);
     ImGui::Dummy({0, px(6)});

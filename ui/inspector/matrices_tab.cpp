@@ -1,5 +1,3 @@
-#include "ui/inspector/matrices_tab.h"
-
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -10,6 +8,7 @@
 
 #include "ui/inspector/equation/parts.h"
 #include "ui/inspector/equation/words.h"
+#include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
@@ -25,7 +24,7 @@ void matrix(const char* id, const glm::dmat4& m, const std::array<const char*, 4
         ImGui::TableNextRow();
         for (int column = 0; column < 4; ++column) {
             ImGui::TableNextColumn();
-            figures(shown_number(static_cast<float>(m[column][row])));
+            mono_text(shown_number(static_cast<float>(m[column][row])));
             tooltip(fmt::format("Row {}", row + 1).c_str(), meaning[static_cast<std::size_t>(row)]);
         }
     }
@@ -41,19 +40,19 @@ double distance_from_identity(const glm::dmat4& m) {
 
 void camera_matrices(const Camera& camera, PictureSize size) {
     const glm::dmat4 view = view_from_world(camera), inverse = world_from_view(camera);
-    section("view_from_world: camera from world");
+    section_heading("view_from_world: camera from world");
     matrix(
         "##view", view,
         {"To the right of the camera, u; last: −u·eye", "Up, v; last: −v·eye",
          "Backwards, w = (eye − target) made unit; last: −w·eye", "Keeps w: 1 for places, 0 for directions"});
     small_dim("Takes the eye to the origin. The slide writes M_V2W on this one.");
-    section("world_from_view: its inverse");
+    section_heading("world_from_view: its inverse");
     matrix("##inverse", inverse,
            {"x of u, v, w and of the eye", "y of u, v, w and of the eye", "z of u, v, w and of the eye",
             "Keeps w"});
     small_dim(fmt::format("Takes the origin to the eye. The product of the two differs from I by {:.0e}.",
                           distance_from_identity(view * inverse)));
-    section("clip_from_view: projection");
+    section_heading("clip_from_view: projection");
     matrix(
         "##projection", clip_from_view(camera.projection, size),
         {"x: scaled by the width of the view", "y: scaled by its height",
@@ -65,12 +64,12 @@ void row_of(const char* name, const glm::dvec4& v) {
     dim_text(name);
     ImGui::SameLine(px(56));
     const auto part = [](double x) { return shown_number(static_cast<float>(x)); };
-    figures(fmt::format("{} {} {} {}", part(v.x), part(v.y), part(v.z), part(v.w)));
+    mono_text(fmt::format("{} {} {} {}", part(v.x), part(v.y), part(v.z), part(v.w)));
 }
 
 void light_rows(UiState& state) {
     const Scene& scene = state.editor.scene();
-    section("Lights, carried into camera coordinates");
+    section_heading("Lights, carried into camera coordinates");
     if (scene.lights.empty()) return wrapped_dim("There is no light.");
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
@@ -91,7 +90,7 @@ void light_rows(UiState& state) {
 void stop(const char* name, const std::string& numbers, const char* what) {
     dim_text(name);
     ImGui::SameLine(px(56));
-    figures(numbers);
+    mono_text(numbers);
     tooltip(name, what);
 }
 
@@ -105,9 +104,10 @@ void small_text(const char* text) {
 
 /// The road from the mesh to the pixel.
 void carried_point(const UiState& state) {
-    section("The picked point on its way");
-    if (!state.why || !state.why->hit) return wrapped_dim("Click an object to follow a point of it.");
-    const ExplainedSpaces& s = state.why->spaces;
+    section_heading("The picked point on its way");
+    if (!state.explanation || !state.explanation->hit)
+        return wrapped_dim("Click an object to follow a point of it.");
+    const ExplainedSpaces& s = state.explanation->spaces;
     const auto three = [](glm::vec3 v) {
         return fmt::format("{} {} {}", shown_number(v.x), shown_number(v.y), shown_number(v.z));
     };
@@ -121,8 +121,8 @@ void carried_point(const UiState& state) {
     stop("NDC", three(s.ndc), "Divided by w: −1 to 1");
     stop("pixel", fmt::format("{} {}", shown_number(s.pixel.x), shown_number(s.pixel.y)),
          "Scaled to the picture; y down");
-    const InBothFrames& n = state.why->at.normal;
-    section("Its normal");
+    const InBothFrames& n = state.explanation->at.normal;
+    section_heading("Its normal");
     stop("world", three(n.world), "By the inverse transpose of the object's transform, made unit");
     stop("camera", three(n.camera), "A normal is not projected: it has done its work before");
 }

@@ -1,5 +1,3 @@
-#include "ui/inspector/mistakes_tab.h"
-
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -7,8 +5,9 @@
 #include <string>
 
 #include "models/scene/mistakes.h"
+#include "ui/inspector/asked.h"
 #include "ui/inspector/equation/parts.h"
-#include "ui/inspector/previews.h"
+#include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -73,7 +72,7 @@ void mistakes_tab(UiState& state, const PictureView&) {
         tooltip("All off", "The equation as it should be");
     }
     for (const MistakeName& mistake : mistake_names()) {
-        if (const char* group = group_before(mistake.flag)) section(group);
+        if (const char* group = group_before(mistake.flag)) section_heading(group);
         mistake_row(state, mistake);
     }
 }

@@ -1,15 +1,13 @@
-#include "ui/inspector/models_tab.h"
-
 #include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 
-#include "ui/fields/choices.h"
+#include "ui/fields/field_panel.h"
+#include "ui/inspector/asked.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/inspector/equation/words.h"
-#include "ui/inspector/heading.h"
-#include "ui/inspector/previews.h"
+#include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/widgets.h"
@@ -24,13 +22,13 @@ std::string three(glm::vec3 v) {
 /// A square of a linear colour as the scene's display would show it: only under the explained sum is that
 /// exact, so corners are clamped as they are.
 ImU32 ink_of(glm::vec3 c) {
-    return packed({std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f), 1});
+    return to_u32({std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f), 1});
 }
 
 void swatch(ImU32 colour, float edge) {
     const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + edge, low.y + edge};
     ImGui::GetWindowDrawList()->AddRectFilled(low, high, colour, px(3));
-    ImGui::GetWindowDrawList()->AddRect(low, high, packed(theme().line), px(3));
+    ImGui::GetWindowDrawList()->AddRect(low, high, to_u32(theme().line), px(3));
     ImGui::Dummy({edge, edge});
 }
 
@@ -42,7 +40,7 @@ void corner_lines(const Explanation& why) {
         ImGui::SameLine(0, px(6));
         dim_text(fmt::format("{}", letter++).c_str());
         ImGui::SameLine(0, px(6));
-        figures(fmt::format("{:.3f} × {}", corner.weight, three(corner.at.sum)));
+        mono_text(fmt::format("{:.3f} × {}", corner.weight, three(corner.at.sum)));
     }
 }
 
@@ -65,12 +63,12 @@ void how(const Explanation& why, FlatPoint flat_point, Rules rules) {
 }
 
 /// n in the frame that the Vectors tab shows.
-void normal_line(const WhyState& state, const Explanation& why) {
+void normal_line(const InspectorState& state, const Explanation& why) {
     if (why.lit_per_corner) return;
     const InBothFrames& n = why.at.normal;
     coloured(Symbol::N, "n");
     ImGui::SameLine(0, px(6));
-    figures(three(state.world_frame ? n.world : n.camera));
+    mono_text(three(state.world_frame ? n.world : n.camera));
 }
 
 void mode_block(UiState& state, const Explanation& why, ShadingMode mode, const Explanation& phong) {
@@ -89,10 +87,10 @@ void mode_block(UiState& state, const Explanation& why, ShadingMode mode, const 
     ImGui::PopFont();
     const bool pointed = is_pointed_at();
     tooltip(choice.label, choice.meaning, "Rest here: the picture under it. Click: take it", "/shading/mode");
-    figures(three(why.sum));
+    mono_text(three(why.sum));
     ImGui::EndGroup();
     how(why, shading.flat_point, shading.rules);
-    normal_line(state.why_column, why);
+    normal_line(state.inspector, why);
     if (mode != ShadingMode::Phong) small_dim("minus Phong: " + three(why.sum - phong.sum));
     ImGui::EndGroup();
     ImGui::PopID();
@@ -125,12 +123,12 @@ std::array<Explanation, 4> under_each_mode(const UiState& state, const Explanati
 }
 
 void models_tab(UiState& state, const PictureView&) {
-    if (!state.why)
-        return why_empty_state(
+    if (!state.explanation)
+        return inspector_empty_state(
             "Here the pixel appears under flat, facet, Gouraud and Phong shading at once.");
-    const Explanation& why = *state.why;
+    const Explanation& why = *state.explanation;
     if (!why.hit) return wrapped_dim("No object shows here: every model leaves the background.");
-    if (!same_faces(state.drawn, state.editor.scene()))
+    if (!same_faces(state.rendered_scene, state.editor.scene()))
         return wrapped_dim("Another scene is on the screen; the models are those of the edited one.");
     const std::array<Explanation, 4> all = under_each_mode(state, why);
     small_dim(fmt::format("Sums of the same pixel, red green blue; {} triangle of face {}, at the weights {}",

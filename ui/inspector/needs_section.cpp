@@ -1,5 +1,3 @@
-#include "ui/inspector/needs_section.h"
-
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -7,6 +5,7 @@
 
 #include "renderer/inspect/reflectance/needs.h"
 #include "ui/inspector/equation/parts.h"
+#include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
 
@@ -17,16 +16,16 @@ void cell(float moved, const ImVec4& colour) {
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, moved > 0 ? colour : theme().disabled_text);
     const bool tiny = moved < 5e-5f;
-    figures(moved == 0 ? "no" : tiny ? fmt::format("{:.0e}", moved) : fmt::format("{:.4f}", moved));
+    mono_text(moved == 0 ? "no" : tiny ? fmt::format("{:.0e}", moved) : fmt::format("{:.4f}", moved));
     ImGui::PopStyleColor();
 }
 
 }  // namespace
 
 void needs_section(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light) {
-    section("Which term needs what: moved by a turn of 1°");
+    section_heading("Which term needs what: moved by a turn of 1°");
     const Shading& shading = state.editor.scene().shading;
-    const Reflector reflector{shading.reflection, state.why->material, Terms{}};
+    const Reflector reflector{shading.reflection, state.explanation->material, Terms{}};
     const auto needs = term_needs(reflector, point.normal.camera, light.l.camera, point.view.camera);
     constexpr std::array names{"ambient", "diffuse", "specular"};
     constexpr std::array symbols{Symbol::Ambient, Symbol::Diffuse, Symbol::Specular};

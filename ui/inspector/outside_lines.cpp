@@ -1,12 +1,11 @@
-#include "ui/inspector/outside_lines.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "ui/inspector/outside_view.h"
+#include "ui/picture/handles/world_pen.h"
 #include "ui/picture/orbit.h"
-#include "ui/picture/world_pen.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/label_room.h"
@@ -33,7 +32,7 @@ struct LabelledPen : WorldPen {
         if (std::hypot(middle.x - wanted.x, middle.y - wanted.y) > height)
             list.AddLine(place, {std::clamp(place.x, low.x, low.x + size.x), middle.y}, colour, px(1));
         list.AddRectFilled({low.x - px(2), low.y}, {low.x + size.x + px(2), low.y + size.y},
-                           packed(theme().surround, 0.75f), px(3));
+                           to_u32(theme().surround, 0.75f), px(3));
         list.AddText(type, height, low, colour, words);
     }
     void text(glm::dvec3 place, const char* words, ImU32 colour) const {
@@ -51,7 +50,7 @@ void draw_mesh(const WorldPen& pen, const Object& object, std::size_t lines) {
     const auto place = [&](std::uint32_t corner) {
         return glm::dvec3(world * glm::dvec4(glm::dvec3(mesh.positions[mesh.corner_position[corner]]), 1));
     };
-    const ImU32 colour = packed(ink, 0.35f);
+    const ImU32 colour = to_u32(ink, 0.35f);
     for (std::size_t i = 0; i < mesh.triangles.size(); i += step) {
         const auto& corner = mesh.triangles[i].corner;
         pen.line(place(corner[0]), place(corner[1]), colour, px(1));
@@ -66,7 +65,7 @@ void draw_axes(const LabelledPen& pen, const glm::dmat4& frame, double length,
     const glm::dvec3 origin(frame[3]);
     for (int i = 0; i < 3; ++i) {
         const glm::dvec3 end = origin + length * glm::dvec3(frame[i]);
-        const ImU32 colour = packed(colours[std::size_t(i)]);
+        const ImU32 colour = to_u32(colours[std::size_t(i)]);
         pen.line(origin, end, colour, px(2));
         pen.text(end, names[i], colour);
     }
@@ -80,7 +79,7 @@ void draw_camera(const LabelledPen& pen, const OutsideScene& what, double size) 
     const std::array<glm::dvec2, 4> corners{{{0, 0}, {w, 0}, {w, h}, {0, h}}};
     const double near = double(near_of(camera.projection));
     const double depths[] = {near, target_depth(camera), drawn_depth(camera)};
-    const ImU32 strong = packed(ink), weak = packed(ink, 0.55f);
+    const ImU32 strong = to_u32(ink), weak = to_u32(ink, 0.55f);
     for (int k = 0; k < 3; ++k)
         for (std::size_t i = 0; i < 4; ++i)
             pen.line(unproject(map, corners[i], depths[k]), unproject(map, corners[(i + 1) % 4], depths[k]),
@@ -90,8 +89,8 @@ void draw_camera(const LabelledPen& pen, const OutsideScene& what, double size) 
     for (const glm::dvec2& corner : corners)
         pen.line(parallel ? unproject(map, corner, 0) : eye, unproject(map, corner, depths[2]), weak,
                  px(1.2f));
-    pen.line(eye, glm::dvec3(camera.target), packed(ink, 0.3f), px(1));
-    pen.mark(eye, packed({1, 1, 1, 1}), 1, false);
+    pen.line(eye, glm::dvec3(camera.target), to_u32(ink, 0.3f), px(1));
+    pen.mark(eye, to_u32({1, 1, 1, 1}), 1, false);
     pen.text(eye - 0.25 * size * glm::dvec3(map.world_from_view[1]), "eye", strong);
     draw_axes(pen, map.world_from_view, size, {"x", "y", "z"});
 }
@@ -109,7 +108,7 @@ void draw_light(const LabelledPen& pen, const OutsideScene& what, int index) {
     const Light& light = what.scene.lights[std::size_t(index)];
     const glm::dvec3 place = handle_of(light, what.main.dome, what.main.map);
     const bool rides = light.space == LightSpace::Camera;
-    const ImU32 colour = packed(colour_of(light), light.enabled ? 1 : 0.5f);
+    const ImU32 colour = to_u32(colour_of(light), light.enabled ? 1 : 0.5f);
     if (rides) pen.cased(glm::dvec3(what.scene.camera.eye), place, colour, 0.8f);
     if (light.kind == LightKind::Directional)
         pen.cased(place, place - 0.35 * what.main.dome.radius * direction_of(light, what.main.map), colour,
@@ -118,14 +117,14 @@ void draw_light(const LabelledPen& pen, const OutsideScene& what, int index) {
     if (!at.in_front) return;
     const ImVec2 p = pen.view.to_window(at.pixel);
     const float radius = px(index == what.hovered_light ? 7.5f : 6);
-    pen.list.AddCircleFilled(p, radius + px(1.5f), packed(ink, 0.8f));
+    pen.list.AddCircleFilled(p, radius + px(1.5f), to_u32(ink, 0.8f));
     if (light.enabled)
         pen.list.AddCircleFilled(p, radius, colour);
     else
         pen.list.AddCircle(p, radius, colour, 0, px(2));
-    if (index == what.selected_light) pen.list.AddCircle(p, radius + px(4), packed(theme().accent), 0, px(2));
+    if (index == what.selected_light) pen.list.AddCircle(p, radius + px(4), to_u32(theme().accent), 0, px(2));
     const std::string label = light.name + (rides ? "  C" : "  W");
-    pen.text({p.x + px(8), p.y}, label.c_str(), packed(ink));
+    pen.text({p.x + px(8), p.y}, label.c_str(), to_u32(ink));
 }
 
 }  // namespace

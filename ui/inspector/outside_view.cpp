@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "models/saturate.h"
-#include "ui/inspector/outside_lines.h"
 #include "ui/picture/handles/drag_math.h"
 #include "ui/picture/orbit.h"
 #include "ui/ui.h"
@@ -144,7 +143,7 @@ void outside_tab(UiState& state, const PictureView& main) {
         state.editor.selection = {Selection::Kind::Light, light};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 high{view.origin.x + extent.x, view.origin.y + extent.y};
-    list.AddRectFilled(view.origin, high, packed(theme().surround), px(4));
+    list.AddRectFilled(view.origin, high, to_u32(theme().surround), px(4));
     list.PushClipRect(view.origin, high, true);
     draw_outside(list, view, {scene, main, selected_light(state.editor.selection), light});
     list.PopClipRect();

@@ -79,7 +79,7 @@ void tend_sensitivity(SensitivityState& state, const SceneDocument& document, Pi
         state.job.reset();
         return;
     }
-    wish_frame_in(look_again);
+    redraw_within(look_again);
 }
 
 }  // namespace glint

@@ -1,5 +1,3 @@
-#include "ui/inspector/sensitivity_tab.h"
-
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -8,10 +6,9 @@
 #include <glm/common.hpp>
 
 #include "ui/inspector/equation/parts.h"
-#include "ui/inspector/equation/pointer_words.h"
 #include "ui/inspector/equation/words.h"
-#include "ui/inspector/heading.h"
 #include "ui/inspector/sensitivity_job.h"
+#include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/widgets.h"
@@ -50,15 +47,15 @@ void number_row(UiState& state, const Sensitivity& number, double most) {
     const auto share = static_cast<float>(largest(number.change) / std::max(most, 1e-30));
     const ImVec2 text{low.x + px(4), low.y + px(1)};
     list.AddRectFilled({text.x, high.y - px(3)}, {text.x + share * (high.x - low.x - px(8)), high.y - px(1)},
-                       packed(theme().accent));
-    list.AddText(text, packed(theme().text), fmt::format("{}  {}", named.owner, named.what).c_str());
+                       to_u32(theme().accent));
+    list.AddText(text, to_u32(theme().text), fmt::format("{}  {}", named.owner, named.what).c_str());
     const int channel = strongest(number.change);
     const std::string figure =
         fmt::format("{} {}", shown_number(static_cast<float>(number.change[channel])), "RGB"[channel]);
     ImGui::PushFont(fonts().figures);
     const float width = ImGui::CalcTextSize(figure.c_str()).x + px(6);
-    list.AddRectFilled({high.x - width, low.y}, {high.x, high.y - px(4)}, packed(theme().panel));
-    list.AddText({high.x - width + px(2), text.y}, packed(theme().text), figure.c_str());
+    list.AddRectFilled({high.x - width, low.y}, {high.x, high.y - px(4)}, to_u32(theme().panel));
+    list.AddText({high.x - width + px(2), text.y}, to_u32(theme().text), figure.c_str());
     ImGui::PopFont();
     number_tooltip(named, number);
     ImGui::PopID();
@@ -67,7 +64,7 @@ void number_row(UiState& state, const Sensitivity& number, double most) {
 /// Numbers without effect, an owner a line.
 void owners(UiState& state, const char* title, const std::vector<std::string>& pointers) {
     if (pointers.empty()) return;
-    section(title);
+    section_heading(title);
     std::vector<std::pair<NamedNumber, std::string>> lines;
     for (const std::string& pointer : pointers) {
         const NamedNumber named = named_number(pointer, state.editor.scene());
@@ -99,8 +96,9 @@ void progress(const SensitivityState& job) {
 }  // namespace
 
 void sensitivity_tab(UiState& state, const PictureView& view) {
-    if (!state.why)
-        return why_empty_state("Here every number of the scene is sorted by how much it matters there.");
+    if (!state.explanation)
+        return inspector_empty_state(
+            "Here every number of the scene is sorted by how much it matters there.");
     SensitivityState& job = state.sensitivity;
     tend_sensitivity(job, state.editor.document, view.map.size, state.asked);
     if (!job.current) progress(job);

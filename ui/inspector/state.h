@@ -4,16 +4,17 @@
 #include <optional>
 #include <string>
 
+#include "models/scene/scene.h"
 #include "ui/inspector/blocked.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
 
 /// One answer to "why that colour?" each; their labels and order are in ui/inspector/tabs.cpp.
-enum class WhyTab { Equation, Vectors, Plots, Grid, Models, Sensitivity, Mistakes, Matrices, Outside };
+enum class InspectorTab { Equation, Vectors, Plots, Grid, Models, Sensitivity, Mistakes, Matrices, Outside };
 
-struct WhyState {
-    WhyTab tab = WhyTab::Equation;
+struct InspectorState {
+    InspectorTab tab = InspectorTab::Equation;
     int corner = 0;                                  // whose numbers are listed under Gouraud and flat
     int channel = 0;                                 // whose product is written out: 0 red, 1 green, 2 blue
     bool shows_vectors = true, shows_facet = false;  // in the picture
@@ -24,7 +25,9 @@ struct WhyState {
     std::optional<Symbol> pointed_vector;
     int pointed_light = -1;
     BlockedState blocked;
-    std::string preview_name;  // of what the picture shows in place of the scene; empty: the scene
+    // What the mouse points at in the column alone, or otherwise: the next picture shows it.
+    std::optional<Scene> instead;
+    std::string preview_name;  // over it; or empty
 };
 
 }  // namespace glint

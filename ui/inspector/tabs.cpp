@@ -7,12 +7,7 @@
 #include <utility>
 
 #include "ui/inspector/equation/equation_tab.h"
-#include "ui/inspector/heading.h"
-#include "ui/inspector/matrices_tab.h"
-#include "ui/inspector/mistakes_tab.h"
-#include "ui/inspector/models_tab.h"
 #include "ui/inspector/outside_view.h"
-#include "ui/inspector/sensitivity_tab.h"
 #include "ui/inspector/vectors/vectors_tab.h"
 #include "ui/plots/plots_tab.h"
 #include "ui/ui.h"
@@ -25,28 +20,29 @@ namespace glint {
 namespace {
 
 constexpr std::array tabs{
-    WhyTabInfo{WhyTab::Equation, "Equation", "The lighting equation at the picked pixel, with its numbers",
-               equation_tab},
-    WhyTabInfo{WhyTab::Vectors, "Vectors", "n, l, v, r and h at the picked point, and the facet's own normal",
-               vectors_tab},
-    WhyTabInfo{WhyTab::Plots, "Plots", "Falloff, highlight, cone, lobes and microfacets as curves",
-               plots_tab},
-    WhyTabInfo{WhyTab::Grid, "Light × term",
-               "Every term of every light as a small picture: alone, or left out", term_grid_tab},
-    WhyTabInfo{WhyTab::Models, "Models", "The same pixel under flat, facet, Gouraud and Phong shading",
-               models_tab},
-    WhyTabInfo{WhyTab::Sensitivity, "Sensitivity",
-               "What matters here: every number, sorted by how much the pixel moves with it",
-               sensitivity_tab},
-    WhyTabInfo{WhyTab::Mistakes, "Mistakes", "Mistakes that are really made, each a switch", mistakes_tab},
-    WhyTabInfo{WhyTab::Matrices, "Matrices", "View, its inverse, projection, and what they carry",
-               matrices_tab},
-    WhyTabInfo{WhyTab::Outside, "Outside", "The eye, its view volume and the lights, seen from outside",
-               outside_tab},
+    InspectorTabInfo{InspectorTab::Equation, "Equation",
+                     "The lighting equation at the picked pixel, with its numbers", equation_tab},
+    InspectorTabInfo{InspectorTab::Vectors, "Vectors",
+                     "n, l, v, r and h at the picked point, and the facet's own normal", vectors_tab},
+    InspectorTabInfo{InspectorTab::Plots, "Plots",
+                     "Falloff, highlight, cone, lobes and microfacets as curves", plots_tab},
+    InspectorTabInfo{InspectorTab::Grid, "Light × term",
+                     "Every term of every light as a small picture: alone, or left out", term_grid_tab},
+    InspectorTabInfo{InspectorTab::Models, "Models",
+                     "The same pixel under flat, facet, Gouraud and Phong shading", models_tab},
+    InspectorTabInfo{InspectorTab::Sensitivity, "Sensitivity",
+                     "What matters here: every number, sorted by how much the pixel moves with it",
+                     sensitivity_tab},
+    InspectorTabInfo{InspectorTab::Mistakes, "Mistakes", "Mistakes that are really made, each a switch",
+                     mistakes_tab},
+    InspectorTabInfo{InspectorTab::Matrices, "Matrices", "View, its inverse, projection, and what they carry",
+                     matrices_tab},
+    InspectorTabInfo{InspectorTab::Outside, "Outside",
+                     "The eye, its view volume and the lights, seen from outside", outside_tab},
 };
 
 /// A tab's button; the chosen one stands on a bar of the accent.
-bool tab_button(const WhyTabInfo& info, bool chosen) {
+bool tab_button(const InspectorTabInfo& info, bool chosen) {
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().field_active : theme().panel);
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme().text : theme().dim_text);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), px(3)});
@@ -55,18 +51,18 @@ bool tab_button(const WhyTabInfo& info, bool chosen) {
     ImGui::PopStyleColor(2);
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     if (chosen)
-        ImGui::GetWindowDrawList()->AddRectFilled({low.x, high.y - px(2)}, high, packed(theme().accent));
+        ImGui::GetWindowDrawList()->AddRectFilled({low.x, high.y - px(2)}, high, to_u32(theme().accent));
     tooltip(info.label, info.what);
     return clicked;
 }
 
 /// The buttons in as many rows as they need.
-void tab_bar(WhyState& why) {
+void tab_bar(InspectorState& why) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(fonts().small);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(1), px(1)});
     bool first = true;
-    for (const WhyTabInfo& info : tabs) {
+    for (const InspectorTabInfo& info : tabs) {
         const float width = ImGui::CalcTextSize(info.label).x + px(12);
         if (!first && ImGui::GetItemRectMax().x + px(1) + width <= right) ImGui::SameLine();
         first = false;
@@ -75,28 +71,27 @@ void tab_bar(WhyState& why) {
     ImGui::PopStyleVar();
     ImGui::PopFont();
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddLine({low.x, low.y}, {right, low.y}, packed(theme().line));
+    ImGui::GetWindowDrawList()->AddLine({low.x, low.y}, {right, low.y}, to_u32(theme().line));
     ImGui::Dummy({0, px(3)});
 }
 
 }  // namespace
 
-std::span<const WhyTabInfo> why_tabs() { return tabs; }
+std::span<const InspectorTabInfo> inspector_tabs() { return tabs; }
 
-void why_column(UiState& state, const PictureView& view) {
-    const std::optional<Symbol> pointed_vector = std::exchange(state.why_column.pointed_vector, std::nullopt);
-    const int pointed_light = std::exchange(state.why_column.pointed_light, -1);
-    state.why_column.preview_name.clear();
-    why_heading(state);
-    tab_bar(state.why_column);
-    for (const WhyTabInfo& info : tabs) {
-        if (info.tab != state.why_column.tab) continue;
+void inspector(UiState& state, const PictureView& view) {
+    const std::optional<Symbol> pointed_vector = std::exchange(state.inspector.pointed_vector, std::nullopt);
+    const int pointed_light = std::exchange(state.inspector.pointed_light, -1);
+    inspector_heading(state);
+    tab_bar(state.inspector);
+    for (const InspectorTabInfo& info : tabs) {
+        if (info.tab != state.inspector.tab) continue;
         ImGui::BeginChild(info.label);  // each tab keeps its own place of scrolling
         info.draw(state, view);
         ImGui::EndChild();
     }
-    if (pointed_vector != state.why_column.pointed_vector || pointed_light != state.why_column.pointed_light)
-        wish_frame_in(0);  // the picture's arrows were drawn before
+    if (pointed_vector != state.inspector.pointed_vector || pointed_light != state.inspector.pointed_light)
+        redraw_within(0);  // the picture's arrows were drawn before
 }
 
 }  // namespace glint

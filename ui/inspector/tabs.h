@@ -1,8 +1,15 @@
 #pragma once
 // The WHY column: the picked pixel, and tabs that each look at it in another way. Its tabs are a closed list.
 
+#include <array>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
 #include <span>
 
+#include "models/scene/camera.h"
+#include "models/scene/light.h"
+#include "models/scene/shading.h"
+#include "renderer/inspect/explain/explanation.h"
 #include "ui/inspector/state.h"
 
 namespace glint {
@@ -11,18 +18,65 @@ struct UiState;
 struct PictureView;
 
 /// A tab: what it is called, what its tooltip says, and what draws it below the tab bar.
-struct WhyTabInfo {
-    WhyTab tab;
+struct InspectorTabInfo {
+    InspectorTab tab;
     const char* label;
     const char* what;
     void (*draw)(UiState&, const PictureView&);
 };
 
-/// All tabs, from left to right. To add one: a name in WhyTab, its line here in tabs.cpp, its own file.
-[[nodiscard]] std::span<const WhyTabInfo> why_tabs();
+/// All tabs, from left to right. To add one: a name in InspectorTab, its line here in tabs.cpp, its own file.
+[[nodiscard]] std::span<const InspectorTabInfo> inspector_tabs();
 
 /// Draws heading, tab bar and the chosen tab into the current window. After the picture, so that numbers are
 /// of what is on the screen.
-void why_column(UiState& state, const PictureView& view);
+void inspector(UiState& state, const PictureView& view);
+
+// What stands above the tabs of WHY: the picked pixel, its colour, and what shows there.
+
+/// A square of the pixel's colour with its byte values, the pixel, and what it shows. A click on the object
+/// selects it, a click on the cross forgets the pixel. As high while no pixel is picked, when it says how to
+/// pick one: the tabs below it stay where they are.
+void inspector_heading(UiState& state);
+
+/// What a tab that needs a pixel shows while none is picked: `promise` says what it would.
+void inspector_empty_state(const char* promise);
+
+// The same pixel under flat, facet, Gouraud and Phong shading, side by side, and how each comes by its
+// colour.
+
+/// Pointing at a model shows the whole picture under it, a click takes it.
+void models_tab(UiState& state, const PictureView& view);
+
+/// The pixel under each mode of ShadingMode, in its order, whatever the scene's own mode is.
+/// Precondition: the picture is of the edited scene, or of one with other lights, materials or shading.
+[[nodiscard]] std::array<Explanation, 4> under_each_mode(const UiState& state, const Explanation& why);
+
+// Mistakes that students really make, as switches: on, one sees how each is recognised; pointed at, one sees
+// it for as long as the mouse rests there.
+
+void mistakes_tab(UiState& state, const PictureView& view);
+
+/// How many are on.
+[[nodiscard]] int mistakes_on(const Mistakes& mistakes);
+
+// The matrices of the camera with their numbers, and what they do: each light's position carried into camera
+// coordinates, the picked point on its way from the mesh to its pixel, with lighting's place marked.
+
+void matrices_tab(UiState& state, const PictureView& view);
+
+/// A light's position in both frames, w as in the scene: a direction stays a direction.
+struct CarriedLight {
+    glm::dvec4 world{0}, camera{0};
+};
+[[nodiscard]] CarriedLight carried(const Light& light, const Camera& camera);
+
+// What matters here: every number of the scene, sorted by how much the picked pixel moves with it.
+
+void sensitivity_tab(UiState& state, const PictureView& view);
+
+/// The review's table, live at the picked point: how far each term moves when normal, light or viewer is
+/// turned by a degree.
+void needs_section(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light);
 
 }  // namespace glint

@@ -1,131 +1,169 @@
 #include "ui/lecture/lecture.h"
 
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
 #include <filesystem>
 
-#include "ui/commands/actions.h"
-#include "ui/lecture/folder_scenes.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
+
+void frozen_badge(ImDrawList& list, const LectureState& lecture, const PictureView& view) {
+    if (!lecture.frozen) return;
+    const std::string text = "Frozen (" + keys_of(CommandId::Freeze) + ")";
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 low{view.origin.x + px(10), view.origin.y + px(10)};
+    list.AddRectFilled(low, {low.x + size.x + px(16), low.y + size.y + px(8)}, to_u32(theme().window, 0.85f),
+                       px(6));
+    list.AddText({low.x + px(8), low.y + px(4)}, to_u32(theme().text), text.c_str());
+}
+
 namespace {
 
-/// From a scene without a file: through those that come with the program.
-std::string other_scene(const UiState& state, int step) {
-    const std::string& path = state.editor.document.path;
-    if (!path.empty() && path != "-") return scene_beside(path, step);
-    const auto scenes = folder_scenes(state.shipped_scenes);
-    if (state.shipped_scenes.empty() || scenes.empty()) return {};
-    return step > 0 ? scenes.front() : scenes.back();
-}
+ImU32 grey(int value) { return IM_COL32(value, value, value, 255); }
 
-void open_other(UiState& state, int step) {
-    const std::string path = other_scene(state, step);
-    if (path.empty()) return;
-    begin_pending(state, {Pending::What::Open, path, false});
-}
-
-void switch_projector(UiState& state) {
-    LectureState& lecture = state.lecture;
-    lecture.projector = !lecture.projector;
-    if (lecture.projector) lecture.folded_before = state.layout.folded;
-    state.layout.folded = lecture.projector || lecture.folded_before;
-}
-
-void switch_frozen(UiState& state) {
-    auto& frozen = state.lecture.frozen;
-    if (frozen)
-        frozen.reset();
-    else
-        frozen = state.drawn;
+/// The row's patches over the whole width, each to be clicked.
+void patches(WedgeRow& row, float height) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, {low.x + width, low.y + height}, grey(row.ground));
+    const auto count = wedge_steps.size();
+    const float cell = width / static_cast<float>(count), size = std::min(0.6f * cell, 0.55f * height);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float x = low.x + (static_cast<float>(i) + 0.5f) * cell, y = low.y + 0.45f * height;
+        const int value = row.ground + row.sign * wedge_steps[i];
+        list.AddRectFilled({x - size / 2, y - size / 2}, {x + size / 2, y + size / 2}, grey(value));
+        ImGui::SetCursorScreenPos({x - cell / 2, low.y});
+        ImGui::PushID(static_cast<int>(i));
+        if (hit_area("##patch", {cell, height})) row.seen = static_cast<int>(i);
+        const bool chosen = row.seen == static_cast<int>(i);
+        const ImU32 ink = row.ground < 128 ? grey(150) : grey(row.ground == 255 ? 110 : 20);
+        if (chosen || ImGui::IsItemHovered())
+            list.AddRect({x - cell / 2 + px(3), low.y + px(3)},
+                         {x + cell / 2 - px(3), low.y + height - px(3)}, ink, px(4), 0,
+                         px(chosen ? 2.0f : 1.0f));
+        const std::string label = std::to_string(wedge_steps[i]);
+        const ImVec2 text = ImGui::CalcTextSize(label.c_str());
+        list.AddText({x - text.x / 2, low.y + height - text.y - px(7)}, ink, label.c_str());
+        ImGui::PopID();
+    }
+    ImGui::SetCursorScreenPos({low.x, low.y + height + px(4)});
 }
 
 }  // namespace
 
-void run_lecture_action(UiState& state, Action action) {
-    LectureState& lecture = state.lecture;
-    switch (action) {
-    case Action::Projector:
-        return switch_projector(state);
-    case Action::CleanFeed:
-        state.layout.bare = !state.layout.bare;
-        return;
-    case Action::Freeze:
-        return switch_frozen(state);
-    case Action::Pen:
-        lecture.pen.on = !lecture.pen.on;
-        return;
-    case Action::WipePen:
-        lecture.pen.lines.clear();
-        return;
-    case Action::NextScene:
-        return open_other(state, 1);
-    case Action::PreviousScene:
-        return open_other(state, -1);
-    case Action::StepWedge:
-        lecture.wedge.open = !lecture.wedge.open;
-        return;
-    case Action::Animate:
-        state.animate.open = !state.animate.open;
-        state.animate.playing &= state.animate.open;
-        return;
-    default:
-        return;
+std::string wedge_words(const WedgeRow& row) {
+    if (row.seen < 0)
+        return fmt::format("On {}: click the first patch that the last row of the room can see", row.name);
+    if (row.seen == 0) return fmt::format("On {} every step is seen", row.name);
+    const auto seen = std::min(static_cast<std::size_t>(row.seen), wedge_steps.size() - 1);
+    return fmt::format("On {} this projector swallows steps below {}/255: colours {:.3f} apart look the same",
+                       row.name, wedge_steps[seen], double(wedge_steps[seen - 1]) / 255);
+}
+
+void step_wedge(WedgeState& wedge) {
+    if (!wedge.open) return;
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize(window);
+    ImGui::Begin("##wedge", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PushFont(fonts().title);
+    ImGui::TextUnformatted("Step wedge");
+    ImGui::PopFont();
+    ImGui::SameLine(0, px(12));
+    dim_text("Each patch differs from its ground by so many of 255 steps");
+    ImGui::SameLine(window.x - px(100));
+    if (ImGui::Button("Close", {px(88), 0})) wedge.open = false;
+    const float words = ImGui::GetTextLineHeightWithSpacing() + px(10);
+    const float height = ImGui::GetContentRegionAvail().y / float(wedge.rows.size()) - words;
+    for (WedgeRow& row : wedge.rows) {
+        ImGui::PushID(row.name);
+        patches(row, std::max(height, px(20)));
+        ImGui::TextUnformatted(wedge_words(row).c_str());
+        ImGui::Dummy({0, px(2)});
+        ImGui::PopID();
     }
+    ImGui::End();
 }
 
-std::string lecture_why_not(const UiState& state, Action action) {
-    switch (action) {
-    case Action::WipePen:
-        return state.lecture.pen.lines.empty() ? "Nothing is drawn" : "";
-    case Action::Freeze:
-        return state.picture == nullptr ? "There is no picture yet" : "";
-    default:
-        return {};
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// The digits at the front of `text`, without leading zeros; they are taken off it.
+std::string_view take_number(std::string_view& text) {
+    std::size_t length = 0;
+    while (length < text.size() && is_digit(text[length])) ++length;
+    std::string_view digits = text.substr(0, length);
+    text.remove_prefix(length);
+    digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+    return digits;
+}
+
+/// Below 0, 0 or above 0, as `a` comes before, with or after `b`.
+int natural_order(std::string_view a, std::string_view b) {
+    while (!a.empty() && !b.empty()) {
+        if (is_digit(a[0]) && is_digit(b[0])) {
+            const std::string_view m = take_number(a), n = take_number(b);
+            if (m.size() != n.size()) return m.size() < n.size() ? -1 : 1;
+            if (const int order = m.compare(n); order != 0) return order;
+            continue;
+        }
+        if (lower(a[0]) != lower(b[0])) return lower(a[0]) < lower(b[0]) ? -1 : 1;
+        a.remove_prefix(1);
+        b.remove_prefix(1);
     }
+    return a.empty() ? (b.empty() ? 0 : -1) : 1;
 }
 
-std::optional<bool> lecture_is_on(const UiState& state, Action action) {
-    const LectureState& lecture = state.lecture;
-    switch (action) {
-    case Action::Projector:
-        return lecture.projector;
-    case Action::CleanFeed:
-        return state.layout.bare;
-    case Action::Freeze:
-        return lecture.frozen.has_value();
-    case Action::Pen:
-        return lecture.pen.on;
-    case Action::StepWedge:
-        return lecture.wedge.open;
-    case Action::Animate:
-        return state.animate.open;
-    default:
-        return {};
+}  // namespace
+
+bool natural_less(std::string_view a, std::string_view b) {
+    const int order = natural_order(a, b);
+    return order != 0 ? order < 0 : a < b;  // "a1" and "a01" are in some order, always the same
+}
+
+std::vector<std::string> folder_scenes(const std::string& folder) {
+    std::vector<std::string> names;
+    std::error_code failed;
+    for (fs::directory_iterator it(folder.empty() ? "." : folder, failed);
+         !failed && it != fs::directory_iterator(); it.increment(failed)) {
+        std::error_code unknown;
+        const std::string name = it->path().filename().string();
+        std::string extension = it->path().extension().string();
+        std::transform(extension.begin(), extension.end(), extension.begin(), lower);
+        if (extension == ".json" && !name.starts_with(".") && it->is_regular_file(unknown))
+            names.push_back(name);
     }
+    std::sort(names.begin(), names.end(), natural_less);
+    for (std::string& name : names) name = (fs::path(folder) / name).string();
+    return names;
 }
 
-bool leave_lecture_tool(UiState& state) {
-    LectureState& lecture = state.lecture;
-    if (lecture.wedge.open) return !(lecture.wedge.open = false);
-    if (lecture.pen.on) return !(lecture.pen.on = false);
-    if (state.layout.bare) return !(state.layout.bare = false);
-    return false;
-}
-
-void keep_frozen(UiState& state) {
-    const auto& frozen = state.lecture.frozen;
-    if (!frozen) return;
-    state.preview = *frozen;
-}
-
-void frozen_badge(ImDrawList& list, const LectureState& lecture, const PictureView& view) {
-    if (!lecture.frozen) return;
-    const char* text = "Frozen (F8)";
-    const ImVec2 size = ImGui::CalcTextSize(text);
-    const ImVec2 low{view.origin.x + px(10), view.origin.y + px(10)};
-    list.AddRectFilled(low, {low.x + size.x + px(16), low.y + size.y + px(8)}, packed(theme().window, 0.85f),
-                       px(6));
-    list.AddText({low.x + px(8), low.y + px(4)}, packed(theme().text), text);
+std::string scene_beside(const std::string& path, int step) {
+    const fs::path file(path);
+    const std::string name = file.filename().string();
+    const std::vector<std::string> scenes = folder_scenes(file.parent_path().string());
+    const auto less = [](const std::string& scene, const std::string& other) {
+        return natural_less(fs::path(scene).filename().string(), other);
+    };
+    auto at = std::lower_bound(scenes.begin(), scenes.end(), name, less) - scenes.begin();
+    const auto count = static_cast<std::ptrdiff_t>(scenes.size());
+    const bool there = at < count && fs::path(scenes[static_cast<std::size_t>(at)]).filename() == name;
+    if (!there && step > 0) --at;  // the one in its place is the next one
+    at += step;
+    return at >= 0 && at < count ? scenes[static_cast<std::size_t>(at)] : "";
 }
 
 }  // namespace glint

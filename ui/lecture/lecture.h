@@ -1,40 +1,67 @@
 #pragma once
-// What the window does for a lecture: large type, a clean picture, freeze, pen, the scenes of a folder one by
-// one, a step wedge. One place for ui.cpp and actions.cpp to call.
+// What the window does for a lecture: large type, a clean picture, freeze, pen, a step wedge.
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "models/scene/scene.h"
-#include "ui/lecture/step_wedge.h"
 #include "ui/picture/pen.h"
 
 namespace glint {
 
+// Patches that differ little from their ground: which of them a projector, in its room, still tells apart.
+
+/// Differences in steps of 1/255 of the display's range.
+inline constexpr std::array<int, 10> wedge_steps{1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
+
+/// A ground and what is seen on it.
+struct WedgeRow {
+    const char* name;  // "black"
+    int ground;        // 0 .. 255
+    int sign;          // patches are ground + sign * step
+    int seen = -1;     // index of the smallest step seen; -1: not asked yet; wedge_steps.size(): none
+    bool operator==(const WedgeRow&) const = default;
+};
+
+struct WedgeState {
+    bool open = false;
+    std::array<WedgeRow, 3> rows{{{"black", 0, 1}, {"grey", 128, 1}, {"white", 255, -1}}};
+};
+
+/// What a row's answer means: "On black, differences below 6/255 are swallowed: a colour of 0.02 is black."
+[[nodiscard]] std::string wedge_words(const WedgeRow& row);
+
+/// The whole window, while it is open.
+void step_wedge(WedgeState& wedge);
+
+// The scenes of a folder, in the order in which a person would count them.
+
+/// Numbers within names count as numbers, capitals do not: "Step 2" < "step 10" < "step 10b".
+[[nodiscard]] bool natural_less(std::string_view a, std::string_view b);
+
+/// The scene files (.json) of a folder in that order, as paths. Hidden ones are left out; empty when the
+/// folder cannot be read.
+[[nodiscard]] std::vector<std::string> folder_scenes(const std::string& folder);
+
+/// The scene `step` places after `path` (before it, when negative) in its folder; for a path that is not in
+/// the list the one that would be next to it. Empty when there is none.
+[[nodiscard]] std::string scene_beside(const std::string& path, int step);
+
 struct UiState;
-enum class Action;
 
 /// Type and widgets are so many times larger: the smallest type, 13 units, becomes 18.
 inline constexpr float projector_scale = 1.4f;
 
 struct LectureState {
-    bool projector = false;       // large type, strong contrast
-    bool folded_before = false;   // the layout that it found
-    std::optional<Scene> frozen;  // shown whatever is edited
+    bool projector = false;           // large type, strong contrast
+    bool hid_columns_before = false;  // the layout that it found
+    std::optional<Scene> frozen;      // shown whatever is edited
     PenState pen;
     WedgeState wedge;
 };
-
-/// The part of run_action(), why_not() and is_on() that is about lectures.
-void run_lecture_action(UiState& state, Action action);
-[[nodiscard]] std::string lecture_why_not(const UiState& state, Action action);
-[[nodiscard]] std::optional<bool> lecture_is_on(const UiState& state, Action action);
-
-/// Escape: puts away what is in hand. False when there is nothing.
-bool leave_lecture_tool(UiState& state);
-
-/// At the end of a frame: what is frozen is shown in the next one.
-void keep_frozen(UiState& state);
 
 /// A word over the picture while it does not show what is edited.
 void frozen_badge(ImDrawList& list, const LectureState& lecture, const PictureView& view);

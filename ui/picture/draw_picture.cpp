@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "ui/document/take_back.h"
+#include "ui/document/document_actions.h"
 #include "ui/inspector/asked.h"
 #include "ui/ui.h"
 #include "ui/views/views.h"
@@ -16,27 +16,27 @@ namespace {
 
 /// Whether what is shown is the picture, or such pictures side by side: not measured, not false colours.
 bool shows_pictures(const UiState& state) {
-    if (state.shown == nullptr || state.shown == state.picture) return true;
+    if (state.displayed == nullptr || state.displayed == state.rendered) return true;
     const ShownFrom& from = state.views.shown_from;
     return from.compare.on && !from.compare.difference && from.look == LookSet{};
 }
 
 /// Whether a smaller picture may stand for the whole one for a moment: no numbers of many pixels are shown.
-bool may_be_small(const UiState& state) {
+bool may_be_small(const UiState& state, bool previewed) {
     const bool camera = state.viewport.gesture == Gesture::Orbit || state.viewport.gesture == Gesture::Pan ||
                         state.viewport.gesture == Gesture::Dolly;
     const bool light =
         state.viewport.gesture == Gesture::Hand && state.viewport.held.grip.kind == GripKind::Light;
     const bool field = state.viewport.gesture == Gesture::None && ImGui::IsAnyItemActive();
-    return (camera || light || field) && !state.preview && !views_need_linear(state.views) &&
+    return (camera || light || field) && !previewed && !views_need_linear(state.views) &&
            !(state.views.magnifier.zoom > 1) && shows_pictures(state);
 }
 
 /// The size of the next picture of a scene that differs (`changed`) from the last one or does not.
-PictureSize paced_size(UiState& state, PictureSize full, bool changed) {
+PictureSize paced_size(UiState& state, PictureSize full, bool changed, bool small_will_do) {
     FramePace& pace = state.pace;
-    const bool small_now = state.picture != nullptr && !(state.picture->size == full);
-    if (!may_be_small(state)) {
+    const bool small_now = state.rendered != nullptr && !(state.rendered->size == full);
+    if (!small_will_do) {
         end_of_motion(pace);
         return full;
     }
@@ -46,8 +46,8 @@ PictureSize paced_size(UiState& state, PictureSize full, bool changed) {
     }
     const double rest = pace.rests_since + rest_before_full - ImGui::GetTime();
     if (!small_now || rest <= 0) return full;
-    wish_frame_in(rest);
-    return state.picture->size;
+    redraw_within(rest);
+    return state.rendered->size;
 }
 
 /// The size of the next picture where there is not memory for a whole one.
@@ -58,7 +58,7 @@ PictureSize size_for_memory(FramePace& pace, PictureSize paced, PictureSize full
     const double rest = pace.memory_rests_until - ImGui::GetTime();
     pace.memory_tries_again = rest <= 0;
     if (pace.memory_tries_again) pace.memory_divisor /= 2;
-    wish_frame_in(std::max(rest, 0.0));
+    redraw_within(std::max(rest, 0.0));
     const PictureSize fitting = divided(full, pace.memory_divisor);
     return paced.width < fitting.width ? paced : fitting;
 }
@@ -66,15 +66,16 @@ PictureSize size_for_memory(FramePace& pace, PictureSize paced, PictureSize full
 /// Explains the pixel that shows at the asked one's place: of a smaller picture a larger pixel, which is the
 /// colour on the screen then.
 void explain_asked(UiState& state, const PictureView& view) {
-    state.why.reset();
+    state.explanation.reset();
     const auto asked = asked_pixel(state, view);
     if (!asked) return;
-    const PictureSize whole = view.map.size, drawn = state.picture->size;
+    const PictureSize whole = view.map.size, drawn = state.rendered->size;
     const glm::ivec2 shown{asked->x * drawn.width / whole.width, asked->y * drawn.height / whole.height};
-    state.why = state.renderer->explain(shown.x, shown.y);
-    state.why->spaces.pixel *= glm::vec2(whole.width, whole.height) / glm::vec2(drawn.width, drawn.height);
+    state.explanation = state.renderer->explain(shown.x, shown.y);
+    state.explanation->spaces.pixel *=
+        glm::vec2(whole.width, whole.height) / glm::vec2(drawn.width, drawn.height);
     state.asked = *asked;
-    state.explained = item_counts(state.drawn);
+    state.explained = item_counts(state.rendered_scene);
 }
 
 }  // namespace
@@ -88,42 +89,51 @@ bool same_surfaces(const Scene& a, const Scene& b) {
 }
 
 const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size) {
-    const bool tells = state.picture != nullptr && state.picture->size == size &&
-                       same_surfaces(state.drawn, state.editor.scene());
+    const bool tells = state.rendered != nullptr && state.rendered->size == size &&
+                       same_surfaces(state.rendered_scene, state.editor.scene());
     return tells ? state.renderer.get() : nullptr;
 }
 
+std::optional<Scene> preview_of(const UiState& state) {
+    if (state.lecture.frozen) return state.lecture.frozen;
+    if (state.animate.frame) return state.animate.frame;
+    if (state.inspector.instead) return state.inspector.instead;
+    const CompareChoice& compare = state.views.compare.choice;
+    if (!compare.shows_stored) return {};
+    return scene_under({Variant::Kind::Stored, 0}, state.editor.scene(), compare.stored.get());
+}
+
 bool is_explained(const UiState& state) {
-    return state.why && state.explained == item_counts(state.editor.scene());
+    return state.explanation && state.explained == item_counts(state.editor.scene());
 }
 
 void draw_picture(UiState& state, const PictureView& view) {
-    tend_loads(state);
+    poll_loads(state);
     if (const auto problem = settle(state.editor)) state.notifications.add(*problem);
-    const bool moves = may_be_small(state);
+    const std::optional<Scene> preview = preview_of(state);
+    const Scene& shown = preview ? *preview : state.editor.scene();
+    const bool moves = may_be_small(state, preview.has_value());
     state.pace.drawn_at = 0;
-    const bool changed = !(state.drawn == (state.preview ? *state.preview : state.editor.scene()));
+    const bool changed = !(state.rendered_scene == shown);
     if (state.editor.before) state.pace.memory_divisor = 1;  // another document may be a smaller one
     const PictureSize size =
-        size_for_memory(state.pace, paced_size(state, view.map.size, changed), view.map.size);
-    const std::optional<Scene> preview = std::exchange(state.preview, std::nullopt);
-    const Scene& shown = preview ? *preview : state.editor.scene();
-    const bool same_size = state.picture != nullptr && state.picture->size == size;
+        size_for_memory(state.pace, paced_size(state, view.map.size, changed, moves), view.map.size);
+    const bool same_size = state.rendered != nullptr && state.rendered->size == size;
     const bool linear = views_need_linear(state.views);
-    const bool has_linear = state.picture != nullptr && !state.picture->linear.empty();
+    const bool has_linear = state.rendered != nullptr && !state.rendered->linear.empty();
     if (!same_size || changed || (linear && !has_linear)) {
         try {
-            state.picture = &state.renderer->render(shown, size, linear);
+            state.rendered = &state.renderer->render(shown, size, linear);
         } catch (const std::exception& error) {
             take_back(state, error, view.map.size, preview.has_value());
             return;
         }
-        state.drawn = shown;
-        state.drawn_is_edited = !preview;
+        state.rendered_scene = shown;
+        state.rendered_is_edited = !preview;
         ++state.picture_serial;
         if (moves && changed) state.pace.drawn_at = size == view.map.size ? 1 : state.pace.divisor;
     }
-    if (!is_explained(state)) state.why.reset();
+    if (!is_explained(state)) state.explanation.reset();
     if (preview) return;
     state.editor.before.reset();
     explain_asked(state, view);

@@ -1,8 +1,12 @@
 #pragma once
 // When the picture is drawn, and how large.
 
+#include <optional>
+
 #include "renderer/renderer.h"
+#include "ui/commands/keys.h"
 #include "ui/picture/picture_view.h"
+#include "ui/shell/layout.h"
 
 namespace glint {
 
@@ -18,6 +22,11 @@ struct UiState;
 /// is of no use.
 [[nodiscard]] const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size);
 
+/// What the next picture shows in place of the edited scene, with the same meshes; nothing of it reaches the
+/// history or a file, and `why` stays what it was. Of several that want one: what is frozen, what is
+/// animated, what the mouse points at in the column, B.
+[[nodiscard]] std::optional<Scene> preview_of(const UiState& state);
+
 /// Whether `why` is there and names lights and objects by numbers that the open scene has.
 [[nodiscard]] bool is_explained(const UiState& state);
 
@@ -29,5 +38,16 @@ void draw_picture(UiState& state, const PictureView& view);
 /// Learns how long the pictures of this frame took, those of a comparison's parts included. After
 /// update_views().
 void learn_pace(UiState& state);
+
+// The room in the middle of the window: the picture, the hand on it, and what is drawn over it.
+
+/// Where the picture goes and how large it is in real pixels.
+[[nodiscard]] PictureView picture_view(const Rect& centre, const UiState& state);
+
+/// Places the picture and reads what a hand does on it. True while a gesture has the scene in hand.
+[[nodiscard]] bool picture_room(UiState& state, const Layout& layout, const UiInput& input);
+
+/// Handles, vectors, views, the pen; notifications. After the picture was drawn, so that they agree with it.
+void picture_overlay(UiState& state, const Layout& layout, const PictureView& view);
 
 }  // namespace glint

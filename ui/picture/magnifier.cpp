@@ -8,6 +8,8 @@
 
 #include "models/saturate.h"
 #include "models/scene/transform.h"
+#include "ui/picture/tool.h"
+#include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 
@@ -43,7 +45,7 @@ void draw_number(ImDrawList& list, const PictureView& view, const Picture& shown
     const bool three = view.units_per_pixel >= px(least_three) && !(r == g && g == b);
     const std::string text = three ? fmt::format("{}\n{}\n{}", r, g, b)
                                    : fmt::format("{}", (2126 * r + 7152 * g + 722 * b + 5000) / 10000);
-    const float height = std::min(view.units_per_pixel * (three ? 0.28f : 0.4f), fonts().small->FontSize);
+    const float height = std::min(view.units_per_pixel * (three ? 0.28f : 0.4f), small_text_height());
     const ImVec2 size = fonts().figures->CalcTextSizeA(height, 1e9f, 0, text.c_str());
     const ImVec2 middle = view.to_window(glm::dvec2(x, y) + 0.5);
     list.AddText(fonts().figures, height, {middle.x - size.x / 2, middle.y - size.y / 2}, ink, text.c_str());
@@ -53,7 +55,7 @@ void draw_number(ImDrawList& list, const PictureView& view, const Picture& shown
 void draw_edges(ImDrawList& list, const PictureView& view, const Renderer& renderer,
                 const PixelRange& range) {
     const PictureSize size = view.map.size;
-    const ImU32 colour = packed(theme().warning);
+    const ImU32 colour = to_u32(theme().warning);
     for (int y = range.y0; y < range.y1; ++y)
         for (int x = range.x0; x < range.x1; ++x) {
             const auto here = face_at(renderer, size, x, y);
@@ -69,7 +71,7 @@ void draw_picked(ImDrawList& list, const PictureView& view, const Renderer& rend
                  glm::ivec2 picked) {
     const PictureSize size = view.map.size;
     list.AddRect(view.to_window({0, picked.y}), view.to_window({size.width, picked.y + 1}),
-                 packed(theme().accent), 0, 0, px(1.5f));
+                 to_u32(theme().accent), 0, 0, px(1.5f));
     const auto seen = renderer.seen_at(picked.x, picked.y);
     if (!seen || static_cast<std::size_t>(seen->object) >= drawn.objects.size()) return;
     const Object& object = drawn.objects[static_cast<std::size_t>(seen->object)];
@@ -84,7 +86,7 @@ void draw_picked(ImDrawList& list, const PictureView& view, const Renderer& rend
         if (!at.in_front) return list.PathClear();
         list.PathLineTo(view.to_window(at.pixel));
     }
-    list.PathStroke(packed({1, 1, 1, 1}, 0.9f), ImDrawFlags_Closed, px(1.5f));
+    list.PathStroke(to_u32({1, 1, 1, 1}, 0.9f), ImDrawFlags_Closed, px(1.5f));
 }
 
 }  // namespace
@@ -109,47 +111,64 @@ void zoom_about(MagnifierState& magnifier, int zoom, glm::dvec2 share) {
     magnifier.zoom = zoom;
 }
 
-bool magnifier_hand(MagnifierState& magnifier, const PictureView& view) {
+namespace {
+
+/// Ctrl and the wheel zoom; once enlarged, the right button moves.
+bool magnifier_hover(ToolFrame& frame) {
     ImGuiIO& io = ImGui::GetIO();
-    if (!ImGui::IsMousePosValid()) return false;
-    const glm::dvec2 size(view.map.size.width, view.map.size.height);
-    const glm::dvec2 share = view.to_pixel(io.MousePos) / size;
-    if (ImGui::IsItemHovered() && io.KeyCtrl && io.MouseWheel != 0) {
-        const int zoom = io.MouseWheel > 0 ? magnifier.zoom * 2 : magnifier.zoom / 2;
-        zoom_about(magnifier, zoom, share);
-        io.MouseWheel = 0;  // the camera does not move too
-        return true;
-    }
-    if (magnifier.zoom <= 1) return magnifier.moves = false;
-    if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-        magnifier.moves = true;
-        magnifier.last = {io.MousePos.x, io.MousePos.y};
-    }
-    if (!magnifier.moves) return false;
-    const glm::dvec2 now(io.MousePos.x, io.MousePos.y);
-    magnifier.centre = glm::clamp(
-        magnifier.centre - (now - magnifier.last) / (size * double(view.units_per_pixel)), 0.0, 1.0);
-    magnifier.last = now;
-    magnifier.moves = ImGui::IsMouseDown(ImGuiMouseButton_Right);
+    MagnifierState& magnifier = frame.state.views.magnifier;
+    if (!frame.over) return false;
+    if (!io.KeyCtrl || io.MouseWheel == 0)
+        return magnifier.zoom > 1 && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    const glm::dvec2 size(frame.view.map.size.width, frame.view.map.size.height);
+    zoom_about(magnifier, io.MouseWheel > 0 ? magnifier.zoom * 2 : magnifier.zoom / 2, frame.pixel / size);
+    io.MouseWheel = 0;  // the camera does not move too
     return true;
 }
 
-void draw_big_pixels(ImDrawList& list, const MagnifierState& magnifier, const PictureView& view,
-                     const Picture& shown, const Renderer& renderer, const Scene& drawn,
-                     std::optional<glm::ivec2> picked) {
-    if (magnifier.zoom <= 1 || view.units_per_pixel < px(least_square) || !(shown.size == view.map.size))
+int magnifier_press(ToolFrame& frame) {
+    MagnifierState& magnifier = frame.state.views.magnifier;
+    if (magnifier.zoom <= 1 || !ImGui::IsMouseClicked(ImGuiMouseButton_Right)) return not_taken;
+    magnifier.last = {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
+    return ImGuiMouseButton_Right;
+}
+
+bool magnifier_drag(ToolFrame& frame) {
+    MagnifierState& magnifier = frame.state.views.magnifier;
+    if (magnifier.zoom <= 1) return false;
+    const glm::dvec2 size(frame.view.map.size.width, frame.view.map.size.height);
+    const glm::dvec2 now(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+    magnifier.centre = glm::clamp(
+        magnifier.centre - (now - magnifier.last) / (size * double(frame.view.units_per_pixel)), 0.0, 1.0);
+    magnifier.last = now;
+    return true;
+}
+
+/// Squares, their numbers, edges between faces, and the scan line and polygon of the picked pixel. Nothing
+/// before a pixel is large enough.
+void draw_big_pixels(ImDrawList& list, UiState& state, const PictureView& view) {
+    const Picture& shown = *state.displayed;
+    const Renderer& renderer = *state.renderer;
+    const auto picked = probe_pixel(state.viewport, view.map.size);
+    if (state.views.magnifier.zoom <= 1 || view.units_per_pixel < px(least_square) ||
+        !(shown.size == view.map.size))
         return;
     const PixelRange range = visible(list, view);
-    const ImU32 line = packed({0.5f, 0.5f, 0.5f, 1}, 0.35f);
+    const ImU32 line = to_u32({0.5f, 0.5f, 0.5f, 1}, 0.35f);
     for (int x = range.x0; x <= range.x1; ++x)
         list.AddLine(view.to_window({x, range.y0}), view.to_window({x, range.y1}), line);
     for (int y = range.y0; y <= range.y1; ++y)
         list.AddLine(view.to_window({range.x0, y}), view.to_window({range.x1, y}), line);
     draw_edges(list, view, renderer, range);
-    if (picked) draw_picked(list, view, renderer, drawn, *picked);
+    if (picked) draw_picked(list, view, renderer, state.rendered_scene, *picked);
     if (view.units_per_pixel < px(least_number)) return;
     for (int y = range.y0; y < range.y1; ++y)
         for (int x = range.x0; x < range.x1; ++x) draw_number(list, view, shown, x, y);
 }
+
+}  // namespace
+
+const Tool magnifier_tool{
+    .hover = magnifier_hover, .press = magnifier_press, .drag = magnifier_drag, .draw = draw_big_pixels};
 
 }  // namespace glint

@@ -15,8 +15,7 @@ namespace glint {
 struct MagnifierState {
     int zoom = 1;            // 1, 2, 4 ... 64: window pixels a pixel
     glm::dvec2 centre{0.5};  // what lies in the middle, as a share of the picture's size
-    bool moves = false;      // dragged by the right button
-    glm::dvec2 last{0};
+    glm::dvec2 last{0};      // the cursor, while the right button moves the picture
 };
 inline constexpr int most_zoom = 64, usual_zoom = 32;
 
@@ -25,14 +24,5 @@ void magnify(PictureView& view, const Rect& area, const MagnifierState& magnifie
 
 /// Another zoom, the pixel at `share` staying where it is in the window.
 void zoom_about(MagnifierState& magnifier, int zoom, glm::dvec2 share);
-
-/// Ctrl and the wheel zoom, the right button moves. True while the magnifier has the mouse.
-[[nodiscard]] bool magnifier_hand(MagnifierState& magnifier, const PictureView& view);
-
-/// Squares, their numbers, edges between faces, and the scan line and polygon of the picked pixel. Nothing
-/// before a pixel is large enough.
-void draw_big_pixels(ImDrawList& list, const MagnifierState& magnifier, const PictureView& view,
-                     const Picture& shown, const Renderer& renderer, const Scene& drawn,
-                     std::optional<glm::ivec2> picked);
 
 }  // namespace glint

@@ -1,8 +1,12 @@
 #include "ui/picture/pen.h"
 
 #include <glm/geometric.hpp>
+#include <utility>
 
+#include "ui/picture/tool.h"
+#include "ui/ui.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -23,15 +27,43 @@ ImVec2 to_window(glm::vec2 place, const PictureView& view) {
     return view.to_window({view.map.size.width / 2.0 + place.x * height, height / 2 + place.y * height});
 }
 
-void begin_line(PenState& pen, glm::vec2 place) {
+/// False where the pen has drawn as much as it may.
+bool begin_line(PenState& pen, glm::vec2 place) {
     std::size_t places = 0;
     for (const PenLine& line : pen.lines) places += line.places.size();
-    if (places > most_places) return;
+    if (places > most_places) return false;
     pen.lines.push_back({{place}, pen.colour});
-    pen.drawing = true;
+    return true;
 }
 
+/// The other buttons and the wheel still move the camera.
+bool pen_hover(ToolFrame& frame) {
+    const ImGuiIO& io = ImGui::GetIO();
+    return frame.state.lecture.pen.on && frame.over && !io.MouseDown[ImGuiMouseButton_Right] &&
+           !io.MouseDown[ImGuiMouseButton_Middle] && io.MouseWheel == 0;
+}
+
+int pen_press(ToolFrame& frame) {
+    const bool begins = ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
+                        begin_line(frame.state.lecture.pen, to_place(frame.pixel, frame.view));
+    return begins ? ImGuiMouseButton_Left : not_taken;
+}
+
+bool pen_drag(ToolFrame& frame) {
+    PenState& pen = frame.state.lecture.pen;
+    if (!pen.on || pen.lines.empty()) return false;
+    auto& places = pen.lines.back().places;
+    const glm::vec2 place = to_place(frame.pixel, frame.view);
+    if (glm::distance(place, places.back()) * float(frame.view.map.size.height) >= float(least_step))
+        places.push_back(place);
+    return true;
+}
+
+bool put_pen_away(UiState& state) { return std::exchange(state.lecture.pen.on, false); }
+
 }  // namespace
+
+const Tool pen_tool{.hover = pen_hover, .press = pen_press, .drag = pen_drag, .cancel = put_pen_away};
 
 ImVec4 pen_colour(int index) {
     // Okabe and Ito's yellow, sky blue, vermillion and green; white. On a picture: not the theme's.
@@ -43,28 +75,10 @@ ImVec4 pen_colour(int index) {
     return colours[index];
 }
 
-bool pen_hand(PenState& pen, const PictureView& view) {
-    if (!pen.on) return pen.drawing = false;
-    const ImGuiIO& io = ImGui::GetIO();
-    const bool hovered = ImGui::IsItemHovered() && ImGui::IsMousePosValid();
-    const glm::dvec2 pixel = view.to_pixel(io.MousePos);
-    if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) begin_line(pen, to_place(pixel, view));
-    if (pen.drawing && ImGui::IsMousePosValid()) {
-        auto& places = pen.lines.back().places;
-        const glm::vec2 place = to_place(pixel, view);
-        if (glm::distance(place, places.back()) * float(view.map.size.height) >= float(least_step))
-            places.push_back(place);
-    }
-    if (!io.MouseDown[ImGuiMouseButton_Left]) pen.drawing = false;
-    // The other buttons and the wheel still move the camera.
-    return pen.drawing || (hovered && !io.MouseDown[ImGuiMouseButton_Right] &&
-                           !io.MouseDown[ImGuiMouseButton_Middle] && io.MouseWheel == 0);
-}
-
 void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view) {
     for (const PenLine& line : pen.lines) {
         for (const bool rim : {true, false}) {  // a dark rim keeps it visible on every ground
-            const ImU32 colour = rim ? IM_COL32(0, 0, 0, 130) : packed(pen_colour(line.colour));
+            const ImU32 colour = rim ? IM_COL32(0, 0, 0, 130) : to_u32(pen_colour(line.colour));
             const float width = px(rim ? line_width + 2 : line_width);
             if (line.places.size() == 1) {
                 list.AddCircleFilled(to_window(line.places[0], view), width * 0.75f, colour);
@@ -91,8 +105,8 @@ void pen_bar(PenState& pen, const PictureView& view) {
         if (hit_area("##colour", {size, size})) pen.colour = i;
         const ImVec2 low = ImGui::GetItemRectMin(), mid{low.x + size / 2, low.y + size / 2};
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        list.AddCircleFilled(mid, size * 0.32f, packed(pen_colour(i)));
-        if (pen.colour == i) list.AddCircle(mid, size * 0.45f, packed(theme().text), 0, px(1.5f));
+        list.AddCircleFilled(mid, size * 0.32f, to_u32(pen_colour(i)));
+        if (pen.colour == i) list.AddCircle(mid, size * 0.45f, to_u32(theme().text), 0, px(1.5f));
         tooltip("Pen", "Draws in this colour over the picture");
         ImGui::PopID();
         ImGui::SameLine(0, px(2));
@@ -103,11 +117,11 @@ void pen_bar(PenState& pen, const PictureView& view) {
     tooltip("Last line", "Takes the last line back");
     ImGui::SameLine(0, px(4));
     if (ImGui::Button("Wipe")) pen.lines.clear();
-    tooltip("Wipe", "Takes all lines away", "Shift+W");
+    tooltip("Wipe", "Takes all lines away", "", keys_of(CommandId::WipePen));
     ImGui::EndDisabled();
     ImGui::SameLine(0, px(4));
     if (icon_button("##away", Icon::Close)) pen.on = false;
-    tooltip("Put the pen away", "The lines stay until they are wiped", "W, Esc");
+    tooltip("Put the pen away", "The lines stay until they are wiped", "", keys_of(CommandId::Pen) + ", Esc");
     ImGui::End();
     ImGui::PopStyleVar();
 }

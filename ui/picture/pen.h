@@ -1,5 +1,6 @@
 #pragma once
-// A pen to draw over the picture with, as on a blackboard. What it draws is nobody's scene and no picture's.
+// A pen to draw over the picture with, as on a blackboard. Strokes are kept apart from the scene and the
+// saved picture.
 
 #include <imgui.h>
 
@@ -19,16 +20,13 @@ struct PenLine {
 };
 
 struct PenState {
-    bool on = false, drawing = false;
+    bool on = false;
     int colour = 0;
     std::vector<PenLine> lines;
 };
 
 inline constexpr int pen_colour_count = 5;
 [[nodiscard]] ImVec4 pen_colour(int index);
-
-/// Reads the mouse over the picture, the item drawn last. True while the pen has it.
-[[nodiscard]] bool pen_hand(PenState& pen, const PictureView& view);
 
 void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view);
 

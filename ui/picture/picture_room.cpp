@@ -1,12 +1,10 @@
-#include "ui/picture/picture_room.h"
-
 #include <algorithm>
 
 #include "models/saturate.h"
-#include "ui/inspector/vectors/vectors_overlay.h"
+#include "ui/inspector/vectors/vectors_tab.h"
 #include "ui/picture/draw_picture.h"
+#include "ui/picture/tool.h"
 #include "ui/ui.h"
-#include "ui/views/views.h"
 #include "ui/widgets/area.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -27,13 +25,13 @@ void first_hints(const UiState& state, const PictureView& view) {
     const float bottom = view.origin.y + float(view.map.size.height) * view.units_per_pixel - px(18);
     const ImVec2 low{middle - size.x / 2 - px(14), bottom - size.y - px(12)};
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(low, {middle + size.x / 2 + px(14), bottom}, packed(theme().window, 0.85f), px(14));
-    list.AddText({low.x + px(14), low.y + px(6)}, packed(theme().text), text);
+    list.AddRectFilled(low, {middle + size.x / 2 + px(14), bottom}, to_u32(theme().window, 0.85f), px(14));
+    list.AddText({low.x + px(14), low.y + px(6)}, to_u32(theme().text), text);
 }
 
 /// What of the room the picture leaves free.
 void draw_surround(ImDrawList& list, const Rect& room, const Rect& picture) {
-    const ImU32 colour = packed(theme().surround);
+    const ImU32 colour = to_u32(theme().surround);
     const auto fill = [&](ImVec2 low, ImVec2 high) {
         if (low.x < high.x && low.y < high.y) list.AddRectFilled(low, high, colour);
     };
@@ -70,7 +68,7 @@ bool picture_room(UiState& state, const Layout& layout, const UiInput& input) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(layout.centre.low, layout.centre.high);  // ImGui's own leaves out some of the border
     draw_surround(list, layout.centre, {view.origin, high});
-    state.placed = {{view.origin, high}, layout.centre};
+    state.picture_rect = {{view.origin, high}, layout.centre};
     list.PopClipRect();
     // Magnified, the picture goes on behind the columns.
     const ImVec2 low{std::max(view.origin.x, layout.centre.low.x),
@@ -80,19 +78,9 @@ bool picture_room(UiState& state, const Layout& layout, const UiInput& input) {
              {std::min(high.x, layout.centre.high.x) - low.x, std::min(high.y, layout.centre.high.y) - low.y},
              ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                  ImGuiButtonFlags_MouseButtonMiddle);
-    const Renderer* renderer = renderer_of_open_scene(state, view.map.size);
-    if (state.viewport.gesture == Gesture::None &&
-        (pen_hand(state.lecture.pen, view) || views_hand(state, view))) {
-        state.viewport.hovered = false;
-        state.viewport.hovered_grip = {};
-        state.viewport.touched |= ImGui::IsAnyMouseDown();
-        ImGui::End();
-        return false;
-    }
-    const bool busy = viewport_gestures(
-        state.viewport, {state.editor.scene(), state.editor.selection, renderer, view}, input);
+    use_tools(state, view, input);
     ImGui::End();
-    return busy;
+    return state.viewport.gesture != Gesture::None;
 }
 
 void picture_overlay(UiState& state, const Layout& layout, const PictureView& view) {
@@ -100,11 +88,8 @@ void picture_overlay(UiState& state, const Layout& layout, const PictureView& vi
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 high = view.to_window({view.map.size.width, view.map.size.height});
     list.PushClipRect(view.origin, high, true);
-    if (!state.layout.bare) {
-        draw_overlay(list, state.viewport,
-                     {state.editor.scene(), state.editor.selection,
-                      renderer_of_open_scene(state, view.map.size), view});
-        draw_views_overlay(list, state, view);
+    if (!state.layout.hides_all) {
+        draw_tools(list, state, view);
         draw_point_vectors(list, state, view);
         first_hints(state, view);
         frozen_badge(list, state.lecture, view);

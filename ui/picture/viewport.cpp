@@ -7,7 +7,10 @@
 #include <glm/geometric.hpp>
 
 #include "models/saturate.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/picture/orbit.h"
+#include "ui/picture/tool.h"
+#include "ui/ui.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
@@ -34,29 +37,30 @@ HandKeys hand_keys(const UiInput& input) {
     return {io.KeyShift, io.KeyCtrl, io.KeyAlt, input.axis_held};
 }
 
-void begin(ViewportState& state, const ViewportFrame& frame, Gesture gesture, int button) {
+void begin(ViewportState& state, const ViewportFrame& frame, Gesture gesture) {
     state.gesture = gesture;
-    state.button = button;
     state.before = frame.scene;
     state.pressed_px = state.last_px = cursor_px(frame);
     state.grip_depth = depth_under(frame, state.pressed_px);
 }
 
-void press(ViewportState& state, ViewportFrame& frame) {
-    if (!state.hovered) return;
+/// The button that went down.
+int press(ViewportState& state, ViewportFrame& frame) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-        begin(state, frame, Gesture::Press, ImGuiMouseButton_Left);
+        begin(state, frame, Gesture::Press);
         state.pressed_grip = state.hovered_grip;
-        if (!state.hovered_grip.is_mark()) return;
+        if (!state.hovered_grip.is_mark()) return ImGuiMouseButton_Left;
         if (state.hovered_grip.kind == GripKind::Light)
             frame.selection = {Selection::Kind::Light, state.hovered_grip.item};
         if (!state.hovered_grip.in_picture) state.gesture = Gesture::None;
-    } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle) ||
-               ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-        const bool middle = ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
-        begin(state, frame, ImGui::GetIO().KeyCtrl ? Gesture::Dolly : Gesture::Pan,
-              middle ? ImGuiMouseButton_Middle : ImGuiMouseButton_Right);
+        return ImGuiMouseButton_Left;
     }
+    for (const int button : {ImGuiMouseButton_Middle, ImGuiMouseButton_Right}) {
+        if (!ImGui::IsMouseClicked(button)) continue;
+        begin(state, frame, ImGui::GetIO().KeyCtrl ? Gesture::Dolly : Gesture::Pan);
+        return button;
+    }
+    return not_taken;
 }
 
 /// With Alt nothing but the camera is taken hold of.
@@ -163,28 +167,57 @@ void set_cursor(const ViewportState& state) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
-}  // namespace
+ViewportFrame viewport_frame(UiState& state, const PictureView& view) {
+    return {state.editor.scene(), state.editor.selection, renderer_of_open_scene(state, view.map.size), view,
+            state.viewport.gizmo, state.viewport.pivot};
+}
 
-bool viewport_gestures(ViewportState& state, ViewportFrame frame, const UiInput& input) {
-    frame.gizmo = state.gizmo;
-    frame.pivot = state.pivot;
+bool hand_hover(ToolFrame& tool) {
+    ViewportState& state = tool.state.viewport;
+    ViewportFrame frame = viewport_frame(tool.state, tool.view);
     state.asked = false;
-    state.hovered = ImGui::IsItemHovered() && ImGui::IsMousePosValid();
-    if (state.gesture == Gesture::None) {
-        hover(state, frame);
-        press(state, frame);
-        if (state.hovered && !state.hovered_grip.is_mark() &&
-            ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-            select_object_under(frame, cursor_px(frame));
-    }
-    if (state.gesture != Gesture::None) {
-        if (ImGui::IsMousePosValid()) move(state, frame, input);
-        if (!ImGui::IsMouseDown(state.button)) release(state, frame);
-    }
+    state.hovered = tool.over;
+    hover(state, frame);
     wheel(state, frame);
+    set_cursor(state);
+    return tool.over;
+}
+
+int hand_press(ToolFrame& tool) {
+    ViewportState& state = tool.state.viewport;
+    ViewportFrame frame = viewport_frame(tool.state, tool.view);
+    const int button = press(state, frame);
+    if (!state.hovered_grip.is_mark() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+        select_object_under(frame, cursor_px(frame));
+    return state.gesture == Gesture::None ? not_taken : button;
+}
+
+bool hand_drag(ToolFrame& tool) {
+    ViewportState& state = tool.state.viewport;
+    ViewportFrame frame = viewport_frame(tool.state, tool.view);
+    state.asked = state.wheel_goes_on = false;
+    state.hovered = ImGui::IsItemHovered();
+    move(state, frame, tool.input);
     set_cursor(state);
     return state.gesture != Gesture::None;
 }
+
+void hand_release(ToolFrame& tool) {
+    ViewportFrame frame = viewport_frame(tool.state, tool.view);
+    release(tool.state.viewport, frame);
+}
+
+bool hand_cancel(UiState& state) { return cancel_gesture(state.viewport, state.editor.scene()); }
+
+std::string hand_hint(const UiState& state) { return gesture_hint(state.viewport, state.editor.scene()); }
+
+void hand_draw(ImDrawList& list, UiState& state, const PictureView& view) {
+    draw_overlay(list, state.viewport, viewport_frame(state, view));
+}
+
+}  // namespace
+
+const Tool hand_tool{hand_hover, hand_press, hand_drag, hand_release, hand_cancel, hand_hint, hand_draw};
 
 bool cancel_gesture(ViewportState& state, Scene& scene) {
     if (state.gesture == Gesture::None) return false;

@@ -14,7 +14,6 @@ enum class Gesture { None, Press, Orbit, Pan, Dolly, Hand };
 
 struct ViewportState {
     Gesture gesture = Gesture::None;
-    int button = 0;  // that holds the gesture: ImGui's number of the mouse button
     glm::dvec2 pressed_px{0}, last_px{0};
     double grip_depth = 1;            // of what the camera gesture holds on to
     Grip hovered_grip, pressed_grip;  // under the cursor now, and when the button went down
@@ -30,10 +29,6 @@ struct ViewportState {
     double last_wheel = -1e9;         // time
     bool wheel_goes_on = false;       // this frame's notch belongs to the one before: one undo step
 };
-
-/// Reads ImGui's mouse over the item drawn last (the picture) and edits camera, lights, selection and probe.
-/// Returns true while a gesture has the scene in hand: no undo step yet.
-bool viewport_gestures(ViewportState& state, ViewportFrame frame, const UiInput& input);
 
 /// Ends the gesture and puts the scene back to where it began. True when there was one.
 bool cancel_gesture(ViewportState& state, Scene& scene);

@@ -5,7 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "models/saturate.h"
-#include "ui/picture/handles/object_gizmo_draw.h"
+#include "ui/picture/handles/light_handles.h"
+#include "ui/picture/handles/object_drag.h"
 #include "ui/picture/viewport.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
@@ -30,7 +31,7 @@ void draw_hold_on_surface(ImDrawList& list, const ViewportState& state, const Vi
     if (!exists(grip, frame.scene) || grip.is_mark() || (!held && !state.hovered)) return;
     const Light& light = frame.scene.lights[static_cast<std::size_t>(grip.item)];
     const ImVec2 hand = ImGui::GetIO().MousePos;
-    const ImU32 colour = packed(colour_of(light)), dark = packed({0, 0, 0, 1}, 0.5f);
+    const ImU32 colour = to_u32(colour_of(light)), dark = to_u32({0, 0, 0, 1}, 0.5f);
     const OnScreen to = project(frame.view.map, handle_of(light, frame.view.dome, frame.view.map));
     if (to.in_front) {
         const ImVec2 end = frame.view.to_window(to.pixel);
@@ -39,7 +40,8 @@ void draw_hold_on_surface(ImDrawList& list, const ViewportState& state, const Vi
     }
     const float radius = px(held ? 7 : 10);
     list.AddCircle(hand, radius, dark, 0, px(4));
-    list.AddCircle(hand, radius, held && state.held.astray ? packed(theme().dim_text) : colour, 0, px(2));
+    list.AddCircle(hand, radius, held && state.held.no_solution ? to_u32(theme().dim_text) : colour, 0,
+                   px(2));
 }
 
 void draw_gizmo_of_selected(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame) {
@@ -66,8 +68,8 @@ void draw_probe(ImDrawList& list, const ViewportState& state, const ViewportFram
         list.AddLine({at.x, at.y + in}, {at.x, at.y + out}, colour, width);
         list.AddCircle(at, in, colour, 0, width);
     };
-    cross(packed({0, 0, 0, 1}, 0.6f), px(3.2f));
-    cross(packed({1, 1, 1, 1}), px(1.4f));
+    cross(to_u32({0, 0, 0, 1}, 0.6f), px(3.2f));
+    cross(to_u32({1, 1, 1, 1}), px(1.4f));
 }
 
 void draw_hand_note(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame) {

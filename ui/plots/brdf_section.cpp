@@ -9,7 +9,7 @@
 #include "renderer/inspect/debug_views/profile.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/plots/plot.h"
-#include "ui/plots/sections.h"
+#include "ui/plots/plots_tab.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -27,7 +27,7 @@ bool same(const Reflector& a, const Reflector& b) {
 /// It takes some milliseconds: kept, and not partial_sums again while the mouse drags something.
 void update_reciprocity(PlotsState& plots, const Reflector& reflector) {
     if (plots.reciprocity_of && same(*plots.reciprocity_of, reflector)) return;
-    if (ImGui::IsAnyMouseDown()) return wish_frame_in(0.1);
+    if (ImGui::IsAnyMouseDown()) return redraw_within(0.1);
     plots.reciprocity = reciprocity_error(reflector);
     plots.reciprocity_of = reflector;
 }
@@ -55,7 +55,7 @@ BrdfCurves brdf_curves(const Reflector& reflector, double light_deg) {
 }
 
 void brdf_section(PlotsState& plots, const PlotSubject& subject) {
-    section("BRDF f(l, v), a slice");
+    section_heading("BRDF f(l, v), a slice");
     const Reflector reflector{subject.scene.shading.reflection, subject.material, {}};
     const bool picked = subject.point.light != nullptr;
     const double light_deg = picked ? local_directions(subject.point).light_deg : usual_deg;

@@ -9,7 +9,7 @@
 #include "renderer/inspect/reflectance/lobes.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/plots/plot.h"
-#include "ui/plots/sections.h"
+#include "ui/plots/plots_tab.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -38,38 +38,38 @@ void draw_beam(ImDrawList& list, const Rect& room, double deg) {
     const float half = px(beam_units) / 2, far = room.size().x + room.size().y;
     const float foot = half / -beam.to_light.y;  // half of d / cos
     const ImVec2 left{beam.foot.x - foot, beam.foot.y}, right{beam.foot.x + foot, beam.foot.y};
-    const ImU32 light = packed(theme()[Symbol::L]);
+    const ImU32 light = to_u32(theme()[Symbol::L]);
     list.AddQuadFilled(left, right, plus(right, beam.to_light, far), plus(left, beam.to_light, far),
-                       packed(theme()[Symbol::L], 0.22f));
+                       to_u32(theme()[Symbol::L], 0.22f));
     list.AddLine(left, plus(left, beam.to_light, far), light, px(1.2f));
     list.AddLine(right, plus(right, beam.to_light, far), light, px(1.2f));
     // The beam's width, at right angles to it, a little above the surface.
     const ImVec2 middle = plus(beam.foot, beam.to_light, px(54));
     list.AddLine(plus(middle, beam.across, -half), plus(middle, beam.across, half), light, px(2));
     plot_text(list, plus(middle, beam.to_light, px(9)), theme().text, "d", true);
-    list.AddLine(left, right, packed(theme()[Symbol::Diffuse]), px(4));
+    list.AddLine(left, right, to_u32(theme()[Symbol::Diffuse]), px(4));
     plot_text(list, {beam.foot.x, beam.foot.y + px(13)}, theme()[Symbol::Diffuse],
               fmt::format("d / cos θ = {:.2f} d", 1 / std::cos(glm::radians(deg))), true);
 }
 
 void draw_surface(ImDrawList& list, const Rect& room, double deg) {
     const Beam beam = beam_at(room, deg);
-    list.AddRectFilled({room.low.x, beam.foot.y}, room.high, packed(theme().field));
-    list.AddLine({room.low.x, beam.foot.y}, {room.high.x, beam.foot.y}, packed(theme().text), px(1.2f));
+    list.AddRectFilled({room.low.x, beam.foot.y}, room.high, to_u32(theme().field));
+    list.AddLine({room.low.x, beam.foot.y}, {room.high.x, beam.foot.y}, to_u32(theme().text), px(1.2f));
     const ImVec2 top{beam.foot.x, room.low.y + px(14)};
-    list.AddLine(beam.foot, top, packed(theme()[Symbol::N]), px(1.4f));
+    list.AddLine(beam.foot, top, to_u32(theme()[Symbol::N]), px(1.4f));
     plot_text(list, {top.x + px(5), top.y - px(6)}, theme()[Symbol::N], "n");
 }
 
 void beam_drawing(double deg) {
     const Rect room = plot_room(120);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(room.low, room.high, packed(theme().window));
+    list.AddRectFilled(room.low, room.high, to_u32(theme().window));
     list.PushClipRect(room.low, room.high, true);
     draw_surface(list, room, deg);
     if (deg < 90) draw_beam(list, room, deg);
     list.PopClipRect();
-    list.AddRect(room.low, room.high, packed(theme().line));
+    list.AddRect(room.low, room.high, to_u32(theme().line));
 }
 
 /// What a white matt surface reflects of a light at this angle: the equation's own diffuse term.
@@ -95,7 +95,7 @@ void cosine_curve(double deg) {
 }  // namespace
 
 void cosine_section(PlotsState& plots, const PlotSubject& subject) {
-    section("Lambert's cosine: a slanting beam spreads");
+    section_heading("Lambert's cosine: a slanting beam spreads");
     const bool picked = subject.point.light != nullptr;
     if (picked) plots.beam_deg = static_cast<float>(local_directions(subject.point).light_deg);
     ImGui::BeginDisabled(picked);

@@ -10,7 +10,7 @@
 #include "renderer/inspect/reflectance/highlight_fit.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/plots/plot.h"
-#include "ui/plots/sections.h"
+#include "ui/plots/plots_tab.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -43,7 +43,7 @@ Rect plot_room(float height) {
 }
 
 void falloff_section(const PlotSubject& subject) {
-    section("Falloff over the distance to the light");
+    section_heading("Falloff over the distance to the light");
     const auto curve = falloff_curve(subject.scene, subject.light, farthest_of(subject), steps);
     if (curve.empty()) {
         const bool area =
@@ -67,7 +67,7 @@ void falloff_section(const PlotSubject& subject) {
 }
 
 void highlight_section(PlotsState& plots, const PlotSubject& subject) {
-    section("Highlight: a cosine to the power n");
+    section_heading("Highlight: a cosine to the power n");
     const float n = subject.material.shininess;
     if (!plots.blinn_like || plots.blinn_like->first != n) plots.blinn_like = {n, blinn_shininess_like(n)};
     const double like = plots.blinn_like->second;
@@ -96,7 +96,7 @@ void highlight_section(PlotsState& plots, const PlotSubject& subject) {
 void spot_section(const PlotSubject& subject) {
     const auto curve = spot_curve(subject.scene, subject.light, steps);
     if (curve.empty()) return;
-    section("Cone: how much goes into which direction");
+    section_heading("Cone: how much goes into which direction");
     const Light& light = subject.scene.lights[static_cast<std::size_t>(subject.light)];
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const PlotArea area = draw_axes(list, plot_room(plot_height), {-90, 90}, {0, 1.1},

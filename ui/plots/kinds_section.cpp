@@ -6,11 +6,11 @@
 #include <glm/geometric.hpp>
 
 #include "renderer/inspect/reflectance/light_needs.h"
-#include "ui/fields/choices.h"
+#include "ui/fields/field_panel.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/picture/handles/drag_math.h"
 #include "ui/picture/picture_view.h"
-#include "ui/plots/sections.h"
+#include "ui/plots/plots_tab.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -63,7 +63,7 @@ void cell(LightKind kind, const Column& column, const LightNeeds& needs) {
 
 void figure_cell(float value) {
     ImGui::TableNextColumn();
-    figures(fmt::format("{:.3f}", value));
+    mono_text(fmt::format("{:.3f}", value));
 }
 
 void header() {
@@ -93,7 +93,7 @@ Light of_kind_at(const Light& light, LightKind kind, const ExplainedPoint& at, c
 }
 
 void kinds_section(const PlotSubject& subject, const PictureView& view) {
-    section("What matters to which kind of light");
+    section_heading("What matters to which kind of light");
     if (subject.point.at == nullptr || subject.point.material == nullptr)
         return small_dim(
             "Pick a pixel: what happens to its terms when the light, the viewer, the surface move.");

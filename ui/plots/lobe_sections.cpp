@@ -9,8 +9,8 @@
 #include "renderer/inspect/debug_views/profile.h"
 #include "renderer/inspect/reflectance/lobes.h"
 #include "ui/inspector/equation/parts.h"
-#include "ui/plots/polar.h"
-#include "ui/plots/sections.h"
+#include "ui/plots/plot.h"
+#include "ui/plots/plots_tab.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -80,7 +80,7 @@ void update_energy(PlotsState& plots, const Reflector& reflector, double light_d
         return r.reflection == reflector.reflection && r.material == reflector.material;
     };
     if (plots.energy_of && same(*plots.energy_of) && plots.energy_deg == deg) return;
-    if (ImGui::IsAnyMouseDown()) return wish_frame_in(0.1);
+    if (ImGui::IsAnyMouseDown()) return redraw_within(0.1);
     plots.energy = specular_energy(reflector, deg);
     plots.albedo = directional_albedo(reflector, deg);
     plots.energy_of = reflector;
@@ -90,7 +90,7 @@ void update_energy(PlotsState& plots, const Reflector& reflector, double light_d
 }  // namespace
 
 void intensities_section(const PlotSubject& subject) {
-    section("Intensity by direction, light at 60°, 25° and 0°");
+    section_heading("Intensity by direction, light at 60°, 25° and 0°");
     const Rect room = plot_room(72);
     const float width = room.size().x / 3;
     const Reflector reflector = reflector_of(subject);
@@ -113,7 +113,7 @@ void intensities_section(const PlotSubject& subject) {
 }
 
 void lobe_section(PlotsState& plots, const PlotSubject& subject) {
-    section("The lobe at the picked point");
+    section_heading("The lobe at the picked point");
     if (subject.point.light == nullptr)
         return small_dim("Pick a pixel, with this light on, to see what its surface sends where.");
     const LocalDirections local = local_directions(subject.point);
@@ -131,8 +131,8 @@ void lobe_section(PlotsState& plots, const PlotSubject& subject) {
     const Reflected seen = reflected(reflector, local.l, local.v);
     const double amount = intensity_of(seen.diffuse + seen.specular);
     const ImVec2 at = area.at(local.view_deg, amount);
-    list.AddCircleFilled(at, px(5), packed(theme().window));
-    list.AddCircleFilled(at, px(3.6f), packed(theme()[Symbol::V]));
+    list.AddCircleFilled(at, px(5), to_u32(theme().window));
+    list.AddCircleFilled(at, px(3.6f), to_u32(theme()[Symbol::V]));
     legend(false);
     small_dim(fmt::format(
         "l at {:.1f}°, v at {:.1f}° from n: {:.3f} of the light's intensity (the disc; v need not lie in the "
@@ -142,7 +142,7 @@ void lobe_section(PlotsState& plots, const PlotSubject& subject) {
     if (!plots.energy_of) return;
     const double energy = intensity_of(glm::vec3(plots.energy)),
                  albedo = intensity_of(glm::vec3(plots.albedo));
-    figures(fmt::format("specular energy {:.4f}   albedo {:.3f}", energy, albedo));
+    mono_text(fmt::format("specular energy {:.4f}   albedo {:.3f}", energy, albedo));
     tooltip("Energy",
             "The specular term times n·v, over all directions (2π k_s / (n + 2) for Phong head on); and "
             "the share of the light's power that is reflected in all",

@@ -7,8 +7,8 @@
 
 #include "models/saturate.h"
 #include "ui/inspector/equation/parts.h"
-#include "ui/plots/polar.h"
-#include "ui/plots/sections.h"
+#include "ui/plots/plot.h"
+#include "ui/plots/plots_tab.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -49,8 +49,8 @@ void draw_ray(ImDrawList& list, const Section& section, const FacetRay& ray) {
     const bool blocked = ray.fate != RayFate::Free;
     const ImVec2 from = section.at(ray.at + farther * (ray.from - ray.at)), at = section.at(ray.at);
     const ImVec2 to = section.at(blocked ? ray.to : ray.at + farther * (ray.to - ray.at));
-    list.AddLine(from, at, packed(theme()[Symbol::L], blocked ? 0.35f : 0.6f), px(1));
-    const ImU32 colour = packed(blocked ? theme().warning : theme()[Symbol::R], 0.9f);
+    list.AddLine(from, at, to_u32(theme()[Symbol::L], blocked ? 0.35f : 0.6f), px(1));
+    const ImU32 colour = to_u32(blocked ? theme().warning : theme()[Symbol::R], 0.9f);
     if (ray.fate == RayFate::Free)
         list.AddLine(at, to, colour, px(1));
     else if (ray.fate == RayFate::Shadowed)
@@ -63,17 +63,17 @@ void draw_profile(ImDrawList& list, const Section& section, const MicrofacetPict
     for (std::size_t i = 0; i + 1 < picture.profile.size(); ++i) {
         if (std::abs(picture.profile[i].x - section.middle_x) > shown / 2 + 2) continue;
         const ImVec2 a = section.at(picture.profile[i]), b = section.at(picture.profile[i + 1]);
-        list.AddQuadFilled(a, b, {b.x, bottom}, {a.x, bottom}, packed(theme().field));
+        list.AddQuadFilled(a, b, {b.x, bottom}, {a.x, bottom}, to_u32(theme().field));
         const bool shines =
             std::binary_search(picture.shining.begin(), picture.shining.end(), static_cast<int>(i));
-        list.AddLine(a, b, packed(shines ? theme()[Symbol::H] : theme().text), px(shines ? 3 : 1.2f));
+        list.AddLine(a, b, to_u32(shines ? theme()[Symbol::H] : theme().text), px(shines ? 3 : 1.2f));
     }
 }
 
 void draw_section(const MicrofacetPicture& picture) {
     const Rect room = plot_room(120);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(room.low, room.high, packed(theme().window));
+    list.AddRectFilled(room.low, room.high, to_u32(theme().window));
     list.PushClipRect(room.low, room.high, true);
     const auto middle = picture.profile.size() / 2;
     Section section;
@@ -91,7 +91,7 @@ void draw_section(const MicrofacetPicture& picture) {
     for (std::size_t i = 0; i < inside.size(); i += stride) draw_ray(list, section, *inside[i]);
     draw_profile(list, section, picture, room.high.y);
     list.PopClipRect();
-    list.AddRect(room.low, room.high, packed(theme().line));
+    list.AddRect(room.low, room.high, to_u32(theme().line));
 }
 
 /// Where the rays went, counted, as a lobe.
@@ -145,7 +145,7 @@ void fields(PlotsState& plots, const PlotSubject& subject) {
 }  // namespace
 
 void microfacet_section(PlotsState& plots, const PlotSubject& subject) {
-    section("Microfacets: a rough surface is many mirrors");
+    section_heading("Microfacets: a rough surface is many mirrors");
     fields(plots, subject);
     if (!plots.profile_of || !same(*plots.profile_of, plots.microfacets)) {
         plots.profile = microfacet_picture(plots.microfacets);

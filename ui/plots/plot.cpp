@@ -37,7 +37,7 @@ std::vector<double> multiples(Interval range, double step) {
     return values;
 }
 
-float text_height() { return fonts().small->FontSize * ImGui::GetIO().FontGlobalScale; }
+float text_height() { return small_text_height(); }
 
 ImVec2 text_size(const std::string& text) {
     return fonts().small->CalcTextSizeA(text_height(), 1e9f, 0, text.c_str());
@@ -56,7 +56,7 @@ void draw_x_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
     const float y = area.rect.high.y;
     for (const double v : multiples(area.x, step)) {
         const float x = area.at({v, area.y.low}).x;
-        list.AddLine({x, area.rect.low.y}, {x, y}, packed(theme().line));
+        list.AddLine({x, area.rect.low.y}, {x, y}, to_u32(theme().line));
         if (!text.numbers) continue;
         const std::string number = tick_text(v, step);
         const float half = text_size(number).x / 2, right = area.rect.high.x + right_margin();
@@ -73,7 +73,7 @@ void draw_y_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
     const int most = std::max(3, static_cast<int>(area.rect.size().y / px(22)));
     for (const double v : ticks(area.y, most)) {
         const float y = area.at({area.x.low, v}).y;
-        list.AddLine({area.rect.low.x, y}, {area.rect.high.x, y}, packed(theme().line));
+        list.AddLine({area.rect.low.x, y}, {area.rect.high.x, y}, to_u32(theme().line));
         if (!text.numbers) continue;
         const std::string number = tick_text(v, tick_step(area.y, most));
         plot_text(list, {area.rect.low.x - px(4) - text_size(number).x, y - text_height() / 2},
@@ -153,7 +153,7 @@ ImVec4 channel_colour(int channel) {
 
 void plot_text(ImDrawList& list, ImVec2 at, const ImVec4& colour, const std::string& text, bool centre) {
     const ImVec2 size = centre ? text_size(text) : ImVec2{0, 0};
-    list.AddText(fonts().small, text_height(), {at.x - size.x / 2, at.y - size.y / 2}, packed(colour),
+    list.AddText(fonts().small, text_height(), {at.x - size.x / 2, at.y - size.y / 2}, to_u32(colour),
                  text.c_str());
 }
 
@@ -161,12 +161,12 @@ void draw_y_name(ImDrawList& list, const PlotArea& area, const AxisText& text) {
     if (*text.name == 0) return;
     const std::string title = axis_title(text);
     const ImVec2 at{area.rect.low.x + px(4), area.rect.low.y + px(1)}, size = text_size(title);
-    list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, packed(theme().window, 0.8f));
+    list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, to_u32(theme().window, 0.8f));
     plot_text(list, at, theme().text, title);
 }
 
-PlotArea draw_axes(ImDrawList& list, const Rect& all, Interval x, Interval y, const AxisText& x_text,
-                   const AxisText& y_text) {
+PlotArea area_within(const Rect& all, Interval x, Interval y, const AxisText& x_text,
+                     const AxisText& y_text) {
     const float left = y_text.numbers ? px(44) : px(4);
     const float below =
         (x_text.numbers ? text_height() + px(3) : 0) + (*x_text.name != 0 ? text_height() + px(2) : px(2));
@@ -174,12 +174,18 @@ PlotArea draw_axes(ImDrawList& list, const Rect& all, Interval x, Interval y, co
         {{all.low.x + left, all.low.y + px(2)}, {all.high.x - right_margin(), all.high.y - below}}, x, y};
     area.rect.high.x = std::max(area.rect.high.x, area.rect.low.x + 1);
     area.rect.high.y = std::max(area.rect.high.y, area.rect.low.y + 1);
-    list.AddRectFilled(area.rect.low, area.rect.high, packed(theme().window));
+    return area;
+}
+
+PlotArea draw_axes(ImDrawList& list, const Rect& all, Interval x, Interval y, const AxisText& x_text,
+                   const AxisText& y_text) {
+    const PlotArea area = area_within(all, x, y, x_text, y_text);
+    list.AddRectFilled(area.rect.low, area.rect.high, to_u32(theme().window));
     draw_x_axis(list, area, x_text);
     draw_y_axis(list, area, y_text);
     if (y.low < 0 && y.high > 0)
-        list.AddLine(area.at({x.low, 0}), area.at({x.high, 0}), packed(theme().dim_text, 0.6f));
-    list.AddRect(area.rect.low, area.rect.high, packed(theme().line));
+        list.AddLine(area.at({x.low, 0}), area.at({x.high, 0}), to_u32(theme().dim_text, 0.6f));
+    list.AddRect(area.rect.low, area.rect.high, to_u32(theme().line));
     return area;
 }
 
@@ -191,7 +197,7 @@ void draw_curve(ImDrawList& list, const PlotArea& area, std::span<const glm::dve
         points = fewer;
     }
     list.PushClipRect(area.rect.low, area.rect.high, true);
-    const auto stroke = [&] { list.PathStroke(packed(colour), 0, px(width)); };
+    const auto stroke = [&] { list.PathStroke(to_u32(colour), 0, px(width)); };
     for (const glm::dvec2 p : points) {
         if (std::isfinite(p.x) && std::isfinite(p.y))
             list.PathLineTo(area.at(p));
@@ -208,8 +214,8 @@ void draw_mark(ImDrawList& list, const PlotArea& area, glm::dvec2 at, const ImVe
     ImVec2 place = area.at(at);
     place.x = std::clamp(place.x, area.rect.low.x, area.rect.high.x);
     place.y = std::clamp(place.y, area.rect.low.y, area.rect.high.y);
-    list.AddCircleFilled(place, px(5), packed(theme().window));
-    list.AddCircleFilled(place, px(3.6f), packed(colour));
+    list.AddCircleFilled(place, px(5), to_u32(theme().window));
+    list.AddCircleFilled(place, px(3.6f), to_u32(colour));
     if (text.empty()) return;
     const float width = text_size(text).x;
     const bool left = place.x + px(9) + width > area.rect.high.x;
@@ -221,7 +227,7 @@ void draw_mark(ImDrawList& list, const PlotArea& area, glm::dvec2 at, const ImVe
 void draw_upright(ImDrawList& list, const PlotArea& area, double x, const ImVec4& colour, float opacity) {
     const float at = area.at({x, area.y.low}).x;
     if (at < area.rect.low.x || at > area.rect.high.x) return;
-    list.AddLine({at, area.rect.low.y}, {at, area.rect.high.y}, packed(colour, opacity));
+    list.AddLine({at, area.rect.low.y}, {at, area.rect.high.y}, to_u32(colour, opacity));
 }
 
 }  // namespace glint

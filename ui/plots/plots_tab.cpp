@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "ui/inspector/equation/parts.h"
-#include "ui/plots/sections.h"
 #include "ui/ui.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -15,7 +14,7 @@ namespace {
 
 void light_field(PlotsState& plots, const Scene& scene) {
     plots.light = std::clamp(plots.light, 0, static_cast<int>(scene.lights.size()) - 1);
-    ImGui::SetNextItemWidth(row("Light"));
+    ImGui::SetNextItemWidth(label_cell("Light"));
     if (!ImGui::BeginCombo("##plot_light",
                            scene.lights[static_cast<std::size_t>(plots.light)].name.c_str())) {
         tooltip("Light", "Whose curves are drawn");
@@ -37,7 +36,7 @@ void plots_tab(UiState& state, const PictureView& view) {
     PlotsState& plots = state.views.plots;
     if (scene.lights.empty()) return wrapped_dim("The curves are those of a light: add one (L).");
     light_field(plots, scene);
-    PlotSubject subject{scene, plots.light, plot_point(state.why, plots.light), {}};
+    PlotSubject subject{scene, plots.light, plot_point(state.explanation, plots.light), {}};
     if (subject.point.material != nullptr)
         subject.material = *subject.point.material;
     else if (!scene.objects.empty())

@@ -1,9 +1,8 @@
-#include "ui/plots/polar.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "ui/plots/plot.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 
@@ -14,7 +13,7 @@ constexpr float pi = std::numbers::pi_v<float>;
 
 void half_ring(ImDrawList& list, ImVec2 centre, float radius, const ImVec4& colour) {
     list.PathArcTo(centre, radius, -pi, 0, 48);
-    list.PathStroke(packed(colour), 0, px(1));
+    list.PathStroke(to_u32(colour), 0, px(1));
 }
 
 }  // namespace
@@ -26,7 +25,7 @@ ImVec2 PolarArea::at(double deg, double amount) const {
 }
 
 PolarArea draw_polar_axes(ImDrawList& list, const Rect& all, double most) {
-    const float text = fonts().small->FontSize * ImGui::GetIO().FontGlobalScale;
+    const float text = small_text_height();
     const ImVec2 size = all.size();
     PolarArea area;
     area.radius = std::max(std::min(size.x / 2 - px(12), size.y - text - px(10)), 4.0f);
@@ -35,15 +34,15 @@ PolarArea draw_polar_axes(ImDrawList& list, const Rect& all, double most) {
     const std::vector<double> rings = ticks({0, most}, 4);
     const double step = rings.size() > 1 ? rings[1] - rings[0] : most;
     list.PathArcTo(area.centre, area.radius, -pi, 0, 48);
-    list.PathFillConvex(packed(theme().window));
+    list.PathFillConvex(to_u32(theme().window));
     for (const double ring : rings)
         if (ring > 0)
             half_ring(list, area.centre, static_cast<float>(ring / most) * area.radius, theme().line);
     half_ring(list, area.centre, area.radius, theme().line);
     for (const double deg : {-60.0, -30.0, 0.0, 30.0, 60.0})
-        list.AddLine(area.centre, area.at(deg, most), packed(theme().line));
+        list.AddLine(area.centre, area.at(deg, most), to_u32(theme().line));
     list.AddLine({area.centre.x - area.radius - px(6), area.centre.y},
-                 {area.centre.x + area.radius + px(6), area.centre.y}, packed(theme().dim_text), px(1.5f));
+                 {area.centre.x + area.radius + px(6), area.centre.y}, to_u32(theme().dim_text), px(1.5f));
     if (rings.size() > 1)
         plot_text(list, {area.at(0, rings.back()).x + px(3), area.at(0, rings.back()).y}, theme().dim_text,
                   tick_text(rings.back(), step));
@@ -54,18 +53,18 @@ void draw_polar_curve(ImDrawList& list, const PolarArea& area, std::span<const g
                       const ImVec4& colour, float width) {
     for (const glm::dvec2 p : curve)
         if (std::isfinite(p.y)) list.PathLineTo(area.at(p.x, std::max(p.y, 0.0)));
-    list.PathStroke(packed(colour), 0, px(width));
+    list.PathStroke(to_u32(colour), 0, px(width));
 }
 
 void draw_direction(ImDrawList& list, const PolarArea& area, double deg, const ImVec4& colour,
                     const char* letter, bool arrives) {
     const ImVec2 rim = area.at(deg, area.most), near = area.at(deg, 0.12 * area.most);
     const ImVec2 from = arrives ? rim : area.centre, to = arrives ? near : area.at(deg, 0.92 * area.most);
-    list.AddLine(from, to, packed(colour), px(1.6f));
+    list.AddLine(from, to, to_u32(colour), px(1.6f));
     const float dx = to.x - from.x, dy = to.y - from.y, length = std::max(std::hypot(dx, dy), 1e-3f);
     const ImVec2 along{dx / length * px(6), dy / length * px(6)};
     list.AddTriangleFilled(to, {to.x - along.x - along.y / 2, to.y - along.y + along.x / 2},
-                           {to.x - along.x + along.y / 2, to.y - along.y - along.x / 2}, packed(colour));
+                           {to.x - along.x + along.y / 2, to.y - along.y - along.x / 2}, to_u32(colour));
     const ImVec2 beyond = area.at(deg, area.most * (1 + double(px(8)) / double(area.radius)));
     plot_text(list, beyond, colour, letter, true);
 }

@@ -11,7 +11,7 @@
 #include "renderer/inspect/reflectance/highlight_fit.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/plots/plot.h"
-#include "ui/plots/sections.h"
+#include "ui/plots/plots_tab.h"
 #include "ui/ui.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -47,10 +47,11 @@ void draw_by_hand(HighlightSketch& sketch, const PlotArea& area) {
 
 void fit_row(UiState& state, HighlightSketch& sketch, const std::optional<HighlightFit>& fit) {
     if (!fit) return small_dim("Draw a curve over the plot: the power that comes nearest is found.");
-    figures(fmt::format("nearest: n = {:.4g}, {:.3f} off on average", fit->shininess, fit->error));
+    mono_text(fmt::format("nearest: n = {:.4g}, {:.3f} off on average", fit->shininess, fit->error));
     if (ImGui::SmallButton("Use this n")) {
-        const auto object =
-            state.why && state.why->hit ? static_cast<std::size_t>(state.why->object_index) : std::size_t{0};
+        const auto object = state.explanation && state.explanation->hit
+                                ? static_cast<std::size_t>(state.explanation->object_index)
+                                : std::size_t{0};
         if (object < state.editor.scene().objects.size())
             state.editor.scene().objects[object].material.shininess = static_cast<float>(fit->shininess);
     }
@@ -80,7 +81,7 @@ std::vector<glm::dvec2> points_of(const HighlightSketch& sketch) {
 }
 
 void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subject) {
-    section("How might a highlight fall off?");
+    section_heading("How might a highlight fall off?");
     const double n = double(subject.material.shininess);
     const Reflection model = fitted_model(subject.scene);
     const Symbol symbol = model == Reflection::Phong ? Symbol::R : Symbol::H;

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <ctime>
 #include <filesystem>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "models/json/json_value.h"
 
 namespace glint {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,8 +110,8 @@ std::string autosave_text(const SceneDocument& document, const std::string& fold
                        stamp_text(document.stamp), scene_text(scene));
 }
 
-std::vector<LeftCopy> left_copies(const std::string& folder) {
-    std::vector<std::pair<std::time_t, LeftCopy>> found;
+std::vector<OrphanedAutosave> orphaned_autosaves(const std::string& folder) {
+    std::vector<std::pair<std::time_t, OrphanedAutosave>> found;
     std::error_code failed;
     for (fs::directory_iterator it(folder, failed); !failed && it != fs::directory_iterator();
          it.increment(failed)) {
@@ -122,11 +124,12 @@ std::vector<LeftCopy> left_copies(const std::string& folder) {
         const auto copy = read_copy(path);
         if (!copy) continue;
         const std::string name = fs::path(copy->path).filename().string();
-        found.emplace_back(status.st_mtime, LeftCopy{std::move(*lock), name.empty() ? "New scene" : name,
-                                                     time_words(status.st_mtime)});
+        found.emplace_back(status.st_mtime,
+                           OrphanedAutosave{std::move(*lock), name.empty() ? "New scene" : name,
+                                            time_words(status.st_mtime)});
     }
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    std::vector<LeftCopy> copies;
+    std::vector<OrphanedAutosave> copies;
     copies.reserve(found.size());
     for (auto& [when, copy] : found) copies.push_back(std::move(copy));
     return copies;
@@ -147,6 +150,15 @@ Result<SceneDocument> open_autosave(const std::string& path) {
     document.scene = with_mesh_paths_from(std::move(document.scene), document.mesh_dir, home);
     document.mesh_dir = home;
     return document;
+}
+
+FolderLock::FolderLock(const std::string& folder)
+    : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) held_ = errno != EWOULDBLOCK;
+}
+
+FolderLock::~FolderLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 }  // namespace glint

@@ -41,7 +41,7 @@ class AutosaveLock {
 [[nodiscard]] std::string autosave_text(const SceneDocument& document, const std::string& folder);
 
 /// A copy that a window left behind, with its lock now ours.
-struct LeftCopy {
+struct OrphanedAutosave {
     AutosaveLock lock;
     std::string title;  // of the document: a file's name, or "New scene"
     std::string when;   // "14:05", or "3 May, 14:05": when it was written
@@ -49,9 +49,27 @@ struct LeftCopy {
 
 /// The copies in `folder` that nobody holds, newest first. What is no copy is passed over; empty ones are
 /// removed.
-[[nodiscard]] std::vector<LeftCopy> left_copies(const std::string& folder);
+[[nodiscard]] std::vector<OrphanedAutosave> orphaned_autosaves(const std::string& folder);
 
 /// The document of a copy, its meshes loaded; where it was opened from is its path again.
 [[nodiscard]] Result<SceneDocument> open_autosave(const std::string& path);
+
+// One window at a time: what several windows read, change and write in the folder that they share.
+
+/// The right to a folder among those who ask for it this way, held until this is destroyed. Never waits.
+class FolderLock {
+  public:
+    explicit FolderLock(const std::string& folder);
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+    /// False while another holds it: then ask again later. True where the file system has no locks at all.
+    [[nodiscard]] bool held() const { return held_; }
+
+  private:
+    int descriptor_ = -1;
+    bool held_ = true;
+};
 
 }  // namespace glint

@@ -1,18 +1,17 @@
-#include "ui/preferences/end_jobs.h"
-
 #include <algorithm>
 #include <chrono>
 #include <thread>
 
+#include "ui/preferences/persistence.h"
 #include "ui/ui.h"
 
 namespace glint {
 namespace {
 
-/// `deed` with every job there is.
-template <class Deed> void with_each(UiState& state, Deed deed) {
-    const auto with = [&deed](const auto& job) {
-        if (job) deed(*job);
+/// `action` with every job there is.
+template <class Do> void for_each_job(UiState& state, Do action) {
+    const auto with = [&action](const auto& job) {
+        if (job) action(*job);
     };
     with(state.loading.document);
     with(state.loading.meshes);
@@ -25,7 +24,7 @@ template <class Deed> void with_each(UiState& state, Deed deed) {
 
 bool all_done(UiState& state) {
     bool done = true;
-    with_each(state, [&done](const auto& job) { done = done && job.done(); });
+    for_each_job(state, [&done](const auto& job) { done = done && job.done(); });
     return done;
 }
 
@@ -33,7 +32,7 @@ bool all_done(UiState& state) {
 
 bool end_jobs(UiState& state, double seconds) {
     using Clock = std::chrono::steady_clock;
-    with_each(state, [](auto& job) { job.cancel(); });
+    for_each_job(state, [](auto& job) { job.cancel(); });
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
     while (!all_done(state) && Clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(2));
     return all_done(state);

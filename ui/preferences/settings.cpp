@@ -4,7 +4,7 @@
 
 namespace glint {
 
-std::string settings_text(const Settings& s) {
+std::string preferences_text(const Preferences& s) {
     const Json json{{"theme", s.dark ? "dark" : "light"},
                     {"scene_column", s.layout.left},
                     {"why_column", s.layout.right},
@@ -19,8 +19,8 @@ std::string settings_text(const Settings& s) {
     return json_text(json);
 }
 
-Settings read_settings(const std::string& text) {
-    Settings s;
+Preferences read_preferences(const std::string& text) {
+    Preferences s;
     const Json json = Json::parse(text).value_or(Json());
     if (!json.is_object()) return s;
     if (const Json* theme = json.find("theme")) s.dark = *theme != "light";

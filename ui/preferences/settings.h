@@ -9,20 +9,20 @@
 
 namespace glint {
 
-struct Settings {
+struct Preferences {
     bool dark = true;
     LayoutState layout;
     int width = 0, height = 0;  // of the window, in its own units; 0: as the display suggests
     bool maximized = false;
     ViewMemory views;
-    bool operator==(const Settings&) const = default;
+    bool operator==(const Preferences&) const = default;
 };
 
 /// As JSON, ending with a newline. What is written reads back equal.
-[[nodiscard]] std::string settings_text(const Settings& settings);
+[[nodiscard]] std::string preferences_text(const Preferences& settings);
 
 /// Whatever can be understood of `text`; the rest has its default. Numbers out of their range are brought
 /// into it.
-[[nodiscard]] Settings read_settings(const std::string& text);
+[[nodiscard]] Preferences read_preferences(const std::string& text);
 
 }  // namespace glint

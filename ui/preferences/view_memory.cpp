@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "models/scene_file/scene_file.h"
-#include "ui/picture/camera_views.h"
+#include "ui/picture/orbit.h"
 #include "ui/preferences/view_json.h"
 #include "ui/ui.h"
 
@@ -39,7 +39,7 @@ void read_share(const Json& json, const char* name, glm::dvec2& value) {
 
 Json compare_json(const CompareChoice& choice) {
     Json parts = Json::array();
-    for (const Setting& part : choice.parts) parts.push_back(word_of(part));
+    for (const Variant& part : choice.parts) parts.push_back(word_of(part));
     return {{"on", choice.on},
             {"parts", parts},
             {"lines", choice.wipes},
@@ -70,10 +70,10 @@ CompareChoice read_compare(const Json& json) {
     int gain = 1;
     read(json, "gain", gain, 1, most_gain);
     while (2 * choice.gain <= gain) choice.gain *= 2;
-    std::vector<Setting> parts;
+    std::vector<Variant> parts;
     if (const Json* found = json.find("parts"))
         for (const Json& part : found->elements())
-            if (const auto setting = part.is_string() ? setting_named(part.string()) : std::nullopt)
+            if (const auto setting = part.is_string() ? variant_named(part.string()) : std::nullopt)
                 parts.push_back(*setting);
     if (parts.size() == 2 || parts.size() == 3) set_parts(choice, parts);
     if (const Json* found = json.find("lines")) read_lines(*found, choice);
@@ -137,7 +137,7 @@ ViewMemory views_to_remember(const UiState& state) {
 
 void recall_views(UiState& state, const ViewMemory& memory) {
     ViewsState& views = state.views;
-    std::optional<Scene> stored = std::move(views.compare.choice.stored);
+    std::shared_ptr<const Scene> stored = std::move(views.compare.choice.stored);
     views.compare.choice = memory.compare;
     views.compare.choice.stored = std::move(stored);
     views.look.set = {{memory.look, 0}, memory.over_range};

@@ -4,12 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "ui/fields/camera_panel.h"
-#include "ui/fields/light_panel.h"
-#include "ui/fields/npr_panel.h"
-#include "ui/fields/object_panel.h"
-#include "ui/fields/scene_panel.h"
-#include "ui/fields/shading_panel.h"
+#include "ui/fields/panels.h"
 #include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/area.h"
@@ -26,8 +21,8 @@ void selected_panel(UiState& state, const PictureView& view) {
     const Selection& selection = state.editor.selection;
     const auto index = static_cast<std::size_t>(selection.index);
     const std::string number = std::to_string(selection.index);
-    ObjectWishes wishes;
-    wishes.gizmo = state.viewport.gizmo;
+    ObjectRequests requests;
+    requests.gizmo = state.viewport.gizmo;
     switch (selection.kind) {
     case Selection::Kind::Camera:
         (void)camera_panel(scene.camera, view.map.size);
@@ -36,7 +31,7 @@ void selected_panel(UiState& state, const PictureView& view) {
         (void)light_panel(scene.lights[index], "/lights/" + number, scene.camera, view.dome, view.map);
         break;
     case Selection::Kind::Object:
-        (void)object_panel(scene.objects[index], "/objects/" + number, scene.shading.reflection, wishes);
+        (void)object_panel(scene.objects[index], "/objects/" + number, scene.shading.reflection, requests);
         break;
     case Selection::Kind::Shading:
         (void)shading_panel(scene.shading, scene.global_ambient);
@@ -46,8 +41,8 @@ void selected_panel(UiState& state, const PictureView& view) {
         (void)display_panel(scene.display);
         break;
     }
-    state.viewport.gizmo = wishes.gizmo;
-    if (wishes.browse_mesh) {
+    state.viewport.gizmo = requests.gizmo;
+    if (requests.browse_mesh) {
         state.mesh_for_object = selection.index;
         state.files.ask(FilePurpose::OpenMesh, state.editor.document.path);
     }
@@ -77,16 +72,16 @@ void column_heading(const char* name) {
 }
 
 void scene_column(UiState& state, const PictureView& view) {
-    SceneWishes wishes;
+    SceneRequests requests;
     Scene& scene = state.editor.scene();
     const auto rows = static_cast<float>(5 + std::max<std::size_t>(scene.lights.size(), 1) +
                                          std::max<std::size_t>(scene.objects.size(), 1));
     const float all = rows * (ImGui::GetFrameHeight() + px(1)) + px(4);
     const float room = ImGui::GetContentRegionAvail().y;
     ImGui::BeginChild("##list", {0, std::min(all, 0.45f * room)});
-    (void)scene_panel(scene, state.editor.selection, wishes);
+    (void)scene_panel(scene, state.editor.selection, requests);
     ImGui::EndChild();
-    if (wishes.browse_mesh) {
+    if (requests.browse_mesh) {
         state.mesh_for_object = -1;
         state.files.ask(FilePurpose::OpenMesh, state.editor.document.path);
     }
@@ -118,20 +113,22 @@ void column_tab(const char* name, bool chosen, bool& wanted) {
 void left_column(UiState& state, const Layout& layout, const PictureView& view) {
     if (!layout.has_left) return;
     begin_area("##left", layout.left);
-    if (layout.why_in_left) {
+    if (layout.inspector_in_left) {
         bool scene = false, why = false;
-        column_tab("Scene", !state.left_shows_why, scene);
+        column_tab("Scene", !state.left_shows_inspector, scene);
         ImGui::SameLine(0, px(2));
-        column_tab("Why", state.left_shows_why, why);
-        if (scene || why) state.left_shows_why = why;
+        column_tab("Why", state.left_shows_inspector, why);
+        if (scene || why) state.left_shows_inspector = why;
     }
-    if (!layout.why_in_left) column_heading("SCENE");
-    if (!layout.why_in_left || !state.left_shows_why) scene_column(state, view);
+    if (!layout.inspector_in_left) column_heading("SCENE");
+    if (!layout.inspector_in_left || !state.left_shows_inspector) scene_column(state, view);
     ImGui::End();
 }
 
-void why_columns(UiState& state, const Layout& layout, const PictureView& view) {
-    const bool in_left = layout.why_in_left && layout.has_left && state.left_shows_why;
+void inspector_columns(UiState& state, const Layout& layout, const PictureView& view) {
+    state.inspector.instead.reset();
+    state.inspector.preview_name.clear();
+    const bool in_left = layout.inspector_in_left && layout.has_left && state.left_shows_inspector;
     if (!layout.has_right && !in_left) return;
     if (in_left)
         resume_area("##left");
@@ -139,7 +136,7 @@ void why_columns(UiState& state, const Layout& layout, const PictureView& view) 
         begin_area("##right", layout.right);
         column_heading("WHY");
     }
-    why_column(state, view);
+    inspector(state, view);
     state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
     ImGui::End();
 }

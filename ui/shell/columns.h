@@ -3,6 +3,7 @@
 
 #include "ui/picture/picture_view.h"
 #include "ui/shell/layout.h"
+#include "ui/ui.h"
 
 namespace glint {
 
@@ -12,6 +13,13 @@ struct UiState;
 void left_column(UiState& state, const Layout& layout, const PictureView& view);
 
 /// WHY, wherever it is. After the picture was drawn, so that its numbers are of the picture on the screen.
-void why_columns(UiState& state, const Layout& layout, const PictureView& view);
+void inspector_columns(UiState& state, const Layout& layout, const PictureView& view);
+
+// The row at the top: menus, shading mode, reflection model, terms, undo and redo.
+
+void toolbar(UiState& state, const Rect& area);
+
+/// The row at the bottom: what a drag does now; what the last frame took and which stages were redone.
+void status_line(UiState& state, const Rect& area);
 
 }  // namespace glint

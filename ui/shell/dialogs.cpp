@@ -1,5 +1,3 @@
-#include "ui/shell/dialogs.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -11,9 +9,9 @@
 
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
-#include "ui/commands/actions.h"
+#include "ui/document/document_actions.h"
 #include "ui/export/animate.h"
-#include "ui/widgets/modal.h"
+#include "ui/shell/modal.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -68,9 +66,9 @@ void changed_question(UiState& state) {
 }
 
 void save_picture(UiState& state, const std::string& path) {
-    const Scene& scene = state.drawn;
+    const Scene& scene = state.rendered_scene;
     const std::string bytes = png_bytes(
-        *state.picture,
+        *state.rendered,
         scene_text(with_mesh_paths_from(scene, state.editor.document.mesh_dir, directory_of(path))));
     const Result<std::monostate> written = write_file(path, bytes);
     if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
@@ -124,10 +122,10 @@ void dialogs(UiState& state, const UiInput& input) {
         export_dialog(state);
         break;
     }
-    if (modal_of(state) != modal) wish_frame_in(0);  // the next one, or what lay below
+    if (modal_of(state) != modal) redraw_within(0);  // the next one, or what lay below
     // The name was not given, or the question not answered.
     if (!state.files.open && !state.asks_overwrite && !state.pending.asking) state.pending = {};
-    tend_export(state);
+    poll_export(state);
 }
 
 void take_dropped(UiState& state, const UiInput& input) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
 namespace glint {
 
 namespace {
@@ -10,8 +13,8 @@ namespace {
 /// Takes the row of views and the scope's panel off the centre, the picture keeping half of it.
 void share_centre(Layout& layout, const LayoutState& state, float scale) {
     const Rect all = layout.centre;
-    layout.has_views = !state.folded && !state.bare;
-    layout.has_scope = state.scope && !state.bare;
+    layout.has_views = !state.hides_columns && !state.hides_all;
+    layout.has_scope = state.scope && !state.hides_all;
     const float views = layout.has_views ? std::min(views_height * scale, all.size().y / 6) : 0;
     const float scope = layout.has_scope ? std::min(state.scope_height * scale, all.size().y / 2 - views) : 0;
     const float top = std::round(all.low.y + views);
@@ -26,11 +29,11 @@ void share_centre(Layout& layout, const LayoutState& state, float scale) {
 Layout lay_out(ImVec2 window, const LayoutState& state, float scale) {
     const float width = std::max(window.x, 1.0f), height = std::max(window.y, 1.0f);
     Layout layout;
-    layout.why_in_left = width < three_column_width * scale;
-    const bool columns = !state.folded && !state.bare;
-    layout.has_left = columns && (state.left || (layout.why_in_left && state.right));
-    layout.has_right = columns && state.right && !layout.why_in_left;
-    const float bars = state.bare ? 0 : scale;
+    layout.inspector_in_left = width < three_column_width * scale;
+    const bool columns = !state.hides_columns && !state.hides_all;
+    layout.has_left = columns && (state.left || (layout.inspector_in_left && state.right));
+    layout.has_right = columns && state.right && !layout.inspector_in_left;
+    const float bars = state.hides_all ? 0 : scale;
     const float top = std::round(std::min(top_height * bars, height / 3));
     const float bottom = std::round(height - std::min(status_height * bars, height / 3));
     // Columns take at most two thirds of the width together.
@@ -55,6 +58,49 @@ Rect picture_area(const Rect& centre, float scale) {
     const float height = std::max(std::floor(std::min(all.y - 2 * margin, width / narrowest)), 1.0f);
     const ImVec2 low{std::round(centre.low.x + margin), std::round(centre.low.y + (all.y - height) / 2)};
     return {low, {low.x + width, low.y + height}};
+}
+
+namespace {
+
+/// An edge at `x`. `outwards`: 1 when a drag to the right makes its column wider, -1 when a drag to the left.
+void edge(const char* id, float x, const Rect& column, float outwards, float initial, float& width,
+          float scale) {
+    const float reach = 3 * scale;
+    ImGui::SetNextWindowPos({x - reach, column.low.y});
+    ImGui::SetNextWindowSize({2 * reach, column.size().y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::Begin(id, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleVar();
+    hit_area("##edge", {2 * reach, column.size().y});
+    const bool held = ImGui::IsItemActive();
+    if (held || ImGui::IsItemHovered()) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+        ImGui::GetWindowDrawList()->AddRectFilled({x - scale, column.low.y}, {x + scale, column.high.y},
+                                                  to_u32(theme().accent));
+    }
+    if (held) {
+        // From where the hand is, so that the edge stays under it also after a limit was reached.
+        const float wanted = outwards > 0 ? ImGui::GetIO().MousePos.x - column.low.x
+                                          : column.high.x - ImGui::GetIO().MousePos.x;
+        if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1))
+            width = std::clamp(wanted / scale, least_column_width, most_column_width);
+    }
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) width = initial;
+    ImGui::End();
+}
+
+}  // namespace
+
+void column_edges(LayoutState& state, const Layout& layout, float scale) {
+    const LayoutState initial;
+    if (layout.has_left)
+        edge("##left edge", layout.left.high.x, layout.left, 1, initial.left_width, state.left_width, scale);
+    if (layout.has_right)
+        edge("##right edge", layout.right.low.x, layout.right, -1, initial.right_width, state.right_width,
+             scale);
 }
 
 }  // namespace glint

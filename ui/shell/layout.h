@@ -2,19 +2,14 @@
 // Where the columns are. Three columns for three questions: what is in the scene, what do I see, why that
 // colour.
 
-#include <imgui.h>
+#include "ui/widgets/area.h"
 
 namespace glint {
 
-struct Rect {
-    ImVec2 low, high;
-    [[nodiscard]] ImVec2 size() const { return {high.x - low.x, high.y - low.y}; }
-};
-
 struct LayoutState {
     bool left = true, right = true;             // columns shown
-    bool folded = false;                        // F11: the picture alone
-    bool bare = false;                          // F10: and no bars
+    bool hides_columns = false;                 // F11: the picture alone
+    bool hides_all = false;                     // F10: and no bars
     float left_width = 280, right_width = 340;  // units of the design
     bool scope = false;                         // the panel below the picture is open
     float scope_height = 210;
@@ -26,7 +21,7 @@ struct Layout {
     Rect views, scope;  // above and below `centre`, the picture's room
     bool has_views = false, has_scope = false;
     bool has_left = false, has_right = false;
-    bool why_in_left = false;  // too narrow for three: WHY is a tab of the left column
+    bool inspector_in_left = false;  // too narrow for three: WHY is a tab of the left column
 };
 
 /// Divides a window. `scale`: as given to apply_theme(). All rectangles have positive size, however small the

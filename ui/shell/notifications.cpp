@@ -41,7 +41,7 @@ float draw_one(const Notification& note, int index, ImVec2 low_right, float widt
                      ImGuiWindowFlags_NoNav);
     const ImVec2 low = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
-    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + px(4), low.y + size.y}, packed(ink(note.tone)),
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + px(4), low.y + size.y}, to_u32(ink(note.tone)),
                                               px(2));
     ImGui::PushTextWrapPos(width - px(34));
     ImGui::TextUnformatted(note.text.c_str());
@@ -80,7 +80,7 @@ void draw_notifications(Notifications& notifications, ImVec2 low_right, float ma
         bool closed = false;
         low_right.y -= draw_one(note, i, low_right, std::min(px(420), max_width), closed) + px(6);
         if (closed) closed_one = i;
-        wish_frame_in(note.until - now);
+        redraw_within(note.until - now);
     }
     if (closed_one >= 0) list.erase(list.begin() + closed_one);
 }

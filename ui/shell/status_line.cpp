@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "ui/inspector/mistakes_tab.h"
-#include "ui/shell/toolbar.h"
-#include "ui/views/views.h"
+#include "ui/inspector/tabs.h"
+#include "ui/picture/tool.h"
+#include "ui/shell/columns.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -26,14 +26,14 @@ std::string redone_stages(const FrameStats& stats) {
     for (std::size_t i = 0; i < stage_count; ++i)
         if (stats.redone[i]) text.append(text.empty() ? "" : " ").append(names[i]);
     if (stats.strokes_redone) text.append(text.empty() ? "" : " ").append("strokes");
-    return text.empty() ? "nothing" : text;
+    return text.empty() ? "all kept" : text;
 }
 
 std::string stats_text(const UiState& state, bool roomy) {
     const FrameStats& stats = state.renderer->stats();
     const CompareState& compare = state.views.compare;
     const double parts_ms = compare.choice.on ? compare.ms : 0;  // beside the picture itself
-    const std::size_t lights = state.drawn.lights.size();
+    const std::size_t lights = state.rendered_scene.lights.size();
     std::string text = fmt::format("{} {}  ·  {} {}  ·  {:5.1f} ms", with_thousands(stats.triangles),
                                    stats.triangles == 1 ? "triangle" : "triangles", lights,
                                    lights == 1 ? "light" : "lights", stats.total_ms + parts_ms);
@@ -67,8 +67,8 @@ float mistakes_mark(UiState& state, ImVec2 right) {
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsItemClicked()) {
-        state.why_column.tab = WhyTab::Mistakes;
-        state.layout.right = state.left_shows_why = true;
+        state.inspector.tab = InspectorTab::Mistakes;
+        state.layout.right = state.left_shows_inspector = true;
     }
     tooltip("Mistakes", "The picture is wrong on purpose; click to see which", "", "/shading/mistakes");
     return width + gap;
@@ -87,16 +87,15 @@ void status_line(UiState& state, const Rect& area) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    if (state.picture != nullptr) {
+    if (state.rendered != nullptr) {
         const std::string stats = stats_text(state, area.size().x > px(1240));
         const float width = ImGui::CalcTextSize(stats.c_str()).x;
         const ImVec2 left = ImGui::GetCursorScreenPos();
         const float right = area.high.x - width - px(10);
         const float mark = mistakes_mark(state, {right, left.y});
-        std::string hint = views_hint(state.views);
-        if (hint.empty()) hint = gesture_hint(state.viewport, state.editor.scene());
+        const std::string hint = tools_hint(state);
         const ImVec4 room{left.x, area.low.y, right - mark - px(16), area.high.y};
-        ImGui::GetWindowDrawList()->AddText(nullptr, 0, left, packed(theme().text), hint.c_str(), nullptr, 0,
+        ImGui::GetWindowDrawList()->AddText(nullptr, 0, left, to_u32(theme().text), hint.c_str(), nullptr, 0,
                                             &room);
         ImGui::SetCursorScreenPos({right, left.y});
         dim_text(stats.c_str());

@@ -1,8 +1,7 @@
-#include "ui/shell/toolbar.h"
-
-#include "ui/commands/actions.h"
-#include "ui/commands/menu_bar.h"
-#include "ui/fields/choices.h"
+#include "ui/commands/command.h"
+#include "ui/commands/menus.h"
+#include "ui/fields/field_panel.h"
+#include "ui/shell/columns.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
@@ -20,7 +19,7 @@ void caption(const char* text) {
     ImGui::Dummy({size.x, height});
     const ImFont* font = fonts().small;
     ImGui::GetWindowDrawList()->AddText(font, font->FontSize * ImGui::GetIO().FontGlobalScale,
-                                        {at.x, at.y + (height - size.y) / 2}, packed(theme().dim_text), text);
+                                        {at.x, at.y + (height - size.y) / 2}, to_u32(theme().dim_text), text);
     ImGui::SameLine(0, px(6));
 }
 
@@ -63,39 +62,40 @@ void term_switch(const char* letter, const char* name, const char* key, Symbol s
     const ImVec4& colour = theme()[symbol];
     const float radius = size / 2 - px(1);
     if (on)
-        list.AddCircleFilled(middle, radius, packed(colour));
+        list.AddCircleFilled(middle, radius, to_u32(colour));
     else
-        list.AddCircle(middle, radius, packed(ImGui::IsItemHovered() ? colour : theme().disabled_text), 0,
+        list.AddCircle(middle, radius, to_u32(ImGui::IsItemHovered() ? colour : theme().disabled_text), 0,
                        px(1.5f));
     const ImVec2 text = ImGui::CalcTextSize(letter);
     const ImVec4& ink = on ? (theme().dark ? theme().window : ImVec4(1, 1, 1, 1)) : theme().dim_text;
-    list.AddText({middle.x - text.x / 2, middle.y - text.y / 2}, packed(ink), letter);
+    list.AddText({middle.x - text.x / 2, middle.y - text.y / 2}, to_u32(ink), letter);
     tooltip(name, "One term of the equation, on or off", on ? "on" : "off", key);
     ImGui::PopID();
 }
 
 void term_switches(Terms& terms) {
-    term_switch("e", "Emission (E)", "/shading/terms/emission", Symbol::Emission, terms.emission);
+    term_switch("e", "Emission", "/shading/terms/emission", Symbol::Emission, terms.emission);
     ImGui::SameLine(0, px(3));
-    term_switch("a", "Ambient (A)", "/shading/terms/ambient", Symbol::Ambient, terms.ambient);
+    term_switch("a", "Ambient", "/shading/terms/ambient", Symbol::Ambient, terms.ambient);
     ImGui::SameLine(0, px(3));
-    term_switch("d", "Diffuse (D)", "/shading/terms/diffuse", Symbol::Diffuse, terms.diffuse);
+    term_switch("d", "Diffuse", "/shading/terms/diffuse", Symbol::Diffuse, terms.diffuse);
     ImGui::SameLine(0, px(3));
-    term_switch("s", "Specular (S)", "/shading/terms/specular", Symbol::Specular, terms.specular);
+    term_switch("s", "Specular", "/shading/terms/specular", Symbol::Specular, terms.specular);
 }
 
 void history_buttons(UiState& state) {
     const History& history = state.editor.history;
     ImGui::BeginDisabled(!history.can_undo());
-    if (icon_button("##undo", Icon::Undo)) run_action(state, Action::Undo);
+    if (icon_button("##undo", Icon::Undo)) run_command(state, CommandId::Undo);
     ImGui::EndDisabled();
-    tooltip("Undo", history.can_undo() ? history.undo_name().c_str() : "Nothing to undo", "Ctrl+Z");
+    tooltip("Undo", history.can_undo() ? history.undo_name().c_str() : "Nothing to undo", "",
+            keys_of(CommandId::Undo));
     ImGui::SameLine(0, px(2));
     ImGui::BeginDisabled(!history.can_redo());
-    if (icon_button("##redo", Icon::Redo)) run_action(state, Action::Redo);
+    if (icon_button("##redo", Icon::Redo)) run_command(state, CommandId::Redo);
     ImGui::EndDisabled();
-    tooltip("Redo", history.can_redo() ? history.redo_name().c_str() : "Nothing to redo",
-            "Ctrl+Shift+Z or Ctrl+Y");
+    tooltip("Redo", history.can_redo() ? history.redo_name().c_str() : "Nothing to redo", "",
+            keys_of(CommandId::Redo));
 }
 
 /// What stands to the right of the menus.

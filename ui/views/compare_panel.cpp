@@ -1,10 +1,10 @@
-#include "ui/views/compare_panel.h"
-
 #include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 
+#include "ui/views/views.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -13,18 +13,18 @@ namespace {
 
 struct Preset {
     const char* label;
-    std::vector<Setting> parts;
+    std::vector<Variant> parts;
 };
 
 const std::vector<Preset>& presets() {
     static const std::vector<Preset> all{
         {"Flat, Gouraud, Phong",
-         {setting_of(ShadingMode::Flat), setting_of(ShadingMode::Gouraud), setting_of(ShadingMode::Phong)}},
-        {"Gouraud, Phong", {setting_of(ShadingMode::Gouraud), setting_of(ShadingMode::Phong)}},
-        {"Facet, Phong", {setting_of(ShadingMode::Facet), setting_of(ShadingMode::Phong)}},
+         {variant_of(ShadingMode::Flat), variant_of(ShadingMode::Gouraud), variant_of(ShadingMode::Phong)}},
+        {"Gouraud, Phong", {variant_of(ShadingMode::Gouraud), variant_of(ShadingMode::Phong)}},
+        {"Facet, Phong", {variant_of(ShadingMode::Facet), variant_of(ShadingMode::Phong)}},
         {"Phong's and Blinn's highlight",
-         {setting_of(Reflection::Phong), setting_of(Reflection::BlinnPhong)}},
-        {"As edited, B", {{}, {Setting::Kind::Stored, 0}}}};
+         {variant_of(Reflection::Phong), variant_of(Reflection::BlinnPhong)}},
+        {"As edited, B", {{}, {Variant::Kind::Stored, 0}}}};
     return all;
 }
 
@@ -34,11 +34,11 @@ void presets_popup(CompareChoice& choice) {
     ImGui::SameLine(0, px(4));
     if (!ImGui::BeginPopup("##presets")) return;
     for (const Preset& preset : presets()) {
-        const bool needs_b = preset.parts.back().kind == Setting::Kind::Stored;
+        const bool needs_b = preset.parts.back().kind == Variant::Kind::Stored;
         const auto flags = needs_b && !choice.stored ? ImGuiSelectableFlags_Disabled : 0;
         if (ImGui::Selectable(preset.label, choice.parts == preset.parts, flags))
             set_parts(choice, preset.parts);
-        if (flags != 0) tooltip(preset.label, "Store a scene first", "", "Ctrl+B");
+        if (flags != 0) tooltip(preset.label, "Store a scene first", "", keys_of(CommandId::StoreB));
     }
     ImGui::EndPopup();
 }
@@ -60,7 +60,7 @@ void difference_controls(CompareState& state) {
     tooltip("Scale of the difference", "Click: twice as much, after ×64 again ×1 · Right click: half");
     ImGui::SameLine(0, px(8));
     const Comparison& n = state.numbers;
-    figures(fmt::format("max {}  mean {:.2f}", n.max_error, (n.mean[0] + n.mean[1] + n.mean[2]) / 3));
+    mono_text(fmt::format("max {}  mean {:.2f}", n.max_error, (n.mean[0] + n.mean[1] + n.mean[2]) / 3));
     tooltip(
         "How far apart", "Largest and mean difference of the first and the last part, in steps of 0 to 255",
         fmt::format("max {} {} {}\nmean {:.3f} {:.3f} {:.3f}\nroot of mean square {:.3f} {:.3f} {:.3f}\n{} "

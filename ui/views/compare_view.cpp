@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/fields/choices.h"
 #include "models/saturate.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
+
 namespace {
 
 /// The pixels from `low` to before `high` of one picture into the same place of another.
@@ -29,7 +31,7 @@ void draw_parts(CompareState& state, const DrawnScene& drawn) {
     state.drawn_by.assign(choice.parts.size(), &drawn.renderer);
     state.ms = 0;
     for (std::size_t i = 0; i < choice.parts.size(); ++i) {
-        const Scene scene = scene_under(choice.parts[i], drawn.scene, choice.stored);
+        const Scene scene = scene_under(choice.parts[i], drawn.scene, choice.stored.get());
         if (scene == drawn.scene) continue;
         if (!state.renderers[i]) state.renderers[i] = std::make_unique<Renderer>(drawn.threads);
         state.pictures[i] =
@@ -98,11 +100,98 @@ const Renderer* part_renderer(const CompareState& state, glm::ivec2 pixel, Pictu
     return part < state.drawn_by.size() ? state.drawn_by[part] : nullptr;
 }
 
-void set_parts(CompareChoice& choice, std::vector<Setting> parts) {
+void set_parts(CompareChoice& choice, std::vector<Variant> parts) {
     choice.parts = std::move(parts);
     choice.wipes.clear();
     for (std::size_t i = 1; i < choice.parts.size(); ++i)
         choice.wipes.push_back(double(i) / double(choice.parts.size()));
+}
+
+namespace {
+
+template <class E> void add_settings(std::vector<Variant>& all, Variant::Kind kind) {
+    for (std::size_t i = 0; i < count_of<E>(); ++i) all.push_back({kind, static_cast<int>(i)});
+}
+
+}  // namespace
+
+Variant variant_of(ShadingMode mode) { return {Variant::Kind::Mode, static_cast<int>(mode)}; }
+
+Variant variant_of(Reflection reflection) {
+    return {Variant::Kind::Reflection, static_cast<int>(reflection)};
+}
+
+std::vector<Variant> all_variants() {
+    std::vector<Variant> all{{}};
+    add_settings<ShadingMode>(all, Variant::Kind::Mode);
+    add_settings<Reflection>(all, Variant::Kind::Reflection);
+    add_settings<Interpolation>(all, Variant::Kind::Interpolation);
+    all.push_back({Variant::Kind::Stored, 0});
+    return all;
+}
+
+std::string word_of(Variant setting) {
+    const auto index = static_cast<std::size_t>(setting.index);
+    switch (setting.kind) {
+    case Variant::Kind::Edited:
+        return "edited";
+    case Variant::Kind::Mode:
+        return std::string("mode ").append(choices<ShadingMode>[index].word);
+    case Variant::Kind::Reflection:
+        return std::string("reflection ").append(choices<Reflection>[index].word);
+    case Variant::Kind::Interpolation:
+        return std::string("interpolation ").append(choices<Interpolation>[index].word);
+    case Variant::Kind::Stored:
+        return "stored";
+    }
+    return {};  // not reached
+}
+
+std::optional<Variant> variant_named(const std::string& word) {
+    for (const Variant& setting : all_variants())
+        if (word_of(setting) == word) return setting;
+    return {};
+}
+
+std::string label_of(Variant setting) {
+    const auto index = static_cast<std::size_t>(setting.index);
+    switch (setting.kind) {
+    case Variant::Kind::Edited:
+        return "As edited";
+    case Variant::Kind::Mode:
+        return std::string(choices<ShadingMode>[index].label) + " shading";
+    case Variant::Kind::Reflection:
+        return std::string(choices<Reflection>[index].label) + " lighting";
+    case Variant::Kind::Interpolation:
+        return std::string(choices<Interpolation>[index].label) + " interpolation";
+    case Variant::Kind::Stored:
+        return "B, stored";
+    }
+    return {};  // not reached
+}
+
+Scene scene_under(Variant setting, const Scene& edited, const Scene* stored) {
+    const auto index = static_cast<std::size_t>(setting.index);
+    Scene scene = edited;
+    switch (setting.kind) {
+    case Variant::Kind::Edited:
+        break;
+    case Variant::Kind::Mode:
+        scene.shading.mode = static_cast<ShadingMode>(index);
+        break;
+    case Variant::Kind::Reflection:
+        scene.shading.reflection = static_cast<Reflection>(index);
+        break;
+    case Variant::Kind::Interpolation:
+        scene.shading.interpolation = static_cast<Interpolation>(index);
+        break;
+    case Variant::Kind::Stored:
+        if (stored == nullptr) break;
+        scene = *stored;
+        scene.camera = edited.camera;
+        break;
+    }
+    return scene;
 }
 
 }  // namespace glint

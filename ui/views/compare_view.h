@@ -7,26 +7,55 @@
 #include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "models/scene/scene.h"
 #include "renderer/inspect/debug_views/compare.h"
 #include "renderer/renderer.h"
 #include "ui/picture/picture_view.h"
-#include "ui/views/setting.h"
 
 namespace glint {
+
+// A way to draw the edited scene: as it is, with one choice changed, or as it was when it was stored. What
+// the parts of a comparison differ in.
+
+struct Variant {
+    enum class Kind { Edited, Mode, Reflection, Interpolation, Stored };
+    Kind kind = Kind::Edited;
+    int index = 0;  // in choices<ShadingMode>, choices<Reflection> or choices<Interpolation>
+    bool operator==(const Variant&) const = default;
+};
+
+[[nodiscard]] Variant variant_of(ShadingMode mode);
+[[nodiscard]] Variant variant_of(Reflection reflection);
+
+/// All there are, in the order of lists. Stored is among them whether or not there is a stored scene.
+[[nodiscard]] std::vector<Variant> all_variants();
+
+/// "mode gouraud", "edited", "stored": for a file.
+[[nodiscard]] std::string word_of(Variant setting);
+/// Inverse of word_of; nothing for an unknown word.
+[[nodiscard]] std::optional<Variant> variant_named(const std::string& word);
+
+/// "Gouraud", "As edited", "B".
+[[nodiscard]] std::string label_of(Variant setting);
+
+/// The scene that a setting shows, seen by the edited scene's camera. Stored without a stored scene (null):
+/// as edited.
+[[nodiscard]] Scene scene_under(Variant setting, const Scene& edited, const Scene* stored);
 
 /// What is compared: changes to it change the picture.
 struct CompareChoice {
     bool on = false;
-    std::vector<Setting> parts{setting_of(ShadingMode::Flat), setting_of(ShadingMode::Gouraud),
-                               setting_of(ShadingMode::Phong)};  // 2 or 3, from left to right
+    std::vector<Variant> parts{variant_of(ShadingMode::Flat), variant_of(ShadingMode::Gouraud),
+                               variant_of(ShadingMode::Phong)};  // 2 or 3, from left to right
     std::vector<double> wipes{1.0 / 3, 2.0 / 3};  // #parts - 1, rising: shares of the picture's length
-    bool stacked = false;         // parts from top to bottom under level lines, the length being the height
-    bool difference = false;      // of the first and the last part, in place of all parts
-    int gain = 1;                 // of the difference: 1, 2, 4 ... 64
-    std::optional<Scene> stored;  // "B"
-    bool shows_stored = false;    // B alone in place of the picture
+    bool stacked = false;     // parts from top to bottom under level lines, the length being the height
+    bool difference = false;  // of the first and the last part, in place of all parts
+    int gain = 1;             // of the difference: 1, 2, 4 ... 64
+    std::shared_ptr<const Scene> stored;  // "B": shared, as choices are copied and compared in every frame
+    bool shows_stored = false;            // B alone in place of the picture
     bool operator==(const CompareChoice&) const = default;
 };
 inline constexpr int most_gain = 64;
@@ -73,12 +102,6 @@ const Picture& compose(CompareState& state, const DrawnScene& drawn);
 [[nodiscard]] const Renderer* part_renderer(const CompareState& state, glm::ivec2 pixel, PictureSize size);
 
 /// Sets how many parts there are, their lines spread evenly.
-void set_parts(CompareChoice& choice, std::vector<Setting> parts);
-
-/// Reads the mouse over the picture: lines are dragged, labels clicked. True while it has the mouse.
-[[nodiscard]] bool compare_hand(CompareState& state, const PictureView& view);
-
-/// Lines and labels; the list of a part's settings once its label was clicked.
-void draw_compare(ImDrawList& list, CompareState& state, const PictureView& view);
+void set_parts(CompareChoice& choice, std::vector<Variant> parts);
 
 }  // namespace glint

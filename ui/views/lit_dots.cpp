@@ -97,20 +97,20 @@ void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const Renderer& 
             const OnScreen tip =
                 project(view.map, glm::dvec3(dot.place) + needle(foot) * glm::dvec3(dot.normal));
             if (tip.in_front) {
-                list.AddLine(at, view.to_window(tip.pixel), packed({0, 0, 0, 1}, 0.5f), px(2.4f));
-                list.AddLine(at, view.to_window(tip.pixel), packed(theme()[Symbol::N]), px(1.2f));
+                list.AddLine(at, view.to_window(tip.pixel), to_u32({0, 0, 0, 1}, 0.5f), px(2.4f));
+                list.AddLine(at, view.to_window(tip.pixel), to_u32(theme()[Symbol::N]), px(1.2f));
             }
         }
         if (!state.dots) continue;
         const glm::vec3 c = glm::min(dot.color, glm::vec3(1));
-        list.AddCircleFilled(at, px(3.4f), packed({1, 1, 1, 1}, 0.9f), 10);
-        list.AddCircleFilled(at, px(2.4f), packed({c.x, c.y, c.z, 1}), 10);
+        list.AddCircleFilled(at, px(3.4f), to_u32({1, 1, 1, 1}, 0.9f), 10);
+        list.AddCircleFilled(at, px(2.4f), to_u32({c.x, c.y, c.z, 1}), 10);
     }
     if (!state.dots) return;
     const std::string text = evaluations_text(renderer, scene);
-    const ImVec2 size = fonts().small->CalcTextSizeA(fonts().small->FontSize, 1e9f, 0, text.c_str());
+    const ImVec2 size = fonts().small->CalcTextSizeA(small_text_height(), 1e9f, 0, text.c_str());
     const ImVec2 low{list.GetClipRectMax().x - size.x - px(28), list.GetClipRectMin().y + px(10)};
-    list.AddRectFilled(low, {low.x + size.x + px(16), low.y + size.y + px(10)}, packed(theme().window, 0.88f),
+    list.AddRectFilled(low, {low.x + size.x + px(16), low.y + size.y + px(10)}, to_u32(theme().window, 0.88f),
                        px(6));
     plot_text(list, {low.x + px(8), low.y + px(5)}, theme().text, text);
 }

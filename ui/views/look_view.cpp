@@ -8,6 +8,7 @@
 
 #include "ui/plots/plot.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -71,14 +72,14 @@ void draw_bar(ImDrawList& list, const LookState& state, const Rect& bar, std::sp
     const std::vector<double> marks = ticks(range, 5);
     const double step = marks.size() > 1 ? marks[1] - marks[0] : range.length();
     for (const double mark : marks) {
-        list.AddLine({x_of(mark), bar.high.y}, {x_of(mark), bar.high.y + px(3)}, packed(theme().dim_text));
+        list.AddLine({x_of(mark), bar.high.y}, {x_of(mark), bar.high.y + px(3)}, to_u32(theme().dim_text));
         plot_text(list, {x_of(mark), bar.high.y + px(10)}, theme().dim_text, tick_text(mark, step), true);
     }
     for (const Reading& reading : readings) {
         if (std::isnan(reading.value)) continue;
         const float x = x_of(reading.value);
         list.AddTriangleFilled({x, bar.low.y + px(3)}, {x - px(4), bar.low.y - px(4)},
-                               {x + px(4), bar.low.y - px(4)}, packed(theme().text));
+                               {x + px(4), bar.low.y - px(4)}, to_u32(theme().text));
     }
 }
 
@@ -156,7 +157,8 @@ bool look_controls(LookState& state, const Scene& scene) {
         }
         ImGui::EndCombo();
     } else {
-        tooltip("What is shown", info_of(look).what, "", "I, Shift+I");
+        tooltip("What is shown", info_of(look).what, "",
+                keys_of(CommandId::NextLook) + ", " + keys_of(CommandId::PreviousLook));
     }
     ImGui::SameLine(0, px(4));
     (void)light_combo(state, scene);
@@ -170,11 +172,11 @@ void draw_look_legend(ImDrawList& list, const LookState& state, const Scene& sce
     if (look == Look::Picture || !state.painter) return;
     const bool has_bar = state.painter->scale().has_bar, ball = look == Look::Normal;
     const std::vector<Reading> readings = readings_of(state, view, picked);
-    const float line = fonts().small->FontSize * ImGui::GetIO().FontGlobalScale + px(3);
+    const float line = small_text_height() + px(3);
     const ImVec2 size{px(236), px(14) + line * float(1 + readings.size()) + (has_bar ? px(32) : 0)};
     const ImVec2 corner = view.to_window({0, view.map.size.height});
     const ImVec2 low{corner.x + px(8), corner.y - px(8) - size.y};
-    list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, packed(theme().window, 0.88f), px(6));
+    list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, to_u32(theme().window, 0.88f), px(6));
     ImVec2 at{low.x + px(10), low.y + px(6)};
     plot_text(list, at, theme().text, title_of(state, scene));
     at.y += line;
@@ -186,8 +188,8 @@ void draw_look_legend(ImDrawList& list, const LookState& state, const Scene& sce
     }
     for (const Reading& reading : readings) {
         plot_text(list, at, theme().dim_text, reading.name);
-        list.AddText(fonts().figures, fonts().small->FontSize * ImGui::GetIO().FontGlobalScale,
-                     {at.x + px(46), at.y}, packed(theme().text), reading.text.c_str());
+        list.AddText(fonts().figures, small_text_height(), {at.x + px(46), at.y}, to_u32(theme().text),
+                     reading.text.c_str());
         at.y += line;
     }
 }

@@ -6,9 +6,12 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "models/saturate.h"
+#include "ui/picture/tool.h"
 #include "ui/shell/shell_word.h"
+#include "ui/ui.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
@@ -110,19 +113,91 @@ void set_cursor(const ScopeState& scope) {
 }
 
 void draw_end(ImDrawList& list, ImVec2 at, bool lit) {
-    list.AddCircleFilled(at, px(lit ? 7 : 5.5f), packed({0, 0, 0, 1}, 0.7f));
-    list.AddCircleFilled(at, px(lit ? 5.5f : 4), packed({1, 1, 1, 1}));
+    list.AddCircleFilled(at, px(lit ? 7 : 5.5f), to_u32({0, 0, 0, 1}, 0.7f));
+    list.AddCircleFilled(at, px(lit ? 5.5f : 4), to_u32({1, 1, 1, 1}));
 }
 
 void draw_card(ImDrawList& list, const ScopeState& scope, const PictureView& view) {
     const ImVec2 low = view.to_window((scope.card_at - scope.card_size / 2.0) * size_of(view));
     const ImVec2 high = view.to_window((scope.card_at + scope.card_size / 2.0) * size_of(view));
-    list.AddRectFilled(low, high, packed(theme().surround));
+    list.AddRectFilled(low, high, to_u32(theme().surround));
     if (scope.hand == Hand::Card || scope.under == Hand::Card)
-        list.AddRect(low, high, packed(theme().accent));
+        list.AddRect(low, high, to_u32(theme().accent));
+}
+
+bool scope_hover(ToolFrame& frame) {
+    ScopeState& scope = frame.state.views.scope;
+    scope.under = Hand::None;
+    if (!scope.open || !frame.over) return false;
+    scope.under = under_cursor(scope, frame.view, frame.pixel / size_of(frame.view));
+    set_cursor(scope);
+    return scope.under != Hand::None;
+}
+
+int scope_press(ToolFrame& frame) {
+    ScopeState& scope = frame.state.views.scope;
+    if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return not_taken;
+    scope.hand = scope.under;
+    scope.last = frame.pixel / size_of(frame.view);
+    if (scope.hand == Hand::New) scope.from = scope.to = glm::clamp(scope.last, 0.0, 1.0);
+    return ImGuiMouseButton_Left;
+}
+
+/// Shift keeps the line level or upright.
+bool scope_drag(ToolFrame& frame) {
+    ScopeState& scope = frame.state.views.scope;
+    if (!scope.open || scope.hand == Hand::None) return false;
+    if (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0)
+        drag(scope, frame.view, frame.pixel / size_of(frame.view));
+    set_cursor(scope);
+    return true;
+}
+
+void scope_release(ToolFrame& frame) { release(frame.state.views.scope, frame.view); }
+
+bool disarm_scope(UiState& state) { return std::exchange(state.views.scope.armed, false); }
+
+std::string scope_hint(const UiState& state) {
+    const ScopeState& scope = state.views.scope;
+    if (!scope.open) return {};
+    switch (scope.hand != Hand::None ? scope.hand : scope.under) {
+    case Hand::None:
+        return {};
+    case Hand::New:
+        return "Drag a line over the picture · Click: the whole scan line · Shift: level or upright · Esc: "
+               "not now";
+    case Hand::From:
+    case Hand::To:
+        return "Drag the end of the line · Shift: level or upright";
+    case Hand::Line:
+        return "Drag the line";
+    case Hand::Card:
+        return "Drag the card over one side of an edge: the band beside it goes";
+    }
+    return {};  // not reached
+}
+
+/// Line, ends, card, and the sample pointed at in the panel.
+void draw_scope_line(ImDrawList& list, UiState& state, const PictureView& view) {
+    const ScopeState& scope = state.views.scope;
+    if (!scope.open) return;
+    if (scope.card) draw_card(list, scope, view);
+    const ImVec2 from = place_of(scope.from, view), to = place_of(scope.to, view);
+    list.AddLine(from, to, to_u32({0, 0, 0, 1}, 0.55f), px(3));
+    list.AddLine(from, to, to_u32({1, 1, 1, 1}, 0.9f), px(1));
+    draw_end(list, from, scope.hand == Hand::From || scope.under == Hand::From);
+    draw_end(list, to, scope.hand == Hand::To || scope.under == Hand::To);
+    if (scope.hovered < 0) return;
+    const ProfileSample& sample = scope.samples[static_cast<std::size_t>(scope.hovered)];
+    const ImVec2 at = view.to_window(glm::dvec2(sample.pixel) + 0.5);
+    list.AddCircle(at, px(7), to_u32({0, 0, 0, 1}, 0.7f), 0, px(3.5f));
+    list.AddCircle(at, px(7), to_u32(theme().accent), 0, px(1.8f));
 }
 
 }  // namespace
+
+const Tool scope_tool{scope_hover,  scope_press, scope_drag,     scope_release,
+                      disarm_scope, scope_hint,  draw_scope_line};
 
 glm::ivec2 pixel_of(glm::dvec2 share, PictureSize size) {
     return {std::clamp(saturated_int(share.x * size.width), 0, size.width - 1),
@@ -136,24 +211,6 @@ void toggle_scope(ScopeState& scope) {
     scope.hovered = -1;
 }
 
-bool scope_hand(ScopeState& scope, const PictureView& view) {
-    if (!scope.open || !ImGui::IsMousePosValid()) return false;
-    const glm::dvec2 share = view.to_pixel(ImGui::GetIO().MousePos) / size_of(view);
-    if (scope.hand == Hand::None) {
-        scope.under = ImGui::IsItemHovered() ? under_cursor(scope, view, share) : Hand::None;
-        if (scope.under != Hand::None && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-            scope.hand = scope.under;
-            scope.last = share;
-            if (scope.hand == Hand::New) scope.from = scope.to = glm::clamp(share, 0.0, 1.0);
-        }
-    } else {
-        if (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0) drag(scope, view, share);
-        if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) release(scope, view);
-    }
-    set_cursor(scope);
-    return scope.hand != Hand::None || scope.under != Hand::None;
-}
-
 void update_scope(ScopeState& scope, const Renderer& renderer, const Picture& picture) {
     if (!scope.open) return;
     scope.samples =
@@ -161,21 +218,6 @@ void update_scope(ScopeState& scope, const Renderer& renderer, const Picture& pi
     scope.seen.clear();
     if (scope.eye) scope.seen = perceived(scope.samples, scope.surround_px);
     if (scope.hovered >= static_cast<int>(scope.samples.size())) scope.hovered = -1;
-}
-
-void draw_scope_line(ImDrawList& list, const ScopeState& scope, const PictureView& view) {
-    if (!scope.open) return;
-    if (scope.card) draw_card(list, scope, view);
-    const ImVec2 from = place_of(scope.from, view), to = place_of(scope.to, view);
-    list.AddLine(from, to, packed({0, 0, 0, 1}, 0.55f), px(3));
-    list.AddLine(from, to, packed({1, 1, 1, 1}, 0.9f), px(1));
-    draw_end(list, from, scope.hand == Hand::From || scope.under == Hand::From);
-    draw_end(list, to, scope.hand == Hand::To || scope.under == Hand::To);
-    if (scope.hovered < 0) return;
-    const ProfileSample& sample = scope.samples[static_cast<std::size_t>(scope.hovered)];
-    const ImVec2 at = view.to_window(glm::dvec2(sample.pixel) + 0.5);
-    list.AddCircle(at, px(7), packed({0, 0, 0, 1}, 0.7f), 0, px(3.5f));
-    list.AddCircle(at, px(7), packed(theme().accent), 0, px(1.8f));
 }
 
 void place_card(ScopeState& scope, PictureSize size) {

@@ -41,15 +41,8 @@ struct ScopeState {
 /// Opens the scope with its tool in hand, or closes it.
 void toggle_scope(ScopeState& scope);
 
-/// Reads the mouse over the item drawn last (the picture). True while the scope has the mouse: then nobody
-/// else may take it. Shift keeps the line level or upright.
-[[nodiscard]] bool scope_hand(ScopeState& scope, const PictureView& view);
-
 /// Reads the line off a picture that was drawn with `linear`.
 void update_scope(ScopeState& scope, const Renderer& renderer, const Picture& picture);
-
-/// Line, ends, card, and the sample pointed at in the panel.
-void draw_scope_line(ImDrawList& list, const ScopeState& scope, const PictureView& view);
 
 /// Lays the card on the right of the sharpest bend of the line, its edge on the pixel of the bend.
 void place_card(ScopeState& scope, PictureSize size);

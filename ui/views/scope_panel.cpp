@@ -1,5 +1,3 @@
-#include "ui/views/scope_panel.h"
-
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -9,6 +7,7 @@
 #include <limits>
 
 #include "ui/plots/plot.h"
+#include "ui/views/views.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
@@ -113,8 +112,7 @@ std::vector<ZeroCurve> zero_curves(const ScopeState& scope) {
 /// The sample nearest to the cursor, or -1 when it is not over the strips.
 int sample_under(const ScopeState& scope, const Rect& strips, Interval x) {
     if (!ImGui::IsItemHovered() || scope.samples.empty()) return -1;
-    const PlotArea area{
-        {{strips.low.x + px(44), strips.low.y}, {strips.high.x - px(6), strips.high.y}}, x, {}};
+    const PlotArea area = area_within(strips, x, {}, {"", ""}, {"I", ""});
     const double at = area.value(ImGui::GetIO().MousePos).x;
     const auto nearer = [at](const ProfileSample& a, const ProfileSample& b) {
         return std::abs(a.position - at) < std::abs(b.position - at);
@@ -127,7 +125,7 @@ void strips(ScopeState& scope, const Rect& area) {
     const double length = scope.samples.empty() ? 1 : std::max(scope.samples.back().position, 1.0);
     const Interval x{0, length};
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float axis = fonts().small->FontSize * ImGui::GetIO().FontGlobalScale + px(5);
+    const float axis = small_text_height() + px(5);
     const std::vector<ZeroCurve> curves = zero_curves(scope);
     const float unit = (area.size().y - axis) / (2 + static_cast<float>(curves.size()));
     ImGui::SetCursorScreenPos(area.low);
@@ -156,7 +154,7 @@ bool toggle(const char* label, bool& on, const char* title, const char* what, co
     return clicked;
 }
 
-void buttons(ScopeState& scope, PictureSize size, ScopeWishes& wishes) {
+void buttons(ScopeState& scope, PictureSize size, ScopeRequests& requests) {
     toggle("Draw", scope.armed, "Draw a line",
            "Drag over the picture; a click takes the whole scan line through a pixel",
            "Shift: level or upright");
@@ -171,16 +169,16 @@ void buttons(ScopeState& scope, PictureSize size, ScopeWishes& wishes) {
                "Drag it over the picture") &&
         scope.card)
         place_card(scope, size);
-    if (ImGui::SmallButton("Copy")) wishes.copy = true;
+    if (ImGui::SmallButton("Copy")) requests.copy = true;
     tooltip("Copy as command", "The command line that prints these numbers");
 }
 
 }  // namespace
 
-ScopeWishes scope_panel(ScopeState& scope, const Rect& area, PictureSize size) {
-    ScopeWishes wishes;
+ScopeRequests scope_panel(ScopeState& scope, const Rect& area, PictureSize size) {
+    ScopeRequests requests;
     ImGui::PushFont(fonts().small);
-    buttons(scope, size, wishes);
+    buttons(scope, size, requests);
     const std::string text =
         scope.hovered >= 0
             ? sample_text(scope.samples[static_cast<std::size_t>(scope.hovered)])
@@ -188,7 +186,7 @@ ScopeWishes scope_panel(ScopeState& scope, const Rect& area, PictureSize size) {
     ImGui::SameLine(0, px(10));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec4 room{at.x, area.low.y, area.high.x - px(34), area.high.y};
-    ImGui::GetWindowDrawList()->AddText(fonts().figures, 0, {at.x, at.y}, packed(theme().text), text.c_str(),
+    ImGui::GetWindowDrawList()->AddText(fonts().figures, 0, {at.x, at.y}, to_u32(theme().text), text.c_str(),
                                         nullptr, 0, &room);
     ImGui::PopFont();
     ImGui::SetCursorScreenPos({area.high.x - px(8) - ImGui::GetFrameHeight(), area.low.y + px(2)});
@@ -196,7 +194,7 @@ ScopeWishes scope_panel(ScopeState& scope, const Rect& area, PictureSize size) {
     tooltip("Close the scope", "", "", "P");
     const float top = area.low.y + px(30);
     strips(scope, {{area.low.x + px(4), top}, {area.high.x - px(4), area.high.y - px(2)}});
-    return wishes;
+    return requests;
 }
 
 }  // namespace glint

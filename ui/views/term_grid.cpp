@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "ui/inspector/asked.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
@@ -78,11 +79,11 @@ bool cell_button(TermGridState& grid, GridCell cell, float width) {
                       {float(cell.term + 1) / 3, v * float(row + 1)});
     }
     const bool solo = grid.solo == cell, muted = is_among(grid.muted, cell);
-    if (muted) list.AddRectFilled(low, high, packed(theme().panel, 0.75f));
-    if (muted) list.AddLine(low, high, packed(theme().warning), px(2));
+    if (muted) list.AddRectFilled(low, high, to_u32(theme().panel, 0.75f));
+    if (muted) list.AddLine(low, high, to_u32(theme().warning), px(2));
     const bool pointed = is_pointed_at();
     list.AddRect(low, high,
-                 packed(solo      ? theme().accent
+                 to_u32(solo      ? theme().accent
                         : pointed ? theme().text
                                   : theme().line),
                  0, 0, px(solo ? 2.5f : 1));
@@ -102,7 +103,7 @@ void row_heading(const Scene& scene, int light) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float line = ImGui::GetTextLineHeight();
     draw_icon(*ImGui::GetWindowDrawList(), icon_of(l.kind), {at.x + line / 2, at.y + line / 2}, line,
-              packed(legible(colour_of(l))));
+              to_u32(legible(colour_of(l))));
     ImGui::SetCursorScreenPos({at.x + line + px(6), at.y});
     small_dim(l.name + (l.enabled ? "" : " (off)"));
 }
@@ -172,7 +173,7 @@ void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size)
         throw;
     }
     ++grid.sheet_serial;
-    if (grid.next < cells.size()) wish_frame_in(0);
+    if (grid.next < cells.size()) redraw_within(0);
 }
 
 void term_grid_tab(UiState& state, const PictureView& view) {
@@ -197,7 +198,7 @@ void term_grid_tab(UiState& state, const PictureView& view) {
     const std::optional<GridCell> alone = pointed ? pointed : grid.solo;
     for (const GridCell cell : grid_cells(scene))
         if (alone ? cell == *alone : !is_among(grid.muted, cell)) shown.push_back(cell);
-    if (alone || !grid.muted.empty()) state.preview = with_cells(scene, shown);
+    if (alone || !grid.muted.empty()) show_instead(state, with_cells(scene, shown), "");
 }
 
 }  // namespace glint

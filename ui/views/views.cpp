@@ -1,16 +1,21 @@
 #include "ui/views/views.h"
 
+#include <imgui.h>
+
+#include "ui/commands/command.h"
 #include "ui/picture/draw_picture.h"
-#include "ui/views/scope_panel.h"
-#include "ui/views/views_bar.h"
 #include "ui/widgets/area.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
+
 namespace {
 
 void copy_profile_command(UiState& state) {
     const std::string& path = state.editor.document.path;
-    ImGui::SetClipboardText(profile_command_line(state.views.scope, path, state.picture->size).c_str());
+    ImGui::SetClipboardText(profile_command_line(state.views.scope, path, state.rendered->size).c_str());
     const bool saved = !path.empty() && !state.editor.unsaved();
     state.notifications.add(Tone::Done, saved ? "Copied the command of this scan line"
                                               : "Copied. The command reads the scene's file: save it first");
@@ -22,28 +27,29 @@ const Picture& shown_picture(UiState& state) {
     LookState& look = views.look;
     if (look.set.choice.look != Look::Picture) {
         if (!look.painter) look.painter = std::make_unique<LookPainter>(views.threads);
-        return look.painter->paint(look.set.choice, state.drawn, *state.renderer, state.picture->size);
+        return look.painter->paint(look.set.choice, state.rendered_scene, *state.renderer,
+                                   state.rendered->size);
     }
     const Picture& shown =
         views.compare.choice.on
-            ? compose(views.compare, {state.drawn, *state.picture, *state.renderer, views.threads})
-            : *state.picture;
+            ? compose(views.compare, {state.rendered_scene, *state.rendered, *state.renderer, views.threads})
+            : *state.rendered;
     if (!look.set.over_range || shown.linear.empty()) return shown;
     look.striped = shown;
-    look.clipped = stripe_over_range(look.striped, state.drawn.display.exposure);
+    look.clipped = stripe_over_range(look.striped, state.rendered_scene.display.exposure);
     return look.striped;
 }
 
 /// Composes again when what it is made from has changed.
 void update_shown(UiState& state) {
     ViewsState& views = state.views;
-    const ShownFrom from{views.compare.choice, views.look.set, !state.picture->linear.empty()};
+    const ShownFrom from{views.compare.choice, views.look.set, !state.rendered->linear.empty()};
     const bool drawn = views.shown_serial != state.picture_serial;
     if (!drawn && from == views.shown_from) return;
-    const Picture* before = state.shown;
-    state.shown = &shown_picture(state);
-    const bool composed = state.shown != state.picture;
-    if (!drawn && (composed || state.shown != before)) ++state.picture_serial;
+    const Picture* before = state.displayed;
+    state.displayed = &shown_picture(state);
+    const bool composed = state.displayed != state.rendered;
+    if (!drawn && (composed || state.displayed != before)) ++state.picture_serial;
     views.shown_serial = state.picture_serial;
     views.shown_from = from;
 }
@@ -51,68 +57,36 @@ void update_shown(UiState& state) {
 /// The picked pixel is explained by what drew the part in which it lies: nothing is, when that is B with
 /// other lights or objects, of whose numbers the columns make those of the edited scene.
 void ask_part(UiState& state) {
-    if (!state.why || !(state.drawn == state.editor.scene())) return;
+    if (!state.explanation || !(state.rendered_scene == state.editor.scene())) return;
     const CompareState& compare = state.views.compare;
-    const glm::ivec2 pixel{state.why->x, state.why->y};
-    const Renderer* renderer = part_renderer(compare, pixel, state.shown->size);
+    const glm::ivec2 pixel{state.explanation->x, state.explanation->y};
+    const Renderer* renderer = part_renderer(compare, pixel, state.displayed->size);
     if (renderer == nullptr || renderer == state.renderer.get()) return;
-    state.why = renderer->explain(pixel.x, pixel.y);
-    const int part = part_of(compare, pixel, state.shown->size);
-    const Setting setting = compare.choice.parts[static_cast<std::size_t>(part)];
-    state.explained = item_counts(scene_under(setting, state.drawn, compare.choice.stored));
-    if (!is_explained(state)) state.why.reset();
-}
-
-void store_b(UiState& state) {
-    CompareChoice& choice = state.views.compare.choice;
-    choice.stored = state.editor.scene();
-    choice.shows_stored = false;
-    state.notifications.add(Tone::Done, "Stored as B: press B to look at it");
+    state.explanation = renderer->explain(pixel.x, pixel.y);
+    const int part = part_of(compare, pixel, state.displayed->size);
+    const Variant setting = compare.choice.parts[static_cast<std::size_t>(part)];
+    state.explained = item_counts(scene_under(setting, state.rendered_scene, compare.choice.stored.get()));
+    if (!is_explained(state)) state.explanation.reset();
 }
 
 }  // namespace
 
-void look_at(ViewsState& views, Look look, bool keep_comparing) {
+void show_quantity(ViewsState& views, Look look, bool keep_comparing) {
     views.look.set.choice.look = look;
     if (!keep_comparing) views.compare.choice.on = false;
 }
 
-void begin_views(UiState& state) {
-    state.layout.scope = state.views.scope.open;
-    const CompareChoice& choice = state.views.compare.choice;
-    if (choice.shows_stored && !state.preview)
-        state.preview = scene_under({Setting::Kind::Stored, 0}, state.editor.scene(), choice.stored);
-}
-
-bool views_hand(UiState& state, const PictureView& view) {
-    ViewsState& views = state.views;
-    if (magnifier_hand(views.magnifier, view)) return true;
-    if (views.scope.hand == ScopeState::Hand::None && !views.scope.armed &&
-        compare_hand(views.compare, view)) {
-        views.scope.under = ScopeState::Hand::None;
-        return true;
-    }
-    return scope_hand(views.scope, view);
-}
+void begin_views(UiState& state) { state.layout.scope = state.views.scope.open; }
 
 bool views_need_linear(const ViewsState& views) { return views.scope.open || views.look.set.over_range; }
 
 void update_views(UiState& state) {
     update_shown(state);
     // Of what is shown, where that has linear colours: of a comparison's parts, of a single term.
-    const bool readable = !state.shown->linear.empty() && state.shown->size == state.picture->size;
-    update_scope(state.views.scope, *state.renderer, readable ? *state.shown : *state.picture);
+    const bool readable = !state.displayed->linear.empty() && state.displayed->size == state.rendered->size;
+    update_scope(state.views.scope, *state.renderer, readable ? *state.displayed : *state.rendered);
     ask_part(state);
-    update_lit_dots(state.views.lit, *state.renderer, state.picture->size, state.picture_serial);
-}
-
-void draw_views_overlay(ImDrawList& list, UiState& state, const PictureView& view) {
-    draw_big_pixels(list, state.views.magnifier, view, *state.shown, *state.renderer, state.drawn,
-                    probe_pixel(state.viewport, view.map.size));
-    draw_lit_dots(list, state.views.lit, *state.renderer, state.drawn, view);
-    draw_compare(list, state.views.compare, view);
-    draw_look_legend(list, state.views.look, state.drawn, view, probe_pixel(state.viewport, view.map.size));
-    draw_scope_line(list, state.views.scope, view);
+    update_lit_dots(state.views.lit, *state.renderer, state.rendered->size, state.picture_serial);
 }
 
 void views_windows(UiState& state, const Layout& layout) {
@@ -121,104 +95,11 @@ void views_windows(UiState& state, const Layout& layout) {
         views_bar(state);
         ImGui::End();
     }
-    if (layout.has_scope && state.picture != nullptr) {
+    if (layout.has_scope && state.rendered != nullptr) {
         begin_area("##scope", layout.scope, ImGuiWindowFlags_NoScrollWithMouse);
-        if (scope_panel(state.views.scope, layout.scope, state.picture->size).copy)
+        if (scope_panel(state.views.scope, layout.scope, state.rendered->size).copy)
             copy_profile_command(state);
         ImGui::End();
-    }
-}
-
-std::string views_hint(const ViewsState& views) {
-    using Hand = ScopeState::Hand;
-    const ScopeState& scope = views.scope;
-    const CompareState& compare = views.compare;
-    if (compare.choice.on && (compare.under >= 0 || compare.dragged >= 0)) return "Drag the line";
-    if (compare.choice.on && compare.label_under >= 0) return "Click: what this part shows";
-    if (!scope.open) return {};
-    switch (scope.hand != Hand::None ? scope.hand : scope.under) {
-    case Hand::None:
-        return {};
-    case Hand::New:
-        return "Drag a line over the picture · Click: the whole scan line · Shift: level or upright · Esc: "
-               "not now";
-    case Hand::From:
-    case Hand::To:
-        return "Drag the end of the line · Shift: level or upright";
-    case Hand::Line:
-        return "Drag the line";
-    case Hand::Card:
-        return "Drag the card over one side of an edge: the band beside it goes";
-    }
-    return {};  // not reached
-}
-
-void run_views_action(UiState& state, Action action) {
-    CompareChoice& choice = state.views.compare.choice;
-    LookSet& look = state.views.look.set;
-    state.viewport.touched = true;  // no hints for beginners over what was asked for
-    switch (action) {
-    case Action::Scope:
-        return toggle_scope(state.views.scope);
-    case Action::Compare:
-        choice.on = !choice.on;
-        look.choice.look = Look::Picture;
-        return;
-    case Action::Magnify:
-        zoom_about(state.views.magnifier, state.views.magnifier.zoom > 1 ? 1 : usual_zoom,
-                   state.viewport.probe.value_or(glm::dvec2(0.5)));
-        return;
-    case Action::LitDots:
-        state.views.lit.dots = !state.views.lit.dots;
-        return;
-    case Action::Needles:
-        state.views.lit.needles = !state.views.lit.needles;
-        return;
-    case Action::NextLook:
-        return look_at(state.views, look_after(look.choice.look, 1));
-    case Action::PreviousLook:
-        return look_at(state.views, look_after(look.choice.look, -1));
-    case Action::OverRange:
-        look.over_range = !look.over_range;
-        if (look.over_range) look_at(state.views, Look::Picture, state.views.compare.choice.on);
-        return;
-    case Action::StoreB:
-        return store_b(state);
-    case Action::ShowB:
-        choice.shows_stored = !choice.shows_stored;
-        state.views.compare.b_turned = true;
-        state.views.compare.b_since = ImGui::GetTime();
-        state.views.compare.b_frames = 0;
-        return;
-    default:
-        return;
-    }
-}
-
-std::string views_why_not(const UiState& state, Action action) {
-    if (action == Action::ShowB && !state.views.compare.choice.stored)
-        return "No scene is stored as B (Ctrl+B)";
-    return {};
-}
-
-std::optional<bool> views_is_on(const UiState& state, Action action) {
-    switch (action) {
-    case Action::Scope:
-        return state.views.scope.open;
-    case Action::Compare:
-        return state.views.compare.choice.on;
-    case Action::ShowB:
-        return state.views.compare.choice.shows_stored;
-    case Action::Magnify:
-        return state.views.magnifier.zoom > 1;
-    case Action::LitDots:
-        return state.views.lit.dots;
-    case Action::Needles:
-        return state.views.lit.needles;
-    case Action::OverRange:
-        return state.views.look.set.over_range;
-    default:
-        return {};
     }
 }
 
@@ -236,10 +117,53 @@ void follow_b_key(UiState& state, bool held) {
         compare.choice.shows_stored = !compare.choice.shows_stored;
 }
 
-bool leave_view_tool(ViewsState& views) {
-    if (!views.scope.armed) return false;
-    views.scope.armed = false;
-    return true;
+namespace {
+
+/// A button that runs a command and shows whether it is on.
+void command_button(UiState& state, const char* label, CommandId id, const char* what) {
+    const Command& row = command(id);
+    const bool on = is_on(state, row).value_or(false);
+    const std::string refused = why_disabled(state, row);
+    ImGui::PushStyleColor(ImGuiCol_Button, on ? theme().accent : theme().field);
+    ImGui::PushStyleColor(ImGuiCol_Text, on ? theme().accent_text : theme().text);
+    ImGui::BeginDisabled(!refused.empty());
+    if (ImGui::SmallButton(label)) run_command(state, row);
+    ImGui::EndDisabled();
+    ImGui::PopStyleColor(2);
+    tooltip(row.name, what, refused, keys_of(row));
+    ImGui::SameLine(0, px(4));
+}
+
+}  // namespace
+
+void views_bar(UiState& state) {
+    ImGui::PushFont(fonts().small);
+    if (look_controls(state.views.look, state.editor.scene()))
+        show_quantity(state.views, state.views.look.set.choice.look);
+    command_button(state, "Over-range", CommandId::OverRange,
+                   "Stripes over pixels whose colour exceeds 1 in a channel and is cut off");
+    command_button(
+        state, "Scope", CommandId::Scope,
+        "Intensity along a line over the picture, with its first and second difference: Mach bands in "
+        "numbers");
+    command_button(state, "Compare", CommandId::Compare,
+                   "Flat, Gouraud and Phong, or any settings, side by side under lines to drag");
+    command_button(
+        state, "Pixels", CommandId::Magnify,
+        "Each pixel as a square with its number in it: 0 to 255, red, green and blue where there is room. "
+        "Ctrl+wheel zooms, the right button moves");
+    command_button(
+        state, "Dots", CommandId::LitDots,
+        "A dot at each place that the equation is evaluated at, thinned, and how often it is in a frame");
+    compare_controls(state.views.compare);
+    if (state.views.compare.choice.shows_stored) {
+        ImGui::PushStyleColor(ImGuiCol_Text, theme().warning);
+        ImGui::TextUnformatted("B is shown");
+        ImGui::PopStyleColor();
+        tooltip("B is shown", "The stored scene, through the edited scene's camera", "",
+                keys_of(CommandId::ShowB));
+    }
+    ImGui::PopFont();
 }
 
 }  // namespace glint

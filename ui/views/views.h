@@ -7,20 +7,18 @@
 #include <optional>
 #include <string>
 
-#include "ui/commands/actions.h"
 #include "ui/shell/layout.h"
+#include "ui/ui.h"
+#include "ui/views/compare_view.h"
+#include "ui/views/scope.h"
 
 namespace glint {
 
 /// Shows one quantity in place of the picture. It and a comparison take each other's place.
-void look_at(ViewsState& views, Look look, bool keep_comparing = false);
+void show_quantity(ViewsState& views, Look look, bool keep_comparing = false);
 
 /// Before the layout: panels that are open ask for their room.
 void begin_views(UiState& state);
-
-/// Reads the mouse over the item drawn last (the picture). True while a view's tool has it: then no gesture
-/// may take it.
-[[nodiscard]] bool views_hand(UiState& state, const PictureView& view);
 
 /// Whether something shown is read off Picture::linear.
 [[nodiscard]] bool views_need_linear(const ViewsState& views);
@@ -28,24 +26,30 @@ void begin_views(UiState& state);
 /// After the picture was drawn, or kept.
 void update_views(UiState& state);
 
-/// Over the picture.
-void draw_views_overlay(ImDrawList& list, UiState& state, const PictureView& view);
-
 /// The row above the picture and the panel below.
 void views_windows(UiState& state, const Layout& layout);
-
-/// What a drag or click would do for a view's tool, for the status line; empty when none has the mouse.
-[[nodiscard]] std::string views_hint(const ViewsState& views);
-
-/// The part of run_action(), why_not() and is_on() that is about looking.
-void run_views_action(UiState& state, Action action);
-[[nodiscard]] std::string views_why_not(const UiState& state, Action action);
-[[nodiscard]] std::optional<bool> views_is_on(const UiState& state, Action action);
 
 /// B pressed stays, B held goes back when it is let go of. Once a frame, after the keys' actions.
 void follow_b_key(UiState& state, bool held);
 
-/// Escape: puts the tool in hand away. False when there is none.
-bool leave_view_tool(ViewsState& views);
+// The row above the picture: what shows in it and what lies over it.
+
+/// Draws the row into the current window.
+void views_bar(UiState& state);
+
+// What the row above the picture says and sets of a comparison.
+
+/// Draws it into the current line; nothing while no comparison is on.
+void compare_controls(CompareState& state);
+
+// The panel below the picture: intensity along the scope's line.
+
+/// What was done in the panel beyond the scope itself.
+struct ScopeRequests {
+    bool copy = false;  // the command line to the clipboard
+};
+
+/// Draws the panel over `area`. `size`: of the picture that the samples are of.
+[[nodiscard]] ScopeRequests scope_panel(ScopeState& scope, const Rect& area, PictureSize size);
 
 }  // namespace glint

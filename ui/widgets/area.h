@@ -3,9 +3,13 @@
 
 #include <imgui.h>
 
-#include "ui/shell/layout.h"
-
 namespace glint {
+
+/// A rectangle of the window.
+struct Rect {
+    ImVec2 low, high;
+    [[nodiscard]] ImVec2 size() const { return {high.x - low.x, high.y - low.y}; }
+};
 
 /// Without a ground of their own: the window is cleared to the colour of panels, which a graphics card of
 /// software does far faster than it blends a rectangle of the same size.

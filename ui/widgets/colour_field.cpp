@@ -8,12 +8,12 @@
 #include <glm/common.hpp>
 
 #include "models/fields/scene_fields.h"
-#include "ui/widgets/colour_presets.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
+
 namespace {
 
 constexpr ImGuiColorEditFlags as_numbers = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
@@ -25,7 +25,7 @@ bool swatch(const char* id, glm::vec3 colour, float side) {
                                             as_numbers | ImGuiColorEditFlags_NoTooltip, {side, side});
     // A white one on a light panel, a black one on a dark panel.
     ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
-                                        packed(theme().dim_text, 0.6f), ImGui::GetStyle().FrameRounding);
+                                        to_u32(theme().dim_text, 0.6f), ImGui::GetStyle().FrameRounding);
     return pressed;
 }
 
@@ -73,7 +73,7 @@ bool picker(const char* label, glm::vec3& value) {
                             as_numbers | ImGuiColorEditFlags_NoSidePreview |
                                 ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_DisplayRGB);
     ImGui::PopFont();
-    section("Presets");
+    section_heading("Presets");
     changed |= presets(value, width);
     ImGui::EndPopup();
     return changed;
@@ -84,7 +84,7 @@ bool picker(const char* label, glm::vec3& value) {
 bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const Help& help) {
     ImGui::PushID(label);
     const float gap = px(3), side = ImGui::GetFrameHeight();
-    const float width = (row(label) - side - 3 * gap) / 3;
+    const float width = (label_cell(label) - side - 3 * gap) / 3;
     bool changed = false;
     for (int i = 0; i < 3; ++i) {
         constexpr std::array channels{"red", "green", "blue"};
@@ -106,6 +106,29 @@ bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const 
     if (picked != value) value = glm::clamp(picked, glm::vec3(0), glm::vec3(1e30f));
     ImGui::PopID();
     return changed;
+}
+
+std::span<const ColourPreset> colour_presets() {
+    // Lamps: Planck's law over the colour matching functions of CIE 1931 (Wyman, Sloan, Shirley 2013), to
+    // linear sRGB, cut at 0 and divided by the largest channel.
+    static constexpr std::array all{ColourPreset{"White", {1, 1, 1}},
+                                    ColourPreset{"Half grey", {0.5f, 0.5f, 0.5f}},
+                                    ColourPreset{"Middle grey, 18 %", {0.18f, 0.18f, 0.18f}},
+                                    ColourPreset{"Black", {0, 0, 0}},
+                                    ColourPreset{"Red", {1, 0, 0}},
+                                    ColourPreset{"Yellow", {1, 1, 0}},
+                                    ColourPreset{"Green", {0, 1, 0}},
+                                    ColourPreset{"Cyan", {0, 1, 1}},
+                                    ColourPreset{"Blue", {0, 0, 1}},
+                                    ColourPreset{"Magenta", {1, 0, 1}},
+                                    ColourPreset{"Candle", {1, 0.242f, 0}, 1900},
+                                    ColourPreset{"Incandescent lamp", {1, 0.423f, 0.1f}, 2700},
+                                    ColourPreset{"Halogen lamp", {1, 0.522f, 0.195f}, 3200},
+                                    ColourPreset{"Moonlight", {1, 0.674f, 0.403f}, 4100},
+                                    ColourPreset{"Sun at noon", {1, 0.852f, 0.755f}, 5500},
+                                    ColourPreset{"Overcast sky", {1, 0.944f, 0.993f}, 6500},
+                                    ColourPreset{"Blue sky", {0.61f, 0.695f, 1}, 10'000}};
+    return all;
 }
 
 }  // namespace glint

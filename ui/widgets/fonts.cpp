@@ -105,4 +105,6 @@ void load_fonts(const FontFiles& files, float scale, float dots_per_unit) {
 
 const Fonts& fonts() { return loaded(); }
 
+float small_text_height() { return fonts().small->FontSize * ImGui::GetIO().FontGlobalScale; }
+
 }  // namespace glint

@@ -29,4 +29,7 @@ void load_fonts(const FontFiles& files, float scale, float dots_per_unit);
 /// The fonts loaded last.
 [[nodiscard]] const Fonts& fonts();
 
+/// Height of the small font on the screen, the projector's scale included: what text drawn with it takes.
+[[nodiscard]] float small_text_height();
+
 }  // namespace glint

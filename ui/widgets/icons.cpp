@@ -193,10 +193,10 @@ bool icon_button(const char* id, Icon icon, bool on) {
     const float opacity = ImGui::GetStyle().Alpha;
     const bool hovered = ImGui::IsItemHovered();
     if (on || hovered)
-        list.AddRectFilled(low, high, packed(on ? theme().accent : theme().field_hovered, opacity),
+        list.AddRectFilled(low, high, to_u32(on ? theme().accent : theme().field_hovered, opacity),
                            ImGui::GetStyle().FrameRounding);
     const ImVec4& ink = on ? theme().accent_text : hovered ? theme().text : theme().dim_text;
-    draw_icon(list, icon, {(low.x + high.x) / 2, (low.y + high.y) / 2}, size * 0.58f, packed(ink, opacity));
+    draw_icon(list, icon, {(low.x + high.x) / 2, (low.y + high.y) / 2}, size * 0.58f, to_u32(ink, opacity));
     return pressed;
 }
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/shell/layout.h"
+#include "ui/widgets/area.h"
 
 namespace glint {
 

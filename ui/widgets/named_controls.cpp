@@ -1,5 +1,7 @@
 #include "ui/widgets/named_controls.h"
 
+#include "ui/widgets/shortcut.h"
+
 namespace glint {
 namespace {
 
@@ -10,7 +12,8 @@ std::vector<NamedControl>* listed = nullptr;
 void list_controls_in(std::vector<NamedControl>* list) { listed = list; }
 
 void list_control(const char* name, const std::string& key, const Rect& at) {
-    if (listed != nullptr) listed->push_back({name, key, at, ImGui::IsRectVisible(at.low, at.high)});
+    if (listed == nullptr) return;
+    listed->push_back({name, key, keys_of_value(key), at, ImGui::IsRectVisible(at.low, at.high)});
 }
 
 }  // namespace glint

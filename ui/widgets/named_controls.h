@@ -5,14 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "ui/shell/layout.h"
+#include "ui/widgets/area.h"
 
 namespace glint {
 
 struct NamedControl {
-    std::string name;  // the title of its tooltip
-    std::string key;   // its tooltip's last line: the JSON pointer of its value, or keys of the keyboard
-    Rect at;           // in the window
+    std::string name;      // the title of its tooltip
+    std::string key;       // its tooltip's last line: the JSON pointer of its value, or keys of the keyboard
+    std::string shortcut;  // the keys that do the same, where the key names a value of the scene
+    Rect at;               // in the window
     bool in_sight = false;
 };
 

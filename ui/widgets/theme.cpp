@@ -173,7 +173,7 @@ double contrast(const ImVec4& a, const ImVec4& b) {
     return (high + 0.05) / (low + 0.05);
 }
 
-ImU32 packed(const ImVec4& colour, float opacity) {
+ImU32 to_u32(const ImVec4& colour, float opacity) {
     return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, colour.w * opacity});
 }
 

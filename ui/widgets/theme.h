@@ -46,6 +46,6 @@ void apply_theme(const Theme& chosen, float scale);
 /// Contrast of two opaque colours, 1 to 21. Source: WCAG 2.1, "contrast ratio".
 [[nodiscard]] double contrast(const ImVec4& a, const ImVec4& b);
 
-[[nodiscard]] ImU32 packed(const ImVec4& colour, float opacity = 1);
+[[nodiscard]] ImU32 to_u32(const ImVec4& colour, float opacity = 1);
 
 }  // namespace glint

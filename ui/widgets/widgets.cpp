@@ -13,6 +13,7 @@
 #include "models/saturate.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/named_controls.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
@@ -20,7 +21,7 @@ namespace {
 
 constexpr double rest_before_tooltip = 0.45;  // seconds
 
-double& wished() {
+double& earliest_redraw() {
     static double seconds = std::numeric_limits<double>::infinity();
     return seconds;
 }
@@ -59,7 +60,7 @@ void share_bar(float value, const Real& kind, ImVec2 low, float width) {
     if (share * width < 1) return;
     const float height = ImGui::GetFrameHeight();
     ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + share * width, low.y + height},
-                                              packed(theme().accent, 0.32f), ImGui::GetStyle().FrameRounding);
+                                              to_u32(theme().accent, 0.32f), ImGui::GetStyle().FrameRounding);
 }
 
 /// The bare draggable number, `width` wide. Double-click and right-click return to the default.
@@ -102,9 +103,9 @@ void number_tooltip(const char* label, const Real& kind, float initial, const He
 
 }  // namespace
 
-void wish_frame_in(double seconds) { wished() = std::min(wished(), seconds); }
-void frame_wish_reset() { wished() = std::numeric_limits<double>::infinity(); }
-double frame_wish() { return wished(); }
+void redraw_within(double seconds) { earliest_redraw() = std::min(earliest_redraw(), seconds); }
+void reset_next_redraw() { earliest_redraw() = std::numeric_limits<double>::infinity(); }
+double next_redraw() { return earliest_redraw(); }
 
 void tooltip(const char* title, const char* what, const std::string& range, const std::string& key) {
     static ImVec2 resting_on;
@@ -117,7 +118,7 @@ void tooltip(const char* title, const char* what, const std::string& range, cons
         since = ImGui::GetTime();
     }
     const double rested = ImGui::GetTime() - since;
-    if (rested < rest_before_tooltip) return wish_frame_in(rest_before_tooltip - rested + 0.01);
+    if (rested < rest_before_tooltip) return redraw_within(rest_before_tooltip - rested + 0.01);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10), px(8)});
     ImGui::PushStyleColor(ImGuiCol_Text, theme().text);  // whatever colour the item's own text has
     ImGui::BeginTooltip();
@@ -125,7 +126,11 @@ void tooltip(const char* title, const char* what, const std::string& range, cons
     ImGui::PushFont(fonts().title);
     ImGui::TextUnformatted(title, ImGui::FindRenderedTextEnd(title));
     ImGui::PopFont();
-    if (*what != 0) ImGui::TextUnformatted(what);
+    const std::string keys = keys_of_value(key);
+    if (!keys.empty())
+        ImGui::TextUnformatted(fmt::format("{} (key {})", what, keys).c_str());
+    else if (*what != 0)
+        ImGui::TextUnformatted(what);
     ImGui::PushFont(fonts().small);
     if (!range.empty()) dim_text(range.c_str());
     if (!key.empty()) dim_text(key.c_str());
@@ -140,7 +145,7 @@ bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
     return ImGui::InvisibleButton(id, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)}, flags);
 }
 
-float row(const char* label) {
+float label_cell(const char* label) {
     const float label_width = px(88);
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
@@ -153,7 +158,7 @@ float row(const char* label) {
 
 bool number_field(const char* label, float& value, const Real& kind, float initial, const Help& help) {
     ImGui::PushID(label);
-    const float width = row(label);
+    const float width = label_cell(label);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const bool changed = drag_number("##number", value, kind, initial, width);
     share_bar(value, kind, low, width);
@@ -189,7 +194,7 @@ bool integer_field(const char* label, int& value, int low, int high, int initial
 bool vector_field(const char* label, glm::vec3& value, const Real& kind, glm::vec3 initial,
                   const Help& help) {
     ImGui::PushID(label);
-    const float gap = px(3), width = (row(label) - 2 * gap) / 3;
+    const float gap = px(3), width = (label_cell(label) - 2 * gap) / 3;
     bool changed = false;
     for (int i = 0; i < 3; ++i) {
         ImGui::PushID(i);
@@ -206,7 +211,7 @@ bool vector_field(const char* label, glm::vec3& value, const Real& kind, glm::ve
 
 bool switch_field(const char* label, bool& value, const Help& help) {
     ImGui::PushID(label);
-    row(label);
+    label_cell(label);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(2), px(2)});
     const bool changed = ImGui::Checkbox("##switch", &value);
     ImGui::PopStyleVar();
@@ -217,21 +222,21 @@ bool switch_field(const char* label, bool& value, const Help& help) {
 
 bool name_field(const char* label, std::string& name, const Help& help) {
     ImGui::PushID(label);
-    ImGui::SetNextItemWidth(row(label));
+    ImGui::SetNextItemWidth(label_cell(label));
     const bool changed = ImGui::InputText("##name", &name);
     tooltip(label, help.what, "", help.pointer);
     ImGui::PopID();
     return changed;
 }
 
-void section(const char* title) {
+void section_heading(const char* title) {
     ImGui::Dummy({0, px(3)});
     ImGui::PushFont(fonts().small);
     dim_text(title);
     ImGui::PopFont();
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const float y = (low.y + high.y) / 2, right = low.x + ImGui::GetContentRegionAvail().x;
-    ImGui::GetWindowDrawList()->AddLine({high.x + px(6), y}, {right, y}, packed(theme().line));
+    ImGui::GetWindowDrawList()->AddLine({high.x + px(6), y}, {right, y}, to_u32(theme().line));
 }
 
 void dim_text(const char* text) {
@@ -240,7 +245,7 @@ void dim_text(const char* text) {
     ImGui::PopStyleColor();
 }
 
-void figures(const std::string& text) {
+void mono_text(const std::string& text) {
     ImGui::PushFont(fonts().figures);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopFont();

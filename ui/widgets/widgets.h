@@ -48,11 +48,11 @@ struct Help {
 /// (range and default; the key). Empty ones are left out.
 void tooltip(const char* title, const char* what, const std::string& range = "", const std::string& key = "");
 
-/// The frame after which the window need not sleep: seconds until something that waits (a tooltip) is due.
-/// Reset by frame_wish_reset(); infinity when nothing waits.
-void wish_frame_in(double seconds);
-void frame_wish_reset();
-[[nodiscard]] double frame_wish();
+/// Asks for another frame within `seconds`, e.g. when a tooltip is due. next_redraw() is the earliest asked
+/// for since reset_next_redraw(); infinity when none was.
+void redraw_within(double seconds);
+void reset_next_redraw();
+[[nodiscard]] double next_redraw();
 
 /// A rectangle that takes the mouse and draws nothing, for a control that draws itself; true when it was
 /// clicked. At least one unit wide and high however little room there is: ImGui ends the program over an
@@ -60,10 +60,21 @@ void frame_wish_reset();
 bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags = 0);
 
 /// Starts a row: the label in its column, the field after it. Returns the width left for the field.
-float row(const char* label);
-void section(const char* title);
+float label_cell(const char* label);
+void section_heading(const char* title);
 void dim_text(const char* text);
 /// Text in figures of equal width.
-void figures(const std::string& text);
+void mono_text(const std::string& text);
+
+// Colours to choose from: pure ones that a lecture reasons with, and those of lamps.
+
+struct ColourPreset {
+    const char* name;
+    glm::vec3 linear;  // linear sRGB, the largest channel at most 1
+    int kelvin = 0;    // of a lamp: the black body whose chromaticity this is; else 0
+};
+
+/// The lamps follow the others, from the warmest to the coldest.
+[[nodiscard]] std::span<const ColourPreset> colour_presets();
 
 }  // namespace glint

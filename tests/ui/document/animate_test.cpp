@@ -10,12 +10,12 @@
 #include "renderer/image/image_gif.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
-#include "tests/support/ui_bench.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -118,7 +118,7 @@ TEST_CASE("a GIF holds every frame at its size and time, and repeats", "[image]"
 
 TEST_CASE("frames are written as numbered pictures that carry their scenes", "[ui][animate]") {
     const TemporaryDirectory folder;
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     bench.state.animate.animation = {Motion::PingPong, "/lights/0/intensity", 0, 1, 4};
     begin_frames(bench.state, folder.path("turn.png"), {40, 30}, 1);
@@ -135,16 +135,16 @@ TEST_CASE("frames are written as numbered pictures that carry their scenes", "[u
 }
 
 TEST_CASE("what plays is shown and leaves the scene and its history alone", "[ui][animate]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
     bench.state.animate.open = bench.state.animate.playing = true;
     bench.state.animate.began = ImGui::GetTime();
     bench.frames(20);
-    CHECK_FALSE(bench.state.drawn == before);
+    CHECK_FALSE(bench.state.rendered_scene == before);
     CHECK(bench.scene() == before);
     CHECK_FALSE(bench.state.editor.history.can_undo());
     bench.state.animate.playing = false;
     bench.frames(3);
-    CHECK(bench.state.drawn == before);
+    CHECK(bench.state.rendered_scene == before);
 }

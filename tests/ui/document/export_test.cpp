@@ -7,15 +7,14 @@
 #include "renderer/image/image_file.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
-#include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
 #include "ui/export/clipboard.h"
-#include "ui/export/command_text.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -148,7 +147,7 @@ TEST_CASE("a picture saved or exported elsewhere reopens with its meshes", "[ui]
         folder.file("deep/s.json", R"({"glint": 1, "objects": [{"mesh": {"file": "t.obj"}}]})");
     const std::string exported = folder.path("pictures/exported.png"),
                       saved = folder.path("pictures/saved.png");
-    Bench bench;
+    HeadlessWindow bench;
     take_document(bench.state.editor, opened(path));
     bench.frames(2);
     begin_export(bench.state, {{64, 48}, 4}, exported);
@@ -191,22 +190,22 @@ TEST_CASE("a picture goes to the clipboard through the desktop's tool, or its la
     setenv("PATH", folder.path("").c_str(), 1);
     setenv("DISPLAY", ":1234", 1);
     unsetenv("WAYLAND_DISPLAY");
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
-    CHECK(why_not(bench.state, Action::CopyPicture) == "Needs the program xclip");
+    CHECK(why_disabled(bench.state, test::command_named("Copy picture")) == "Needs the program xclip");
     const std::string script = folder.file("xclip", "#!/bin/sh\n/bin/cat >'" + folder.path("got.png") +
                                                         "'\necho \"$@\" >'" + folder.path("words") + "'\n");
     fs::permissions(script, fs::perms::owner_all);
-    CHECK(why_not(bench.state, Action::CopyPicture).empty());
-    run_action(bench.state, Action::CopyPicture);
+    CHECK(why_disabled(bench.state, test::command_named("Copy picture")).empty());
+    run_command(bench.state, test::command_named("Copy picture"));
     while (bench.state.exporting.job) bench.frame();
     CHECK(bench.state.notifications.list.back().tone == Tone::Done);
     CHECK(bytes_of(folder.path("words")) == "-selection clipboard -t image/png -i\n");
     const auto got = read_png(folder.path("got.png"));
     REQUIRE(problem_of(got) == nullptr);
-    CHECK(std::get<Picture>(got).rgba == bench.state.picture->rgba);
+    CHECK(std::get<Picture>(got).rgba == bench.state.rendered->rgba);
     (void)folder.file("xclip", "#!/bin/sh\nexit 3\n");
-    run_action(bench.state, Action::CopyPicture);
+    run_command(bench.state, test::command_named("Copy picture"));
     while (bench.state.exporting.job) bench.frame();
     CHECK(bench.state.notifications.list.back().tone == Tone::Error);
     setenv("PATH", path_before.c_str(), 1);

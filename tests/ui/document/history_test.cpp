@@ -1,9 +1,8 @@
 // Undo, redo, and what the steps are called.
-#include "ui/document/history.h"
-
 #include "models/memory_limit.h"
 #include "models/mesh/mesh_memory.h"
 #include "tests/support/catch.h"
+#include "ui/document/editor.h"
 
 using namespace glint;
 

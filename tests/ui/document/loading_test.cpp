@@ -4,13 +4,13 @@
 
 #include "models/io/file.h"
 #include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
-#include "tests/support/ui_why_bench.h"
-#include "ui/commands/actions.h"
-#include "ui/preferences/end_jobs.h"
+#include "ui/document/document_actions.h"
+#include "ui/preferences/persistence.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -33,7 +33,7 @@ constexpr const char* square_obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 
 }  // namespace
 
 TEST_CASE("while a file is loaded the scene in hand stays, and can be worked on", "[ui][loading]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     Gate gate;
     SceneDocument other = first_scene();
@@ -58,7 +58,7 @@ TEST_CASE("while a file is loaded the scene in hand stays, and can be worked on"
 }
 
 TEST_CASE("what is being loaded is said over the picture, and covers no row of buttons", "[ui][loading]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     Gate gate;
     bench.state.loading.document = gate.job(first_scene());
@@ -74,7 +74,7 @@ TEST_CASE("what is being loaded is said over the picture, and covers no row of b
 }
 
 TEST_CASE("Escape ends a load, and what it would have brought is dropped", "[ui][loading]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
     Gate gate;
@@ -91,7 +91,7 @@ TEST_CASE("Escape ends a load, and what it would have brought is dropped", "[ui]
 TEST_CASE("a new mesh comes as one step, and until then the object shows its old one", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("square.obj", square_obj);
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const MeshPtr old_mesh = bench.scene().objects[0].mesh;
     begin_mesh(bench.state, MeshFile{path}, 0);
@@ -110,7 +110,7 @@ TEST_CASE("a new mesh comes as one step, and until then the object shows its old
 TEST_CASE("an object from a file is added when its mesh is there", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("square.obj", square_obj);
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     begin_mesh(bench.state, MeshFile{path}, -1);
     bench.wait_for_loads();
@@ -124,7 +124,7 @@ TEST_CASE("an object from a file is added when its mesh is there", "[ui][loading
 TEST_CASE("a mesh that cannot be read leaves the object as it was, and says why", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("none.obj", "f 1 2 3\n");
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
     begin_mesh(bench.state, MeshFile{path}, 0);
@@ -136,7 +136,7 @@ TEST_CASE("a mesh that cannot be read leaves the object as it was, and says why"
 }
 
 TEST_CASE("a detail of a million triangles is made aside, and the last one asked for wins", "[ui][loading]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     REQUIRE_FALSE(is_quick(PrimitiveMesh{Primitive::Sphere, 1000}));
     REQUIRE(is_quick(PrimitiveMesh{Primitive::Sphere, 400}));
@@ -174,7 +174,7 @@ TEST_CASE("a window that closes ends its loads and exports, and no file comes of
           "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string picture = folder.path("late.png");
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     CHECK(end_jobs(bench.state, 0));  // nothing to wait for
     begin_export(bench.state, {{640, 480}, 8}, picture);

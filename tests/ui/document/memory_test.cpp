@@ -5,15 +5,15 @@
 
 #include "models/io/file.h"
 #include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
-#include "tests/support/ui_bench.h"
-#include "ui/document/limits.h"
 #include "ui/document/recent_files.h"
-#include "ui/preferences/folder_lock.h"
+#include "ui/fields/field_panel.h"
+#include "ui/preferences/autosave.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -24,14 +24,14 @@ std::size_t copies_in(const TemporaryDirectory& folder) {
 }
 
 /// Edits until a copy is there.
-void edit_and_wait(Bench& bench, float intensity) {
+void edit_and_wait(HeadlessWindow& bench, float intensity) {
     bench.scene().lights[0].intensity = intensity;
     bench.frames(3);
-    REQUIRE(bench.state.memory.copy.has_value());
-    while (bench.state.memory.copying.valid()) bench.frames(1);
+    REQUIRE(bench.state.persistence.autosave.has_value());
+    while (bench.state.persistence.autosave_writing.valid()) bench.frames(1);
 }
 
-std::size_t notes_with(const Bench& bench, const std::string& words) {
+std::size_t notes_with(const HeadlessWindow& bench, const std::string& words) {
     const auto& list = bench.state.notifications.list;
     return std::size_t(std::count_if(list.begin(), list.end(), [&words](const Notification& note) {
         return note.text.find(words) != std::string::npos;
@@ -39,18 +39,18 @@ std::size_t notes_with(const Bench& bench, const std::string& words) {
 }
 
 /// The next copy is written, whatever the time.
-void copy_again(Bench& bench, float intensity) {
-    bench.state.memory.copied_at = -1e9;
+void copy_again(HeadlessWindow& bench, float intensity) {
+    bench.state.persistence.autosaved_at = -1e9;
     bench.scene().lights[0].intensity = intensity;
     bench.frames(3);
-    while (bench.state.memory.copying.valid()) bench.frames(1);
+    while (bench.state.persistence.autosave_writing.valid()) bench.frames(1);
 }
 
 /// Nothing of it as on the first day.
 ViewMemory odd_views() {
     ViewMemory views;
     views.compare.on = views.compare.stacked = views.compare.difference = true;
-    set_parts(views.compare, {setting_of(Reflection::BlinnPhong), {}, {Setting::Kind::Stored, 0}});
+    set_parts(views.compare, {variant_of(Reflection::BlinnPhong), {}, {Variant::Kind::Stored, 0}});
     views.compare.wipes = {0.2, 0.75};
     views.compare.gain = 16;
     views.look = Look::Depth;
@@ -83,12 +83,12 @@ TEST_CASE("the list of recent files takes nothing but whole paths, each once", "
 }
 
 TEST_CASE("settings are read back equal, and from nonsense what makes sense is taken", "[ui][memory]") {
-    Settings settings{false,      {true, false, false, false, 300, 401.5f, true, 222}, 1111, 777, true,
-                      odd_views()};
-    CHECK(read_settings(settings_text(settings)) == settings);
-    CHECK(read_settings("") == Settings());
-    CHECK(read_settings("[1]") == Settings());
-    const Settings odd = read_settings(
+    Preferences settings{false,      {true, false, false, false, 300, 401.5f, true, 222}, 1111, 777, true,
+                         odd_views()};
+    CHECK(read_preferences(preferences_text(settings)) == settings);
+    CHECK(read_preferences("") == Preferences());
+    CHECK(read_preferences("[1]") == Preferences());
+    const Preferences odd = read_preferences(
         R"({"theme": 5, "scene_width": -1e300, "why_width": 1e300, "width": "wide", "maximized": 1, "height": 99999})");
     CHECK(odd.dark);
     CHECK(odd.layout.left_width == least_column_width);
@@ -97,11 +97,11 @@ TEST_CASE("settings are read back equal, and from nonsense what makes sense is t
     CHECK(odd.height == 16384);
     CHECK_FALSE(odd.maximized);
     std::mt19937 random(5);
-    const std::string whole = settings_text(settings);
+    const std::string whole = preferences_text(settings);
     for (int i = 0; i < 2000; ++i) {
         std::string wounded = whole;
         for (int k = 0; k < 3; ++k) wounded[random() % wounded.size()] = static_cast<char>(random() % 256);
-        const Settings read = read_settings(wounded);
+        const Preferences read = read_preferences(wounded);
         CHECK(read.layout.left_width >= least_column_width);
         CHECK(read.width <= 16384);
         CHECK(read.views.compare.wipes.size() + 1 == read.views.compare.parts.size());
@@ -112,17 +112,17 @@ TEST_CASE("settings are read back equal, and from nonsense what makes sense is t
 TEST_CASE("how the picture was looked at is there again in the next window, B aside", "[ui][memory]") {
     const TemporaryDirectory folder;
     {
-        Bench bench;
-        begin_memory(bench.state, folder.path("state"));
+        HeadlessWindow bench;
+        begin_persistence(bench.state, folder.path("state"));
         bench.frames(2);
         recall_views(bench.state, odd_views());
         bench.state.views.scope.open = true;
         bench.key(Key::B, true);
         bench.frames(2);
-        end_memory(bench.state);
+        end_persistence(bench.state);
     }
-    Bench bench;
-    begin_memory(bench.state, folder.path("state"));
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
     bench.frames(2);
     CHECK(views_to_remember(bench.state) == odd_views());
     CHECK(bench.state.views.scope.open);
@@ -139,7 +139,7 @@ TEST_CASE("how the picture was looked at is there again in the next window, B as
 
 TEST_CASE("of remembered views only what makes sense is taken", "[ui][memory]") {
     const auto views = [](const std::string& text) {
-        return read_settings("{\"view\": " + text + "}").views;
+        return read_preferences("{\"view\": " + text + "}").views;
     };
     CHECK(views("[]") == ViewMemory());
     CHECK(views(R"({"compare": 3, "look": "Nonsense", "dots": 1, "kept_views": {"a": 1}})") == ViewMemory());
@@ -155,16 +155,16 @@ TEST_CASE("of remembered views only what makes sense is taken", "[ui][memory]") 
 TEST_CASE("theme and columns are there again in the next window", "[ui][memory]") {
     const TemporaryDirectory folder;
     {
-        Bench bench;
-        begin_memory(bench.state, folder.path("state"));
+        HeadlessWindow bench;
+        begin_persistence(bench.state, folder.path("state"));
         bench.frames(2);
         bench.state.dark = false;
         bench.state.layout.left = false;
         bench.frames(2);
-        end_memory(bench.state);
+        end_persistence(bench.state);
     }
-    Bench bench;
-    begin_memory(bench.state, folder.path("state"));
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
     CHECK_FALSE(bench.state.dark);
     CHECK_FALSE(bench.state.layout.left);
     CHECK(bench.state.layout.right);
@@ -176,24 +176,24 @@ TEST_CASE("theme and columns are there again in the next window", "[ui][memory]"
 TEST_CASE("a file that is opened stands first among the recent ones, in every window", "[ui][memory]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("one.json", scene_text(test::busy_scene()));
-    Bench bench;
-    begin_memory(bench.state, folder.path("state"));
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
     bench.frames(2);
-    CHECK(bench.state.memory.recent.empty());
+    CHECK(bench.state.persistence.recent.empty());
     UiInput drop;
     drop.dropped = {path};
     (void)bench.frame(drop);
     bench.wait_for_loads();
-    CHECK(bench.state.memory.recent == std::vector<std::string>{path});
-    CHECK(read_recent_files(bytes_of(folder.path("state/recent.json"))) == bench.state.memory.recent);
+    CHECK(bench.state.persistence.recent == std::vector<std::string>{path});
+    CHECK(read_recent_files(bytes_of(folder.path("state/recent.json"))) == bench.state.persistence.recent);
 }
 
 TEST_CASE("a window waits for the list of recent files while another changes it, and no file is lost",
           "[ui][memory]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("one.json", scene_text(test::busy_scene()));
-    Bench bench;
-    begin_memory(bench.state, folder.path("state"));
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
     bench.frames(2);
     const std::string list = folder.path("state/recent.json");
     {
@@ -214,24 +214,24 @@ TEST_CASE("a window waits for the list of recent files while another changes it,
 
 TEST_CASE("a copy that cannot be written is said once, and tried again", "[ui][memory]") {
     const TemporaryDirectory folder;
-    Bench bench;
-    begin_memory(bench.state, folder.path("state"));
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
     bench.frames(2);
     edit_and_wait(bench, 0.25f);
     CHECK(notes_with(bench, "No copy") == 0);
-    const std::string copy = bench.state.memory.copy->path();
+    const std::string copy = bench.state.persistence.autosave->path();
     std::filesystem::remove(copy);
     std::filesystem::create_directory(copy);  // not even root writes a file over that
     copy_again(bench, 0.5f);
     CHECK(notes_with(bench, "No copy") == 1);
-    CHECK(bench.state.memory.copied != bench.scene());
+    CHECK(bench.state.persistence.autosaved_scene != bench.scene());
     bench.state.notifications.list.clear();
     copy_again(bench, 0.75f);
     CHECK(notes_with(bench, "No copy") == 0);
     std::filesystem::remove(copy);
-    bench.state.memory.copied_at = -1e9;
+    bench.state.persistence.autosaved_at = -1e9;
     bench.frames(3);  // nothing was edited
-    while (bench.state.memory.copying.valid()) bench.frames(1);
+    while (bench.state.persistence.autosave_writing.valid()) bench.frames(1);
     CHECK(bytes_of(copy).find("0.75") != std::string::npos);
     std::filesystem::remove(copy);
     std::filesystem::create_directory(copy);
@@ -241,8 +241,8 @@ TEST_CASE("a copy that cannot be written is said once, and tried again", "[ui][m
 
 TEST_CASE("no copy for want of a folder is said too", "[ui][memory]") {
     const TemporaryDirectory folder;
-    Bench bench;
-    begin_memory(bench.state, folder.path("state"));
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
     std::filesystem::remove_all(folder.path("state"));
     bench.frames(2);
     copy_again(bench, 0.25f);
@@ -251,17 +251,17 @@ TEST_CASE("no copy for want of a folder is said too", "[ui][memory]") {
 
 TEST_CASE("a window that cannot go on leaves its newest work behind", "[ui][memory]") {
     const TemporaryDirectory folder;
-    Bench bench;
-    begin_memory(bench.state, folder.path(""));
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path(""));
     bench.frames(2);
     CHECK_FALSE(keep_unsaved_work(bench.state));  // nothing is unsaved
     CHECK(copies_in(folder) == 0);
     edit_and_wait(bench, 0.25f);
     bench.scene().lights[0].intensity = 0.625f;  // no copy is due for 5 seconds
     bench.frames(3);
-    CHECK(bytes_of(bench.state.memory.copy->path()).find("0.625") == std::string::npos);
+    CHECK(bytes_of(bench.state.persistence.autosave->path()).find("0.625") == std::string::npos);
     CHECK(keep_unsaved_work(bench.state));
-    CHECK(bytes_of(bench.state.memory.copy->path()).find("0.625") != std::string::npos);
+    CHECK(bytes_of(bench.state.persistence.autosave->path()).find("0.625") != std::string::npos);
 }
 
 TEST_CASE("unsaved work is copied, found after a crash and taken up, and no window takes another's",
@@ -269,23 +269,23 @@ TEST_CASE("unsaved work is copied, found after a crash and taken up, and no wind
     const TemporaryDirectory folder;
     Scene left;
     {
-        Bench crashes;
-        begin_memory(crashes.state, folder.path(""));
+        HeadlessWindow crashes;
+        begin_persistence(crashes.state, folder.path(""));
         crashes.frames(2);
         CHECK(copies_in(folder) == 0);
         edit_and_wait(crashes, 0.25f);
         CHECK(copies_in(folder) == 1);
         left = crashes.scene();
-        CHECK(left_copies(folder.path("")).empty());  // it lives
+        CHECK(orphaned_autosaves(folder.path("")).empty());  // it lives
     }
     REQUIRE(copies_in(folder) == 1);
-    Bench next;
-    begin_memory(next.state, folder.path(""));
-    REQUIRE(next.state.memory.left.size() == 1);
-    CHECK(next.state.memory.left[0].title == "New scene");
-    CHECK(left_copies(folder.path("")).empty());  // it is offered to one window only
+    HeadlessWindow next;
+    begin_persistence(next.state, folder.path(""));
+    REQUIRE(next.state.persistence.orphans.size() == 1);
+    CHECK(next.state.persistence.orphans[0].title == "New scene");
+    CHECK(orphaned_autosaves(folder.path("")).empty());  // it is offered to one window only
     next.frames(2);
-    take_up_copy(next.state, next.state.memory.left[0].lock.path());
+    recover_autosave(next.state, next.state.persistence.orphans[0].lock.path());
     next.frames(3);
     CHECK(next.scene() == left);
     CHECK(next.state.editor.unsaved());
@@ -298,19 +298,19 @@ TEST_CASE("unsaved work is copied, found after a crash and taken up, and no wind
 TEST_CASE("two windows keep two copies, and a window that is closed takes its own away", "[ui][memory]") {
     const TemporaryDirectory folder;
     auto first = std::make_unique<UiState>(1);
-    Bench bench;
-    begin_memory(bench.state, folder.path(""));
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path(""));
     edit_and_wait(bench, 0.25f);
     auto other = new_autosave(folder.path(""));
     REQUIRE(other.has_value());
-    CHECK(other->path() != bench.state.memory.copy->path());
+    CHECK(other->path() != bench.state.persistence.autosave->path());
     CHECK(problem_of(write_file(other->path(), autosave_text(first_scene(), folder.path("")))) == nullptr);
     CHECK(copies_in(folder) == 2);
-    end_memory(bench.state);
+    end_persistence(bench.state);
     CHECK(copies_in(folder) == 1);
-    CHECK(left_copies(folder.path("")).empty());
+    CHECK(orphaned_autosaves(folder.path("")).empty());
     other.reset();
-    CHECK(left_copies(folder.path("")).size() == 1);
+    CHECK(orphaned_autosaves(folder.path("")).size() == 1);
 }
 
 TEST_CASE("a copy finds its meshes, wherever the scene stands", "[ui][memory]") {
@@ -337,17 +337,17 @@ TEST_CASE("what is no copy is passed over", "[ui][memory]") {
     (void)folder.file("b.autosave", "{\"path\": 5, \"scene\": {}}");
     (void)folder.file("c.autosave", std::string(100'000, '['));
     std::filesystem::create_directories(folder.path("d.autosave"));
-    CHECK(left_copies(folder.path("")).empty());
+    CHECK(orphaned_autosaves(folder.path("")).empty());
     // Nested so deep that whatever calls itself once a level would end the program.
     const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
     (void)folder.file("f.autosave", R"({"path": "", "scene": {"lights": )" + deep + "}}");
-    CHECK(left_copies(folder.path("")).empty());
+    CHECK(orphaned_autosaves(folder.path("")).empty());
     CHECK(problem_of(open_autosave(folder.path("f.autosave"))) != nullptr);
     const std::string less_deep = std::string(32'000, '[') + std::string(32'000, ']');
-    CHECK(read_settings(R"({"height": 9, "view": {"kept_views": [)" + less_deep + "]}}") == Settings());
+    CHECK(read_preferences(R"({"height": 9, "view": {"kept_views": [)" + less_deep + "]}}") == Preferences());
     CHECK(read_recent_files(less_deep).empty());
     const std::string bad = folder.file("e.autosave", R"({"path": "", "scene": {"glint": 1, "lights": 3}})");
-    CHECK(left_copies(folder.path("")).size() == 1);
+    CHECK(orphaned_autosaves(folder.path("")).size() == 1);
     CHECK(problem_of(open_autosave(bad)) != nullptr);
 }
 

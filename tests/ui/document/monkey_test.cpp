@@ -2,16 +2,17 @@
 // back.
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
-#include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -41,15 +42,17 @@ class Cage {
     std::filesystem::path home_;
 };
 
-/// Actions with which a new history begins.
-bool ends_history(Action action) {
-    return action == Action::Quit || action == Action::New || action == Action::Open ||
-           action == Action::NextScene || action == Action::PreviousScene;
+/// Commands with which a new history begins.
+bool ends_history(const Command& command) {
+    static const std::set<std::string_view> names{"Quit", "New scene", "Open…", "Next scene of the folder",
+                                                  "Scene before it"};
+    for (const std::string_view name : names) (void)test::command_named(name);  // they are called so
+    return names.contains(command.name);
 }
 
 class Monkey {
   public:
-    Monkey(Bench& bench, unsigned seed) : bench_(bench), random_(seed) {}
+    Monkey(HeadlessWindow& bench, unsigned seed) : bench_(bench), random_(seed) {}
 
     void act() {
         switch (random_() % 16) {
@@ -118,10 +121,11 @@ class Monkey {
         frame({});
     }
     void key() {
-        const auto table = actions();
-        const ActionInfo& info = table[random_() % table.size()];
+        const auto table = commands();
+        const Command& command = table[random_() % table.size()];
         UiInput input;
-        if (info.press.key != Key::Other && !ends_history(info.action)) input.presses.push_back(info.press);
+        if (!command.keys.empty() && !ends_history(command))
+            input.presses.push_back(command.keys[random_() % command.keys.size()]);
         if (random_() % 3 == 0) input.presses.push_back({Key::Escape});
         if (random_() % 6 == 0) input.presses.push_back({Key::Enter});
         if (random_() % 6 == 0) input.presses.push_back({random_() % 2 == 0 ? Key::Up : Key::Down});
@@ -143,7 +147,7 @@ class Monkey {
         frame({});
     }
 
-    Bench& bench_;
+    HeadlessWindow& bench_;
     std::mt19937 random_;
     std::array<bool, 3> held_{};
 };
@@ -174,7 +178,7 @@ void check_scene(const Scene& scene, int event) {
 }  // namespace
 
 TEST_CASE("a dialog that was left does not hold up what opens next", "[ui]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     for (const Key key : {Key::O, Key::E}) {
         bench.key(key, true);
@@ -196,7 +200,7 @@ TEMPLATE_TEST_CASE_SIG(
     const char* chosen = std::getenv("GLINT_MONKEY_SEED");
     const unsigned seed = run + (chosen != nullptr ? static_cast<unsigned>(std::atoi(chosen)) : first_seed);
     INFO("seed " << seed);
-    Bench bench({900, 420});
+    HeadlessWindow bench({900, 420});
     Monkey monkey(bench, seed);
     int undone = 0, compared = 0;
     for (int event = 0; event < events_a_run; ++event) {

@@ -1,12 +1,12 @@
 // What is told by number of one scene is never looked up in another.
 #include "tests/support/catch.h"
-#include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
-#include "ui/commands/palette.h"
+#include "tests/support/headless_window.h"
+#include "ui/commands/menus.h"
+#include "ui/document/document_actions.h"
 #include "ui/picture/draw_picture.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -20,14 +20,14 @@ SceneDocument three_objects() {
     return document;
 }
 
-ImVec2 middle(const Bench& bench) {
-    const PictureSize size = bench.state.picture->size;
+ImVec2 middle(const HeadlessWindow& bench) {
+    const PictureSize size = bench.state.rendered->size;
     return bench.at_pixel({size.width / 2.0, size.height / 2.0});
 }
 
 /// Moves over the picture until the hand is over a highlight.
-bool find_highlight(Bench& bench) {
-    const PictureSize size = bench.state.picture->size;
+bool find_highlight(HeadlessWindow& bench) {
+    const PictureSize size = bench.state.rendered->size;
     for (int y = size.height / 4; y < 3 * size.height / 4; y += 8)
         for (int x = size.width / 4; x < 3 * size.width / 4; x += 8) {
             bench.move(bench.at_pixel({x, y}));
@@ -40,13 +40,13 @@ bool find_highlight(Bench& bench) {
 
 TEST_CASE("a key that exchanges the scene leaves nothing under the hand until the new one is drawn",
           "[ui][other]") {
-    Bench bench({700, 500});
+    HeadlessWindow bench({700, 500});
     take_scene(bench.state, three_objects());
     bench.state.editor.selection = {Selection::Kind::Light, 0};
     bench.frames(2);
     REQUIRE(find_highlight(bench));
-    REQUIRE(bench.state.renderer->object_at(bench.state.picture->size.width / 2,
-                                            bench.state.picture->size.height / 2) == 2);
+    REQUIRE(bench.state.renderer->object_at(bench.state.rendered->size.width / 2,
+                                            bench.state.rendered->size.height / 2) == 2);
     bench.key(Key::N, true);  // hovers with the picture of three objects over the scene of one
     CHECK_FALSE(bench.state.viewport.hovered_grip);
     REQUIRE(bench.scene().objects.size() == 1);
@@ -55,10 +55,10 @@ TEST_CASE("a key that exchanges the scene leaves nothing under the hand until th
 }
 
 TEST_CASE("the last picture answers only for a scene with its surfaces", "[ui][other]") {
-    Bench bench({420, 300});
+    HeadlessWindow bench({420, 300});
     take_scene(bench.state, three_objects());
     bench.frames(2);
-    const PictureSize size = bench.state.picture->size;
+    const PictureSize size = bench.state.rendered->size;
     const auto answers = [&] { return renderer_of_open_scene(bench.state, size) != nullptr; };
     CHECK(answers());
     bench.scene().lights[0].intensity = 3;
@@ -76,19 +76,19 @@ TEST_CASE("the last picture answers only for a scene with its surfaces", "[ui][o
     CHECK_FALSE(answers());
     bench.frames(1);
     CHECK(answers());
-    bench.state.preview = before;  // another scene on the screen
+    bench.state.inspector.instead = before;  // another scene on the screen
     bench.frames(1);
     CHECK_FALSE(answers());
 }
 
 TEST_CASE("a picked object that is deleted is not picked any more, in the same frame", "[ui][other]") {
-    Bench bench({420, 300});
+    HeadlessWindow bench({420, 300});
     take_scene(bench.state, three_objects());
     bench.frames(2);
     bench.click(middle(bench));
     bench.frames(1);
-    REQUIRE(bench.state.why.has_value());
-    REQUIRE(bench.state.why->object_index == 2);
+    REQUIRE(bench.state.explanation.has_value());
+    REQUIRE(bench.state.explanation->object_index == 2);
     bench.state.editor.selection = {Selection::Kind::Object, 0};
     UiInput input;
     input.presses = {{Key::Delete}, {Key::R, false, true}};  // delete, rotate about the picked point
@@ -99,41 +99,41 @@ TEST_CASE("a picked object that is deleted is not picked any more, in the same f
 }
 
 TEST_CASE("the columns say nothing of a scene that is gone, while a preview shows", "[ui][other]") {
-    Bench bench({1280, 500});
+    HeadlessWindow bench({1280, 500});
     take_scene(bench.state, three_objects());
     bench.frames(2);
     bench.click(middle(bench));
     bench.frames(1);
-    REQUIRE(bench.state.why->object_index == 2);
+    REQUIRE(bench.state.explanation->object_index == 2);
     const Scene shown = bench.scene();
     bench.scene().objects.resize(1);
-    bench.state.preview = shown;
+    bench.state.inspector.instead = shown;
     bench.frames(1);
-    CHECK_FALSE(bench.state.why.has_value());
+    CHECK_FALSE(bench.state.explanation.has_value());
 }
 
 TEST_CASE("a pixel of B is explained only where B has the lights and objects of the scene", "[ui][other]") {
-    Bench bench({1280, 500});
+    HeadlessWindow bench({1280, 500});
     take_scene(bench.state, three_objects());
     bench.frames(2);
     bench.key(Key::B, true);  // stored with three objects
     CompareChoice& choice = bench.state.views.compare.choice;
     choice.on = true;
-    set_parts(choice, {{Setting::Kind::Stored, 0}, {Setting::Kind::Edited, 0}});
+    set_parts(choice, {{Variant::Kind::Stored, 0}, {Variant::Kind::Edited, 0}});
     choice.wipes = {0.9};
     bench.scene().lights[0].intensity = 0.5f;
     bench.frames(2);
     bench.state.viewport.probe = glm::dvec2(0.5, 0.5);
     bench.frames(1);
-    REQUIRE(bench.state.why.has_value());
-    CHECK(bench.state.why->object_index == 2);
+    REQUIRE(bench.state.explanation.has_value());
+    CHECK(bench.state.explanation->object_index == 2);
     bench.scene().objects.erase(bench.scene().objects.begin(), bench.scene().objects.begin() + 2);
     bench.frames(2);
-    CHECK_FALSE(bench.state.why.has_value());  // B's ball is number 2, and there is no number 2
+    CHECK_FALSE(bench.state.explanation.has_value());  // B's ball is number 2, and there is no number 2
 }
 
 TEST_CASE("the palette names the lights that there are", "[ui][other]") {
-    Bench bench({420, 300});
+    HeadlessWindow bench({420, 300});
     bench.frames(2);
     bench.key(Key::K, true);
     bench.frames(2);

@@ -5,18 +5,18 @@
 
 #include "models/io/file.h"
 #include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
-#include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
-#include "ui/widgets/modal.h"
+#include "ui/document/document_actions.h"
+#include "ui/shell/modal.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
-void open(Bench& bench, const std::string& path) {
+void open(HeadlessWindow& bench, const std::string& path) {
     UiInput drop;
     drop.dropped = {path};
     (void)bench.frame(drop);
@@ -24,7 +24,7 @@ void open(Bench& bench, const std::string& path) {
     REQUIRE(bench.state.editor.document.path == path);
 }
 
-void edit(Bench& bench, float intensity) {
+void edit(HeadlessWindow& bench, float intensity) {
     bench.scene().lights[0].intensity = intensity;
     bench.frames(2);
 }
@@ -43,7 +43,7 @@ void write_as_another(const std::string& path, float intensity) {
 }
 
 /// Clicks along the buttons of the question, from the left, until one has answered it.
-void answer(Bench& bench, int button) {
+void answer(HeadlessWindow& bench, int button) {
     const ImGuiWindow* question = ImGui::FindWindowByName("Changed by another##question");
     REQUIRE(question != nullptr);
     const float width = 110 + ImGui::GetStyle().ItemSpacing.x;
@@ -56,7 +56,7 @@ void answer(Bench& bench, int button) {
 struct Clash {
     TemporaryDirectory folder;
     std::string path = folder.file("scene.json", scene_text(test::busy_scene()));
-    Bench bench;
+    HeadlessWindow bench;
 
     Clash() {
         bench.frames(2);
@@ -75,7 +75,7 @@ struct Clash {
 TEST_CASE("a file that nobody else has changed is saved without a question, again and again", "[ui][save]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("scene.json", scene_text(test::busy_scene()));
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     open(bench, path);
     for (const float intensity : {0.25f, 0.5f, 0.75f}) {
@@ -154,24 +154,24 @@ TEST_CASE("work that is taken up after a crash does not overwrite what was writt
     std::string copy;
     for (const bool changed : {false, true}) {
         {
-            Bench crashes;
-            begin_memory(crashes.state, folder.path("state"));
+            HeadlessWindow crashes;
+            begin_persistence(crashes.state, folder.path("state"));
             crashes.frames(2);
             open(crashes, path);
             edit(crashes, 0.25f);
             REQUIRE(keep_unsaved_work(crashes.state));
         }
         if (changed) write_as_another(path, 0.5f);
-        Bench next;
-        begin_memory(next.state, folder.path("state"));
-        REQUIRE_FALSE(next.state.memory.left.empty());
-        take_up_copy(next.state, next.state.memory.left[0].lock.path());
+        HeadlessWindow next;
+        begin_persistence(next.state, folder.path("state"));
+        REQUIRE_FALSE(next.state.persistence.orphans.empty());
+        recover_autosave(next.state, next.state.persistence.orphans[0].lock.path());
         next.frames(2);
         edit(next, 0.75f);
         next.key(Key::S, true);
         next.frames(2);
         CHECK((modal_of(next.state) == Modal::Changed) == changed);
         CHECK(intensity_in(path) == (changed ? 0.5f : 0.75f));
-        end_memory(next.state);
+        end_persistence(next.state);
     }
 }

@@ -1,23 +1,23 @@
 // The inspector says where a shadow would fall, which the picture does not have.
 #include "ui/inspector/blocked.h"
 
-#include "tests/support/ui_why_bench.h"
+#include "tests/support/headless_inspector.h"
 #include "ui/inspector/asked.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 TEST_CASE("the inspector names the object that stands before a light, and only there", "[ui][why][lecture]") {
-    Bench bench;
+    HeadlessWindow bench;
     const Result<SceneDocument> opened =
         open_document(std::string(GLINT_SOURCE_DIR) + "/assets/scenes/no-shadows.json");
     REQUIRE(problem_of(opened) == nullptr);
     take_document(bench.state.editor, std::get<SceneDocument>(opened));
     const auto words_at = [&bench](glm::dvec2 pixel_of_1280x720) {
-        test::ask(bench, WhyTab::Equation, {pixel_of_1280x720.x / 1280, pixel_of_1280x720.y / 720});
-        REQUIRE(bench.state.why);
-        const Explanation& why = *bench.state.why;
-        return blocked_words(bench.state, why, asked_point(bench.state.why_column, why), 0);
+        test::ask(bench, InspectorTab::Equation, {pixel_of_1280x720.x / 1280, pixel_of_1280x720.y / 720});
+        REQUIRE(bench.state.explanation);
+        const Explanation& why = *bench.state.explanation;
+        return blocked_words(bench.state, why, asked_point(bench.state.inspector, why), 0);
     };
     // The pixel of docs/lecture_map.md, row 2: on the floor, behind what stands on it.
     const std::string words = words_at({652, 558});

@@ -4,9 +4,9 @@
 
 #include "tests/support/catch.h"
 #include "ui/document/file_dialog.h"
-#include "ui/document/limits.h"
 #include "ui/document/scene_edit.h"
-#include "ui/fields/camera_panel.h"
+#include "ui/fields/field_panel.h"
+#include "ui/fields/panels.h"
 #include "ui/inspector/equation/words.h"
 #include "ui/picture/orbit.h"
 #include "ui/picture/screen.h"
@@ -43,7 +43,7 @@ TEST_CASE("columns tile the window without overlap, at any size and scale", "[ui
         for (const ImVec2 window : {ImVec2(1280, 800), ImVec2(1920, 1080), ImVec2(1024, 640),
                                     ImVec2(3840, 2160), ImVec2(320, 240), ImVec2(40, 30)})
             for (const bool folded : {false, true}) {
-                const Layout l = lay_out(window, {.folded = folded}, scale);
+                const Layout l = lay_out(window, {.hides_columns = folded}, scale);
                 CHECK(l.centre.low.x >= (l.has_left ? l.left.high.x : 0));
                 CHECK(l.centre.high.x <= (l.has_right ? l.right.low.x : window.x));
                 CHECK(l.centre.size().x >= 1);
@@ -51,7 +51,7 @@ TEST_CASE("columns tile the window without overlap, at any size and scale", "[ui
                 CHECK(l.top.high.y <= l.centre.low.y);
                 CHECK(l.centre.high.y <= l.status.low.y + 1);
                 CHECK(l.centre.size().x >= window.x / 3 - 1);
-                CHECK(l.why_in_left == (window.x < 1100 * scale));
+                CHECK(l.inspector_in_left == (window.x < 1100 * scale));
                 const Rect picture = picture_area(l.centre, scale);
                 CHECK(picture.size().x >= 1);
                 CHECK(picture.size().x >= 1.3f * picture.size().y - 2);

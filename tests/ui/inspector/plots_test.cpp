@@ -6,12 +6,12 @@
 #include "renderer/inspect/reflectance/curves.h"
 #include "renderer/inspect/reflectance/highlight_fit.h"
 #include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
 #include "tests/support/scenes.h"
-#include "tests/support/ui_why_bench.h"
 #include "ui/plots/plots_tab.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -182,15 +182,15 @@ TEST_CASE("plots: under Gouraud shading the corner that counts most is marked", 
 
 TEST_CASE("plots: the tab draws for every scene that is shipped, and without lights", "[ui][window][plots]") {
     namespace fs = std::filesystem;
-    Bench bench({1024, 640});
+    HeadlessWindow bench({1024, 640});
     for (const auto& entry : fs::directory_iterator(fs::path(GLINT_SOURCE_DIR) / "assets" / "scenes")) {
         if (entry.path().extension() != ".json") continue;
         INFO(entry.path());
         const Result<SceneDocument> opened = open_document(entry.path().string());
         REQUIRE(problem_of(opened) == nullptr);
         take_document(bench.state.editor, std::get<SceneDocument>(opened));
-        bench.state.left_shows_why = true;
-        test::ask(bench, WhyTab::Plots);
+        bench.state.left_shows_inspector = true;
+        test::ask(bench, InspectorTab::Plots);
         for (int light = 0; light < int(bench.scene().lights.size()); ++light) {
             bench.state.views.plots.light = light;
             bench.frames(1);
@@ -198,7 +198,7 @@ TEST_CASE("plots: the tab draws for every scene that is shipped, and without lig
     }
     bench.scene().lights.clear();
     bench.frames(2);
-    CHECK(bench.state.why_column.tab == WhyTab::Plots);
+    CHECK(bench.state.inspector.tab == InspectorTab::Plots);
 }
 
 TEST_CASE("plots: the BRDF's slice is that of Phong in closed form, forwards and backwards", "[ui][plots]") {
@@ -224,16 +224,16 @@ TEST_CASE("plots: the BRDF's slice is that of Phong in closed form, forwards and
 }
 
 TEST_CASE("plots: a light is tried as every kind where it stands, a lamp aimed at the point", "[ui][plots]") {
-    Bench bench;
-    test::ask(bench, WhyTab::Plots, {0.5, 0.5});
-    REQUIRE(bench.state.why);
-    const ScreenMap map = screen_map(bench.scene().camera, bench.state.picture->size);
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Plots, {0.5, 0.5});
+    REQUIRE(bench.state.explanation);
+    const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
     PictureView view;
     view.map = map;
     view.dome = sun_dome(bench.scene().camera.target, scene_bounds(bench.scene()), map);
     const Light& bulb = bench.scene().lights[1];
     const glm::dvec3 place = handle_of(bulb, view.dome, map);
-    const ExplainedPoint& at = bench.state.why->at;
+    const ExplainedPoint& at = bench.state.explanation->at;
     CHECK(of_kind_at(bulb, LightKind::Point, at, view) == bulb);
     for (const LightKind kind : {LightKind::Spot, LightKind::Area}) {
         const Light other = of_kind_at(bulb, kind, at, view);

@@ -6,12 +6,12 @@
 #include "renderer/inspect/explain/explain_latex.h"
 #include "renderer/inspect/explain/explain_text.h"
 #include "tests/support/catch.h"
-#include "tests/support/ui_why_bench.h"
-#include "ui/inspector/equation/copy.h"
+#include "tests/support/headless_inspector.h"
+#include "ui/inspector/equation/equation_tab.h"
 #include "ui/inspector/equation/factors.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -23,10 +23,10 @@ float product(const TermLine& line) {
 }
 
 /// What the picture's own renderer says of the probe, asked apart from the window.
-Explanation asked_apart(Bench& bench) {
+Explanation asked_apart(HeadlessWindow& bench) {
     Renderer renderer(1);
-    (void)renderer.render(bench.scene(), bench.state.picture->size);
-    return renderer.explain(bench.state.why->x, bench.state.why->y);
+    (void)renderer.render(bench.scene(), bench.state.rendered->size);
+    return renderer.explain(bench.state.explanation->x, bench.state.explanation->y);
 }
 
 int lights_on(const Scene& scene) {
@@ -38,7 +38,7 @@ int lights_on(const Scene& scene) {
 }  // namespace
 
 TEST_CASE("the factors written out multiply to the term that was lit, under every model", "[ui][why]") {
-    Bench bench;
+    HeadlessWindow bench;
     Light lamp;
     lamp.name = "Lamp";
     lamp.kind = LightKind::Spot;
@@ -53,9 +53,9 @@ TEST_CASE("the factors written out multiply to the term that was lit, under ever
         bench.frames(1);
         bench.scene().shading.reflection = model;
         for (const glm::dvec2 share : {glm::dvec2(0.5, 0.5), glm::dvec2(0.4, 0.3), glm::dvec2(0.6, 0.7)}) {
-            test::ask(bench, WhyTab::Equation, share);
-            REQUIRE(bench.state.why->hit);
-            const Explanation why = *bench.state.why;
+            test::ask(bench, InspectorTab::Equation, share);
+            REQUIRE(bench.state.explanation->hit);
+            const Explanation why = *bench.state.explanation;
             REQUIRE(why.at.lights.size() == 3);
             CHECK(why.at.lights.back().spot > 0);
             for (const ExplainedLight& light : why.at.lights)
@@ -70,8 +70,8 @@ TEST_CASE("the factors written out multiply to the term that was lit, under ever
 
 TEST_CASE("every number in the equation is dragged where it stands: one number changes, one step undoes it",
           "[ui][window][why]") {
-    Bench bench({1280, 1400});  // tall: nothing needs scrolling
-    test::ask(bench, WhyTab::Equation, {0.4, 0.4});
+    HeadlessWindow bench({1280, 1400});  // tall: nothing needs scrolling
+    test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
     const Scene start = bench.scene();
     const Rect column = test::right_column(bench);
     std::set<std::string> changed;
@@ -80,7 +80,7 @@ TEST_CASE("every number in the equation is dragged where it stands: one number c
             continue;
         INFO(number.name);
         REQUIRE(number.in_sight);
-        const ImVec2 at = Bench::middle_of(number.at);
+        const ImVec2 at = HeadlessWindow::middle_of(number.at);
         bench.drag(at, {at.x + 12, at.y});
         bench.frames(1);
         CHECK_FALSE(bench.scene() == start);
@@ -98,59 +98,59 @@ TEST_CASE("every number in the equation is dragged where it stands: one number c
 
 TEST_CASE("pointing at a term shows it alone, at a light's name that light alone, and edits nothing",
           "[ui][window][why]") {
-    Bench bench;
-    test::ask(bench, WhyTab::Equation);
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Equation);
     const Scene start = bench.scene();
-    const Explanation before = *bench.state.why;
+    const Explanation before = *bench.state.explanation;
     (void)test::rest_on(bench, "s  specular");
-    CHECK(bench.state.drawn.shading.terms == Terms{false, false, false, true});
+    CHECK(bench.state.rendered_scene.shading.terms == Terms{false, false, false, true});
     CHECK(bench.scene() == start);
-    CHECK(bench.state.why->sum == before.sum);
+    CHECK(bench.state.explanation->sum == before.sum);
     (void)test::rest_on(bench, "Light");
-    CHECK(lights_on(bench.state.drawn) == 1);
-    CHECK(bench.state.drawn.lights.front().enabled);
-    CHECK(bench.state.drawn.global_ambient == glm::vec3(0));
+    CHECK(lights_on(bench.state.rendered_scene) == 1);
+    CHECK(bench.state.rendered_scene.lights.front().enabled);
+    CHECK(bench.state.rendered_scene.global_ambient == glm::vec3(0));
     CHECK(bench.scene() == start);
     test::rest(bench);
-    CHECK(bench.state.drawn == start);
+    CHECK(bench.state.rendered_scene == start);
 }
 
 TEST_CASE("while the button is down nothing is shown alone", "[ui][window][why]") {
-    Bench bench;
-    test::ask(bench, WhyTab::Equation);
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Equation);
     const ImVec2 at = test::rest_on(bench, "s  specular");
-    CHECK(bench.state.drawn.shading.terms == Terms{false, false, false, true});
+    CHECK(bench.state.rendered_scene.shading.terms == Terms{false, false, false, true});
     test::rest(bench);
     ImGui::GetIO().MouseDown[0] = true;
     bench.move(at);
     bench.frames(2);
-    CHECK(bench.state.drawn == bench.scene());
+    CHECK(bench.state.rendered_scene == bench.scene());
     ImGui::GetIO().MouseDown[0] = false;
     bench.frames(1);
 }
 
 TEST_CASE("pointing at n·h lights up the arrow h of that light", "[ui][window][why]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.scene().shading.reflection = Reflection::BlinnPhong;
-    test::ask(bench, WhyTab::Equation);
+    test::ask(bench, InspectorTab::Equation);
     (void)test::rest_on(bench, "n·h");
-    CHECK(bench.state.why_column.pointed_vector == Symbol::H);
-    CHECK(bench.state.why_column.pointed_light == 0);
+    CHECK(bench.state.inspector.pointed_vector == Symbol::H);
+    CHECK(bench.state.inspector.pointed_light == 0);
 }
 
 TEST_CASE("what is copied is what glint explain prints, in each format", "[ui][window][why]") {
-    Bench bench;
-    test::ask(bench, WhyTab::Equation, {0.42, 0.45});
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Equation, {0.42, 0.45});
     const Explanation why = asked_apart(bench);
     const Scene& scene = bench.scene();
-    CHECK(explained_as(CopyAs::Text, *bench.state.why, scene) == explain_text(why, scene));
-    CHECK(explained_as(CopyAs::Json, *bench.state.why, scene) == explain_json(why));
-    CHECK(explained_as(CopyAs::Latex, *bench.state.why, scene) == explain_latex(why, scene));
+    CHECK(explained_as(CopyAs::Text, *bench.state.explanation, scene) == explain_text(why, scene));
+    CHECK(explained_as(CopyAs::Json, *bench.state.explanation, scene) == explain_json(why));
+    CHECK(explained_as(CopyAs::Latex, *bench.state.explanation, scene) == explain_latex(why, scene));
 }
 
 TEST_CASE("the copy buttons fill the clipboard", "[ui][window][why]") {
-    Bench bench({1280, 1400});
-    test::ask(bench, WhyTab::Equation);
+    HeadlessWindow bench({1280, 1400});
+    test::ask(bench, InspectorTab::Equation);
     ImGui::SetClipboardText("nothing");
     bench.click(test::in_column(bench, "text"));
     CHECK(ImGui::GetClipboardText() == explain_text(asked_apart(bench), bench.scene()));
@@ -158,7 +158,7 @@ TEST_CASE("the copy buttons fill the clipboard", "[ui][window][why]") {
 
 TEST_CASE("the tabs of WHY stay where they are when a pixel is picked, and when it is forgotten",
           "[ui][why]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(3);
     const auto tab_top = [] {
         const ImGuiWindow* tab = test::window_named("/Equation");
@@ -168,14 +168,14 @@ TEST_CASE("the tabs of WHY stay where they are when a pixel is picked, and when 
     const float before = tab_top();
     bench.click(bench.at_pixel({320, 240}));
     bench.frames(2);
-    REQUIRE(bench.state.why);
+    REQUIRE(bench.state.explanation);
     CHECK(tab_top() == before);
     bench.click(bench.at_pixel({3, 3}));
     bench.frames(2);
-    REQUIRE_FALSE(bench.state.why->hit);
+    REQUIRE_FALSE(bench.state.explanation->hit);
     CHECK(tab_top() == before);
     bench.state.viewport.probe.reset();
     bench.frames(2);
-    REQUIRE_FALSE(bench.state.why);
+    REQUIRE_FALSE(bench.state.explanation);
     CHECK(tab_top() == before);
 }

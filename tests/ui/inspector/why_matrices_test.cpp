@@ -3,15 +3,15 @@
 
 #include "renderer/shade/light_sources.h"
 #include "tests/support/catch.h"
-#include "tests/support/ui_why_bench.h"
-#include "ui/inspector/matrices_tab.h"
+#include "tests/support/headless_inspector.h"
+#include "ui/inspector/tabs.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 TEST_CASE("lights are carried to where the equation has them, and back to where they were given",
           "[ui][why]") {
-    Bench bench;
+    HeadlessWindow bench;
     Scene& scene = bench.scene();
     scene.camera = {{2, 1, 5}, {0.3f, 0.1f, 0}, {0, 1, 0}, Perspective{}};
     scene.lights[1].space = LightSpace::Camera;
@@ -35,8 +35,8 @@ TEST_CASE("lights are carried to where the equation has them, and back to where 
 }
 
 TEST_CASE("the matrices' tab edits nothing; a click on a light selects it", "[ui][window][why]") {
-    Bench bench({1280, 1400});
-    test::ask(bench, WhyTab::Matrices);
+    HeadlessWindow bench({1280, 1400});
+    test::ask(bench, InspectorTab::Matrices);
     const Scene start = bench.scene();
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     bench.click(test::in_column(bench, "/lights/1/position"));

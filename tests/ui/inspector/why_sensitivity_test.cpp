@@ -5,17 +5,17 @@
 #include "models/json/json_value.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
-#include "tests/support/ui_why_bench.h"
-#include "ui/fields/npr_panel.h"
-#include "ui/inspector/equation/pointer_words.h"
+#include "tests/support/headless_inspector.h"
+#include "ui/fields/panels.h"
+#include "ui/inspector/equation/words.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
 /// Runs frames until the job is done. The clock of ImGui goes with the frames, the job's with the machine.
-bool wait_for_numbers(Bench& bench) {
+bool wait_for_numbers(HeadlessWindow& bench) {
     for (int i = 0; i < 4000 && !bench.state.sensitivity.current; ++i) {
         bench.frames(1);
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -34,13 +34,13 @@ JsonValue value_at(const Scene& scene, std::string_view pointer) {
 }  // namespace
 
 TEST_CASE("the sensitivity shown is that of glint explain --sensitivity", "[ui][window][why]") {
-    Bench bench({760, 400});
+    HeadlessWindow bench({760, 400});
     bench.state.layout.left = true;
-    bench.state.left_shows_why = true;
-    test::ask(bench, WhyTab::Sensitivity, {0.5, 0.45});
+    bench.state.left_shows_inspector = true;
+    test::ask(bench, InspectorTab::Sensitivity, {0.5, 0.45});
     REQUIRE(wait_for_numbers(bench));
-    const auto made = sensitivities(bench.state.editor.document, bench.state.picture->size,
-                                    bench.state.why->x, bench.state.why->y, 1);
+    const auto made = sensitivities(bench.state.editor.document, bench.state.rendered->size,
+                                    bench.state.explanation->x, bench.state.explanation->y, 1);
     const auto& expected = std::get<Sensitivities>(made);
     REQUIRE(bench.state.sensitivity.shown);
     const Sensitivities& shown = *bench.state.sensitivity.shown;
@@ -76,7 +76,7 @@ TEST_CASE("pointers of numbers are named in words, with the panel they stand in"
 }
 
 TEST_CASE("the panel of strokes and tones sets each of its keys, one step each", "[ui][window][why]") {
-    Bench bench({1280, 1600});
+    HeadlessWindow bench({1280, 1600});
     bench.frames(2);
     bench.state.editor.selection = {Selection::Kind::Shading, 0};
     bench.frames(2);

@@ -2,13 +2,13 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/catch.h"
-#include "tests/support/ui_why_bench.h"
+#include "tests/support/headless_inspector.h"
 #include "ui/inspector/asked.h"
 #include "ui/inspector/vectors/arrows.h"
 #include "ui/inspector/vectors/facet.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -31,55 +31,55 @@ bool draws_near(ImVec2 at, float within) {
 
 TEST_CASE("with Alt held the pixel under the cursor is explained; released, the picked one again",
           "[ui][window][why]") {
-    Bench bench;
-    test::ask(bench, WhyTab::Equation, {0.5, 0.5});
-    const int x = bench.state.why->x;
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Equation, {0.5, 0.5});
+    const int x = bench.state.explanation->x;
     ImGui::GetIO().KeyAlt = true;
     bench.move(bench.at_pixel({220.5, 260.5}));
     bench.frames(1);
-    REQUIRE(bench.state.why);
-    CHECK(bench.state.why->x == 220);
-    CHECK(bench.state.why->y == 260);
+    REQUIRE(bench.state.explanation);
+    CHECK(bench.state.explanation->x == 220);
+    CHECK(bench.state.explanation->y == 260);
     CHECK(bench.state.viewport.probe->x == Approx(0.5));
     ImGui::GetIO().KeyAlt = false;
     bench.frames(2);
-    CHECK(bench.state.why->x == x);
+    CHECK(bench.state.explanation->x == x);
 }
 
 TEST_CASE("with Alt held nothing needs to be picked, and nothing stays", "[ui][window][why]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     ImGui::GetIO().KeyAlt = true;
     bench.move(bench.at_pixel({300.5, 240.5}));
     bench.frames(1);
-    CHECK(bench.state.why.has_value());
+    CHECK(bench.state.explanation.has_value());
     ImGui::GetIO().KeyAlt = false;
     bench.frames(1);
-    CHECK_FALSE(bench.state.why.has_value());
+    CHECK_FALSE(bench.state.explanation.has_value());
 }
 
 TEST_CASE("the arrow n ends where a unit normal of its length shows", "[ui][window][why]") {
-    Bench bench;
-    test::ask(bench, WhyTab::Vectors, {0.42, 0.4});
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Vectors, {0.42, 0.4});
     const Scene start = bench.scene();
-    const ExplainedPoint& point = bench.state.why->at;
-    const ScreenMap map = screen_map(bench.scene().camera, bench.state.picture->size);
+    const ExplainedPoint& point = bench.state.explanation->at;
+    const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
     // 92 units of the design at the point's depth, by the field of view: independent of the pen.
     const double depth = -double(point.point.camera.z);
     const double per_pixel = 2 * depth * std::tan(0.5 * 45 * 3.14159265358979 / 180) / map.size.height;
     const glm::dvec3 tip = glm::dvec3(point.point.world) + 92 * per_pixel * glm::dvec3(point.normal.world);
     const ImVec2 at = bench.at_pixel(project(map, tip).pixel);
     CHECK(draws_near(at, 1.5f));
-    bench.state.why_column.shows_vectors = false;
+    bench.state.inspector.shows_vectors = false;
     bench.frames(2);
     CHECK_FALSE(draws_near(at, 1.5f));
     CHECK(bench.scene() == start);
 }
 
 TEST_CASE("the facet's edges and normal are those of the mesh, and agree", "[ui][why]") {
-    Bench bench;
-    test::ask(bench, WhyTab::Vectors, {0.45, 0.4});
-    const auto facet = picked_facet(*bench.state.why, bench.scene());
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Vectors, {0.45, 0.4});
+    const auto facet = picked_facet(*bench.state.explanation, bench.scene());
     REQUIRE(facet);
     REQUIRE(facet->corners.size() == 4);
     CHECK(glm::dot(facet->of_edges, facet->newell) > 0.9999f);
@@ -92,13 +92,13 @@ TEST_CASE("the facet's edges and normal are those of the mesh, and agree", "[ui]
 }
 
 TEST_CASE("the steps of r and the length of n belong to the window, not to the scene", "[ui][window][why]") {
-    Bench bench({1280, 1200});
-    test::ask(bench, WhyTab::Vectors, {0.45, 0.4});
+    HeadlessWindow bench({1280, 1200});
+    test::ask(bench, InspectorTab::Vectors, {0.45, 0.4});
     const Scene start = bench.scene();
     for (int step = 0; step <= 4; ++step) {
-        bench.state.why_column.mirror_step = step;
-        bench.state.why_column.normal_length = 2;
-        bench.state.why_column.shows_facet = true;
+        bench.state.inspector.mirror_step = step;
+        bench.state.inspector.normal_length = 2;
+        bench.state.inspector.shows_facet = true;
         bench.frames(2);
     }
     CHECK(bench.scene() == start);
@@ -106,25 +106,25 @@ TEST_CASE("the steps of r and the length of n belong to the window, not to the s
 }
 
 TEST_CASE("the light of the vectors is the selected one, else the one that adds most", "[ui][why]") {
-    Bench bench;
-    test::ask(bench, WhyTab::Vectors, {0.62, 0.35});
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Vectors, {0.62, 0.35});
     bench.state.editor.selection = {Selection::Kind::Light, 1};
-    const ExplainedPoint& point = bench.state.why->at;
+    const ExplainedPoint& point = bench.state.explanation->at;
     CHECK(asked_light(bench.state, point)->index == 1);
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     CHECK(asked_light(bench.state, point)->index == 0);
-    bench.state.why_column.pointed_light = 1;
+    bench.state.inspector.pointed_light = 1;
     CHECK(asked_light(bench.state, point)->index == 1);
     CHECK(asked_light(bench.state, ExplainedPoint{}) == nullptr);
 }
 
 TEST_CASE("a Gouraud pixel's corners are drawn where they are", "[ui][window][why]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.scene().shading.mode = ShadingMode::Gouraud;
-    test::ask(bench, WhyTab::Equation, {0.45, 0.4});
-    const ScreenMap map = screen_map(bench.scene().camera, bench.state.picture->size);
-    REQUIRE(bench.state.why->corners.size() == 3);
-    for (const ExplainedCorner& corner : bench.state.why->corners) {
+    test::ask(bench, InspectorTab::Equation, {0.45, 0.4});
+    const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
+    REQUIRE(bench.state.explanation->corners.size() == 3);
+    for (const ExplainedCorner& corner : bench.state.explanation->corners) {
         const ImVec2 at = bench.at_pixel(project(map, glm::dvec3(corner.at.point.world)).pixel);
         CHECK(draws_near(at, 6));
     }

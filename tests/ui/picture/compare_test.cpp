@@ -1,14 +1,14 @@
 // Comparing: every part is the full picture of its setting, column by column and byte by byte.
 #include "tests/support/catch.h"
-#include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
+#include "tests/support/headless_window.h"
+#include "ui/commands/command.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
-Bench& comparing(Bench& bench) {
+HeadlessWindow& comparing(HeadlessWindow& bench) {
     bench.frames(2);
     bench.key(Key::C);
     bench.frames(2);
@@ -16,12 +16,12 @@ Bench& comparing(Bench& bench) {
 }
 
 /// The shown picture's columns from `first` to `end` are those of this mode's own picture.
-void check_columns(Bench& bench, ShadingMode mode, int first, int end) {
+void check_columns(HeadlessWindow& bench, ShadingMode mode, int first, int end) {
     Scene scene = bench.scene();
     scene.shading.mode = mode;
     Renderer renderer(2);
-    const Picture& full = renderer.render(scene, bench.state.picture->size);
-    const Picture& shown = *bench.state.shown;
+    const Picture& full = renderer.render(scene, bench.state.rendered->size);
+    const Picture& shown = *bench.state.displayed;
     REQUIRE(shown.size == full.size);
     REQUIRE(first < end);
     int wrong = 0;
@@ -32,17 +32,17 @@ void check_columns(Bench& bench, ShadingMode mode, int first, int end) {
     CHECK(wrong == 0);
 }
 
-void check_three(Bench& bench) {
+void check_three(HeadlessWindow& bench) {
     const CompareChoice& choice = bench.state.views.compare.choice;
-    const int width = bench.state.picture->size.width;
+    const int width = bench.state.rendered->size.width;
     const int one = first_of(choice, 1, width), two = first_of(choice, 2, width);
     check_columns(bench, ShadingMode::Flat, 0, one);
     check_columns(bench, ShadingMode::Gouraud, one, two);
     check_columns(bench, ShadingMode::Phong, two, width);
 }
 
-ImVec2 on_line(Bench& bench, int wipe) {
-    const PictureSize size = bench.state.picture->size;
+ImVec2 on_line(HeadlessWindow& bench, int wipe) {
+    const PictureSize size = bench.state.rendered->size;
     const int column = first_of(bench.state.views.compare.choice, wipe + 1, size.width);
     return bench.at_pixel({column, size.height * 0.3});
 }
@@ -50,7 +50,7 @@ ImVec2 on_line(Bench& bench, int wipe) {
 }  // namespace
 
 TEST_CASE("each part of a comparison equals the full picture of its mode", "[ui][window][compare]") {
-    Bench bench;
+    HeadlessWindow bench;
     comparing(bench);
     check_three(bench);
     bench.scene().lights[1].position = {-1, 1, 2, 1};
@@ -61,18 +61,18 @@ TEST_CASE("each part of a comparison equals the full picture of its mode", "[ui]
     check_three(bench);
     bench.key(Key::C);
     bench.frames(1);
-    CHECK(bench.state.shown == bench.state.picture);
+    CHECK(bench.state.displayed == bench.state.rendered);
 }
 
 TEST_CASE("a dragged wipe line moves the parts' border to the hand and draws no scene again",
           "[ui][window][compare]") {
-    Bench bench;
+    HeadlessWindow bench;
     comparing(bench);
     const Scene before = bench.scene();
     const auto serial = bench.state.picture_serial;
     const Renderer* flat = bench.state.views.compare.drawn_by[0];
     bench.drag(on_line(bench, 0), bench.at_pixel({70, 100}));
-    const int width = bench.state.picture->size.width;
+    const int width = bench.state.rendered->size.width;
     CHECK(first_of(bench.state.views.compare.choice, 1, width) == 70);
     CHECK(bench.state.picture_serial > serial);
     CHECK(flat->stats().redone == std::array{false, false, false, false});
@@ -86,9 +86,9 @@ TEST_CASE("a dragged wipe line moves the parts' border to the hand and draws no 
 }
 
 TEST_CASE("a pixel picked in a part is explained as that part drew it", "[ui][window][compare]") {
-    Bench bench;
+    HeadlessWindow bench;
     comparing(bench);
-    const PictureSize size = bench.state.picture->size;
+    const PictureSize size = bench.state.rendered->size;
     const CompareChoice& choice = bench.state.views.compare.choice;
     const ShadingMode modes[] = {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong};
     for (int part = 0; part < 3; ++part) {
@@ -99,17 +99,18 @@ TEST_CASE("a pixel picked in a part is explained as that part drew it", "[ui][wi
         const int y = size.height / 2;
         bench.click(bench.at_pixel({x + 0.5, y + 0.5}));
         bench.frames(2);
-        REQUIRE(bench.state.why);
-        CHECK(bench.state.why->mode == modes[part]);
-        const std::size_t at = 4 * bench.state.shown->pixel(bench.state.why->x, bench.state.why->y);
+        REQUIRE(bench.state.explanation);
+        CHECK(bench.state.explanation->mode == modes[part]);
+        const std::size_t at =
+            4 * bench.state.displayed->pixel(bench.state.explanation->x, bench.state.explanation->y);
         for (std::size_t i = 0; i < 3; ++i)
-            CHECK(bench.state.why->byte[i] == bench.state.shown->rgba[at + i]);
+            CHECK(bench.state.explanation->byte[i] == bench.state.displayed->rgba[at + i]);
     }
 }
 
 TEST_CASE("the difference shows the first part against the last, with the numbers of glint compare",
           "[ui][window][compare]") {
-    Bench bench;
+    HeadlessWindow bench;
     comparing(bench);
     CompareChoice& choice = bench.state.views.compare.choice;
     choice.difference = true;
@@ -119,8 +120,8 @@ TEST_CASE("the difference shows the first part against the last, with the number
     flat.shading.mode = ShadingMode::Flat;
     phong.shading.mode = ShadingMode::Phong;
     Renderer a(1), b(1);
-    const Picture &first = a.render(flat, bench.state.picture->size),
-                  &last = b.render(phong, bench.state.picture->size);
+    const Picture &first = a.render(flat, bench.state.rendered->size),
+                  &last = b.render(phong, bench.state.rendered->size);
     const auto numbers = std::get<Comparison>(compare(first, last));
     REQUIRE(numbers.max_error > 0);
     CHECK(bench.state.views.compare.numbers.max == numbers.max);
@@ -128,15 +129,15 @@ TEST_CASE("the difference shows the first part against the last, with the number
     int wrong = 0;
     for (std::size_t i = 0; i < first.rgba.size(); ++i) {
         const int far = std::min(8 * std::abs(int(first.rgba[i]) - int(last.rgba[i])), 255);
-        if (i % 4 != 3) wrong += bench.state.shown->rgba[i] != far;
+        if (i % 4 != 3) wrong += bench.state.displayed->rgba[i] != far;
     }
     CHECK(wrong == 0);
 }
 
 TEST_CASE("B is the stored scene, shown by a key and never edited by it", "[ui][window][compare]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
-    CHECK_FALSE(can_run(bench.state, Action::ShowB));
+    CHECK_FALSE(can_run(bench.state, command(CommandId::ShowB)));
     bench.key(Key::B, true);
     const Scene stored = bench.scene();
     bench.scene().lights[0].intensity = 3;
@@ -144,32 +145,32 @@ TEST_CASE("B is the stored scene, shown by a key and never edited by it", "[ui][
     const Scene edited = bench.scene();
     bench.key(Key::B);
     bench.frames(2);
-    CHECK(bench.state.drawn == stored);
+    CHECK(bench.state.rendered_scene == stored);
     CHECK(bench.scene() == edited);
     bench.key(Key::B);
     bench.frames(2);
-    CHECK(bench.state.drawn == edited);
+    CHECK(bench.state.rendered_scene == edited);
     // And as a part beside the edited scene.
-    set_parts(bench.state.views.compare.choice, {{}, {Setting::Kind::Stored, 0}});
+    set_parts(bench.state.views.compare.choice, {{}, {Variant::Kind::Stored, 0}});
     bench.key(Key::C);
     bench.frames(1);
-    const PictureSize size = bench.state.picture->size;
+    const PictureSize size = bench.state.rendered->size;
     Renderer renderer(1);
     const Picture& b = renderer.render(stored, size);
     const std::size_t right = 4 * b.pixel(size.width * 11 / 20, size.height / 2);
-    CHECK(bench.state.shown->rgba[right] == b.rgba[right]);
-    CHECK(bench.state.shown->rgba[right] != bench.state.picture->rgba[right]);
+    CHECK(bench.state.displayed->rgba[right] == b.rgba[right]);
+    CHECK(bench.state.displayed->rgba[right] != bench.state.rendered->rgba[right]);
 }
 
 TEST_CASE("the scope reads what a comparison shows", "[ui][window][compare][scope]") {
-    Bench bench;
+    HeadlessWindow bench;
     comparing(bench);
     bench.state.views.scope.open = true;
     bench.frames(2);
     Scene flat = bench.scene();
     flat.shading.mode = ShadingMode::Flat;
     Renderer renderer(1);
-    const Picture& full = renderer.render(flat, bench.state.picture->size, true);
+    const Picture& full = renderer.render(flat, bench.state.rendered->size, true);
     const int end = first_of(bench.state.views.compare.choice, 1, full.size.width);
     int hits = 0, wrong = 0;
     for (const ProfileSample& s : bench.state.views.scope.samples)
@@ -183,28 +184,28 @@ TEST_CASE("the scope reads what a comparison shows", "[ui][window][compare][scop
 
 TEST_CASE("clicking a part's label lists settings, and the one chosen is drawn there",
           "[ui][window][compare]") {
-    Bench bench;
+    HeadlessWindow bench;
     comparing(bench);
-    const int width = bench.state.picture->size.width;
+    const int width = bench.state.rendered->size.width;
     bench.click(bench.at_pixel({width / 6.0, 16}));
     CHECK(bench.state.views.compare.asked == 0);
     bench.frames(2);
     CHECK(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
     CHECK_FALSE(bench.state.viewport.probe);
-    bench.state.views.compare.choice.parts[0] = setting_of(ShadingMode::Facet);
+    bench.state.views.compare.choice.parts[0] = variant_of(ShadingMode::Facet);
     bench.frames(1);
     check_columns(bench, ShadingMode::Facet, 0, first_of(bench.state.views.compare.choice, 1, width));
 }
 
 TEST_CASE("stacked parts follow from top to bottom, each equal to the full picture of its mode",
           "[ui][window][compare]") {
-    Bench bench;
+    HeadlessWindow bench;
     comparing(bench);
     CompareChoice& choice = bench.state.views.compare.choice;
     choice.stacked = true;
     bench.frames(1);
     const auto check = [&] {
-        const PictureSize size = bench.state.picture->size;
+        const PictureSize size = bench.state.rendered->size;
         const ShadingMode modes[] = {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong};
         for (int part = 0; part < 3; ++part) {
             Scene scene = bench.scene();
@@ -215,12 +216,12 @@ TEST_CASE("stacked parts follow from top to bottom, each equal to the full pictu
             const auto to = std::ptrdiff_t(4) * size.width * first_of(choice, part + 1, size.height);
             REQUIRE(from < to);
             CHECK(std::equal(full.rgba.begin() + from, full.rgba.begin() + to,
-                             bench.state.shown->rgba.begin() + from));
+                             bench.state.displayed->rgba.begin() + from));
         }
     };
     check();
     // Its line is taken anywhere along it, and goes up and down.
-    const PictureSize size = bench.state.picture->size;
+    const PictureSize size = bench.state.rendered->size;
     const int row = first_of(choice, 1, size.height);
     bench.drag(bench.at_pixel({size.width * 0.2, row}), bench.at_pixel({size.width * 0.6, 61}));
     CHECK(first_of(choice, 1, size.height) == 61);
@@ -228,19 +229,19 @@ TEST_CASE("stacked parts follow from top to bottom, each equal to the full pictu
     // A pixel of the lowest part is explained as that drew it.
     bench.click(bench.at_pixel({size.width * 0.42, size.height * 0.74}));
     bench.frames(2);
-    REQUIRE(bench.state.why);
-    CHECK(bench.state.why->mode == ShadingMode::Phong);
+    REQUIRE(bench.state.explanation);
+    CHECK(bench.state.explanation->mode == ShadingMode::Phong);
     bench.click(bench.at_pixel({size.width * 0.5, size.height * 0.5}));
     bench.frames(2);
-    REQUIRE(bench.state.why);
-    CHECK(bench.state.why->mode == ShadingMode::Gouraud);
+    REQUIRE(bench.state.explanation);
+    CHECK(bench.state.explanation->mode == ShadingMode::Gouraud);
 }
 
 TEST_CASE("while a hand moves something, a comparison that is too slow is drawn smaller, and whole at rest",
           "[ui][window][compare]") {
-    Bench bench;
+    HeadlessWindow bench;
     comparing(bench);
-    const PictureSize full = bench.state.picture->size;
+    const PictureSize full = bench.state.rendered->size;
     // The parts count: three pictures of 20 ms are one of 60.
     bench.move(bench.at_pixel({20, 20}));
     bench.button(true, 1);
@@ -255,13 +256,13 @@ TEST_CASE("while a hand moves something, a comparison that is too slow is drawn 
     if (bench.state.pace.drawn_at == 1) CHECK(bench.state.pace.full_ms == Approx(all));
     bench.state.pace.divisor = 2;
     bench.move(bench.at_pixel({80, 30}));
-    CHECK(bench.state.shown->size == divided(full, 2));
-    CHECK(bench.state.shown->size == bench.state.picture->size);
+    CHECK(bench.state.displayed->size == divided(full, 2));
+    CHECK(bench.state.displayed->size == bench.state.rendered->size);
     check_columns(bench, ShadingMode::Gouraud, first_of(bench.state.views.compare.choice, 1, full.width / 2),
                   first_of(bench.state.views.compare.choice, 2, full.width / 2));
     bench.button(false, 1);
     bench.frames(2);
-    CHECK(bench.state.shown->size == full);
+    CHECK(bench.state.displayed->size == full);
     check_three(bench);
     // What is measured is never a smaller picture.
     bench.state.views.compare.choice.difference = true;
@@ -270,12 +271,12 @@ TEST_CASE("while a hand moves something, a comparison that is too slow is drawn 
     bench.move(bench.at_pixel({90, 30}));
     bench.state.pace.divisor = 2;
     bench.move(bench.at_pixel({95, 30}));
-    CHECK(bench.state.shown->size == full);
+    CHECK(bench.state.displayed->size == full);
     bench.button(false, 1);
 }
 
 TEST_CASE("B pressed stays, B held shows the stored scene while it is held", "[ui][window][compare]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::B, true);
     const bool& shows = bench.state.views.compare.choice.shows_stored;

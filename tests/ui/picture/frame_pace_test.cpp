@@ -2,7 +2,7 @@
 #include "ui/shell/frame_pace.h"
 
 #include "tests/support/catch.h"
-#include "tests/support/ui_bench.h"
+#include "tests/support/headless_window.h"
 
 using namespace glint;
 
@@ -20,7 +20,7 @@ std::vector<int> divisors(FramePace& pace, double fixed, double per_pixels) {
 }
 
 /// A camera drag after which pictures are drawn smaller, as if they had been slow.
-void begin_slow_drag(test::Bench& bench, int divisor) {
+void begin_slow_drag(test::HeadlessWindow& bench, int divisor) {
     bench.move(bench.at_pixel({40, 40}));
     bench.button(true);
     bench.move(bench.at_pixel({60, 44}));
@@ -72,47 +72,47 @@ TEST_CASE("a size is divided and never nothing", "[ui][pace]") {
 
 TEST_CASE("a slow picture is small while a camera drag moves, and whole when the hand rests or lets go",
           "[ui][pace]") {
-    test::Bench bench;
+    test::HeadlessWindow bench;
     bench.frames(2);
-    const PictureSize full = bench.state.picture->size;
+    const PictureSize full = bench.state.rendered->size;
     begin_slow_drag(bench, 2);
     bench.move(bench.at_pixel({80, 50}));
-    CHECK(bench.state.picture->size == divided(full, 2));
+    CHECK(bench.state.rendered->size == divided(full, 2));
     const UiRequests wants = bench.frame();  // the hand rests
     CHECK(wants.sleep_s <= rest_before_full);
     bench.frames(12);  // 0.2 s
-    CHECK(bench.state.picture->size == full);
+    CHECK(bench.state.rendered->size == full);
     bench.state.pace.divisor = 2;
     bench.move(bench.at_pixel({90, 55}));
-    CHECK(bench.state.picture->size == divided(full, 2));
+    CHECK(bench.state.rendered->size == divided(full, 2));
     bench.button(false);
     bench.frame();
-    CHECK(bench.state.picture->size == full);
-    CHECK(bench.state.drawn == bench.scene());
+    CHECK(bench.state.rendered->size == full);
+    CHECK(bench.state.rendered_scene == bench.scene());
 }
 
 TEST_CASE("while the picture is small the picked pixel is explained by what shows there", "[ui][pace]") {
-    test::Bench bench;
+    test::HeadlessWindow bench;
     bench.frames(2);
-    const PictureSize full = bench.state.picture->size;
+    const PictureSize full = bench.state.rendered->size;
     bench.click(bench.at_pixel({321, 243}));
-    REQUIRE(bench.state.why);
-    const std::array<int, 3> whole = bench.state.why->byte;
+    REQUIRE(bench.state.explanation);
+    const std::array<int, 3> whole = bench.state.explanation->byte;
     CHECK(bench.state.asked == glm::ivec2(321, 243));
     begin_slow_drag(bench, 3);
     bench.move(bench.at_pixel({90, 50}));
-    const Picture& small = *bench.state.picture;
+    const Picture& small = *bench.state.rendered;
     REQUIRE(small.size == divided(full, 3));
-    REQUIRE(bench.state.why);
+    REQUIRE(bench.state.explanation);
     CHECK(bench.state.asked == glm::ivec2(321, 243));
     const std::size_t at =
         4 * small.pixel(321 * small.size.width / full.width, 243 * small.size.height / full.height);
-    for (std::size_t c = 0; c < 3; ++c) CHECK(bench.state.why->byte[c] == int(small.rgba[at + c]));
-    CHECK(bench.state.why->byte != whole);  // the camera turned
+    for (std::size_t c = 0; c < 3; ++c) CHECK(bench.state.explanation->byte[c] == int(small.rgba[at + c]));
+    CHECK(bench.state.explanation->byte != whole);  // the camera turned
     bench.button(false);
     bench.frame();
-    CHECK(bench.state.picture->size == full);
-    REQUIRE(bench.state.why);
-    CHECK(bench.state.why->x == 321);
-    CHECK(bench.state.why->y == 243);
+    CHECK(bench.state.rendered->size == full);
+    REQUIRE(bench.state.explanation);
+    CHECK(bench.state.explanation->x == 321);
+    CHECK(bench.state.explanation->y == 243);
 }

@@ -3,13 +3,12 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
 #include "tests/support/scenes.h"
-#include "tests/support/ui_why_bench.h"
-#include "ui/commands/actions.h"
 #include "ui/views/views.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 TEST_CASE("grid: the cells' linear pictures add up to the picture", "[ui][grid]") {
     Scene scene = test::busy_scene();
@@ -35,8 +34,8 @@ TEST_CASE("grid: the cells' linear pictures add up to the picture", "[ui][grid]"
 
 TEST_CASE("grid: a click shows one term alone while the tab is open, and edits nothing",
           "[ui][window][grid]") {
-    Bench bench;
-    test::ask(bench, WhyTab::Grid);
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Grid);
     bench.frames(30);
     const Scene before = bench.scene();
     TermGridState& grid = bench.state.views.grid;
@@ -51,22 +50,22 @@ TEST_CASE("grid: a click shows one term alone while the tab is open, and edits n
     CHECK(small.rgba[middle] == grid.sheet.rgba[there]);
     grid.solo = GridCell{0, 1};
     bench.frames(2);
-    CHECK(bench.state.drawn == with_cells(before, {{0, 1}}));
+    CHECK(bench.state.rendered_scene == with_cells(before, {{0, 1}}));
     CHECK(bench.scene() == before);
     grid.solo.reset();
     grid.muted = {{0, 2}};
     bench.frames(2);
-    CHECK(bench.state.drawn.lights[0].specular == glm::vec3(0));
-    CHECK(bench.state.drawn.lights[1] == before.lights[1]);
-    bench.state.why_column.tab = WhyTab::Equation;
+    CHECK(bench.state.rendered_scene.lights[0].specular == glm::vec3(0));
+    CHECK(bench.state.rendered_scene.lights[1] == before.lights[1]);
+    bench.state.inspector.tab = InspectorTab::Equation;
     bench.frames(3);
-    CHECK(bench.state.drawn == before);
+    CHECK(bench.state.rendered_scene == before);
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
 TEST_CASE("big pixels enlarge about the pixel under the cursor and draw nothing again",
           "[ui][window][magnify]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
     const auto serial = bench.state.picture_serial;
@@ -86,9 +85,9 @@ TEST_CASE("big pixels enlarge about the pixel under the cursor and draw nothing 
     bench.button(true);
     bench.button(false);
     bench.frames(2);
-    REQUIRE(bench.state.why);
-    CHECK(std::abs(bench.state.why->x - 300) <= 1);
-    CHECK(std::abs(bench.state.why->y - 200) <= 1);
+    REQUIRE(bench.state.explanation);
+    CHECK(std::abs(bench.state.explanation->x - 300) <= 1);
+    CHECK(std::abs(bench.state.explanation->y - 200) <= 1);
     bench.key(Key::M);
     CHECK(bench.state.views.magnifier.zoom == 1);
 }
@@ -134,13 +133,13 @@ TEST_CASE("dots: flat shading is evaluated at faces' points, Gouraud at corners,
 }
 
 TEST_CASE("dots: the counter is the renderer's", "[ui][window][dots]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::J);
     bench.key(Key::N);
     bench.frames(2);
     CHECK(bench.state.views.lit.found.size() > 100);
-    const std::string text = evaluations_text(*bench.state.renderer, bench.state.drawn);
+    const std::string text = evaluations_text(*bench.state.renderer, bench.state.rendered_scene);
     CHECK(text.find(std::to_string(bench.state.renderer->stats().evaluations)) != std::string::npos);
     CHECK(text.find("pixels × 2 lights") != std::string::npos);
     bench.key(Key::J);

@@ -3,16 +3,16 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/catch.h"
-#include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
+#include "tests/support/headless_window.h"
+#include "ui/commands/command.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
 /// A ball with one light, its highlight alone far from the light's handle.
-Bench& with_light(Bench& bench, LightKind kind) {
+HeadlessWindow& with_light(HeadlessWindow& bench, LightKind kind) {
     Scene& scene = bench.scene();
     scene.lights.resize(1);
     Light& light = scene.lights[0];
@@ -29,8 +29,8 @@ Bench& with_light(Bench& bench, LightKind kind) {
 }
 
 /// The pixel with the largest specular term of light 0, found by asking the engine about all of them.
-glm::dvec2 highlight_pixel(const Bench& bench, int step = 3) {
-    const PictureSize size = bench.state.picture->size;
+glm::dvec2 highlight_pixel(const HeadlessWindow& bench, int step = 3) {
+    const PictureSize size = bench.state.rendered->size;
     glm::dvec2 best(0);
     float largest = -1;
     for (int y = 1; y < size.height; y += step)
@@ -43,7 +43,7 @@ glm::dvec2 highlight_pixel(const Bench& bench, int step = 3) {
     return best;
 }
 
-float specular_at(const Bench& bench, glm::dvec2 pixel) {
+float specular_at(const HeadlessWindow& bench, glm::dvec2 pixel) {
     const Explanation e = bench.state.renderer->explain(int(pixel.x), int(pixel.y));
     return e.hit ? e.at.lights[0].specular.g : 0;
 }
@@ -52,7 +52,7 @@ float specular_at(const Bench& bench, glm::dvec2 pixel) {
 
 TEST_CASE("a highlight is dragged like a thing, and undo puts the light back", "[ui][hands][window]") {
     for (const LightKind kind : {LightKind::Directional, LightKind::Point, LightKind::Spot}) {
-        Bench bench;
+        HeadlessWindow bench;
         with_light(bench, kind);
         const Scene before = bench.scene();
         const glm::dvec2 from = highlight_pixel(bench), to = from + glm::dvec2(-50, 35);
@@ -74,7 +74,7 @@ TEST_CASE("a highlight is dragged like a thing, and undo puts the light back", "
 }
 
 TEST_CASE("a light dragged by its highlight keeps its distance from the surface", "[ui][hands][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const glm::dvec2 from = highlight_pixel(bench), to = from + glm::dvec2(-50, 35);
     const float before = bench.state.renderer->explain(int(from.x), int(from.y)).at.lights[0].distance;
@@ -84,7 +84,7 @@ TEST_CASE("a light dragged by its highlight keeps its distance from the surface"
 
 TEST_CASE("with Shift a dragged highlight stays and its light moves in depth; without, nothing jumps",
           "[ui][hands][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const glm::dvec2 from = highlight_pixel(bench), to = from + glm::dvec2(-40, 30);
     const ExplainedLight before = bench.state.renderer->explain(int(from.x), int(from.y)).at.lights[0];
@@ -93,7 +93,7 @@ TEST_CASE("with Shift a dragged highlight stays and its light moves in depth; wi
     bench.move(bench.at_pixel(to));
     ImGui::GetIO().KeyShift = true;
     // Down by a third of the picture's height: a factor e nearer.
-    const glm::dvec2 down = to + glm::dvec2(0, bench.state.picture->size.height / 3.0);
+    const glm::dvec2 down = to + glm::dvec2(0, bench.state.rendered->size.height / 3.0);
     bench.move(bench.at_pixel({to.x, (to.y + down.y) / 2}));
     bench.move(bench.at_pixel(down));
     bench.frames(1);
@@ -113,7 +113,7 @@ TEST_CASE("with Shift a dragged highlight stays and its light moves in depth; wi
 }
 
 TEST_CASE("a highlight dragged off the surface waits, and Escape puts it back", "[ui][hands][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const Scene before = bench.scene();
     const glm::dvec2 from = highlight_pixel(bench);
@@ -122,7 +122,7 @@ TEST_CASE("a highlight dragged off the surface waits, and Escape puts it back", 
     bench.move(bench.at_pixel(from + glm::dvec2(-30, 20)));
     const Light last = bench.scene().lights[0];
     bench.move(bench.at_pixel({4, 4}));
-    CHECK(bench.state.viewport.held.astray);
+    CHECK(bench.state.viewport.held.no_solution);
     CHECK(bench.scene().lights[0] == last);
     bench.key(Key::Escape);
     CHECK(bench.scene() == before);
@@ -131,13 +131,13 @@ TEST_CASE("a highlight dragged off the surface waits, and Escape puts it back", 
 }
 
 TEST_CASE("a click on a highlight asks why, Alt turns the camera there", "[ui][hands][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const Scene before = bench.scene();
     const glm::dvec2 at = highlight_pixel(bench);
     bench.click(bench.at_pixel(at));
-    REQUIRE(bench.state.why);
-    CHECK(bench.state.why->x == int(at.x));
+    REQUIRE(bench.state.explanation);
+    CHECK(bench.state.explanation->x == int(at.x));
     ImGui::GetIO().KeyAlt = true;
     bench.drag(bench.at_pixel(at), bench.at_pixel(at + glm::dvec2(40, 0)));
     ImGui::GetIO().KeyAlt = false;
@@ -146,7 +146,7 @@ TEST_CASE("a click on a highlight asks why, Alt turns the camera there", "[ui][h
 }
 
 TEST_CASE("nothing is there to be taken hold of without highlight, term or light", "[ui][hands][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const glm::dvec2 at = highlight_pixel(bench);
     const Scene scene = bench.scene();
@@ -171,7 +171,7 @@ TEST_CASE("nothing is there to be taken hold of without highlight, term or light
 
 TEST_CASE("the selected light's terminator follows the hand", "[ui][hands][window]") {
     for (const LightKind kind : {LightKind::Directional, LightKind::Point, LightKind::Spot}) {
-        Bench bench;
+        HeadlessWindow bench;
         with_light(bench, kind);
         bench.state.editor.selection = {Selection::Kind::Light, 0};
         const Scene before = bench.scene();
@@ -195,7 +195,7 @@ TEST_CASE("the selected light's terminator follows the hand", "[ui][hands][windo
 
 TEST_CASE("a click on W or C in a light's row keeps the light where it is, with Alt its numbers",
           "[ui][hands][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const Light start = bench.scene().lights[0];
     // The letter stands left of the eye, at the right end of the row.
@@ -223,13 +223,13 @@ TEST_CASE("a click on W or C in a light's row keeps the light where it is, with 
 
 TEST_CASE("an object is moved, turned and scaled in the picture, each drag one named step",
           "[ui][hands][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     bench.state.editor.selection = {Selection::Kind::Object, 0};
     bench.frames(2);
     const Scene before = bench.scene();
     const glm::dvec2 middle = [&] {
-        const ScreenMap map = screen_map(before.camera, bench.state.picture->size);
+        const ScreenMap map = screen_map(before.camera, bench.state.rendered->size);
         return project(map, glm::dvec3(before.objects[0].transform.translate)).pixel;
     }();
     const struct {
@@ -239,16 +239,16 @@ TEST_CASE("an object is moved, turned and scaled in the picture, each drag one n
     } deeds[] = {{Key::G, {0, 0}, "Move "}, {Key::R, {70.0, 70.0}, "Rotate "}, {Key::T, {0, 0}, "Scale "}};
     bench.key(Key::G);
     CHECK(bench.state.viewport.gizmo == GizmoMode::None);  // it showed before: its key takes it away
-    for (const auto& deed : deeds) {
-        bench.key(deed.key);
+    for (const auto& action : deeds) {
+        bench.key(action.key);
         // The outer ring is 1.18 axes of 84 units out.
         const glm::dvec2 from =
-            middle + (deed.key == Key::R ? glm::normalize(deed.from) * 84.0 * 1.18 : deed.from);
+            middle + (action.key == Key::R ? glm::normalize(action.from) * 84.0 * 1.18 : action.from);
         bench.move(bench.at_pixel(from));
         CHECK(bench.state.viewport.hovered_grip.kind == GripKind::Object);
         CHECK(bench.state.viewport.hovered_grip.part == GizmoPart::Free);
         bench.drag(bench.at_pixel(from), bench.at_pixel(from + glm::dvec2(30, -12)));
-        CHECK(bench.state.editor.history.undo_name() == deed.name + before.objects[0].name);
+        CHECK(bench.state.editor.history.undo_name() == action.name + before.objects[0].name);
         CHECK_FALSE(bench.scene().objects == before.objects);
         CHECK(bench.scene().lights == before.lights);
         bench.key(Key::Z, true);
@@ -265,7 +265,7 @@ TEST_CASE("an object is moved, turned and scaled in the picture, each drag one n
 }
 
 TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[ui][hands][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_light(bench, LightKind::Spot);
     bench.scene().lights[0].position = {-1.6f, 1.0f, 1.2f, 1};
     bench.scene().lights[0].spot = {{1.6f, -1.0f, -1.2f}, 20, 1};
@@ -274,7 +274,7 @@ TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[
     bench.frames(2);
     const Scene before = bench.scene();
     const auto place = [&](ShapePart part) {
-        const ScreenMap map = screen_map(bench.scene().camera, bench.state.picture->size);
+        const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
         const Dome dome = sun_dome(bench.scene().camera.target, scene_bounds(bench.scene()), map);
         for (const ShapeGrip& grip : shape_grips(bench.scene().lights[0], dome, map))
             if (grip.part == part) return project(map, grip.place).pixel;
@@ -295,19 +295,20 @@ TEST_CASE(
     "turned about the picked point, a skew quad changes its colour there under scanline interpolation alone",
     "[ui][hands][window]") {
     for (const Interpolation interpolation : {Interpolation::Scanline, Interpolation::Perspective}) {
-        Bench bench;
+        HeadlessWindow bench;
         take_document(bench.state.editor,
                       std::get<SceneDocument>(open_document(
                           std::string(GLINT_SOURCE_DIR) + "/assets/scenes/skew-quad.json", {})));
         bench.scene().shading.interpolation = interpolation;
         bench.frames(2);
-        CHECK_FALSE(why_not(bench.state, Action::RotateAboutPicked).empty());
+        CHECK_FALSE(
+            why_disabled(bench.state, test::command_named("Rotate it about the picked point")).empty());
         const glm::dvec2 pixel =
-            project(screen_map(bench.scene().camera, bench.state.picture->size), {-2.5, 0.1, 0}).pixel;
+            project(screen_map(bench.scene().camera, bench.state.rendered->size), {-2.5, 0.1, 0}).pixel;
         bench.click(bench.at_pixel(pixel));
         bench.frames(2);
-        REQUIRE(bench.state.why);
-        const Explanation before = *bench.state.why;
+        REQUIRE(bench.state.explanation);
+        const Explanation before = *bench.state.explanation;
         bench.key(Key::R, false, true);
         REQUIRE(bench.state.viewport.pivot);
         CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, before.object_index});
@@ -317,7 +318,7 @@ TEST_CASE(
         bench.drag(bench.at_pixel(pixel + glm::dvec2(out, 0)), bench.at_pixel(pixel + glm::dvec2(0, -out)));
         bench.frames(2);
         CHECK(bench.state.editor.history.undo_name() == "Rotate As it is");
-        const Explanation after = *bench.state.why;
+        const Explanation after = *bench.state.explanation;
         CHECK(std::abs(bench.scene().objects[0].transform.rotate_deg.z) == Approx(90).margin(2));
         CHECK(glm::length(after.spaces.object - before.spaces.object) < 0.03f);
         const float change = glm::length(after.sum - before.sum);

@@ -1,14 +1,15 @@
 // What the window does for a lecture.
+#include "ui/lecture/lecture.h"
+
 #include "models/io/file.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
 #include "tests/support/program.h"
-#include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
-#include "ui/lecture/folder_scenes.h"
+#include "ui/commands/command.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 TEST_CASE("names are ordered as a person would count them", "[ui][lecture]") {
     const std::vector<std::string> ordered{"1",        "2",         "10",    "Step 2", "step 10",
@@ -36,7 +37,7 @@ TEST_CASE("PgDn and PgUp go through a folder's scenes in that order, and stop at
     CHECK(scene_beside(folder.path("s3.json"), 1) == folder.path("s10.json"));  // was deleted meanwhile
     CHECK(scene_beside(folder.path("s3.json"), -1) == folder.path("s2.json"));
     CHECK(scene_beside("/nowhere/at/all.json", 1).empty());
-    Bench bench;
+    HeadlessWindow bench;
     UiInput drop;
     drop.dropped = {folder.path("s1.json")};
     (void)bench.frame(drop);
@@ -70,45 +71,45 @@ TEST_CASE("on the projector everything to be read has a contrast of 7 to 1", "[u
 }
 
 TEST_CASE("a clean picture has no bars and no columns, and Escape brings them back", "[ui][lecture]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
-    const PictureSize before = bench.state.picture->size;
+    const PictureSize before = bench.state.rendered->size;
     bench.key(Key::F10);
     bench.frames(2);
-    CHECK(bench.state.picture->size.width > before.width);
+    CHECK(bench.state.rendered->size.width > before.width);
     const Layout layout = lay_out({1280, 800}, bench.state.layout, 1);
     CHECK(layout.centre.size().x == 1280);
     CHECK(layout.centre.size().y == 800);
     bench.key(Key::Escape);
     bench.frames(2);
-    CHECK(bench.state.picture->size == before);
+    CHECK(bench.state.rendered->size == before);
 }
 
 TEST_CASE("a frozen picture stays whatever is edited", "[ui][lecture]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
-    const auto pixels = bench.state.picture->rgba;
+    const auto pixels = bench.state.rendered->rgba;
     bench.key(Key::F8);
     bench.scene().lights[0].intensity = 0;
     bench.scene().lights.pop_back();
     bench.frames(3);
-    CHECK(bench.state.picture->rgba == pixels);
+    CHECK(bench.state.rendered->rgba == pixels);
     CHECK(bench.state.editor.unsaved());
     bench.key(Key::F8);
     bench.frames(2);
-    CHECK_FALSE(bench.state.picture->rgba == pixels);
-    CHECK(bench.state.drawn == bench.scene());
+    CHECK_FALSE(bench.state.rendered->rgba == pixels);
+    CHECK(bench.state.rendered_scene == bench.scene());
 }
 
 TEST_CASE("the pen draws on what is under it and leaves the scene alone", "[ui][lecture]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
     bench.key(Key::W);
     bench.drag(bench.at_pixel({100, 100}), bench.at_pixel({300, 200}));
     CHECK(bench.scene() == before);
     REQUIRE(bench.state.lecture.pen.lines.size() == 1);
-    const PictureSize size = bench.state.picture->size;
+    const PictureSize size = bench.state.rendered->size;
     const glm::vec2 first = bench.state.lecture.pen.lines[0].places.front();
     CHECK(first.x * float(size.height) == Approx(100 - size.width / 2.0).margin(0.6));
     CHECK(first.y * float(size.height) == Approx(100 - size.height / 2.0).margin(0.6));
@@ -128,9 +129,9 @@ TEST_CASE("the step wedge says what is swallowed", "[ui][lecture]") {
     row.seen = 4;  // 6 is seen, 4 is not
     CHECK(wedge_words(row) ==
           "On black this projector swallows steps below 6/255: colours 0.016 apart look the same");
-    Bench bench;
+    HeadlessWindow bench;
     bench.frame();
-    run_action(bench.state, Action::StepWedge);
+    run_command(bench.state, test::command_named("Step wedge: what does this projector show?"));
     bench.frames(2);
     bench.click({60, 120});
     CHECK(bench.state.lecture.wedge.rows[0].seen == 0);
@@ -139,10 +140,10 @@ TEST_CASE("the step wedge says what is swallowed", "[ui][lecture]") {
 }
 
 TEST_CASE("projector mode folds the columns and puts them back", "[ui][lecture]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frame();
     bench.key(Key::F9);
-    CHECK(bench.state.layout.folded);
+    CHECK(bench.state.layout.hides_columns);
     bench.key(Key::F9);
-    CHECK_FALSE(bench.state.layout.folded);
+    CHECK_FALSE(bench.state.layout.hides_columns);
 }

@@ -1,14 +1,13 @@
 // Looking at a quantity in place of the picture.
 #include "tests/support/catch.h"
-#include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
+#include "tests/support/headless_window.h"
 #include "ui/views/views.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 TEST_CASE("a key goes through the quantities and round to the picture again", "[ui][window][look]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
     for (int i = 1; i <= look_count; ++i) {
@@ -17,10 +16,10 @@ TEST_CASE("a key goes through the quantities and round to the picture again", "[
         bench.frames(1);
         CHECK(bench.state.views.look.set.choice.look == static_cast<Look>(i % look_count));
         CHECK(bench.state.picture_serial > serial);
-        REQUIRE(bench.state.shown != nullptr);
-        CHECK(bench.state.shown->size == bench.state.picture->size);
+        REQUIRE(bench.state.displayed != nullptr);
+        CHECK(bench.state.displayed->size == bench.state.rendered->size);
     }
-    CHECK(bench.state.shown == bench.state.picture);
+    CHECK(bench.state.displayed == bench.state.rendered);
     CHECK(bench.scene() == before);
     bench.key(Key::I, false, true);
     CHECK(bench.state.views.look.set.choice.look == Look::Specular);
@@ -28,11 +27,11 @@ TEST_CASE("a key goes through the quantities and round to the picture again", "[
 
 TEST_CASE("a quantity follows the scene as it is edited, and is not painted again while nothing changes",
           "[ui][window][look]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
-    look_at(bench.state.views, Look::NDotL);
+    show_quantity(bench.state.views, Look::NDotL);
     bench.frames(2);
-    const PictureSize size = bench.state.picture->size;
+    const PictureSize size = bench.state.rendered->size;
     const auto check = [&] {
         const LookPainter& painter = *bench.state.views.look.painter;
         const Explanation e = bench.state.renderer->explain(size.width / 2, size.height / 2);
@@ -49,19 +48,19 @@ TEST_CASE("a quantity follows the scene as it is edited, and is not painted agai
 }
 
 TEST_CASE("a scene that loses its lights has n·l nowhere", "[ui][window][look]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
-    look_at(bench.state.views, Look::NDotL);
+    show_quantity(bench.state.views, Look::NDotL);
     bench.state.views.look.set.choice.light = 1;
     bench.frames(2);
     bench.scene().lights.clear();
     bench.frames(2);
-    const PictureSize size = bench.state.picture->size;
+    const PictureSize size = bench.state.rendered->size;
     CHECK(bench.state.views.look.painter->value_text(size.width / 2, size.height / 2) == "background");
 }
 
 TEST_CASE("a comparison and a quantity take each other's place", "[ui][window][look]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::C);
     bench.key(Key::I);
@@ -72,17 +71,17 @@ TEST_CASE("a comparison and a quantity take each other's place", "[ui][window][l
 
 TEST_CASE("over-range stripes lie over the picture that is shown and leave the drawn one alone",
           "[ui][window][look]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     bench.scene().lights[0].intensity = 5;
     bench.frames(1);
-    const std::vector<std::uint8_t> bytes = bench.state.picture->rgba;
+    const std::vector<std::uint8_t> bytes = bench.state.rendered->rgba;
     bench.key(Key::O);
     bench.frames(1);
     CHECK(bench.state.views.look.clipped > 100);
-    CHECK(bench.state.shown->rgba != bytes);
-    CHECK(bench.state.picture->rgba == bytes);
+    CHECK(bench.state.displayed->rgba != bytes);
+    CHECK(bench.state.rendered->rgba == bytes);
     bench.key(Key::O);
     bench.frames(1);
-    CHECK(bench.state.shown->rgba == bytes);
+    CHECK(bench.state.displayed->rgba == bytes);
 }

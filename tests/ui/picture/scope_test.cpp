@@ -4,29 +4,29 @@
 #include <cmath>
 
 #include "tests/support/catch.h"
-#include "tests/support/ui_bench.h"
+#include "tests/support/headless_window.h"
 #include "ui/plots/plot.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
 /// A bench whose scope has a line across the ball.
-Bench& with_line(Bench& bench) {
+HeadlessWindow& with_line(HeadlessWindow& bench) {
     bench.frames(2);
     bench.key(Key::P);
     bench.frames(1);
-    const PictureSize size = bench.state.picture->size;
+    const PictureSize size = bench.state.rendered->size;
     bench.drag(bench.at_pixel({size.width * 0.3, size.height * 0.4}),
                bench.at_pixel({size.width * 0.7, size.height * 0.6}));
     bench.frames(1);
     return bench;
 }
 
-std::vector<ProfileSample> fresh_profile(Bench& bench) {
+std::vector<ProfileSample> fresh_profile(HeadlessWindow& bench) {
     Renderer renderer(1);
-    const PictureSize size = bench.state.picture->size;
+    const PictureSize size = bench.state.rendered->size;
     const Picture& picture = renderer.render(bench.scene(), size, true);
     const ScopeState& scope = bench.state.views.scope;
     return profile(renderer, picture, pixel_of(scope.from, size), pixel_of(scope.to, size));
@@ -45,7 +45,7 @@ void check_equal(const std::vector<ProfileSample>& a, const std::vector<ProfileS
 
 TEST_CASE("the scope's key puts its tool in hand, and a drag lays the line where the hand went",
           "[ui][window][scope]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
     bench.key(Key::P);
@@ -54,7 +54,7 @@ TEST_CASE("the scope's key puts its tool in hand, and a drag lays the line where
     const glm::dvec2 from{90, 60}, to{400, 200};
     bench.drag(bench.at_pixel(from), bench.at_pixel(to));
     const ScopeState& scope = bench.state.views.scope;
-    const PictureSize size = bench.state.picture->size;
+    const PictureSize size = bench.state.rendered->size;
     CHECK_FALSE(scope.armed);
     CHECK(pixel_of(scope.from, size) == glm::ivec2(from));
     CHECK(pixel_of(scope.to, size) == glm::ivec2(to));
@@ -65,7 +65,7 @@ TEST_CASE("the scope's key puts its tool in hand, and a drag lays the line where
 }
 
 TEST_CASE("the scope holds what the command prints, also while a light is dragged", "[ui][window][scope]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_line(bench);
     check_equal(bench.state.views.scope.samples, fresh_profile(bench));
     const double before = bench.state.views.scope.samples[100].intensity;
@@ -76,10 +76,10 @@ TEST_CASE("the scope holds what the command prints, also while a light is dragge
 }
 
 TEST_CASE("the scope's ends and its line are dragged; Shift keeps it level", "[ui][window][scope]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_line(bench);
     ScopeState& scope = bench.state.views.scope;
-    const PictureSize size = bench.state.picture->size;
+    const PictureSize size = bench.state.rendered->size;
     const Camera camera = bench.scene().camera;
     const glm::ivec2 from = pixel_of(scope.from, size), to = pixel_of(scope.to, size);
     bench.drag(bench.at_pixel(glm::dvec2(to) + 0.5), bench.at_pixel({500.5, 60.5}));
@@ -98,13 +98,13 @@ TEST_CASE("the scope's ends and its line are dragged; Shift keeps it level", "[u
 
 TEST_CASE("a click with the scope's tool takes the whole scan line; Escape puts the tool away",
           "[ui][window][scope]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::P);
     bench.frames(1);
     bench.click(bench.at_pixel({100.5, 77.5}));
     const ScopeState& scope = bench.state.views.scope;
-    const PictureSize size = bench.state.picture->size;
+    const PictureSize size = bench.state.rendered->size;
     CHECK(pixel_of(scope.from, size) == glm::ivec2(0, 77));
     CHECK(pixel_of(scope.to, size) == glm::ivec2(size.width - 1, 77));
     bench.state.views.scope.armed = true;
@@ -114,7 +114,7 @@ TEST_CASE("a click with the scope's tool takes the whole scan line; Escape puts 
 }
 
 TEST_CASE("pointing at the scope's panel takes the sample under the cursor", "[ui][window][scope]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_line(bench);
     const Layout layout = lay_out({1280, 800}, bench.state.layout, 1);
     REQUIRE(layout.has_scope);
@@ -142,14 +142,14 @@ TEST_CASE("the scope's command names the picture's pixels and quotes the path", 
 }
 
 TEST_CASE("the grey card lies beside the sharpest bend and leaves the picture alone", "[ui][window][scope]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_line(bench);
-    const std::vector<std::uint8_t> bytes = bench.state.picture->rgba;
+    const std::vector<std::uint8_t> bytes = bench.state.rendered->rgba;
     ScopeState& scope = bench.state.views.scope;
     scope.card = true;
-    place_card(scope, bench.state.picture->size);
+    place_card(scope, bench.state.rendered->size);
     bench.frames(2);
-    CHECK(bench.state.picture->rgba == bytes);
+    CHECK(bench.state.rendered->rgba == bytes);
     double sharpest = 0;
     glm::ivec2 bend{0};
     for (const ProfileSample& s : scope.samples)
@@ -157,7 +157,7 @@ TEST_CASE("the grey card lies beside the sharpest bend and leaves the picture al
             sharpest = std::abs(*s.second_difference);
             bend = s.pixel;
         }
-    const double edge = (scope.card_at.x - scope.card_size.x / 2) * bench.state.picture->size.width;
+    const double edge = (scope.card_at.x - scope.card_size.x / 2) * bench.state.rendered->size.width;
     CHECK(edge == Approx(bend.x + 0.5));
 }
 

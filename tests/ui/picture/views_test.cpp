@@ -2,15 +2,13 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/catch.h"
-#include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
-#include "ui/inspector/outside_lines.h"
+#include "tests/support/headless_window.h"
+#include "ui/commands/command.h"
 #include "ui/inspector/outside_view.h"
-#include "ui/picture/camera_views.h"
 #include "ui/picture/orbit.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -23,7 +21,7 @@ double width_at_target(const Camera& camera) {
     return project(map, glm::dvec3(camera.target) + right).pixel.x - project(map, camera.target).pixel.x;
 }
 
-void scroll(Bench& bench, float across, float down) {
+void scroll(HeadlessWindow& bench, float across, float down) {
     ImGui::GetIO().MouseWheelH = across;
     ImGui::GetIO().MouseWheel = down;
     bench.frames(2);
@@ -33,7 +31,7 @@ void scroll(Bench& bench, float across, float down) {
 
 TEST_CASE("the number pad looks from six sides, as far away as before, each one step",
           "[ui][hands][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
     const struct {
@@ -56,7 +54,7 @@ TEST_CASE("the number pad looks from six sides, as far away as before, each one 
 
 TEST_CASE("5 on the number pad sees in parallel and back, what is at the target as large",
           "[ui][hands][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const Camera before = bench.scene().camera;
     bench.key(Key::Pad5);
@@ -84,11 +82,13 @@ TEST_CASE("views that were kept come back in turn, and eight of them are kept", 
 }
 
 TEST_CASE("a kept view is come back to by a key, as one step", "[ui][hands][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
-    CHECK_FALSE(why_not(bench.state, Action::NextView).empty());
+    CHECK_FALSE(why_disabled(bench.state, command(CommandId::NextView)).empty());
     bench.key(Key::U, false, true);
+    // It is remembered with the settings, longer than the window lasts.
+    CHECK(bench.state.notifications.list.back().text == "This view is kept: U comes back to it");
     bench.drag(bench.at_pixel({40, 400}), bench.at_pixel({240, 340}));
     CHECK_FALSE(bench.scene().camera == before.camera);
     bench.key(Key::U);
@@ -97,7 +97,7 @@ TEST_CASE("a kept view is come back to by a key, as one step", "[ui][hands][wind
 
 TEST_CASE("two fingers pan with Shift and sideways, turn with Alt, come closer without",
           "[ui][hands][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const Camera start = bench.scene().camera;
     bench.move(bench.at_pixel({300, 300}));
@@ -124,7 +124,7 @@ TEST_CASE("two fingers pan with Shift and sideways, turn with Alt, come closer w
 }
 
 TEST_CASE("F frames the selected object, and all where none is selected", "[ui][hands][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     Object small = bench.scene().objects[0];
     small.transform.translate = {4, 1, 0};
@@ -176,8 +176,8 @@ TEST_CASE("from outside the eye, what it sees, all axes and every light are in s
 
 TEST_CASE("a hand in the outside view turns that alone, and a click there selects a light",
           "[ui][hands][window]") {
-    Bench bench;
-    bench.state.why_column.tab = WhyTab::Outside;
+    HeadlessWindow bench;
+    bench.state.inspector.tab = InspectorTab::Outside;
     bench.frames(3);
     REQUIRE(bench.state.outside.placed);
     const Scene before = bench.scene();

@@ -1,55 +1,137 @@
 // The table of actions, and what reads it.
-#include "ui/commands/actions.h"
-
 #include <set>
 
+#include "models/fields/choices.h"
 #include "tests/support/catch.h"
-#include "tests/support/ui_bench.h"
+#include "tests/support/headless_window.h"
+#include "ui/commands/command.h"
 #include "ui/commands/fuzzy.h"
-#include "ui/commands/palette.h"
+#include "ui/commands/menus.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
-void type(Bench& bench, const char* letters) {
+/// The value of /shading that differs, as controls name it: "/shading/mode = \"flat\"".
+std::string changed_value(const Scene& before, const Scene& after) {
+    const Shading &a = before.shading, &b = after.shading;
+    if (a.mode != b.mode) return "/shading/mode = \"" + std::string(choice_of(b.mode).word) + "\"";
+    for (const auto& [term, name] : {std::pair{&Terms::emission, "emission"},
+                                     {&Terms::ambient, "ambient"},
+                                     {&Terms::diffuse, "diffuse"},
+                                     {&Terms::specular, "specular"}})
+        if (a.terms.*term != b.terms.*term) return std::string("/shading/terms/") + name;
+    return {};
+}
+
+void type(HeadlessWindow& bench, const char* letters) {
     for (; *letters != 0; ++letters) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(*letters));
     bench.frames(2);
 }
 
 }  // namespace
 
-TEST_CASE("no two actions share a key", "[ui][actions]") {
-    for (const ActionInfo& a : actions())
-        for (const ActionInfo& b : actions())
-            if (&a < &b && a.press.key != Key::Other) {
-                INFO(a.name << " and " << b.name << ": " << a.keys);
-                CHECK_FALSE(a.press == b.press);
-            }
-}
-
-TEST_CASE("an action shows keys exactly if it has some, and no two show the same", "[ui][actions]") {
+TEST_CASE("no two commands share a key", "[ui][commands]") {
     std::set<std::string> shown;
-    for (const ActionInfo& info : actions()) {
-        INFO(info.name);
-        CHECK((*info.keys == 0) == (info.press.key == Key::Other));
-        if (*info.keys != 0) CHECK(shown.insert(info.keys).second);
-        const std::string keys = info.keys;
-        CHECK((keys.find("Ctrl+") != std::string::npos) == info.press.ctrl);
-        CHECK((keys.find("Alt+") != std::string::npos) == info.press.alt);
-        if (keys != "?") CHECK((keys.find("Shift+") != std::string::npos) == info.press.shift);
-    }
+    for (const Command& command : commands())
+        for (const KeyPress& press : command.keys) {
+            INFO(command.name << ": " << text_of(press));
+            CHECK(press.key != Key::Other);
+            CHECK(shown.insert(text_of(press)).second);
+        }
 }
 
-TEST_CASE("every action is found by the palette or opens it, once", "[ui][actions]") {
-    Bench bench;
+TEST_CASE("a key is shown as it is pressed", "[ui][commands]") {
+    CHECK(text_of({Key::A}) == "A");
+    CHECK(text_of({Key::Z, true, true}) == "Ctrl+Shift+Z");
+    CHECK(text_of({Key::Digit1}) == "1");
+    CHECK(text_of({Key::Pad7, true}) == "Ctrl+pad 7");
+    CHECK(text_of({Key::PadPoint}) == "pad .");
+    CHECK(text_of({Key::Delete}) == "Del");
+    CHECK(text_of({Key::PageDown}) == "PgDn");
+    CHECK(text_of({Key::F12}) == "F12");
+    CHECK(text_of({Key::Question, false, true}) == "?");
+    CHECK(keys_of(CommandId::Redo) == "Ctrl+Shift+Z or Ctrl+Y");
+}
+
+TEST_CASE("every command does something, and each that code names has one row", "[ui][commands]") {
+    std::set<CommandId> named;
+    for (const Command& command : commands()) {
+        INFO(command.name);
+        CHECK(command.run != nullptr);
+        if (command.id != CommandId::None) CHECK(named.insert(command.id).second);
+    }
+    CHECK(named.size() + 1 == static_cast<std::size_t>(CommandId::Count));  // and None
+}
+
+TEST_CASE("a command changes that value of the scene of which controls show its keys", "[ui][commands]") {
+    int held = 0;
+    for (const Command& command : commands()) {
+        const std::string sets = command.sets;
+        if (sets.empty()) continue;
+        INFO(command.name << " sets " << sets);
+        CHECK_FALSE(keys_of_value(sets).empty());
+        HeadlessWindow bench;
+        bench.scene().shading.mode = sets.ends_with("\"flat\"") ? ShadingMode::Phong : ShadingMode::Flat;
+        const Scene before = bench.scene();
+        run_command(bench.state, command);
+        const std::string pointer = sets.substr(0, sets.find(' '));
+        CHECK(changed_value(before, bench.scene()).starts_with(pointer));
+        if (const auto quote = sets.find('"'); quote != std::string::npos)
+            CHECK(changed_value(before, bench.scene()) == sets);
+        ++held;
+    }
+    CHECK(held == 8);
+}
+
+TEST_CASE("what controls show of keys is what the table of commands says", "[ui][commands]") {
+    HeadlessWindow bench;
+    bench.state.editor.selection = {Selection::Kind::Camera, 0};
+    bench.frames(2);
+    const auto shown_at = [&](const char* control) {
+        for (const NamedControl& c : bench.controls())
+            if (c.name == control && !c.shortcut.empty()) return c.shortcut;
+        return std::string();
+    };
+    CHECK(shown_at("Flat") == "1");
+    CHECK(shown_at("Facet") == "2");
+    CHECK(shown_at("Gouraud") == "3");
+    CHECK(shown_at("Phong") == "4");  // the mode; the reflection model of that name has no key
+    CHECK(shown_at("Emission") == "E");
+    CHECK(shown_at("Specular") == "S");
+    const auto key_at = [&](const char* control) {
+        for (const NamedControl& c : bench.controls())
+            if (c.name == control) return c.key;
+        return std::string();
+    };
+    CHECK(key_at("Above") == "pad 7");
+    CHECK(key_at("Behind") == "Ctrl+pad 1");
+    CHECK(key_at("Redo") == "Ctrl+Shift+Z or Ctrl+Y");
+}
+
+TEST_CASE("hints for beginners go when a command shows something over the picture, and stay otherwise",
+          "[ui][commands]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    REQUIRE_FALSE(bench.state.viewport.touched);
+    bench.key(Key::N, true);         // a new scene
+    bench.key(Key::F1);              // the sheet of keys
+    bench.key(Key::Digit1);          // flat
+    bench.key(Key::U, false, true);  // keep this view
+    CHECK_FALSE(bench.state.viewport.touched);
+    bench.key(Key::P);
+    CHECK(bench.state.viewport.touched);
+}
+
+TEST_CASE("every command is found by the palette or opens it, once", "[ui][commands]") {
+    HeadlessWindow bench;
     const auto entries = palette_entries(bench.state);
-    for (const ActionInfo& info : actions()) {
-        if (info.action == Action::Palette) continue;
+    for (const Command& command : commands()) {
+        if (command.id == CommandId::Palette) continue;
         int found = 0;
-        for (const PaletteEntry& entry : entries) found += entry.name == info.name;
-        INFO(info.name);
+        for (const PaletteEntry& entry : entries) found += entry.name == command.name;
+        INFO(command.name);
         CHECK(found == 1);
     }
 }
@@ -68,7 +150,7 @@ TEST_CASE("words match by their letters in order, beginnings of words first", "[
 }
 
 TEST_CASE("Ctrl+K, a few letters and Enter do what the best match says", "[ui][palette]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frame();
     bench.key(Key::K, true);
     REQUIRE(bench.state.palette.open);
@@ -83,7 +165,7 @@ TEST_CASE("Ctrl+K, a few letters and Enter do what the best match says", "[ui][p
 }
 
 TEST_CASE("what cannot be done now is shown with its reason and stays undone", "[ui][palette]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frame();
     bench.key(Key::K, true);
     bench.frame();
@@ -98,8 +180,8 @@ TEST_CASE("what cannot be done now is shown with its reason and stays undone", "
 }
 
 TEST_CASE("by keys alone a light is selected, its kind and space chosen, and a number typed",
-          "[ui][actions]") {
-    Bench bench;
+          "[ui][commands]") {
+    HeadlessWindow bench;
     bench.frames(2);
     const auto choose = [&](const char* letters) {
         bench.key(Key::K, true);

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "tests/support/catch.h"
-#include "tests/support/ui_bench.h"
-#include "ui/widgets/colour_presets.h"
+#include "tests/support/headless_window.h"
+#include "ui/widgets/widgets.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -19,7 +19,7 @@ ImGuiWindow* open_popup() {
 }
 
 /// Opens the picker of the selected light's diffuse colour; where its swatch is.
-ImVec2 open_picker(Bench& bench) {
+ImVec2 open_picker(HeadlessWindow& bench) {
     const ImVec2 swatch = bench.control("/lights/0/diffuse");
     bench.click(swatch);
     bench.frames(2);
@@ -55,7 +55,7 @@ glm::dvec3 black_body(double t) {
 }  // namespace
 
 TEST_CASE("a preset of the picker gives its colour, as one step that can be undone", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
     const ImVec2 swatch = open_picker(bench);
@@ -79,7 +79,7 @@ TEST_CASE("a preset of the picker gives its colour, as one step that can be undo
 }
 
 TEST_CASE("a swatch dragged onto another gives it its colour", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     bench.scene().lights[0].diffuse = {0.2f, 0.4f, 0.6f};
     bench.frames(2);

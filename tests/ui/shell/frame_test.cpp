@@ -5,15 +5,16 @@
 #include <random>
 
 #include "tests/support/catch.h"
-#include "tests/support/ui_bench.h"
+#include "tests/support/headless_window.h"
+#include "ui/picture/draw_picture.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
 /// A ball with a bulb in front of it, in the middle of the picture's upper half.
-Bench& with_bulb(Bench& bench) {
+HeadlessWindow& with_bulb(HeadlessWindow& bench) {
     bench.scene().lights.resize(1);
     bench.scene().lights[0].name = "Bulb";
     bench.scene().lights[0].kind = LightKind::Point;
@@ -26,19 +27,19 @@ Bench& with_bulb(Bench& bench) {
 }  // namespace
 
 TEST_CASE("the first frame shows the scene at the picture's real size", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     const UiRequests wants = bench.frame();
-    REQUIRE(bench.state.picture != nullptr);
+    REQUIRE(bench.state.rendered != nullptr);
     const Layout layout = lay_out({1280, 800}, bench.state.layout, 1);
     const ImVec2 area = picture_area(layout.centre, 1).size();
-    CHECK(bench.state.picture->size == PictureSize{int(area.x), int(area.y)});
+    CHECK(bench.state.rendered->size == PictureSize{int(area.x), int(area.y)});
     CHECK(area.x == layout.centre.size().x - 20);
     CHECK(wants.title == "New scene – Glint");
     CHECK_FALSE(wants.quit);
 }
 
 TEST_CASE("nothing is drawn again while nothing changes", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(3);
     const auto serial = bench.state.picture_serial;
     bench.move({600, 400});
@@ -51,26 +52,104 @@ TEST_CASE("nothing is drawn again while nothing changes", "[ui][window]") {
 
 TEST_CASE("a preview shows for a frame and leaves the scene, the history and the answer alone",
           "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.click(bench.at_pixel({400, 300}));
     bench.frames(3);
-    REQUIRE(bench.state.why.has_value());
-    const glm::vec3 sum = bench.state.why->sum;
+    REQUIRE(bench.state.explanation.has_value());
+    const glm::vec3 sum = bench.state.explanation->sum;
     const Scene scene = bench.scene();
-    bench.state.preview = scene;
-    bench.state.preview->lights.clear();
+    bench.state.inspector.instead = scene;
+    bench.state.inspector.instead->lights.clear();
     bench.frame();
-    CHECK(bench.state.drawn.lights.empty());
+    CHECK(bench.state.rendered_scene.lights.empty());
     CHECK(bench.scene() == scene);
-    REQUIRE(bench.state.why.has_value());
-    CHECK(bench.state.why->sum == sum);
+    REQUIRE(bench.state.explanation.has_value());
+    CHECK(bench.state.explanation->sum == sum);
     bench.frame();
-    CHECK(bench.state.drawn == scene);
+    CHECK(bench.state.rendered_scene == scene);
     CHECK_FALSE(bench.state.editor.unsaved());
 }
 
+TEST_CASE(
+    "of several scenes in place of the edited one the frozen shows, then the animated, the pointed at, B",
+    "[ui][window]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const auto with_ambient = [&](float ambient) {
+        Scene scene = bench.scene();
+        scene.global_ambient.x = ambient;
+        return scene;
+    };
+    CHECK_FALSE(preview_of(bench.state).has_value());
+    CompareChoice& compare = bench.state.views.compare.choice;
+    compare.stored = std::make_shared<const Scene>(with_ambient(4));
+    CHECK_FALSE(preview_of(bench.state).has_value());  // stored, and not looked at
+    compare.shows_stored = true;
+    CHECK(preview_of(bench.state)->global_ambient.x == 4);
+    bench.state.inspector.instead = with_ambient(3);
+    CHECK(preview_of(bench.state)->global_ambient.x == 3);
+    bench.state.animate.frame = with_ambient(2);
+    CHECK(preview_of(bench.state)->global_ambient.x == 2);
+    bench.state.lecture.frozen = with_ambient(1);
+    CHECK(preview_of(bench.state)->global_ambient.x == 1);
+}
+
+TEST_CASE("nothing is to be drawn while B rests on the screen", "[ui][window]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.key(Key::B, true);
+    bench.scene().lights[0].intensity = 0.25f;
+    bench.key(Key::B);
+    bench.frames(3);
+    bench.state.notifications.list.clear();
+    bench.frames(2);
+    CHECK(bench.state.rendered_scene.lights[0].intensity != 0.25f);
+    CHECK(bench.frame().sleep_s > 0);
+}
+
+TEST_CASE("B is one scene, however often what is compared is copied and remembered", "[ui][compare]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.key(Key::C);
+    bench.key(Key::B, true);
+    bench.frames(3);
+    const ViewsState& views = bench.state.views;
+    REQUIRE(views.compare.choice.stored != nullptr);
+    CHECK(&*views.shown_from.compare.stored == &*views.compare.choice.stored);
+}
+
+TEST_CASE("Escape leaves the innermost thing first, one a press", "[ui][window]") {
+    HeadlessWindow bench;
+    bench.click(bench.at_pixel({400, 300}));
+    bench.frames(2);
+    UiState& state = bench.state;
+    const Scene before = bench.scene();
+    bench.key(Key::P);
+    state.layout.hides_all = state.lecture.pen.on = state.lecture.wedge.open = state.shows_shortcuts = true;
+    bench.frames(1);
+    state.asks_overwrite = true;
+    const auto open_now = [&] {
+        return std::vector<bool>{state.asks_overwrite,
+                                 state.shows_shortcuts,
+                                 state.lecture.wedge.open,
+                                 state.lecture.pen.on,
+                                 state.layout.hides_all,
+                                 state.views.scope.armed,
+                                 state.viewport.probe.has_value()};
+    };
+    std::vector<bool> left(7, true);
+    REQUIRE(open_now() == left);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        bench.key(Key::Escape);
+        bench.frames(2);
+        left[i] = false;
+        CHECK(open_now() == left);
+    }
+    CHECK(bench.scene() == before);
+}
+
 TEST_CASE("a light is dragged by its handle, which stays under the cursor, as one step", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_bulb(bench);
     const Scene before = bench.scene();
     const glm::dvec2 handle = bench.handle_pixel(0), to = handle + glm::dvec2(70, 90);
@@ -88,7 +167,7 @@ TEST_CASE("a light is dragged by its handle, which stays under the cursor, as on
 }
 
 TEST_CASE("every frame of a drag shows the newest place of the hand", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_bulb(bench);
     const glm::dvec2 handle = bench.handle_pixel(0);
     bench.move(bench.at_pixel(handle));
@@ -97,14 +176,14 @@ TEST_CASE("every frame of a drag shows the newest place of the hand", "[ui][wind
         const glm::dvec2 hand = handle + glm::dvec2(9 * i, 5 * i);
         bench.move(bench.at_pixel(hand));
         CHECK(glm::length(bench.handle_pixel(0) - hand) < 0.5);
-        CHECK(bench.state.drawn == bench.scene());
+        CHECK(bench.state.rendered_scene == bench.scene());
         CHECK(bench.state.renderer->stats().redone == std::array{false, false, false, true});
     }
     bench.button(false);
 }
 
 TEST_CASE("Escape puts a dragged light back", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_bulb(bench);
     const Scene before = bench.scene();
     const glm::dvec2 handle = bench.handle_pixel(0);
@@ -121,7 +200,7 @@ TEST_CASE("Escape puts a dragged light back", "[ui][window]") {
 }
 
 TEST_CASE("held axis keys and Shift change what a drag moves along", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_bulb(bench);
     const glm::vec4 start = bench.scene().lights[0].position;
     const glm::dvec2 handle = bench.handle_pixel(0);
@@ -147,26 +226,28 @@ TEST_CASE("held axis keys and Shift change what a drag moves along", "[ui][windo
 }
 
 TEST_CASE("a click asks why, and the numbers follow what is dragged", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_bulb(bench);
-    const PictureSize size = bench.state.picture->size;
+    const PictureSize size = bench.state.rendered->size;
     const glm::dvec2 pixel = glm::dvec2(glm::ivec2(size.width / 2, size.height * 2 / 5)) + 0.5;
     bench.click(bench.at_pixel(pixel));
-    REQUIRE(bench.state.why);
-    CHECK(bench.state.why->x == int(pixel.x));
-    CHECK(bench.state.why->y == int(pixel.y));
-    CHECK(bench.state.why->hit);
+    REQUIRE(bench.state.explanation);
+    CHECK(bench.state.explanation->x == int(pixel.x));
+    CHECK(bench.state.explanation->y == int(pixel.y));
+    CHECK(bench.state.explanation->hit);
     CHECK_FALSE(bench.state.editor.unsaved());
-    const glm::vec3 sum = bench.state.why->sum;
+    const glm::vec3 sum = bench.state.explanation->sum;
     bench.scene().lights[0].intensity = 0.5f;
     (void)bench.frame();
-    CHECK(bench.state.why->sum.x < sum.x);
-    const std::size_t at = 4 * bench.state.picture->pixel(bench.state.why->x, bench.state.why->y);
-    for (std::size_t i = 0; i < 3; ++i) CHECK(bench.state.why->byte[i] == bench.state.picture->rgba[at + i]);
+    CHECK(bench.state.explanation->sum.x < sum.x);
+    const std::size_t at =
+        4 * bench.state.rendered->pixel(bench.state.explanation->x, bench.state.explanation->y);
+    for (std::size_t i = 0; i < 3; ++i)
+        CHECK(bench.state.explanation->byte[i] == bench.state.rendered->rgba[at + i]);
 }
 
 TEST_CASE("orbiting leaves lights and objects as they are, and is one step", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_bulb(bench);
     const Scene before = bench.scene();
     bench.drag(bench.at_pixel({40, 400}), bench.at_pixel({240, 340}));
@@ -179,7 +260,7 @@ TEST_CASE("orbiting leaves lights and objects as they are, and is one step", "[u
 }
 
 TEST_CASE("the wheel moves closer, and quick notches are one step", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_bulb(bench);
     const Scene before = bench.scene();
     bench.move(bench.at_pixel({300, 300}));
@@ -193,7 +274,7 @@ TEST_CASE("the wheel moves closer, and quick notches are one step", "[ui][window
 }
 
 TEST_CASE("number keys choose the shading, letters switch terms", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::Digit1);
     CHECK(bench.scene().shading.mode == ShadingMode::Flat);
@@ -207,19 +288,19 @@ TEST_CASE("number keys choose the shading, letters switch terms", "[ui][window]"
 }
 
 TEST_CASE("F11 leaves the picture alone, and again brings the columns back", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
-    const int width = bench.state.picture->size.width;
+    const int width = bench.state.rendered->size.width;
     bench.key(Key::F11);
     bench.frames(1);
-    CHECK(bench.state.picture->size.width == 1280 - 20);
+    CHECK(bench.state.rendered->size.width == 1280 - 20);
     bench.key(Key::F11);
     bench.frames(1);
-    CHECK(bench.state.picture->size.width == width);
+    CHECK(bench.state.rendered->size.width == width);
 }
 
 TEST_CASE("closing asks about unsaved changes, and only then", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     bench.scene().lights[0].intensity = 3;
     UiInput close;
@@ -237,7 +318,7 @@ TEST_CASE("closing asks about unsaved changes, and only then", "[ui][window]") {
 }
 
 TEST_CASE("what cannot be opened is said in the command line's words, and the scene stays", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
     UiInput drop;
@@ -252,14 +333,15 @@ TEST_CASE("what cannot be opened is said in the command line's words, and the sc
 }
 
 TEST_CASE("a probe survives a change of the picture's size", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_bulb(bench);
     bench.click(bench.at_pixel({100, 120}));
     bench.key(Key::F11);
     bench.frames(2);
-    REQUIRE(bench.state.why);
-    CHECK(bench.state.why->x < bench.state.picture->size.width);
-    CHECK(double(bench.state.why->x) / bench.state.picture->size.width == Approx(100.0 / 640).margin(0.01));
+    REQUIRE(bench.state.explanation);
+    CHECK(bench.state.explanation->x < bench.state.rendered->size.width);
+    CHECK(double(bench.state.explanation->x) / bench.state.rendered->size.width ==
+          Approx(100.0 / 640).margin(0.01));
 }
 
 TEST_CASE("what is saved by the window opens in it again, as a scene and as a picture", "[ui][window]") {
@@ -267,7 +349,7 @@ TEST_CASE("what is saved by the window opens in it again, as a scene and as a pi
     const fs::path folder = fs::temp_directory_path() / "glint_window_save_test";
     fs::remove_all(folder);
     fs::create_directories(folder);
-    Bench bench;
+    HeadlessWindow bench;
     with_bulb(bench);
     bench.drag(bench.at_pixel(bench.handle_pixel(0)), bench.at_pixel({500, 100}));
     const Scene made = bench.scene();
@@ -301,7 +383,7 @@ TEST_CASE("what is saved by the window opens in it again, as a scene and as a pi
 }
 
 TEST_CASE("a file that is dropped in the middle of a drag ends it", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     with_bulb(bench);
     const glm::dvec2 handle = bench.handle_pixel(0);
     bench.move(bench.at_pixel(handle));
@@ -319,7 +401,7 @@ TEST_CASE("a file that is dropped in the middle of a drag ends it", "[ui][window
 }
 
 TEST_CASE("a frame that is not asked for by anything lets the window sleep", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(3);
     CHECK(std::isinf(bench.frame().sleep_s));
     bench.move(bench.control("Undo"));  // its tooltip is due

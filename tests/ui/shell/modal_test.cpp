@@ -1,22 +1,23 @@
 // Dialogs: one at a time, and nothing that opens in the same frame is held up by one.
-#include "ui/widgets/modal.h"
+#include "ui/shell/modal.h"
 
 #include <imgui_internal.h>
 
 #include <string_view>
 
 #include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
 #include "tests/support/program.h"
-#include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
+#include "ui/commands/command.h"
+#include "ui/document/document_actions.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
 /// Leaves whatever is open, and puts the scene back to one that is not saved, whatever is done next.
-void start_afresh(Bench& bench) {
+void start_afresh(HeadlessWindow& bench) {
     for (int i = 0; i < 6; ++i) (void)bench.key(Key::Escape);
     UiState& state = bench.state;
     state.layout = {};
@@ -32,16 +33,15 @@ void start_afresh(Bench& bench) {
 
 TEST_CASE("whatever is opened in the same frame as a dialog, both are drawn", "[ui][modal]") {
     // The folder of the dialogs, and a small picture.
-    Bench bench({420, 240});
+    HeadlessWindow bench({420, 240});
     bench.frames(2);
-    const Action dialogs[] = {Action::New, Action::Open, Action::ExportPicture, Action::SaveAs};
-    for (const Action dialog : dialogs)
-        for (const ActionInfo& info : actions()) {
-            if (info.action == Action::CopyPicture) continue;  // it runs a program
-            INFO(info.name << ", then " << info_of(dialog).name);
+    for (const char* dialog : {"New scene", "Open…", "Export picture…", "Save as…"})
+        for (const Command& command : commands()) {
+            if (&command == &test::command_named("Copy picture")) continue;  // it runs a program
+            INFO(command.name << ", then " << dialog);
             start_afresh(bench);
-            run_action(bench.state, info.action);
-            run_action(bench.state, dialog);
+            run_command(bench.state, command);
+            run_command(bench.state, test::command_named(dialog));
             // As from keys in one frame: nothing of it has been drawn yet.
             bench.frames(3);
             CHECK(modal_of(bench.state) != Modal::None);
@@ -49,7 +49,7 @@ TEST_CASE("whatever is opened in the same frame as a dialog, both are drawn", "[
 }
 
 TEST_CASE("keys that come in one frame may open a dialog and a sheet", "[ui][modal]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     bench.scene().shading.mode = ShadingMode::Flat;  // not saved
     bench.frames(2);
@@ -64,7 +64,7 @@ TEST_CASE("keys that come in one frame may open a dialog and a sheet", "[ui][mod
 TEST_CASE(
     "a question that comes while a file is being chosen stands before that, and the choice goes on after it",
     "[ui][modal]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     bench.scene().shading.mode = ShadingMode::Flat;
     bench.frames(2);
@@ -90,7 +90,7 @@ TEST_CASE(
 
 TEST_CASE("the Enter that answers one dialog does not answer the next", "[ui][modal]") {
     const TemporaryDirectory folder;
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     bench.scene().shading.mode = ShadingMode::Flat;  // of a scene without a file
     bench.frames(2);

@@ -5,11 +5,11 @@
 #include <random>
 
 #include "tests/support/catch.h"
-#include "tests/support/ui_bench.h"
+#include "tests/support/headless_window.h"
 #include "ui/widgets/widgets.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -23,7 +23,7 @@ Scene rich_scene() {
     return scene;
 }
 
-void use(Bench& bench, const Scene& scene) {
+void use(HeadlessWindow& bench, const Scene& scene) {
     SceneDocument document;
     document.scene = scene;
     REQUIRE(problem_of(load_meshes(document.scene, "", "")) == nullptr);
@@ -48,8 +48,8 @@ class Hand {
     std::mt19937 random_;
 };
 
-/// One random deed in the left column: a drag, a click, a double-click, a wheel.
-void act(Bench& bench, Hand& hand) {
+/// One random action in the left column: a drag, a click, a double-click, a wheel.
+void act(HeadlessWindow& bench, Hand& hand) {
     const ImVec2 at{hand.number(4, 276), hand.number(40, 770)};
     ImGui::GetIO().KeyShift = hand.one_in(6);
     switch (hand.any(6)) {
@@ -80,7 +80,7 @@ void act(Bench& bench, Hand& hand) {
 }
 
 /// Keeps a random detail from building millions of faces.
-void tame(Bench& bench) {
+void tame(HeadlessWindow& bench) {
     for (Object& object : bench.scene().objects)
         if (auto* primitive = std::get_if<PrimitiveMesh>(&object.source);
             primitive != nullptr && primitive->detail > 12) {
@@ -102,7 +102,7 @@ bool finite(const Scene& scene) {
 
 TEST_CASE("whatever a hand does in the panels, what is saved opens again", "[ui][window][property]") {
     for (unsigned seed = 1; seed <= 6; ++seed) {
-        Bench bench({760, 780});  // a narrow picture: quick to draw
+        HeadlessWindow bench({760, 780});  // a narrow picture: quick to draw
         use(bench, rich_scene());
         const Scene start = bench.scene();
         Hand hand(seed);
@@ -121,7 +121,7 @@ TEST_CASE("whatever a hand does in the panels, what is saved opens again", "[ui]
 }
 
 TEST_CASE("every panel draws for every kind of item", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     use(bench, rich_scene());
     const Scene start = bench.scene();
     for (const auto kind : {Selection::Kind::Camera, Selection::Kind::Shading, Selection::Kind::Display}) {
@@ -138,12 +138,12 @@ TEST_CASE("every panel draws for every kind of item", "[ui][window]") {
 }
 
 TEST_CASE("L adds a light in view, Ctrl+D copies it, Delete takes it away", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     const Scene start = bench.scene();
     bench.key(Key::L);
     REQUIRE(bench.scene().lights.size() == start.lights.size() + 1);
-    const PictureSize size = bench.state.picture->size;
+    const PictureSize size = bench.state.rendered->size;
     const int added = static_cast<int>(start.lights.size());
     const glm::dvec2 at = bench.handle_pixel(added);
     CHECK(at.x > 0);
@@ -162,7 +162,7 @@ TEST_CASE("L adds a light in view, Ctrl+D copies it, Delete takes it away", "[ui
 }
 
 TEST_CASE("lists that are emptied leave a usable window", "[ui][window]") {
-    Bench bench;
+    HeadlessWindow bench;
     bench.frames(2);
     bench.state.editor.selection = {Selection::Kind::Light, 0};
     for (int i = 0; i < 5; ++i) bench.key(Key::Delete);
@@ -172,14 +172,14 @@ TEST_CASE("lists that are emptied leave a usable window", "[ui][window]") {
     CHECK(bench.scene().objects.empty());
     bench.key(Key::F);
     bench.click(bench.at_pixel({200, 200}));
-    REQUIRE(bench.state.why);
-    CHECK_FALSE(bench.state.why->hit);
+    REQUIRE(bench.state.explanation);
+    CHECK_FALSE(bench.state.explanation->hit);
     check_saves(bench.scene());
 }
 
 TEST_CASE("each of joined buttons answers a click, whether its word stands in the file or not",
           "[ui][panels]") {
-    Bench bench;
+    HeadlessWindow bench;
     const std::array<glint::Choice, 4> options{Choice{"", "none", ""}, Choice{"", "left", ""},
                                                Choice{"", "right", ""}, Choice{"", "both", ""}};
     int chosen = 0;

@@ -4,13 +4,12 @@
 #include <limits>
 
 #include "tests/support/catch.h"
-#include "tests/support/ui_bench.h"
-#include "ui/commands/actions.h"
+#include "tests/support/headless_window.h"
 #include "ui/inspector/tabs.h"
 #include "ui/widgets/display_scale.h"
 
 using namespace glint;
-using test::Bench;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -20,21 +19,21 @@ WindowExtent extent(glm::ivec2 size, glm::ivec2 dots, float content = 1) {
 
 /// A frame of everything that can be open, dialogs one after the other, in windows from nothing to wide and
 /// low.
-void draw_all_sizes(Bench& bench) {
+void draw_all_sizes(HeadlessWindow& bench) {
     for (const float wide : {0.0f, 1.0f, 2.0f, 9.0f, 30.0f, 63.0f, 130.0f, 320.0f, 700.0f, 1300.0f})
         for (const float high : {0.0f, 1.0f, 2.0f, 9.0f, 30.0f, 63.0f, 130.0f, 240.0f}) {
             INFO(wide << " x " << high);
             ImGui::GetIO().DisplaySize = {wide, high};
             bench.frames(2);
-            CHECK(bench.state.picture->size.width >= 1);
-            CHECK(bench.state.picture->size.width <= 1300);
+            CHECK(bench.state.rendered->size.width >= 1);
+            CHECK(bench.state.rendered->size.width <= 1300);
         }
 }
 
 void open_everything(UiState& state) {
     state.views.scope.open = true;
     state.lecture.wedge.open = state.lecture.pen.on = state.animate.open = true;
-    state.shows_shortcuts = state.why_column.shows_vectors = true;
+    state.shows_shortcuts = state.inspector.shows_vectors = true;
     state.viewport.probe = glm::dvec2(0.5, 0.5);
     state.notifications.add(Tone::Warning, "A warning that is longer than the window is wide");
 }
@@ -43,7 +42,7 @@ void open_everything(UiState& state) {
 
 TEST_CASE("at every scale of a display ImGui accepts the theme", "[ui][small]") {
     for (const float scale : {0.25f, 0.5f, 0.75f, 0.78125f, 0.9375f, 0.99f, 1.0f, 1.1f, 3.125f, 5.6f}) {
-        Bench bench({400, 300});
+        HeadlessWindow bench({400, 300});
         apply_theme(light_theme(), scale);
         INFO("scale " << scale);
         // What ImGui asks of every frame (ErrorCheckNewFrameSanityChecks).
@@ -55,13 +54,13 @@ TEST_CASE("at every scale of a display ImGui accepts the theme", "[ui][small]") 
 
 TEST_CASE("a window of any size is drawn, down to nothing, with everything open in it", "[ui][small]") {
     for (const float scale : {0.75f, 4.0f}) {
-        Bench bench({800, 600});
+        HeadlessWindow bench({800, 600});
         apply_theme(dark_theme(), scale);
         bench.frames(1);
         open_everything(bench.state);
-        for (const WhyTabInfo& info : why_tabs()) {
+        for (const InspectorTabInfo& info : inspector_tabs()) {
             INFO("tab " << info.label);
-            bench.state.why_column.tab = info.tab;
+            bench.state.inspector.tab = info.tab;
             draw_all_sizes(bench);
         }
         for (const Key key : {Key::C, Key::M, Key::I, Key::K, Key::O, Key::E}) {
@@ -102,7 +101,7 @@ TEST_CASE("no display makes type too small to read or too large for a texture", 
             CHECK(scale.design * scale.dots_per_unit <= Approx(4));
             CHECK(scale.dots_per_unit <= 4);
         }
-    Bench bench;
+    HeadlessWindow bench;
     load_fonts(find_fonts(), 4 * projector_scale, 1);
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;

@@ -1,13 +1,18 @@
-#include "ui/inspector/equation/equation.h"
-
 #include <imgui.h>
 
+#include <array>
+
 #include "models/fields/reflection_info.h"
+#include "renderer/inspect/explain/explain_json.h"
+#include "renderer/inspect/explain/explain_latex.h"
+#include "renderer/inspect/explain/explain_text.h"
+#include "ui/inspector/equation/equation_tab.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
+
 namespace {
 
 /// Pieces of a formula on one line; `low` pieces are subscripts.
@@ -30,7 +35,7 @@ class Formula {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         if (low) ImGui::PushFont(fonts().small);
         const ImVec2 size = ImGui::CalcTextSize(text);
-        ImGui::GetWindowDrawList()->AddText({at.x, at.y + (low ? px(4) : 0)}, packed(colour), text);
+        ImGui::GetWindowDrawList()->AddText({at.x, at.y + (low ? px(4) : 0)}, to_u32(colour), text);
         if (low) ImGui::PopFont();
         ImGui::Dummy({size.x, ImGui::GetTextLineHeight()});
         return *this;
@@ -69,6 +74,44 @@ void equation(Reflection reflection) {
     if (info_of(reflection).rough_diffuse) f.plain(" (A + B…)");
     highlight_formula(f, reflection);
     f.plain(")");
+}
+
+namespace {
+
+struct Format {
+    CopyAs as;
+    const char* label;
+    const char* what;
+};
+constexpr std::array formats{
+    Format{CopyAs::Text, "text", "As `glint explain FILE --pixel X,Y` prints it"},
+    Format{CopyAs::Json, "JSON",
+           "As `glint explain … --format json` prints it; docs/explain.md tells its keys"},
+    Format{CopyAs::Latex, "LaTeX", "As `glint explain … --format latex` prints it, for amsmath"}};
+
+}  // namespace
+
+std::string explained_as(CopyAs format, const Explanation& why, const Scene& scene) {
+    switch (format) {
+    case CopyAs::Text:
+        return explain_text(why, scene);
+    case CopyAs::Json:
+        return explain_json(why);
+    case CopyAs::Latex:
+        return explain_latex(why, scene);
+    }
+    return {};  // not reached
+}
+
+void copy_buttons(const Explanation& why, const Scene& scene) {
+    section_heading("Copy this explanation as");
+    ImGui::PushFont(fonts().small);
+    for (const Format& format : formats) {
+        if (&format != &formats.front()) ImGui::SameLine();
+        if (ImGui::Button(format.label)) ImGui::SetClipboardText(explained_as(format.as, why, scene).c_str());
+        tooltip(format.label, format.what);
+    }
+    ImGui::PopFont();
 }
 
 }  // namespace glint

@@ -6,18 +6,13 @@
 #include <algorithm>
 #include <array>
 
-#include "ui/fields/choices.h"
+#include "ui/fields/field_panel.h"
 #include "ui/inspector/asked.h"
-#include "ui/inspector/equation/copy.h"
-#include "ui/inspector/equation/equation.h"
 #include "ui/inspector/equation/factors.h"
-#include "ui/inspector/equation/light_card.h"
 #include "ui/inspector/equation/parts.h"
-#include "ui/inspector/equation/sum_table.h"
 #include "ui/inspector/equation/text_line.h"
 #include "ui/inspector/equation/words.h"
-#include "ui/inspector/heading.h"
-#include "ui/inspector/mistakes_tab.h"
+#include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 
@@ -25,7 +20,7 @@ namespace glint {
 namespace {
 
 /// Buttons for the corners, with their weights, which sum to 1.
-void corner_buttons(WhyState& state, const Explanation& why) {
+void corner_buttons(InspectorState& state, const Explanation& why) {
     for (int i = 0; i < static_cast<int>(why.corners.size()); ++i) {
         const ExplainedCorner& corner = why.corners[static_cast<std::size_t>(i)];
         const std::string label = fmt::format("{} {:.2f}", static_cast<char>('A' + i % 26), corner.weight);
@@ -42,7 +37,7 @@ void corner_buttons(WhyState& state, const Explanation& why) {
 }
 
 /// Where what is written out was lit.
-void lit_at(WhyState& state, const Explanation& why) {
+void lit_at(InspectorState& state, const Explanation& why) {
     if (!why.lit_per_corner || why.corners.empty()) return;
     if (why.corners.size() == 1) return wrapped_dim("Lit once for the whole polygon:");
     state.corner = std::clamp(state.corner, 0, static_cast<int>(why.corners.size()) - 1);
@@ -62,7 +57,7 @@ void tone_line(const ExplainedTone& tone, int channel) {
 }
 
 void unlit(UiState& state, const Explanation& why, const ExplainedPoint& point) {
-    const int channel = state.why_column.channel;
+    const int channel = state.inspector.channel;
     if (point.cool_to_warm.used) return tone_line(point.cool_to_warm, channel);
     for (const TermLine& line : unlit_lines(state.editor.scene(), why, point, channel)) {
         ImGui::PushID(line.letter);
@@ -79,7 +74,7 @@ void mistakes_note(const Scene& scene) {
                         on, on == 1 ? " is" : "s are"));
 }
 
-std::string section_title(const WhyState& state, const Explanation& why) {
+std::string section_title(const InspectorState& state, const Explanation& why) {
     constexpr std::array channels{"red", "green", "blue"};
     return fmt::format("In {}, under {} shading", channels[static_cast<std::size_t>(state.channel)],
                        choice_of(why.mode).label);
@@ -88,22 +83,22 @@ std::string section_title(const WhyState& state, const Explanation& why) {
 }  // namespace
 
 void equation_tab(UiState& state, const PictureView&) {
-    if (!state.why)
-        return why_empty_state(
+    if (!state.explanation)
+        return inspector_empty_state(
             "Here the lighting equation of that pixel appears with its numbers: what each light adds, and "
             "why "
             "a light that you expect adds nothing.");
-    const Explanation& why = *state.why;
+    const Explanation& why = *state.explanation;
     if (!why.hit) return wrapped_dim("No object shows here: the pixel has the background's colour.");
     if (static_cast<std::size_t>(why.object_index) >= state.editor.scene().objects.size()) return;
     equation(why.reflection);
     sum_table(state, why);
     display_lines(state, why);
     if (why.reflection != Reflection::None) {
-        section(section_title(state.why_column, why).c_str());
+        section_heading(section_title(state.inspector, why).c_str());
         mistakes_note(state.editor.scene());
-        lit_at(state.why_column, why);
-        const ExplainedPoint& point = asked_point(state.why_column, why);
+        lit_at(state.inspector, why);
+        const ExplainedPoint& point = asked_point(state.inspector, why);
         unlit(state, why, point);
         for (std::size_t i = 0; i < point.lights.size(); ++i) light_card(state, why, point, i);
         if (point.lights.empty()) wrapped_dim("No light is on: only ambient and emission are left.");

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "models/fields/reflection_info.h"
-#include "ui/inspector/equation/pointer_words.h"
+#include "ui/inspector/equation/words.h"
 
 namespace glint {
 namespace {

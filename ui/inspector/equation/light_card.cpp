@@ -1,5 +1,3 @@
-#include "ui/inspector/equation/light_card.h"
-
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -7,12 +5,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "ui/document/limits.h"
+#include "ui/fields/field_panel.h"
+#include "ui/inspector/asked.h"
+#include "ui/inspector/equation/equation_tab.h"
 #include "ui/inspector/equation/factors.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/inspector/equation/text_line.h"
 #include "ui/inspector/equation/words.h"
-#include "ui/inspector/previews.h"
 #include "ui/ui.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/named_controls.h"
@@ -29,7 +28,7 @@ void angle(TextLine& line, UiState& state, Symbol to, Symbol from, float cosine)
     const ImVec2 high = ImGui::GetItemRectMax();
     line.gap(8);
     list_control(to == Symbol::H ? "n·h" : to == Symbol::R ? "r·v" : "n·l", "", {low, high});
-    if (is_pointed_at(low, high)) state.why_column.pointed_vector = to;
+    if (is_pointed_at(low, high)) state.inspector.pointed_vector = to;
 }
 
 void angles(UiState& state, const Explanation& why, const ExplainedLight& light) {
@@ -87,7 +86,7 @@ bool name_row(UiState& state, const ExplainedLight& explained, const Light& ligh
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float line = ImGui::GetTextLineHeight();
     draw_icon(*ImGui::GetWindowDrawList(), icon_of(light.kind), {low.x + line / 2, low.y + line / 2}, line,
-              packed(legible(colour_of(light))));
+              to_u32(legible(colour_of(light))));
     if (ImGui::Selectable(fmt::format("      {}", light.name).c_str()))
         state.editor.selection = {Selection::Kind::Light, explained.index};
     const bool pointed = is_pointed_at();
@@ -161,13 +160,13 @@ void light_card(UiState& state, const Explanation& why, const ExplainedPoint& po
     if (before.kind != LightKind::Area) angles(state, why, explained);  // an area's samples have their own
     if (before.kind == LightKind::Area) small_dim(sample_words(explained));
     edited |= share_lines(state, explained);
-    for (const TermLine& term : term_lines({scene, why, explained, state.why_column.channel}))
+    for (const TermLine& term : term_lines({scene, why, explained, state.inspector.channel}))
         edited |= light_term(state, term, explained.index);
     if (const std::string reason = why_dark(explained, before); !reason.empty()) warning_text(reason);
     if (const std::string words = blocked_words(state, why, point, which); !words.empty()) wrapped_dim(words);
     ImGui::EndGroup();
     if (is_pointed_at(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()))
-        state.why_column.pointed_light = explained.index;
+        state.inspector.pointed_light = explained.index;
     ImGui::PopID();
     if (edited) keep_valid(scene.lights[index], before);
 }

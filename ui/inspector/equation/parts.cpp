@@ -38,7 +38,7 @@ void small_dim(const std::string& text) {
 void vector_line(Symbol symbol, const char* name, glm::vec3 v) {
     coloured(symbol, name);
     ImGui::SameLine(px(112));
-    figures(fmt::format("{} {} {}", shown_number(v.x), shown_number(v.y), shown_number(v.z)));
+    mono_text(fmt::format("{} {} {}", shown_number(v.x), shown_number(v.y), shown_number(v.z)));
 }
 
 bool is_pointed_at() {

@@ -1,14 +1,13 @@
-#include "ui/inspector/equation/sum_table.h"
-
 #include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
 
+#include "ui/inspector/asked.h"
+#include "ui/inspector/equation/equation_tab.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/inspector/equation/words.h"
-#include "ui/inspector/previews.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/named_controls.h"
@@ -23,7 +22,7 @@ float channel_width() { return std::min(px(58), (ImGui::GetContentRegionAvail().
 constexpr std::array channel_names{"red", "green", "blue"};
 
 /// "red green blue" over the columns; a click chooses the channel.
-void header_row(WhyState& why) {
+void header_row(InspectorState& why) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushFont(fonts().small);
@@ -38,7 +37,7 @@ void header_row(WhyState& why) {
         const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
         if (c == why.channel)
             ImGui::GetWindowDrawList()->AddRectFilled({low.x, high.y - px(1.5f)}, high,
-                                                      packed(theme().accent));
+                                                      to_u32(theme().accent));
         tooltip(name, "Click: the products below are written out in this channel");
     }
     ImGui::PopFont();
@@ -48,13 +47,13 @@ void cells(glm::vec3 value, const ImVec4& colour) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     for (int c = 0; c < 3; ++c) {
         ImGui::TableNextColumn();
-        figures(shown_number(value[c]));
+        mono_text(shown_number(value[c]));
     }
     ImGui::PopStyleColor();
 }
 
 /// A strip behind the row drawn last, in the current table.
-void light_up_row() { ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, packed(theme().field_hovered)); }
+void light_up_row() { ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, to_u32(theme().field_hovered)); }
 
 void term_row(UiState& state, Symbol symbol, const char* name, glm::vec3 value, bool on) {
     ImGui::TableNextRow();
@@ -80,7 +79,7 @@ void sum_row(glm::vec3 sum) {
     const ImVec2 at = ImGui::GetItemRectMin();
     cells(sum, theme().text);
     ImGui::GetWindowDrawList()->AddLine({at.x, at.y - px(1)}, {ImGui::GetItemRectMax().x, at.y - px(1)},
-                                        packed(theme().dim_text));
+                                        to_u32(theme().dim_text));
 }
 
 }  // namespace
@@ -93,7 +92,7 @@ void sum_table(UiState& state, const Explanation& why) {
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
     for (const char* channel : channel_names)
         ImGui::TableSetupColumn(channel, ImGuiTableColumnFlags_WidthFixed, width);
-    header_row(state.why_column);
+    header_row(state.inspector);
     if (state.editor.scene().npr.cool_to_warm) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();

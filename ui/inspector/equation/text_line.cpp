@@ -63,7 +63,7 @@ TextLine& TextLine::piece(const std::string& text, const ImVec4& colour, ImFont*
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     place(size.x);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddText({at.x, at.y + (height() - size.y) / 2 + down}, packed(colour),
+    ImGui::GetWindowDrawList()->AddText({at.x, at.y + (height() - size.y) / 2 + down}, to_u32(colour),
                                         text.c_str());
     ImGui::PopFont();
     ImGui::Dummy({size.x, height()});
@@ -105,7 +105,7 @@ bool TextLine::edit(const NumberHandle& handle, const ImVec4& colour, float down
                                      {n.help, n.pointer}, width);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);
-    dotted_line(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), packed(colour, 0.8f));
+    dotted_line(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), to_u32(colour, 0.8f));
     return changed;
 }
 

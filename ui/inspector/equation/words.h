@@ -5,6 +5,7 @@
 
 #include "models/scene/light.h"
 #include "renderer/inspect/explain/explanation.h"
+#include "ui/document/scene_edit.h"
 
 namespace glint {
 
@@ -30,5 +31,16 @@ struct TermSums {
 
 /// A number at a width that does not change while it does: three decimals, fewer for large ones.
 [[nodiscard]] std::string shown_number(float value);
+
+// A JSON pointer of the scene file in words, and the panel in which its number stands.
+
+struct NamedNumber {
+    std::string owner;  // "Bulb", "Teapot", "Camera"
+    std::string what;   // "position x", "diffuse red", "falloff quadratic"; empty for the whole owner
+    Selection selection;
+};
+
+/// Of a number of this scene, or of a whole object. Pointers into nothing keep their text.
+[[nodiscard]] NamedNumber named_number(const std::string& pointer, const Scene& scene);
 
 }  // namespace glint

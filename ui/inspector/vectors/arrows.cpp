@@ -31,9 +31,9 @@ void letter_at(ImDrawList& list, ImVec2 centre, const ArrowLook& look) {
 /// An arrow that points along the line of sight.
 void draw_end_on(ImDrawList& list, ImVec2 at, const ArrowLook& look) {
     const float radius = px(6);
-    list.AddCircle(at, radius, packed(rim, 0.6f), 0, px(look.width + rim_width));
-    list.AddCircle(at, radius, packed(look.colour), 0, px(look.width));
-    list.AddCircleFilled(at, px(2), packed(look.colour));
+    list.AddCircle(at, radius, to_u32(rim, 0.6f), 0, px(look.width + rim_width));
+    list.AddCircle(at, radius, to_u32(look.colour), 0, px(look.width));
+    list.AddCircleFilled(at, px(2), to_u32(look.colour));
     letter_at(list, {at.x + px(14), at.y + px(10)}, look);
 }
 
@@ -69,8 +69,8 @@ void rimmed_text(ImDrawList& list, ImVec2 centre, const ImVec4& colour, const st
     const ImVec2 at{std::round(centre.x - size.x / 2), std::round(centre.y - size.y / 2)};
     for (const ImVec2 off : {ImVec2(-1, 0), ImVec2(1, 0), ImVec2(0, -1), ImVec2(0, 1), ImVec2(1, 1),
                              ImVec2(-1, -1), ImVec2(-1, 1), ImVec2(1, -1)})
-        list.AddText({at.x + px(off.x), at.y + px(off.y)}, packed(rim, 0.55f), text.c_str());
-    list.AddText(at, packed(colour), text.c_str());
+        list.AddText({at.x + px(off.x), at.y + px(off.y)}, to_u32(rim, 0.55f), text.c_str());
+    list.AddText(at, to_u32(colour), text.c_str());
 }
 
 void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look) {
@@ -82,10 +82,10 @@ void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look)
     const ImVec2 neck{to.x - along.x * head, to.y - along.y * head};
     const ImVec2 left{neck.x + across.x * half, neck.y + across.y * half};
     const ImVec2 right{neck.x - across.x * half, neck.y - across.y * half};
-    list.AddLine(from, neck, packed(rim, 0.6f), px(look.width + rim_width));
-    list.AddTriangle(to, left, right, packed(rim, 0.6f), px(rim_width));
-    list.AddLine(from, neck, packed(look.colour), px(look.width));
-    list.AddTriangleFilled(to, left, right, packed(look.colour));
+    list.AddLine(from, neck, to_u32(rim, 0.6f), px(look.width + rim_width));
+    list.AddTriangle(to, left, right, to_u32(rim, 0.6f), px(rim_width));
+    list.AddLine(from, neck, to_u32(look.colour), px(look.width));
+    list.AddTriangleFilled(to, left, right, to_u32(look.colour));
     letter_at(list, {to.x + along.x * px(11), to.y + along.y * px(11)}, look);
 }
 
@@ -100,7 +100,7 @@ void draw_arc(const PointPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, co
     std::vector<ImVec2> points;
     for (int i = 0; i <= steps; ++i) points.push_back(pen.at(radius * direction(angle * i / steps)));
     const auto draw = [&](const ImVec4& ink, float opacity, float width) {
-        pen.list.AddPolyline(points.data(), steps + 1, packed(ink, opacity), 0, px(width));
+        pen.list.AddPolyline(points.data(), steps + 1, to_u32(ink, opacity), 0, px(width));
     };
     draw(rim, 0.6f, 1.4f + rim_width);
     draw(colour, 1, 1.4f);

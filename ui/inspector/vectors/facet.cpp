@@ -1,8 +1,18 @@
 #include "ui/inspector/vectors/facet.h"
 
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <string>
 
 #include "models/mesh/normals.h"
+#include "ui/inspector/equation/parts.h"
+#include "ui/inspector/vectors/arrows.h"
+#include "ui/ui.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 
@@ -20,6 +30,62 @@ std::optional<Facet> picked_facet(const Explanation& why, const Scene& scene) {
     facet.of_edges = facet_normal(facet.corners[0], facet.corners[1], facet.corners[2]);
     facet.newell = facet_normal(*mesh, why.face);
     return facet;
+}
+
+void facet_section(UiState& state, const Explanation& why) {
+    const auto facet = picked_facet(why, state.editor.scene());
+    if (!facet) return;
+    section_heading("The facet's own normal, object coordinates");
+    const Symbol edge = Symbol::Diffuse;
+    vector_line(edge, "a = 2 − 1", facet->edge_a);
+    vector_line(edge, "b = 3 − 1", facet->edge_b);
+    vector_line(Symbol::N, "a × b", facet->cross);
+    vector_line(Symbol::N, "made unit", facet->of_edges);
+    vector_line(Symbol::N, "Newell", facet->newell);
+    const float length = glm::length(facet->cross);
+    small_dim(
+        fmt::format("|a × b| = {:.4g}: twice the area of the triangle 1 2 3. {} corners, counter-clockwise "
+                    "seen from outside; seen from here {}.",
+                    length, facet->corners.size(), why.front_facing ? "too" : "clockwise"));
+    if (glm::dot(facet->of_edges, facet->newell) < 0.9999f && length > 0)
+        warning_text("The corners are not in one plane, or not convex: Newell's takes all of them.");
+}
+
+namespace {
+
+constexpr std::size_t most_numbered = 24;  // corners; more numbers than this hide one another
+
+}  // namespace
+
+void draw_facet(ImDrawList& list, const UiState& state, const PictureView& view) {
+    const auto facet = picked_facet(*state.explanation, state.editor.scene());
+    if (!facet) return;
+    const Object& object =
+        state.editor.scene().objects[static_cast<std::size_t>(state.explanation->object_index)];
+    const glm::dmat4 world = world_from_object(object.transform);
+    const auto place = [&](glm::vec3 p) { return glm::dvec3(world * glm::dvec4(glm::dvec3(p), 1)); };
+    const auto window = [&](glm::dvec3 p) { return view.to_window(project(view.map, p).pixel); };
+    glm::dvec3 middle(0);
+    std::vector<ImVec2> outline;
+    for (const glm::vec3 corner : facet->corners) {
+        middle += place(corner) / double(facet->corners.size());
+        outline.push_back(window(place(corner)));
+    }
+    const int count = static_cast<int>(outline.size());
+    list.AddPolyline(outline.data(), count, to_u32({0, 0, 0, 1}, 0.6f), ImDrawFlags_Closed, px(3.6f));
+    list.AddPolyline(outline.data(), count, to_u32({1, 1, 1, 1}), ImDrawFlags_Closed, px(1.2f));
+    const ImVec4& edge = dark_theme()[Symbol::Diffuse];
+    draw_arrow(list, outline[0], outline[1], {edge, 2.5f, "a"});
+    draw_arrow(list, outline[0], outline[2], {edge, 2.5f, "b"});
+    for (std::size_t i = 0; i < std::min(outline.size(), most_numbered); ++i)
+        rimmed_text(list, {outline[i].x, outline[i].y + px(12)}, {1, 1, 1, 1}, std::to_string(i + 1));
+    // Normals go by the inverse transpose; a mirrored scale turns the winding round.
+    const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(world)));
+    const glm::dvec3 n = normal_matrix * glm::dvec3(facet->newell);
+    if (glm::length(n) == 0) return;
+    const PointPen pen = pen_at(list, view, middle, 70);
+    draw_arrow(list, pen.at(glm::dvec3(0)), pen.at(glm::normalize(n)),
+               {dark_theme()[Symbol::N], 2.5f, "a×b"});
 }
 
 }  // namespace glint

@@ -2,6 +2,8 @@
 // The picked facet: the corners around it, two edges that leave one corner, their cross product, and Newell's
 // normal over all corners. Lecture: "Computing Normals".
 
+#include <imgui.h>
+
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
@@ -22,5 +24,16 @@ struct Facet {
 
 /// Nothing when the explanation is of no facet of this scene.
 [[nodiscard]] std::optional<Facet> picked_facet(const Explanation& why, const Scene& scene);
+
+struct UiState;
+
+/// The picked facet's edges, their cross product and its length, and Newell's normal.
+void facet_section(UiState& state, const Explanation& why);
+
+struct PictureView;
+
+/// The picked facet in the picture: its outline with the corners numbered in their order, two edges and its
+/// normal.
+void draw_facet(ImDrawList& list, const UiState& state, const PictureView& view);
 
 }  // namespace glint

@@ -1,5 +1,3 @@
-#include "ui/inspector/vectors/lobe_diagram.h"
-
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -14,6 +12,7 @@
 #include "ui/inspector/equation/parts.h"
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/vectors/arrows.h"
+#include "ui/inspector/vectors/vectors_tab.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 
@@ -49,11 +48,11 @@ class Diagram {
     [[nodiscard]] ImVec2 at(glm::vec2 p) const { return {foot_.x + p.x * reach_, foot_.y - p.y * reach_}; }
 
     void ground() const {
-        list_.AddLine({left_ + px(8), foot_.y}, {right_ - px(8), foot_.y}, packed(theme().dim_text), px(1));
+        list_.AddLine({left_ + px(8), foot_.y}, {right_ - px(8), foot_.y}, to_u32(theme().dim_text), px(1));
     }
     void arrow(glm::vec2 to, Symbol symbol, bool thick) const {
         const ImVec2 from = foot_, tip = at(to);
-        const ImU32 ink = packed(theme()[symbol]);
+        const ImU32 ink = to_u32(theme()[symbol]);
         list_.AddLine(from, tip, ink, px(thick ? 4.0f : 2.0f));
         list_.AddCircleFilled(tip, px(3), ink);
         const float size = std::max(std::hypot(to.x, to.y), 0.05f);
@@ -69,16 +68,16 @@ class Diagram {
         constexpr float up = -std::numbers::pi_v<float> / 2;
         if (std::abs(angle) < 0.02f) return;
         list_.PathArcTo(foot_, r * reach_, up, up + angle, 20);
-        list_.PathStroke(packed(theme()[symbol]), 0, px(1));
+        list_.PathStroke(to_u32(theme()[symbol]), 0, px(1));
         const std::string text = fmt::format("{:.0f}°", std::abs(degrees));
         const ImVec2 size = ImGui::CalcTextSize(text.c_str());
         const ImVec2 spot = at((r + 0.17f) * glm::vec2(std::sin(angle / 2), std::cos(angle / 2)));
-        list_.AddText({spot.x - size.x / 2, spot.y - size.y / 2}, packed(theme()[symbol]), text.c_str());
+        list_.AddText({spot.x - size.x / 2, spot.y - size.y / 2}, to_u32(theme()[symbol]), text.c_str());
     }
     void lobe(const std::vector<glm::vec2>& outline, const ImVec4& colour) const {
         for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
-            list_.AddTriangleFilled(foot_, at(outline[i]), at(outline[i + 1]), packed(colour, 0.13f));
-            list_.AddLine(at(outline[i]), at(outline[i + 1]), packed(colour, 0.8f), px(1));
+            list_.AddTriangleFilled(foot_, at(outline[i]), at(outline[i + 1]), to_u32(colour, 0.13f));
+            list_.AddLine(at(outline[i]), at(outline[i + 1]), to_u32(colour, 0.8f), px(1));
         }
     }
 
@@ -91,10 +90,10 @@ class Diagram {
 /// The lobe in polar form, its longest ray as long as a unit vector.
 std::vector<glm::vec2> lobe_outline(const UiState& state, double light_deg) {
     const Shading& shading = state.editor.scene().shading;
-    const Reflector reflector{shading.reflection, state.why->material, shading.terms};
+    const Reflector reflector{shading.reflection, state.explanation->material, shading.terms};
     const std::vector<LobeSample> slice = lobe_slice(reflector, light_deg, lobe_steps);
     const auto strength = [&](const LobeSample& s) {
-        return (s.reflected.diffuse + s.reflected.specular)[state.why_column.channel];
+        return (s.reflected.diffuse + s.reflected.specular)[state.inspector.channel];
     };
     float most = 1e-6f;
     for (const LobeSample& sample : slice) most = std::max(most, strength(sample));
@@ -109,14 +108,14 @@ std::vector<glm::vec2> lobe_outline(const UiState& state, double light_deg) {
 }  // namespace
 
 void lobe_diagram(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light) {
-    const auto pointed = state.why_column.pointed_vector;
+    const auto pointed = state.inspector.pointed_vector;
     const IncidencePlane plane = plane_of(point, light);
     const Diagram diagram;
     ImGui::PushFont(fonts().small);
     diagram.ground();
     const double light_deg = angle_deg(light.n_dot_l);
     if (light_deg < 89.5) diagram.lobe(lobe_outline(state, light_deg), theme()[Symbol::Specular]);
-    const ReflectionInfo model = info_of(state.why->reflection);
+    const ReflectionInfo model = info_of(state.explanation->reflection);
     const auto arrow = [&](Symbol symbol, const InBothFrames& v) {
         diagram.arrow(plane.of(v.camera), symbol, pointed == symbol);
     };

@@ -1,5 +1,3 @@
-#include "ui/inspector/vectors/vectors_overlay.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,7 +7,8 @@
 #include "renderer/inspect/reflectance/mirror.h"
 #include "ui/inspector/asked.h"
 #include "ui/inspector/vectors/arrows.h"
-#include "ui/inspector/vectors/facet_overlay.h"
+#include "ui/inspector/vectors/facet.h"
+#include "ui/inspector/vectors/vectors_tab.h"
 #include "ui/ui.h"
 
 namespace glint {
@@ -26,7 +25,7 @@ class PointDrawing {
 
     void draw() {
         const ExplainedLight* light = asked_light(state_, point_);
-        const bool alone = light != nullptr && light->samples.empty() && state_.why_column.mirror_step == 0;
+        const bool alone = light != nullptr && light->samples.empty() && state_.inspector.mirror_step == 0;
         // The letters first: degrees give way to them.
         if (light != nullptr && !light->samples.empty()) fan(*light);
         if (light != nullptr && light->samples.empty() && !alone) mirror(*light);
@@ -39,7 +38,7 @@ class PointDrawing {
 
   private:
     void arrow(Symbol symbol, const InBothFrames& v) {
-        const bool thick = state_.why_column.pointed_vector == symbol;
+        const bool thick = state_.inspector.pointed_vector == symbol;
         draw_arrow(pen_.list, pen_.at(glm::dvec3(0)), pen_.at(glm::dvec3(v.world)),
                    {theme_colour(symbol), thick ? 4.5f : 2, letter_of(symbol), &words_});
     }
@@ -49,8 +48,8 @@ class PointDrawing {
     void arc(const InBothFrames& a, const InBothFrames& b, double radius, Symbol symbol) {
         draw_arc(pen_, glm::dvec3(a.world), glm::dvec3(b.world), radius, theme_colour(symbol), words_);
     }
-    [[nodiscard]] bool has_r() const { return info_of(state_.why->reflection).uses_r(); }
-    [[nodiscard]] bool has_h() const { return info_of(state_.why->reflection).uses_h; }
+    [[nodiscard]] bool has_r() const { return info_of(state_.explanation->reflection).uses_r(); }
+    [[nodiscard]] bool has_h() const { return info_of(state_.explanation->reflection).uses_h; }
     void arrows_of(const ExplainedLight& light) {
         if (has_r()) arrow(Symbol::R, light.r);
         if (has_h()) arrow(Symbol::H, light.h);
@@ -60,7 +59,7 @@ class PointDrawing {
         const InBothFrames& n = point_.normal;
         arc(n, light.l, 0.45, Symbol::L);
         if (has_r()) arc(n, light.r, 0.45, Symbol::R);
-        if (has_r() && state_.why_column.pointed_vector == Symbol::R)
+        if (has_r() && state_.inspector.pointed_vector == Symbol::R)
             arc(light.r, point_.view, 0.7, Symbol::V);
         if (has_h()) arc(n, light.h, 0.7, Symbol::H);
     }
@@ -72,7 +71,7 @@ class PointDrawing {
     }
     /// P, 2 P and r as they come about from a normal of the chosen length.
     void mirror(const ExplainedLight& light) {
-        const WhyState& why = state_.why_column;
+        const InspectorState& why = state_.inspector;
         const glm::vec3 n = why.normal_length * point_.normal.world, l = light.l.world;
         const MirrorSteps steps = mirror_steps(n, l);
         const auto draw = [&](glm::vec3 from, glm::vec3 to, ImVec4 colour, const char* letter, float width) {
@@ -112,8 +111,8 @@ void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& 
     for (const ExplainedCorner& corner : why.corners) {
         const ImVec2 at = place(corner);
         const glm::vec3 c = glm::clamp(corner.at.sum, 0.0f, 1.0f);
-        list.AddCircleFilled(at, px(6.5f), packed({0, 0, 0, 1}, 0.7f));
-        list.AddCircleFilled(at, px(5), packed({c.x, c.y, c.z, 1}));
+        list.AddCircleFilled(at, px(6.5f), to_u32({0, 0, 0, 1}, 0.7f));
+        list.AddCircleFilled(at, px(5), to_u32({c.x, c.y, c.z, 1}));
         if (roomy)
             rimmed_text(list, {at.x, at.y - px(14)}, {1, 1, 1, 1},
                         fmt::format("{} {:.2f}", letter, corner.weight));
@@ -127,20 +126,20 @@ void draw_preview_name(ImDrawList& list, const PictureView& view, const std::str
     const float middle = view.origin.x + float(view.map.size.width) * view.units_per_pixel / 2;
     const ImVec2 low{middle - size.x / 2 - px(12), view.origin.y + px(10)};
     const ImVec2 high{middle + size.x / 2 + px(12), low.y + size.y + px(8)};
-    list.AddRectFilled(low, high, packed(theme().window, 0.85f), px(12));
-    list.AddText({low.x + px(12), low.y + px(4)}, packed(theme().text), name.c_str());
+    list.AddRectFilled(low, high, to_u32(theme().window, 0.85f), px(12));
+    list.AddText({low.x + px(12), low.y + px(4)}, to_u32(theme().text), name.c_str());
 }
 
 }  // namespace
 
 void draw_point_vectors(ImDrawList& list, const UiState& state, const PictureView& view) {
-    const WhyState& column = state.why_column;
+    const InspectorState& column = state.inspector;
     if (!column.preview_name.empty()) draw_preview_name(list, view, column.preview_name);
-    if (!state.why || !state.why->hit) return;
+    if (!state.explanation || !state.explanation->hit) return;
     if (column.shows_facet) draw_facet(list, state, view);
-    if (!column.shows_vectors || state.why->reflection == Reflection::None) return;
-    draw_corners(list, view, *state.why);
-    PointDrawing(list, state, view, asked_point(column, *state.why)).draw();
+    if (!column.shows_vectors || state.explanation->reflection == Reflection::None) return;
+    draw_corners(list, view, *state.explanation);
+    PointDrawing(list, state, view, asked_point(column, *state.explanation)).draw();
 }
 
 }  // namespace glint

@@ -4,35 +4,35 @@
 #include <imgui.h>
 
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 
+#include "renderer/inspect/reflectance/mirror.h"
 #include "ui/inspector/asked.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/inspector/equation/words.h"
-#include "ui/inspector/heading.h"
-#include "ui/inspector/needs_section.h"
-#include "ui/inspector/vectors/facet_section.h"
-#include "ui/inspector/vectors/lobe_diagram.h"
-#include "ui/inspector/vectors/mirror_section.h"
+#include "ui/inspector/tabs.h"
+#include "ui/inspector/vectors/facet.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
+
 namespace {
 
 constexpr float part_width = 62;
 
-void frame_switch(WhyState& why) {
+void frame_switch(InspectorState& why) {
     const std::array options{Choice{"camera", "Camera",
                                     "Where illumination is computed: the eye at the origin, "
                                     "looking down −z"},
                              Choice{"world", "World", "As the scene file says where things are"}};
-    row("Frame");
+    label_cell("Frame");
     why.world_frame = segments("##frame", why.world_frame ? 1 : 0, options, {"", ""}) == 1;
 }
 
-void switches(WhyState& why) {
+void switches(InspectorState& why) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     (void)ImGui::Checkbox("draw them in the picture", &why.shows_vectors);
     tooltip("Vectors in the picture", "n, l, v and r or h at the picked point, with their angles",
@@ -44,7 +44,7 @@ void switches(WhyState& why) {
 }
 
 /// One row; pointed at, its arrow is drawn thick.
-void vector_row(WhyState& why, Symbol symbol, const char* letter, const InBothFrames& vector,
+void vector_row(InspectorState& why, Symbol symbol, const char* letter, const InBothFrames& vector,
                 const char* meaning) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -53,7 +53,7 @@ void vector_row(WhyState& why, Symbol symbol, const char* letter, const InBothFr
     const glm::vec3 v = why.world_frame ? vector.world : vector.camera;
     for (int i = 0; i < 3; ++i) {
         ImGui::TableNextColumn();
-        figures(shown_number(v[i]));
+        mono_text(shown_number(v[i]));
     }
     if (ImGui::TableGetColumnCount() > 4) {
         ImGui::TableNextColumn();
@@ -67,7 +67,7 @@ void vector_row(WhyState& why, Symbol symbol, const char* letter, const InBothFr
     if (is_pointed_at(low, high) && *letter != 'p') why.pointed_vector = symbol;
 }
 
-void vector_table(WhyState& why, const ExplainedPoint& point, const ExplainedLight* light) {
+void vector_table(InspectorState& why, const ExplainedPoint& point, const ExplainedLight* light) {
     const bool roomy = ImGui::GetContentRegionAvail().x > px(290);  // for what each of them is
     if (!ImGui::BeginTable("##vectors", roomy ? 5 : 4,
                            ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_SizingFixedFit))
@@ -109,7 +109,7 @@ void light_buttons(UiState& state, const ExplainedPoint& point, const ExplainedL
         ImGui::PushStyleColor(ImGuiCol_Text, on ? theme().accent_text : theme().text);
         ImGui::PushID(light.index);
         if (ImGui::Button(light.name.c_str())) state.editor.selection = {Selection::Kind::Light, light.index};
-        if (is_pointed_at()) state.why_column.pointed_light = light.index;
+        if (is_pointed_at()) state.inspector.pointed_light = light.index;
         ImGui::PopID();
         ImGui::PopStyleColor(2);
     }
@@ -119,23 +119,58 @@ void light_buttons(UiState& state, const ExplainedPoint& point, const ExplainedL
 }  // namespace
 
 void vectors_tab(UiState& state, const PictureView&) {
-    if (!state.why)
-        return why_empty_state("Here the vectors of that point appear, drawn in the picture too.");
-    const Explanation& why = *state.why;
+    if (!state.explanation)
+        return inspector_empty_state("Here the vectors of that point appear, drawn in the picture too.");
+    const Explanation& why = *state.explanation;
     if (!why.hit) return wrapped_dim("No object shows here: there is no normal and no light.");
-    const ExplainedPoint& point = asked_point(state.why_column, why);
+    const ExplainedPoint& point = asked_point(state.inspector, why);
     const ExplainedLight* light = asked_light(state, point);
-    switches(state.why_column);
-    frame_switch(state.why_column);
+    switches(state.inspector);
+    frame_switch(state.inspector);
     if (light != nullptr) light_buttons(state, point, *light);
-    vector_table(state.why_column, point, light);
+    vector_table(state.inspector, point, light);
     if (light != nullptr && light->samples.empty()) {
         same_product(point, *light);
         lobe_diagram(state, point, *light);
-        mirror_section(state.why_column, point, *light);
+        mirror_section(state.inspector, point, *light);
         needs_section(state, point, *light);
     }
     facet_section(state, why);
+}
+
+namespace {
+
+/// Made when first asked for.
+const std::array<Choice, 5>& step_options() {
+    static const std::array<Choice, 5> options{
+        Choice{"", "off", "r itself is drawn"}, Choice{"", "N, L", "What is given"},
+        Choice{"", "P", "P = N (N·L): the shadow of L on N"}, Choice{"", "2P", "Twice as far"},
+        Choice{"", "R", "R = 2P − L"}};
+    return options;
+}
+
+}  // namespace
+
+void mirror_section(InspectorState& state, const ExplainedPoint& point, const ExplainedLight& light) {
+    section_heading("r = 2 n (n·l) − l, step by step");
+    state.mirror_step = segments("##step", state.mirror_step, step_options(), {"", ""});
+    if (state.mirror_step == 0) return;
+    (void)number_field("|N|", state.normal_length,
+                       {.range = {0.25, 2, "0.25 to 2"}, .step = 0.005f, .format = "%.2f", .usual_max = 2}, 1,
+                       {"Length of the normal here; a normal is to be unit. Not part of the scene", ""});
+    const bool world = state.world_frame;
+    const glm::vec3 n = state.normal_length * (world ? point.normal.world : point.normal.camera);
+    const glm::vec3 l = world ? light.l.world : light.l.camera;
+    const MirrorSteps steps = mirror_steps(n, l);
+    vector_line(Symbol::N, "N", n);
+    vector_line(Symbol::L, "L", l);
+    if (state.mirror_step >= 2) vector_line(Symbol::Diffuse, "P = N (N·L)", steps.p);
+    if (state.mirror_step >= 3) vector_line(Symbol::Diffuse, "2P", steps.twice_p);
+    if (state.mirror_step >= 4) vector_line(Symbol::R, "R = 2P − L", steps.r);
+    const float length = state.normal_length;
+    if (std::abs(length - 1) > 0.005f)
+        warning_text(fmt::format("|N| = {:.2f}: P is {:.2f} times as long as it should be, |R| = {:.2f}",
+                                 length, length * length, glm::length(steps.r)));
 }
 
 }  // namespace glint

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ui/picture/handles/light_handles.h"
 #include "ui/picture/handles/surface_patch.h"
 #include "ui/widgets/theme.h"
 
@@ -147,7 +148,7 @@ void drag_held(Held& held, ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec
         light = moved_highlight(*drag, surface_of(frame), cursor_px, last_px, keys.shift);
     else if (const auto* line = std::get_if<TerminatorDrag>(&held.drag))
         light = dragged_terminator(*line, surface_of(frame), cursor_px);
-    held.astray = !light;
+    held.no_solution = !light;
     if (light) light_of(frame, held.grip) = *light;
 }
 

@@ -1,18 +1,37 @@
 #pragma once
-// A hand on the picture: what the cursor could take hold of, and what happens to the scene while it is
-// dragged. The closed list of grips; each has a file of its own, with pure functions.
+// What can be dragged in the picture, and how dragging it edits the scene: what the cursor could take hold
+// of, and what happens to the scene while it is dragged. The closed list of grips; each has a file of its
+// own, with pure functions.
 
+#include <array>
 #include <string>
 #include <variant>
 
-#include "ui/picture/handles/hand_frame.h"
+#include "renderer/renderer.h"
+#include "ui/document/scene_edit.h"
 #include "ui/picture/handles/highlight_drag.h"
 #include "ui/picture/handles/light_drag.h"
 #include "ui/picture/handles/light_shape.h"
 #include "ui/picture/handles/object_drag.h"
-#include "ui/picture/handles/terminator_drag.h"
+#include "ui/picture/picture_view.h"
 
 namespace glint {
+
+// What one frame of the viewport works on, and which keys the other hand holds.
+
+struct ViewportFrame {
+    Scene& scene;
+    Selection& selection;
+    const Renderer* renderer = nullptr;  // of the last picture; null before the first
+    PictureView view;
+    GizmoMode gizmo = GizmoMode::Move;  // of the selected object
+    std::optional<glm::dvec3> pivot{};  // what Rotate turns it about, world coordinates; else its origin
+};
+
+struct HandKeys {
+    bool shift = false, ctrl = false, alt = false;
+    std::array<bool, 3> axis{};  // X, Y, Z
+};
 
 enum class GripKind { None, Light, Shape, Object, Highlight, Terminator };
 
@@ -45,7 +64,7 @@ struct Held {
     Grip grip;
     DragView view;
     std::variant<std::monostate, LightDrag, ShapeDrag, ObjectDrag, HighlightDrag, TerminatorDrag> drag;
-    bool astray = false;  // the cursor is where the drag has no answer: the scene waits as it is
+    bool no_solution = false;  // the cursor is where the drag has no answer: the scene waits as it is
 };
 
 /// Takes hold of `grip` at a place of the cursor. Precondition: the grip exists in the scene.

@@ -41,7 +41,7 @@ const char* part_words(GizmoPart part) {
 }
 
 /// What dragging a part of the gizmo does, as a command: "Move along X".
-std::string deed_words(GizmoMode mode, GizmoPart part) {
+std::string action_text(GizmoMode mode, GizmoPart part) {
     const bool free = part == GizmoPart::Free;
     switch (mode) {
     case GizmoMode::None:
@@ -85,11 +85,11 @@ std::string motion_words(const Held& held) {
     case GripKind::Shape:
         return "shape";
     case GripKind::Object:
-        return deed_words(held.grip.mode, held.grip.part);
+        return action_text(held.grip.mode, held.grip.part);
     case GripKind::Highlight:
-        return held.astray ? "cannot shine there" : "by its highlight";
+        return held.no_solution ? "cannot shine there" : "by its highlight";
     case GripKind::Terminator:
-        return held.astray ? "cannot end there" : "by its terminator, n·l = 0";
+        return held.no_solution ? "cannot end there" : "by its terminator, n·l = 0";
     }
     return {};  // not reached
 }
@@ -108,7 +108,7 @@ std::string hint_of(const Grip& grip, const Scene& scene) {
                            grip.shape.part == ShapePart::Aim ? " · Shift: at what is under the cursor" : "");
     case GripKind::Object:
         return fmt::format("{} · X Y Z: axis · Ctrl: snap · G R T: move, rotate, scale",
-                           deed_words(grip.mode, grip.part));
+                           action_text(grip.mode, grip.part));
     case GripKind::Highlight:
         return fmt::format(
             "Drag the highlight of {} · Shift: in depth · Click: why this colour · Alt+drag: orbit",
@@ -133,11 +133,11 @@ std::string hint_of(const Held& held) {
     case GripKind::Object:
         return "X Y Z: along or round an axis · Ctrl: snap · Esc: cancel";
     case GripKind::Highlight:
-        return held.astray ? "No light could shine there: the light waits · Esc: cancel"
-                           : "The light stands where v is mirrored at n · Shift: in depth · Esc: cancel";
+        return held.no_solution ? "No light could shine there: the light waits · Esc: cancel"
+                                : "The light stands where v is mirrored at n · Shift: in depth · Esc: cancel";
     case GripKind::Terminator:
-        return held.astray ? "No surface there: the light waits · Esc: cancel"
-                           : "The light lies in the plane that touches the surface here · Esc: cancel";
+        return held.no_solution ? "No surface there: the light waits · Esc: cancel"
+                                : "The light lies in the plane that touches the surface here · Esc: cancel";
     }
     return {};  // not reached
 }
@@ -153,7 +153,7 @@ HandNote note_of(const Grip& grip, const Scene& scene) {
     case GripKind::Shape:
         return {shape_words(grip.shape.part), name};
     case GripKind::Object:
-        return {deed_words(grip.mode, grip.part), name};
+        return {action_text(grip.mode, grip.part), name};
     case GripKind::Highlight:
         return {"Drag the highlight", name};
     case GripKind::Terminator:

@@ -2,6 +2,8 @@
 // Moving, rotating and scaling an object by hand: where the gizmo is, what of it is under the cursor, and
 // what a drag makes of the transform. Pure functions; M = T Rz Ry Rx S (models/scene/transform.h).
 
+#include <imgui.h>
+
 #include <array>
 #include <glm/mat3x3.hpp>
 #include <optional>
@@ -57,5 +59,11 @@ struct ObjectDrag {
 /// The small squares between two axes by which an object is moved in a plane: from this to this share of the
 /// axes' length.
 inline constexpr double plane_from = 0.28, plane_to = 0.46;
+
+// The gizmo of the selected object: arrows, rings or boxes, each axis in its colour with its letter.
+
+/// `in_hand`: the part that is under the cursor or being dragged.
+void draw_object_gizmo(ImDrawList& list, const PictureView& view, const ObjectGizmo& gizmo, GizmoMode mode,
+                       std::optional<GizmoPart> in_hand);
 
 }  // namespace glint

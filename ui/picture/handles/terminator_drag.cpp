@@ -1,10 +1,9 @@
-#include "ui/picture/handles/terminator_drag.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "renderer/inspect/reflectance/highlight.h"
+#include "ui/picture/handles/highlight_drag.h"
 #include "ui/picture/handles/surface_patch.h"
 
 namespace glint {

@@ -1,0 +1,52 @@
+#pragma once
+// What tests of the WHY column share.
+
+#include <imgui_internal.h>
+
+#include <string>
+
+#include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
+#include "ui/inspector/tabs.h"
+
+namespace glint::test {
+
+/// The window of ImGui whose name holds `part`, in its last frame; null when there was none.
+inline const ImGuiWindow* window_named(const std::string& part) {
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+        if (window->WasActive && std::string(window->Name).find(part) != std::string::npos) return window;
+    return nullptr;
+}
+
+/// Opens a tab and picks the pixel at this share of the picture.
+inline void ask(HeadlessWindow& bench, InspectorTab tab, glm::dvec2 share = {0.5, 0.5}) {
+    bench.frames(2);
+    bench.state.inspector.tab = tab;
+    bench.state.viewport.probe = share;
+    bench.frames(3);
+}
+
+inline Rect right_column(const HeadlessWindow& bench) {
+    return lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).right;
+}
+
+/// The middle of a control in that column.
+inline ImVec2 in_column(const HeadlessWindow& bench, std::string_view name_or_key) {
+    return HeadlessWindow::middle_of(bench.area_of(name_or_key, right_column(bench)));
+}
+
+/// Rests the mouse on that control; where it is.
+inline ImVec2 rest_on(HeadlessWindow& bench, std::string_view name_or_key) {
+    const ImVec2 at = in_column(bench, name_or_key);
+    bench.move(at);
+    bench.frames(1);
+    return at;
+}
+
+/// Moves the mouse away from everything.
+inline void rest(HeadlessWindow& bench) {
+    ImGui::GetIO().MousePos = {5, 5};
+    bench.frames(3);
+}
+
+}  // namespace glint::test

@@ -1,0 +1,142 @@
+#pragma once
+// A window without a window: ImGui with no backend, fed with a mouse and keys, run frame by frame.
+
+#include <imgui.h>
+
+#include <cmath>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "tests/support/catch.h"
+#include "ui/commands/command.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/named_controls.h"
+#include "ui/widgets/theme.h"
+
+namespace glint::test {
+
+/// A command by its name in menus.
+inline const Command& command_named(std::string_view name) {
+    for (const Command& command : commands())
+        if (command.name == name) return command;
+    FAIL("there is no command " << name);
+    return commands()[0];
+}
+
+class HeadlessWindow {
+  public:
+    explicit HeadlessWindow(ImVec2 size = {1280, 800}) : state(1) {
+        context_ = ImGui::CreateContext();
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = size;
+        io.DeltaTime = 1.0f / 60;
+        apply_theme(dark_theme(), 1);
+        load_fonts({}, 1, 1);  // ImGui's own font: the same on every machine
+        unsigned char* pixels = nullptr;
+        int width = 0, height = 0;
+        io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+        state.pace.slow_ms = HUGE_VAL;  // what a test sees must not depend on what else the machine does
+        take_document(state.editor, first_scene());
+        list_controls_in(&controls_);
+    }
+    ~HeadlessWindow() {
+        list_controls_in(nullptr);
+        ImGui::DestroyContext(context_);
+    }
+    HeadlessWindow(const HeadlessWindow&) = delete;
+    HeadlessWindow& operator=(const HeadlessWindow&) = delete;
+
+    UiRequests frame(const UiInput& input = {}) {
+        controls_.clear();
+        ImGui::NewFrame();
+        UiRequests wants = ui_frame(state, input);
+        ImGui::Render();
+        return wants;
+    }
+    void frames(int count) {
+        for (int i = 0; i < count; ++i) (void)frame();
+    }
+    void move(ImVec2 to) {
+        ImGui::GetIO().MousePos = to;
+        (void)frame();
+    }
+    void button(bool down, int which = 0) {
+        ImGui::GetIO().MouseDown[which] = down;
+        (void)frame();
+    }
+    void click(ImVec2 at) {
+        move(at);
+        button(true);
+        button(false);
+    }
+    void drag(ImVec2 from, ImVec2 to, int which = 0) {
+        move(from);
+        button(true, which);
+        for (int i = 1; i <= 5; ++i)
+            move({from.x + (to.x - from.x) * float(i) / 5, from.y + (to.y - from.y) * float(i) / 5});
+        button(false, which);
+    }
+    UiRequests key(Key key, bool ctrl = false, bool shift = false) {
+        UiInput input;
+        input.presses.push_back({key, ctrl, shift, false});
+        return frame(input);
+    }
+
+    /// Frames until nothing is being loaded any more.
+    void wait_for_loads() {
+        do {
+            (void)frame();
+            std::this_thread::yield();
+        } while (state.loading.active());
+        (void)frame();
+    }
+
+    /// Those of the last frame.
+    [[nodiscard]] const std::vector<NamedControl>& controls() const { return controls_; }
+    /// Of a control in sight within `area` by its name or its key in the scene file, "/lights/0/diffuse"; of
+    /// several, the one that was drawn first.
+    [[nodiscard]] Rect area_of(std::string_view name_or_key, const Rect& area) const {
+        for (const NamedControl& control : controls_) {
+            const ImVec2 at = middle_of(control.at);
+            const bool inside =
+                at.x >= area.low.x && at.y >= area.low.y && at.x < area.high.x && at.y < area.high.y;
+            const bool named = control.name == name_or_key || control.key == name_or_key;
+            if (inside && named && control.in_sight) return control.at;
+        }
+        FAIL("there is no control " << name_or_key << " in sight");
+        return {};
+    }
+    [[nodiscard]] Rect area_of(std::string_view name_or_key) const {
+        return area_of(name_or_key, {{0, 0}, ImGui::GetIO().DisplaySize});
+    }
+    [[nodiscard]] static ImVec2 middle_of(const Rect& area) {
+        return {(area.low.x + area.high.x) / 2, (area.low.y + area.high.y) / 2};
+    }
+    [[nodiscard]] ImVec2 control(std::string_view name_or_key) const {
+        return middle_of(area_of(name_or_key));
+    }
+
+    [[nodiscard]] Scene& scene() { return state.editor.scene(); }
+    /// The picture's place in the window, as a pixel of it shows.
+    [[nodiscard]] ImVec2 at_pixel(glm::dvec2 pixel) const {
+        const Layout layout = lay_out(ImGui::GetIO().DisplaySize, state.layout, 1);
+        const ImVec2 low = picture_area(layout.centre, 1).low;
+        return {low.x + float(pixel.x), low.y + float(pixel.y)};
+    }
+    [[nodiscard]] glm::dvec2 handle_pixel(int light) {
+        const ScreenMap map = screen_map(scene().camera, state.rendered->size);
+        const Dome dome = sun_dome(scene().camera.target, scene_bounds(scene()), map);
+        return project(map, handle_of(scene().lights[static_cast<std::size_t>(light)], dome, map)).pixel;
+    }
+
+    UiState state;
+
+  private:
+    std::vector<NamedControl> controls_;
+    ImGuiContext* context_ = nullptr;
+};
+
+}  // namespace glint::test

@@ -1,0 +1,106 @@
+#include "ui/commands/command.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "ui/commands/command_rows.h"
+#include "ui/picture/tool.h"
+#include "ui/shell/modal.h"
+#include "ui/ui.h"
+
+namespace glint {
+
+namespace {
+
+std::vector<Command> all_commands() {
+    std::vector<Command> all;
+    for (const auto rows : {file_commands, edit_commands, view_commands, lecture_commands, shading_commands})
+        for (Command& row : rows()) all.push_back(std::move(row));
+    return all;
+}
+
+}  // namespace
+
+std::span<const Command> commands() {
+    static const std::vector<Command> all = all_commands();
+    return all;
+}
+
+const Command& command(CommandId id) {
+    for (const Command& row : commands())
+        if (row.id == id) return row;
+    throw std::logic_error("a command without a row");  // a test asks for every one
+}
+
+std::string keys_of(const Command& command) {
+    std::string keys;
+    for (const KeyPress& press : command.keys) keys.append(keys.empty() ? "" : " or ").append(text_of(press));
+    return keys;
+}
+
+std::string keys_of(CommandId id) { return keys_of(command(id)); }
+
+std::string keys_of_value(std::string_view value) {
+    if (value.empty()) return {};
+    for (const Command& row : commands())
+        if (row.sets == value) return keys_of(row);
+    return {};
+}
+
+std::string why_disabled(const UiState& state, const Command& command) {
+    return command.why_disabled == nullptr ? std::string() : command.why_disabled(state);
+}
+
+std::optional<bool> is_on(const UiState& state, const Command& command) {
+    if (command.is_on == nullptr) return {};
+    return command.is_on(state);
+}
+
+void run_command(UiState& state, const Command& command) {
+    if (!can_run(state, command)) return;
+    state.viewport.touched |= command.changes_picture;
+    command.run(state);
+}
+
+void run_keys(UiState& state, const UiInput& input) {
+    const bool busy =
+        state.viewport.gesture != Gesture::None || (ImGui::IsAnyMouseDown() && ImGui::IsAnyItemActive());
+    for (const KeyPress& press : input.presses) {
+        if (press.key == Key::Escape) escape(state);
+        if (busy || state.palette.open || modal_of(state) != Modal::None) continue;
+        // While text is typed its keys are text; Ctrl+S still saves.
+        const bool typing = ImGui::GetIO().WantTextInput;
+        if (typing && !(press.ctrl && press.key == Key::S)) continue;
+        const auto has_key = [&press](const Command& command) {
+            return std::find(command.keys.begin(), command.keys.end(), press) != command.keys.end();
+        };
+        const auto found = std::find_if(commands().begin(), commands().end(), has_key);
+        if (found != commands().end()) run_command(state, *found);
+    }
+}
+
+namespace {
+
+std::string name_of(Key key) {
+    static constexpr const char* after_z[] = {"1",     "2",     "3",     "4",    "pad 0", "pad 1", "pad 3",
+                                              "pad 5", "pad 7", "pad .", "Del",  "Esc",   "Enter", "Tab",
+                                              "Up",    "Down",  "PgUp",  "PgDn", "F1",    "F8",    "F9",
+                                              "F10",   "F11",   "F12",   "?",    ""};
+    static_assert(std::size(after_z) == static_cast<int>(Key::Other) - static_cast<int>(Key::Z));
+    const int index = static_cast<int>(key);
+    if (key <= Key::Z) return std::string(1, static_cast<char>('A' + index));
+    return after_z[index - static_cast<int>(Key::Z) - 1];
+}
+
+}  // namespace
+
+std::string text_of(KeyPress press) {
+    std::string text = press.ctrl ? "Ctrl+" : "";
+    if (press.alt) text += "Alt+";
+    if (press.shift && press.key != Key::Question) text += "Shift+";  // "?" is typed with Shift
+    return text + name_of(press.key);
+}
+
+}  // namespace glint

@@ -1,0 +1,55 @@
+#pragma once
+// Everything that a menu item or a key does, once: a command is one row of a table, and the row's functions
+// do it. Menus, keys, the palette, the tool bar and the sheet of shortcuts read the rows. The rows stand in
+// commands_file_edit.cpp, commands_view.cpp, commands_lecture.cpp and commands_shading.cpp.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ui/commands/keys.h"
+#include "ui/widgets/shortcut.h"
+
+namespace glint {
+
+struct UiState;
+
+/// The menu in which a command stands, in the table's order. None: it has a key, and the palette finds it.
+enum class Menu { None, File, Edit, View, Lecture, Help };
+
+struct Command {
+    const char* name = "";
+    std::vector<KeyPress> keys = {};
+    Menu menu = Menu::None;
+    void (*run)(UiState&) = nullptr;
+    bool (*is_on)(const UiState&) = nullptr;                // null: it is no switch
+    std::string (*why_disabled)(const UiState&) = nullptr;  // null, or an empty reason: it can be done
+    CommandId id = CommandId::None;
+    bool line_above = false;  // in the menu
+    bool changes_picture =
+        false;              // it shows something over or in place of the picture: hints would be in its way
+    const char* sets = "";  // what it sets of the scene, as keys_of_value() takes it
+};
+
+/// All commands, in the order of menus and lists.
+[[nodiscard]] std::span<const Command> commands();
+[[nodiscard]] const Command& command(CommandId id);
+
+/// All its keys: "Ctrl+Shift+Z or Ctrl+Y".
+[[nodiscard]] std::string keys_of(const Command& command);
+/// Why it cannot be done now; empty when it can.
+[[nodiscard]] std::string why_disabled(const UiState& state, const Command& command);
+[[nodiscard]] inline bool can_run(const UiState& state, const Command& command) {
+    return why_disabled(state, command).empty();
+}
+/// Whether what the command switches is on; nothing when it is no switch.
+[[nodiscard]] std::optional<bool> is_on(const UiState& state, const Command& command);
+/// Does it, if can_run().
+void run_command(UiState& state, const Command& command);
+inline void run_command(UiState& state, CommandId id) { run_command(state, command(id)); }
+
+/// Runs the commands of the keys that came with this frame; Escape leaves the innermost thing.
+void run_keys(UiState& state, const UiInput& input);
+
+}  // namespace glint

@@ -1,0 +1,25 @@
+#pragma once
+// The rows of commands(), by what they are about. A new command is one new row.
+
+#include "ui/commands/command.h"
+
+namespace glint {
+
+[[nodiscard]] std::vector<Command> file_commands();
+[[nodiscard]] std::vector<Command> edit_commands();
+[[nodiscard]] std::vector<Command> view_commands();
+[[nodiscard]] std::vector<Command> lecture_commands();
+[[nodiscard]] std::vector<Command> shading_commands();
+
+constexpr bool ctrl = true, shift = true;  // of a KeyPress
+
+/// `reason` unless it is possible.
+[[nodiscard]] inline std::string unless(bool possible, const char* reason) { return possible ? "" : reason; }
+[[nodiscard]] inline std::string unless_busy(bool busy) {
+    return unless(!busy, "Another picture is being written");
+}
+[[nodiscard]] inline std::string unless_drawn(const void* picture) {
+    return unless(picture != nullptr, "There is no picture yet");
+}
+
+}  // namespace glint

@@ -1,0 +1,199 @@
+// The commands of the menus File and Edit.
+#include <imgui.h>
+
+#include <filesystem>
+
+#include "ui/commands/command_rows.h"
+#include "ui/commands/menus.h"
+#include "ui/document/document_actions.h"
+#include "ui/export/clipboard.h"
+#include "ui/picture/draw_picture.h"
+
+namespace glint {
+namespace {
+
+void copy_command(UiState& state) {
+    const std::string command =
+        render_command_text(state.editor.document, state.editor.saved, state.rendered->size, 1,
+                            std::filesystem::path(offered_name(state, ".png")).filename().string());
+    ImGui::SetClipboardText(command.c_str());
+    state.notifications.add(Tone::Done, "The command that draws this picture is on the clipboard");
+}
+
+std::string copy_disabled_reason(const UiState& state) {
+    if (state.exporting.job) return unless_busy(true);
+    return state.rendered == nullptr ? unless_drawn(nullptr) : clipboard_disabled_reason();
+}
+
+void add_bulb(UiState& state) {
+    if (const auto index = add_light(state.editor.scene(), LightKind::Point))
+        state.editor.selection = {Selection::Kind::Light, *index};
+}
+
+std::string unless_item(const UiState& state) {
+    const Selection::Kind kind = state.editor.selection.kind;
+    return unless(kind == Selection::Kind::Light || kind == Selection::Kind::Object,
+                  "No light and no object is selected");
+}
+
+std::string unless_object(const UiState& state) {
+    return unless(state.editor.selection.kind == Selection::Kind::Object,
+                  "No object is selected: double-click one");
+}
+
+/// The key of the gizmo that shows takes it away.
+void choose_gizmo(UiState& state, GizmoMode mode) {
+    GizmoMode& shown = state.viewport.gizmo;
+    shown = shown == mode && !state.viewport.pivot ? GizmoMode::None : mode;
+    state.viewport.pivot.reset();
+}
+
+/// The point stays where it was picked, so that the pixel there goes on showing it while all else turns.
+void rotate_about_picked(UiState& state) {
+    state.editor.selection = {Selection::Kind::Object, state.explanation->object_index};
+    state.viewport.gizmo = GizmoMode::Rotate;
+    state.viewport.pivot = glm::dvec3(state.explanation->spaces.world);
+}
+
+void type_numbers(UiState& state) {
+    state.layout.left = state.types_into_panel = true;
+    state.layout.hides_columns = state.left_shows_inspector = false;
+}
+
+}  // namespace
+
+std::vector<Command> file_commands() {
+    return {
+        {.name = "New scene",
+         .keys = {{Key::N, ctrl}},
+         .menu = Menu::File,
+         .run =
+             [](UiState& s) {
+                 begin_pending(s, {Pending::What::New, "", false});
+             }},
+        {.name = "Open…",
+         .keys = {{Key::O, ctrl}},
+         .menu = Menu::File,
+         .run = [](UiState& s) { s.files.ask(FilePurpose::OpenScene, s.editor.document.path); },
+         .id = CommandId::Open},
+        {.name = "Save",
+         .keys = {{Key::S, ctrl}},
+         .menu = Menu::File,
+         .run = [](UiState& s) { save(s); },
+         .line_above = true},
+        {.name = "Save as…",
+         .keys = {{Key::S, ctrl, shift}},
+         .menu = Menu::File,
+         .run = [](UiState& s) { s.files.ask(FilePurpose::SaveScene, offered_name(s, ".json")); }},
+        {.name = "Save picture…",
+         .keys = {{Key::F12}},
+         .menu = Menu::File,
+         .run = [](UiState& s) { s.files.ask(FilePurpose::SavePicture, offered_name(s, ".png")); },
+         .why_disabled = [](const UiState& s) { return unless_drawn(s.rendered); },
+         .line_above = true},
+        {.name = "Export picture…",
+         .keys = {{Key::E, ctrl}},
+         .menu = Menu::File,
+         .run = [](UiState& s) { s.exporting.open = true; },
+         .why_disabled = [](const UiState& s) { return unless_busy(bool(s.exporting.job)); }},
+        {.name = "Copy picture",
+         .keys = {{Key::C, ctrl, shift}},
+         .menu = Menu::File,
+         .run = begin_copy,
+         .why_disabled = copy_disabled_reason},
+        {.name = "Copy as command",
+         .keys = {{Key::K, ctrl, shift}},
+         .menu = Menu::File,
+         .run = copy_command,
+         .why_disabled = [](const UiState& s) { return unless_drawn(s.rendered); }},
+        {.name = "Quit",
+         .keys = {{Key::Q, ctrl}},
+         .menu = Menu::File,
+         .run =
+             [](UiState& s) {
+                 begin_pending(s, {Pending::What::Quit, "", false});
+             },
+         .id = CommandId::Quit,
+         .line_above = true},
+    };
+}
+
+std::vector<Command> edit_commands() {
+    return {
+        {.name = "Undo",
+         .keys = {{Key::Z, ctrl}},
+         .menu = Menu::Edit,
+         .run = [](UiState& s) { undo(s.editor); },
+         .why_disabled =
+             [](const UiState& s) { return unless(s.editor.history.can_undo(), "Nothing to undo"); },
+         .id = CommandId::Undo},
+        {.name = "Redo",
+         .keys = {{Key::Z, ctrl, shift}, {Key::Y, ctrl}},
+         .menu = Menu::Edit,
+         .run = [](UiState& s) { redo(s.editor); },
+         .why_disabled =
+             [](const UiState& s) { return unless(s.editor.history.can_redo(), "Nothing to redo"); },
+         .id = CommandId::Redo},
+        {.name = "Duplicate",
+         .keys = {{Key::D, ctrl}},
+         .menu = Menu::Edit,
+         .run = [](UiState& s) { duplicate(s.editor.scene(), s.editor.selection); },
+         .why_disabled = unless_item,
+         .id = CommandId::Duplicate,
+         .line_above = true},
+        {.name = "Delete",
+         .keys = {{Key::Delete}},
+         .menu = Menu::Edit,
+         .run = [](UiState& s) { remove(s.editor.scene(), s.editor.selection); },
+         .why_disabled = unless_item,
+         .id = CommandId::Delete},
+        {.name = "Add a light",
+         .keys = {{Key::L}},
+         .menu = Menu::Edit,
+         .run = add_bulb,
+         .id = CommandId::AddLight},
+        {.name = "Move the object by hand",
+         .keys = {{Key::G}},
+         .menu = Menu::Edit,
+         .run = [](UiState& s) { choose_gizmo(s, GizmoMode::Move); },
+         .is_on = [](const UiState& s) { return s.viewport.gizmo == GizmoMode::Move; },
+         .why_disabled = unless_object,
+         .id = CommandId::MoveByHand,
+         .line_above = true},
+        {.name = "Rotate the object by hand",
+         .keys = {{Key::R}},
+         .menu = Menu::Edit,
+         .run = [](UiState& s) { choose_gizmo(s, GizmoMode::Rotate); },
+         .is_on = [](const UiState& s) { return s.viewport.gizmo == GizmoMode::Rotate && !s.viewport.pivot; },
+         .why_disabled = unless_object,
+         .id = CommandId::RotateByHand},
+        {.name = "Rotate it about the picked point",
+         .keys = {{Key::R, !ctrl, shift}},
+         .menu = Menu::Edit,
+         .run = rotate_about_picked,
+         .is_on = [](const UiState& s) { return s.viewport.gizmo == GizmoMode::Rotate && s.viewport.pivot; },
+         .why_disabled =
+             [](const UiState& s) {
+                 return unless(is_explained(s) && s.explanation->hit, "No point is picked: click one");
+             }},
+        {.name = "Scale the object by hand",
+         .keys = {{Key::T}},
+         .menu = Menu::Edit,
+         .run = [](UiState& s) { choose_gizmo(s, GizmoMode::Scale); },
+         .is_on = [](const UiState& s) { return s.viewport.gizmo == GizmoMode::Scale; },
+         .why_disabled = unless_object,
+         .id = CommandId::ScaleByHand},
+        {.name = "Type into the panel's fields",
+         .keys = {{Key::Tab}},
+         .menu = Menu::Edit,
+         .run = type_numbers,
+         .line_above = true},
+        {.name = "Find an action…",
+         .keys = {{Key::K, ctrl}},
+         .menu = Menu::Edit,
+         .run = open_palette,
+         .id = CommandId::Palette},
+    };
+}
+
+}  // namespace glint

@@ -1,0 +1,107 @@
+// The commands of the menus Lecture and Help.
+#include "ui/commands/command_rows.h"
+#include "ui/document/document_actions.h"
+#include "ui/lecture/lecture.h"
+
+namespace glint {
+namespace {
+
+/// From a scene without a file: through those that come with the program.
+std::string other_scene(const UiState& state, int step) {
+    const std::string& path = state.editor.document.path;
+    if (!path.empty() && path != "-") return scene_beside(path, step);
+    const auto scenes = folder_scenes(state.shipped_scenes);
+    if (state.shipped_scenes.empty() || scenes.empty()) return {};
+    return step > 0 ? scenes.front() : scenes.back();
+}
+
+void open_other(UiState& state, int step) {
+    const std::string path = other_scene(state, step);
+    if (path.empty()) return;
+    begin_pending(state, {Pending::What::Open, path, false});
+}
+
+void switch_projector(UiState& state) {
+    LectureState& lecture = state.lecture;
+    lecture.projector = !lecture.projector;
+    if (lecture.projector) lecture.hid_columns_before = state.layout.hides_columns;
+    state.layout.hides_columns = lecture.projector || lecture.hid_columns_before;
+}
+
+void switch_frozen(UiState& state) {
+    auto& frozen = state.lecture.frozen;
+    if (frozen)
+        frozen.reset();
+    else
+        frozen = state.rendered_scene;
+}
+
+void switch_animate(UiState& state) {
+    state.animate.open = !state.animate.open;
+    state.animate.playing &= state.animate.open;
+}
+
+}  // namespace
+
+std::vector<Command> lecture_commands() {
+    return {
+        {.name = "Next scene of the folder",
+         .keys = {{Key::PageDown}},
+         .menu = Menu::Lecture,
+         .run = [](UiState& s) { open_other(s, 1); }},
+        {.name = "Scene before it",
+         .keys = {{Key::PageUp}},
+         .menu = Menu::Lecture,
+         .run = [](UiState& s) { open_other(s, -1); }},
+        {.name = "Projector: large type, strong contrast",
+         .keys = {{Key::F9}},
+         .menu = Menu::Lecture,
+         .run = switch_projector,
+         .is_on = [](const UiState& s) { return s.lecture.projector; },
+         .line_above = true},
+        {.name = "Clean picture: no handles, no panels",
+         .keys = {{Key::F10}},
+         .menu = Menu::Lecture,
+         .run = [](UiState& s) { s.layout.hides_all ^= true; },
+         .is_on = [](const UiState& s) { return s.layout.hides_all; }},
+        {.name = "Freeze the picture",
+         .keys = {{Key::F8}},
+         .menu = Menu::Lecture,
+         .run = switch_frozen,
+         .is_on = [](const UiState& s) { return s.lecture.frozen.has_value(); },
+         .why_disabled = [](const UiState& s) { return unless_drawn(s.rendered); },
+         .id = CommandId::Freeze},
+        {.name = "Pen",
+         .keys = {{Key::W}},
+         .menu = Menu::Lecture,
+         .run = [](UiState& s) { s.lecture.pen.on ^= true; },
+         .is_on = [](const UiState& s) { return s.lecture.pen.on; },
+         .id = CommandId::Pen,
+         .line_above = true},
+        {.name = "Wipe what the pen drew",
+         .keys = {{Key::W, !ctrl, shift}},
+         .menu = Menu::Lecture,
+         .run = [](UiState& s) { s.lecture.pen.lines.clear(); },
+         .why_disabled =
+             [](const UiState& s) { return unless(!s.lecture.pen.lines.empty(), "Nothing is drawn"); },
+         .id = CommandId::WipePen},
+        {.name = "Animate: turntable, numbers to and fro…",
+         .keys = {{Key::T, ctrl}},
+         .menu = Menu::Lecture,
+         .run = switch_animate,
+         .is_on = [](const UiState& s) { return s.animate.open; },
+         .line_above = true},
+        {.name = "Step wedge: what does this projector show?",
+         .menu = Menu::Lecture,
+         .run = [](UiState& s) { s.lecture.wedge.open ^= true; },
+         .is_on = [](const UiState& s) { return s.lecture.wedge.open; },
+         .line_above = true},
+        {.name = "Keys and mouse",
+         .keys = {{Key::F1}, {Key::Question, !ctrl, shift}},
+         .menu = Menu::Help,
+         .run = [](UiState& s) { s.shows_shortcuts ^= true; },
+         .is_on = [](const UiState& s) { return s.shows_shortcuts; }},
+    };
+}
+
+}  // namespace glint

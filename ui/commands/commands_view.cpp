@@ -1,0 +1,264 @@
+// The commands of the menu View, and the directions of view that have keys alone.
+#include <imgui.h>
+
+#include "ui/commands/command_rows.h"
+#include "ui/picture/orbit.h"
+#include "ui/ui.h"
+#include "ui/views/views.h"
+
+namespace glint {
+namespace {
+
+std::string unless_objects(const UiState& state) {
+    return unless(!state.editor.scene().objects.empty(), "The scene has no object");
+}
+
+void frame_selected(UiState& state) {
+    const Selection& selected = state.editor.selection;
+    frame_camera(state.editor.scene(), selected.kind == Selection::Kind::Object ? selected.index : -1);
+}
+
+template <ViewFrom side> void look_from(UiState& state) {
+    Scene& scene = state.editor.scene();
+    const Camera before = scene.camera;
+    scene.camera = seen_from(scene.camera, side);
+    keep_depth_range(scene.camera, before, scene_bounds(scene));
+}
+
+void switch_projection(UiState& state) {
+    Camera& camera = state.editor.scene().camera;
+    if (state.rendered != nullptr) camera = other_projection(camera, state.rendered->size);
+}
+
+void keep_this_view(UiState& state) {
+    keep_view(state.kept_views, state.editor.scene().camera);
+    state.notifications.add(Tone::Done,
+                            "This view is kept: " + keys_of(CommandId::NextView) + " comes back to it");
+}
+
+void show_next_view(UiState& state) {
+    Camera& camera = state.editor.scene().camera;
+    if (const auto view = next_view(state.kept_views, camera)) camera = *view;
+}
+
+void switch_compare(UiState& state) {
+    state.views.compare.choice.on ^= true;
+    state.views.look.set.choice.look = Look::Picture;
+}
+
+void switch_magnifier(UiState& state) {
+    zoom_about(state.views.magnifier, state.views.magnifier.zoom > 1 ? 1 : usual_zoom,
+               state.viewport.probe.value_or(glm::dvec2(0.5)));
+}
+
+void step_look(UiState& state, int steps) {
+    show_quantity(state.views, look_after(state.views.look.set.choice.look, steps));
+}
+
+void switch_over_range(UiState& state) {
+    LookSet& look = state.views.look.set;
+    look.over_range = !look.over_range;
+    if (look.over_range) show_quantity(state.views, Look::Picture, state.views.compare.choice.on);
+}
+
+void switch_b(UiState& state) {
+    CompareState& compare = state.views.compare;
+    compare.choice.shows_stored = !compare.choice.shows_stored;
+    compare.b_turned = true;
+    compare.b_since = ImGui::GetTime();
+    compare.b_frames = 0;
+}
+
+void store_b(UiState& state) {
+    CompareChoice& choice = state.views.compare.choice;
+    choice.stored = std::make_shared<const Scene>(state.editor.scene());
+    choice.shows_stored = false;
+    state.notifications.add(Tone::Done, "Stored as B: press " + keys_of(CommandId::ShowB) + " to look at it");
+}
+
+std::vector<Command> camera_commands() {
+    return {
+        {.name = "Frame the selected object, or all",
+         .keys = {{Key::F}, {Key::PadPoint}},
+         .menu = Menu::View,
+         .run = frame_selected,
+         .why_disabled = unless_objects},
+        {.name = "Frame all",
+         .keys = {{Key::F, !ctrl, shift}},
+         .menu = Menu::View,
+         .run = [](UiState& s) { frame_camera(s.editor.scene(), -1); },
+         .why_disabled = unless_objects},
+        {.name = "Perspective or parallel",
+         .keys = {{Key::Pad5}},
+         .menu = Menu::View,
+         .run = switch_projection},
+        {.name = "Back to the saved camera",
+         .keys = {{Key::Pad0}},
+         .menu = Menu::View,
+         .run = [](UiState& s) { s.editor.scene().camera = s.editor.saved.camera; },
+         .why_disabled =
+             [](const UiState& s) {
+                 return unless(s.editor.scene().camera != s.editor.saved.camera,
+                               "The camera is the saved one already");
+             }},
+        {.name = "Keep this view",
+         .keys = {{Key::U, !ctrl, shift}},
+         .menu = Menu::View,
+         .run = keep_this_view,
+         .id = CommandId::KeepView},
+        {.name = "Next kept view",
+         .keys = {{Key::U}},
+         .menu = Menu::View,
+         .run = show_next_view,
+         .why_disabled =
+             [](const UiState& s) {
+                 return s.kept_views.empty()
+                            ? "No view is kept yet: " + keys_of(CommandId::KeepView) + " keeps this one"
+                            : std::string();
+             },
+         .id = CommandId::NextView},
+        {.name = "View from the front",
+         .keys = {{Key::Pad1}},
+         .run = look_from<ViewFrom::Front>,
+         .id = CommandId::ViewFront},
+        {.name = "View from behind",
+         .keys = {{Key::Pad1, ctrl}},
+         .run = look_from<ViewFrom::Back>,
+         .id = CommandId::ViewBack},
+        {.name = "View from the right",
+         .keys = {{Key::Pad3}},
+         .run = look_from<ViewFrom::Right>,
+         .id = CommandId::ViewRight},
+        {.name = "View from the left",
+         .keys = {{Key::Pad3, ctrl}},
+         .run = look_from<ViewFrom::Left>,
+         .id = CommandId::ViewLeft},
+        {.name = "View from above",
+         .keys = {{Key::Pad7}},
+         .run = look_from<ViewFrom::Top>,
+         .id = CommandId::ViewTop},
+        {.name = "View from below",
+         .keys = {{Key::Pad7, ctrl}},
+         .run = look_from<ViewFrom::Bottom>,
+         .id = CommandId::ViewBottom},
+    };
+}
+
+std::vector<Command> looking_commands() {
+    return {
+        {.name = "Scan-line scope",
+         .keys = {{Key::P}},
+         .menu = Menu::View,
+         .run = [](UiState& s) { toggle_scope(s.views.scope); },
+         .is_on = [](const UiState& s) { return s.views.scope.open; },
+         .id = CommandId::Scope,
+         .line_above = true,
+         .changes_picture = true},
+        {.name = "Vectors at the picked point",
+         .keys = {{Key::V}},
+         .menu = Menu::View,
+         .run = [](UiState& s) { s.inspector.shows_vectors ^= true; },
+         .is_on = [](const UiState& s) { return s.inspector.shows_vectors; }},
+        {.name = "Next quantity in place of the picture",
+         .keys = {{Key::I}},
+         .menu = Menu::View,
+         .run = [](UiState& s) { step_look(s, 1); },
+         .id = CommandId::NextLook,
+         .changes_picture = true},
+        {.name = "Quantity before that",
+         .keys = {{Key::I, !ctrl, shift}},
+         .menu = Menu::View,
+         .run = [](UiState& s) { step_look(s, -1); },
+         .id = CommandId::PreviousLook,
+         .changes_picture = true},
+        {.name = "Stripes over what is too bright",
+         .keys = {{Key::O}},
+         .menu = Menu::View,
+         .run = switch_over_range,
+         .is_on = [](const UiState& s) { return s.views.look.set.over_range; },
+         .id = CommandId::OverRange,
+         .changes_picture = true},
+        {.name = "Big pixels",
+         .keys = {{Key::M}},
+         .menu = Menu::View,
+         .run = switch_magnifier,
+         .is_on = [](const UiState& s) { return s.views.magnifier.zoom > 1; },
+         .id = CommandId::Magnify,
+         .changes_picture = true},
+        {.name = "Where the equation is evaluated",
+         .keys = {{Key::J}},
+         .menu = Menu::View,
+         .run = [](UiState& s) { s.views.lit.dots ^= true; },
+         .is_on = [](const UiState& s) { return s.views.lit.dots; },
+         .id = CommandId::LitDots,
+         .changes_picture = true},
+        {.name = "Normals there as needles",
+         .keys = {{Key::N}},
+         .menu = Menu::View,
+         .run = [](UiState& s) { s.views.lit.needles ^= true; },
+         .is_on = [](const UiState& s) { return s.views.lit.needles; },
+         .changes_picture = true},
+        {.name = "Compare under wipe lines",
+         .keys = {{Key::C}},
+         .menu = Menu::View,
+         .run = switch_compare,
+         .is_on = [](const UiState& s) { return s.views.compare.choice.on; },
+         .id = CommandId::Compare,
+         .changes_picture = true},
+        {.name = "Look at B, the stored scene",
+         .keys = {{Key::B}},
+         .menu = Menu::View,
+         .run = switch_b,
+         .is_on = [](const UiState& s) { return s.views.compare.choice.shows_stored; },
+         .why_disabled =
+             [](const UiState& s) {
+                 return s.views.compare.choice.stored
+                            ? std::string()
+                            : "No scene is stored as B (" + keys_of(CommandId::StoreB) + ")";
+             },
+         .id = CommandId::ShowB,
+         .changes_picture = true},
+        {.name = "Store the scene as B",
+         .keys = {{Key::B, ctrl}},
+         .menu = Menu::View,
+         .run = store_b,
+         .id = CommandId::StoreB,
+         .changes_picture = true},
+    };
+}
+
+std::vector<Command> layout_commands() {
+    return {
+        {.name = "Scene column",
+         .menu = Menu::View,
+         .run = [](UiState& s) { s.layout.left = !s.layout.left, s.layout.hides_columns = false; },
+         .is_on = [](const UiState& s) { return s.layout.left && !s.layout.hides_columns; },
+         .line_above = true},
+        {.name = "Why column",
+         .menu = Menu::View,
+         .run = [](UiState& s) { s.layout.right = !s.layout.right, s.layout.hides_columns = false; },
+         .is_on = [](const UiState& s) { return s.layout.right && !s.layout.hides_columns; }},
+        {.name = "Picture alone",
+         .keys = {{Key::F11}},
+         .menu = Menu::View,
+         .run = [](UiState& s) { s.layout.hides_columns ^= true; },
+         .is_on = [](const UiState& s) { return s.layout.hides_columns; }},
+        {.name = "Light theme",
+         .menu = Menu::View,
+         .run = [](UiState& s) { s.dark ^= true; },
+         .is_on = [](const UiState& s) { return !s.dark; },
+         .line_above = true},
+        {.name = "Window as on the first day", .menu = Menu::View, .run = reset_layout},
+    };
+}
+
+}  // namespace
+
+std::vector<Command> view_commands() {
+    std::vector<Command> all;
+    for (const auto rows : {camera_commands, looking_commands, layout_commands})
+        for (Command& row : rows()) all.push_back(std::move(row));
+    return all;
+}
+
+}  // namespace glint

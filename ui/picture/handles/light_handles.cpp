@@ -1,0 +1,198 @@
+#include "ui/picture/handles/light_handles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <optional>
+
+#include "ui/picture/handles/drag_math.h"
+#include "ui/picture/handles/light_shape.h"
+#include "ui/picture/handles/world_pen.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr float handle_radius = 7, grip_radius = 13;
+
+/// Where the border of the picture shows the way to what lies outside of it.
+glm::dvec2 on_border(const OnScreen& at, glm::dvec3 in_view, PictureSize size, double margin) {
+    const glm::dvec2 middle{size.width / 2.0, size.height / 2.0};
+    glm::dvec2 way = at.in_front ? at.pixel - middle : glm::dvec2(in_view.x, -in_view.y);
+    if (glm::length(way) < 1e-9) way = {0, -1};  // at the eye itself: shown at the top
+    const glm::dvec2 half = middle - margin;
+    const double reach =
+        std::min(half.x / std::max(std::abs(way.x), 1e-12), half.y / std::max(std::abs(way.y), 1e-12));
+    return middle + way * reach;
+}
+
+void draw_stem(const WorldPen& pen, glm::dvec3 place, ImU32 colour, float opacity) {
+    const Bounds& box = pen.view.bounds;
+    const glm::dvec3 foot{place.x, box.min.y, place.z};
+    pen.line(place, foot, to_u32({0, 0, 0, 1}, 0.4f * opacity), px(2.5f));
+    pen.line(place, foot, colour, px(1));
+    const double radius = 0.06 * pen.view.dome.radius;  // follows the zoom
+    pen.circle(foot, {radius, 0, 0}, {0, 0, radius}, colour, opacity);
+}
+
+void draw_cone(const WorldPen& pen, const Light& light, ImU32 colour, float opacity) {
+    const auto cone = cone_of(light, pen.view.dome, pen.view.map);
+    if (!cone) return;
+    const double radius = cone->slant * std::sin(cone->angle);
+    pen.circle(cone->middle(), radius * cone->u, radius * cone->v, colour, opacity);
+    for (int i = 0; i < 4; ++i) pen.cased(cone->place, cone->rim(i * pi / 2), colour, opacity);
+}
+
+/// The stick by which a light is aimed, and the marks that can be dragged.
+void draw_shape_grips(const WorldPen& pen, const Light& light, glm::dvec3 place, ImU32 colour, float opacity,
+                      const std::optional<glm::dvec3>& in_hand) {
+    for (const ShapeGrip& grip : shape_grips(light, pen.view.dome, pen.view.map)) {
+        if (grip.part == ShapePart::Aim) pen.cased(place, grip.place, colour, 0.6f * opacity);
+        pen.mark(grip.place, colour, opacity, in_hand && glm::length(*in_hand - grip.place) < 1e-9);
+    }
+    if (in_hand) pen.mark(*in_hand, colour, opacity, true);
+}
+
+void draw_rays(const WorldPen& pen, const Light& light, glm::dvec3 place, ImU32 colour, float opacity) {
+    const glm::dvec3 towards = -direction_of(light, pen.view.map);
+    const double length = 0.3 * pen.view.dome.radius, aside = 0.05 * pen.view.dome.radius;
+    const auto [u, v] = across(towards);
+    for (int i = 0; i < 4; ++i) {
+        const glm::dvec3 from = place + aside * ((i & 1 ? 1.0 : -1.0) * u + (i & 2 ? 1.0 : -1.0) * v);
+        pen.cased(from, from + length * towards, colour, opacity);
+    }
+}
+
+void draw_rectangle(const WorldPen& pen, const Light& light, ImU32 colour, float opacity) {
+    const auto panel = panel_of(light, pen.view.map);
+    const glm::dvec2 corners[] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+    for (int i = 0; i < 4; ++i)
+        pen.cased(panel->point(corners[i]), panel->point(corners[(i + 1) % 4]), colour, opacity);
+}
+
+void draw_shape(const WorldPen& pen, const Light& light, const Handle& handle, ImU32 colour, float opacity) {
+    switch (light.kind) {
+    case LightKind::Directional:
+        return draw_rays(pen, light, handle.place, colour, opacity);
+    case LightKind::Point:
+        return;
+    case LightKind::Spot:
+        return draw_cone(pen, light, colour, opacity);
+    case LightKind::Area:
+        return draw_rectangle(pen, light, colour, opacity);
+    }
+}
+
+/// Points from the border of the picture to a light that lies outside of it.
+void draw_way_out(ImDrawList& list, const PictureView& view, glm::dvec2 pixel, ImU32 colour) {
+    const glm::dvec2 middle{view.map.size.width / 2.0, view.map.size.height / 2.0};
+    const glm::dvec2 way = glm::normalize(pixel - middle), side{-way.y, way.x};
+    const double unit = px(1) / view.units_per_pixel;
+    const auto at = [&](double along, double across) {
+        return view.to_window(pixel + unit * (along * way + across * side));
+    };
+    list.AddTriangleFilled(at(15, 0), at(10, 5), at(10, -5), colour);
+}
+
+/// The grip itself: a disc of the light's colour with a dark rim; rays for a sun; a ring when it is off.
+void draw_grip(ImDrawList& list, ImVec2 at, const Light& light, HandleLook look, float opacity) {
+    const float r = px(look.hovered ? handle_radius + 1.5f : handle_radius);
+    const ImU32 colour = to_u32(colour_of(light), opacity), rim = to_u32({0, 0, 0, 1}, 0.7f * opacity);
+    if (light.kind == LightKind::Directional)
+        for (int i = 0; i < 8; ++i) {
+            const float a = float(i * pi / 4), x = std::cos(a), y = std::sin(a);
+            const ImVec2 from{at.x + 1.35f * r * x, at.y + 1.35f * r * y},
+                to{at.x + 1.95f * r * x, at.y + 1.95f * r * y};
+            list.AddLine(from, to, rim, px(4));
+            list.AddLine(from, to, colour, px(2));
+        }
+    list.AddCircleFilled(at, r + px(1.5f), rim);
+    if (light.enabled)
+        list.AddCircleFilled(at, r, colour);
+    else
+        list.AddCircle(at, r - px(1), colour, 0, px(2));
+    if (light.enabled && light.space == LightSpace::Camera) list.AddCircleFilled(at, r * 0.38f, rim);
+    if (look.selected) list.AddCircle(at, r + px(4), to_u32(theme().accent, opacity), 0, px(2));
+    if (look.hovered) list.AddCircle(at, r + px(1.5f), to_u32({1, 1, 1, 1}, opacity), 0, px(1.5f));
+}
+
+}  // namespace
+
+std::vector<Handle> light_handles(const Scene& scene, const PictureView& view, int selected) {
+    constexpr int most = 300;
+    std::vector<Handle> handles;
+    const PictureSize size = view.map.size;
+    for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
+        if (i >= most && i != selected) continue;
+        Handle handle{
+            i, handle_of(scene.lights[static_cast<std::size_t>(i)], view.dome, view.map), {}, false};
+        handle.at = project(view.map, handle.place);
+        const glm::dvec2 p = handle.at.pixel;
+        handle.in_picture =
+            handle.at.in_front && p.x >= 0 && p.y >= 0 && p.x <= size.width && p.y <= size.height;
+        if (!handle.in_picture) {
+            const glm::dvec3 in_view(view.map.view_from_world * glm::dvec4(handle.place, 1));
+            handle.at.pixel = on_border(handle.at, in_view, size, px(18) / view.units_per_pixel);
+        }
+        handles.push_back(handle);
+    }
+    return handles;
+}
+
+const Handle* handle_under(const std::vector<Handle>& handles, glm::dvec2 cursor_px,
+                           const PictureView& view) {
+    const Handle* best = nullptr;
+    double nearest = px(grip_radius) / view.units_per_pixel;
+    for (const Handle& handle : handles) {
+        const double distance = glm::length(handle.at.pixel - cursor_px);
+        if (distance <= nearest) {
+            nearest = distance;
+            best = &handle;
+        }
+    }
+    return best;
+}
+
+void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, const Handle& handle,
+                 HandleLook look) {
+    const float opacity = look.hidden && !look.selected && !look.hovered ? 0.35f
+                          : light.enabled                                ? 1.0f
+                                                                         : 0.6f;
+    const WorldPen pen{list, view};
+    const ImU32 colour = to_u32(colour_of(light), opacity);
+    const bool in_hand = look.selected || look.hovered;
+    if (handle.in_picture || look.selected) {
+        const bool stem = in_hand || (look.stem && light.space == LightSpace::World);
+        if (light.kind != LightKind::Directional && stem)
+            draw_stem(pen, handle.place, to_u32(colour_of(light), 0.55f * opacity), opacity);
+        if (in_hand || light.kind == LightKind::Area) draw_shape(pen, light, handle, colour, opacity);
+        if (look.selected) draw_shape_grips(pen, light, handle.place, colour, opacity, look.shape_in_hand);
+    }
+    draw_grip(list, view.to_window(handle.at.pixel), light, look,
+              handle.in_picture ? opacity : 0.55f * opacity);
+    if (!handle.in_picture) draw_way_out(list, view, handle.at.pixel, colour);
+}
+
+void draw_note(ImDrawList& list, const PictureView& view, ImVec2 at, const std::string& title,
+               const std::string& numbers) {
+    const Fonts& type = fonts();
+    const float pad = px(8), scale = ImGui::GetIO().FontGlobalScale;
+    const ImVec2 head = type.small->CalcTextSizeA(type.small->FontSize * scale, 1e9f, 0, title.c_str());
+    const ImVec2 body = type.figures->CalcTextSizeA(type.figures->FontSize * scale, 1e9f, 0, numbers.c_str());
+    const ImVec2 size{std::max(head.x, body.x) + 2 * pad, head.y + body.y + 1.5f * pad};
+    const ImVec2 right = view.to_window({view.map.size.width, view.map.size.height});
+    ImVec2 low{at.x + px(20), at.y + px(18)};
+    if (low.x + size.x > right.x - px(4)) low.x = at.x - px(20) - size.x;
+    if (low.y + size.y > right.y - px(4)) low.y = at.y - px(18) - size.y;
+    list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, to_u32(theme().window, 0.9f), px(6));
+    list.AddText(type.small, type.small->FontSize * scale, {low.x + pad, low.y + 0.6f * pad},
+                 to_u32(theme().dim_text), title.c_str());
+    list.AddText(type.figures, type.figures->FontSize * scale, {low.x + pad, low.y + 0.8f * pad + head.y},
+                 to_u32(theme().text), numbers.c_str());
+}
+
+}  // namespace glint

@@ -1,0 +1,68 @@
+#pragma once
+// Tools on the picture: one at a time has the mouse. Each is a row of functions, and only tools.cpp decides
+// whose turn it is.
+
+#include <imgui.h>
+
+#include <glm/vec2.hpp>
+#include <string>
+
+#include "ui/commands/keys.h"
+#include "ui/picture/picture_view.h"
+
+namespace glint {
+
+struct UiState;
+
+/// The picture and the mouse, for one frame.
+struct ToolFrame {
+    UiState& state;
+    const PictureView& view;
+    const UiInput& input;
+    bool over;         // the cursor is over the picture, and no tool before this one has it
+    glm::dvec2 pixel;  // the cursor, in pixels of the picture
+};
+
+inline constexpr int not_taken = -1;
+
+/// Functions that a tool does not need are null.
+struct Tool {
+    /// While no button holds a tool: finds what is under the cursor, and forgets what was where the cursor is
+    /// not `over`. True when the cursor is this tool's: no tool after it is asked.
+    bool (*hover)(ToolFrame&) = nullptr;
+    /// A button may just have gone down on what hover() found. The button that holds the tool from now on
+    /// (ImGui's number), or not_taken.
+    int (*press)(ToolFrame&) = nullptr;
+    /// In every frame while it is held. False when there is nothing to drag any more.
+    bool (*drag)(ToolFrame&) = nullptr;
+    /// The button went up.
+    void (*release)(ToolFrame&) = nullptr;
+    /// Escape. True when there was something to put away.
+    bool (*cancel)(UiState&) = nullptr;
+    /// What a drag or click does now, for the status line; empty when the tool has not the mouse.
+    std::string (*hint)(const UiState&) = nullptr;
+    /// Over the picture.
+    void (*draw)(ImDrawList&, UiState&, const PictureView&) = nullptr;
+};
+
+/// Which tool a button holds.
+struct ToolCapture {
+    const Tool* tool = nullptr;
+    int button = not_taken;
+};
+
+/// Reads the mouse over the item drawn last (the picture).
+void use_tools(UiState& state, const PictureView& view, const UiInput& input);
+
+/// Draws what the tools show over the picture, but for the pen's lines.
+void draw_tools(ImDrawList& list, UiState& state, const PictureView& view);
+
+[[nodiscard]] std::string tools_hint(const UiState& state);
+
+/// Escape leaves the innermost thing: a drag, a dialog, a sheet, a tool, the picked pixel.
+void escape(UiState& state);
+
+extern const Tool pen_tool, magnifier_tool, compare_tool, scope_tool;
+extern const Tool hand_tool;  // the camera, and all handles: ui/picture/viewport.cpp
+
+}  // namespace glint

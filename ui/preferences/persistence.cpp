@@ -1,0 +1,197 @@
+#include "ui/preferences/persistence.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+#include <utility>
+
+#include "models/io/file.h"
+#include "ui/document/recent_files.h"
+#include "ui/preferences/autosave.h"
+#include "ui/ui.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double seconds_between_copies = 5, seconds_of_rest = 1, seconds_between_asking = 0.02;
+constexpr int most_asking = 50;  // times, of a window that ends
+constexpr std::size_t longest_memory = 1 << 16;
+
+std::string file_in(const Persistence& memory, const char* name) {
+    return (fs::path(memory.folder) / name).string();
+}
+
+std::string text_of(const Persistence& memory, const char* name) {
+    const Result<std::string> text = read_file(file_in(memory, name), longest_memory);
+    return problem_of(text) == nullptr ? std::get<std::string>(text) : "";
+}
+
+/// What cannot be remembered is not worth a word: nothing that the user made is lost.
+void write(const Persistence& memory, const char* name, const std::string& text) {
+    (void)write_file(file_in(memory, name), text);
+}
+
+/// False when another window has the list just now.
+bool note_recent(UiState& state) {
+    Persistence& memory = state.persistence;
+    const std::string& path = state.editor.document.path;
+    if (path == memory.opened) return true;
+    // Other windows write there too: their files stay in the list.
+    const FolderLock lock(memory.folder);
+    if (!lock.held()) return false;
+    memory.opened = path;
+    memory.recent = with_recent_file(read_recent_files(text_of(memory, "recent.json")), path);
+    write(memory, "recent.json", recent_files_text(memory.recent));
+    return true;
+}
+
+void note_preferences(UiState& state) {
+    Persistence& memory = state.persistence;
+    Preferences now = memory.preferences;
+    now.dark = state.dark;
+    now.layout = state.layout;
+    now.views = views_to_remember(state);
+    now.layout.hides_columns = now.layout.hides_all = false;  // the picture alone is for a moment
+    const double time = ImGui::GetTime();
+    if (!(now == memory.preferences)) memory.preferences_changed = time;
+    memory.preferences = now;
+    if (memory.preferences == memory.written) return;
+    const double rest = memory.preferences_changed + seconds_of_rest - time;
+    if (rest > 0) return redraw_within(rest);
+    write(memory, "window.json", preferences_text(memory.preferences));
+    memory.written = memory.preferences;
+}
+
+/// Once, until a copy could be written again.
+void tell_failed_autosave(UiState& state, const Problem& problem) {
+    state.persistence.autosaved_scene.reset();  // the next one is tried in its time
+    if (std::exchange(state.persistence.autosave_failed, true)) return;
+    state.notifications.add(Tone::Warning,
+                            fmt::format("No copy of the unsaved work can be kept: {}; save it to "
+                                        "keep it over a crash",
+                                        problem.text()));
+}
+
+/// The result of the copy that was being written, when it has come to its end. False while it has not.
+bool take_written_autosave(UiState& state) {
+    Persistence& memory = state.persistence;
+    if (!memory.autosave_writing.valid()) return true;
+    if (memory.autosave_writing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+    const Result<std::monostate> written = memory.autosave_writing.get();
+    if (const Problem* problem = problem_of(written))
+        tell_failed_autosave(state, *problem);
+    else
+        memory.autosave_failed = false;
+    return true;
+}
+
+/// Takes a name for this window's copy, if it has none yet. False when the folder cannot be written.
+bool has_autosave_name(Persistence& memory) {
+    if (!memory.autosave) memory.autosave = new_autosave(memory.folder);
+    return memory.autosave.has_value();
+}
+
+void write_autosave(UiState& state) {
+    Persistence& memory = state.persistence;
+    memory.autosaved_at = ImGui::GetTime();
+    if (!has_autosave_name(memory))
+        return tell_failed_autosave(state, {memory.folder, "", "cannot be written", "a folder of your own"});
+    memory.autosaved_scene = state.editor.scene();
+    // Writing waits for the disk: not here.
+    memory.autosave_writing = std::async(
+        std::launch::async,
+        [document = state.editor.document, folder = memory.folder, path = memory.autosave->path()] {
+            return write_file(path, autosave_text(document, folder));
+        });
+}
+
+void note_autosave(UiState& state) {
+    Persistence& memory = state.persistence;
+    if (!state.editor.unsaved()) return drop_autosave(state);
+    const bool ended = take_written_autosave(state);
+    if (memory.autosaved_scene == state.editor.scene() || state.viewport.gesture != Gesture::None) return;
+    const double rest = memory.autosaved_at + seconds_between_copies - ImGui::GetTime();
+    if (rest > 0) return redraw_within(rest);
+    if (!ended) return redraw_within(0.2);
+    write_autosave(state);
+}
+
+}  // namespace
+
+std::string state_folder() {
+    const char* given = std::getenv("XDG_STATE_HOME");
+    if (given != nullptr && fs::path(given).is_absolute()) return (fs::path(given) / "glint").string();
+    const char* home = std::getenv("HOME");
+    if (home == nullptr || !fs::path(home).is_absolute()) return {};
+    return (fs::path(home) / ".local" / "state" / "glint").string();
+}
+
+void begin_persistence(UiState& state, const std::string& folder) {
+    Persistence& memory = state.persistence;
+    std::error_code failed;
+    if (folder.empty() || (fs::create_directories(folder, failed), failed)) return;
+    memory.folder = folder;
+    memory.recent = read_recent_files(text_of(memory, "recent.json"));
+    memory.preferences = memory.written = read_preferences(text_of(memory, "window.json"));
+    state.dark = memory.preferences.dark;
+    state.layout = memory.preferences.layout;
+    state.views.scope.open = state.layout.scope;
+    recall_views(state, memory.preferences.views);
+    memory.orphans = orphaned_autosaves(folder);
+}
+
+void poll_persistence(UiState& state) {
+    if (state.persistence.folder.empty()) return;
+    if (!note_recent(state)) redraw_within(seconds_between_asking);
+    note_preferences(state);
+    note_autosave(state);
+}
+
+void drop_autosave(UiState& state) {
+    Persistence& memory = state.persistence;
+    if (!memory.autosave) return;
+    if (memory.autosave_writing.valid()) (void)memory.autosave_writing.get();
+    std::error_code failed;
+    fs::remove(memory.autosave->path(), failed);
+    memory.autosave.reset();
+    memory.autosaved_scene.reset();
+}
+
+void end_persistence(UiState& state) {
+    Persistence& memory = state.persistence;
+    if (memory.folder.empty()) return;
+    drop_autosave(state);
+    for (int i = 0; i < most_asking && !note_recent(state); ++i)
+        std::this_thread::sleep_for(std::chrono::duration<double>(seconds_between_asking));
+    if (!(memory.preferences == memory.written))
+        write(memory, "window.json", preferences_text(memory.preferences));
+}
+
+bool keep_unsaved_work(UiState& state) {
+    Persistence& memory = state.persistence;
+    if (memory.folder.empty() || !state.editor.unsaved()) return false;
+    if (memory.autosave_writing.valid()) memory.autosave_writing.wait();  // it writes the same file
+    if (!has_autosave_name(memory)) return false;
+    const std::string text = autosave_text(state.editor.document, memory.folder);
+    return problem_of(write_file(memory.autosave->path(), text)) == nullptr;
+}
+
+void reset_layout(UiState& state) {
+    state.layout = {};
+    state.dark = true;
+    state.views.scope.open = false;
+    ViewMemory first_day;
+    first_day.kept = state.kept_views;
+    recall_views(state, first_day);
+    state.persistence.preferences.width = state.persistence.preferences.height = 0;
+    state.persistence.preferences.maximized = false;
+}
+
+}  // namespace glint

@@ -1,0 +1,69 @@
+#pragma once
+// What outlives the window: recent files, settings, and a copy of unsaved work.
+
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/problem.h"
+#include "ui/preferences/autosave.h"
+#include "ui/preferences/settings.h"
+#include "ui/shell/layout.h"
+
+namespace glint {
+
+struct UiState;
+
+struct Persistence {
+    std::string folder;                    // empty: nothing is remembered
+    std::vector<std::string> recent;       // newest first
+    Preferences preferences, written;      // as they are; as the file has them
+    double preferences_changed = 0;        // ImGui's time
+    std::string opened;                    // the document's path that stands first among the recent ones
+    std::optional<AutosaveLock> autosave;  // of the unsaved work, while there is some
+    std::optional<Scene>
+        autosaved_scene;         // what it holds, or will when `autosave_writing` has come to its end
+    double autosaved_at = -1e9;  // ImGui's time
+    std::future<Result<std::monostate>> autosave_writing;
+    bool autosave_failed = false;           // and the user was told so
+    std::vector<OrphanedAutosave> orphans;  // by windows that are gone: offered one by one
+};
+
+/// $XDG_STATE_HOME/glint, else ~/.local/state/glint; empty when there is neither.
+/// Source: XDG Base Directory Specification 0.8 (a relative path is to be ignored).
+[[nodiscard]] std::string state_folder();
+
+/// Reads what is remembered in `folder`, making it if need be. Before the first frame.
+void begin_persistence(UiState& state, const std::string& folder);
+
+/// Once a frame: saves preferences that have been unchanged for a second, the recent files, and unsaved work.
+void poll_persistence(UiState& state);
+
+/// The scene was saved, or is given up: its copy goes. For a window that closes too.
+void drop_autosave(UiState& state);
+
+/// Writes at once what would be written later.
+void end_persistence(UiState& state);
+
+/// For a window that cannot go on: writes the copy of the unsaved work, if there is any, before it returns.
+/// True when there is a copy for the next window to offer.
+bool keep_unsaved_work(UiState& state);
+
+/// Columns, theme, sizes and views as on the first day; kept views stay.
+void reset_layout(UiState& state);
+
+/// The offer to take up the work that a crash interrupted.
+void recovery_panel(UiState& state, const Rect& picture);
+
+/// Takes up a copy that a window left behind: its scene is in hand, not saved.
+void recover_autosave(UiState& state, const std::string& path);
+
+// Background jobs at exit: cancel, wait briefly.
+
+/// Cancels every load, export and search at once and waits for them, at most `seconds`. False when one goes
+/// on: a thread in the middle of a mesh or a picture cannot be stopped. What is cancelled begins to write no
+/// file.
+[[nodiscard]] bool end_jobs(UiState& state, double seconds);
+
+}  // namespace glint

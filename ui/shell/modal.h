@@ -1,0 +1,45 @@
+#pragma once
+// The dialogs that hold up the window until they are answered, and the one rule for all of them: one at a
+// time, partial_sums after every other window of the frame.
+//
+// A window of ImGui that appears after a modal has partial_sums for the first time, outside of it, ends the
+// program (imgui.cpp, FindBlockingModal). Two keys in one slow frame are enough to open both. So dialogs()
+// stands last in a frame, and what asks for a dialog only says so in UiState.
+
+#include <imgui.h>
+
+#include "ui/ui.h"
+
+namespace glint {
+
+struct UiState;
+
+/// In the order in which they come when several are asked for; the others wait.
+enum class Modal { None, Unsaved, Changed, Files, Export };
+
+/// The dialog that is on the screen, or will be at the end of this frame.
+[[nodiscard]] Modal modal_of(const UiState& state);
+
+/// Answers it as Escape does: nothing happens.
+void leave_modal(UiState& state);
+
+/// Before any window of a frame: a dialog that nobody asks for any more is taken off ImGui's list. A modal
+/// that is no longer drawn would hold up every window that appears.
+void close_left_modal(const UiState& state);
+
+/// Opens the dialog `id` if it is not open yet and begins it; true: draw it, then ImGui::EndPopup().
+/// `open`: where its cross is noted; null: it has none.
+[[nodiscard]] bool begin_modal(const char* id, bool* open, ImGuiWindowFlags flags);
+
+/// The same for a dialog as large as what is in it, in the middle of the window.
+[[nodiscard]] bool begin_question(const char* id);
+
+// The dialogs: the questions before work is lost, the file browser, the export.
+
+/// Draws the one that is asked for, and does what it is answered. Last in a frame: ui/shell/modal.h.
+void dialogs(UiState& state, const UiInput& input);
+
+/// Files that were dropped on the window: the first is opened.
+void take_dropped(UiState& state, const UiInput& input);
+
+}  // namespace glint

@@ -1,0 +1,97 @@
+// One of a closed set: as a drop-down, or as joined buttons.
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "ui/fields/field_panel.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+void option_tooltip(const Choice& option, const Help& help) {
+    const std::string key = help.pointer.empty() ? "" : fmt::format("{} = \"{}\"", help.pointer, option.word);
+    tooltip(option.label, option.meaning, "", key);
+}
+
+float segment_width(const Choice& option, float padding) {
+    return ImGui::CalcTextSize(option.label).x + 2 * padding;
+}
+
+/// Room on either side of a segment's word: less where the row is too narrow for all of them.
+float segment_padding(std::span<const Choice> options) {
+    const float wanted = segments_width(options), room = ImGui::GetContentRegionAvail().x;
+    const float missing = std::max(wanted - room, 0.0f) / (2 * static_cast<float>(options.size()));
+    return std::max(px(8) - missing, px(2));
+}
+
+/// How one of the joined buttons looks: its outer corners are round.
+struct Segment {
+    bool on;
+    ImDrawFlags corners;
+    float padding;
+};
+
+/// True when it was pressed.
+bool segment(const Choice& option, const Segment& look) {
+    const auto [on, corners, padding] = look;
+    const bool pressed = hit_area("##segment", {segment_width(option, padding), ImGui::GetFrameHeight()});
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const Theme& t = theme();
+    const ImVec4& fill = on ? t.accent : ImGui::IsItemHovered() ? t.field_hovered : t.field;
+    const ImVec4& ink = on ? t.accent_text : t.text;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, high, to_u32(fill), ImGui::GetStyle().FrameRounding, corners);
+    list.AddText({low.x + padding, low.y + ImGui::GetStyle().FramePadding.y}, to_u32(ink), option.label);
+    return pressed;
+}
+
+}  // namespace
+
+int choose(const char* label, int chosen, std::span<const Choice> options, const Help& help) {
+    ImGui::PushID(label);
+    ImGui::SetNextItemWidth(label_cell(label));
+    int result = chosen;
+    const bool open = ImGui::BeginCombo("##choice", options[static_cast<std::size_t>(chosen)].label);
+    if (!open) tooltip(label, help.what, options[static_cast<std::size_t>(chosen)].meaning, help.pointer);
+    if (open) {
+        for (int i = 0; i < static_cast<int>(options.size()); ++i) {
+            const Choice& option = options[static_cast<std::size_t>(i)];
+            if (ImGui::Selectable(option.label, i == chosen)) result = i;
+            option_tooltip(option, help);
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::PopID();
+    return result;
+}
+
+float segments_width(std::span<const Choice> options) {
+    float width = 0;
+    for (const Choice& option : options) width += segment_width(option, px(8)) + px(1);
+    return width;
+}
+
+int segments(const char* id, int chosen, std::span<const Choice> options, const Help& help) {
+    ImGui::PushID(id);
+    int result = chosen;
+    const float padding = segment_padding(options);
+    for (int i = 0; i < static_cast<int>(options.size()); ++i) {
+        ImGui::PushID(i);  // words may be empty
+        const Choice& option = options[static_cast<std::size_t>(i)];
+        const bool first = i == 0, last = i + 1 == static_cast<int>(options.size());
+        if (!first) ImGui::SameLine(0, px(1));
+        const ImDrawFlags corners = first  ? ImDrawFlags_RoundCornersLeft
+                                    : last ? ImDrawFlags_RoundCornersRight
+                                           : ImDrawFlags_RoundCornersNone;
+        if (segment(option, {i == chosen, corners, padding})) result = i;
+        option_tooltip(option, help);
+        ImGui::PopID();
+    }
+    ImGui::PopID();
+    return result;
+}
+
+}  // namespace glint
