@@ -24,7 +24,7 @@ bool same(const Reflector& a, const Reflector& b) {
     return a.reflection == b.reflection && a.material == b.material;
 }
 
-/// It takes some milliseconds: kept, and not partial_sums again while the mouse drags something.
+/// It takes some milliseconds: kept, and not begun again while the mouse drags something.
 void update_reciprocity(PlotsState& plots, const Reflector& reflector) {
     if (plots.reciprocity_of && same(*plots.reciprocity_of, reflector)) return;
     if (ImGui::IsAnyMouseDown()) return redraw_within(0.1);

@@ -73,7 +73,7 @@ void legend(bool with_ambient) {
     ImGui::PopStyleColor();
 }
 
-/// The integrals take some milliseconds: kept, and not partial_sums again while the mouse drags something.
+/// The integrals take some milliseconds: kept, and not begun again while the mouse drags something.
 void update_energy(PlotsState& plots, const Reflector& reflector, double light_deg) {
     const double deg = std::round(std::min(light_deg, 89.0));
     const auto same = [&](const Reflector& r) {

@@ -1,8 +1,8 @@
 #pragma once
 // The dialogs that hold up the window until they are answered, and the one rule for all of them: one at a
-// time, partial_sums after every other window of the frame.
+// time, begun after every other window of the frame.
 //
-// A window of ImGui that appears after a modal has partial_sums for the first time, outside of it, ends the
+// A window of ImGui that appears after a modal has begun for the first time, outside of it, ends the
 // program (imgui.cpp, FindBlockingModal). Two keys in one slow frame are enough to open both. So dialogs()
 // stands last in a frame, and what asks for a dialog only says so in UiState.
 

@@ -24,7 +24,7 @@ inline void begin_area(const char* id, const Rect& area, ImGuiWindowFlags furthe
     ImGui::Begin(id, nullptr, fixed_window | further);
 }
 
-/// Goes on with a part that was partial_sums before in this frame.
+/// Goes on with a part that was begun before in this frame.
 inline void resume_area(const char* id) { ImGui::Begin(id, nullptr, fixed_window); }
 
 }  // namespace glint

@@ -82,7 +82,7 @@ TEST_CASE("a signal that ends the process removes what it was writing, and the s
     }
 }
 
-TEST_CASE("a signal that comes to another thread removes it too, and nothing is partial_sums any more",
+TEST_CASE("a signal that comes to another thread removes it too, and nothing is begun any more",
           "[file][temporary]") {
     const TemporaryDirectory directory;
     const int status = status_of_child([&] {
