@@ -5,7 +5,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "renderer/inspect/reflectance/light_needs.h"
+#include "renderer/inspect/reflectance/needs.h"
 #include "ui/fields/choices.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/picture/handles/drag_math.h"

@@ -4,9 +4,7 @@
 
 #include <array>
 
-#include "renderer/inspect/explain/explain_json.h"
-#include "renderer/inspect/explain/explain_latex.h"
-#include "renderer/inspect/explain/explain_text.h"
+#include "renderer/inspect/explain/explain_format.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/widgets.h"
 
