@@ -7,9 +7,7 @@
 #include "app/progress.h"
 #include "models/json/json_value.h"
 #include "renderer/inspect/debug_views/sensitivity.h"
-#include "renderer/inspect/explain/explain_json.h"
-#include "renderer/inspect/explain/explain_latex.h"
-#include "renderer/inspect/explain/explain_text.h"
+#include "renderer/inspect/explain/explain_format.h"
 #include "renderer/renderer.h"
 
 namespace glint {

@@ -7,7 +7,7 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "models/json/json_value.h"
-#include "renderer/inspect/reflectance/facet_lobe.h"
+#include "renderer/inspect/reflectance/lobes.h"
 
 namespace glint {
 namespace {

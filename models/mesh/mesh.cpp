@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <utility>
 
+#include "models/mesh/normals.h"
 #include "models/mesh/polygon.h"
+#include "models/mesh/topology.h"
 #include "models/mesh/triangulate.h"
 #include "models/progress.h"
 #include "models/warn.h"
@@ -59,6 +62,96 @@ void finish_mesh(Mesh& mesh) {
          "faces have a repeated corner, which was skipped");
     warn(mesh.warnings, long_fans, "face is not convex and has more than 1000 corners: drawn as a fan",
          "faces are not convex and have more than 1000 corners: drawn as fans");
+}
+
+namespace {
+
+/// The vertices of a polygon, each once, in ascending order.
+void vertex_set(const Mesh& mesh, std::size_t face, std::vector<std::uint32_t>& set) {
+    const auto corners = mesh.corners_of(face);
+    set.assign(corners.begin(), corners.end());
+    std::sort(set.begin(), set.end());
+    set.erase(std::unique(set.begin(), set.end()), set.end());
+}
+
+/// Faces that have the vertices of an earlier one. Only sets of one hash are compared.
+std::size_t count_duplicates(const Mesh& mesh) {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> by_hash(mesh.face_count());
+    std::vector<std::uint32_t> set, other;
+    for (std::uint32_t f = 0; f < by_hash.size(); ++f) {
+        vertex_set(mesh, f, set);
+        std::uint64_t hash = 0x9E3779B97F4A7C15u;
+        for (const std::uint32_t v : set) {  // splitmix64's steps, vertex by vertex
+            hash = (hash ^ v) * 0xBF58476D1CE4E5B9u;
+            hash = (hash ^ hash >> 27) * 0x94D049BB133111EBu;
+            hash ^= hash >> 31;
+        }
+        by_hash[f] = {hash, f};
+    }
+    std::sort(by_hash.begin(), by_hash.end());
+    std::size_t duplicates = 0;
+    for (std::size_t i = 1; i < by_hash.size(); ++i) {
+        if (by_hash[i].first != by_hash[i - 1].first) continue;
+        vertex_set(mesh, by_hash[i - 1].second, other);
+        vertex_set(mesh, by_hash[i].second, set);
+        duplicates += set == other ? 1 : 0;
+    }
+    return duplicates;
+}
+
+const char* normals_by_default(GivenNormals given) {
+    switch (given) {
+    case GivenNormals::None:
+        return "vertex";
+    case GivenNormals::File:
+        return "file";
+    case GivenNormals::Analytic:
+        return "analytic";
+    }
+    return "";  // not reached
+}
+
+void count_edges(const Mesh& mesh, MeshInfo& info) {
+    const Topology topology = make_topology(mesh);
+    info.edges = topology.edges.size();
+    for (std::size_t e = 0; e < info.edges; ++e) {
+        switch (edge_kind(mesh, topology, e)) {
+        case EdgeKind::Boundary:
+            ++info.boundary_edges;
+            break;
+        case EdgeKind::Manifold:
+            break;
+        case EdgeKind::Inconsistent:
+            ++info.inconsistent_edges;
+            break;
+        case EdgeKind::NonManifold:
+            ++info.non_manifold_edges;
+            break;
+        }
+    }
+}
+
+}  // namespace
+
+MeshInfo mesh_info(const Mesh& mesh) {
+    MeshInfo info;
+    info.vertices = mesh.positions.size();
+    info.faces = mesh.face_count();
+    for (std::size_t f = 0; f < info.faces; ++f) {
+        const std::size_t corners = mesh.corners_of(f).size();
+        info.triangles += corners == 3 ? 1 : 0;
+        info.quads += corners == 4 ? 1 : 0;
+        info.polygons += corners >= 5 ? 1 : 0;
+        info.degenerate_faces += polygon_plane(mesh, f).area > 0 ? 0 : 1;
+    }
+    count_edges(mesh, info);
+    info.duplicate_faces = count_duplicates(mesh);
+    info.bounds = mesh.bounds;
+    info.normals = normals_by_default(mesh.given_normals);
+    info.warnings = mesh.warnings;
+    warn_of_missing_normals(mesh, info.warnings);
+    info.load_ms = mesh.load_ms;
+    return info;
 }
 
 }  // namespace glint

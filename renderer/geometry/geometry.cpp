@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "models/refused.h"
-#include "renderer/geometry/not_too_far.h"
 #include "renderer/geometry/to_screen.h"
 
 namespace glint {

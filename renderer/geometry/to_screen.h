@@ -3,11 +3,13 @@
 // go the same way, so that no crack opens between them.
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
 #include "models/scene/camera.h"
 #include "renderer/geometry/interpolate.h"
+#include "renderer/geometry/outside_bits.h"
 #include "renderer/geometry/viewport_transform.h"
 
 namespace glint {
@@ -60,5 +62,15 @@ namespace glint {
     return {static_cast<std::int32_t>(nearest(at.x)), static_cast<std::int32_t>(nearest(at.y)),
             static_cast<float>(at.inv_w)};
 }
+
+// Positions so far away that the square of their distance does not fit a float.
+
+/// How many times nearer `place` (camera coordinates) has to be for its distance to be `max_distance`; 1
+/// when it is not farther.
+[[nodiscard]] inline double share_of_way(const glm::dvec3& place) {
+    return std::min(1.0, max_distance / glm::length(place));
+}
+/// The place, or the one in the same direction that is not too far.
+[[nodiscard]] inline glm::dvec3 not_too_far(const glm::dvec3& place) { return share_of_way(place) * place; }
 
 }  // namespace glint

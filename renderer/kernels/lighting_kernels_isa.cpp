@@ -1,12 +1,14 @@
 // The lighting kernels, compiled once for each instruction set (renderer/CMakeLists.txt, add_kernels). No
 // standard library inside: a function with one name in two instruction sets would be merged by the linker.
 
+#include "renderer/geometry/interpolate.h"
 #include "renderer/kernels/kernel_set.h"
 #include "renderer/lighting/display.h"
 #include "renderer/lighting/shade_point.h"
-#include "renderer/shade/blend_points.h"
 #include "renderer/shade/group_bounds.h"
+#include "renderer/shade/shade_kernels.h"
 #include "renderer/simd/int_lanes.h"
+#include "renderer/simd/transpose.h"
 #include "renderer/simd/wide.h"
 
 namespace glint::inline GLINT_ISA {
@@ -177,6 +179,22 @@ GLINT_FLATTEN static void encode(const DisplayJob& job, const ColorBlock* colors
             store_ints(rgba + i * block_size + k, r | g << 8 | b << 16 | opaque);
         }
     }
+}
+
+/// The colours of the lit points with these numbers.
+template <Number F> Vec3<F> colors_of(const ColorRecord* points, const std::uint32_t* number) {
+    const Columns<F> color = gather_transposed<F>(points, number, sizeof(ColorRecord));
+    return {color.a, color.b, color.c};
+}
+
+/// A run of pixels under Gouraud: `each` lit points a pixel, their numbers and weights 16 side by side.
+template <Number F>
+Vec3<F> blended_colors(const ColorRecord* points, const std::uint32_t* number, const float* weight,
+                       int each) {
+    Vec3<F> sum;
+    for (int k = 0; k < each; ++k, number += block_size, weight += block_size)
+        sum = add_weighted(sum, load<F>(weight), colors_of<F>(points, number));
+    return sum;
 }
 
 GLINT_FLATTEN static void blend_groups(const ColorRecord* points, const std::uint32_t* numbers,

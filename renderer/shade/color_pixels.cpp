@@ -1,5 +1,3 @@
-#include "renderer/shade/color_pixels.h"
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -8,7 +6,7 @@
 #include <bit>
 #include <cstring>
 
-#include "renderer/shade/light_points.h"
+#include "renderer/shade/lighting_steps.h"
 #include "renderer/simd/lanes.h"
 
 namespace glint {

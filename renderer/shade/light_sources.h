@@ -41,4 +41,12 @@ inline constexpr float opengl_max_shininess = 128;
 /// with its sign, for a shininess of 0, where every cosine counts (0^0 is 1).
 [[nodiscard]] float faintest_cosine_squared(float shininess);
 
+// What students do by mistake to lights and viewer before the equation sees them (models/scene/mistakes.h).
+
+/// Falloff and cone as the mistakes have them. No mistake leaves the source as it is.
+void apply_source_mistakes(const Mistakes& mistakes, const Light& light, LightSource& source);
+
+/// Viewer, shininess and projection as the mistakes have them; notes whether any mistake is made at all.
+void apply_job_mistakes(const Scene& scene, PictureSize size, LightJob& job);
+
 }  // namespace glint

@@ -10,7 +10,7 @@
 
 #include "models/fields/reflection_info.h"
 #include "models/refused.h"
-#include "renderer/shade/light_points.h"
+#include "renderer/shade/lighting_steps.h"
 
 namespace glint {
 namespace {

@@ -25,7 +25,6 @@ template <int N> struct NumberTraits<Doubles<N>> {
 };
 
 /// Correctly rounded, as IEEE 754 demands, in every width.
-inline double square_root(double a) { return __builtin_sqrt(a); }
 template <int N> Doubles<N> square_root(Doubles<N> a) {
 #ifdef __AVX512F__
     if constexpr (N == 8) return Doubles<N>((typename Doubles<N>::V)_mm512_maskz_sqrt_pd(0xFF, (__m512d)a.v));

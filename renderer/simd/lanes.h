@@ -154,6 +154,7 @@ template <int N> void store_ints(void* to, IntLanes<N> a) { __builtin_memcpy(to,
 
 /// Correctly rounded, as IEEE 754 demands, in every width.
 inline float square_root(float a) { return __builtin_sqrtf(a); }
+inline double square_root(double a) { return __builtin_sqrt(a); }
 template <int N> Lanes<N> square_root(Lanes<N> a) {
 #ifdef __AVX512F__
     // maskz: g++ 12 warns about the undefined register inside _mm512_sqrt_ps; the code is the same.

@@ -3,11 +3,14 @@
 // surface and lighting. Inputs: the geometry, the visibility, and of `npr` silhouettes, creases, crease_deg
 // and stroke_width_px. Nothing of the meshes' topology is built until the first stroke is asked for.
 
+#include <span>
 #include <vector>
 
 #include "models/scene/scene.h"
 #include "renderer/lighting/light_job.h"
+#include "renderer/simd/vec3.h"
 #include "renderer/strokes/stroke_edges.h"
+#include "renderer/strokes/stroke_lines.h"
 #include "renderer/visibility/visibility.h"
 
 namespace glint {
@@ -38,4 +41,28 @@ bool update_strokes(Strokes& kept, const Scene& scene, const Geometry& geometry,
 bool draw_over(const Strokes& strokes, const glm::vec3& stroke, std::size_t first_pixel, std::uint16_t mask,
                ColorBlock& colors);
 
+// Lines to the share of each pixel that they cover.
+
+/// Share of a pixel that a stroke of `width_px` covers when the pixel's centre lies `distance_px` from the
+/// stroke's middle: exact for a straight stroke along rows or columns, width below a pixel included.
+[[nodiscard]] float stroke_share(float distance_px, float width_px);
+
+/// Width x height, 0 to 1: the largest share of any line, so that lines that meet or lie on each other are no
+/// darker there; ends are round. A line does not cover a pixel that shows another object in front of it. The
+/// same bits for every order of the lines.
+[[nodiscard]] std::vector<float> stroke_coverage(const Geometry& geometry, const Visibility& visibility,
+                                                 std::span<const StrokeLine> lines, float width_px);
+
 }  // namespace glint
+
+namespace glint::inline GLINT_ISA {
+
+// A stroke drawn over the shaded picture: the last step of a pixel's sum, in linear light, before exposure
+// and transfer.
+
+/// `coverage`, 0 to 1: the share of the pixel that the stroke hides; at 1 all of it, however bright.
+template <Number F> Vec3<F> drawn_over(Vec3<F> shaded, F coverage, Vec3<F> stroke) {
+    return select<F>(coverage >= F(1), stroke, (F(1) - coverage) * shaded + coverage * stroke);
+}
+
+}  // namespace glint::inline GLINT_ISA

@@ -5,8 +5,7 @@
 
 #include "renderer/geometry/clip.h"
 #include "renderer/geometry/interpolate.h"
-#include "renderer/geometry/near_clip.h"
-#include "renderer/geometry/not_too_far.h"
+#include "renderer/geometry/to_screen.h"
 
 namespace glint {
 namespace {

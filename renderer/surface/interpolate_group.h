@@ -2,9 +2,114 @@
 // Many pixels at once: where each one's ray meets its face, and the normal interpolated there.
 
 #include "renderer/geometry/interpolate.h"
-#include "renderer/surface/faces_of_lanes.h"
+#include "renderer/simd/int_lanes.h"
+#include "renderer/simd/transpose.h"
+#include "renderer/surface/surface_kernels.h"
 
 namespace glint::inline GLINT_ISA {
+
+// The corners of the triangles that neighbouring pixels show, one triangle a lane. Few different ones are
+// looked up once each and put into their lanes; many are looked up lane by lane.
+
+/// One corner of each lane's triangle: where it is on the screen, its place and its normal.
+template <Number F> struct CornerOfLanes {
+    ClipCorner<F> clip;
+    Vec3<F> p, n;
+};
+template <Number F> struct FacesOfLanes {
+    CornerOfLanes<F> a, b, c;
+    bool clipped = false;  // some had to be
+};
+
+/// Where corner `c` of a triangle (number within the object) is, and its normal.
+struct CornerRecords {
+    const TransformedVertex* vertex;
+    const CameraNormal* normal;
+};
+inline CornerRecords corner_records(const InterpolateJob& job, unsigned triangle, unsigned c) {
+    const unsigned vertex = job.triangle_vertices[3 * std::size_t{triangle} + c];
+    const unsigned normal =
+        job.corner_normal ? job.corner_normal[job.triangle_corners[4 * std::size_t{triangle} + c]] : vertex;
+    return {job.vertices + vertex, job.normals + normal};
+}
+
+/// Loads corner `c`; put(old, value) says which lanes receive each of its numbers.
+template <Number F, class Put>
+void put_corner(const InterpolateJob& job, unsigned triangle, unsigned c, CornerOfLanes<F>& out,
+                bool& clipped, const Put& put) {
+    const CornerRecords corner = corner_records(job, triangle, c);
+    const TransformedVertex& v = *corner.vertex;
+    const CameraNormal& n = *corner.normal;
+    out = {{put(out.clip.x, v.clip_x), put(out.clip.y, v.clip_y), put(out.clip.w, v.clip_w)},
+           {put(out.p.x, v.x), put(out.p.y, v.y), put(out.p.z, v.z)},
+           {put(out.n.x, n.x), put(out.n.y, n.y), put(out.n.z, n.z)}};
+    clipped |= (v.outside & job.clipped_bits) != 0;
+}
+template <Number F, class Put>
+void put_face(const InterpolateJob& job, unsigned triangle, FacesOfLanes<F>& out, const Put& put) {
+    put_corner(job, triangle, 0, out.a, out.clipped, put);
+    put_corner(job, triangle, 1, out.b, out.clipped, put);
+    put_corner(job, triangle, 2, out.c, out.clipped, put);
+}
+
+/// Corner `c` of each lane's own triangle.
+template <Number F>
+CornerOfLanes<F> take_corner(const InterpolateJob& job, const unsigned* triangle, unsigned c, bool& clipped) {
+    constexpr int width = NumberTraits<F>::width;
+    if constexpr (width == 1) {
+        CornerOfLanes<F> corner;
+        put_corner(job, triangle[0], c, corner, clipped, [](F, float from) { return from; });
+        return corner;
+    } else {
+        using T = transposing::Rows<width>;
+        typename T::V clip[4], p[4], n[4];
+        const auto take_rows = [&](int k) {  // lanes k, k + 4, ...
+            const char *vertex[width / 4], *normal[width / 4];
+            for (int row = 0; row < width / 4; ++row) {
+                const CornerRecords corner = corner_records(job, triangle[k + 4 * row], c);
+                vertex[row] = reinterpret_cast<const char*>(corner.vertex);
+                normal[row] = reinterpret_cast<const char*>(corner.normal);
+            }
+            clip[k] = T::rows(vertex, 0);
+            p[k] = T::rows(vertex, 16);
+            n[k] = T::rows(normal, 0);
+        };
+        take_rows(0);  // one by one, so that they stay in registers
+        take_rows(1);
+        take_rows(2);
+        take_rows(3);
+        const Columns<F> clips = transposing::transposed<F>(clip), ps = transposing::transposed<F>(p),
+                         ns = transposing::transposed<F>(n);
+        clipped |= any_bit(bits_of(clips.d) & static_cast<int>(job.clipped_bits));
+        return {{clips.a, clips.b, clips.c}, {ps.a, ps.b, ps.c}, {ns.a, ns.b, ns.c}};
+    }
+}
+
+/// Where a group shows more triangles than this, looking up lane by lane is faster.
+inline constexpr int most_looked_up_once = 4;
+
+/// `triangles`: numbers within the object.
+template <Number F> FacesOfLanes<F> faces_of_lanes(const InterpolateJob& job, IntOf<F> triangles) {
+    constexpr int width = NumberTraits<F>::width;
+    unsigned number[width];
+    store_ints(number, triangles);
+    FacesOfLanes<F> faces;
+    unsigned changes = mask_bits(not_equal(triangles, slide1up(triangles)));  // bit i: begins at lane i
+    if (width == 1 || __builtin_popcount(changes) > most_looked_up_once) {
+        faces.a = take_corner<F>(job, number, 0, faces.clipped);
+        faces.b = take_corner<F>(job, number, 1, faces.clipped);
+        faces.c = take_corner<F>(job, number, 2, faces.clipped);
+        return faces;
+    }
+    put_face(job, number[0], faces, [](F, float of_corner) { return F(of_corner); });
+    for (; changes; changes &= changes - 1) {
+        const int first = __builtin_ctz(changes);
+        const auto before = first_n<F>(first);
+        put_face(job, number[first], faces,
+                 [&before](F lanes, float of_corner) { return select(before, lanes, F(of_corner)); });
+    }
+    return faces;
+}
 
 /// Pixels k and up of a group that begins at (x, y) and shows `seen`: their places, and the normals before
 /// they are made unit. False when some lane shows a clipped triangle.

@@ -1,8 +1,6 @@
 // The surface under Pixels: position and normal of every visible pixel. The fast path takes 16 pixels at
 // once, by the same formulas as one pixel alone (sample.cpp); it takes the others one by one.
 
-#include "renderer/surface/interpolate_pixels.h"
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -14,6 +12,7 @@
 #include <numeric>
 
 #include "renderer/geometry/clip.h"
+#include "renderer/surface/surface_points.h"
 
 namespace glint {
 namespace {

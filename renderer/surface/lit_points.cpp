@@ -1,11 +1,10 @@
-#include "renderer/surface/lit_points.h"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
 
 #include "models/refused.h"
+#include "renderer/surface/surface_points.h"
 
 namespace glint {
 namespace {

@@ -1,11 +1,10 @@
-#include "renderer/surface/multisample.h"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "renderer/geometry/interpolate.h"
+#include "renderer/surface/surface_points.h"
 
 namespace glint {
 namespace {

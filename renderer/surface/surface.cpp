@@ -4,9 +4,7 @@
 
 #include <bit>
 
-#include "renderer/surface/interpolate_pixels.h"
-#include "renderer/surface/lit_points.h"
-#include "renderer/surface/multisample.h"
+#include "renderer/surface/surface_points.h"
 
 namespace glint {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 // All triangles of one tile: made ready several at once (triangle_lanes.h), then drawn one after the other.
 
-#include "renderer/visibility/large_triangle.h"
-#include "renderer/visibility/tiny_triangles.h"
+#include "renderer/visibility/fill_triangle.h"
+#include "renderer/visibility/triangle_lanes.h"
 
 namespace glint::inline GLINT_ISA {
 

@@ -1,9 +1,89 @@
 #include "renderer/visibility/visibility.h"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
 #include "renderer/lighting/light_job.h"
-#include "renderer/visibility/rasterize.h"
 
 namespace glint {
+namespace {
+
+/// A tile's place in one sample's plane of the picture; at the right and lower border it may reach beyond.
+TileRows tile_rows(const TileJob& job, PictureSize size, int sample, Visibility& out) {
+    const auto x = static_cast<std::size_t>(job.x0), y = static_cast<std::size_t>(job.y0);
+    TileRows rows;
+    rows.row = static_cast<std::size_t>(size.width);
+    rows.groups_a_row = out.groups_a_row;
+    rows.seen = &out.seen[static_cast<std::size_t>(sample) * out.plane + y * rows.row + x];
+    if (out.samples == 1) rows.covered = &out.covered[y * rows.groups_a_row + x / block_size];
+    rows.width = std::min(tile_size, size.width - job.x0);
+    rows.height = std::min(tile_size, size.height - job.y0);
+    return rows;
+}
+
+void list_objects(const Geometry& g, std::vector<DrawnObject>& drawn) {
+    drawn.clear();
+    for (const ObjectGeometry& o : g.objects)
+        drawn.push_back({o.screen.data(), o.first_triangle,
+                         static_cast<std::uint32_t>(o.mesh->triangles.size()), o.mirrored});
+}
+
+/// What a tile may show: the lists of the cells that hold it, of every level.
+class CellLists {
+  public:
+    CellLists(const TileLists& lists, std::uint32_t tile) : lists_(lists) {
+        const std::uint32_t x = tile % lists.grid.tiles_x, y = tile / lists.grid.tiles_x;
+        for (std::uint32_t level = 0; level < CellGrid::levels; ++level) {
+            const std::uint32_t cell = lists.grid.cell_at(level, x, y);
+            if (lists.count_in_cell(cell) > 0) cells_[count_++] = cell;
+        }
+    }
+    [[nodiscard]] bool empty() const { return count_ == 0; }
+
+    /// All of them, one after the other; in which order does not matter (seen_code).
+    void draw(TileJob job, TilePixels& tile) const {
+        std::size_t i = 0;
+        do {
+            job.keep = i > 0;
+            job.entries = count_ > 0 ? lists_.entries.data() + lists_.cell_first[cells_[i]] : nullptr;
+            job.count = count_ > 0 ? lists_.count_in_cell(cells_[i]) : 0;
+            visibility_kernels().draw(job, tile);
+        } while (++i < count_);
+    }
+
+  private:
+    const TileLists& lists_;
+    std::array<std::uint32_t, CellGrid::levels> cells_{};
+    std::size_t count_ = 0;
+};
+
+void rasterize_tiles(const Geometry& g, Visibility& out) {
+    list_objects(g, out.objects);
+    tbb::parallel_for(std::uint32_t{0}, out.tiles.grid.tile_count(), [&](std::uint32_t number) {
+        const CellLists lists(out.tiles, number);
+        if (lists.empty() && !out.tile_drawn[number]) return;  // background before and now
+        out.tile_drawn[number] = !lists.empty();
+        TileJob job;
+        job.objects = out.objects.data();
+        job.clipped = out.tiles.clipped.data();
+        job.triangle_count = g.triangle_count;
+        job.x0 = static_cast<int>(number % out.tiles.grid.tiles_x) * tile_size;
+        job.y0 = static_cast<int>(number / out.tiles.grid.tiles_x) * tile_size;
+        job.draw_front = out.cull != Cull::Front;
+        job.draw_back = out.cull != Cull::Back;
+        for (int sample = 0; sample < out.samples; ++sample) {
+            const SampleOffset offset = sample_offset(out.samples, sample);
+            job.offset_x = offset.x;
+            job.offset_y = offset.y;
+            TilePixels tile;
+            lists.draw(job, tile);
+            visibility_kernels().take_rows(tile, tile_rows(job, g.size, sample, out));
+        }
+    });
+}
+
+}  // namespace
 
 SampleOffset sample_offset(int samples, int which) {
     // In sixteenths of a pixel: Direct3D 11's standard patterns, which OpenGL drivers use as well.

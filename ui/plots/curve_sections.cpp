@@ -7,7 +7,7 @@
 
 #include "models/fields/reflection_info.h"
 #include "renderer/inspect/reflectance/curves.h"
-#include "renderer/inspect/reflectance/highlight_fit.h"
+#include "renderer/inspect/reflectance/highlight.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/plots_tab.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "renderer/inspect/reflectance/light_needs.h"
+#include "renderer/inspect/reflectance/needs.h"
 #include "ui/fields/field_panel.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/picture/handles/drag_math.h"

@@ -8,7 +8,7 @@
 
 #include "models/saturate.h"
 #include "renderer/inspect/reflectance/curves.h"
-#include "renderer/inspect/reflectance/highlight_fit.h"
+#include "renderer/inspect/reflectance/highlight.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/plots_tab.h"

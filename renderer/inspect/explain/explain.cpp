@@ -12,7 +12,7 @@
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"
 #include "renderer/simd/glm_vec3.h"
-#include "renderer/strokes/stroke.h"
+#include "renderer/strokes/strokes.h"
 
 namespace glint {
 namespace {

@@ -1,7 +1,6 @@
-#include "renderer/inspect/explain/explain_json.h"
-
 #include "models/fields/choices.h"
 #include "models/json/json_value.h"
+#include "renderer/inspect/explain/explain_format.h"
 
 namespace glint {
 namespace {

@@ -1,11 +1,10 @@
-#include "renderer/inspect/explain/explain_latex.h"
-
 #include <fmt/format.h>
 
 #include <string_view>
 
 #include "models/fields/choices.h"
 #include "models/problem.h"
+#include "renderer/inspect/explain/explain_format.h"
 
 namespace glint {
 namespace {

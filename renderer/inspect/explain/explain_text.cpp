@@ -1,5 +1,3 @@
-#include "renderer/inspect/explain/explain_text.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "models/fields/choices.h"
 #include "models/problem.h"
+#include "renderer/inspect/explain/explain_format.h"
 
 namespace glint {
 namespace {

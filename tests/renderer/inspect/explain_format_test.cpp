@@ -1,9 +1,10 @@
 // The explanation's spaces and its LaTeX form; JSON and text are tested with the command line.
+#include "renderer/inspect/explain/explain_format.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 
-#include "renderer/inspect/explain/explain_latex.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"

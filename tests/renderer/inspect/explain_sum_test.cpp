@@ -5,7 +5,7 @@
 
 #include "models/fields/choices.h"
 #include "models/scene_file/scene_file.h"
-#include "renderer/inspect/explain/explain_json.h"
+#include "renderer/inspect/explain/explain_format.h"
 #include "renderer/renderer.h"
 #include "tests/support/asset_scenes.h"
 #include "tests/support/catch.h"

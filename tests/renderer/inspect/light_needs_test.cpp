@@ -1,9 +1,8 @@
 // What matters to which kind of light, against the lecture's table and against hand-worked numbers.
-#include "renderer/inspect/reflectance/light_needs.h"
-
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "renderer/inspect/reflectance/needs.h"
 #include "tests/support/catch.h"
 
 using namespace glint;

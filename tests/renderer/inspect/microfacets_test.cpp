@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "renderer/inspect/reflectance/facet_lobe.h"
+#include "renderer/inspect/reflectance/lobes.h"
 #include "tests/support/catch.h"
 
 using namespace glint;

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "renderer/renderer.h"
-#include "renderer/strokes/stroke_coverage.h"
+#include "renderer/strokes/strokes.h"
 #include "tests/support/as_fresh.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"

@@ -4,7 +4,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "renderer/inspect/reflectance/curves.h"
-#include "renderer/inspect/reflectance/highlight_fit.h"
+#include "renderer/inspect/reflectance/highlight.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/scenes.h"

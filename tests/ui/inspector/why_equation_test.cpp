@@ -2,9 +2,7 @@
 #include <random>
 #include <set>
 
-#include "renderer/inspect/explain/explain_json.h"
-#include "renderer/inspect/explain/explain_latex.h"
-#include "renderer/inspect/explain/explain_text.h"
+#include "renderer/inspect/explain/explain_format.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "ui/inspector/equation/equation_tab.h"

@@ -3,9 +3,7 @@
 #include <array>
 
 #include "models/fields/reflection_info.h"
-#include "renderer/inspect/explain/explain_json.h"
-#include "renderer/inspect/explain/explain_latex.h"
-#include "renderer/inspect/explain/explain_text.h"
+#include "renderer/inspect/explain/explain_format.h"
 #include "ui/inspector/equation/equation_tab.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
