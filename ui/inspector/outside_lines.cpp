@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 
 #include "ui/inspector/outside_view.h"
-#include "ui/picture/handles/world_pen.h"
 #include "ui/picture/orbit.h"
+#include "ui/picture/world_pen.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/label_room.h"

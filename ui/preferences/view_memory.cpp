@@ -27,8 +27,6 @@ std::optional<Camera> read_camera(const Json& json) {
     return {};
 }
 
-Json pair_json(glm::dvec2 v) { return {v.x, v.y}; }
-
 void read_share(const Json& json, const char* name, glm::dvec2& value) {
     const Json* found = json.find(name);
     if (found == nullptr || found->elements().size() != 2) return;
@@ -80,74 +78,85 @@ CompareChoice read_compare(const Json& json) {
     return choice;
 }
 
+Json to_json(bool on) { return on; }
+Json to_json(glm::dvec2 share) { return {share.x, share.y}; }
+Json to_json(Look look) { return info_of(look).label; }
+Json to_json(const CompareChoice& choice) { return compare_json(choice); }
+Json to_json(const std::vector<Camera>& cameras) {
+    Json all = Json::array();
+    for (const Camera& camera : cameras) all.push_back(camera_json(camera));
+    return all;
+}
+
+void read_from(const Json& json, const char* name, bool& on) { read(json, name, on); }
+void read_from(const Json& json, const char* name, glm::dvec2& share) { read_share(json, name, share); }
+void read_from(const Json& json, const char* name, Look& look) {
+    if (const Json* found = json.find(name))
+        for (int i = 0; i < look_count; ++i)
+            if (*found == info_of(static_cast<Look>(i)).label) look = static_cast<Look>(i);
+}
+void read_from(const Json& json, const char* name, CompareChoice& choice) {
+    if (const Json* found = json.find(name)) choice = read_compare(*found);
+}
+void read_from(const Json& json, const char* name, std::vector<Camera>& cameras) {
+    if (const Json* found = json.find(name))
+        for (const Json& camera : found->elements())
+            if (const auto view = read_camera(camera)) keep_view(cameras, *view);
+}
+
+/// Everything that is remembered of the views, once: visit(its name in the file, its member, a function that
+/// leads to its place in the window).
+template <class Memory, class Visit> void view_fields(Memory& m, const Visit& visit) {
+    visit(
+        "compare", m.compare, [](auto& s) -> auto& { return s.views.compare.choice; });
+    visit(
+        "look", m.look, [](auto& s) -> auto& { return s.views.look.set.choice.look; });
+    visit(
+        "over_range", m.over_range, [](auto& s) -> auto& { return s.views.look.set.over_range; });
+    visit(
+        "dots", m.dots, [](auto& s) -> auto& { return s.views.lit.dots; });
+    visit(
+        "needles", m.needles, [](auto& s) -> auto& { return s.views.lit.needles; });
+    visit(
+        "scope_from", m.scope_from, [](auto& s) -> auto& { return s.views.scope.from; });
+    visit(
+        "scope_to", m.scope_to, [](auto& s) -> auto& { return s.views.scope.to; });
+    visit(
+        "scope_channels", m.scope_channels, [](auto& s) -> auto& { return s.views.scope.channels; });
+    visit(
+        "scope_eye", m.scope_eye, [](auto& s) -> auto& { return s.views.scope.eye; });
+    visit(
+        "kept_views", m.kept, [](auto& s) -> auto& { return s.kept_views; });
+}
+
 }  // namespace
 
 Json view_json(const ViewMemory& memory) {
-    Json kept = Json::array();
-    for (const Camera& camera : memory.kept) kept.push_back(camera_json(camera));
-    return {{"compare", compare_json(memory.compare)},
-            {"look", info_of(memory.look).label},
-            {"over_range", memory.over_range},
-            {"dots", memory.dots},
-            {"needles", memory.needles},
-            {"scope_from", pair_json(memory.scope_from)},
-            {"scope_to", pair_json(memory.scope_to)},
-            {"scope_channels", memory.scope_channels},
-            {"scope_eye", memory.scope_eye},
-            {"kept_views", kept}};
+    Json json = Json::object();
+    view_fields(memory, [&](const char* name, const auto& value, auto) { json[name] = to_json(value); });
+    return json;
 }
 
 ViewMemory read_view(const Json& json) {
     ViewMemory memory;
-    if (!json.is_object()) return memory;
-    if (const Json* found = json.find("compare")) memory.compare = read_compare(*found);
-    if (const Json* found = json.find("look"))
-        for (int i = 0; i < look_count; ++i)
-            if (*found == info_of(static_cast<Look>(i)).label) memory.look = static_cast<Look>(i);
-    read(json, "over_range", memory.over_range);
-    read(json, "dots", memory.dots);
-    read(json, "needles", memory.needles);
-    read_share(json, "scope_from", memory.scope_from);
-    read_share(json, "scope_to", memory.scope_to);
-    read(json, "scope_channels", memory.scope_channels);
-    read(json, "scope_eye", memory.scope_eye);
-    if (const Json* found = json.find("kept_views"))
-        for (const Json& camera : found->elements())
-            if (const auto view = read_camera(camera)) keep_view(memory.kept, *view);
+    if (json.is_object())
+        view_fields(memory, [&](const char* name, auto& value, auto) { read_from(json, name, value); });
     return memory;
 }
 
 ViewMemory views_to_remember(const UiState& state) {
-    const ViewsState& views = state.views;
     ViewMemory memory;
-    memory.compare = views.compare.choice;
-    memory.compare.stored.reset();
+    view_fields(memory, [&](const char*, auto& value, auto now) { value = now(state); });
+    memory.compare.stored.reset();  // a scene is no preference
     memory.compare.shows_stored = false;
-    memory.look = views.look.set.choice.look;
-    memory.over_range = views.look.set.over_range;
-    memory.dots = views.lit.dots;
-    memory.needles = views.lit.needles;
-    memory.scope_from = views.scope.from;
-    memory.scope_to = views.scope.to;
-    memory.scope_channels = views.scope.channels;
-    memory.scope_eye = views.scope.eye;
-    memory.kept = state.kept_views;
     return memory;
 }
 
 void recall_views(UiState& state, const ViewMemory& memory) {
-    ViewsState& views = state.views;
-    std::shared_ptr<const Scene> stored = std::move(views.compare.choice.stored);
-    views.compare.choice = memory.compare;
-    views.compare.choice.stored = std::move(stored);
-    views.look.set = {{memory.look, 0}, memory.over_range};
-    views.lit.dots = memory.dots;
-    views.lit.needles = memory.needles;
-    views.scope.from = memory.scope_from;
-    views.scope.to = memory.scope_to;
-    views.scope.channels = memory.scope_channels;
-    views.scope.eye = memory.scope_eye;
-    state.kept_views = memory.kept;
+    std::shared_ptr<const Scene> stored = std::move(state.views.compare.choice.stored);
+    state.views.look.set = {};  // the light of a quantity, too
+    view_fields(memory, [&](const char*, const auto& value, auto now) { now(state) = value; });
+    state.views.compare.choice.stored = std::move(stored);
 }
 
 }  // namespace glint

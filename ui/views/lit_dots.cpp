@@ -9,6 +9,7 @@
 
 #include "ui/plots/plot.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/named_controls.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
@@ -113,6 +114,7 @@ void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const Renderer& 
     list.AddRectFilled(low, {low.x + size.x + px(16), low.y + size.y + px(10)}, to_u32(theme().window, 0.88f),
                        px(6));
     plot_text(list, {low.x + px(8), low.y + px(5)}, theme().text, text);
+    list_control("evaluations", "", {low, {low.x + size.x + px(16), low.y + size.y + px(10)}});
 }
 
 }  // namespace glint

@@ -5,7 +5,7 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
-#include "ui/picture/handles/light_shape.h"
+#include "ui/picture/handles/light_handles.h"
 #include "ui/picture/handles/object_drag.h"
 
 using namespace glint;

@@ -198,3 +198,13 @@ TEST_CASE("a hand in the outside view turns that alone, and a click there select
     CHECK(selected_light(bench.state.editor.selection) == 1);
     CHECK(bench.scene() == before);
 }
+
+TEST_CASE("the badge of the evaluations is as wide as its text, at every scale of the type", "[ui][window]") {
+    HeadlessWindow bench;
+    bench.key(Key::J);
+    bench.frames(2);
+    const float padding = 16, whole = bench.area_of("evaluations").size().x - padding;
+    ImGui::GetIO().FontGlobalScale = 0.5f;  // two dots a unit: a font twice as large, drawn at half its size
+    bench.frames(2);
+    CHECK(bench.area_of("evaluations").size().x - padding == Approx(whole / 2).margin(1));
+}

@@ -11,7 +11,7 @@
 #include "ui/document/scene_edit.h"
 #include "ui/picture/handles/highlight_drag.h"
 #include "ui/picture/handles/light_drag.h"
-#include "ui/picture/handles/light_shape.h"
+#include "ui/picture/handles/light_handles.h"
 #include "ui/picture/handles/object_drag.h"
 #include "ui/picture/picture_view.h"
 

@@ -7,8 +7,7 @@
 #include <optional>
 
 #include "ui/picture/handles/drag_math.h"
-#include "ui/picture/handles/light_shape.h"
-#include "ui/picture/handles/world_pen.h"
+#include "ui/picture/world_pen.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"

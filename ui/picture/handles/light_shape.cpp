@@ -1,11 +1,10 @@
-#include "ui/picture/handles/light_shape.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
 #include "ui/picture/handles/drag_math.h"
+#include "ui/picture/handles/light_handles.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {

@@ -4,7 +4,7 @@
 
 #include "ui/picture/handles/drag_math.h"
 #include "ui/picture/handles/object_drag.h"
-#include "ui/picture/handles/world_pen.h"
+#include "ui/picture/world_pen.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 

@@ -1,4 +1,4 @@
-#include "ui/picture/handles/world_pen.h"
+#include "ui/picture/world_pen.h"
 
 #include <cmath>
 #include <numbers>
