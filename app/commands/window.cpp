@@ -1,5 +1,5 @@
 // glint [FILE]: the window.
-#include "app/window.h"
+#include "app/window/window.h"
 
 #include <memory>
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <sstream>
 
 #include "tests/support/catch.h"
@@ -49,6 +50,26 @@ TEST_CASE("a room of the renderer that includes a later one is reported", "[arch
     CHECK_FALSE(reported("renderer/surface/surface.h", "renderer/geometry/geometry.h"));
 }
 
+TEST_CASE("no two headers define a class of one name, which the linker would take for one",
+          "[architecture]") {
+    // Specialisations are not asked about, nor what stands in another namespace: it is indented or in a .cpp.
+    const std::regex definition(R"(^(?:struct|class|enum class|enum)(?: alignas\(\d+\))? (\w+)[^;<]*\{.*)");
+    std::map<std::string, std::string> header_of;
+    for (const char* folder : {"app", "ui", "renderer", "models"})
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(GLINT_SOURCE_DIR) / folder)) {
+            if (entry.path().extension() != ".h") continue;
+            std::ifstream file(entry.path());
+            for (std::string line; std::getline(file, line);) {
+                std::smatch match;
+                if (!std::regex_match(line, match, definition)) continue;
+                const auto [at, is_new] = header_of.emplace(match[1], entry.path().string());
+                INFO(match[1] << " is defined in " << at->second << " and in " << entry.path().string());
+                CHECK(is_new);
+            }
+        }
+    CHECK(header_of.size() > 100);
+}
+
 TEST_CASE("no folder holds more than 20 files", "[architecture]") {
     std::map<std::string, int> files;
     const fs::path root = GLINT_SOURCE_DIR;
@@ -63,9 +84,10 @@ TEST_CASE("no folder holds more than 20 files", "[architecture]") {
 }
 
 TEST_CASE("an upward include is reported with its file and line", "[architecture]") {
-    CHECK(forbidden_includes("ui/panel.cpp", "#include <string>\n#include \"app/window.h\"\n") ==
-          std::vector<std::string>{"ui/panel.cpp:2: includes app/window.h, which points up; expected app -> "
-                                   "ui -> renderer -> models"});
+    CHECK(forbidden_includes("ui/panel.cpp", "#include <string>\n#include \"app/window/window.h\"\n") ==
+          std::vector<std::string>{
+              "ui/panel.cpp:2: includes app/window/window.h, which points up; expected app -> "
+              "ui -> renderer -> models"});
     CHECK(forbidden_includes("models/a.h", "#include \"renderer/picture.h\"").size() == 1);
     CHECK(forbidden_includes("models/a.h", "  #  include <ui/widgets/theme.h>  // why").size() == 1);
     CHECK(forbidden_includes("renderer/a/b.cpp", "#include \"ui/widgets/theme.h\"").size() == 1);
@@ -91,11 +113,11 @@ TEST_CASE("libraries that take seconds to compile are reported outside the files
 }
 
 TEST_CASE("includes that the house allows are not reported", "[architecture]") {
-    CHECK(forbidden_includes("app/window.cpp",
+    CHECK(forbidden_includes("app/window/window.cpp",
                              "#include <GLFW/glfw3.h>\n#include <imgui_impl_glfw.h>\n"
                              "#include \"ui/widgets/theme.h\"\n#include \"models/mesh/mesh.h\"")
               .empty());
     CHECK(forbidden_includes("ui/a.cpp", "#include <imgui.h>\n#include \"renderer/renderer.h\"").empty());
     CHECK(forbidden_includes("models/a.cpp", "#include <OpenMesh/Core/IO/MeshIO.hh>").empty());
-    CHECK(forbidden_includes("models/a.cpp", "// #include \"app/window.h\"\nint x;").empty());
+    CHECK(forbidden_includes("models/a.cpp", "// #include \"app/window/window.h\"\nint x;").empty());
 }

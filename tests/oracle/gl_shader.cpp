@@ -15,7 +15,8 @@ namespace {
 
 test::ShaderSource source(const std::string& name, const char* interpolated) {
     return {name, std::string("#version 450 compatibility\n#define INTERPOLATED ") + interpolated + "\n" +
-                      test::shader_text("oracle/equation.glsl") + test::shader_text("oracle/" + name)};
+                      test::shader_text("oracle/glsl/equation.glsl") +
+                      test::shader_text("oracle/glsl/" + name)};
 }
 
 /// Sets uniforms of the current program by name; one that the program does not use is passed over.

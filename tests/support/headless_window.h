@@ -18,8 +18,8 @@
 namespace glint::test {
 
 /// A command by its name in menus.
-inline const Command& command_named(std::string_view name) {
-    for (const Command& command : commands())
+inline const WindowCommand& command_named(std::string_view name) {
+    for (const WindowCommand& command : commands())
         if (command.name == name) return command;
     FAIL("there is no command " << name);
     return commands()[0];

@@ -14,27 +14,27 @@ namespace glint {
 
 namespace {
 
-std::vector<Command> all_commands() {
-    std::vector<Command> all;
+std::vector<WindowCommand> all_commands() {
+    std::vector<WindowCommand> all;
     for (const auto rows : {file_commands, edit_commands, view_commands, lecture_commands, shading_commands})
-        for (Command& row : rows()) all.push_back(std::move(row));
+        for (WindowCommand& row : rows()) all.push_back(std::move(row));
     return all;
 }
 
 }  // namespace
 
-std::span<const Command> commands() {
-    static const std::vector<Command> all = all_commands();
+std::span<const WindowCommand> commands() {
+    static const std::vector<WindowCommand> all = all_commands();
     return all;
 }
 
-const Command& command(CommandId id) {
-    for (const Command& row : commands())
+const WindowCommand& command(CommandId id) {
+    for (const WindowCommand& row : commands())
         if (row.id == id) return row;
     throw std::logic_error("a command without a row");  // a test asks for every one
 }
 
-std::string keys_of(const Command& command) {
+std::string keys_of(const WindowCommand& command) {
     std::string keys;
     for (const KeyPress& press : command.keys) keys.append(keys.empty() ? "" : " or ").append(text_of(press));
     return keys;
@@ -44,21 +44,21 @@ std::string keys_of(CommandId id) { return keys_of(command(id)); }
 
 std::string keys_of_value(std::string_view value) {
     if (value.empty()) return {};
-    for (const Command& row : commands())
+    for (const WindowCommand& row : commands())
         if (row.sets == value) return keys_of(row);
     return {};
 }
 
-std::string why_disabled(const UiState& state, const Command& command) {
+std::string why_disabled(const UiState& state, const WindowCommand& command) {
     return command.why_disabled == nullptr ? std::string() : command.why_disabled(state);
 }
 
-std::optional<bool> is_on(const UiState& state, const Command& command) {
+std::optional<bool> is_on(const UiState& state, const WindowCommand& command) {
     if (command.is_on == nullptr) return {};
     return command.is_on(state);
 }
 
-void run_command(UiState& state, const Command& command) {
+void run_command(UiState& state, const WindowCommand& command) {
     if (!can_run(state, command)) return;
     state.viewport.touched |= command.changes_picture;
     command.run(state);
@@ -73,7 +73,7 @@ void run_keys(UiState& state, const UiInput& input) {
         // While text is typed its keys are text; Ctrl+S still saves.
         const bool typing = ImGui::GetIO().WantTextInput;
         if (typing && !(press.ctrl && press.key == Key::S)) continue;
-        const auto has_key = [&press](const Command& command) {
+        const auto has_key = [&press](const WindowCommand& command) {
             return std::find(command.keys.begin(), command.keys.end(), press) != command.keys.end();
         };
         const auto found = std::find_if(commands().begin(), commands().end(), has_key);

@@ -18,7 +18,7 @@ struct UiState;
 /// The menu in which a command stands, in the table's order. None: it has a key, and the palette finds it.
 enum class Menu { None, File, Edit, View, Lecture, Help };
 
-struct Command {
+struct WindowCommand {
     const char* name = "";
     std::vector<KeyPress> keys = {};
     Menu menu = Menu::None;
@@ -33,20 +33,20 @@ struct Command {
 };
 
 /// All commands, in the order of menus and lists.
-[[nodiscard]] std::span<const Command> commands();
-[[nodiscard]] const Command& command(CommandId id);
+[[nodiscard]] std::span<const WindowCommand> commands();
+[[nodiscard]] const WindowCommand& command(CommandId id);
 
 /// All its keys: "Ctrl+Shift+Z or Ctrl+Y".
-[[nodiscard]] std::string keys_of(const Command& command);
+[[nodiscard]] std::string keys_of(const WindowCommand& command);
 /// Why it cannot be done now; empty when it can.
-[[nodiscard]] std::string why_disabled(const UiState& state, const Command& command);
-[[nodiscard]] inline bool can_run(const UiState& state, const Command& command) {
+[[nodiscard]] std::string why_disabled(const UiState& state, const WindowCommand& command);
+[[nodiscard]] inline bool can_run(const UiState& state, const WindowCommand& command) {
     return why_disabled(state, command).empty();
 }
 /// Whether what the command switches is on; nothing when it is no switch.
-[[nodiscard]] std::optional<bool> is_on(const UiState& state, const Command& command);
+[[nodiscard]] std::optional<bool> is_on(const UiState& state, const WindowCommand& command);
 /// Does it, if can_run().
-void run_command(UiState& state, const Command& command);
+void run_command(UiState& state, const WindowCommand& command);
 inline void run_command(UiState& state, CommandId id) { run_command(state, command(id)); }
 
 /// Runs the commands of the keys that came with this frame; Escape leaves the innermost thing.

@@ -5,11 +5,11 @@
 
 namespace glint {
 
-[[nodiscard]] std::vector<Command> file_commands();
-[[nodiscard]] std::vector<Command> edit_commands();
-[[nodiscard]] std::vector<Command> view_commands();
-[[nodiscard]] std::vector<Command> lecture_commands();
-[[nodiscard]] std::vector<Command> shading_commands();
+[[nodiscard]] std::vector<WindowCommand> file_commands();
+[[nodiscard]] std::vector<WindowCommand> edit_commands();
+[[nodiscard]] std::vector<WindowCommand> view_commands();
+[[nodiscard]] std::vector<WindowCommand> lecture_commands();
+[[nodiscard]] std::vector<WindowCommand> shading_commands();
 
 constexpr bool ctrl = true, shift = true;  // of a KeyPress
 

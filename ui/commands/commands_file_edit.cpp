@@ -62,7 +62,7 @@ void type_numbers(UiState& state) {
 
 }  // namespace
 
-std::vector<Command> file_commands() {
+std::vector<WindowCommand> file_commands() {
     return {
         {.name = "New scene",
          .keys = {{Key::N, ctrl}},
@@ -118,7 +118,7 @@ std::vector<Command> file_commands() {
     };
 }
 
-std::vector<Command> edit_commands() {
+std::vector<WindowCommand> edit_commands() {
     return {
         {.name = "Undo",
          .keys = {{Key::Z, ctrl}},

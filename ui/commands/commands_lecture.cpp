@@ -43,7 +43,7 @@ void switch_animate(UiState& state) {
 
 }  // namespace
 
-std::vector<Command> lecture_commands() {
+std::vector<WindowCommand> lecture_commands() {
     return {
         {.name = "Next scene of the folder",
          .keys = {{Key::PageDown}},

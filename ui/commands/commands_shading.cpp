@@ -5,7 +5,7 @@
 namespace glint {
 namespace {
 
-template <ShadingMode mode> Command mode_command(const char* name, Key key, const char* sets) {
+template <ShadingMode mode> WindowCommand mode_command(const char* name, Key key, const char* sets) {
     return {.name = name,
             .keys = {{key}},
             .run = [](UiState& s) { s.editor.scene().shading.mode = mode; },
@@ -13,7 +13,7 @@ template <ShadingMode mode> Command mode_command(const char* name, Key key, cons
             .sets = sets};
 }
 
-template <bool Terms::*term> Command term_command(const char* name, Key key, const char* sets) {
+template <bool Terms::*term> WindowCommand term_command(const char* name, Key key, const char* sets) {
     return {.name = name,
             .keys = {{key}},
             .run = [](UiState& s) { s.editor.scene().shading.terms.*term ^= true; },
@@ -23,7 +23,7 @@ template <bool Terms::*term> Command term_command(const char* name, Key key, con
 
 }  // namespace
 
-std::vector<Command> shading_commands() {
+std::vector<WindowCommand> shading_commands() {
     return {
         mode_command<ShadingMode::Flat>("Flat shading", Key::Digit1, "/shading/mode = \"flat\""),
         mode_command<ShadingMode::Facet>("Facet shading", Key::Digit2, "/shading/mode = \"facet\""),

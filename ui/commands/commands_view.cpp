@@ -76,7 +76,7 @@ void store_b(UiState& state) {
     state.notifications.add(Tone::Done, "Stored as B: press " + keys_of(CommandId::ShowB) + " to look at it");
 }
 
-std::vector<Command> camera_commands() {
+std::vector<WindowCommand> camera_commands() {
     return {
         {.name = "Frame the selected object, or all",
          .keys = {{Key::F}, {Key::PadPoint}},
@@ -144,7 +144,7 @@ std::vector<Command> camera_commands() {
     };
 }
 
-std::vector<Command> looking_commands() {
+std::vector<WindowCommand> looking_commands() {
     return {
         {.name = "Scan-line scope",
          .keys = {{Key::P}},
@@ -227,7 +227,7 @@ std::vector<Command> looking_commands() {
     };
 }
 
-std::vector<Command> layout_commands() {
+std::vector<WindowCommand> layout_commands() {
     return {
         {.name = "Scene column",
          .menu = Menu::View,
@@ -254,10 +254,10 @@ std::vector<Command> layout_commands() {
 
 }  // namespace
 
-std::vector<Command> view_commands() {
-    std::vector<Command> all;
+std::vector<WindowCommand> view_commands() {
+    std::vector<WindowCommand> all;
     for (const auto rows : {camera_commands, looking_commands, layout_commands})
-        for (Command& row : rows()) all.push_back(std::move(row));
+        for (WindowCommand& row : rows()) all.push_back(std::move(row));
     return all;
 }
 

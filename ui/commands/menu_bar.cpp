@@ -12,14 +12,14 @@ namespace glint {
 namespace {
 
 /// Undo and redo say what they would undo.
-std::string shown_name(const UiState& state, const Command& command) {
+std::string shown_name(const UiState& state, const WindowCommand& command) {
     const History& history = state.editor.history;
     if (command.id == CommandId::Undo && history.can_undo()) return "Undo " + history.undo_name();
     if (command.id == CommandId::Redo && history.can_redo()) return "Redo " + history.redo_name();
     return command.name;
 }
 
-void menu_item(UiState& state, const Command& command) {
+void menu_item(UiState& state, const WindowCommand& command) {
     const std::string refused = why_disabled(state, command);
     const std::string label = shown_name(state, command) + "##" + command.name;
     // Of several keys the first; the sheet of shortcuts shows all.
@@ -45,7 +45,7 @@ void recent_menu(UiState& state) {
 
 void menu(UiState& state, Menu which, const char* name) {
     if (!ImGui::BeginMenu(name)) return;
-    for (const Command& command : commands()) {
+    for (const WindowCommand& command : commands()) {
         if (command.menu != which) continue;
         if (command.line_above) ImGui::Separator();
         menu_item(state, command);

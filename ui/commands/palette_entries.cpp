@@ -16,7 +16,7 @@ namespace {
 using Entries = std::vector<PaletteEntry>;
 
 void add_commands(Entries& entries, const UiState& state) {
-    for (const Command& command : commands()) {
+    for (const WindowCommand& command : commands()) {
         if (command.id == CommandId::Palette) continue;
         const auto on = is_on(state, command);
         entries.push_back({command.name, on ? (*on ? "Action · on" : "Action · off") : "Action",

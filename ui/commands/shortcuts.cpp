@@ -47,7 +47,7 @@ Lines all_lines() {
     Lines lines;
     const auto add = [&lines](Menu menu, const char* heading) {
         lines.push_back({heading, ""});
-        for (const Command& command : commands())
+        for (const WindowCommand& command : commands())
             if (!command.keys.empty() && command.menu == menu)
                 lines.push_back({command.name, keys_of(command)});
     };

@@ -121,7 +121,7 @@ namespace {
 
 /// A button that runs a command and shows whether it is on.
 void command_button(UiState& state, const char* label, CommandId id, const char* what) {
-    const Command& row = command(id);
+    const WindowCommand& row = command(id);
     const bool on = is_on(state, row).value_or(false);
     const std::string refused = why_disabled(state, row);
     ImGui::PushStyleColor(ImGuiCol_Button, on ? theme().accent : theme().field);

@@ -43,7 +43,7 @@ class Cage {
 };
 
 /// Commands with which a new history begins.
-bool ends_history(const Command& command) {
+bool ends_history(const WindowCommand& command) {
     static const std::set<std::string_view> names{"Quit", "New scene", "Open…", "Next scene of the folder",
                                                   "Scene before it"};
     for (const std::string_view name : names) (void)test::command_named(name);  // they are called so
@@ -122,7 +122,7 @@ class Monkey {
     }
     void key() {
         const auto table = commands();
-        const Command& command = table[random_() % table.size()];
+        const WindowCommand& command = table[random_() % table.size()];
         UiInput input;
         if (!command.keys.empty() && !ends_history(command))
             input.presses.push_back(command.keys[random_() % command.keys.size()]);

@@ -34,7 +34,7 @@ void type(HeadlessWindow& bench, const char* letters) {
 
 TEST_CASE("no two commands share a key", "[ui][commands]") {
     std::set<std::string> shown;
-    for (const Command& command : commands())
+    for (const WindowCommand& command : commands())
         for (const KeyPress& press : command.keys) {
             INFO(command.name << ": " << text_of(press));
             CHECK(press.key != Key::Other);
@@ -57,7 +57,7 @@ TEST_CASE("a key is shown as it is pressed", "[ui][commands]") {
 
 TEST_CASE("every command does something, and each that code names has one row", "[ui][commands]") {
     std::set<CommandId> named;
-    for (const Command& command : commands()) {
+    for (const WindowCommand& command : commands()) {
         INFO(command.name);
         CHECK(command.run != nullptr);
         if (command.id != CommandId::None) CHECK(named.insert(command.id).second);
@@ -67,7 +67,7 @@ TEST_CASE("every command does something, and each that code names has one row", 
 
 TEST_CASE("a command changes that value of the scene of which controls show its keys", "[ui][commands]") {
     int held = 0;
-    for (const Command& command : commands()) {
+    for (const WindowCommand& command : commands()) {
         const std::string sets = command.sets;
         if (sets.empty()) continue;
         INFO(command.name << " sets " << sets);
@@ -127,7 +127,7 @@ TEST_CASE("hints for beginners go when a command shows something over the pictur
 TEST_CASE("every command is found by the palette or opens it, once", "[ui][commands]") {
     HeadlessWindow bench;
     const auto entries = palette_entries(bench.state);
-    for (const Command& command : commands()) {
+    for (const WindowCommand& command : commands()) {
         if (command.id == CommandId::Palette) continue;
         int found = 0;
         for (const PaletteEntry& entry : entries) found += entry.name == command.name;

@@ -36,7 +36,7 @@ TEST_CASE("whatever is opened in the same frame as a dialog, both are drawn", "[
     HeadlessWindow bench({420, 240});
     bench.frames(2);
     for (const char* dialog : {"New scene", "Open…", "Export picture…", "Save as…"})
-        for (const Command& command : commands()) {
+        for (const WindowCommand& command : commands()) {
             if (&command == &test::command_named("Copy picture")) continue;  // it runs a program
             INFO(command.name << ", then " << dialog);
             start_afresh(bench);

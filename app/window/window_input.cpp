@@ -1,4 +1,4 @@
-#include "app/window_input.h"
+#include "app/window/window_input.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

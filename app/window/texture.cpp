@@ -1,4 +1,4 @@
-#include "app/texture.h"
+#include "app/window/texture.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -1,4 +1,4 @@
-#include "app/window.h"
+#include "app/window/window.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -14,9 +14,9 @@
 
 #include "app/failure.h"
 #include "app/say.h"
-#include "app/texture.h"
-#include "app/window_input.h"
-#include "app/x_errors.h"
+#include "app/window/texture.h"
+#include "app/window/window_input.h"
+#include "app/window/x_errors.h"
 #include "ui/preferences/persistence.h"
 #include "ui/ui.h"
 #include "ui/widgets/display_scale.h"
