@@ -84,8 +84,8 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
     if (equation.mistakes && equation.mistakes->ambient_per_light_added_twice) t.ambient = F(2) * t.ambient;
     F diffuse = share * t.response.diffuse;
     Vec3<F> specular = share * t.response.specular;
-    if (equation.mistakes) {
-        diffuse = held_share(diffuse);
+    if (equation.mistakes) diffuse = held_share(diffuse);
+    if (equation.mistakes || has_unbounded_highlight(equation.model)) {
         specular = {held_share(specular.x), held_share(specular.y), held_share(specular.z)};
     }
     if (equation.terms.diffuse) t.diffuse = diffuse * colors.diffuse;

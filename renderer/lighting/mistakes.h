@@ -9,11 +9,15 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// l keeps its length, in all that a reflection model sees, or h is not made unit.
+/// l keeps its length in n.l, r and h (not in l.v, cone and falloff), or h is not made unit.
 template <Number F>
 void apply_direction_mistakes(const Mistakes& wrong, Directions<F>& d, const LightVector<F>& light_vector,
                               const PointAt<F>& at) {
-    if (wrong.unnormalized_light) d = directions_for(light_vector, Attenuation<F>{}, at);
+    if (wrong.unnormalized_light) {
+        const F l_dot_v = d.l_dot_v;
+        d = directions_for(light_vector, Attenuation<F>{}, at);
+        d.l_dot_v = l_dot_v;
+    }
     if (wrong.unnormalized_half) {  // half of l + v, whatever its length
         d.h = F(0.5f) * (d.l + at.v);
         d.n_dot_h = dot(at.n, d.h);
@@ -88,7 +92,7 @@ void apply_response_mistakes(const Mistakes& wrong, int power_table, Reflection 
 
 /// The number nearest to a within +-most.
 template <Number F> F held(F a, float most) { return min(max(a, F(-most)), F(most)); }
-/// The share of a light with vectors that kept their lengths, so that with a colour of 0 it is 0.
+/// What falloff and response make of a light, finite: with a colour of 0 it is 0.
 template <Number F> F held_share(F a) { return held(a, 0x1p120f); }
 
 /// The point as the projection leaves it, in place of the point in camera coordinates; at the eye, where

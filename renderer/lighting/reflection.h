@@ -12,6 +12,9 @@
 
 namespace glint::inline GLINT_ISA {
 
+/// Whether S may be so large that no float holds its product with the falloff.
+constexpr bool has_unbounded_highlight(Reflection model) { return model == Reflection::CookTorrance; }
+
 template <Number F>
 Response<F> respond(Reflection model, const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
     switch (model) {

@@ -8,8 +8,10 @@
 #include <bit>
 #include <cmath>
 
+#include "models/fields/choices.h"
 #include "models/fields/reflection_info.h"
 #include "models/refused.h"
+#include "renderer/lighting/reflection.h"
 #include "renderer/shade/lighting_steps.h"
 
 namespace glint {
@@ -67,6 +69,17 @@ void give_lights(LightJob& job, const std::vector<LightSource>& lights) {
 }
 
 float max_product(const Float3& a, const Float3& b) { return std::max({a.x * b.x, a.y * b.y, a.z * b.z}); }
+
+/// What the kernels know of a model's bounds is what its row says.
+constexpr bool bounds_agree() {
+    for (std::size_t i = 0; i < choices<Reflection>.size(); ++i) {
+        const auto model = static_cast<Reflection>(i);
+        const ReflectionInfo info = info_of(model);
+        if (info.is_lit && info.is_bounded() == has_unbounded_highlight(model)) return false;
+    }
+    return true;
+}
+static_assert(bounds_agree());
 
 /// An upper bound of one light's share anywhere; infinite where the light has none.
 double max_share(const LightJob& job, const LightSource& light) {

@@ -280,3 +280,17 @@ TEST_CASE("no numbers that a scene may hold give a picture without a number", "[
                 CHECK(without == 0);
             }
 }
+
+TEST_CASE("a light of no colour adds 0, however large its falloff times Cook-Torrance's highlight",
+          "[extreme]") {
+    Light light = light_at(LightKind::Point, {0, 0, 10});
+    light.intensity = 0;
+    light.falloff = {1e-25f, 0, 0};  // 1e25 times what arrives
+    Scene scene = plate_under(light);
+    scene.shading.reflection = Reflection::CookTorrance;
+    scene.objects[0].material.f0 = glm::vec3(1e20f);
+    scene.objects[0].material.ambient = scene.objects[0].material.emission = glm::vec3(0);
+    CHECK(middle(scene).sum == glm::vec3(0));
+    scene.lights[0].intensity = 1;
+    CHECK(middle(scene).sum.x > 1e30f);
+}
