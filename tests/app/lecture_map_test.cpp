@@ -27,18 +27,18 @@ std::string text_of(const fs::path& path) {
 
 struct Row {
     int number = 0;
-    std::string idea, scene, command, tests;
+    std::string idea, scene, command, tests, file, symbol;
 };
 
 std::vector<Row> rows() {
     std::vector<Row> found;
     std::istringstream lines(text_of(source_dir / "docs" / "lecture_map.md"));
-    const std::regex form(R"(\| (\d+) \| (.+) \| (\S+) \| `(.+)` \| (.+) \|)");
+    const std::regex form(R"(\| (\d+) \| (.+) \| (\S+) \| `(.+)` \| (.+) \| `(\S+)`: (\w+) \|)");
     std::string line;
     while (std::getline(lines, line)) {
         std::smatch cell;
         if (std::regex_match(line, cell, form))
-            found.push_back({std::stoi(cell[1]), cell[2], cell[3], cell[4], cell[5]});
+            found.push_back({std::stoi(cell[1]), cell[2], cell[3], cell[4], cell[5], cell[6], cell[7]});
     }
     return found;
 }
@@ -159,4 +159,13 @@ TEST_CASE("every picture that the documents show is there, and none is left unsh
         made.insert(entry.path().filename().string());
     CHECK(shown == made);
     CHECK(made.size() > 20);
+}
+
+TEST_CASE("every idea of the lecture map is programmed in the file that it names", "[docs]") {
+    REQUIRE(rows().size() == 52);
+    for (const Row& row : rows()) {
+        CAPTURE(row.number, row.file, row.symbol);
+        const std::string text = text_of(source_dir / row.file);
+        CHECK(std::regex_search(text, std::regex("\\b" + row.symbol + "\\b")));
+    }
 }
