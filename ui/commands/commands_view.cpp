@@ -198,6 +198,11 @@ std::vector<WindowCommand> looking_commands() {
          .run = [](UiState& s) { s.views.lit.needles ^= true; },
          .is_on = [](const UiState& s) { return s.views.lit.needles; },
          .changes_picture = true},
+    };
+}
+
+std::vector<WindowCommand> comparing_commands() {
+    return {
         {.name = "Compare under wipe lines",
          .keys = {{Key::C}},
          .menu = Menu::View,
@@ -256,7 +261,7 @@ std::vector<WindowCommand> layout_commands() {
 
 std::vector<WindowCommand> view_commands() {
     std::vector<WindowCommand> all;
-    for (const auto rows : {camera_commands, looking_commands, layout_commands})
+    for (const auto rows : {camera_commands, looking_commands, comparing_commands, layout_commands})
         for (WindowCommand& row : rows()) all.push_back(std::move(row));
     return all;
 }
