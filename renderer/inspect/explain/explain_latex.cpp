@@ -72,7 +72,7 @@ std::string highlight(const Explanation& e, const ExplainedLight& light) {
     const ReflectionInfo info = info_of(e.reflection);
     if (!info.uses_shininess()) return "S";
     const std::string power = fmt::format("^{{{}}}", number(e.material.shininess));
-    const std::string formula = fmt::format("({}){}", info.highlight_latex, power);
+    std::string formula = fmt::format("({}){}", info.highlight_latex, power);
     if (info.cosine == HighlightCosine::LV) return formula;
     const float cosine = info.cosine == HighlightCosine::RV ? light.r_dot_v : light.n_dot_h;
     return fmt::format("{} = ({}){}", formula, number(cosine), power);
