@@ -31,7 +31,7 @@ class Options {
     /// separated by commas, the one that errors name last: "-j,--threads".
     void add_value(const std::string& names, const std::string& value_name, const std::string& help,
                    ReadValue read);
-    /// The same for an option that may be repeated: `read` gets each value in turn.
+    /// Adds an option that may be repeated: `read` gets each value in turn.
     void add_values(const std::string& names, const std::string& value_name, const std::string& help,
                     ReadValue read);
     /// An option without a value: `value` becomes true.

@@ -9,7 +9,7 @@ namespace glint {
 /// error is gone nobody is told.
 void say(const char* kind, Problem problem);
 
-/// The same of what was tolerated.
+/// Says, in the same form, what was tolerated.
 void say_warning(const std::string& warning);
 
 }  // namespace glint

@@ -20,7 +20,8 @@ struct FileStamp {
 /// The file that `path` names, links followed. A default stamp when there is none or it cannot be asked.
 [[nodiscard]] FileStamp file_stamp(const std::string& path);
 
-/// As four numbers, to be kept in a file; and back. Nothing when `text` is anything else.
+/// Write a stamp as four numbers, to be kept in a file, and read it back; nothing when `text` is anything
+/// else.
 [[nodiscard]] std::string stamp_text(const FileStamp& stamp);
 [[nodiscard]] std::optional<FileStamp> stamp_of(const std::string& text);
 

@@ -122,7 +122,7 @@ class TextCursor {
 };
 
 /// A word of a file for a message: in quotes when it is a short printable one, else its length. A scene may
-/// name any file that its reader can read, and a message is no place for what else stands there.
+/// name any file that its reader can read, and what else stands there does not belong in a message.
 [[nodiscard]] std::string quoted_word(std::string_view word);
 
 }  // namespace glint

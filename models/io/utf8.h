@@ -16,7 +16,7 @@ namespace glint {
 /// Place of the first byte that is not part of a well-formed character; text.size() when all are.
 [[nodiscard]] std::size_t first_invalid_utf8(std::string_view text);
 
-/// The same text with U+FFFD for each byte that is not part of a well-formed character.
+/// Returns the text with U+FFFD for each byte that is not part of a well-formed character.
 [[nodiscard]] std::string with_invalid_replaced(std::string_view text);
 
 /// Any bytes as UTF-8, so that unescaped_bytes() gives them back: a byte b that is not part of a well-formed

@@ -34,7 +34,7 @@ inline constexpr std::size_t max_json_values = 2'000'000;
 
 /// `text`, cut to 40 characters: a value inside a message.
 [[nodiscard]] std::string shortened(std::string_view text);
-/// The same in double quotes.
+/// shortened(text) in double quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace glint

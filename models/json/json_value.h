@@ -47,8 +47,8 @@ class JsonValue {
     [[nodiscard]] static JsonValue array();
     [[nodiscard]] static JsonValue object();
 
-    /// Of text that anyone may have written. Nothing when it is not JSON, is nested deeper than 64, which no
-    /// document of ours is, or has more than 2,000,000 values. Of two members of one name the last counts.
+    /// Reads text that anyone may have written; nothing when it is not JSON, is nested deeper than 64, which
+    /// no document of ours is, or has more than 2,000,000 values. Of two members of one name the last counts.
     [[nodiscard]] static std::optional<JsonValue> parse(std::string_view text);
 
     [[nodiscard]] bool is_boolean() const { return std::holds_alternative<bool>(value_); }

@@ -15,7 +15,7 @@ enum class NormalWeighting { Uniform, Area, Angle };
 struct NormalOptions {
     NormalSource source = NormalSource::Auto;
     NormalWeighting weighting = NormalWeighting::Angle;
-    float crease_deg = 180;  // 0 to 180; facets that meet at more are not averaged across; 180 is no crease
+    float crease_deg = 180;  // 0 to 180; facets that meet at more are not averaged across; 180: no crease
     bool operator==(const NormalOptions&) const = default;
 };
 

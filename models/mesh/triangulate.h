@@ -44,7 +44,7 @@ class Triangulator {
     std::vector<std::size_t> before_, after_;  // ring of the corners not clipped yet
     std::vector<double> sine_;                 // of each corner's turn
     std::vector<char> is_ear_;
-    // The same corners in the order of their x, as a list: only those between the ends of an ear can lie in
+    // Lists the corners in the order of their x: only those between the ends of an ear can lie in
     // it.
     std::vector<std::size_t> order_, lower_, higher_;
 };

@@ -24,7 +24,7 @@ namespace glint {
 /// facet normals are the file's normals. .om: OpenMesh's own, read by OpenMesh.
 [[nodiscard]] Result<Mesh> read_mesh(const std::string& path);
 
-/// The same of bytes in memory; `path` names the format by its extension, and the problems.
+/// Reads a mesh from bytes in memory; `path` names the format by its extension, and the problems.
 [[nodiscard]] Result<Mesh> parse_mesh(std::string_view bytes, const std::string& path);
 
 }  // namespace glint

@@ -63,7 +63,8 @@ struct SceneDocument {
 /// "-".
 [[nodiscard]] std::string directory_of(const std::string& path);
 
-/// The same scene with relative mesh paths that lead from the new directory where they led from the old one.
+/// Returns the scene with relative mesh paths that lead from the new directory where they led from the old
+/// one.
 [[nodiscard]] Scene with_mesh_paths_from(Scene scene, const std::string& old_directory,
                                          const std::string& new_directory);
 

@@ -248,7 +248,7 @@ template <Number F> F gather(const float* from, IntOf<F> at) {
 inline void store(float* to, float a) { *to = a; }
 template <int N> void store(float* to, Lanes<N> a) { __builtin_memcpy(to, &a.v, sizeof(a.v)); }
 /// Asks for the cache lines of `bytes` bytes from `from` on before they are read. Nothing happens where there
-/// is no memory. Inlined always: g++ 12 would drop calls of a function that does nothing else.
+/// is not memory. Inlined always: g++ 12 would drop calls of a function that does nothing else.
 [[gnu::always_inline]] inline void prefetch(const void* from, unsigned long bytes) {
     for (unsigned long i = 0; i < bytes; i += 64) __builtin_prefetch(static_cast<const char*>(from) + i);
 }

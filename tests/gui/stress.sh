@@ -15,7 +15,6 @@ fi
 seconds=${1:-60} seed=${2:-1} life=${3:-0}
 build=${GLINT_BUILD:-$(cd "$(dirname "$0")/../.." && pwd)/build/dev}
 program=$build/app/glint hand=$build/tests/gui/stress_hand source=$build/tests/gui/xdnd_source
-set --
 # shellcheck source=tests/gui/display.sh
 . "$(dirname "$0")/display.sh"
 [ -x "$program" ] || { echo "$program is not there: cmake --preset dev && cmake --build --preset dev"; exit 2; }

@@ -47,7 +47,7 @@ class TriangleMap {
 };
 
 /// How far apart a channel may be: what float and Mesa's pow (1.4e-5 at the exponent 128) cost. S of
-/// cook-torrance is no power and may pass 1: then it is that share of what the highlights add here.
+/// cook-torrance is not a power and may pass 1: then it is that share of what the highlights add here.
 glm::dvec3 bound_of(const Scene& scene, const Explanation& e) {
     glm::dvec3 highlights(0), shown(0);
     for (const Light& light : scene.lights)

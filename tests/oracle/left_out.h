@@ -17,7 +17,7 @@ enum class LeftOut {
     GrazingView,   // n.v = 0 under cook-torrance: the highlight is cut off
     // Under screen-linear interpolation:
     CutByNear,  // ours clips first and gives the new corners perspective-correct values; OpenGL stays linear
-    CutTwice    // the triangle crosses two planes: what Mesa's clipper gives the new corners is no number
+    CutTwice    // the triangle crosses two planes: what Mesa's clipper gives the new corners is not a number
 };
 inline constexpr std::size_t left_out_count = 7;
 

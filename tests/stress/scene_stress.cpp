@@ -1,5 +1,5 @@
 // Draws random scenes and looks for what must never be: a picture that depends on threads, instruction set or
-// what was drawn before, an explanation that is not its pixel, a pixel that is no number.
+// what was drawn before, an explanation that is not its pixel, a pixel that is not a number.
 //
 //   scene_stress COUNT SEED     COUNT scenes from SEED on, under each instruction set that the processor has
 //   scene_stress --scene SEED   prints one of them, as a scene file

@@ -23,7 +23,7 @@ struct WindowCommand {
     std::vector<KeyPress> keys = {};
     Menu menu = Menu::None;
     void (*run)(UiState&) = nullptr;
-    bool (*is_on)(const UiState&) = nullptr;                // null: it is no switch
+    bool (*is_on)(const UiState&) = nullptr;                // null: it is not a switch
     std::string (*why_disabled)(const UiState&) = nullptr;  // null, or an empty reason: it can be done
     CommandId id = CommandId::None;
     bool line_above = false;  // in the menu
@@ -43,7 +43,7 @@ struct WindowCommand {
 [[nodiscard]] inline bool can_run(const UiState& state, const WindowCommand& command) {
     return why_disabled(state, command).empty();
 }
-/// Whether what the command switches is on; nothing when it is no switch.
+/// Whether what the command switches is on; nothing when it is not a switch.
 [[nodiscard]] std::optional<bool> is_on(const UiState& state, const WindowCommand& command);
 /// Does it, if can_run().
 void run_command(UiState& state, const WindowCommand& command);

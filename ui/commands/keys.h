@@ -39,7 +39,7 @@ struct KeyPress {
     bool ctrl = false, shift = false, alt = false;
     bool operator==(const KeyPress&) const = default;
 };
-/// As shown: "Ctrl+Shift+Z", "pad 5", "?".
+/// Writes it as the window does: "Ctrl+Shift+Z", "pad 5", "?".
 [[nodiscard]] std::string text_of(KeyPress press);
 
 /// What arrived since the last frame, beside what ImGui's io holds.

@@ -47,7 +47,7 @@ class History {
     };
     void forget_oldest();
     [[nodiscard]] bool is_too_large() const;
-    /// Of the meshes of all steps that the present scene does not have, each once.
+    /// Adds up the meshes of all steps that the present scene does not have, each once.
     [[nodiscard]] std::uint64_t bytes_of_lost_meshes() const;
 
     std::vector<Step> steps_ = std::vector<Step>(1);

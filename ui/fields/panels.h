@@ -27,7 +27,7 @@ namespace glint {
 /// Gives the material a preset's ambient, diffuse, specular and shininess; the rest stays.
 void apply(const MaterialPreset& preset, Material& material);
 
-// Shading that is no photograph: cool-to-warm tones, and strokes along silhouettes and creases.
+// Shading that does not imitate a photograph: cool-to-warm tones, and strokes along silhouettes and creases.
 
 /// Edits `npr`; says whether it did. Numbers without effect are dimmed.
 bool npr_panel(Npr& npr);
@@ -43,8 +43,8 @@ bool npr_panel(Npr& npr);
 /// Edits the camera and says whether it did. `size` of the picture: a frustum chosen anew sees what it saw.
 [[nodiscard]] bool camera_panel(Camera& camera, PictureSize size);
 
-/// The same view through another kind of projection: what is at the target's depth keeps its size in the
-/// picture.
+/// Shows the same view through another kind of projection: what is at the target's depth keeps its size in
+/// the picture.
 [[nodiscard]] Projection as_projection(const Camera& camera, ProjectionKind kind, PictureSize size);
 
 // One object: its mesh, where it stands, its normals, its material.

@@ -42,8 +42,8 @@ void inspector_heading(UiState& state);
 /// What a tab that needs a pixel shows while none is picked: `promise` says what it would.
 void inspector_empty_state(const char* promise);
 
-// The same pixel under flat, facet, Gouraud and Phong shading, side by side, and how each comes by its
-// colour.
+// This tab shows the picked pixel under flat, facet, Gouraud and Phong shading, side by side, and how each
+// comes by its colour.
 
 /// Pointing at a model shows the whole picture under it, a click takes it.
 void models_tab(UiState& state, const PictureView& view);

@@ -30,7 +30,8 @@ inline constexpr int pen_colour_count = 5;
 
 void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view);
 
-/// Its colours, the way back and the sponge, at the picture's upper edge, while the pen is in hand.
+/// Draws the pen's colours, the way back and the sponge, at the picture's upper edge, while the pen is in
+/// hand.
 void pen_bar(PenState& pen, const PictureView& view);
 
 }  // namespace glint

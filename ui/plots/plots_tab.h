@@ -53,7 +53,8 @@ struct PlotPoint {
     const ExplainedPoint* at = nullptr;
     const Material* material = nullptr;
 };
-/// Of several lit points (corners) the one that counts most in the pixel; of an area light its middle sample.
+/// Takes, of several lit points (corners), the one that counts most in the pixel; of an area light its middle
+/// sample.
 [[nodiscard]] PlotPoint plot_point(const std::optional<Explanation>& why, int light);
 
 /// The mark's place on each plot, read off the explanation.

@@ -47,7 +47,7 @@ struct OrphanedAutosave {
     std::string when;   // "14:05", or "3 May, 14:05": when it was written
 };
 
-/// The copies in `folder` that nobody holds, newest first. What is no copy is passed over; empty ones are
+/// The copies in `folder` that nobody holds, newest first. What is not a copy is passed over; empty ones are
 /// removed.
 [[nodiscard]] std::vector<OrphanedAutosave> orphaned_autosaves(const std::string& folder);
 

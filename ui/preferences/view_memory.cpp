@@ -147,7 +147,7 @@ ViewMemory read_view(const Json& json) {
 ViewMemory views_to_remember(const UiState& state) {
     ViewMemory memory;
     view_fields(memory, [&](const char*, auto& value, auto now) { value = now(state); });
-    memory.compare.stored.reset();  // a scene is no preference
+    memory.compare.stored.reset();  // a scene is not a preference
     memory.compare.shows_stored = false;
     return memory;
 }

@@ -13,7 +13,7 @@ namespace glint {
 struct UiState;
 
 struct ViewMemory {
-    CompareChoice compare;  // without its B: a scene is no setting
+    CompareChoice compare;  // without its B: a scene is not a preference
     Look look = Look::Picture;
     bool over_range = false, dots = false, needles = false;
     glm::dvec2 scope_from{0.02, 0.5}, scope_to{0.98, 0.5};  // shares of the picture's size

@@ -31,7 +31,7 @@ void close_left_modal(const UiState& state);
 /// `open`: where its cross is noted; null: it has none.
 [[nodiscard]] bool begin_modal(const char* id, bool* open, ImGuiWindowFlags flags);
 
-/// The same for a dialog as large as what is in it, in the middle of the window.
+/// Begins a dialog as large as what is in it, in the middle of the window.
 [[nodiscard]] bool begin_question(const char* id);
 
 // The dialogs: the questions before work is lost, the file browser, the export.

@@ -5,7 +5,7 @@
 
 namespace glint {
 
-/// As it is when that is safe, else in single quotes.
+/// Returns the text as it is when that is safe, else in single quotes.
 [[nodiscard]] inline std::string shell_word(const std::string& text) {
     constexpr const char* safe = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,:=+@%-";
     if (!text.empty() && text.find_first_not_of(safe) == std::string::npos) return text;

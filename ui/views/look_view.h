@@ -32,7 +32,7 @@ struct LookInfo {
     const char* label;
     const char* what;
 };
-/// Of every look, in the enum's order.
+/// What the window says of a look.
 [[nodiscard]] const LookInfo& info_of(Look look);
 
 /// The next look after `look`, or the one before it, round and round.

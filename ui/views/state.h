@@ -30,7 +30,7 @@ struct ViewsState {
     LitDotsState lit;
     TermGridState grid;
     int threads = 0;  // of further renderers
-    // Of the shown picture:
+    // What the shown picture was made from:
     ShownFrom shown_from;
     std::uint64_t shown_serial = 0;  // UiState::picture_serial then
 };

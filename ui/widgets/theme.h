@@ -30,7 +30,7 @@ struct Theme {
 
 [[nodiscard]] const Theme& dark_theme();
 [[nodiscard]] const Theme& light_theme();
-/// The same with stronger contrast, for a projector in a lit room: text, signs and symbols at least 7:1 on
+/// Has stronger contrast, for a projector in a lit room: text, signs and symbols at least 7:1 on
 /// every ground that they stand on.
 [[nodiscard]] const Theme& projector_theme(bool dark);
 

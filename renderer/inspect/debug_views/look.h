@@ -73,7 +73,7 @@ class LookPainter {
     [[nodiscard]] const LookScale& scale() const { return scale_; }
     /// The number at a pixel of the last painting, or a word where there is none.
     [[nodiscard]] std::string value_text(int x, int y) const;
-    /// The same value as a number; NaN on background and where it is not one number.
+    /// What value_text() writes, as a number; NaN on background and where it is not one number.
     [[nodiscard]] float value_at(int x, int y) const;
 
   private:

@@ -84,7 +84,7 @@ TEST_CASE("a float is written with as few digits as read back equal", "[scene_ro
     }
 }
 
-TEST_CASE("names and paths keep every character, and bytes that are no UTF-8 are replaced",
+TEST_CASE("names and paths keep every character, and bytes that are not UTF-8 are replaced",
           "[scene_round_trip]") {
     Scene scene;
     scene.objects.emplace_back().name = std::string("\0\x1f\"\\/ \xe2\x80\xa8 é😀", 16);

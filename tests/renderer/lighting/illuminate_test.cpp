@@ -126,7 +126,7 @@ TEST_CASE("falloff divides by c + b r + a r^2, and is 0 where that would be 0", 
     light.quadratic = 1;
     CHECK(falloff(light, 2.0f) == Approx(0.25f));
     CHECK(falloff(light, 0.0f) == 0);
-    CHECK(falloff(light, 1e-25f) == 0);  // its square is no normal number
+    CHECK(falloff(light, 1e-25f) == 0);  // its square is not a normal number
 }
 
 TEST_CASE("a cone falls off as cos^exponent, includes its edge and ends there", "[lighting]") {

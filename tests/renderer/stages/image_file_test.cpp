@@ -136,7 +136,7 @@ TEST_CASE("grey, palette, 16-bit and translucent PNGs are read as 8-bit RGBA", "
           std::vector<int>{10, 20, 30, 40});
 }
 
-TEST_CASE("what is no PNG, or a broken one, is refused in one line", "[image][bad-input]") {
+TEST_CASE("what is not a PNG, or a broken one, is refused in one line", "[image][bad-input]") {
     const std::string good = png_bytes(noise({16, 16}, 3), "{}");
     check_refused("");
     check_refused("PF\n1 1\n-1.0\n");

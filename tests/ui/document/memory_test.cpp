@@ -331,7 +331,7 @@ TEST_CASE("a copy finds its meshes, wherever the scene stands", "[ui][memory]") 
     CHECK(std::get<SceneDocument>(again).scene.objects[0].mesh->face_count() == 1);
 }
 
-TEST_CASE("what is no copy is passed over", "[ui][memory]") {
+TEST_CASE("what is not a copy is passed over", "[ui][memory]") {
     const TemporaryDirectory folder;
     (void)folder.file("a.autosave", "");
     (void)folder.file("b.autosave", "{\"path\": 5, \"scene\": {}}");

@@ -296,7 +296,7 @@ TEST_CASE("B pressed stays, B held shows the stored scene while it is held", "[u
     bench.key(Key::B);
     bench.frames(60);
     CHECK_FALSE(shows);
-    // One slow frame is no long press.
+    // One slow frame is not a long press.
     ImGui::GetIO().DeltaTime = 1.5f;
     held_for(1);
     CHECK(shows);

@@ -76,7 +76,7 @@ void act(HeadlessWindow& bench, Hand& hand) {
         break;
     }
     ImGui::GetIO().KeyShift = false;
-    bench.state.files.open = false;  // a folder of this machine is no test
+    bench.state.files.open = false;  // a folder of this machine is not a test
 }
 
 /// Keeps a random detail from building millions of faces.

@@ -110,7 +110,7 @@ TEST_CASE("no display makes type too small to read or too large for a texture", 
     CHECK(height <= 16384);
 }
 
-TEST_CASE("rounding to whole dots is no change of scale", "[ui][small]") {
+TEST_CASE("rounding to whole dots is not a change of scale", "[ui][small]") {
     DisplayScale scale = display_scale(extent({1000, 800}, {1250, 1000}, 1.25f), {});
     const DisplayScale first = scale;
     for (int width = 300; width < 2000; ++width) {

@@ -24,7 +24,7 @@ void vector_line(Symbol symbol, const char* name, glm::vec3 v);
 /// True when the mouse rests on the item drawn last and nothing is being dragged: then a panel may show
 /// another scene than the edited one.
 [[nodiscard]] bool is_pointed_at();
-/// Likewise for a rectangle of the window drawn into.
+/// Whether a rectangle of the window drawn into is pointed at.
 [[nodiscard]] bool is_pointed_at(ImVec2 low, ImVec2 high);
 
 }  // namespace glint

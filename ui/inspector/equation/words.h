@@ -13,7 +13,7 @@ namespace glint {
 /// cone by 4.2°", "hardly reaches: falloff 0.003"; empty when it shines.
 [[nodiscard]] std::string why_dark(const ExplainedLight& explained, const Light& light);
 
-/// Of an area light: "36 samples, n·l −0.12 to 0.71".
+/// Describes an area light's samples: "36 samples, n·l −0.12 to 0.71".
 [[nodiscard]] std::string sample_words(const ExplainedLight& area);
 
 /// Channels that leave 0 .. 1 after exposure: "clips: R 1.31 → 1"; empty when none does.
@@ -40,7 +40,7 @@ struct NamedNumber {
     Selection selection;
 };
 
-/// Of a number of this scene, or of a whole object. Pointers into nothing keep their text.
+/// Names a number of this scene, or a whole object. Pointers into nothing keep their text.
 [[nodiscard]] NamedNumber named_number(const std::string& pointer, const Scene& scene);
 
 }  // namespace glint

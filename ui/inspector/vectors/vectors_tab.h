@@ -22,7 +22,8 @@ void mirror_section(InspectorState& state, const ExplainedPoint& point, const Ex
 // The plane of incidence at the picked point, seen from the side: n up, l, r, h and v with their angles, and
 // the lobe of what this surface reflects of this light.
 
-/// As wide as the column. The lobe is that of renderer/inspect/lobes, in the channel chosen in the equation.
+/// Draws it as wide as the column. The lobe is that of renderer/inspect/lobes, in the channel chosen in the
+/// equation.
 void lobe_diagram(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light);
 
 // n, l, v and r or h drawn at the picked point in the picture, with their angles; the corners that a Gouraud

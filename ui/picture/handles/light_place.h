@@ -41,10 +41,10 @@ struct Dome {
 /// A spot's axis or a panel's edges, turned by a rotation of the world.
 void turn_shape(Light& light, const glm::dmat4& turn, const ScreenMap& map);
 
-/// The same light counted in the other coordinates: it stays where it is at this moment, shape and axis too.
+/// Counts the light in other coordinates: it stays where it is at this moment, shape and axis too.
 [[nodiscard]] Light in_space(Light light, LightSpace space, const Camera& camera);
 
-/// The same light of another kind: a place becomes the direction from the dome's centre, and back.
+/// Gives the light another kind: a place becomes the direction from the dome's centre, and back.
 [[nodiscard]] Light as_kind(Light light, LightKind kind, const Dome& dome, const ScreenMap& map);
 
 }  // namespace glint
