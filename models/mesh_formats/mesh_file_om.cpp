@@ -89,10 +89,7 @@ class OmReader {
     /// Little-endian, of 1 to 8 bytes.
     [[nodiscard]] std::size_t natural(std::size_t at, std::size_t size) const {
         if (at + size > bytes_.size()) fail("the file ends early", "a chunk or the end mark");
-        std::size_t value = 0;
-        for (std::size_t i = 0; i < size; ++i)
-            value |= std::size_t{static_cast<unsigned char>(bytes_[at + i])} << (8 * i);
-        return value;
+        return little_endian(&bytes_[at], size);
     }
     /// With a sign: its highest bit.
     [[nodiscard]] std::int64_t integer(std::size_t at, std::size_t size) const {

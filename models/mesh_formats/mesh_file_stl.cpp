@@ -91,16 +91,7 @@ class Facets {
 };
 
 std::uint32_t facet_count(std::string_view bytes) {
-    std::uint32_t count = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        count |= std::uint32_t{static_cast<unsigned char>(bytes[80 + i])} << (8 * i);
-    return count;
-}
-
-float little_endian_float(const char* at) {
-    std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < 4; ++i) bits |= std::uint32_t{static_cast<unsigned char>(at[i])} << (8 * i);
-    return std::bit_cast<float>(bits);
+    return static_cast<std::uint32_t>(little_endian(&bytes[80], 4));
 }
 
 Mesh read_binary(std::string_view bytes, const std::string& file) {

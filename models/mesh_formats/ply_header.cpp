@@ -150,9 +150,9 @@ class HeaderReader {
     [[nodiscard]] PlyType type_of(std::string_view word) const {
         for (const auto& [name, type] : type_names)
             if (name == word) return type;
-        cursor_.fail(
-            word.empty() ? "the property's type is missing" : fmt::format("{} is not a type", quoted_word(word)),
-            "char, uchar, short, ushort, int, uint, float or double");
+        cursor_.fail(word.empty() ? "the property's type is missing"
+                                  : fmt::format("{} is not a type", quoted_word(word)),
+                     "char, uchar, short, ushort, int, uint, float or double");
     }
 
     TextCursor& cursor_;
