@@ -18,8 +18,8 @@ struct FileBlock {
     std::string_view bytes;
     std::size_t at = 0, size = 0;
 };
-/// Looks at each block before the next one is read, and before there is room for them all; a problem ends the
-/// reading.
+/// DebugViews at each block before the next one is read, and before there is room for them all; a problem
+/// ends the reading.
 using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>;
 
 /// The bytes of a regular file, or of standard input for "-". A directory, a device, a pipe, a missing file,
@@ -31,9 +31,9 @@ using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>
 /// The old file's permission bits are kept, and its owner and group where the system lets us (where it does
 /// not, the group gets no more than all others have); until then nobody else can read what is written. A
 /// symbolic link stays, and what it names is replaced; further hard links to the old file keep the old bytes.
-/// A target that is not a regular file (a pipe, a device) is written straight through; "-" is standard output,
-/// and so is /dev/stdout. A reader that has gone is a problem, not a signal. On failure nothing is left
-/// behind and the problem names the path and the reason.
+/// A target that is not a regular file (a pipe, a device) is written straight through; "-" is standard
+/// output, and so is /dev/stdout. A reader that has gone is a problem, not a signal. On failure nothing is
+/// left behind and the problem names the path and the reason.
 [[nodiscard]] Result<std::monostate> write_file(const std::string& path, std::string_view bytes);
 
 /// Why write_file() could not write there, as far as that can be told before there is anything to write;

@@ -118,7 +118,7 @@ TEST_CASE("when memory runs out as pictures are compared or looked at, the pictu
             choice.on = true;
         },
         30, nothing_more);
-    fail_one_by_one([](HeadlessWindow& bench) { show_quantity(bench.state.views, Look::Normal); }, 30,
+    fail_one_by_one([](HeadlessWindow& bench) { show_quantity(bench.state.views, DebugView::Normal); }, 30,
                     nothing_more);
     fail_one_by_one([](HeadlessWindow& bench) { bench.state.views.scope.open = true; }, 30, nothing_more);
 }

@@ -104,9 +104,9 @@ class Hand {
         for (int i = 0; i < events_a_life && !found_ && !started_.empty(); ++i) {
             act(started_[std::size_t(below(int(started_.size())))]);
             if (one_in(3)) rest(below(40));
-            if (i % events_between_pings == events_between_pings - 1) look_after_all();
+            if (i % events_between_pings == events_between_pings - 1) debug_view_after_all();
         }
-        if (!found_) look_after_all();
+        if (!found_) debug_view_after_all();
         for (const Started& one : started_) end(one);
         started_.clear();
     }
@@ -121,8 +121,7 @@ class Hand {
         fmt::print("failed: {}; seed {}, life {}. The last events:\n", what, options_.seed, life_);
         for (const std::string& event : events_) fmt::print("    {}\n", event);
         fmt::print("Standard error:\n{}", complaints(one.errors));
-        fmt::print("Again: tests/gui/stress.sh {} {} {}\n", options_.seconds,
-                   options_.seed, life_);
+        fmt::print("Again: tests/gui/stress.sh {} {} {}\n", options_.seconds, options_.seed, life_);
     }
 
     // --- the programs
@@ -202,7 +201,7 @@ class Hand {
     }
 
     /// Whether all live, have complained of nothing, and answer.
-    void look_after_all() {
+    void debug_view_after_all() {
         for (std::size_t i = started_.size(); i-- > 0 && !found_;) {
             const Started one = started_[i];
             int status = 0;

@@ -43,7 +43,7 @@ void show_next_view(UiState& state) {
 
 void switch_compare(UiState& state) {
     state.views.compare.choice.on ^= true;
-    state.views.look.set.choice.look = Look::Picture;
+    state.views.debug_view.set.choice.view = DebugView::Picture;
 }
 
 void switch_magnifier(UiState& state) {
@@ -51,14 +51,14 @@ void switch_magnifier(UiState& state) {
                state.viewport.probe.value_or(glm::dvec2(0.5)));
 }
 
-void step_look(UiState& state, int steps) {
-    show_quantity(state.views, look_after(state.views.look.set.choice.look, steps));
+void step_debug_view(UiState& state, int steps) {
+    show_quantity(state.views, debug_view_after(state.views.debug_view.set.choice.view, steps));
 }
 
 void switch_over_range(UiState& state) {
-    LookSet& look = state.views.look.set;
-    look.over_range = !look.over_range;
-    if (look.over_range) show_quantity(state.views, Look::Picture, state.views.compare.choice.on);
+    DebugViewSet& set = state.views.debug_view.set;
+    set.over_range = !set.over_range;
+    if (set.over_range) show_quantity(state.views, DebugView::Picture, state.views.compare.choice.on);
 }
 
 void switch_b(UiState& state) {
@@ -162,20 +162,20 @@ std::vector<WindowCommand> looking_commands() {
         {.name = "Next quantity in place of the picture",
          .keys = {{Key::I}},
          .menu = Menu::View,
-         .run = [](UiState& s) { step_look(s, 1); },
-         .id = CommandId::NextLook,
+         .run = [](UiState& s) { step_debug_view(s, 1); },
+         .id = CommandId::NextDebugView,
          .changes_picture = true},
         {.name = "Quantity before that",
          .keys = {{Key::I, !ctrl, shift}},
          .menu = Menu::View,
-         .run = [](UiState& s) { step_look(s, -1); },
-         .id = CommandId::PreviousLook,
+         .run = [](UiState& s) { step_debug_view(s, -1); },
+         .id = CommandId::PreviousDebugView,
          .changes_picture = true},
         {.name = "Stripes over what is too bright",
          .keys = {{Key::O}},
          .menu = Menu::View,
          .run = switch_over_range,
-         .is_on = [](const UiState& s) { return s.views.look.set.over_range; },
+         .is_on = [](const UiState& s) { return s.views.debug_view.set.over_range; },
          .id = CommandId::OverRange,
          .changes_picture = true},
         {.name = "Big pixels",
@@ -210,7 +210,7 @@ std::vector<WindowCommand> comparing_commands() {
          .is_on = [](const UiState& s) { return s.views.compare.choice.on; },
          .id = CommandId::Compare,
          .changes_picture = true},
-        {.name = "Look at B, the stored scene",
+        {.name = "DebugView at B, the stored scene",
          .keys = {{Key::B}},
          .menu = Menu::View,
          .run = switch_b,

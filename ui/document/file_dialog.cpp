@@ -180,11 +180,11 @@ std::vector<FolderEntry> list_folder(const std::string& folder, FilePurpose purp
     return entries;
 }
 
-void FileDialog::ask(FilePurpose why, const std::string& path) {
-    purpose = why;
+void FileDialog::ask(FilePurpose asked_for, const std::string& path) {
+    purpose = asked_for;
     open = true;
     const fs::path given(path);
-    name = saves(why) ? given.filename().string() : "";
+    name = saves(asked_for) ? given.filename().string() : "";
     go_to(*this, given.has_parent_path() ? given.parent_path() : fs::path("."));
 }
 

@@ -26,7 +26,7 @@ struct FileDialog {
 
     /// Opens the dialog in the folder of `path` (the working directory's, when empty) with its name filled
     /// in.
-    void ask(FilePurpose why, const std::string& path);
+    void ask(FilePurpose asked_for, const std::string& path);
 };
 
 /// Draws it. Precondition: it is open. The chosen path, once, when the user decides. `enter`: the key was

@@ -21,8 +21,8 @@ void put_views_away(UiState& state) {
     ViewsState& views = state.views;
     views.compare.choice.on = views.compare.choice.shows_stored = false;
     views.compare.renderers.clear();
-    views.look.set = {};
-    views.look.painter.reset();
+    views.debug_view.set = {};
+    views.debug_view.painter.reset();
     views.scope.open = false;
     views.grid.renderer.reset();
     views.grid.solo.reset();

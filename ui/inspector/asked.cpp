@@ -19,10 +19,10 @@ std::optional<glm::ivec2> asked_pixel(const UiState& state, const PictureView& v
                       std::clamp(saturated_int(at.y), 0, size.height - 1));
 }
 
-const ExplainedPoint& asked_point(const InspectorState& state, const Explanation& why) {
-    if (!why.lit_per_corner || why.corners.empty()) return why.at;
-    const auto last = static_cast<int>(why.corners.size()) - 1;
-    return why.corners[static_cast<std::size_t>(std::clamp(state.corner, 0, last))].at;
+const ExplainedPoint& asked_point(const InspectorState& state, const Explanation& explanation) {
+    if (!explanation.lit_per_corner || explanation.corners.empty()) return explanation.at;
+    const auto last = static_cast<int>(explanation.corners.size()) - 1;
+    return explanation.corners[static_cast<std::size_t>(std::clamp(state.corner, 0, last))].at;
 }
 
 const ExplainedLight* asked_light(const UiState& state, const ExplainedPoint& point) {

@@ -19,7 +19,7 @@ struct PictureView;
 [[nodiscard]] std::optional<glm::ivec2> asked_pixel(const UiState& state, const PictureView& view);
 
 /// The lit point whose numbers are shown: the pixel's own, or the chosen corner or flat point.
-[[nodiscard]] const ExplainedPoint& asked_point(const InspectorState& state, const Explanation& why);
+[[nodiscard]] const ExplainedPoint& asked_point(const InspectorState& state, const Explanation& explanation);
 
 /// The light whose vectors are shown: the one pointed at in the column, else the selected one, else the one
 /// that adds most. Null when no light is on.

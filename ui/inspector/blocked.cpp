@@ -27,9 +27,9 @@ int blocker_index(const Scene& scene, const ExplainedPoint& point, const Explain
     return blocker(scene, point.point.world, asked.l.world, double(asked.distance)).value_or(-1);
 }
 
-void update(UiState& state, const Explanation& why, const ExplainedPoint& point) {
+void update(UiState& state, const Explanation& explanation, const ExplainedPoint& point) {
     BlockedState& blocked = state.inspector.blocked;
-    const glm::ivec2 pixel(why.x, why.y);
+    const glm::ivec2 pixel(explanation.x, explanation.y);
     const int corner = state.inspector.corner;
     if (blocked.serial == state.picture_serial && blocked.pixel == pixel && blocked.corner == corner) return;
     blocked.by.clear();
@@ -43,15 +43,16 @@ void update(UiState& state, const Explanation& why, const ExplainedPoint& point)
 
 }  // namespace
 
-std::string blocked_words(UiState& state, const Explanation& why, const ExplainedPoint& point,
+std::string blocked_words(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
                           std::size_t which) {
-    update(state, why, point);
+    update(state, explanation, point);
     const std::vector<int>& by = state.inspector.blocked.by;
     const Scene& scene = state.editor.scene();
     if (which >= by.size() || by[which] < 0) return "";
     const auto object = static_cast<std::size_t>(by[which]);
     if (object >= scene.objects.size()) return "";
-    const std::string name = by[which] == why.object_index ? "Its own surface" : scene.objects[object].name;
+    const std::string name =
+        by[which] == explanation.object_index ? "Its own surface" : scene.objects[object].name;
     return fmt::format("{} stands in the way: no shadow, light here is local", name);
 }
 

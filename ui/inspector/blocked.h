@@ -22,7 +22,7 @@ struct BlockedState {
 /// "Teapot stands in the way: no shadow is cast, light here is local"; empty where the way is free, where the
 /// light is behind the surface anyway, and while the mouse drags something in a scene so large that asking
 /// would take time. `which`: index into `point.lights`.
-[[nodiscard]] std::string blocked_words(UiState& state, const Explanation& why, const ExplainedPoint& point,
-                                        std::size_t which);
+[[nodiscard]] std::string blocked_words(UiState& state, const Explanation& explanation,
+                                        const ExplainedPoint& point, std::size_t which);
 
 }  // namespace glint

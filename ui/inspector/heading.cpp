@@ -32,9 +32,9 @@ void nothing_picked(const Square& square) {
     ImGui::EndGroup();
 }
 
-void picked(UiState& state, const Explanation& why, const Square& square) {
+void picked(UiState& state, const Explanation& explanation, const Square& square) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto [r, g, b] = why.byte;
+    const auto [r, g, b] = explanation.byte;
     list.AddRectFilled(square.low, square.high(), IM_COL32(r, g, b, 255), px(4));
     list.AddRect(square.low, square.high(), to_u32(theme().line), px(4));
     ImGui::Dummy({square.edge, square.edge});
@@ -44,10 +44,10 @@ void picked(UiState& state, const Explanation& why, const Square& square) {
     ImGui::BeginGroup();
     mono_text(fmt::format("{} {}, {}   {} {} {}", ImGui::GetIO().KeyAlt ? "under" : "pixel", state.asked.x,
                           state.asked.y, r, g, b));
-    if (why.hit) {
-        if (ImGui::Selectable(fmt::format("{}, face {}", why.object, why.face).c_str(), false, 0,
-                              {ImGui::GetContentRegionAvail().x - px(26), 0}))
-            state.editor.selection = {Selection::Kind::Object, why.object_index};
+    if (explanation.hit) {
+        if (ImGui::Selectable(fmt::format("{}, face {}", explanation.object, explanation.face).c_str(), false,
+                              0, {ImGui::GetContentRegionAvail().x - px(26), 0}))
+            state.editor.selection = {Selection::Kind::Object, explanation.object_index};
         tooltip("Object", "Click to show its panel");
     } else {
         dim_text("background");

@@ -33,9 +33,9 @@ void swatch(ImU32 colour, float edge) {
 }
 
 /// Which corners, with which weights, make the colour.
-void corner_lines(const Explanation& why) {
+void corner_lines(const Explanation& explanation) {
     char letter = 'A';
-    for (const ExplainedCorner& corner : why.corners) {
+    for (const ExplainedCorner& corner : explanation.corners) {
         swatch(ink_of(corner.at.sum), ImGui::GetTextLineHeight());
         ImGui::SameLine(0, px(6));
         dim_text(fmt::format("{}", letter++).c_str());
@@ -45,8 +45,8 @@ void corner_lines(const Explanation& why) {
 }
 
 /// How the mode comes by the colour.
-void how(const Explanation& why, FlatPoint flat_point, Rules rules) {
-    switch (why.mode) {
+void how(const Explanation& explanation, FlatPoint flat_point, Rules rules) {
+    switch (explanation.mode) {
     case ShadingMode::Flat: {
         const bool provoking = flat_point == FlatPoint::Provoking || rules == Rules::OpenGL2;
         return small_dim(provoking ? "lit once, at the triangle's provoking corner"
@@ -56,28 +56,28 @@ void how(const Explanation& why, FlatPoint flat_point, Rules rules) {
         return small_dim("lit here, with the facet's normal");
     case ShadingMode::Gouraud:
         small_dim("lit at the corners; weight × colour, added:");
-        return corner_lines(why);
+        return corner_lines(explanation);
     case ShadingMode::Phong:
         return small_dim("lit here, with the corners' normals mixed and made unit:");
     }
 }
 
 /// n in the frame that the Vectors tab shows.
-void normal_line(const InspectorState& state, const Explanation& why) {
-    if (why.lit_per_corner) return;
-    const InBothFrames& n = why.at.normal;
+void normal_line(const InspectorState& state, const Explanation& explanation) {
+    if (explanation.lit_per_corner) return;
+    const InBothFrames& n = explanation.at.normal;
     coloured(Symbol::N, "n");
     ImGui::SameLine(0, px(6));
     mono_text(three(state.world_frame ? n.world : n.camera));
 }
 
-void mode_block(UiState& state, const Explanation& why, ShadingMode mode, const Explanation& phong) {
+void mode_block(UiState& state, const Explanation& explanation, ShadingMode mode, const Explanation& phong) {
     Shading& shading = state.editor.scene().shading;
     const Choice choice = choice_of(mode);
     const bool chosen = shading.mode == mode;
     ImGui::PushID(choice.label);
     ImGui::BeginGroup();
-    const auto [r, g, b] = why.byte;
+    const auto [r, g, b] = explanation.byte;
     const float edge = 2 * ImGui::GetTextLineHeight() + px(5);
     swatch(IM_COL32(r, g, b, 255), edge);
     ImGui::SameLine(0, px(8));
@@ -87,11 +87,11 @@ void mode_block(UiState& state, const Explanation& why, ShadingMode mode, const 
     ImGui::PopFont();
     const bool pointed = is_pointed_at();
     tooltip(choice.label, choice.meaning, "Rest here: the picture under it. Click: take it", "/shading/mode");
-    mono_text(three(why.sum));
+    mono_text(three(explanation.sum));
     ImGui::EndGroup();
-    how(why, shading.flat_point, shading.rules);
-    normal_line(state.inspector, why);
-    if (mode != ShadingMode::Phong) small_dim("minus Phong: " + three(why.sum - phong.sum));
+    how(explanation, shading.flat_point, shading.rules);
+    normal_line(state.inspector, explanation);
+    if (mode != ShadingMode::Phong) small_dim("minus Phong: " + three(explanation.sum - phong.sum));
     ImGui::EndGroup();
     ImGui::PopID();
     ImGui::Dummy({0, px(4)});
@@ -112,12 +112,12 @@ bool same_faces(const Scene& a, const Scene& b) {
 
 }  // namespace
 
-std::array<Explanation, 4> under_each_mode(const UiState& state, const Explanation& why) {
+std::array<Explanation, 4> under_each_mode(const UiState& state, const Explanation& explanation) {
     std::array<Explanation, 4> all;
     Scene other = state.editor.scene();
     for (std::size_t i = 0; i < all.size(); ++i) {
         other.shading.mode = static_cast<ShadingMode>(i);
-        all[i] = state.renderer->explain_as(other, why.x, why.y);
+        all[i] = state.renderer->explain_as(other, explanation.x, explanation.y);
     }
     return all;
 }
@@ -126,13 +126,14 @@ void models_tab(UiState& state, const PictureView&) {
     if (!state.explanation)
         return inspector_empty_state(
             "Here the pixel appears under flat, facet, Gouraud and Phong shading at once.");
-    const Explanation& why = *state.explanation;
-    if (!why.hit) return wrapped_dim("No object shows here: every model leaves the background.");
+    const Explanation& explanation = *state.explanation;
+    if (!explanation.hit) return wrapped_dim("No object shows here: every model leaves the background.");
     if (!same_faces(state.rendered_scene, state.editor.scene()))
         return wrapped_dim("Another scene is on the screen; the models are those of the edited one.");
-    const std::array<Explanation, 4> all = under_each_mode(state, why);
+    const std::array<Explanation, 4> all = under_each_mode(state, explanation);
     small_dim(fmt::format("Sums of the same pixel, red green blue; {} triangle of face {}, at the weights {}",
-                          why.front_facing ? "front" : "back", why.face, three(why.weights)));
+                          explanation.front_facing ? "front" : "back", explanation.face,
+                          three(explanation.weights)));
     ImGui::Dummy({0, px(2)});
     for (std::size_t i = 0; i < all.size(); ++i)
         mode_block(state, all[i], static_cast<ShadingMode>(i), all.back());

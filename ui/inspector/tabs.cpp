@@ -57,7 +57,7 @@ bool tab_button(const InspectorTabInfo& info, bool chosen) {
 }
 
 /// The buttons in as many rows as they need.
-void tab_bar(InspectorState& why) {
+void tab_bar(InspectorState& inspector) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(fonts().small);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(1), px(1)});
@@ -66,7 +66,7 @@ void tab_bar(InspectorState& why) {
         const float width = ImGui::CalcTextSize(info.label).x + px(12);
         if (!first && ImGui::GetItemRectMax().x + px(1) + width <= right) ImGui::SameLine();
         first = false;
-        if (tab_button(info, why.tab == info.tab)) why.tab = info.tab;
+        if (tab_button(info, inspector.tab == info.tab)) inspector.tab = info.tab;
     }
     ImGui::PopStyleVar();
     ImGui::PopFont();

@@ -50,7 +50,8 @@ void models_tab(UiState& state, const PictureView& view);
 
 /// The pixel under each mode of ShadingMode, in its order, whatever the scene's own mode is.
 /// Precondition: the picture is of the edited scene, or of one with other lights, materials or shading.
-[[nodiscard]] std::array<Explanation, 4> under_each_mode(const UiState& state, const Explanation& why);
+[[nodiscard]] std::array<Explanation, 4> under_each_mode(const UiState& state,
+                                                         const Explanation& explanation);
 
 // Mistakes that students really make, as switches: on, one sees how each is recognised; pointed at, one sees
 // it for as long as the mouse rests there.
@@ -77,6 +78,6 @@ void sensitivity_tab(UiState& state, const PictureView& view);
 
 /// The review's table, live at the picked point: how far each term moves when normal, light or viewer is
 /// turned by a degree.
-void needs_section(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light);
+void term_sensitivity_section(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light);
 
 }  // namespace glint

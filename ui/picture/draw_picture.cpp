@@ -18,7 +18,7 @@ namespace {
 bool shows_pictures(const UiState& state) {
     if (state.displayed == nullptr || state.displayed == state.rendered) return true;
     const ShownFrom& from = state.views.shown_from;
-    return from.compare.on && !from.compare.difference && from.look == LookSet{};
+    return from.compare.on && !from.compare.difference && from.debug_view == DebugViewSet{};
 }
 
 /// Whether a smaller picture may stand for the whole one for a moment: no numbers of many pixels are shown.

@@ -23,11 +23,11 @@ struct UiState;
 [[nodiscard]] const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size);
 
 /// What the next picture shows in place of the edited scene, with the same meshes; nothing of it reaches the
-/// history or a file, and `why` stays what it was. Of several that want one: what is frozen, what is
+/// history or a file, and `explanation` stays what it was. Of several that want one: what is frozen, what is
 /// animated, what the mouse points at in the column, B.
 [[nodiscard]] std::optional<Scene> preview_of(const UiState& state);
 
-/// Whether `why` is there and names lights and objects by numbers that the open scene has.
+/// Whether `explanation` is there and names lights and objects by numbers that the open scene has.
 [[nodiscard]] bool is_explained(const UiState& state);
 
 /// Draws what shows (the edited scene or a preview) if it, or the size, is not that of the last picture; then

@@ -14,7 +14,7 @@ namespace {
 
 /// In one line, or in three where the picture is too narrow for that.
 void first_hints(const UiState& state, const PictureView& view) {
-    if (state.viewport.touched || state.views.look.set.choice.look != Look::Picture) return;
+    if (state.viewport.touched || state.views.debug_view.set.choice.view != DebugView::Picture) return;
     const char* text =
         "Drag a light or a highlight   ·   Click a pixel to ask why   ·   Drag elsewhere to orbit";
     const float room = float(view.map.size.width) * view.units_per_pixel;

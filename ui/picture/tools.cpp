@@ -82,8 +82,8 @@ void draw_tools(ImDrawList& list, UiState& state, const PictureView& view) {
     magnifier_tool.draw(list, state, view);
     draw_lit_dots(list, state.views.lit, *state.renderer, state.rendered_scene, view);
     compare_tool.draw(list, state, view);
-    draw_look_legend(list, state.views.look, state.rendered_scene, view,
-                     probe_pixel(state.viewport, view.map.size));
+    draw_debug_view_legend(list, state.views.debug_view, state.rendered_scene, view,
+                           probe_pixel(state.viewport, view.map.size));
     scope_tool.draw(list, state, view);
 }
 

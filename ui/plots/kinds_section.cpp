@@ -5,7 +5,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "renderer/inspect/reflectance/needs.h"
+#include "renderer/inspect/reflectance/term_sensitivity.h"
 #include "ui/fields/field_panel.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/picture/handles/drag_math.h"
@@ -40,25 +40,26 @@ std::string moved_text(const char* term, float moved) {
 }
 
 /// The slide has it that the viewer does not matter to a sun; its highlight knows better.
-bool slide_fails(LightKind kind, const Column& column, const LightNeeds& needs) {
-    return kind == LightKind::Directional && column.moved == &Moved::viewer && needs.specular.viewer > 0;
+bool slide_fails(LightKind kind, const Column& column, const LightSensitivity& sensitivity) {
+    return kind == LightKind::Directional && column.moved == &Moved::viewer &&
+           sensitivity.specular.viewer > 0;
 }
 
-void cell(LightKind kind, const Column& column, const LightNeeds& needs) {
+void cell(LightKind kind, const Column& column, const LightSensitivity& sensitivity) {
     ImGui::TableNextColumn();
     ImGui::BeginGroup();
-    letter(Symbol::Diffuse, needs.diffuse.*column.moved);
+    letter(Symbol::Diffuse, sensitivity.diffuse.*column.moved);
     ImGui::SameLine(0, px(6));
-    letter(Symbol::Specular, needs.specular.*column.moved);
-    const bool fails = slide_fails(kind, column, needs);
+    letter(Symbol::Specular, sensitivity.specular.*column.moved);
+    const bool fails = slide_fails(kind, column, sensitivity);
     if (fails) {
         ImGui::SameLine(0, px(4));
         ImGui::TextUnformatted("*");
     }
     ImGui::EndGroup();
     tooltip(column.title, column.what,
-            moved_text("diffuse", needs.diffuse.*column.moved) + "\n" +
-                moved_text("specular", needs.specular.*column.moved));
+            moved_text("diffuse", sensitivity.diffuse.*column.moved) + "\n" +
+                moved_text("specular", sensitivity.specular.*column.moved));
 }
 
 void figure_cell(float value) {
@@ -102,7 +103,7 @@ void kinds_section(const PlotSubject& subject, const PictureView& view) {
         return;
     header();
     for (const LightKind kind : enumerators<LightKind>) {
-        const LightNeeds needs = light_needs(
+        const LightSensitivity sensitivity = light_sensitivity(
             subject.scene, view.map.size, of_kind_at(light, kind, *subject.point.at, view),
             *subject.point.material, subject.point.at->point.camera, subject.point.at->normal.camera);
         ImGui::TableNextRow();
@@ -110,9 +111,9 @@ void kinds_section(const PlotSubject& subject, const PictureView& view) {
         ImGui::PushStyleColor(ImGuiCol_Text, kind == light.kind ? theme().text : theme().dim_text);
         ImGui::TextUnformatted(choice_of(kind).label);
         ImGui::PopStyleColor();
-        for (const Column& column : columns) cell(kind, column, needs);
-        figure_cell(needs.falloff);
-        figure_cell(needs.spot);
+        for (const Column& column : columns) cell(kind, column, sensitivity);
+        figure_cell(sensitivity.falloff);
+        figure_cell(sensitivity.spot);
     }
     ImGui::EndTable();
     small_dim(

@@ -11,21 +11,21 @@ namespace {
 
 double degrees_of(double cosine) { return glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0))); }
 
-const ExplainedPoint& heaviest(const Explanation& why) {
-    if (!why.lit_per_corner || why.corners.empty()) return why.at;
+const ExplainedPoint& heaviest(const Explanation& explanation) {
+    if (!explanation.lit_per_corner || explanation.corners.empty()) return explanation.at;
     const auto lighter = [](const ExplainedCorner& a, const ExplainedCorner& b) {
         return a.weight < b.weight;
     };
-    return std::max_element(why.corners.begin(), why.corners.end(), lighter)->at;
+    return std::max_element(explanation.corners.begin(), explanation.corners.end(), lighter)->at;
 }
 
 }  // namespace
 
-PlotPoint plot_point(const std::optional<Explanation>& why, int light) {
+PlotPoint plot_point(const std::optional<Explanation>& explanation, int light) {
     PlotPoint point;
-    if (!why || !why->hit) return point;
-    point.at = &heaviest(*why);
-    point.material = &why->material;
+    if (!explanation || !explanation->hit) return point;
+    point.at = &heaviest(*explanation);
+    point.material = &explanation->material;
     for (const ExplainedLight& each : point.at->lights)
         if (each.index == light)
             point.light = each.samples.empty() ? &each : &each.samples[each.samples.size() / 2];

@@ -55,7 +55,7 @@ struct PlotPoint {
 };
 /// Takes, of several lit points (corners), the one that counts most in the pixel; of an area light its middle
 /// sample.
-[[nodiscard]] PlotPoint plot_point(const std::optional<Explanation>& why, int light);
+[[nodiscard]] PlotPoint plot_point(const std::optional<Explanation>& explanation, int light);
 
 /// The mark's place on each plot, read off the explanation.
 [[nodiscard]] glm::dvec2 falloff_mark(const PlotPoint& point);  // distance, falloff

@@ -187,7 +187,7 @@ void reset_layout(UiState& state) {
     state.layout = {};
     state.dark = true;
     state.views.scope.open = false;
-    ViewMemory first_day;
+    ViewPreferences first_day;
     first_day.kept = state.kept_views;
     recall_views(state, first_day);
     state.persistence.preferences.width = state.persistence.preferences.height = 0;

@@ -8,7 +8,7 @@
 
 #include "models/problem.h"
 #include "ui/preferences/autosave.h"
-#include "ui/preferences/settings.h"
+#include "ui/preferences/preferences.h"
 #include "ui/shell/layout.h"
 
 namespace glint {

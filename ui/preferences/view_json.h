@@ -1,11 +1,11 @@
 #pragma once
-// ViewMemory as JSON.
+// ViewPreferences as JSON.
 
 #include <algorithm>
 #include <cmath>
 
 #include "models/json/json_value.h"
-#include "ui/preferences/view_memory.h"
+#include "ui/preferences/view_preferences.h"
 
 namespace glint {
 
@@ -28,8 +28,8 @@ template <class Real> void read(const Json& json, const char* name, Real& value,
     value = static_cast<Real>(std::clamp(number, static_cast<double>(low), static_cast<double>(high)));
 }
 
-[[nodiscard]] Json view_json(const ViewMemory& memory);
+[[nodiscard]] Json view_json(const ViewPreferences& memory);
 /// What can be understood; the rest has its default.
-[[nodiscard]] ViewMemory read_view(const Json& json);
+[[nodiscard]] ViewPreferences read_view(const Json& json);
 
 }  // namespace glint

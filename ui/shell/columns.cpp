@@ -114,11 +114,11 @@ void left_column(UiState& state, const Layout& layout, const PictureView& view) 
     if (!layout.has_left) return;
     begin_area("##left", layout.left);
     if (layout.inspector_in_left) {
-        bool scene = false, why = false;
+        bool scene = false, inspector = false;
         column_tab("Scene", !state.left_shows_inspector, scene);
         ImGui::SameLine(0, px(2));
-        column_tab("Why", state.left_shows_inspector, why);
-        if (scene || why) state.left_shows_inspector = why;
+        column_tab("Why", state.left_shows_inspector, inspector);
+        if (scene || inspector) state.left_shows_inspector = inspector;
     }
     if (!layout.inspector_in_left) column_heading("SCENE");
     if (!layout.inspector_in_left || !state.left_shows_inspector) scene_column(state, view);

@@ -6,8 +6,8 @@
 #include "ui/picture/magnifier.h"
 #include "ui/plots/plots_tab.h"
 #include "ui/views/compare_view.h"
+#include "ui/views/debug_view_controls.h"
 #include "ui/views/lit_dots.h"
-#include "ui/views/look_view.h"
 #include "ui/views/scope.h"
 #include "ui/views/term_grid.h"
 
@@ -16,7 +16,7 @@ namespace glint {
 /// What the shown picture is made from, beside the drawn one: as long as it stays, so does the picture.
 struct ShownFrom {
     CompareChoice compare;
-    LookSet look;
+    DebugViewSet debug_view;
     bool linear = false;
     bool operator==(const ShownFrom&) const = default;
 };
@@ -24,7 +24,7 @@ struct ShownFrom {
 struct ViewsState {
     ScopeState scope;
     CompareState compare;
-    LookState look;
+    DebugViewState debug_view;
     PlotsState plots;
     MagnifierState magnifier;
     LitDotsState lit;

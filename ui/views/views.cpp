@@ -24,26 +24,26 @@ void copy_profile_command(UiState& state) {
 /// What shows: the drawn picture, or what is composed of it.
 const Picture& shown_picture(UiState& state) {
     ViewsState& views = state.views;
-    LookState& look = views.look;
-    if (look.set.choice.look != Look::Picture) {
-        if (!look.painter) look.painter = std::make_unique<LookPainter>(views.threads);
-        return look.painter->paint(look.set.choice, state.rendered_scene, *state.renderer,
-                                   state.rendered->size);
+    DebugViewState& view = views.debug_view;
+    if (debug.set.choice.view != DebugView::Picture) {
+        if (!debug.painter) debug.painter = std::make_unique<DebugViewPainter>(views.threads);
+        return debug.painter->paint(debug.set.choice, state.rendered_scene, *state.renderer,
+                                    state.rendered->size);
     }
     const Picture& shown =
         views.compare.choice.on
             ? compose(views.compare, {state.rendered_scene, *state.rendered, *state.renderer, views.threads})
             : *state.rendered;
-    if (!look.set.over_range || shown.linear.empty()) return shown;
-    look.striped = shown;
-    look.clipped = stripe_over_range(look.striped, state.rendered_scene.display.exposure);
-    return look.striped;
+    if (!debug.set.over_range || shown.linear.empty()) return shown;
+    debug.striped = shown;
+    debug.clipped = stripe_over_range(debug.striped, state.rendered_scene.display.exposure);
+    return debug.striped;
 }
 
 /// Composes again when what it is made from has changed.
 void update_shown(UiState& state) {
     ViewsState& views = state.views;
-    const ShownFrom from{views.compare.choice, views.look.set, !state.rendered->linear.empty()};
+    const ShownFrom from{views.compare.choice, views.debug_view.set, !state.rendered->linear.empty()};
     const bool drawn = views.shown_serial != state.picture_serial;
     if (!drawn && from == views.shown_from) return;
     const Picture* before = state.displayed;
@@ -71,14 +71,16 @@ void ask_part(UiState& state) {
 
 }  // namespace
 
-void show_quantity(ViewsState& views, Look look, bool keep_comparing) {
-    views.look.set.choice.look = look;
+void show_quantity(ViewsState& views, DebugView view, bool keep_comparing) {
+    views.debug_view.set.choice.view = view;
     if (!keep_comparing) views.compare.choice.on = false;
 }
 
 void begin_views(UiState& state) { state.layout.scope = state.views.scope.open; }
 
-bool views_need_linear(const ViewsState& views) { return views.scope.open || views.look.set.over_range; }
+bool views_need_linear(const ViewsState& views) {
+    return views.scope.open || views.debug_view.set.over_range;
+}
 
 void update_views(UiState& state) {
     update_shown(state);
@@ -138,8 +140,8 @@ void command_button(UiState& state, const char* label, CommandId id, const char*
 
 void views_bar(UiState& state) {
     ImGui::PushFont(fonts().small);
-    if (look_controls(state.views.look, state.editor.scene()))
-        show_quantity(state.views, state.views.look.set.choice.look);
+    if (debug_view_controls(state.views.debug_view, state.editor.scene()))
+        show_quantity(state.views, state.views.debug_view.set.choice.view);
     command_button(state, "Over-range", CommandId::OverRange,
                    "Stripes over pixels whose colour exceeds 1 in a channel and is cut off");
     command_button(

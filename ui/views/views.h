@@ -15,7 +15,7 @@
 namespace glint {
 
 /// Shows one quantity in place of the picture. It and a comparison take each other's place.
-void show_quantity(ViewsState& views, Look look, bool keep_comparing = false);
+void show_quantity(ViewsState& views, DebugView view, bool keep_comparing = false);
 
 /// Before the layout: panels that are open ask for their room.
 void begin_views(UiState& state);

@@ -47,13 +47,13 @@ void copy_again(HeadlessWindow& bench, float intensity) {
 }
 
 /// Nothing of it as on the first day.
-ViewMemory odd_views() {
-    ViewMemory views;
+ViewPreferences odd_views() {
+    ViewPreferences views;
     views.compare.on = views.compare.stacked = views.compare.difference = true;
     set_parts(views.compare, {variant_of(Reflection::BlinnPhong), {}, {Variant::Kind::Stored, 0}});
     views.compare.wipes = {0.2, 0.75};
     views.compare.gain = 16;
-    views.look = Look::Depth;
+    views.debug_view = DebugView::Depth;
     views.over_range = views.dots = views.needles = views.scope_channels = views.scope_eye = true;
     views.scope_from = {0.1, 0.2};
     views.scope_to = {0.3, 0.9};
@@ -131,7 +131,7 @@ TEST_CASE("how the picture was looked at is there again in the next window, B as
     CHECK(bench.scene().camera == odd_views().kept[0]);
     bench.key(Key::B, true);
     reset_layout(bench.state);
-    ViewMemory kept;
+    ViewPreferences kept;
     kept.kept = odd_views().kept;
     CHECK(views_to_remember(bench.state) == kept);
     CHECK(bench.state.views.compare.choice.stored);
@@ -141,13 +141,14 @@ TEST_CASE("of remembered views only what makes sense is taken", "[ui][memory]") 
     const auto views = [](const std::string& text) {
         return read_preferences("{\"view\": " + text + "}").views;
     };
-    CHECK(views("[]") == ViewMemory());
-    CHECK(views(R"({"compare": 3, "look": "Nonsense", "dots": 1, "kept_views": {"a": 1}})") == ViewMemory());
-    CHECK(views(R"({"compare": {"parts": ["mode gouraud"], "lines": [0.5]}})") == ViewMemory());
+    CHECK(views("[]") == ViewPreferences());
+    CHECK(views(R"({"compare": 3, "look": "Nonsense", "dots": 1, "kept_views": {"a": 1}})") ==
+          ViewPreferences());
+    CHECK(views(R"({"compare": {"parts": ["mode gouraud"], "lines": [0.5]}})") == ViewPreferences());
     CHECK(views(R"({"compare": {"parts": ["mode flat", "mode none"], "gain": 1e9}})").compare.gain ==
           most_gain);
-    CHECK(views(R"({"compare": {"lines": [0.7, 0.3]}})") == ViewMemory());
-    CHECK(views(R"({"compare": {"lines": [0.3, 1.3]}})") == ViewMemory());
+    CHECK(views(R"({"compare": {"lines": [0.7, 0.3]}})") == ViewPreferences());
+    CHECK(views(R"({"compare": {"lines": [0.3, 1.3]}})") == ViewPreferences());
     CHECK(views(R"({"scope_from": [-3, 7], "scope_to": [1]})").scope_from == glm::dvec2(0, 1));
     CHECK(views(R"({"kept_views": [{"eye": "here"}, 4]})").kept.empty());
 }

@@ -69,27 +69,27 @@ TEST_CASE("a dark pixel is explained in words", "[ui]") {
     e.n_dot_l = 0.5f;
     e.spot_angle_deg = 34.2f;
     e.spot = 0;
-    CHECK(why_dark(e, spot) == "outside the cone by 4.2°");
+    CHECK(dark_reason(e, spot) == "outside the cone by 4.2°");
     e.spot_angle_deg = 10;
     e.spot = 0.9f;
-    CHECK(why_dark(e, spot).empty());
+    CHECK(dark_reason(e, spot).empty());
     e.n_dot_l = -0.12f;
-    CHECK(why_dark(e, spot) == "behind the surface: n·l < 0");
+    CHECK(dark_reason(e, spot) == "behind the surface: n·l < 0");
     e.n_dot_l = 0.3f;
     e.falloff = 0.003f;
-    CHECK(why_dark(e, spot) == "hardly reaches: falloff 0.003");
+    CHECK(dark_reason(e, spot) == "hardly reaches: falloff 0.003");
     Light area;
     area.kind = LightKind::Area;
     ExplainedLight samples;
     samples.samples.resize(4);
-    CHECK(why_dark(samples, area) == "behind the surface: n·l < 0 for all samples");
+    CHECK(dark_reason(samples, area) == "behind the surface: n·l < 0 for all samples");
     samples.samples[2].n_dot_l = 0.1f;
-    CHECK(why_dark(samples, area) == "3 of 4 samples are behind the surface");
+    CHECK(dark_reason(samples, area) == "3 of 4 samples are behind the surface");
     for (ExplainedLight& sample : samples.samples) sample.n_dot_l = 0.5f;
-    CHECK(why_dark(samples, area).empty());
-    CHECK(why_clipped({1.31f, 0.5f, 1}, 1) == "clips: R 1.31 → 1");
-    CHECK(why_clipped({0.7f, 0.4f, 0.1f}, 2) == "clips: R 1.40 → 1");
-    CHECK(why_clipped({0.7f, 0.4f, 0.1f}, 1).empty());
+    CHECK(dark_reason(samples, area).empty());
+    CHECK(clipping_reason({1.31f, 0.5f, 1}, 1) == "clips: R 1.31 → 1");
+    CHECK(clipping_reason({0.7f, 0.4f, 0.1f}, 2) == "clips: R 1.40 → 1");
+    CHECK(clipping_reason({0.7f, 0.4f, 0.1f}, 1).empty());
 }
 
 TEST_CASE("terms lit at corners enter with their weights", "[ui]") {

@@ -89,24 +89,25 @@ constexpr std::array formats{
 
 }  // namespace
 
-std::string explained_as(CopyAs format, const Explanation& why, const Scene& scene) {
+std::string explained_as(CopyAs format, const Explanation& explanation, const Scene& scene) {
     switch (format) {
     case CopyAs::Text:
-        return explain_text(why, scene);
+        return explain_text(explanation, scene);
     case CopyAs::Json:
-        return explain_json(why);
+        return explain_json(explanation);
     case CopyAs::Latex:
-        return explain_latex(why, scene);
+        return explain_latex(explanation, scene);
     }
     return {};  // not reached
 }
 
-void copy_buttons(const Explanation& why, const Scene& scene) {
+void copy_buttons(const Explanation& explanation, const Scene& scene) {
     section_heading("Copy this explanation as");
     ImGui::PushFont(fonts().small);
     for (const Format& format : formats) {
         if (&format != &formats.front()) ImGui::SameLine();
-        if (ImGui::Button(format.label)) ImGui::SetClipboardText(explained_as(format.as, why, scene).c_str());
+        if (ImGui::Button(format.label))
+            ImGui::SetClipboardText(explained_as(format.as, explanation, scene).c_str());
         tooltip(format.label, format.what);
     }
     ImGui::PopFont();

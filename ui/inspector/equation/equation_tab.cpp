@@ -20,9 +20,9 @@ namespace glint {
 namespace {
 
 /// Buttons for the corners, with their weights, which sum to 1.
-void corner_buttons(InspectorState& state, const Explanation& why) {
-    for (int i = 0; i < static_cast<int>(why.corners.size()); ++i) {
-        const ExplainedCorner& corner = why.corners[static_cast<std::size_t>(i)];
+void corner_buttons(InspectorState& state, const Explanation& explanation) {
+    for (int i = 0; i < static_cast<int>(explanation.corners.size()); ++i) {
+        const ExplainedCorner& corner = explanation.corners[static_cast<std::size_t>(i)];
         const std::string label = fmt::format("{} {:.2f}", static_cast<char>('A' + i % 26), corner.weight);
         const bool chosen = i == state.corner;
         if (i % 4 != 0) ImGui::SameLine(0, px(4));
@@ -37,12 +37,12 @@ void corner_buttons(InspectorState& state, const Explanation& why) {
 }
 
 /// Where what is written out was lit.
-void lit_at(InspectorState& state, const Explanation& why) {
-    if (!why.lit_per_corner || why.corners.empty()) return;
-    if (why.corners.size() == 1) return wrapped_dim("Lit once for the whole polygon:");
-    state.corner = std::clamp(state.corner, 0, static_cast<int>(why.corners.size()) - 1);
+void lit_at(InspectorState& state, const Explanation& explanation) {
+    if (!explanation.lit_per_corner || explanation.corners.empty()) return;
+    if (explanation.corners.size() == 1) return wrapped_dim("Lit once for the whole polygon:");
+    state.corner = std::clamp(state.corner, 0, static_cast<int>(explanation.corners.size()) - 1);
     wrapped_dim("Lit at the corners, the colours mixed by their weights:");
-    corner_buttons(state, why);
+    corner_buttons(state, explanation);
 }
 
 /// Cool to warm: what stands in place of emission, ambient and diffuse.
@@ -56,10 +56,10 @@ void tone_line(const ExplainedTone& tone, int channel) {
     mix.result(shown_number(tone.color[channel]), theme().text);
 }
 
-void unlit(UiState& state, const Explanation& why, const ExplainedPoint& point) {
+void unlit(UiState& state, const Explanation& explanation, const ExplainedPoint& point) {
     const int channel = state.inspector.channel;
     if (point.cool_to_warm.used) return tone_line(point.cool_to_warm, channel);
-    for (const TermLine& line : unlit_lines(state.editor.scene(), why, point, channel)) {
+    for (const TermLine& line : unlit_lines(state.editor.scene(), explanation, point, channel)) {
         ImGui::PushID(line.letter);
         (void)draw_term_line(line);
         ImGui::PopID();
@@ -74,10 +74,10 @@ void mistakes_note(const Scene& scene) {
                         on, on == 1 ? " is" : "s are"));
 }
 
-std::string section_title(const InspectorState& state, const Explanation& why) {
+std::string section_title(const InspectorState& state, const Explanation& explanation) {
     constexpr std::array channels{"red", "green", "blue"};
     return fmt::format("In {}, under {} shading", channels[static_cast<std::size_t>(state.channel)],
-                       choice_of(why.mode).label);
+                       choice_of(explanation.mode).label);
 }
 
 }  // namespace
@@ -88,22 +88,22 @@ void equation_tab(UiState& state, const PictureView&) {
             "Here the lighting equation of that pixel appears with its numbers: what each light adds, and "
             "why "
             "a light that you expect adds nothing.");
-    const Explanation& why = *state.explanation;
-    if (!why.hit) return wrapped_dim("No object shows here: the pixel has the background's colour.");
-    if (static_cast<std::size_t>(why.object_index) >= state.editor.scene().objects.size()) return;
-    equation(why.reflection);
-    sum_table(state, why);
-    display_lines(state, why);
-    if (why.reflection != Reflection::None) {
-        section_heading(section_title(state.inspector, why).c_str());
+    const Explanation& explanation = *state.explanation;
+    if (!explanation.hit) return wrapped_dim("No object shows here: the pixel has the background's colour.");
+    if (static_cast<std::size_t>(explanation.object_index) >= state.editor.scene().objects.size()) return;
+    equation(explanation.reflection);
+    sum_table(state, explanation);
+    display_lines(state, explanation);
+    if (explanation.reflection != Reflection::None) {
+        section_heading(section_title(state.inspector, explanation).c_str());
         mistakes_note(state.editor.scene());
-        lit_at(state.inspector, why);
-        const ExplainedPoint& point = asked_point(state.inspector, why);
-        unlit(state, why, point);
-        for (std::size_t i = 0; i < point.lights.size(); ++i) light_card(state, why, point, i);
+        lit_at(state.inspector, explanation);
+        const ExplainedPoint& point = asked_point(state.inspector, explanation);
+        unlit(state, explanation, point);
+        for (std::size_t i = 0; i < point.lights.size(); ++i) light_card(state, explanation, point, i);
         if (point.lights.empty()) wrapped_dim("No light is on: only ambient and emission are left.");
     }
-    copy_buttons(why, state.editor.scene());
+    copy_buttons(explanation, state.editor.scene());
 }
 
 }  // namespace glint

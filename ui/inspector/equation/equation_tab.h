@@ -23,10 +23,10 @@ void equation(Reflection reflection);
 
 /// A row a term, a column a channel; a click on a channel chooses whose products are written out. Pointing at
 /// a term shows it alone in the picture.
-void sum_table(UiState& state, const Explanation& why);
+void sum_table(UiState& state, const Explanation& explanation);
 
 /// What becomes of the sum on its way to the screen: stroke, exposure, transfer, clipping.
-void display_lines(const UiState& state, const Explanation& why);
+void display_lines(const UiState& state, const Explanation& explanation);
 
 // One light's part of the equation at the picked point, its numbers where they stand.
 
@@ -35,7 +35,8 @@ struct TermLine;
 /// Name, angles, what all terms are multiplied by, and the three terms as products of the chosen channel.
 /// `which`: of point.lights. Numbers of the scene can be dragged; pointing at the name shows the light alone,
 /// at a term that term of this light alone, at a letter its arrow.
-void light_card(UiState& state, const Explanation& why, const ExplainedPoint& point, std::size_t which);
+void light_card(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
+                std::size_t which);
 
 /// letter = factor × factor … = result. True when a number was edited.
 bool draw_term_line(const TermLine& line);
@@ -45,9 +46,9 @@ bool draw_term_line(const TermLine& line);
 enum class CopyAs { Text, Json, Latex };
 
 /// The very text that `glint explain --format …` prints for this pixel.
-[[nodiscard]] std::string explained_as(CopyAs format, const Explanation& why, const Scene& scene);
+[[nodiscard]] std::string explained_as(CopyAs format, const Explanation& explanation, const Scene& scene);
 
 /// A button for each format.
-void copy_buttons(const Explanation& why, const Scene& scene);
+void copy_buttons(const Explanation& explanation, const Scene& scene);
 
 }  // namespace glint

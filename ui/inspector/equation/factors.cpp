@@ -12,11 +12,11 @@ namespace {
 
 Light& light_in(Scene& scene, int light) { return scene.lights[static_cast<std::size_t>(light)]; }
 
-NumberHandle material_number(Scene& scene, const Explanation& why, const std::string& key) {
-    return number_handle(scene, fmt::format("/objects/{}/material/{}", why.object_index, key));
+NumberHandle material_number(Scene& scene, const Explanation& explanation, const std::string& key) {
+    return number_handle(scene, fmt::format("/objects/{}/material/{}", explanation.object_index, key));
 }
-NumberHandle material_colour(Scene& scene, const Explanation& why, const char* key, int channel) {
-    return material_number(scene, why, fmt::format("{}/{}", key, channel));
+NumberHandle material_colour(Scene& scene, const Explanation& explanation, const char* key, int channel) {
+    return material_number(scene, explanation, fmt::format("{}/{}", key, channel));
 }
 NumberHandle light_colour(const LightInEquation& in, const char* key) {
     return number_handle(in.scene, fmt::format("/lights/{}/{}/{}", in.light.index, key, in.channel));
@@ -39,7 +39,7 @@ std::vector<Factor> common_factors(const LightInEquation& in, Symbol symbol, con
 }
 
 NumberHandle shininess_number(const LightInEquation& in) {
-    NumberHandle handle = material_number(in.scene, in.why, "shininess");
+    NumberHandle handle = material_number(in.scene, in.explanation, "shininess");
     handle.number.kind.format = "%.4g";
     return handle;
 }
@@ -56,15 +56,21 @@ void add_cosine(std::vector<Factor>& factors, const LightInEquation& in) {
     const float cosine = in.light.n_dot_l;
     Factor n_dot_l = cosine_factor(Symbol::N, Symbol::L, in.light.diffuse_factor);
     n_dot_l.clamped_from = std::min(cosine, 0.0f);
-    if (!info_of(in.why.reflection).rough_diffuse || cosine <= 0) {
+    if (!info_of(in.explanation.reflection).rough_diffuse || cosine <= 0) {
         factors.push_back(n_dot_l);
         return;
     }
     n_dot_l.value = cosine;
     factors.push_back(n_dot_l);
     factors.push_back({Symbol::Diffuse, "A+B…", "", in.light.diffuse_factor / cosine, {}, {}, 0, {}});
-    factors.push_back(
-        {Symbol::Diffuse, "by roughness", "", 1, material_number(in.scene, in.why, "roughness"), {}, 0, {}});
+    factors.push_back({Symbol::Diffuse,
+                       "by roughness",
+                       "",
+                       1,
+                       material_number(in.scene, in.explanation, "roughness"),
+                       {},
+                       0,
+                       {}});
 }
 
 void add_highlight(std::vector<Factor>& factors, const LightInEquation& in) {
@@ -80,7 +86,7 @@ void add_highlight(std::vector<Factor>& factors, const LightInEquation& in) {
         }
         factors.push_back(base);
     };
-    const ReflectionInfo info = info_of(in.why.reflection);
+    const ReflectionInfo info = info_of(in.explanation.reflection);
     switch (info.cosine) {
     case HighlightCosine::RV:
         return power(Symbol::R, Symbol::V, in.light.r_dot_v);
@@ -96,7 +102,7 @@ void add_highlight(std::vector<Factor>& factors, const LightInEquation& in) {
                                "by roughness",
                                "",
                                1,
-                               material_number(in.scene, in.why, "roughness"),
+                               material_number(in.scene, in.explanation, "roughness"),
                                {},
                                0,
                                {}});
@@ -112,13 +118,13 @@ std::vector<TermLine> term_lines(const LightInEquation& in) {
     const int c = in.channel;
     TermLine ambient{Symbol::Ambient, "a", on.ambient, {}, in.light.ambient[c]};
     ambient.factors = common_factors(in, Symbol::Ambient, "a", light_colour(in, "ambient"),
-                                     material_colour(in.scene, in.why, "ambient", c));
+                                     material_colour(in.scene, in.explanation, "ambient", c));
     TermLine diffuse{Symbol::Diffuse, "d", on.diffuse, {}, in.light.diffuse[c]};
     diffuse.factors = common_factors(in, Symbol::Diffuse, "d", light_colour(in, "diffuse"),
-                                     material_colour(in.scene, in.why, "diffuse", c));
+                                     material_colour(in.scene, in.explanation, "diffuse", c));
     TermLine specular{Symbol::Specular, "s", on.specular, {}, in.light.specular[c]};
     specular.factors = common_factors(in, Symbol::Specular, "s", light_colour(in, "specular"),
-                                      material_colour(in.scene, in.why, "specular", c));
+                                      material_colour(in.scene, in.explanation, "specular", c));
     if (!area) {
         add_cosine(diffuse.factors, in);
         add_highlight(specular.factors, in);
@@ -136,17 +142,17 @@ NumberHandle number_handle(Scene& scene, const std::string& pointer) {
             named.owner == "Scene" ? named.what : fmt::format("{} of {}", named.what, named.owner)};
 }
 
-std::vector<TermLine> unlit_lines(Scene& scene, const Explanation& why, const ExplainedPoint& point,
+std::vector<TermLine> unlit_lines(Scene& scene, const Explanation& explanation, const ExplainedPoint& point,
                                   int channel) {
     const Terms& on = scene.shading.terms;
     TermLine emission{Symbol::Emission, "e", on.emission, {}, point.emission[channel]};
     TermLine ambient{Symbol::Ambient, "a", on.ambient, {}, point.global_ambient[channel]};
     emission.factors.push_back(
-        scene_factor(Symbol::Emission, "", "", material_colour(scene, why, "emission", channel)));
+        scene_factor(Symbol::Emission, "", "", material_colour(scene, explanation, "emission", channel)));
     ambient.factors.push_back(scene_factor(Symbol::Ambient, "I", "a",
                                            number_handle(scene, fmt::format("/global_ambient/{}", channel))));
     ambient.factors.push_back(
-        scene_factor(Symbol::Ambient, "k", "a", material_colour(scene, why, "ambient", channel)));
+        scene_factor(Symbol::Ambient, "k", "a", material_colour(scene, explanation, "ambient", channel)));
     return {emission, ambient};
 }
 

@@ -47,7 +47,7 @@ struct TermLine {
 /// What the terms of one light at one point are asked for.
 struct LightInEquation {
     Scene& scene;
-    const Explanation& why;
+    const Explanation& explanation;
     const ExplainedLight& light;
     int channel = 0;  // 0 red, 1 green, 2 blue
 };
@@ -60,7 +60,7 @@ struct LightInEquation {
 [[nodiscard]] float share_of(const ExplainedLight& explained, const Light& light);
 
 /// k_a · global ambient, and the emission: what there is without a light. Emission first.
-[[nodiscard]] std::vector<TermLine> unlit_lines(Scene& scene, const Explanation& why,
+[[nodiscard]] std::vector<TermLine> unlit_lines(Scene& scene, const Explanation& explanation,
                                                 const ExplainedPoint& point, int channel);
 
 }  // namespace glint

@@ -31,11 +31,12 @@ void angle(TextLine& line, UiState& state, Symbol to, Symbol from, float cosine)
     if (is_pointed_at(low, high)) state.inspector.pointed_vector = to;
 }
 
-void angles(UiState& state, const Explanation& why, const ExplainedLight& light) {
+void angles(UiState& state, const Explanation& explanation, const ExplainedLight& light) {
     TextLine line(0);
     angle(line, state, Symbol::L, Symbol::N, light.n_dot_l);
-    if (why.reflection == Reflection::Phong) angle(line, state, Symbol::R, Symbol::V, light.r_dot_v);
-    if (why.reflection == Reflection::BlinnPhong) angle(line, state, Symbol::H, Symbol::N, light.n_dot_h);
+    if (explanation.reflection == Reflection::Phong) angle(line, state, Symbol::R, Symbol::V, light.r_dot_v);
+    if (explanation.reflection == Reflection::BlinnPhong)
+        angle(line, state, Symbol::H, Symbol::N, light.n_dot_h);
 }
 
 /// "F = intensity × falloff × spot", with what falloff and spot are made of.
@@ -146,7 +147,8 @@ bool draw_term_line(const TermLine& term) {
     return edited;
 }
 
-void light_card(UiState& state, const Explanation& why, const ExplainedPoint& point, std::size_t which) {
+void light_card(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
+                std::size_t which) {
     const ExplainedLight& explained = point.lights[which];
     Scene& scene = state.editor.scene();
     const auto index = static_cast<std::size_t>(explained.index);
@@ -157,13 +159,15 @@ void light_card(UiState& state, const Explanation& why, const ExplainedPoint& po
     ImGui::BeginGroup();
     if (name_row(state, explained, before))
         show_instead(state, with_light_alone(scene, explained.index), before.name + " alone");
-    if (before.kind != LightKind::Area) angles(state, why, explained);  // an area's samples have their own
+    if (before.kind != LightKind::Area)
+        angles(state, explanation, explained);  // an area's samples have their own
     if (before.kind == LightKind::Area) small_dim(sample_words(explained));
     edited |= share_lines(state, explained);
-    for (const TermLine& term : term_lines({scene, why, explained, state.inspector.channel}))
+    for (const TermLine& term : term_lines({scene, explanation, explained, state.inspector.channel}))
         edited |= light_term(state, term, explained.index);
-    if (const std::string reason = why_dark(explained, before); !reason.empty()) warning_text(reason);
-    if (const std::string words = blocked_words(state, why, point, which); !words.empty()) wrapped_dim(words);
+    if (const std::string reason = dark_reason(explained, before); !reason.empty()) warning_text(reason);
+    if (const std::string words = blocked_words(state, explanation, point, which); !words.empty())
+        wrapped_dim(words);
     ImGui::EndGroup();
     if (is_pointed_at(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()))
         state.inspector.pointed_light = explained.index;

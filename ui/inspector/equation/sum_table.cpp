@@ -22,7 +22,7 @@ float channel_width() { return std::min(px(58), (ImGui::GetContentRegionAvail().
 constexpr std::array channel_names{"red", "green", "blue"};
 
 /// "red green blue" over the columns; a click chooses the channel.
-void header_row(InspectorState& why) {
+void header_row(InspectorState& inspector) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushFont(fonts().small);
@@ -30,12 +30,13 @@ void header_row(InspectorState& why) {
     for (int c = 0; c < 3; ++c) {
         ImGui::TableNextColumn();
         const char* name = channel_names[static_cast<std::size_t>(c)];
-        ImGui::PushStyleColor(ImGuiCol_Text, c == why.channel ? theme().text : theme().dim_text);
+        ImGui::PushStyleColor(ImGuiCol_Text, c == inspector.channel ? theme().text : theme().dim_text);
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + px(8));
-        if (ImGui::Selectable(name, false, 0, {ImGui::GetContentRegionAvail().x - px(4), 0})) why.channel = c;
+        if (ImGui::Selectable(name, false, 0, {ImGui::GetContentRegionAvail().x - px(4), 0}))
+            inspector.channel = c;
         ImGui::PopStyleColor();
         const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-        if (c == why.channel)
+        if (c == inspector.channel)
             ImGui::GetWindowDrawList()->AddRectFilled({low.x, high.y - px(1.5f)}, high,
                                                       to_u32(theme().accent));
         tooltip(name, "Click: the products below are written out in this channel");
@@ -84,8 +85,8 @@ void sum_row(glm::vec3 sum) {
 
 }  // namespace
 
-void sum_table(UiState& state, const Explanation& why) {
-    const TermSums sums = term_sums(why);
+void sum_table(UiState& state, const Explanation& explanation) {
+    const TermSums sums = term_sums(explanation);
     const Terms& on = state.editor.scene().shading.terms;
     const float width = channel_width();
     if (!ImGui::BeginTable("##sum", 4, ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_SizingFixedFit)) return;
@@ -104,21 +105,22 @@ void sum_table(UiState& state, const Explanation& why) {
         term_row(state, Symbol::Diffuse, "d  diffuse", sums.diffuse, on.diffuse);
     }
     term_row(state, Symbol::Specular, "s  specular", sums.specular, on.specular);
-    sum_row(why.stroke.coverage > 0 ? why.stroke.shaded : why.sum);
+    sum_row(explanation.stroke.coverage > 0 ? explanation.stroke.shaded : explanation.sum);
     ImGui::EndTable();
 }
 
-void display_lines(const UiState& state, const Explanation& why) {
+void display_lines(const UiState& state, const Explanation& explanation) {
     const Display& display = state.editor.scene().display;
-    if (why.stroke.coverage > 0)
-        small_dim(fmt::format("a stroke covers {:.0f} % of the pixel → {} {} {}", 100 * why.stroke.coverage,
-                              shown_number(why.sum.x), shown_number(why.sum.y), shown_number(why.sum.z)));
+    if (explanation.stroke.coverage > 0)
+        small_dim(fmt::format("a stroke covers {:.0f} % of the pixel → {} {} {}",
+                              100 * explanation.stroke.coverage, shown_number(explanation.sum.x),
+                              shown_number(explanation.sum.y), shown_number(explanation.sum.z)));
     std::string steps;
     if (display.exposure != 1) steps += fmt::format("× exposure {:.3g}  ", display.exposure);
     if (display.transfer == Transfer::Srgb) steps += "→ sRGB  ";
-    const auto [r, g, b] = why.byte;
+    const auto [r, g, b] = explanation.byte;
     if (!steps.empty()) small_dim(fmt::format("{}→ {} {} {}", steps, r, g, b));
-    if (const std::string clipped = why_clipped(why.sum, display.exposure); !clipped.empty()) {
+    if (const std::string clipped = clipping_reason(explanation.sum, display.exposure); !clipped.empty()) {
         ImGui::PushFont(fonts().small);
         warning_text(clipped);
         ImGui::PopFont();

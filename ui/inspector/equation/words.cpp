@@ -28,7 +28,7 @@ TermSums sums_at(const ExplainedPoint& at) {
 
 }  // namespace
 
-std::string why_dark(const ExplainedLight& explained, const Light& light) {
+std::string dark_reason(const ExplainedLight& explained, const Light& light) {
     if (light.kind == LightKind::Area) {
         const auto in_front = std::count_if(explained.samples.begin(), explained.samples.end(),
                                             [](const ExplainedLight& sample) { return sample.n_dot_l > 0; });
@@ -55,7 +55,7 @@ std::string sample_words(const ExplainedLight& area) {
                        shown_number(high->n_dot_l));
 }
 
-std::string why_clipped(glm::vec3 sum, float exposure) {
+std::string clipping_reason(glm::vec3 sum, float exposure) {
     std::string text;
     for (int i = 0; i < 3; ++i) {
         const float shown = sum[i] * exposure;

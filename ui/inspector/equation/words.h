@@ -11,13 +11,13 @@ namespace glint {
 
 /// The first reason why this light adds little or nothing at the point: "behind the surface", "outside the
 /// cone by 4.2°", "hardly reaches: falloff 0.003"; empty when it shines.
-[[nodiscard]] std::string why_dark(const ExplainedLight& explained, const Light& light);
+[[nodiscard]] std::string dark_reason(const ExplainedLight& explained, const Light& light);
 
 /// Describes an area light's samples: "36 samples, n·l −0.12 to 0.71".
 [[nodiscard]] std::string sample_words(const ExplainedLight& area);
 
 /// Channels that leave 0 .. 1 after exposure: "clips: R 1.31 → 1"; empty when none does.
-[[nodiscard]] std::string why_clipped(glm::vec3 sum, float exposure);
+[[nodiscard]] std::string clipping_reason(glm::vec3 sum, float exposure);
 
 /// The terms that the sum of one point consists of; for corners and flat points, what enters after weighting.
 struct TermSums {

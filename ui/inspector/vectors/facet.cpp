@@ -16,24 +16,25 @@
 
 namespace glint {
 
-std::optional<Facet> picked_facet(const Explanation& why, const Scene& scene) {
-    const auto object = static_cast<std::size_t>(why.object_index);
-    if (!why.hit || object >= scene.objects.size()) return {};
+std::optional<Facet> picked_facet(const Explanation& explanation, const Scene& scene) {
+    const auto object = static_cast<std::size_t>(explanation.object_index);
+    if (!explanation.hit || object >= scene.objects.size()) return {};
     const MeshPtr& mesh = scene.objects[object].mesh;
-    if (!mesh || why.face >= mesh->face_count()) return {};
+    if (!mesh || explanation.face >= mesh->face_count()) return {};
     Facet facet;
-    for (const std::uint32_t p : mesh->corners_of(why.face)) facet.corners.push_back(mesh->positions[p]);
+    for (const std::uint32_t p : mesh->corners_of(explanation.face))
+        facet.corners.push_back(mesh->positions[p]);
     if (facet.corners.size() < 3) return {};
     facet.edge_a = facet.corners[1] - facet.corners[0];
     facet.edge_b = facet.corners[2] - facet.corners[0];
     facet.cross = glm::cross(facet.edge_a, facet.edge_b);
     facet.of_edges = facet_normal(facet.corners[0], facet.corners[1], facet.corners[2]);
-    facet.newell = facet_normal(*mesh, why.face);
+    facet.newell = facet_normal(*mesh, explanation.face);
     return facet;
 }
 
-void facet_section(UiState& state, const Explanation& why) {
-    const auto facet = picked_facet(why, state.editor.scene());
+void facet_section(UiState& state, const Explanation& explanation) {
+    const auto facet = picked_facet(explanation, state.editor.scene());
     if (!facet) return;
     section_heading("The facet's own normal, object coordinates");
     const Symbol edge = Symbol::Diffuse;
@@ -46,7 +47,7 @@ void facet_section(UiState& state, const Explanation& why) {
     small_dim(
         fmt::format("|a × b| = {:.4g}: twice the area of the triangle 1 2 3. {} corners, counter-clockwise "
                     "seen from outside; seen from here {}.",
-                    length, facet->corners.size(), why.front_facing ? "too" : "clockwise"));
+                    length, facet->corners.size(), explanation.front_facing ? "too" : "clockwise"));
     if (glm::dot(facet->of_edges, facet->newell) < 0.9999f && length > 0)
         warning_text("The corners are not in one plane, or not convex: Newell's takes all of them.");
 }

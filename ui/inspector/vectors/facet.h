@@ -23,12 +23,12 @@ struct Facet {
 };
 
 /// Nothing when the explanation is of no facet of this scene.
-[[nodiscard]] std::optional<Facet> picked_facet(const Explanation& why, const Scene& scene);
+[[nodiscard]] std::optional<Facet> picked_facet(const Explanation& explanation, const Scene& scene);
 
 struct UiState;
 
 /// The picked facet's edges, their cross product and its length, and Newell's normal.
-void facet_section(UiState& state, const Explanation& why);
+void facet_section(UiState& state, const Explanation& explanation);
 
 struct PictureView;
 

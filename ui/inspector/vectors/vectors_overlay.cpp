@@ -71,8 +71,8 @@ class PointDrawing {
     }
     /// P, 2 P and r as they come about from a normal of the chosen length.
     void mirror(const ExplainedLight& light) {
-        const InspectorState& why = state_.inspector;
-        const glm::vec3 n = why.normal_length * point_.normal.world, l = light.l.world;
+        const InspectorState& inspector = state_.inspector;
+        const glm::vec3 n = inspector.normal_length * point_.normal.world, l = light.l.world;
         const MirrorSteps steps = mirror_steps(n, l);
         const auto draw = [&](glm::vec3 from, glm::vec3 to, ImVec4 colour, const char* letter, float width) {
             draw_arrow(pen_.list, pen_.at(glm::dvec3(from)), pen_.at(glm::dvec3(to)),
@@ -80,10 +80,10 @@ class PointDrawing {
         };
         draw({}, l, theme_colour(Symbol::L), "L", 2);
         draw({}, n, theme_colour(Symbol::N), "N", 2);
-        if (why.mirror_step >= 2) draw(l, steps.p, theme_colour(Symbol::Emission), "", 1);
-        if (why.mirror_step == 2) draw({}, steps.p, theme_colour(Symbol::Diffuse), "P", 3);
-        if (why.mirror_step >= 3) draw({}, steps.twice_p, theme_colour(Symbol::Diffuse), "2P", 3);
-        if (why.mirror_step < 4) return;
+        if (inspector.mirror_step >= 2) draw(l, steps.p, theme_colour(Symbol::Emission), "", 1);
+        if (inspector.mirror_step == 2) draw({}, steps.p, theme_colour(Symbol::Diffuse), "P", 3);
+        if (inspector.mirror_step >= 3) draw({}, steps.twice_p, theme_colour(Symbol::Diffuse), "2P", 3);
+        if (inspector.mirror_step < 4) return;
         draw(steps.twice_p, steps.r, theme_colour(Symbol::Emission), "−L", 1);
         draw({}, steps.r, theme_colour(Symbol::R), "R", 3);
     }
@@ -95,20 +95,20 @@ class PointDrawing {
 };
 
 /// The corners that the pixel is mixed from, each in its colour, with its weight.
-void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& why) {
-    if (!why.lit_per_corner || why.corners.size() < 2) return;
+void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& explanation) {
+    if (!explanation.lit_per_corner || explanation.corners.size() < 2) return;
     const auto place = [&](const ExplainedCorner& corner) {
         return view.to_window(project(view.map, glm::dvec3(corner.at.point.world)).pixel);
     };
-    ImVec2 low = place(why.corners.front()), high = low;
-    for (const ExplainedCorner& corner : why.corners) {
+    ImVec2 low = place(explanation.corners.front()), high = low;
+    for (const ExplainedCorner& corner : explanation.corners) {
         const ImVec2 at = place(corner);
         low = {std::min(low.x, at.x), std::min(low.y, at.y)};
         high = {std::max(high.x, at.x), std::max(high.y, at.y)};
     }
     const bool roomy = std::max(high.x - low.x, high.y - low.y) > px(48);  // else words hide one another
     char letter = 'A';
-    for (const ExplainedCorner& corner : why.corners) {
+    for (const ExplainedCorner& corner : explanation.corners) {
         const ImVec2 at = place(corner);
         const glm::vec3 c = glm::clamp(corner.at.sum, 0.0f, 1.0f);
         list.AddCircleFilled(at, px(6.5f), to_u32({0, 0, 0, 1}, 0.7f));

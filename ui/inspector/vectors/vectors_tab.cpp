@@ -23,34 +23,34 @@ namespace {
 
 constexpr float part_width = 62;
 
-void frame_switch(InspectorState& why) {
+void frame_switch(InspectorState& inspector) {
     const std::array options{Choice{"camera", "Camera",
                                     "Where illumination is computed: the eye at the origin, "
                                     "looking down −z"},
                              Choice{"world", "World", "As the scene file says where things are"}};
     label_cell("Frame");
-    why.world_frame = segments("##frame", why.world_frame ? 1 : 0, options, {"", ""}) == 1;
+    inspector.world_frame = segments("##frame", inspector.world_frame ? 1 : 0, options, {"", ""}) == 1;
 }
 
-void switches(InspectorState& why) {
+void switches(InspectorState& inspector) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-    (void)ImGui::Checkbox("draw them in the picture", &why.shows_vectors);
+    (void)ImGui::Checkbox("draw them in the picture", &inspector.shows_vectors);
     tooltip("Vectors in the picture", "n, l, v and r or h at the picked point, with their angles",
             "v, which points at the eye, is a circle there");
     const float facet = ImGui::GetFrameHeight() + px(8) + ImGui::CalcTextSize("its facet").x;
     if (ImGui::GetItemRectMax().x + px(16) + facet <= right) ImGui::SameLine(0, px(16));
-    (void)ImGui::Checkbox("its facet", &why.shows_facet);
+    (void)ImGui::Checkbox("its facet", &inspector.shows_facet);
     tooltip("Facet in the picture", "Its corners in their order, two edges, and its normal");
 }
 
 /// One row; pointed at, its arrow is drawn thick.
-void vector_row(InspectorState& why, Symbol symbol, const char* letter, const InBothFrames& vector,
+void vector_row(InspectorState& inspector, Symbol symbol, const char* letter, const InBothFrames& vector,
                 const char* meaning) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     coloured(symbol, letter);
-    const glm::vec3 v = why.world_frame ? vector.world : vector.camera;
+    const glm::vec3 v = inspector.world_frame ? vector.world : vector.camera;
     for (int i = 0; i < 3; ++i) {
         ImGui::TableNextColumn();
         mono_text(shown_number(v[i]));
@@ -64,10 +64,10 @@ void vector_row(InspectorState& why, Symbol symbol, const char* letter, const In
         tooltip(letter, meaning);
     }
     const ImVec2 high{ImGui::GetItemRectMax().x, low.y + ImGui::GetTextLineHeight()};
-    if (is_pointed_at(low, high) && *letter != 'p') why.pointed_vector = symbol;
+    if (is_pointed_at(low, high) && *letter != 'p') inspector.pointed_vector = symbol;
 }
 
-void vector_table(InspectorState& why, const ExplainedPoint& point, const ExplainedLight* light) {
+void vector_table(InspectorState& inspector, const ExplainedPoint& point, const ExplainedLight* light) {
     const bool roomy = ImGui::GetContentRegionAvail().x > px(290);  // for what each of them is
     if (!ImGui::BeginTable("##vectors", roomy ? 5 : 4,
                            ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_SizingFixedFit))
@@ -76,13 +76,13 @@ void vector_table(InspectorState& why, const ExplainedPoint& point, const Explai
     for (const char* part : {"x", "y", "z"})
         ImGui::TableSetupColumn(part, ImGuiTableColumnFlags_WidthFixed, px(part_width));
     if (roomy) ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
-    vector_row(why, Symbol::Emission, "p", point.point, "the point");
-    vector_row(why, Symbol::N, "n", point.normal, "normal");
-    vector_row(why, Symbol::V, "v", point.view, "to the eye");
+    vector_row(inspector, Symbol::Emission, "p", point.point, "the point");
+    vector_row(inspector, Symbol::N, "n", point.normal, "normal");
+    vector_row(inspector, Symbol::V, "v", point.view, "to the eye");
     if (light != nullptr && light->samples.empty()) {
-        vector_row(why, Symbol::L, "l", light->l, "to the light");
-        vector_row(why, Symbol::R, "r", light->r, "l mirrored");
-        vector_row(why, Symbol::H, "h", light->h, "halfway l, v");
+        vector_row(inspector, Symbol::L, "l", light->l, "to the light");
+        vector_row(inspector, Symbol::R, "r", light->r, "l mirrored");
+        vector_row(inspector, Symbol::H, "h", light->h, "halfway l, v");
     }
     ImGui::EndTable();
 }
@@ -121,9 +121,9 @@ void light_buttons(UiState& state, const ExplainedPoint& point, const ExplainedL
 void vectors_tab(UiState& state, const PictureView&) {
     if (!state.explanation)
         return inspector_empty_state("Here the vectors of that point appear, drawn in the picture too.");
-    const Explanation& why = *state.explanation;
-    if (!why.hit) return wrapped_dim("No object shows here: there is no normal and no light.");
-    const ExplainedPoint& point = asked_point(state.inspector, why);
+    const Explanation& explanation = *state.explanation;
+    if (!explanation.hit) return wrapped_dim("No object shows here: there is no normal and no light.");
+    const ExplainedPoint& point = asked_point(state.inspector, explanation);
     const ExplainedLight* light = asked_light(state, point);
     switches(state.inspector);
     frame_switch(state.inspector);
@@ -133,9 +133,9 @@ void vectors_tab(UiState& state, const PictureView&) {
         same_product(point, *light);
         lobe_diagram(state, point, *light);
         mirror_section(state.inspector, point, *light);
-        needs_section(state, point, *light);
+        term_sensitivity_section(state, point, *light);
     }
-    facet_section(state, why);
+    facet_section(state, explanation);
 }
 
 namespace {

@@ -1,5 +1,5 @@
 // Quantities behind the picture: each number shown is the one that an explanation gives for that pixel.
-#include "renderer/inspect/debug_views/look.h"
+#include "renderer/inspect/debug_views/debug_view.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -30,7 +30,7 @@ template <class Check> void for_surface(const Renderer& renderer, const Check& c
 
 }  // namespace
 
-TEST_CASE("look: the normals shown are those that are lit", "[look]") {
+TEST_CASE("debug view: the normals shown are those that are lit", "[debug_view]") {
     Renderer renderer(1);
     for (const bool facet : {false, true}) {
         Scene scene = busy_scene();
@@ -46,13 +46,14 @@ TEST_CASE("look: the normals shown are those that are lit", "[look]") {
     }
 }
 
-TEST_CASE("look: n.l of each kind of light is the explanation's, behind the surface too", "[look]") {
+TEST_CASE("debug view: n.l of each kind of light is the explanation's, behind the surface too",
+          "[debug_view]") {
     Scene scene = busy_scene();
     Renderer renderer(1);
     renderer.render(scene, size);
-    LookPainter painter(1);
+    DebugViewPainter painter(1);
     for (int light = 0; light < 3; ++light) {  // an area light has a middle, and no vector of its own
-        (void)painter.paint({Look::NDotL, light}, scene, renderer, size);
+        (void)painter.paint({DebugView::NDotL, light}, scene, renderer, size);
         int wrong = 0, behind = 0;
         for_surface(renderer, [&](int x, int y, const Explanation& e) {
             const float n_dot_l = e.at.lights[static_cast<std::size_t>(light)].n_dot_l;
@@ -66,12 +67,12 @@ TEST_CASE("look: n.l of each kind of light is the explanation's, behind the surf
     CHECK(painter.value_text(0, 0) == "background");
 }
 
-TEST_CASE("look: depth and face are those of the pixel", "[look]") {
+TEST_CASE("debug view: depth and face are those of the pixel", "[debug_view]") {
     const Scene scene = busy_scene();
     Renderer renderer(1);
     renderer.render(scene, size);
-    LookPainter painter(1);
-    (void)painter.paint({Look::Depth, 0}, scene, renderer, size);
+    DebugViewPainter painter(1);
+    (void)painter.paint({DebugView::Depth, 0}, scene, renderer, size);
     double low = 1e9, high = 0;
     for_surface(renderer, [&](int x, int y, const Explanation& e) {
         CHECK(painter.value_at(x, y) == -e.at.point.camera.z);
@@ -80,23 +81,23 @@ TEST_CASE("look: depth and face are those of the pixel", "[look]") {
     });
     CHECK(painter.scale().low == low);
     CHECK(painter.scale().high == high);
-    const Picture& faces = painter.paint({Look::Face, 0}, scene, renderer, size);
+    const Picture& faces = painter.paint({DebugView::Face, 0}, scene, renderer, size);
     for_surface(renderer, [&](int x, int y, const Explanation& e) {
         CHECK(painter.value_text(x, y) == e.object + ", face " + std::to_string(e.face));
     });
     CHECK(faces.rgba.size() == std::size_t{4} * size.width * size.height);
 }
 
-TEST_CASE("look: the facet's angle to the interpolated normal is that of the two explained normals",
-          "[look]") {
+TEST_CASE("debug view: the facet's angle to the interpolated normal is that of the two explained normals",
+          "[debug_view]") {
     Scene scene = busy_scene();
     Renderer smooth(1), facet(1);
     smooth.render(scene, size);
     Scene faceted = scene;
     faceted.shading.mode = ShadingMode::Facet;
     facet.render(faceted, size);
-    LookPainter painter(1);
-    (void)painter.paint({Look::FacetAngle, 0}, scene, smooth, size);
+    DebugViewPainter painter(1);
+    (void)painter.paint({DebugView::FacetAngle, 0}, scene, smooth, size);
     float most = 0;
     for_surface(smooth, [&](int x, int y, const Explanation& e) {
         const glm::dvec3 a = e.at.normal.camera, b = facet.explain(x, y).at.normal.camera;
@@ -107,8 +108,9 @@ TEST_CASE("look: the facet's angle to the interpolated normal is that of the two
     CHECK(most > 5);
 }
 
-TEST_CASE("look: the silhouette is marked where surface meets background, in every mode at the same pixels",
-          "[look]") {
+TEST_CASE(
+    "debug view: the silhouette is marked where surface meets background, in every mode at the same pixels",
+    "[debug_view]") {
     Scene scene = busy_scene();
     scene.objects.resize(1);
     scene.npr = {};
@@ -117,8 +119,8 @@ TEST_CASE("look: the silhouette is marked where surface meets background, in eve
         scene.shading.mode = mode;
         Renderer renderer(1);
         const Picture plain = renderer.render(scene, size, true);
-        LookPainter painter(1);
-        const Picture& marked = painter.paint({Look::Silhouette, 0}, scene, renderer, size);
+        DebugViewPainter painter(1);
+        const Picture& marked = painter.paint({DebugView::Silhouette, 0}, scene, renderer, size);
         const auto near_outline = [&](int px, int py) {
             bool surface = false, background = false;
             for (int y = std::max(py - 2, 0); y <= std::min(py + 2, size.height - 1); ++y)
@@ -142,13 +144,14 @@ TEST_CASE("look: the silhouette is marked where surface meets background, in eve
     }
 }
 
-TEST_CASE("look: single terms add up to the picture", "[look]") {
+TEST_CASE("debug view: single terms add up to the picture", "[debug_view]") {
     const Scene scene = busy_scene();
     Renderer renderer(1);
     const Picture picture = renderer.render(scene, size, true);
-    LookPainter painter(1);
+    DebugViewPainter painter(1);
     std::vector<glm::vec3> sum(picture.linear.size() / 3, glm::vec3(0));
-    for (const Look term : {Look::Emission, Look::Ambient, Look::Diffuse, Look::Specular}) {
+    for (const DebugView term :
+         {DebugView::Emission, DebugView::Ambient, DebugView::Diffuse, DebugView::Specular}) {
         const Picture& alone = painter.paint({term, 0}, scene, renderer, size);
         for_surface(renderer, [&](int x, int y, const Explanation&) {
             sum[picture.pixel(x, y)] += alone.linear_at(x, y);
@@ -159,7 +162,7 @@ TEST_CASE("look: single terms add up to the picture", "[look]") {
     });
 }
 
-TEST_CASE("look: stripes lie on over-range pixels alone, and their count is exact", "[look]") {
+TEST_CASE("debug view: stripes lie on over-range pixels alone, and their count is exact", "[debug_view]") {
     Scene scene = busy_scene();
     scene.lights[0].intensity = 4;
     Renderer renderer(1);
@@ -180,16 +183,17 @@ TEST_CASE("look: stripes lie on over-range pixels alone, and their count is exac
     CHECK(striped.rgba != picture.rgba);
 }
 
-TEST_CASE("look: a scale's colours rise in lightness and break where light turns away", "[look]") {
-    const LookScale scale{true, 0, 10, ""};
+TEST_CASE("debug view: a scale's colours rise in lightness and break where light turns away",
+          "[debug_view]") {
+    const DebugViewScale scale{true, 0, 10, ""};
     const auto light = [&](double v) {
-        const auto c = look_color(Look::FacetAngle, scale, v);
+        const auto c = debug_view_color(DebugView::FacetAngle, scale, v);
         return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
     };
     for (int i = 1; i <= 20; ++i) CHECK(light(i / 2.0) > light(i / 2.0 - 0.5));
-    CHECK(look_color(Look::Depth, scale, 0) == look_color(Look::FacetAngle, scale, 10));
-    const auto turned = look_color(Look::NDotL, {true, -1, 1, ""}, -0.01);
-    const auto facing = look_color(Look::NDotL, {true, -1, 1, ""}, 0.01);
+    CHECK(debug_view_color(DebugView::Depth, scale, 0) == debug_view_color(DebugView::FacetAngle, scale, 10));
+    const auto turned = debug_view_color(DebugView::NDotL, {true, -1, 1, ""}, -0.01);
+    const auto facing = debug_view_color(DebugView::NDotL, {true, -1, 1, ""}, 0.01);
     CHECK(turned[2] > turned[0]);
     CHECK(facing[0] > facing[2]);
     CHECK(normal_color({0, 0, 1}) == std::array<std::uint8_t, 3>{128, 128, 255});

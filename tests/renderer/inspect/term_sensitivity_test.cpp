@@ -1,5 +1,5 @@
 // Which term needs normal, light and viewer, as the lecture's review has it.
-#include "renderer/inspect/reflectance/needs.h"
+#include "renderer/inspect/reflectance/term_sensitivity.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -13,7 +13,7 @@ TEST_CASE("ambient needs nothing, diffuse normal and light, specular all three",
                     l = glm::normalize(glm::vec3(-0.5f, 0.4f, 1));
     const glm::vec3 v = glm::normalize(glm::vec3(0.6f, 0.3f, 1));
     for (const Reflection model : {Reflection::Phong, Reflection::BlinnPhong}) {
-        const auto [ambient, diffuse, specular] = term_needs({model, Material{}, Terms{}}, n, l, v);
+        const auto [ambient, diffuse, specular] = term_sensitivity({model, Material{}, Terms{}}, n, l, v);
         CHECK(ambient.normal == 0);
         CHECK(ambient.light == 0);
         CHECK(ambient.viewer == 0);
@@ -30,13 +30,14 @@ TEST_CASE("a degree more at 60 degrees takes sin 60 times a degree off the diffu
     const float s = std::sqrt(3.0f) / 2;
     Material white;
     white.diffuse = glm::vec3(1);
-    const auto needs = term_needs({Reflection::Lambert, white, Terms{}}, {0, 0, 1}, {-s, 0, 0.5f}, {0, 0, 1});
-    CHECK(needs[1].light == Approx(double(s) * 3.14159265 / 180).epsilon(0.01));
-    CHECK(needs[2].viewer == 0);
+    const auto sensitivity =
+        term_sensitivity({Reflection::Lambert, white, Terms{}}, {0, 0, 1}, {-s, 0, 0.5f}, {0, 0, 1});
+    CHECK(sensitivity[1].light == Approx(double(s) * 3.14159265 / 180).epsilon(0.01));
+    CHECK(sensitivity[2].viewer == 0);
 }
 
 TEST_CASE("a light behind the surface leaves nothing to need", "[lighting][why]") {
     const auto needs =
-        term_needs({Reflection::Phong, Material{}, Terms{}}, {0, 0, 1}, {0.8f, 0, -0.6f}, {0, 0, 1});
-    for (const Needs& need : needs) CHECK(need.normal + need.light + need.viewer == 0);
+        term_sensitivity({Reflection::Phong, Material{}, Terms{}}, {0, 0, 1}, {0.8f, 0, -0.6f}, {0, 0, 1});
+    for (const TermSensitivity& need : needs) CHECK(need.normal + need.light + need.viewer == 0);
 }

@@ -1,5 +1,5 @@
 // The scenes whose pictures are measurements.
-#include "renderer/inspect/debug_views/look.h"
+#include "renderer/inspect/debug_views/debug_view.h"
 #include "renderer/inspect/light_alone.h"
 
 namespace glint {
@@ -64,10 +64,10 @@ Scene silhouette_scene(const Scene& scene) {
     return s;
 }
 
-Scene term_scene(const Scene& scene, Look term) {
+Scene term_scene(const Scene& scene, DebugView term) {
     Scene s = scene;
-    s.shading.terms = {term == Look::Emission, term == Look::Ambient, term == Look::Diffuse,
-                       term == Look::Specular};
+    s.shading.terms = {term == DebugView::Emission, term == DebugView::Ambient, term == DebugView::Diffuse,
+                       term == DebugView::Specular};
     return s;
 }
 

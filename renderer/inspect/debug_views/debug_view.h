@@ -1,5 +1,5 @@
 #pragma once
-// Quantities behind the picture, as pictures of their own: what a drop-down lets one look at in place of the
+// Quantities behind the picture, as pictures of their own: what a drop-down lets one see in place of the
 // colours. None has a formula of its own: a normal is what three suns along the camera's axes make of a white
 // surface by Lambert's law without its clamp, and n.l what the light in question makes of it. So the equation
 // itself measures them, as fast as it draws.
@@ -16,7 +16,7 @@
 
 namespace glint {
 
-enum class Look {
+enum class DebugView {
     Picture,
     Normal,      // interpolated, camera coordinates; red, green, blue: x, y, z from -1 to 1
     NDotL,       // of one light, not clamped, under the scene's own shading mode
@@ -29,12 +29,12 @@ enum class Look {
     Diffuse,
     Specular
 };
-inline constexpr int look_count = 11;
+inline constexpr int debug_view_count = 11;
 
-struct LookChoice {
-    Look look = Look::Picture;
+struct DebugViewChoice {
+    DebugView view = DebugView::Picture;
     int light = 0;  // of NDotL: in Scene::lights
-    bool operator==(const LookChoice&) const = default;
+    bool operator==(const DebugViewChoice&) const = default;
 };
 
 /// A scene whose linear picture is the normal at each pixel: the facets' or the interpolated ones. Mistakes
@@ -44,13 +44,13 @@ struct LookChoice {
 /// middle. Precondition: 0 <= light < #lights.
 [[nodiscard]] Scene n_dot_l_scene(const Scene& scene, int light);
 /// The scene with one term alone. Precondition: Emission, Ambient, Diffuse or Specular.
-[[nodiscard]] Scene term_scene(const Scene& scene, Look term);
+[[nodiscard]] Scene term_scene(const Scene& scene, DebugView term);
 
 /// The scene with a stroke along its silhouettes in place of its own strokes.
 [[nodiscard]] Scene silhouette_scene(const Scene& scene);
 
 /// Numbers to colours for a colour bar: `low` to `high` in `unit`.
-struct LookScale {
+struct DebugViewScale {
     bool has_bar = false;
     double low = 0, high = 1;
     std::string unit;
@@ -58,19 +58,21 @@ struct LookScale {
 
 /// The colour, 0 to 255, of a value on a scale: of NDotL with its break at 0, else from dark to light.
 /// Values outside take the ends' colours.
-[[nodiscard]] std::array<std::uint8_t, 3> look_color(Look look, const LookScale& scale, double value);
+[[nodiscard]] std::array<std::uint8_t, 3> debug_view_color(DebugView view, const DebugViewScale& scale,
+                                                           double value);
 /// The colour of a normal: (n + 1) / 2.
 [[nodiscard]] std::array<std::uint8_t, 3> normal_color(glm::vec3 normal);
 
-class LookPainter {
+class DebugViewPainter {
   public:
-    explicit LookPainter(int threads);
+    explicit DebugViewPainter(int threads);
 
     /// What the choice shows of `scene`, which `drawn_by` has drawn last at this size. A light that does not
     /// exist is the last one there is; a scene without lights has n.l nowhere. Background is dark grey.
-    const Picture& paint(LookChoice choice, const Scene& scene, const Renderer& drawn_by, PictureSize size);
+    const Picture& paint(DebugViewChoice choice, const Scene& scene, const Renderer& drawn_by,
+                         PictureSize size);
 
-    [[nodiscard]] const LookScale& scale() const { return scale_; }
+    [[nodiscard]] const DebugViewScale& scale() const { return scale_; }
     /// The number at a pixel of the last painting, or a word where there is none.
     [[nodiscard]] std::string value_text(int x, int y) const;
     /// What value_text() writes, as a number; NaN on background and where it is not one number.
@@ -84,14 +86,14 @@ class LookPainter {
     void paint_faces(const Scene& scene, const Renderer& drawn_by, PictureSize size);
     void color_values();
 
-    Look look_ = Look::Picture;
+    DebugView view_ = DebugView::Picture;
     std::unique_ptr<Renderer> renderer_, facets_;
     std::vector<float> values_;       // NaN: background
     std::vector<glm::vec3> normals_;  // of Normal
     std::vector<std::string> names_;  // of Face: the objects'
     std::vector<std::uint64_t> faces_;
     const Picture* terms_ = nullptr;
-    LookScale scale_;
+    DebugViewScale scale_;
     Picture picture_;
 };
 

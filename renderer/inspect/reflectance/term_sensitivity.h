@@ -13,13 +13,13 @@ namespace glint {
 
 /// How far a term moves, in its strongest channel, when one vector is turned by a degree (the larger of two
 /// ways across it); 0 when it does not move at all.
-struct Needs {
+struct TermSensitivity {
     float normal = 0, light = 0, viewer = 0;
 };
 
 /// Ambient, diffuse and specular, in this order. n, l, v unit, in one frame; the light is white.
-[[nodiscard]] std::array<Needs, 3> term_needs(const Reflector& reflector, glm::vec3 n, glm::vec3 l,
-                                              glm::vec3 v);
+[[nodiscard]] std::array<TermSensitivity, 3> term_sensitivity(const Reflector& reflector, glm::vec3 n,
+                                                              glm::vec3 l, glm::vec3 v);
 
 // What matters to which kind of light: its place, the viewer's, the surface's angle. Lecture: "Light
 // Sources", its table, by the equation of the picture.
@@ -32,7 +32,7 @@ struct Moved {
     bool operator==(const Moved&) const = default;
 };
 
-struct LightNeeds {
+struct LightSensitivity {
     Moved diffuse, specular;
     float falloff = 1, spot = 1;  // at the point; of an area light, of its middle sample
 };
@@ -40,7 +40,7 @@ struct LightNeeds {
 /// How far each term moves when the light, the viewer or the surface is moved a little. The light is taken as
 /// white, of intensity 1 and switched on. `place`, `normal` (unit): position and normal of the surface,
 /// camera coordinates. Camera, shading and mistakes are the scene's; its own lights and objects do not count.
-[[nodiscard]] LightNeeds light_needs(const Scene& scene, PictureSize size, const Light& light,
-                                     const Material& material, glm::vec3 place, glm::vec3 normal);
+[[nodiscard]] LightSensitivity light_sensitivity(const Scene& scene, PictureSize size, const Light& light,
+                                                 const Material& material, glm::vec3 place, glm::vec3 normal);
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-#include "ui/preferences/settings.h"
+#include "ui/preferences/preferences.h"
 
 #include "ui/preferences/view_json.h"
 

@@ -6,15 +6,15 @@
 using namespace glint;
 using test::HeadlessWindow;
 
-TEST_CASE("a key goes through the quantities and round to the picture again", "[ui][window][look]") {
+TEST_CASE("a key goes through the quantities and round to the picture again", "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
-    for (int i = 1; i <= look_count; ++i) {
+    for (int i = 1; i <= debug_view_count; ++i) {
         const auto serial = bench.state.picture_serial;
         bench.key(Key::I);
         bench.frames(1);
-        CHECK(bench.state.views.look.set.choice.look == static_cast<Look>(i % look_count));
+        CHECK(bench.state.views.debug_view.set.choice.view == static_cast<DebugView>(i % debug_view_count));
         CHECK(bench.state.picture_serial > serial);
         REQUIRE(bench.state.displayed != nullptr);
         CHECK(bench.state.displayed->size == bench.state.rendered->size);
@@ -22,18 +22,18 @@ TEST_CASE("a key goes through the quantities and round to the picture again", "[
     CHECK(bench.state.displayed == bench.state.rendered);
     CHECK(bench.scene() == before);
     bench.key(Key::I, false, true);
-    CHECK(bench.state.views.look.set.choice.look == Look::Specular);
+    CHECK(bench.state.views.debug_view.set.choice.view == DebugView::Specular);
 }
 
 TEST_CASE("a quantity follows the scene as it is edited, and is not painted again while nothing changes",
-          "[ui][window][look]") {
+          "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
-    show_quantity(bench.state.views, Look::NDotL);
+    show_quantity(bench.state.views, DebugView::NDotL);
     bench.frames(2);
     const PictureSize size = bench.state.rendered->size;
     const auto check = [&] {
-        const LookPainter& painter = *bench.state.views.look.painter;
+        const DebugViewPainter& painter = *bench.state.views.debug_view.painter;
         const Explanation e = bench.state.renderer->explain(size.width / 2, size.height / 2);
         REQUIRE(e.hit);
         CHECK(painter.value_at(e.x, e.y) == e.at.lights[0].n_dot_l);
@@ -47,30 +47,30 @@ TEST_CASE("a quantity follows the scene as it is edited, and is not painted agai
     CHECK(bench.state.picture_serial == serial);
 }
 
-TEST_CASE("a scene that loses its lights has n·l nowhere", "[ui][window][look]") {
+TEST_CASE("a scene that loses its lights has n·l nowhere", "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
-    show_quantity(bench.state.views, Look::NDotL);
-    bench.state.views.look.set.choice.light = 1;
+    show_quantity(bench.state.views, DebugView::NDotL);
+    bench.state.views.debug_view.set.choice.light = 1;
     bench.frames(2);
     bench.scene().lights.clear();
     bench.frames(2);
     const PictureSize size = bench.state.rendered->size;
-    CHECK(bench.state.views.look.painter->value_text(size.width / 2, size.height / 2) == "background");
+    CHECK(bench.state.views.debug_view.painter->value_text(size.width / 2, size.height / 2) == "background");
 }
 
-TEST_CASE("a comparison and a quantity take each other's place", "[ui][window][look]") {
+TEST_CASE("a comparison and a quantity take each other's place", "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::C);
     bench.key(Key::I);
     CHECK_FALSE(bench.state.views.compare.choice.on);
     bench.key(Key::C);
-    CHECK(bench.state.views.look.set.choice.look == Look::Picture);
+    CHECK(bench.state.views.debug_view.set.choice.view == DebugView::Picture);
 }
 
 TEST_CASE("over-range stripes lie over the picture that is shown and leave the drawn one alone",
-          "[ui][window][look]") {
+          "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.scene().lights[0].intensity = 5;
@@ -78,7 +78,7 @@ TEST_CASE("over-range stripes lie over the picture that is shown and leave the d
     const std::vector<std::uint8_t> bytes = bench.state.rendered->rgba;
     bench.key(Key::O);
     bench.frames(1);
-    CHECK(bench.state.views.look.clipped > 100);
+    CHECK(bench.state.views.debug_view.clipped > 100);
     CHECK(bench.state.displayed->rgba != bytes);
     CHECK(bench.state.rendered->rgba == bytes);
     bench.key(Key::O);

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "ui/preferences/view_memory.h"
+#include "ui/preferences/view_preferences.h"
 #include "ui/shell/layout.h"
 
 namespace glint {
@@ -14,7 +14,7 @@ struct Preferences {
     LayoutState layout;
     int width = 0, height = 0;  // of the window, in its own units; 0: as the display suggests
     bool maximized = false;
-    ViewMemory views;
+    ViewPreferences views;
     bool operator==(const Preferences&) const = default;
 };
 

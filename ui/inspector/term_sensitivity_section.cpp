@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "renderer/inspect/reflectance/needs.h"
+#include "renderer/inspect/reflectance/term_sensitivity.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/inspector/tabs.h"
 #include "ui/ui.h"
@@ -22,11 +22,13 @@ void cell(float moved, const ImVec4& colour) {
 
 }  // namespace
 
-void needs_section(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light) {
+void term_sensitivity_section(const UiState& state, const ExplainedPoint& point,
+                              const ExplainedLight& light) {
     section_heading("Which term needs what: moved by a turn of 1°");
     const Shading& shading = state.editor.scene().shading;
     const Reflector reflector{shading.reflection, state.explanation->material, Terms{}};
-    const auto needs = term_needs(reflector, point.normal.camera, light.l.camera, point.view.camera);
+    const auto sensitivity =
+        term_sensitivity(reflector, point.normal.camera, light.l.camera, point.view.camera);
     constexpr std::array names{"ambient", "diffuse", "specular"};
     constexpr std::array symbols{Symbol::Ambient, Symbol::Diffuse, Symbol::Specular};
     if (!ImGui::BeginTable("##needs", 4, ImGuiTableFlags_NoPadOuterX)) return;
@@ -36,13 +38,13 @@ void needs_section(const UiState& state, const ExplainedPoint& point, const Expl
         ImGui::TableNextColumn();
         coloured(symbol, name);
     }
-    for (std::size_t i = 0; i < needs.size(); ++i) {
+    for (std::size_t i = 0; i < sensitivity.size(); ++i) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         coloured(symbols[i], names[i]);
-        cell(needs[i].normal, theme()[symbols[i]]);
-        cell(needs[i].light, theme()[symbols[i]]);
-        cell(needs[i].viewer, theme()[symbols[i]]);
+        cell(sensitivity[i].normal, theme()[symbols[i]]);
+        cell(sensitivity[i].light, theme()[symbols[i]]);
+        cell(sensitivity[i].viewer, theme()[symbols[i]]);
     }
     ImGui::EndTable();
     small_dim("For a white light of full strength from where this one stands; the point stays.");

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "renderer/inspect/reflectance/needs.h"
+#include "renderer/inspect/reflectance/term_sensitivity.h"
 #include "tests/support/catch.h"
 
 using namespace glint;
@@ -27,10 +27,10 @@ Light light_of(LightKind kind) {
     return light;
 }
 
-LightNeeds needs_of(LightKind kind, bool local_viewer = true) {
+LightSensitivity sensitivity_of(LightKind kind, bool local_viewer = true) {
     Scene scene;
     scene.shading.local_viewer = local_viewer;
-    return light_needs(scene, size, light_of(kind), Material{}, place, normal);
+    return light_sensitivity(scene, size, light_of(kind), Material{}, place, normal);
 }
 
 }  // namespace
@@ -40,19 +40,19 @@ TEST_CASE("what matters to which light is the lecture's table, and a sun's highl
     for (const LightKind kind :
          {LightKind::Directional, LightKind::Point, LightKind::Spot, LightKind::Area}) {
         INFO(static_cast<int>(kind));
-        const LightNeeds needs = needs_of(kind);
-        CHECK((needs.diffuse.light > 0) == (kind != LightKind::Directional));
-        CHECK(needs.diffuse.viewer == 0);
-        CHECK(needs.diffuse.surface > 0);
-        CHECK((needs.specular.light > 0) == (kind != LightKind::Directional));
-        CHECK(needs.specular.viewer > 0);  // the table says: not important to a sun
-        CHECK(needs.specular.surface > 0);
+        const LightSensitivity sensitivity = sensitivity_of(kind);
+        CHECK((sensitivity.diffuse.light > 0) == (kind != LightKind::Directional));
+        CHECK(sensitivity.diffuse.viewer == 0);
+        CHECK(sensitivity.diffuse.surface > 0);
+        CHECK((sensitivity.specular.light > 0) == (kind != LightKind::Directional));
+        CHECK(sensitivity.specular.viewer > 0);  // the table says: not important to a sun
+        CHECK(sensitivity.specular.surface > 0);
     }
 }
 
 TEST_CASE("a viewer at infinity does not move", "[lighting][why]") {
-    CHECK(needs_of(LightKind::Point, false).specular.viewer == 0);
-    CHECK(needs_of(LightKind::Point, false).specular.light > 0);
+    CHECK(sensitivity_of(LightKind::Point, false).specular.viewer == 0);
+    CHECK(sensitivity_of(LightKind::Point, false).specular.light > 0);
 }
 
 TEST_CASE("how far terms move is as worked", "[lighting][why]") {
@@ -63,14 +63,14 @@ TEST_CASE("how far terms move is as worked", "[lighting][why]") {
     bulb.falloff = {0, 0, 1};
     Material white;
     white.diffuse = glm::vec3(1);
-    const LightNeeds needs = light_needs(scene, size, bulb, white, {0, 0, -4}, {0, 0, 1});
-    CHECK(needs.falloff == Approx(0.25));
-    CHECK(needs.spot == 1);
-    CHECK(needs.diffuse.light == Approx(1 / (1.8 * 1.8) - 0.25));
-    CHECK(needs.diffuse.surface == Approx(0.25 * (1 - std::cos(3.14159265 / 180))).epsilon(0.01));
+    const LightSensitivity sensitivity = light_sensitivity(scene, size, bulb, white, {0, 0, -4}, {0, 0, 1});
+    CHECK(sensitivity.falloff == Approx(0.25));
+    CHECK(sensitivity.spot == 1);
+    CHECK(sensitivity.diffuse.light == Approx(1 / (1.8 * 1.8) - 0.25));
+    CHECK(sensitivity.diffuse.surface == Approx(0.25 * (1 - std::cos(3.14159265 / 180))).epsilon(0.01));
     // r = n, v 0.1 aside of 1: its cosine is 1 / sqrt(1.01), to the 32nd.
     white.specular = glm::vec3(1);
     white.shininess = 32;
-    CHECK(light_needs(scene, size, bulb, white, {0, 0, -4}, {0, 0, 1}).specular.viewer ==
+    CHECK(light_sensitivity(scene, size, bulb, white, {0, 0, -4}, {0, 0, 1}).specular.viewer ==
           Approx(0.25 * (1 - std::pow(1.01, -16.0))).epsilon(1e-3));
 }

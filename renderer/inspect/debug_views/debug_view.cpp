@@ -1,4 +1,4 @@
-#include "renderer/inspect/debug_views/look.h"
+#include "renderer/inspect/debug_views/debug_view.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -62,19 +62,19 @@ void put(Picture& picture, std::size_t pixel, Rgb color) {
 
 }  // namespace
 
-Rgb look_color(Look look, const LookScale& scale, double value) {
-    if (look == Look::NDotL) return bytes(value < 0 ? between(unlit, -value) : between(lit, value));
+Rgb debug_view_color(DebugView view, const DebugViewScale& scale, double value) {
+    if (view == DebugView::NDotL) return bytes(value < 0 ? between(unlit, -value) : between(lit, value));
     const double share = (value - scale.low) / (scale.high - scale.low);
     // What is near is light.
-    return bytes(between(dark_to_light, look == Look::Depth ? 1 - share : share));
+    return bytes(between(dark_to_light, view == DebugView::Depth ? 1 - share : share));
 }
 
 Rgb normal_color(glm::vec3 normal) { return bytes(glm::dvec3(normal) * 0.5 + 0.5); }
 
-LookPainter::LookPainter(int threads)
+DebugViewPainter::DebugViewPainter(int threads)
     : renderer_(std::make_unique<Renderer>(threads)), facets_(std::make_unique<Renderer>(threads)) {}
 
-void LookPainter::measure_normals(const Scene& scene, PictureSize size) {
+void DebugViewPainter::measure_normals(const Scene& scene, PictureSize size) {
     const Picture& drawn = renderer_->render(normal_scene(scene, false), size, true);
     normals_.resize(size.pixels());
     for_pixels(size, [&](std::size_t i, int x, int y) {
@@ -84,7 +84,7 @@ void LookPainter::measure_normals(const Scene& scene, PictureSize size) {
     });
 }
 
-void LookPainter::measure_angles(const Scene& scene, PictureSize size) {
+void DebugViewPainter::measure_angles(const Scene& scene, PictureSize size) {
     const Picture& smooth = renderer_->render(normal_scene(scene, false), size, true);
     const Picture& facet = facets_->render(normal_scene(scene, true), size, true);
     for_pixels(size, [&](std::size_t i, int x, int y) {
@@ -96,7 +96,7 @@ void LookPainter::measure_angles(const Scene& scene, PictureSize size) {
     });
 }
 
-void LookPainter::measure_n_dot_l(const Scene& scene, int light, PictureSize size) {
+void DebugViewPainter::measure_n_dot_l(const Scene& scene, int light, PictureSize size) {
     if (scene.lights.empty()) return;
     light = std::clamp(light, 0, static_cast<int>(scene.lights.size()) - 1);
     const Picture& drawn = renderer_->render(n_dot_l_scene(scene, light), size, true);
@@ -105,14 +105,14 @@ void LookPainter::measure_n_dot_l(const Scene& scene, int light, PictureSize siz
     });
 }
 
-void LookPainter::measure_depths(const Renderer& drawn_by, PictureSize size) {
+void DebugViewPainter::measure_depths(const Renderer& drawn_by, PictureSize size) {
     for_pixels(size, [&](std::size_t i, int x, int y) {
         const float depth = drawn_by.depth_at(x, y);
         if (depth > 0) values_[i] = depth;
     });
 }
 
-void LookPainter::paint_faces(const Scene& scene, const Renderer& drawn_by, PictureSize size) {
+void DebugViewPainter::paint_faces(const Scene& scene, const Renderer& drawn_by, PictureSize size) {
     names_.clear();
     for (const Object& object : scene.objects) names_.push_back(object.name);
     constexpr std::uint64_t no_face = std::numeric_limits<std::uint64_t>::max();
@@ -125,7 +125,7 @@ void LookPainter::paint_faces(const Scene& scene, const Renderer& drawn_by, Pict
     });
 }
 
-void LookPainter::color_values() {
+void DebugViewPainter::color_values() {
     float low = std::numeric_limits<float>::infinity(), high = -low;
     for (const float v : values_) {  // NaN compares false
         if (v < low) low = v;
@@ -133,77 +133,79 @@ void LookPainter::color_values() {
     }
     const bool any = low <= high;
     scale_.has_bar = true;
-    if (look_ == Look::NDotL) scale_ = {true, -1, 1, "n·l"};
-    if (look_ == Look::Depth) scale_ = {true, any ? low : 0, any && high > low ? high : low + 1, "depth"};
-    if (look_ == Look::FacetAngle) scale_ = {true, 0, any ? std::max(high, 1.0f) : 1, "degrees"};
-    if (!any && look_ == Look::Depth) scale_ = {true, 0, 1, "depth"};
+    if (view_ == DebugView::NDotL) scale_ = {true, -1, 1, "n·l"};
+    if (view_ == DebugView::Depth)
+        scale_ = {true, any ? low : 0, any && high > low ? high : low + 1, "depth"};
+    if (view_ == DebugView::FacetAngle) scale_ = {true, 0, any ? std::max(high, 1.0f) : 1, "degrees"};
+    if (!any && view_ == DebugView::Depth) scale_ = {true, 0, 1, "depth"};
     for_pixels(picture_.size, [&](std::size_t i, int, int) {
-        put(picture_, i, std::isnan(values_[i]) ? background : look_color(look_, scale_, values_[i]));
+        put(picture_, i, std::isnan(values_[i]) ? background : debug_view_color(view_, scale_, values_[i]));
     });
 }
 
-const Picture& LookPainter::paint(LookChoice choice, const Scene& scene, const Renderer& drawn_by,
-                                  PictureSize size) {
-    look_ = choice.look;
+const Picture& DebugViewPainter::paint(DebugViewChoice choice, const Scene& scene, const Renderer& drawn_by,
+                                       PictureSize size) {
+    view_ = choice.view;
     scale_ = {};
     terms_ = nullptr;
     picture_.size = size;
     picture_.rgba.resize(4 * size.pixels());
     values_.assign(size.pixels(), none);
-    switch (choice.look) {
-    case Look::Normal:
+    switch (choice.view) {
+    case DebugView::Normal:
         measure_normals(scene, size);
         return picture_;
-    case Look::Face:
+    case DebugView::Face:
         paint_faces(scene, drawn_by, size);
         return picture_;
-    case Look::NDotL:
+    case DebugView::NDotL:
         measure_n_dot_l(scene, choice.light, size);
         break;
-    case Look::Depth:
+    case DebugView::Depth:
         measure_depths(drawn_by, size);
         break;
-    case Look::FacetAngle:
+    case DebugView::FacetAngle:
         measure_angles(scene, size);
         break;
-    case Look::Picture:
+    case DebugView::Picture:
         terms_ = &renderer_->render(scene, size, true);
         return *terms_;
-    case Look::Silhouette:
+    case DebugView::Silhouette:
         terms_ = &renderer_->render(silhouette_scene(scene), size, true);
         return *terms_;
-    case Look::Emission:
-    case Look::Ambient:
-    case Look::Diffuse:
-    case Look::Specular:
-        terms_ = &renderer_->render(term_scene(scene, choice.look), size, true);
+    case DebugView::Emission:
+    case DebugView::Ambient:
+    case DebugView::Diffuse:
+    case DebugView::Specular:
+        terms_ = &renderer_->render(term_scene(scene, choice.view), size, true);
         return *terms_;
     }
     color_values();
     return picture_;
 }
 
-float LookPainter::value_at(int x, int y) const {
+float DebugViewPainter::value_at(int x, int y) const {
     return values_.empty() ? none : values_[picture_.pixel(x, y)];
 }
 
-std::string LookPainter::value_text(int x, int y) const {
+std::string DebugViewPainter::value_text(int x, int y) const {
     const std::size_t i = picture_.pixel(x, y);
     if (terms_ != nullptr) {
         const glm::vec3 c = terms_->linear_at(x, y);
         return fmt::format("{:.3f} {:.3f} {:.3f}", c.x, c.y, c.z);
     }
-    if (look_ == Look::Normal) {
+    if (view_ == DebugView::Normal) {
         const glm::vec3 n = normals_[i];
         return std::isnan(n.x) ? "background" : fmt::format("{:+.3f} {:+.3f} {:+.3f}", n.x, n.y, n.z);
     }
-    if (look_ == Look::Face) {
+    if (view_ == DebugView::Face) {
         const std::size_t object = faces_[i] >> 32;
         if (object >= names_.size()) return "background";
         return fmt::format("{}, face {}", names_[object], faces_[i] & 0xFFFFFFFFu);
     }
     if (std::isnan(values_[i])) return "background";
-    return look_ == Look::FacetAngle ? fmt::format("{:.2f}°", values_[i]) : fmt::format("{:.3f}", values_[i]);
+    return view_ == DebugView::FacetAngle ? fmt::format("{:.2f}°", values_[i])
+                                          : fmt::format("{:.3f}", values_[i]);
 }
 
 std::uint64_t stripe_over_range(Picture& picture, float exposure) {

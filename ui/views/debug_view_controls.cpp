@@ -1,4 +1,4 @@
-#include "ui/views/look_view.h"
+#include "ui/views/debug_view_controls.h"
 
 #include <fmt/core.h>
 
@@ -15,21 +15,21 @@
 namespace glint {
 namespace {
 
-constexpr std::array<LookInfo, look_count> infos{{
-    {Look::Picture, "Picture", "The picture itself"},
-    {Look::Normal, "Normals", "Red, green, blue are x, y, z in camera coordinates, from −1 to 1"},
-    {Look::NDotL, "n·l",
+constexpr std::array<DebugViewInfo, debug_view_count> infos{{
+    {DebugView::Picture, "Picture", "The picture itself"},
+    {DebugView::Normal, "Normals", "Red, green, blue are x, y, z in camera coordinates, from −1 to 1"},
+    {DebugView::NDotL, "n·l",
      "The cosine between the normal and one light, before it is clamped: blue is turned away"},
-    {Look::Depth, "Depth", "Distance in front of the camera, in scene units: near is light"},
-    {Look::Face, "Faces", "Every polygon in a colour of its own"},
-    {Look::FacetAngle, "Facet – normal",
+    {DebugView::Depth, "Depth", "Distance in front of the camera, in scene units: near is light"},
+    {DebugView::Face, "Faces", "Every polygon in a colour of its own"},
+    {DebugView::FacetAngle, "Facet – normal",
      "Angle between the polygon's own normal and the interpolated one: where smooth shading pretends"},
-    {Look::Silhouette, "Silhouette",
+    {DebugView::Silhouette, "Silhouette",
      "The outline drawn over the picture: a coarse mesh keeps its corners there, whatever the shading"},
-    {Look::Emission, "Emission alone", "One term of the sum"},
-    {Look::Ambient, "Ambient alone", "One term of the sum"},
-    {Look::Diffuse, "Diffuse alone", "One term of the sum"},
-    {Look::Specular, "Specular alone", "One term of the sum"},
+    {DebugView::Emission, "Emission alone", "One term of the sum"},
+    {DebugView::Ambient, "Ambient alone", "One term of the sum"},
+    {DebugView::Diffuse, "Diffuse alone", "One term of the sum"},
+    {DebugView::Specular, "Specular alone", "One term of the sum"},
 }};
 
 ImU32 packed_bytes(std::array<std::uint8_t, 3> c) { return IM_COL32(c[0], c[1], c[2], 255); }
@@ -55,8 +55,9 @@ struct Reading {
     float value;
 };
 
-void draw_bar(ImDrawList& list, const LookState& state, const Rect& bar, std::span<const Reading> readings) {
-    const LookScale& scale = state.painter->scale();
+void draw_bar(ImDrawList& list, const DebugViewState& state, const Rect& bar,
+              std::span<const Reading> readings) {
+    const DebugViewScale& scale = state.painter->scale();
     constexpr int steps = 64;
     const Interval range{scale.low, scale.high};
     const auto x_of = [&](double value) {
@@ -67,7 +68,7 @@ void draw_bar(ImDrawList& list, const LookState& state, const Rect& bar, std::sp
         const double value = range.low + range.length() * (i + 0.5) / steps;
         list.AddRectFilled({bar.low.x + bar.size().x * float(i) / steps, bar.low.y},
                            {bar.low.x + bar.size().x * float(i + 1) / steps + 0.5f, bar.high.y},
-                           packed_bytes(look_color(state.set.choice.look, scale, value)));
+                           packed_bytes(debug_view_color(state.set.choice.view, scale, value)));
     }
     const std::vector<double> marks = ticks(range, 5);
     const double step = marks.size() > 1 ? marks[1] - marks[0] : range.length();
@@ -83,7 +84,7 @@ void draw_bar(ImDrawList& list, const LookState& state, const Rect& bar, std::sp
     }
 }
 
-std::vector<Reading> readings_of(const LookState& state, const PictureView& view,
+std::vector<Reading> readings_of(const DebugViewState& state, const PictureView& view,
                                  std::optional<glm::ivec2> picked) {
     std::vector<Reading> readings;
     const auto add = [&](const char* name, glm::ivec2 p) {
@@ -98,13 +99,13 @@ std::vector<Reading> readings_of(const LookState& state, const PictureView& view
     return readings;
 }
 
-std::string title_of(const LookState& state, const Scene& scene) {
-    const LookChoice& choice = state.set.choice;
-    if (choice.look != Look::NDotL) {
-        const std::string unit = choice.look == Look::Depth        ? ", scene units"
-                                 : choice.look == Look::FacetAngle ? ", degrees"
-                                                                   : "";
-        return info_of(choice.look).label + unit;
+std::string title_of(const DebugViewState& state, const Scene& scene) {
+    const DebugViewChoice& choice = state.set.choice;
+    if (choice.view != DebugView::NDotL) {
+        const std::string unit = choice.view == DebugView::Depth        ? ", scene units"
+                                 : choice.view == DebugView::FacetAngle ? ", degrees"
+                                                                        : "";
+        return info_of(choice.view).label + unit;
     }
     if (scene.lights.empty()) return "n·l: there is no light";
     const std::size_t light =
@@ -112,12 +113,12 @@ std::string title_of(const LookState& state, const Scene& scene) {
     return "n·l of " + scene.lights[light].name;
 }
 
-bool light_combo(LookState& state, const Scene& scene) {
-    if (state.set.choice.look != Look::NDotL || scene.lights.empty()) return false;
+bool light_combo(DebugViewState& state, const Scene& scene) {
+    if (state.set.choice.view != DebugView::NDotL || scene.lights.empty()) return false;
     int& light = state.set.choice.light;
     light = std::clamp(light, 0, static_cast<int>(scene.lights.size()) - 1);
     ImGui::SetNextItemWidth(px(86));
-    if (ImGui::BeginCombo("##look_light", scene.lights[static_cast<std::size_t>(light)].name.c_str())) {
+    if (ImGui::BeginCombo("##debug_view_light", scene.lights[static_cast<std::size_t>(light)].name.c_str())) {
         for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
             ImGui::PushID(i);
             if (ImGui::Selectable(scene.lights[static_cast<std::size_t>(i)].name.c_str(), i == light))
@@ -133,32 +134,32 @@ bool light_combo(LookState& state, const Scene& scene) {
 
 }  // namespace
 
-const LookInfo& info_of(Look look) { return infos[static_cast<std::size_t>(look)]; }
+const DebugViewInfo& info_of(DebugView view) { return infos[static_cast<std::size_t>(view)]; }
 
-Look look_after(Look look, int steps) {
-    return static_cast<Look>((static_cast<int>(look) + steps + look_count) % look_count);
+DebugView debug_view_after(DebugView view, int steps) {
+    return static_cast<DebugView>((static_cast<int>(view) + steps + debug_view_count) % debug_view_count);
 }
 
-bool look_controls(LookState& state, const Scene& scene) {
-    Look& look = state.set.choice.look;
+bool debug_view_controls(DebugViewState& state, const Scene& scene) {
+    DebugView& view = state.set.choice.view;
     bool chosen = false;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), px(1)});
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, look == Look::Picture ? theme().field : theme().accent);
-    ImGui::PushStyleColor(ImGuiCol_Button, look == Look::Picture ? theme().field : theme().accent);
-    ImGui::PushStyleColor(ImGuiCol_Text, look == Look::Picture ? theme().text : theme().accent_text);
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, view == DebugView::Picture ? theme().field : theme().accent);
+    ImGui::PushStyleColor(ImGuiCol_Button, view == DebugView::Picture ? theme().field : theme().accent);
+    ImGui::PushStyleColor(ImGuiCol_Text, view == DebugView::Picture ? theme().text : theme().accent_text);
     ImGui::SetNextItemWidth(px(126));
-    const bool open = ImGui::BeginCombo("##look", info_of(look).label, ImGuiComboFlags_HeightLargest);
+    const bool open = ImGui::BeginCombo("##look", info_of(view).label, ImGuiComboFlags_HeightLargest);
     ImGui::PopStyleColor(3);
     if (open) {
-        for (const LookInfo& info : infos) {
-            if (info.look == Look::Emission) ImGui::Separator();
-            if (ImGui::Selectable(info.label, info.look == look)) look = info.look, chosen = true;
+        for (const DebugViewInfo& info : infos) {
+            if (info.view == DebugView::Emission) ImGui::Separator();
+            if (ImGui::Selectable(info.label, info.view == view)) view = info.view, chosen = true;
             tooltip(info.label, info.what);
         }
         ImGui::EndCombo();
     } else {
-        tooltip("What is shown", info_of(look).what, "",
-                keys_of(CommandId::NextLook) + ", " + keys_of(CommandId::PreviousLook));
+        tooltip("What is shown", info_of(view).what, "",
+                keys_of(CommandId::NextDebugView) + ", " + keys_of(CommandId::PreviousDebugView));
     }
     ImGui::SameLine(0, px(4));
     (void)light_combo(state, scene);
@@ -166,11 +167,11 @@ bool look_controls(LookState& state, const Scene& scene) {
     return chosen;
 }
 
-void draw_look_legend(ImDrawList& list, const LookState& state, const Scene& scene, const PictureView& view,
-                      std::optional<glm::ivec2> picked) {
-    const Look look = state.set.choice.look;
-    if (look == Look::Picture || !state.painter) return;
-    const bool has_bar = state.painter->scale().has_bar, ball = look == Look::Normal;
+void draw_debug_view_legend(ImDrawList& list, const DebugViewState& state, const Scene& scene,
+                            const PictureView& view, std::optional<glm::ivec2> picked) {
+    const DebugView view = state.set.choice.view;
+    if (view == DebugView::Picture || !state.painter) return;
+    const bool has_bar = state.painter->scale().has_bar, ball = view == DebugView::Normal;
     const std::vector<Reading> readings = readings_of(state, view, picked);
     const float line = small_text_height() + px(3);
     const ImVec2 size{px(236), px(14) + line * float(1 + readings.size()) + (has_bar ? px(32) : 0)};

@@ -1,4 +1,4 @@
-#include "ui/preferences/view_memory.h"
+#include "ui/preferences/view_preferences.h"
 
 #include <array>
 #include <string>
@@ -80,7 +80,7 @@ CompareChoice read_compare(const Json& json) {
 
 Json to_json(bool on) { return on; }
 Json to_json(glm::dvec2 share) { return {share.x, share.y}; }
-Json to_json(Look look) { return info_of(look).label; }
+Json to_json(DebugView view) { return info_of(view).label; }
 Json to_json(const CompareChoice& choice) { return compare_json(choice); }
 Json to_json(const std::vector<Camera>& cameras) {
     Json all = Json::array();
@@ -90,10 +90,10 @@ Json to_json(const std::vector<Camera>& cameras) {
 
 void read_from(const Json& json, const char* name, bool& on) { read(json, name, on); }
 void read_from(const Json& json, const char* name, glm::dvec2& share) { read_share(json, name, share); }
-void read_from(const Json& json, const char* name, Look& look) {
+void read_from(const Json& json, const char* name, DebugView& view) {
     if (const Json* found = json.find(name))
-        for (int i = 0; i < look_count; ++i)
-            if (*found == info_of(static_cast<Look>(i)).label) look = static_cast<Look>(i);
+        for (int i = 0; i < debug_view_count; ++i)
+            if (*found == info_of(static_cast<DebugView>(i)).label) look = static_cast<DebugView>(i);
 }
 void read_from(const Json& json, const char* name, CompareChoice& choice) {
     if (const Json* found = json.find(name)) choice = read_compare(*found);
@@ -110,9 +110,9 @@ template <class Memory, class Visit> void view_fields(Memory& m, const Visit& vi
     visit(
         "compare", m.compare, [](auto& s) -> auto& { return s.views.compare.choice; });
     visit(
-        "look", m.look, [](auto& s) -> auto& { return s.views.look.set.choice.look; });
+        "look", m.debug_view, [](auto& s) -> auto& { return s.views.debug_view.set.choice.view; });
     visit(
-        "over_range", m.over_range, [](auto& s) -> auto& { return s.views.look.set.over_range; });
+        "over_range", m.over_range, [](auto& s) -> auto& { return s.views.debug_view.set.over_range; });
     visit(
         "dots", m.dots, [](auto& s) -> auto& { return s.views.lit.dots; });
     visit(
@@ -131,30 +131,30 @@ template <class Memory, class Visit> void view_fields(Memory& m, const Visit& vi
 
 }  // namespace
 
-Json view_json(const ViewMemory& memory) {
+Json view_json(const ViewPreferences& memory) {
     Json json = Json::object();
     view_fields(memory, [&](const char* name, const auto& value, auto) { json[name] = to_json(value); });
     return json;
 }
 
-ViewMemory read_view(const Json& json) {
-    ViewMemory memory;
+ViewPreferences read_view(const Json& json) {
+    ViewPreferences memory;
     if (json.is_object())
         view_fields(memory, [&](const char* name, auto& value, auto) { read_from(json, name, value); });
     return memory;
 }
 
-ViewMemory views_to_remember(const UiState& state) {
-    ViewMemory memory;
+ViewPreferences views_to_remember(const UiState& state) {
+    ViewPreferences memory;
     view_fields(memory, [&](const char*, auto& value, auto now) { value = now(state); });
     memory.compare.stored.reset();  // a scene is not a preference
     memory.compare.shows_stored = false;
     return memory;
 }
 
-void recall_views(UiState& state, const ViewMemory& memory) {
+void recall_views(UiState& state, const ViewPreferences& memory) {
     std::shared_ptr<const Scene> stored = std::move(state.views.compare.choice.stored);
-    state.views.look.set = {};  // the light of a quantity, too
+    state.views.debug_view.set = {};  // the light of a quantity, too
     view_fields(memory, [&](const char*, const auto& value, auto now) { now(state) = value; });
     state.views.compare.choice.stored = std::move(stored);
 }

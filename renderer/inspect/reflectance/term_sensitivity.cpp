@@ -1,4 +1,4 @@
-#include "renderer/inspect/reflectance/needs.h"
+#include "renderer/inspect/reflectance/term_sensitivity.h"
 
 #include <algorithm>
 #include <array>
@@ -42,11 +42,12 @@ constexpr float rounding = 2e-6f;
 
 }  // namespace
 
-std::array<Needs, 3> term_needs(const Reflector& reflector, glm::vec3 n, glm::vec3 l, glm::vec3 v) {
+std::array<TermSensitivity, 3> term_sensitivity(const Reflector& reflector, glm::vec3 n, glm::vec3 l,
+                                                glm::vec3 v) {
     const std::array<glm::dvec3, 3> vectors{glm::dvec3(n), glm::dvec3(l), glm::dvec3(v)};
     const auto now = terms(reflector, vectors[0], vectors[1], vectors[2]);
-    std::array<Needs, 3> needs;
-    constexpr std::array members{&Needs::normal, &Needs::light, &Needs::viewer};
+    std::array<TermSensitivity, 3> sensitivity;
+    constexpr std::array members{&TermSensitivity::normal, &TermSensitivity::light, &TermSensitivity::viewer};
     for (std::size_t which = 0; which < vectors.size(); ++which)
         for (const glm::dvec3 side : across(vectors[which])) {
             auto turned = vectors;
@@ -54,11 +55,11 @@ std::array<Needs, 3> term_needs(const Reflector& reflector, glm::vec3 n, glm::ve
             const auto then = terms(reflector, turned[0], turned[1], turned[2]);
             for (std::size_t term = 0; term < now.size(); ++term) {
                 const float moved = largest(then[term] - now[term]);
-                float& need = needs[term].*members[which];
+                float& need = sensitivity[term].*members[which];
                 if (moved > rounding * largest(now[term])) need = std::max(need, moved);
             }
         }
-    return needs;
+    return sensitivity;
 }
 
 namespace {
@@ -118,20 +119,21 @@ float largest(Vec a, Vec b) {
 
 }  // namespace
 
-LightNeeds light_needs(const Scene& scene, PictureSize size, const Light& light, const Material& material,
-                       glm::vec3 place, glm::vec3 normal) {
+LightSensitivity light_sensitivity(const Scene& scene, PictureSize size, const Light& light,
+                                   const Material& material, glm::vec3 place, glm::vec3 normal) {
     const LitPoint lit(with_white_light(scene, light), size, material);
     const Vec p = to_vec(place), n = to_vec(normal);
     const PointAt<float> at = lit.seen(p, n);
     const TwoTerms now = lit.terms(at);
     const LightTerms<float> middle = lit.middle(at);
-    LightNeeds needs;
-    needs.falloff = middle.falloff;
-    needs.spot = middle.spot;
+    LightSensitivity sensitivity;
+    sensitivity.falloff = middle.falloff;
+    sensitivity.spot = middle.spot;
     const auto note = [&](float Moved::*what, const PointAt<float>& then_at) {
         const TwoTerms then = lit.terms(then_at);
-        needs.diffuse.*what = std::max(needs.diffuse.*what, largest(then.diffuse, now.diffuse));
-        needs.specular.*what = std::max(needs.specular.*what, largest(then.specular, now.specular));
+        sensitivity.diffuse.*what = std::max(sensitivity.diffuse.*what, largest(then.diffuse, now.diffuse));
+        sensitivity.specular.*what =
+            std::max(sensitivity.specular.*what, largest(then.specular, now.specular));
     };
     // Of a directional light the distance says nothing; that of the eye is as good as any.
     const bool has_place = light.kind != LightKind::Directional;
@@ -144,7 +146,7 @@ LightNeeds light_needs(const Scene& scene, PictureSize size, const Light& light,
     for (const Vec way : across(n))
         note(&Moved::surface,
              PointAt<float>(p, unit(std::cos(turn_step) * n + std::sin(turn_step) * way), at.v));
-    return needs;
+    return sensitivity;
 }
 
 }  // namespace glint
