@@ -18,7 +18,7 @@ struct FileBlock {
     std::string_view bytes;
     std::size_t at = 0, size = 0;
 };
-/// DebugViews at each block before the next one is read, and before there is room for them all; a problem
+/// Looks at each block before the next one is read, and before there is room for them all; a problem
 /// ends the reading.
 using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>;
 

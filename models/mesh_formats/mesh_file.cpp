@@ -73,7 +73,7 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
     }
 }
 
-/// DebugViews at a mesh file while it comes in, so that what is not a mesh is not read to its end.
+/// Looks at a mesh file while it comes in, so that what is not a mesh is not read to its end.
 class MeshCheck {
   public:
     explicit MeshCheck(const std::string& path) : path_(path) {}

@@ -131,7 +131,7 @@ class Loader {
         try {
             require_memory(memory_need(MemoryUse::Meshes, all + most_more));
         } catch (const Refused& refused) {
-            Problem problem = memory_problem(refused, file_);
+            Problem problem = glint::memory_problem(refused, file_);
             problem.pointer = fmt::format("/objects/{}/mesh", largest);
             return problem;
         }

@@ -104,9 +104,9 @@ class Hand {
         for (int i = 0; i < events_a_life && !found_ && !started_.empty(); ++i) {
             act(started_[std::size_t(below(int(started_.size())))]);
             if (one_in(3)) rest(below(40));
-            if (i % events_between_pings == events_between_pings - 1) debug_view_after_all();
+            if (i % events_between_pings == events_between_pings - 1) look_after_all();
         }
-        if (!found_) debug_view_after_all();
+        if (!found_) look_after_all();
         for (const Started& one : started_) end(one);
         started_.clear();
     }
@@ -201,7 +201,7 @@ class Hand {
     }
 
     /// Whether all live, have complained of nothing, and answer.
-    void debug_view_after_all() {
+    void look_after_all() {
         for (std::size_t i = started_.size(); i-- > 0 && !found_;) {
             const Started one = started_[i];
             int status = 0;

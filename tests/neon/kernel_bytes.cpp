@@ -1,6 +1,6 @@
 // What the kernels of one instruction set give for many made-up jobs, a line each: its name and a
 // hash of the results' bits. Compiled once for each set (GLINT_ISA, GLINT_LANES as for
-// the renderer's *_isa.cpp); the lines of all sets must be equal. TermSensitivity nothing but the C library's
+// the renderer's *_isa.cpp); the lines of all sets must be equal. Needs nothing but the C library's
 // headers, so that a cross compiler can build it.
 
 #include <cmath>

@@ -210,7 +210,7 @@ std::vector<WindowCommand> comparing_commands() {
          .is_on = [](const UiState& s) { return s.views.compare.choice.on; },
          .id = CommandId::Compare,
          .changes_picture = true},
-        {.name = "DebugView at B, the stored scene",
+        {.name = "Look at B, the stored scene",
          .keys = {{Key::B}},
          .menu = Menu::View,
          .run = switch_b,

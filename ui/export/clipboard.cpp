@@ -78,8 +78,8 @@ std::vector<std::string> clipboard_command() {
 
 std::string clipboard_disabled_reason() {
     if (!clipboard_command().empty()) return {};
-    return is_set("WAYLAND_DISPLAY") ? "TermSensitivity wl-copy, of the package wl-clipboard"
-                                     : "TermSensitivity the program xclip";
+    return is_set("WAYLAND_DISPLAY") ? "Needs wl-copy, of the package wl-clipboard"
+                                     : "Needs the program xclip";
 }
 
 Result<std::monostate> copy_png(const std::string& bytes) {

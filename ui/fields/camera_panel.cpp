@@ -35,13 +35,13 @@ bool look_from(Camera& camera) {
         {"Front", CommandId::ViewFront, ViewFrom::Front}, {"Right", CommandId::ViewRight, ViewFrom::Right},
         {"Above", CommandId::ViewTop, ViewFrom::Top},     {"Behind", CommandId::ViewBack, ViewFrom::Back},
         {"Left", CommandId::ViewLeft, ViewFrom::Left},    {"Below", CommandId::ViewBottom, ViewFrom::Bottom}};
-    section_heading("DebugView from");
+    section_heading("Look from");
     const Camera before = camera;
     const float gap = px(3), width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
     for (int i = 0; i < 6; ++i) {
         if (i % 3 != 0) ImGui::SameLine(0, gap);
         if (ImGui::Button(sides[i].label, {width, 0})) camera = seen_from(camera, sides[i].from);
-        tooltip(sides[i].label, "DebugViews at the target from there, as far away as now", "",
+        tooltip(sides[i].label, "Looks at the target from there, as far away as now", "",
                 keys_of(sides[i].command));
     }
     return camera != before;

@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-bool same_debug_view(const Material& a, const Material& b) {
+bool same_look(const Material& a, const Material& b) {
     return a.ambient == b.ambient && a.diffuse == b.diffuse && a.specular == b.specular &&
            a.shininess == b.shininess;
 }
@@ -18,7 +18,7 @@ bool same_debug_view(const Material& a, const Material& b) {
 /// The preset that this material is, if any.
 const MaterialPreset* preset_of(const Material& material) {
     for (const MaterialPreset& preset : material_presets())
-        if (same_debug_view(preset.material, material)) return &preset;
+        if (same_look(preset.material, material)) return &preset;
     return nullptr;
 }
 

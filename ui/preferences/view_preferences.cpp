@@ -93,7 +93,7 @@ void read_from(const Json& json, const char* name, glm::dvec2& share) { read_sha
 void read_from(const Json& json, const char* name, DebugView& view) {
     if (const Json* found = json.find(name))
         for (int i = 0; i < debug_view_count; ++i)
-            if (*found == info_of(static_cast<DebugView>(i)).label) look = static_cast<DebugView>(i);
+            if (*found == info_of(static_cast<DebugView>(i)).label) view = static_cast<DebugView>(i);
 }
 void read_from(const Json& json, const char* name, CompareChoice& choice) {
     if (const Json* found = json.find(name)) choice = read_compare(*found);

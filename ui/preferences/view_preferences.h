@@ -23,7 +23,7 @@ struct ViewPreferences {
 };
 
 [[nodiscard]] ViewPreferences views_to_remember(const UiState& state);
-/// DebugViews at the picture that way; a stored B stays.
+/// Looks at the picture that way; a stored B stays.
 void recall_views(UiState& state, const ViewPreferences& memory);
 
 }  // namespace glint

@@ -28,7 +28,7 @@ struct LitDotsState {
 /// last picture: each corner or face's point once.
 [[nodiscard]] std::vector<LitDot> lit_dots(const Renderer& renderer, PictureSize size, int across);
 
-/// DebugViews for them again when the picture is another.
+/// Looks for them again when the picture is another.
 void update_lit_dots(LitDotsState& state, const Renderer& renderer, PictureSize size, std::uint64_t serial);
 
 /// "corners: 5 321 × 4 lights = 21 284 evaluations a frame".

@@ -193,7 +193,7 @@ TEST_CASE("a picture goes to the clipboard through the desktop's tool, or its la
     HeadlessWindow bench;
     bench.frames(2);
     CHECK(why_disabled(bench.state, test::command_named("Copy picture")) ==
-          "TermSensitivity the program xclip");
+          "Needs the program xclip");
     const std::string script = folder.file("xclip", "#!/bin/sh\n/bin/cat >'" + folder.path("got.png") +
                                                         "'\necho \"$@\" >'" + folder.path("words") + "'\n");
     fs::permissions(script, fs::perms::owner_all);

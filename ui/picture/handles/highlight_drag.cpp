@@ -41,7 +41,7 @@ void aim_at(Light& light, glm::dvec3 place, const SurfaceView& view) {
     turn_shape(light, rotation_between(axis, aim), view.map);
 }
 
-/// DebugViews for the direction of the light with which the specular term is level at the middle of a patch.
+/// Looks for the direction of the light with which the specular term is level at the middle of a patch.
 class PeakSearch {
   public:
     PeakSearch(const HighlightDrag& drag, const SurfaceView& view, const SurfacePatch& patch, double nearer)
