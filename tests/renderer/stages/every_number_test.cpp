@@ -1,5 +1,6 @@
 // A number of a scene that changes no picture has been given a row and no effect.
 #include <algorithm>
+#include <regex>
 #include <set>
 
 #include "models/fields/scene_numbers.h"
@@ -44,6 +45,11 @@ std::vector<std::uint8_t> bytes_of(Renderer& renderer, Scene scene) {
     return renderer.render(scene, size).rgba;
 }
 
+/// The pointer without the number of the light or object: "/lights/*/falloff/linear".
+std::string of_any_item(const std::string& pointer) {
+    return std::regex_replace(pointer, std::regex("^/(lights|objects)/[0-9]+"), "/$1/*");
+}
+
 /// Whether some other value of the number gives another picture.
 bool has_effect(Renderer& renderer, const Scene& scene, const SceneNumber& number,
                 const std::vector<std::uint8_t>& before) {
@@ -64,12 +70,13 @@ TEST_CASE("every number of a scene changes a picture", "[renderer][scene_fields]
     for (const Scene& scene : scenes()) {
         const std::vector<std::uint8_t> before = bytes_of(renderer, scene);
         for (const SceneNumber& number : numbers_of(scene)) {
-            all.insert(number.pointer);
-            if (!with_effect.count(number.pointer) && has_effect(renderer, scene, number, before))
-                with_effect.insert(number.pointer);
+            const std::string name = of_any_item(number.pointer);
+            all.insert(name);
+            if (!with_effect.count(name) && has_effect(renderer, scene, number, before))
+                with_effect.insert(name);
         }
     }
-    CHECK(all.size() > 150);
+    CHECK(all.size() > 80);
     std::vector<std::string> idle;
     std::set_difference(all.begin(), all.end(), with_effect.begin(), with_effect.end(),
                         std::back_inserter(idle));
