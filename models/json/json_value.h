@@ -70,8 +70,6 @@ class JsonValue {
 
     /// The member of that name; null where there is none, or where this is not an object.
     [[nodiscard]] const JsonValue* find(std::string_view name) const;
-    /// What a JSON pointer (RFC 6901) leads to: "/lights/0/position"; null where it leads nowhere.
-    [[nodiscard]] const JsonValue* at_pointer(std::string_view pointer) const;
     /// The member of that name, made where there is none. Precondition: this is an object or null, which
     /// becomes one.
     JsonValue& operator[](std::string_view name);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "models/mesh/mesh.h"
+#include "models/mesh/topology.h"
 
 namespace glint {
 
@@ -47,5 +48,24 @@ struct CornerNormals {
 
 /// The warning that corner_normals() gives of corners without a normal in the mesh's own, for `glint info`.
 void warn_of_missing_normals(const Mesh& mesh, Warnings& warnings);
+
+// Vertex normals: facet normals averaged around each vertex (lecture: "Vertex Normals").
+// Source: G. Thürmer and C. Wüthrich, JGT 3(1), 1998 (weighting by angle).
+
+/// Corners of facets that meet at a vertex and are joined there, perhaps through other facets, across
+/// manifold edges at which the facet normals differ by at most `crease_deg` (0 to 180). Source:
+/// docs/interface.md, `normals.source`.
+struct CreaseGroups {
+    std::vector<std::uint32_t> group;  // #C, numbered from 0 in the order of their first corner
+    std::size_t count = 0;
+};
+[[nodiscard]] CreaseGroups crease_groups(const Mesh& mesh, const Topology& topology, float crease_deg);
+
+/// Object coordinates, unit. Sum of the weighted unit facet normals of a vertex (below 180 degrees: of each
+/// group of crease_groups() there), made unit. A sum that cancels (shorter than 1e-6 of its weights) leaves
+/// each corner its facet normal; a degenerate facet takes no part and its corners, where no other facet is
+/// averaged, get 0. The angle at a corner is the interior one, so that it may pass 180 degrees in a polygon
+/// that is not convex. `corner` stays empty when one normal a position says it all.
+[[nodiscard]] CornerNormals vertex_normals(const Mesh& mesh, NormalWeighting weighting, float crease_deg);
 
 }  // namespace glint

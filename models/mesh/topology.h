@@ -47,13 +47,4 @@ enum class EdgeKind {
 };
 [[nodiscard]] EdgeKind edge_kind(const Mesh& mesh, const Topology& topology, std::size_t edge);
 
-/// Corners of facets that meet at a vertex and are joined there, perhaps through other facets, across
-/// manifold edges at which the facet normals differ by at most `crease_deg` (0 to 180). Source:
-/// docs/interface.md, `normals.source`.
-struct CreaseGroups {
-    std::vector<std::uint32_t> group;  // #C, numbered from 0 in the order of their first corner
-    std::size_t count = 0;
-};
-[[nodiscard]] CreaseGroups crease_groups(const Mesh& mesh, const Topology& topology, float crease_deg);
-
 }  // namespace glint

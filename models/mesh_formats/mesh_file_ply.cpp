@@ -106,7 +106,7 @@ template <class Rows> class PlyBody {
             const std::int64_t index = rows_.integer(p.type, p);
             if (index < 0 || index >= static_cast<std::int64_t>(vertex_count_))
                 rows_.fail(fmt::format("vertex index {} is out of range", index),
-                           vertex_count_ == 0 ? "vertices" : fmt::format("0 to {}", vertex_count_ - 1));
+                           numbers_of(vertex_count_, "vertices"));
             mesh_.corner_position.push_back(static_cast<std::uint32_t>(index));
         }
         close_face(mesh_, file_, rows_.line());

@@ -1,6 +1,7 @@
 // Scenes from files and into files.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -10,8 +11,8 @@
 #include "models/json/json_reader.h"
 #include "models/mesh/mesh_memory.h"
 #include "models/mesh_formats/mesh_file.h"
+#include "models/scene_file/read_scene.h"
 #include "models/scene_file/scene_file.h"
-#include "models/scene_file/scene_set.h"
 
 namespace glint {
 namespace {
@@ -153,11 +154,31 @@ Result<SceneDocument> save_document(const SceneDocument& document, const std::st
     const Result<Scene> read_back = parse_scene(text, path);
     if (const Problem* problem = problem_of(read_back)) return *problem;
     if (std::get<Scene>(read_back) != saved.scene)
-        return Problem{path, "", "a name in the scene is not UTF-8 and would not read back", "names in UTF-8"};
+        return Problem{path, "", "a name in the scene is not UTF-8 and would not read back",
+                       "names in UTF-8"};
     const Result<std::monostate> written = write_file(path, text);
     if (const Problem* problem = problem_of(written)) return *problem;
     saved.stamp = file_stamp(path);
     return saved;
+}
+
+Result<Scene> scene_variant(const SceneDocument& document, const std::vector<Assignment>& assignments) {
+    Result<Scene> parsed = parse_scene(scene_text(document.scene), document.path, assignments);
+    if (problem_of(parsed)) return parsed;
+    Scene scene = std::get<Scene>(std::move(parsed));
+    const std::vector<Object>& loaded = document.scene.objects;
+    for (Object& object : scene.objects) {
+        const auto same = std::find_if(loaded.begin(), loaded.end(),
+                                       [&](const Object& o) { return o.source == object.source; });
+        if (same != loaded.end()) object.mesh = same->mesh;
+    }
+    const Result<Warnings> warned = load_meshes(scene, document.path, document.mesh_dir);
+    if (const Problem* found = problem_of(warned)) {
+        Problem problem = *found;
+        if (is_assigned(problem.pointer, assignments)) problem.file = "--set";
+        return problem;
+    }
+    return scene;
 }
 
 }  // namespace glint

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "models/io/file_stamp.h"
+#include "models/io/file.h"
 #include "models/problem.h"
 #include "models/scene/scene.h"
 
@@ -81,5 +81,17 @@ struct SceneDocument {
 /// changes when there is no loaded mesh, or no such camera within the numbers of a scene file.
 /// Precondition: the camera is valid.
 void frame_camera(Scene& scene, int object = -1);
+
+/// The scene with the assignments applied, as `--set` would, to its text with every key written out. Meshes
+/// that the document has loaded are shared where their source stays; others are loaded. What is wrong in an
+/// assignment has the file "--set".
+[[nodiscard]] Result<Scene> scene_variant(const SceneDocument& document,
+                                          const std::vector<Assignment>& assignments);
+
+/// JSON Schema, draft 2020-12, of the scene file: keys, types, ranges, words, defaults. Made of the rows of
+/// models/fields/scene_fields.h. It accepts every valid scene. Conditions between numbers (near < far, an
+/// area that is not zero; models/fields/scene_rules.h) are beyond it: what it accepts may still be refused by
+/// the reader. Ends with a newline.
+[[nodiscard]] std::string scene_schema();
 
 }  // namespace glint

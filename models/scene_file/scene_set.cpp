@@ -1,4 +1,3 @@
-#include "models/scene_file/scene_set.h"
 
 #include <fmt/core.h>
 

@@ -10,7 +10,7 @@
 #include <map>
 #include <utility>
 
-#include "models/refused.h"
+#include "models/memory_limit.h"
 #include "renderer/geometry/to_screen.h"
 
 namespace glint {

@@ -10,7 +10,7 @@
 
 #include "models/fields/choices.h"
 #include "models/fields/reflection_info.h"
-#include "models/refused.h"
+#include "models/memory_limit.h"
 #include "renderer/lighting/reflection.h"
 #include "renderer/shade/lighting_steps.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "models/refused.h"
+#include "models/memory_limit.h"
 #include "renderer/surface/surface_points.h"
 
 namespace glint {

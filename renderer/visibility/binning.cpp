@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "models/refused.h"
+#include "models/memory_limit.h"
 #include "renderer/geometry/clip.h"
 #include "renderer/geometry/to_screen.h"
 

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "models/mesh/polygon.h"
-#include "models/mesh/triangulate.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_helpers.h"
 
