@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "models/memory_limit.h"
-#include "renderer/geometry/to_screen.h"
+#include "renderer/geometry/clip.h"
 
 namespace glint {
 namespace {

@@ -74,7 +74,6 @@ class PngWriter {
     png_infop info_ = nullptr;
 };
 
-std::uint64_t pixels_of(PictureSize size) { return size.pixels(); }
 constexpr std::uint64_t bytes_beside_pixels = 1 << 20;  // of the libraries
 
 Problem unreadable(const std::string& path, const std::string& what) {
@@ -110,9 +109,13 @@ std::optional<Problem> check_first_block(const FileBlock& block, const std::stri
 }  // namespace
 
 // Strings that grow have up to twice the room that they need.
-std::uint64_t png_memory(PictureSize size) { return 2 * 3 * pixels_of(size) + bytes_beside_pixels; }
-std::uint64_t pfm_memory(PictureSize size) { return 12 * pixels_of(size) + bytes_beside_pixels; }
-std::uint64_t exr_memory(PictureSize size) { return 3 * 12 * pixels_of(size) + bytes_beside_pixels; }
+std::uint64_t png_memory(PictureSize size) {
+    return std::uint64_t{2 * 3} * size.pixels() + bytes_beside_pixels;
+}
+std::uint64_t pfm_memory(PictureSize size) { return std::uint64_t{12} * size.pixels() + bytes_beside_pixels; }
+std::uint64_t exr_memory(PictureSize size) {
+    return std::uint64_t{3 * 12} * size.pixels() + bytes_beside_pixels;
+}
 
 std::string png_bytes(const Picture& picture, const std::string& scene_json) {
     std::string bytes;

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "models/mesh/normals.h"
-#include "renderer/geometry/to_screen.h"
+#include "renderer/geometry/clip.h"
 #include "renderer/lighting/light_source.h"
 #include "renderer/shade/moving_light.h"
 

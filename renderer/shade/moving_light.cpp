@@ -12,7 +12,7 @@
 #include "models/fields/reflection_info.h"
 #include "models/memory_limit.h"
 #include "renderer/lighting/reflection.h"
-#include "renderer/shade/lighting_steps.h"
+#include "renderer/shade/lighting.h"
 
 namespace glint {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
-#include "renderer/image/image_gif.h"
 #include "ui/export/animate.h"
 
 namespace glint {

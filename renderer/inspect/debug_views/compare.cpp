@@ -40,7 +40,7 @@ Result<Comparison> compare(const Picture& a, const Picture& b) {
         }
         result.differing_pixels += differs ? 1 : 0;
     }
-    const double pixels = std::max(1.0, static_cast<double>(a.size.width) * a.size.height);
+    const double pixels = std::max(1.0, static_cast<double>(a.size.pixels()));
     for (std::size_t c = 0; c < 3; ++c) {
         result.mean[c] = static_cast<double>(sum[c]) / pixels;
         result.rmse[c] = std::sqrt(static_cast<double>(sum_of_squares[c]) / pixels);

@@ -5,8 +5,8 @@
 #include <glm/trigonometric.hpp>
 
 #include "models/fields/reflection_info.h"
-#include "renderer/inspect/light_alone.h"
 #include "renderer/inspect/reflectance/curves.h"
+#include "renderer/inspect/reflectance/lobes.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"
 #include "renderer/simd/glm_vec3.h"
@@ -132,6 +132,17 @@ double blinn_shininess_like(float shininess) {
     for (int deg = 0; deg <= 90; ++deg)
         phong.emplace_back(deg, highlight_at(Reflection::Phong, shininess, deg));
     return fitted_highlight(Reflection::BlinnPhong, phong)->shininess;
+}
+
+MirrorSteps mirror_steps(glm::vec3 n, glm::vec3 l) {
+    const PointAt<float> at{{}, to_vec(n), {}};
+    const Directions<float> d = directions_for(to_vec(l), at);
+    MirrorSteps steps;
+    steps.n_dot_l = d.n_dot_l;
+    steps.r = to_glm(d.r);
+    steps.twice_p = steps.r + l;  // back from r, so that the formula stands once
+    steps.p = 0.5f * steps.twice_p;
+    return steps;
 }
 
 }  // namespace glint

@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "models/fields/reflection_info.h"
-#include "renderer/inspect/reflectance/seeded.h"
 #include "renderer/lighting/cook_torrance.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "models/scene/material.h"
+#include "models/scene/scene.h"
 #include "models/scene/shading.h"
 
 namespace glint {
@@ -81,5 +82,31 @@ struct LobeBin {
 /// What leaves below the horizon is in no bin. D is the equation's own d_ggx.
 [[nodiscard]] std::vector<LobeBin> facet_lobe(double roughness, double view_deg, int rays,
                                               std::uint32_t seed);
+
+// A scene of one light, for what is measured light by light.
+
+/// The light, on, white and of intensity 1, whatever its own diffuse and specular colours are.
+[[nodiscard]] inline Light white(Light light) {
+    light.enabled = true;
+    light.intensity = 1;
+    light.diffuse = light.specular = glm::vec3(1);
+    return light;
+}
+
+/// The scene's camera and shading with this light, on, as the only one, and no objects.
+[[nodiscard]] inline Scene alone(const Scene& scene, const Light& light) {
+    Scene s;
+    s.camera = scene.camera;
+    s.shading = scene.shading;
+    s.lights = {light};
+    s.lights[0].enabled = true;
+    return s;
+}
+
+// Random numbers that are the same on every machine: a generator's bits, not the distributions of std::,
+// which differ between libraries.
+
+/// Uniform in [0, 1).
+[[nodiscard]] inline double uniform(std::mt19937& random) { return static_cast<double>(random()) * 0x1p-32; }
 
 }  // namespace glint

@@ -6,7 +6,7 @@
 #include <optional>
 #include <random>
 
-#include "renderer/inspect/reflectance/seeded.h"
+#include "renderer/inspect/reflectance/lobes.h"
 #include "renderer/lighting/oren_nayar.h"
 
 namespace glint {

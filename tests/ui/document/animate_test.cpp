@@ -7,7 +7,6 @@
 
 #include "models/fields/scene_numbers.h"
 #include "renderer/image/image_file.h"
-#include "renderer/image/image_gif.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
