@@ -1,7 +1,7 @@
 #pragma once
-// How much memory the scenes in hand may ask for, all of it together, and who has asked for how much. What is
-// large is asked for here before it is taken, so that what does not fit ends in one line and not in a machine
-// that swaps or a process that is killed.
+// Keeps how much memory the scenes in hand may ask for, all of it together, and who has asked for how much.
+// What is large is asked for here before it is taken, so that what does not fit ends in one line and not in a
+// machine that swaps or a process that is killed.
 
 #include <array>
 #include <cstddef>
@@ -51,7 +51,7 @@ struct MemoryNeed {
 
 /// Bytes: what set_memory_limit() or the environment variable GLINT_MEMORY says, else default_memory_limit().
 [[nodiscard]] std::uint64_t memory_limit();
-/// From now on, for the whole process; 0: as if it had never been called.
+/// Sets it for the whole process, in bytes; 0: as if this had never been called.
 void set_memory_limit(std::uint64_t bytes);
 
 /// Three quarters of the least of: the machine's memory, that of the process's control group and of those

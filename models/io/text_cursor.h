@@ -46,7 +46,7 @@ class TextCursor {
         return true;
     }
 
-    /// Whether no further word is on this line.
+    /// True when no further word is on this line.
     bool end_of_line() {
         parsed_.at(static_cast<std::size_t>(at_ - begin_));
         skip_blanks();
@@ -98,7 +98,7 @@ class TextCursor {
 
     [[nodiscard]] int line() const { return line_; }
 
-    /// What is left of the text, from here on.
+    /// Returns what is left of the text, from here on.
     [[nodiscard]] std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
 
     [[noreturn]] void fail(std::string what, std::string expected) const {

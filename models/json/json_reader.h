@@ -1,7 +1,7 @@
 #pragma once
 // JSON text -> nlohmann::json, strictly: comments, repeated keys, invalid UTF-8 and hostile sizes are
 // problems with the line they stand in, said in our words. Source: RFC 8259; docs/interface.md, "Scene file".
-// For the .cpp files of models only: nothing else needs to know which JSON library we use.
+// Only .cpp files of models include it: nothing else needs to know which JSON library we use.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -37,7 +37,7 @@ inline constexpr std::size_t max_json_values = 2'000'000;
 /// shortened(text) in double quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-// What is wrong with JSON text at the place where a parser stopped, in our words (json_syntax.cpp).
+// json_syntax.cpp says in our words what is wrong with JSON text at the place where a parser stopped.
 
 /// What a parser understood last.
 enum class JsonEvent { Nothing, Key, Value, OpenedObject, OpenedArray };

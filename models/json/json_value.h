@@ -76,8 +76,8 @@ class JsonValue {
     /// Precondition: this is an array or null, which becomes one.
     void push_back(JsonValue value);
 
-    /// On one line without spaces. Numbers in the shortest form that reads back equal; those that are not
-    /// finite become null, invalid UTF-8 the replacement character.
+    /// The value on one line without spaces. Numbers have the shortest form that reads back equal; those that
+    /// are not finite become null, invalid UTF-8 the replacement character.
     [[nodiscard]] std::string text() const;
 
     /// Numbers by their value: 1 is 1.0. Objects with their members in the same order.

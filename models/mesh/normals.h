@@ -1,5 +1,5 @@
 #pragma once
-// Where a corner's normal comes from (lecture: "Vertex Normals", "Computing Normals").
+// Finds the normals of a mesh's corners (lecture: "Vertex Normals", "Computing Normals").
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -40,10 +40,10 @@ struct CornerNormals {
         corner;         // #C, indices into normals; empty: corner c has normals[corner_position[c]]
     Warnings warnings;  // source fallen back, corners without a normal
 };
-/// By the source, weighting and crease of `options`. A source that the mesh does not have falls back as
-/// `auto` does, with a warning; corners without a normal of the chosen source (or with a zero one) take their
-/// vertex normal, with a counted warning. `crease_deg` is used by vertex normals only. Never NaN. 1 million
-/// triangles: about 60 ms; with a crease below 180 degrees, which needs the topology, 300 ms.
+/// Finds the normals by the source, weighting and crease of `options`. A source that the mesh does not have
+/// falls back as `auto` does, with a warning; corners without a normal of the chosen source (or with a zero
+/// one) take their vertex normal, with a counted warning. `crease_deg` is used by vertex normals only. Never
+/// NaN. 1 million triangles: about 60 ms; with a crease below 180 degrees, which needs the topology, 300 ms.
 [[nodiscard]] CornerNormals corner_normals(const Mesh& mesh, const NormalOptions& options);
 
 /// The warning that corner_normals() gives of corners without a normal in the mesh's own, for `glint info`.

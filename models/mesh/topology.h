@@ -1,8 +1,8 @@
 #pragma once
-// Which polygons meet at which edges: built from the polygon list when somebody asks (counting, creases,
-// silhouettes), never for plain drawing. Connectivity is OpenMesh's half-edge structure; what that cannot
-// hold (an edge of three faces, two fans at one vertex, ...) is split there and joined again here, so that
-// every edge of every polygon is reported. All indices are those of the Mesh it was made from.
+// Tells which polygons meet at which edges: built from the polygon list when somebody asks (counting,
+// creases, silhouettes), never for plain drawing. Connectivity is OpenMesh's half-edge structure; what that
+// cannot hold (an edge of three faces, two fans at one vertex, ...) is split there and joined again here, so
+// that every edge of every polygon is reported. All indices are those of the Mesh it was made from.
 
 #include <array>
 #include <cstddef>
@@ -31,10 +31,11 @@ struct Topology {
     }
 };
 
-/// Degenerate polygons are included; a side from a vertex to itself is not an edge.
-/// Time: about linear (n log n in what OpenMesh cannot hold).
+/// Finds the edges. Degenerate polygons are included; a side from a vertex to itself is not an edge. Time:
+/// about linear (n log n in what OpenMesh cannot hold).
 [[nodiscard]] Topology make_topology(const Mesh& mesh);
 
+/// The corner after `corner` around polygon `face`; after its last one the first.
 [[nodiscard]] inline std::uint32_t next_corner(const Mesh& mesh, std::uint32_t face, std::uint32_t corner) {
     return corner + 1 < mesh.first_corner[face + 1] ? corner + 1 : mesh.first_corner[face];
 }

@@ -59,8 +59,8 @@ struct SceneDocument {
 [[nodiscard]] Result<SceneDocument> open_document(const std::string& path,
                                                   const std::vector<Assignment>& assignments = {});
 
-/// What a file's relative mesh paths are relative to: its directory; empty for the working directory, and for
-/// "-".
+/// Returns what a file's relative mesh paths are relative to: its directory; empty for the working directory,
+/// and for "-".
 [[nodiscard]] std::string directory_of(const std::string& path);
 
 /// Returns the scene with relative mesh paths that lead from the new directory where they led from the old

@@ -113,8 +113,8 @@ struct ClipMemory {
 
 // Positions so far away that the square of their distance does not fit a float.
 
-/// How many times nearer `place` (camera coordinates) has to be for its distance to be `max_distance`; 1
-/// when it is not farther.
+/// Returns how many times nearer `place` (camera coordinates) has to be for its distance to be
+/// `max_distance`; 1 when it is not farther.
 [[nodiscard]] inline double share_of_way(const glm::dvec3& place) {
     return std::min(1.0, max_distance / glm::length(place));
 }

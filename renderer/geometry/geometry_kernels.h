@@ -29,7 +29,7 @@ inline constexpr double guard_band = 64;
 /// Within these w, products of two corners' clip coordinates fit a float, and keep its digits where the
 /// corners lie close together. Beyond, pixels are placed in doubles.
 inline constexpr double min_float_w = 1e-12, max_float_w = 1e15;
-/// So far from the eye a place may be for the square of its distance to fit a float.
+/// The square of a distance up to this fits a float; scene units.
 inline constexpr double max_distance = 1e18;
 
 /// A vertex on the rasteriser's grid, y down, (0, 0) the picture's upper left corner. Four numbers, read at

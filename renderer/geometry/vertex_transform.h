@@ -36,7 +36,7 @@ template <Number D> Outside<D> outside_of(const Point4<D>& camera, const Point4<
                        (D(1) - within) * D(static_cast<double>(OutsideGuard))};
 }
 
-/// On the rasteriser's grid, in whole units.
+/// A point on the rasteriser's grid, in its units (1/256 pixel), y down; and its depth.
 template <Number D> struct GridPoint { D x, y, inv_w; };
 
 /// To the nearest whole number, halves away from zero. |a| < 2^31.
@@ -51,8 +51,8 @@ template <Number D> PixelPoint<D> to_pixel(const Viewport& viewport, const Point
     return {(clip.x / clip.w + D(1)) * D(0.5) * D(viewport.width),
             (D(1) - clip.y / clip.w) * D(0.5) * D(viewport.height)};
 }
-/// What the depth test compares, larger nearer, linear on the screen: 1/w in perspective, (1 - z_ndc)/2 when
-/// orthographic, where w is 1 everywhere.
+/// The depth that the depth test compares, larger nearer, linear on the screen: 1/w in perspective, (1 -
+/// z_ndc)/2 when orthographic, where w is 1 everywhere.
 template <Number D> D inv_w_of(const Viewport& viewport, const Point4<D>& clip) {
     return viewport.orthographic ? D(0.5) * (D(1) - clip.z / clip.w) : D(1) / clip.w;
 }

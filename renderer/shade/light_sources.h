@@ -1,5 +1,5 @@
 #pragma once
-// From the scene's lights and materials to what the kernels take: camera coordinates, colours times
+// Makes of the scene's lights and materials what the kernels take: camera coordinates, colours times
 // intensity. Lecture: "Light Sources": standard: world coordinates; alternative: camera coordinates (car
 // headlights).
 
@@ -13,7 +13,7 @@ namespace glint {
 /// The enabled lights in the scene's order; an area light gives one source a sample.
 [[nodiscard]] std::vector<LightSource> light_sources(const Scene& scene);
 
-/// Fills `sources` in its own memory.
+/// Fills `sources` with them in its own memory.
 void light_sources(const Scene& scene, std::vector<LightSource>& sources);
 
 /// One object's part of the equation. `lights` must outlive the job. `at_corners`: the colours will be

@@ -55,6 +55,7 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& geometr
 [[nodiscard]] glm::vec3 vertex_color(const SurfaceInputs& surface, const Geometry& geometry,
                                      const ShadingPoint& source);
 
+/// How this display makes bytes of linear colours.
 [[nodiscard]] DisplayJob display_job(const Display& display);
 
 // The steps of update_lighting(): the equation over the surface's points (lighting.cpp), then every pixel's

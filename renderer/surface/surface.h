@@ -37,7 +37,7 @@ struct SurfaceChoice {
     bool operator==(const SurfaceChoice&) const = default;
 };
 [[nodiscard]] SurfaceChoice surface_choice(const Shading& shading);
-/// How many corners a pixel blends at most under Corners.
+/// Returns how many corners a pixel blends at most under Corners.
 [[nodiscard]] inline int max_blended(const SurfaceChoice& choice) {
     return choice.interpolation == Interpolation::Scanline ? CornerWeights::most : 3;
 }
@@ -119,7 +119,7 @@ struct Surface {
     std::uint64_t point_count = 0;                    // lit
     MemoryShare share;                                // of what there is for each group
 
-    /// What this kind of surface keeps, in the memory of before where it was of the same kind.
+    /// Returns what this kind of surface keeps, in the memory of before where it was of the same kind.
     template <class Kind> Kind& as() {
         if (!std::holds_alternative<Kind>(kept)) kept.emplace<Kind>();
         return std::get<Kind>(kept);
@@ -129,7 +129,8 @@ struct Surface {
         const auto* vertices = std::get_if<PerVertex>(&kept);
         return vertices != nullptr ? vertices->lit : std::get<PerFace>(kept).lit;
     }
-    /// How many blocks of points from `first` on, and before `end`, are of the same object: at least 1.
+    /// Counts the blocks of points from `first` on, and before `end`, that are of the same object: at least
+    /// 1.
     [[nodiscard]] std::size_t count_of_one_object(std::size_t first, std::size_t end) const {
         std::size_t next = first + 1;
         while (next < end && point_object[next] == point_object[first]) ++next;
@@ -158,10 +159,10 @@ struct SurfaceInputs {
     SurfaceInputs(const Surface& s) : choice(s.choice), normals(s.normals) {}  // NOLINT: one for the other
 };
 
-/// What lane `lane` of group `group` shows.
+/// Returns what lane `lane` of group `group` shows.
 [[nodiscard]] SampleFace face_of_lane(const Surface& surface, const Geometry& geometry,
                                       const Visibility& visibility, std::size_t group, unsigned lane);
-/// What pixel (x, y) shows at its centre; the picture must have one sample a pixel.
+/// Returns what pixel (x, y) shows at its centre. Precondition: one sample a pixel, and it shows a surface.
 [[nodiscard]] SampleFace sample_face(const SurfaceChoice& choice, const Geometry& geometry,
                                      const Visibility& visibility, int x, int y);
 

@@ -1,8 +1,8 @@
 #pragma once
-// What a reflection model does with light from one direction: slices f(l, v) for plots, and what can be said
-// of the whole lobe: its energy, its albedo, whether it may be read backwards. Every value comes from the
-// equation's own illuminate(). Lecture: "Types of Reflection", "BRDF", the intensity plots at 60, 25 and 0
-// degrees.
+// Samples what a reflection model does with light from one direction: slices f(l, v) for plots, and what can
+// be said of the whole lobe: its energy, its albedo, whether it may be read backwards. Every value comes from
+// the equation's own illuminate(). Lecture: "Types of Reflection", "BRDF", the intensity plots at 60, 25 and
+// 0 degrees.
 //
 // The surface has n = (0, 0, 1); the light is white, of intensity 1, at `light_deg` from n on the side of -x,
 // so that the mirror direction leans as far towards +x.
@@ -49,7 +49,8 @@ struct LobeSample {
     Reflected reflected;
     glm::vec3 brdf{0};
 };
-/// From -90 to 90 degrees in the plane of incidence, `steps` steps. 0 <= light_deg < 90, steps >= 1.
+/// Samples the lobe from -90 to 90 degrees in the plane of incidence, in `steps` steps. 0 <= light_deg < 90,
+/// steps >= 1.
 [[nodiscard]] std::vector<LobeSample> lobe_slice(const Reflector& reflector, double light_deg, int steps);
 
 /// The integral of the specular term times n.v over all v: for Phong at light_deg = 0 it is k_s 2 pi /
