@@ -116,6 +116,16 @@ TEST_CASE("a GIF holds every frame at its size and time, and repeats", "[image]"
     DGifCloseFile(file, &error);
 }
 
+TEST_CASE("a name that ends in .gif is one file, in capitals too", "[ui][animate]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.state.animate.animation.frames = 2;
+    begin_frames(bench.state, folder.path("TURN.GIF"), {40, 30}, 1);
+    while (bench.state.animate.job) bench.frame();
+    CHECK(folder.names() == std::vector<std::string>{"TURN.GIF"});
+}
+
 TEST_CASE("frames are written as numbered pictures that carry their scenes", "[ui][animate]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
