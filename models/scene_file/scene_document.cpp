@@ -150,7 +150,7 @@ Result<SceneDocument> save_document(const SceneDocument& document, const std::st
     const std::string text = scene_text(saved.scene);
     const Result<Scene> read_back = parse_scene(text, path);
     if (const Problem* problem = problem_of(read_back)) return *problem;
-    if (std::get<Scene>(read_back) != saved.scene)
+    if (!same_description(std::get<Scene>(read_back), saved.scene))
         return Problem{path, "", "a name in the scene is not UTF-8 and would not read back",
                        "names in UTF-8"};
     const Result<std::monostate> written = write_file(path, text);
