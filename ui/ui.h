@@ -81,7 +81,7 @@ struct UiState {
     std::uint64_t picture_serial = 0;        // counts what was shown: the texture follows it
     PlacedPicture picture_rect;              // where it lies in the window
     Scene rendered_scene;                    // what `rendered` shows
-    bool rendered_is_edited = false;         // that was the edited scene, not a preview
+    bool rendered_is_edited = false;         // that was the edited scene: no preview, none that awaits a mesh
     std::optional<Explanation> explanation;  // of the probe in `rendered`, where that shows the edited scene
     ItemCounts explained;  // of the scene that `explanation` is about: it names lights and objects by number
     glm::ivec2 asked{0};   // the pixel of the whole picture that `explanation` is about

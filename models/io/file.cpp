@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <new>
 #include <sstream>
 
@@ -66,6 +67,13 @@ Result<std::string> read_regular(const std::string& path, std::size_t max_bytes,
 }
 
 }  // namespace
+
+std::string lower_extension(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return extension;
+}
 
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes, const CheckBlock& check) {
     try {

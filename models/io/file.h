@@ -14,6 +14,10 @@
 
 namespace glint {
 
+/// What a file's name says of its format: the extension with its dot and without capitals, ".png"; empty
+/// where the name has none.
+[[nodiscard]] std::string lower_extension(const std::string& path);
+
 /// A part of a file as it comes in: `bytes` from `at` on, of a file of `size` bytes (0 for standard input).
 struct FileBlock {
     std::string_view bytes;

@@ -68,6 +68,11 @@ struct SceneDocument {
 [[nodiscard]] Scene with_mesh_paths_from(Scene scene, const std::string& old_directory,
                                          const std::string& new_directory);
 
+/// The scene as a picture at `picture_path` carries it: mesh paths, which lead from `mesh_dir`, lead from
+/// there.
+[[nodiscard]] std::string carried_scene_text(const Scene& scene, const std::string& mesh_dir,
+                                             const std::string& picture_path);
+
 /// Writes the scene as .json beside its target and renames it into place ("-" is standard output). Mesh paths
 /// are made relative to the new place. Problems: another extension, what cannot be written, a scene that
 /// would not read back equal.

@@ -117,6 +117,49 @@ std::uint64_t exr_memory(PictureSize size) {
     return std::uint64_t{3 * 12} * size.pixels() + bytes_beside_pixels;
 }
 
+const char* extension_of(PictureFormat format) {
+    switch (format) {
+    case PictureFormat::Png:
+        return ".png";
+    case PictureFormat::Pfm:
+        return ".pfm";
+    case PictureFormat::Exr:
+        return ".exr";
+    }
+    return "";  // not reached
+}
+
+Result<PictureFormat> picture_format(const std::string& path) {
+    for (const auto format : {PictureFormat::Png, PictureFormat::Pfm, PictureFormat::Exr})
+        if (lower_extension(path) == extension_of(format)) return format;
+    return Problem{path, "", "cannot be written", "a name that ends in .png, .pfm or .exr"};
+}
+
+std::uint64_t file_memory(PictureFormat format, PictureSize size) {
+    switch (format) {
+    case PictureFormat::Png:
+        return png_memory(size);
+    case PictureFormat::Pfm:
+        return pfm_memory(size);
+    case PictureFormat::Exr:
+        return exr_memory(size);
+    }
+    return 0;  // not reached
+}
+
+std::string picture_bytes(const Picture& picture, PictureFormat format, float exposure,
+                          const std::string& scene_json) {
+    switch (format) {
+    case PictureFormat::Png:
+        return png_bytes(picture, scene_json);
+    case PictureFormat::Pfm:
+        return pfm_bytes(picture, exposure);
+    case PictureFormat::Exr:
+        return exr_bytes(picture, exposure);
+    }
+    return {};  // not reached
+}
+
 std::string png_bytes(const Picture& picture, const std::string& scene_json) {
     std::string bytes;
     PngWriter png(bytes);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "models/io/file.h"
 #include "models/scene/mistakes.h"
 #include "ui/commands/command.h"
 #include "ui/commands/menus.h"
@@ -139,7 +140,7 @@ void add_scenes(Entries& entries, const UiState& state) {
     namespace fs = std::filesystem;
     if (state.shipped_scenes.empty()) return;
     for (const FolderEntry& found : list_folder(state.shipped_scenes, FilePurpose::OpenScene)) {
-        if (found.folder || fs::path(found.name).extension() != ".json") continue;
+        if (found.folder || lower_extension(found.name) != ".json") continue;
         const std::string path = (fs::path(state.shipped_scenes) / found.name).string();
         std::string name = fs::path(found.name).stem().string();
         for (char& c : name)

@@ -22,7 +22,7 @@ void History::reset(const Scene& scene) {
 }
 
 bool History::commit(const Scene& scene, bool join) {
-    if (scene == present()) return false;
+    if (same_description(scene, present())) return false;
     std::string name = step_name(present(), scene);
     steps_.resize(at_ + 1);
     if (join && can_undo() && steps_[at_].name == name) {

@@ -80,9 +80,16 @@ std::string list_step(const std::vector<Item>& a, const std::vector<Item>& b, It
     return otherwise;
 }
 
+/// A mesh that was loaded again is no change that has a name.
+Scene without_meshes(Scene scene) {
+    for (Object& object : scene.objects) object.mesh = nullptr;
+    return scene;
+}
+
 }  // namespace
 
-std::string step_name(const Scene& before, const Scene& after) {
+std::string step_name(const Scene& scene_before, const Scene& scene_after) {
+    const Scene before = without_meshes(scene_before), after = without_meshes(scene_after);
     const std::vector<Row> changed = changed_rows(before, after);
     if (changed.empty()) return {};
     if (changed.size() > 1) return "Edit scene";

@@ -33,22 +33,14 @@ void put_views_away(UiState& state) {
     ++state.picture_serial;
 }
 
-/// The same objects with the same meshes, of which equal scenes may have others.
-bool same_meshes(const Scene& a, const Scene& b) {
-    return std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(),
-                      [](const Object& x, const Object& y) { return x.mesh == y.mesh; });
-}
-
-bool same(const Scene& a, const Scene& b) { return a == b && same_meshes(a, b); }
-
 /// The edited scene as it was drawn last, or as the newest step of the history has it. Where it was drawn
 /// already, smaller or with less, it stays.
 void take_scene_back(UiState& state) {
     Editor& editor = state.editor;
     const bool knows_drawn = state.rendered_is_edited && !editor.before;
-    if (knows_drawn && same(state.rendered_scene, editor.scene())) return;
+    if (knows_drawn && state.rendered_scene == editor.scene()) return;
     (void)cancel_gesture(state.viewport, editor.scene());
-    if (state.persistence.autosave && state.persistence.autosaved_scene == editor.scene())
+    if (state.persistence.autosave && state.persistence.has_copy_of(editor.scene()))
         state.persistence.autosave.reset();  // the file stays: what it holds is in no other
     if (editor.before) {
         const std::unique_ptr<Editor> before = std::move(editor.before);

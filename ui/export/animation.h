@@ -6,7 +6,7 @@
 
 #include "models/fields/choice.h"
 #include "models/scene_file/scene_file.h"
-#include "ui/preferences/job.h"
+#include "ui/document/job.h"
 
 namespace glint {
 

@@ -3,8 +3,6 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "models/io/file.h"
@@ -22,32 +20,19 @@ namespace fs = std::filesystem;
 
 constexpr double seconds_a_look = 0.1;  // between looks whether it is done
 
-std::string lower_extension(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    return extension;
-}
-
 }  // namespace
 
 Result<std::string> picture_file(const SceneDocument& document, const ExportOptions& options,
                                  const std::string& path, int threads) {
-    const std::string extension = lower_extension(path);
-    if (extension != ".png" && extension != ".pfm" && extension != ".exr")
-        return Problem{path, "", "cannot be written", "a name that ends in .png, .pfm or .exr"};
-    const std::uint64_t bytes = extension == ".pfm"   ? pfm_memory(options.size)
-                                : extension == ".exr" ? exr_memory(options.size)
-                                                      : png_memory(options.size);
-    const MemoryShare share(memory_need(MemoryUse::Output, bytes));
+    const Result<PictureFormat> known = picture_format(path);
+    if (const Problem* problem = problem_of(known)) return *problem;
+    const auto format = std::get<PictureFormat>(known);
+    const MemoryShare share(memory_need(MemoryUse::Output, file_memory(format, options.size)));
     Renderer renderer(threads);
     const Picture& picture =
-        renderer.render(document.scene, options.size, extension != ".png", options.samples);
-    const float exposure = document.scene.display.exposure;
-    if (extension == ".pfm") return pfm_bytes(picture, exposure);
-    if (extension == ".exr") return exr_bytes(picture, exposure);
-    return png_bytes(picture,
-                     scene_text(with_mesh_paths_from(document.scene, document.mesh_dir, directory_of(path))));
+        renderer.render(document.scene, options.size, is_linear(format), options.samples);
+    return picture_bytes(picture, format, document.scene.display.exposure,
+                         carried_scene_text(document.scene, document.mesh_dir, path));
 }
 
 void begin_export(UiState& state, const ExportOptions& options, const std::string& path) {
@@ -93,23 +78,6 @@ void poll_export(UiState& state) {
     job.reset();
     if (const Problem* problem = problem_of(result)) return state.notifications.add(*problem);
     state.notifications.add(Tone::Done, std::get<std::string>(result));
-}
-
-float begin_over_picture(const char* id, float widest, const Rect& picture, int more) {
-    const float width = std::min(widest, ImGui::GetIO().DisplaySize.x - px(20));
-    const float middle = std::max((picture.low.x + picture.high.x) / 2, width / 2);
-    ImGui::SetNextWindowPos({middle, picture.low.y + px(14)}, ImGuiCond_Always, {0.5f, 0});
-    ImGui::SetNextWindowSize({width, 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
-    ImGui::Begin(id, nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | more);
-    return width;
-}
-
-void end_over_picture() {
-    ImGui::End();
-    ImGui::PopStyleVar();
 }
 
 }  // namespace glint

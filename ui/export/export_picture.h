@@ -6,7 +6,7 @@
 
 #include "models/scene_file/scene_file.h"
 #include "renderer/picture.h"
-#include "ui/preferences/job.h"
+#include "ui/document/job.h"
 #include "ui/shell/layout.h"
 
 namespace glint {
@@ -39,13 +39,5 @@ void poll_export(UiState& state);
 
 /// The question about size and samples; the file's name is asked for after it.
 void export_dialog(UiState& state);
-
-// The frame of what lies over the picture's upper edge for a while: what is being loaded, the offer of a lost
-// copy.
-
-/// Begins a panel over the picture's middle, at most `widest` wide and never cut off at the window's left;
-/// end_over_picture must follow. Returns its width. `more`: further ImGuiWindowFlags.
-float begin_over_picture(const char* id, float widest, const Rect& picture, int more = 0);
-void end_over_picture();
 
 }  // namespace glint

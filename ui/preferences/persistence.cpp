@@ -116,7 +116,7 @@ void note_autosave(UiState& state) {
     Persistence& memory = state.persistence;
     if (!state.editor.unsaved()) return drop_autosave(state);
     const bool ended = take_written_autosave(state);
-    if (memory.autosaved_scene == state.editor.scene() || state.viewport.gesture != Gesture::None) return;
+    if (memory.has_copy_of(state.editor.scene()) || state.viewport.gesture != Gesture::None) return;
     const double rest = memory.autosaved_at + seconds_between_copies - ImGui::GetTime();
     if (rest > 0) return redraw_within(rest);
     if (!ended) return redraw_within(0.2);
@@ -162,6 +162,16 @@ void drop_autosave(UiState& state) {
     fs::remove(memory.autosave->path(), failed);
     memory.autosave.reset();
     memory.autosaved_scene.reset();
+}
+
+void keep_orphan(UiState& state, const std::string& path) {
+    Persistence& memory = state.persistence;
+    const auto copy = std::find_if(memory.orphans.begin(), memory.orphans.end(),
+                                   [&path](const OrphanedAutosave& o) { return o.lock.path() == path; });
+    if (copy == memory.orphans.end()) return;
+    memory.autosave = std::move(copy->lock);
+    memory.autosaved_scene = state.editor.scene();
+    memory.orphans.erase(copy);
 }
 
 void end_persistence(UiState& state) {

@@ -28,6 +28,11 @@ struct Persistence {
     std::future<Result<std::monostate>> autosave_writing;
     bool autosave_failed = false;           // and the user was told so
     std::vector<OrphanedAutosave> orphans;  // by windows that are gone: offered one by one
+
+    /// Whether the copy is of `scene`.
+    [[nodiscard]] bool has_copy_of(const Scene& scene) const {
+        return autosaved_scene && same_description(*autosaved_scene, scene);
+    }
 };
 
 /// $XDG_STATE_HOME/glint, else ~/.local/state/glint; empty when there is neither.
@@ -53,11 +58,8 @@ bool keep_unsaved_work(UiState& state);
 /// Columns, theme, sizes and views as on the first day; kept views stay.
 void reset_layout(UiState& state);
 
-/// The offer to take up the work that a crash interrupted.
-void recovery_panel(UiState& state, const Rect& picture);
-
-/// Takes up a copy that a window left behind: its scene is in hand, not saved.
-void recover_autosave(UiState& state, const std::string& path);
+/// The copy that a window left behind and that is in hand now becomes this window's own.
+void keep_orphan(UiState& state, const std::string& path);
 
 // Background jobs at exit: cancel, wait briefly.
 

@@ -66,11 +66,9 @@ void changed_question(UiState& state) {
 }
 
 void save_picture(UiState& state, const std::string& path) {
-    const Scene& scene = state.rendered_scene;
-    const std::string bytes = png_bytes(
-        *state.rendered,
-        scene_text(with_mesh_paths_from(scene, state.editor.document.mesh_dir, directory_of(path))));
-    const Result<std::monostate> written = write_file(path, bytes);
+    const std::string carried =
+        carried_scene_text(state.rendered_scene, state.editor.document.mesh_dir, path);
+    const auto written = write_file(path, png_bytes(*state.rendered, carried));
     if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
     state.notifications.add(Tone::Done,
                             fmt::format("Saved {}", std::filesystem::path(path).filename().string()));

@@ -169,9 +169,9 @@ bool debug_view_controls(DebugViewState& state, const Scene& scene) {
 
 void draw_debug_view_legend(ImDrawList& list, const DebugViewState& state, const Scene& scene,
                             const PictureView& view, std::optional<glm::ivec2> picked) {
-    const DebugView view = state.set.choice.view;
-    if (view == DebugView::Picture || !state.painter) return;
-    const bool has_bar = state.painter->scale().has_bar, ball = view == DebugView::Normal;
+    const DebugView shown = state.set.choice.view;
+    if (shown == DebugView::Picture || !state.painter) return;
+    const bool has_bar = state.painter->scale().has_bar, ball = shown == DebugView::Normal;
     const std::vector<Reading> readings = readings_of(state, view, picked);
     const float line = small_text_height() + px(3);
     const ImVec2 size{px(236), px(14) + line * float(1 + readings.size()) + (has_bar ? px(32) : 0)};

@@ -24,7 +24,7 @@ void copy_profile_command(UiState& state) {
 /// What shows: the drawn picture, or what is composed of it.
 const Picture& shown_picture(UiState& state) {
     ViewsState& views = state.views;
-    DebugViewState& view = views.debug_view;
+    DebugViewState& debug = views.debug_view;
     if (debug.set.choice.view != DebugView::Picture) {
         if (!debug.painter) debug.painter = std::make_unique<DebugViewPainter>(views.threads);
         return debug.painter->paint(debug.set.choice, state.rendered_scene, *state.renderer,
