@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "models/fields/reflection_info.h"
+#include "models/scene/reflection.h"
 #include "models/primitives/primitives.h"
 #include "models/scene/scene.h"
 
@@ -138,7 +138,7 @@ constexpr Choice choice_of(Transfer transfer) {
     return {};
 }
 
-constexpr Choice choice_of(Reflection reflection) { return info_of(reflection).choice; }
+constexpr Choice choice_of(Reflection reflection) { return row_of(reflection).choice; }
 constexpr Choice choice_of(Primitive primitive) { return info_of(primitive).choice; }
 
 /// The kinds of projection, in the order of the alternatives of `Projection`.

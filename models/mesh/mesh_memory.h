@@ -15,8 +15,6 @@ namespace glint {
 /// The mesh, from now on shared, and counted as long as anybody holds it. Throws Refused.
 [[nodiscard]] MeshPtr share_mesh(Mesh mesh);
 
-/// At least as many triangles as the primitive has with that detail.
-[[nodiscard]] std::uint64_t most_triangles(Primitive primitive, int detail);
 /// At least the bytes that make_primitive() holds at any one time, and those that its mesh holds then.
 [[nodiscard]] std::uint64_t bytes_to_make(Primitive primitive, int detail);
 [[nodiscard]] std::uint64_t bytes_once_made(Primitive primitive, int detail);

@@ -49,17 +49,4 @@ struct PrimitiveBuilder {
 /// both ends: vertex (i, j) has the index i * rows + j. The vertices must be there already.
 void add_closed_grid(PrimitiveBuilder& to, std::uint32_t columns, std::uint32_t rows);
 
-[[nodiscard]] PrimitiveBuilder make_sphere(int detail);
-[[nodiscard]] PrimitiveBuilder make_bumpy_sphere(int detail);
-[[nodiscard]] PrimitiveBuilder make_icosphere(int detail);
-[[nodiscard]] PrimitiveBuilder make_cube(int detail);
-[[nodiscard]] PrimitiveBuilder make_plane(int detail);
-[[nodiscard]] PrimitiveBuilder make_torus(int detail);
-[[nodiscard]] PrimitiveBuilder make_knot(int detail);
-[[nodiscard]] PrimitiveBuilder make_cylinder(int detail);
-[[nodiscard]] PrimitiveBuilder make_cone(int detail);
-[[nodiscard]] PrimitiveBuilder make_teapot(int detail);
-[[nodiscard]] PrimitiveBuilder make_skew_quad();
-[[nodiscard]] PrimitiveBuilder make_t_junction(int detail);
-
 }  // namespace glint

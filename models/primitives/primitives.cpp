@@ -6,41 +6,17 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "models/fields/choices.h"
 #include "models/primitives/primitive_builder.h"
 
 namespace glint {
 namespace {
 
-PrimitiveBuilder build(Primitive primitive, int detail) {
-    switch (primitive) {
-    case Primitive::Sphere:
-        return make_sphere(detail);
-    case Primitive::BumpySphere:
-        return make_bumpy_sphere(detail);
-    case Primitive::Icosphere:
-        return make_icosphere(detail);
-    case Primitive::Cube:
-        return make_cube(detail);
-    case Primitive::Plane:
-    case Primitive::TessellatedQuad:
-        return make_plane(detail);
-    case Primitive::Torus:
-        return make_torus(detail);
-    case Primitive::Cylinder:
-        return make_cylinder(detail);
-    case Primitive::Cone:
-        return make_cone(detail);
-    case Primitive::Teapot:
-        return make_teapot(detail);
-    case Primitive::Knot:
-        return make_knot(detail);
-    case Primitive::SkewQuad:
-        return make_skew_quad();
-    case Primitive::TJunction:
-        return make_t_junction(detail);
-    }
-    return {};  // not reached
-}
+static_assert([] {
+    for (const Primitive primitive : enumerators<Primitive>)
+        if (info_of(primitive).make == nullptr || info_of(primitive).max_triangles == nullptr) return false;
+    return true;
+}());
 
 /// The middle of the bounds; exactly 0 where rounding alone keeps it from 0.
 glm::dvec3 middle_of_bounds(const std::vector<glm::dvec3>& positions) {
@@ -66,7 +42,7 @@ void add_closed_grid(PrimitiveBuilder& to, std::uint32_t columns, std::uint32_t 
 
 Mesh make_primitive(Primitive primitive, int detail) {
     const auto start = std::chrono::steady_clock::now();
-    PrimitiveBuilder built = build(primitive, detail);
+    PrimitiveBuilder built = info_of(primitive).make(detail);
     const glm::dvec3 middle = middle_of_bounds(built.positions);
     Mesh mesh;
     mesh.positions.reserve(built.positions.size());

@@ -2,6 +2,8 @@
 // The meshes that need no file (docs/interface.md, table of primitives). All are centred at the origin by
 // their bounds, y up, counter-clockwise outward, with analytic normals, poles included.
 
+#include <cstdint>
+
 #include "models/fields/choice.h"
 #include "models/mesh/mesh.h"
 
@@ -23,51 +25,118 @@ enum class Primitive {
     TJunction
 };
 
-/// One row a primitive: its words, and how finely it can be cut. `detail`'s maximum keeps a mesh within about
-/// 8 million triangles (icosphere: 1.3 million); `detail_meaning` says what d counts.
+struct PrimitiveBuilder;  // models/primitives/primitive_builder.h
+
+// The makers, of a detail d >= 1: primitives_*.cpp, teapot.cpp.
+[[nodiscard]] PrimitiveBuilder make_sphere(int d);
+[[nodiscard]] PrimitiveBuilder make_bumpy_sphere(int d);
+[[nodiscard]] PrimitiveBuilder make_icosphere(int d);
+[[nodiscard]] PrimitiveBuilder make_cube(int d);
+[[nodiscard]] PrimitiveBuilder make_plane(int d);
+[[nodiscard]] PrimitiveBuilder make_torus(int d);
+[[nodiscard]] PrimitiveBuilder make_cylinder(int d);
+[[nodiscard]] PrimitiveBuilder make_cone(int d);
+[[nodiscard]] PrimitiveBuilder make_teapot(int d);
+[[nodiscard]] PrimitiveBuilder make_knot(int d);
+[[nodiscard]] PrimitiveBuilder make_skew_quad(int);
+[[nodiscard]] PrimitiveBuilder make_t_junction(int d);
+
+/// One row a primitive: its words, how finely it can be cut, and who makes it. `detail`'s maximum keeps a
+/// mesh within about 8 million triangles (icosphere: 1.3 million); `detail_meaning` says what d counts.
 struct PrimitiveInfo {
     Choice choice;  // its meaning is the shape
     int default_detail = 1, max_detail = 1;
     const char* detail_meaning = "";
+    std::uint64_t (*max_triangles)(std::uint64_t d) = nullptr;  // an upper bound, for what memory it takes
+    PrimitiveBuilder (*make)(int d) = nullptr;
 };
 
+/// What a solid is cut into at least, more finely than asked for.
+inline constexpr std::uint64_t triangles_of_the_coarsest = 64;
+
 constexpr PrimitiveInfo info_of(Primitive primitive) {
+    constexpr auto of_ball = [](std::uint64_t d) { return d * d + triangles_of_the_coarsest; };
+    constexpr auto of_square = [](std::uint64_t d) { return 2 * d * d; };
+    constexpr auto of_few = [](std::uint64_t) { return triangles_of_the_coarsest; };
     switch (primitive) {
     case Primitive::Sphere:
-        return {{"sphere", "Sphere", "radius 1"}, 48, 2800, "d slices, ⌈d/2⌉ stacks"};
+        return {{"sphere", "Sphere", "radius 1"}, 48, 2800, "d slices, ⌈d/2⌉ stacks", of_ball, make_sphere};
     case Primitive::BumpySphere:
-        return {
-            {"bumpy-sphere", "Bumpy sphere", "radius 1, bumps of ±0.05"}, 48, 2800, "d slices, ⌈d/2⌉ stacks"};
+        return {{"bumpy-sphere", "Bumpy sphere", "radius 1, bumps of ±0.05"},
+                48,
+                2800,
+                "d slices, ⌈d/2⌉ stacks",
+                of_ball,
+                make_bumpy_sphere};
     case Primitive::Icosphere:  // 20 * 4^d triangles: 9 would be 5 million, 10 over the limit
-        return {{"icosphere", "Icosphere", "radius 1"}, 3, 8, "d subdivisions of an icosahedron"};
+        return {{"icosphere", "Icosphere", "radius 1"},
+                3,
+                8,
+                "d subdivisions of an icosahedron",
+                [](std::uint64_t d) { return std::uint64_t{20} << 2 * d; },
+                make_icosphere};
     case Primitive::Cube:
-        return {{"cube", "Cube", "edge 2"}, 1, 800, "d × d quads a side"};
+        return {{"cube", "Cube", "edge 2"},
+                1,
+                800,
+                "d × d quads a side",
+                [](std::uint64_t d) { return 12 * d * d; },
+                make_cube};
     case Primitive::Plane:
-        return {{"plane", "Plane", "2 × 2 in x and z, facing up"}, 1, 2000, "d × d quads"};
+        return {
+            {"plane", "Plane", "2 × 2 in x and z, facing up"}, 1, 2000, "d × d quads", of_square, make_plane};
     case Primitive::TessellatedQuad:
-        return {
-            {"tessellated-quad", "Tessellated quad", "2 × 2 in x and z, facing up"}, 8, 2000, "d × d quads"};
+        return {{"tessellated-quad", "Tessellated quad", "2 × 2 in x and z, facing up"},
+                8,
+                2000,
+                "d × d quads",
+                of_square,
+                make_plane};
     case Primitive::Torus:
-        return {{"torus", "Torus", "radii 1 and 0.4 around y"}, 48, 2800, "d × ⌈d/2⌉ quads"};
-    case Primitive::Cylinder:
-        return {{"cylinder", "Cylinder", "radius 1, height 2, closed"}, 48, 1'000'000, "d slices"};
-    case Primitive::Cone:
-        return {{"cone", "Cone", "radius 1, height 2, closed"}, 48, 1'000'000, "d slices"};
-    case Primitive::Teapot:
-        return {{"teapot", "Teapot", "the Utah teapot, lid up"}, 12, 350, "d × d cells a patch"};
-    case Primitive::Knot:
         return {
-            {"knot", "Knot", "(2, 3) torus knot, tube of 0.25, within 1.5"}, 256, 5600, "d × ⌈d/8⌉ quads"};
+            {"torus", "Torus", "radii 1 and 0.4 around y"}, 48, 2800, "d × ⌈d/2⌉ quads", of_ball, make_torus};
+    case Primitive::Cylinder:
+        return {{"cylinder", "Cylinder", "radius 1, height 2, closed"},
+                48,
+                1'000'000,
+                "d slices",
+                [](std::uint64_t d) { return 4 * d + triangles_of_the_coarsest; },
+                make_cylinder};
+    case Primitive::Cone:
+        return {{"cone", "Cone", "radius 1, height 2, closed"},
+                48,
+                1'000'000,
+                "d slices",
+                [](std::uint64_t d) { return 2 * d + triangles_of_the_coarsest; },
+                make_cone};
+    case Primitive::Teapot:
+        return {{"teapot", "Teapot", "the Utah teapot, lid up"},
+                12,
+                350,
+                "d × d cells a patch",
+                [](std::uint64_t d) { return 64 * d * d + 4 * triangles_of_the_coarsest; },
+                make_teapot};
+    case Primitive::Knot:
+        return {{"knot", "Knot", "(2, 3) torus knot, tube of 0.25, within 1.5"},
+                256,
+                5600,
+                "d × ⌈d/8⌉ quads",
+                [](std::uint64_t d) { return d * d / 4 + 2 * triangles_of_the_coarsest; },
+                make_knot};
     case Primitive::SkewQuad:
         return {{"skew-quad", "Skew quad", "a quadrilateral with vertex colours, worked by hand"},
                 1,
                 1,
-                "only 1"};
+                "only 1",
+                of_few,
+                make_skew_quad};
     case Primitive::TJunction:
         return {{"t-junction", "T-junction", "two faces and one with a corner on their edge"},
                 1,
                 2,
-                "1: the corner is of one side, 2: of both"};
+                "1: the corner is of one side, 2: of both",
+                of_few,
+                make_t_junction};
     }
     return {};
 }

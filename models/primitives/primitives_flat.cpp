@@ -3,6 +3,7 @@
 #include <glm/vec2.hpp>
 
 #include "models/primitives/primitive_builder.h"
+#include "models/primitives/primitives.h"
 
 namespace glint {
 namespace {
@@ -87,7 +88,7 @@ PrimitiveBuilder make_plane(int detail) {
     return plane;
 }
 
-PrimitiveBuilder make_skew_quad() {
+PrimitiveBuilder make_skew_quad(int) {
     PrimitiveBuilder quad;
     add_figure_points(quad, {{0, 0, 0}, {4, 0, 1}, {6, 4, 0}, {0, 4, 1}});  // A B C D
     quad.face({0, 1, 2, 3});

@@ -7,6 +7,7 @@
 
 #include "models/mesh/circle.h"
 #include "models/primitives/primitive_builder.h"
+#include "models/primitives/primitives.h"
 
 namespace glint {
 namespace {

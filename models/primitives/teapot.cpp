@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "models/primitives/primitive_builder.h"
+#include "models/primitives/primitives.h"
 
 namespace glint {
 

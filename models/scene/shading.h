@@ -3,10 +3,11 @@
 // vs. Shading"). Plain enums and switches, included by the lighting kernels of every instruction set: keep it
 // free of the standard library.
 
+#include "models/scene/reflection.h"
+
 namespace glint {
 
 enum class ShadingMode { Flat, Facet, Gouraud, Phong };
-enum class Reflection { None, Lambert, Phong, BlinnPhong, Retro, OrenNayar, CookTorrance };
 enum class Interpolation { Perspective, Screen, Scanline };
 enum class FlatPoint { Centroid, Provoking };
 enum class Cull { None, Back, Front };

@@ -106,7 +106,7 @@ class Loader {
 
     /// Before any is made: what all primitives that are still to come need together. The problem is about the
     /// largest of them.
-    std::optional<Problem> memory_problem(const std::vector<Object>& objects) {
+    std::optional<Problem> too_much_memory(const std::vector<Object>& objects) {
         std::set<MeshKey> counted;
         std::uint64_t all = 0, most_more = 0, most = 0;
         std::size_t largest = 0;
@@ -169,7 +169,7 @@ Result<Warnings> load_meshes(Scene& scene, const std::string& file, const std::s
     Loader loader(file, mesh_dir);
     std::vector<MeshPtr> meshes;  // given to the scene when all are there
     for (const Object& object : scene.objects) loader.remember(object);
-    if (const auto problem = loader.memory_problem(scene.objects)) return *problem;
+    if (const auto problem = loader.too_much_memory(scene.objects)) return *problem;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         if (scene.objects[i].mesh) {
             meshes.push_back(scene.objects[i].mesh);

@@ -127,24 +127,15 @@ static void light_as(const LightJob& job, const PointBlock* points, const ColorB
                                         colors + i, i + batch_size < blocks ? batch_size : blocks - i);
 }
 
-template <bool any_mistake>
+/// Finds the job's model among the models from number `model` on.
+template <bool any_mistake, int model = 0>
 static void light_with(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
                        ColorBlock* colors, std::size_t blocks) {
-    switch (job.model) {
-    case Reflection::None:
-        return light_as<Reflection::None, any_mistake>(job, points, partial_sums, colors, blocks);
-    case Reflection::Lambert:
-        return light_as<Reflection::Lambert, any_mistake>(job, points, partial_sums, colors, blocks);
-    case Reflection::Phong:
-        return light_as<Reflection::Phong, any_mistake>(job, points, partial_sums, colors, blocks);
-    case Reflection::BlinnPhong:
-        return light_as<Reflection::BlinnPhong, any_mistake>(job, points, partial_sums, colors, blocks);
-    case Reflection::Retro:
-        return light_as<Reflection::Retro, any_mistake>(job, points, partial_sums, colors, blocks);
-    case Reflection::OrenNayar:
-        return light_as<Reflection::OrenNayar, any_mistake>(job, points, partial_sums, colors, blocks);
-    case Reflection::CookTorrance:
-        return light_as<Reflection::CookTorrance, any_mistake>(job, points, partial_sums, colors, blocks);
+    if constexpr (model < reflection_count) {
+        constexpr auto candidate = static_cast<Reflection>(model);
+        if (job.model == candidate)
+            return light_as<candidate, any_mistake>(job, points, partial_sums, colors, blocks);
+        light_with<any_mistake, model + 1>(job, points, partial_sums, colors, blocks);
     }
 }
 

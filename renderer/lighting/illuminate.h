@@ -85,7 +85,7 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
     F diffuse = share * t.response.diffuse;
     Vec3<F> specular = share * t.response.specular;
     if (equation.mistakes) diffuse = held_share(diffuse);
-    if (equation.mistakes || has_unbounded_highlight(equation.model)) {
+    if (equation.mistakes || !info_of(equation.model).is_bounded) {
         specular = {held_share(specular.x), held_share(specular.y), held_share(specular.z)};
     }
     if (equation.terms.diffuse) t.diffuse = diffuse * colors.diffuse;

@@ -56,27 +56,27 @@ void apply_response_mistakes(const Mistakes& wrong, int power_table, Reflection 
         return wrong.specular_behind_surface ? specular : select<F>(d.n_dot_l > F(0), specular, Vec3<F>{});
     };
     if (wrong.specular_behind_surface) used.specular = respond(model, d, m, at).specular;
-    Reflection measured = model;
+    HighlightCosine measured = info_of(model).cosine;
     if (wrong.half_angle_with_phong_shininess && model == Reflection::Phong) {
-        measured = Reflection::BlinnPhong;
+        measured = HighlightCosine::NH;
         used.specular = keep_side(blinn_phong(d, m).specular);
     }
     if (!wrong.no_clamp_of_cosine && !wrong.unnormalized_light && power_table == 0) return;
-    if (wrong.no_clamp_of_cosine && model != Reflection::None && model != Reflection::OrenNayar)
+    if (wrong.no_clamp_of_cosine && info_of(model).is_lit && !info_of(model).rough_diffuse)
         used.diffuse = d.n_dot_l;
-    F cosine;
+    F cosine{};
     switch (measured) {
-    case Reflection::Phong:
+    case HighlightCosine::None:
+        return;
+    case HighlightCosine::RV:
         cosine = d.r_dot_v;
         break;
-    case Reflection::BlinnPhong:
+    case HighlightCosine::NH:
         cosine = d.n_dot_h;
         break;
-    case Reflection::Retro:
+    case HighlightCosine::LV:
         cosine = d.l_dot_v;
         break;
-    default:
-        return;  // no power of a cosine in the others
     }
     if (wrong.no_clamp_of_cosine) {
         const F s = unclamped_power(cosine, m.shininess.value);

@@ -1,8 +1,7 @@
 #pragma once
-// The closed list of reflection models. docs/changing.md says what a new one touches: its file, a line here
-// and its row in models/fields/reflection_info.h.
+// What each reflection model computes, by its enumerator. A new model: docs/changing.md.
 
-#include "models/scene/shading.h"
+#include "models/scene/reflection.h"
 #include "renderer/lighting/blinn_phong.h"
 #include "renderer/lighting/cook_torrance.h"
 #include "renderer/lighting/lambert.h"
@@ -11,9 +10,6 @@
 #include "renderer/lighting/retro.h"
 
 namespace glint::inline GLINT_ISA {
-
-/// Whether S may be so large that no float holds its product with the falloff.
-constexpr bool has_unbounded_highlight(Reflection model) { return model == Reflection::CookTorrance; }
 
 template <Number F>
 Response<F> respond(Reflection model, const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "models/fields/choices.h"
-#include "models/fields/reflection_info.h"
 #include "models/memory_limit.h"
+#include "models/scene/reflection.h"
 #include "renderer/lighting/reflection.h"
 #include "renderer/shade/lighting.h"
 
@@ -70,33 +70,21 @@ void give_lights(LightJob& job, const std::vector<LightSource>& lights) {
 
 float max_product(const Float3& a, const Float3& b) { return std::max({a.x * b.x, a.y * b.y, a.z * b.z}); }
 
-/// What the kernels know of a model's bounds is what its row says.
-constexpr bool bounds_agree() {
-    for (std::size_t i = 0; i < choices<Reflection>.size(); ++i) {
-        const auto model = static_cast<Reflection>(i);
-        const ReflectionInfo info = info_of(model);
-        if (info.is_lit && info.is_bounded() == has_unbounded_highlight(model)) return false;
-    }
-    return true;
-}
-static_assert(bounds_agree());
-
 /// An upper bound of one light's share anywhere; infinite where the light has none.
 double max_share(const LightJob& job, const LightSource& light) {
     if (light.is_patch) return HUGE_VAL;
-    const ReflectionInfo model = info_of(job.model);
     const SurfaceMaterial& m = job.material;
     const double falloff = light.has_falloff ? 1.0 / light.constant : 1.0;
     return falloff *
-           (max_product(m.k_a, light.ambient) + model.max_diffuse * max_product(m.k_d, light.diffuse) +
-            model.max_specular * max_product(m.k_s, light.specular));
+           (max_product(m.k_a, light.ambient) + max_diffuse_factor * max_product(m.k_d, light.diffuse) +
+            max_specular_factor * max_product(m.k_s, light.specular));
 }
 
 }  // namespace
 
 float rounding_grid(const LightJob& job) {
     constexpr std::size_t fewest_lights = 3;
-    const bool bounded = info_of(job.model).is_bounded();
+    const bool bounded = info_of(job.model).is_bounded;
     if (job.light_count < fewest_lights || !bounded || job.tone.on || job.any_mistake || job.clamp) return 0;
     const SurfaceMaterial& m = job.material;
     const double base = std::max({m.emission.x + m.global_ambient.x, m.emission.y + m.global_ambient.y,

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/fields/reflection_info.h"
+#include "models/scene/reflection.h"
 #include "renderer/inspect/reflectance/curves.h"
 #include "renderer/inspect/reflectance/highlight.h"
 #include "ui/inspector/equation/parts.h"

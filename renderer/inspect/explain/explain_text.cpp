@@ -136,8 +136,8 @@ class Writer {
         const Light& light = scene_.lights[static_cast<std::size_t>(e.index)];
         std::string text = fmt::format("{}, {} light", on_one_line(e.name), name_of(light.kind));
         if (!e.samples.empty()) return text + samples(e, light);
-        const std::string why = remark(e, light);
-        text += (why.empty() ? "" : ": " + why) + "\n";
+        const std::string reason = remark(e, light);
+        text += (reason.empty() ? "" : ": " + reason) + "\n";
         text += vector("l", e.l, "to the light") + vector("r", e.r, "l mirrored at n") +
                 vector("h", e.h, "halfway from l to v");
         text +=
@@ -183,9 +183,9 @@ class Writer {
         std::string text = fmt::format(", {} samples\n", e.samples.size());
         for (std::size_t i = 0; i < e.samples.size(); ++i) {
             const ExplainedLight& s = e.samples[i];
-            const std::string why = remark(s, light);
+            const std::string reason = remark(s, light);
             const std::string line =
-                fmt::format("n·l {:>8}   falloff {:>9}   {}", brief(s.n_dot_l), brief(s.falloff), why);
+                fmt::format("n·l {:>8}   falloff {:>9}   {}", brief(s.n_dot_l), brief(s.falloff), reason);
             text += term(fmt::format("{:>9}", i + 1), line, s.ambient + s.diffuse + s.specular);
         }
         return text + term("ambient", "of all samples", e.ambient) +

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
-#include "models/fields/reflection_info.h"
+#include "models/scene/reflection.h"
 #include "renderer/inspect/reflectance/curves.h"
 #include "renderer/inspect/reflectance/lobes.h"
 #include "renderer/lighting/shade_point.h"

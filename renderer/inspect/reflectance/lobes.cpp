@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "models/fields/reflection_info.h"
+#include "models/scene/reflection.h"
 #include "renderer/lighting/cook_torrance.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "models/fields/reflection_info.h"
+#include "models/scene/reflection.h"
 #include "renderer/inspect/explain/explain_format.h"
 #include "ui/inspector/equation/equation_tab.h"
 #include "ui/widgets/fonts.h"

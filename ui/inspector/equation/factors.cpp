@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "models/fields/reflection_info.h"
+#include "models/scene/reflection.h"
 #include "ui/inspector/equation/words.h"
 
 namespace glint {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "models/fields/reflection_info.h"
+#include "models/scene/reflection.h"
 #include "renderer/inspect/reflectance/lobes.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/inspector/equation/words.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "models/fields/reflection_info.h"
+#include "models/scene/reflection.h"
 #include "renderer/inspect/reflectance/highlight.h"
 #include "ui/inspector/asked.h"
 #include "ui/inspector/vectors/arrows.h"

@@ -1,14 +1,14 @@
 #pragma once
 // What each reflection model is, one row a model: its words, its formula, which vectors and which numbers of
-// the material it uses, and how large its factors may become. What it computes is in renderer/lighting, one
-// file a model.
-
-#include <limits>
+// the material it uses, and whether its factors are bounded. What it computes is in renderer/lighting, one
+// file a model. The lighting kernels of every instruction set read the rows: as data, so that nothing of the
+// standard library is compiled into them.
 
 #include "models/fields/choice.h"
-#include "models/scene/shading.h"
 
 namespace glint {
+
+enum class Reflection { None, Lambert, Phong, BlinnPhong, Retro, OrenNayar, CookTorrance };
 
 /// The cosine that a model's highlight raises to the shininess.
 enum class HighlightCosine { None, RV, NH, LV };
@@ -28,28 +28,26 @@ struct ReflectionInfo {
     bool uses_f0 = false;         // Material::f0
     bool rough_diffuse = false;   // the diffuse term has a factor beside n·l
     HighlightPeak peak = HighlightPeak::Mirror;
-    // Upper bounds of the diffuse factor and of S, rounding included: Oren-Nayar's diffuse factor stays
-    // below 1.45, the others' and every power of a cosine at or below 1. The same bounds for all that have
-    // one: the grid to which shares are rounded follows from them (renderer/lighting).
-    double max_diffuse = 1.5, max_specular = 1.01;
+    bool is_bounded =
+        true;  // the diffuse factor stays within max_diffuse_factor, S within max_specular_factor
 
     [[nodiscard]] constexpr bool uses_shininess() const { return cosine != HighlightCosine::None; }
     [[nodiscard]] constexpr bool uses_r() const { return cosine == HighlightCosine::RV; }
-    [[nodiscard]] constexpr bool is_bounded() const {
-        return max_diffuse < std::numeric_limits<double>::infinity() &&
-               max_specular < std::numeric_limits<double>::infinity();
-    }
 };
 
-constexpr ReflectionInfo info_of(Reflection reflection) {
-    constexpr double unbounded = std::numeric_limits<double>::infinity();
+/// Upper bounds of the factors of every model that is bounded, rounding included: Oren-Nayar's diffuse factor
+/// stays below 1.45, the others' and every power of a cosine at or below 1. The grid to which shares are
+/// rounded follows from them (renderer/lighting/rounding.h).
+inline constexpr double max_diffuse_factor = 1.5, max_specular_factor = 1.01;
+
+/// The rows, one case a model, so that the compiler names the enumerator that has none.
+constexpr ReflectionInfo row_of(Reflection reflection) {
     switch (reflection) {
     case Reflection::None:
         return {.choice = {"none", "None", "No lighting: the mesh's own corner colours"},
                 .is_lit = false,
                 .has_highlight = false,
-                .max_diffuse = unbounded,
-                .max_specular = unbounded};
+                .is_bounded = false};
     case Reflection::Lambert:
         return {.choice = {"lambert", "Lambert", "Diffuse only: max(n·l, 0)"}, .has_highlight = false};
     case Reflection::Phong:
@@ -82,10 +80,29 @@ constexpr ReflectionInfo info_of(Reflection reflection) {
             .uses_h = true,
             .uses_roughness = true,
             .uses_f0 = true,
-            .max_diffuse = unbounded,
-            .max_specular = unbounded};
+            .is_bounded = false};
     }
     return {};
+}
+
+inline constexpr int reflection_count = [] {
+    int count = 0;
+    while (!row_of(static_cast<Reflection>(count)).choice.word.empty()) ++count;
+    return count;
+}();
+
+struct ReflectionTable {
+    ReflectionInfo rows[reflection_count];
+};
+inline constexpr ReflectionTable reflection_table = [] {
+    ReflectionTable table;
+    for (int i = 0; i < reflection_count; ++i) table.rows[i] = row_of(static_cast<Reflection>(i));
+    return table;
+}();
+
+/// Precondition: an enumerator. always_inline: see the kernels' linker rule in renderer/CMakeLists.txt.
+[[gnu::always_inline]] constexpr const ReflectionInfo& info_of(Reflection reflection) {
+    return reflection_table.rows[static_cast<int>(reflection)];
 }
 
 }  // namespace glint

@@ -1,0 +1,77 @@
+// A number of a scene that changes no picture has been given a row and no effect.
+#include <algorithm>
+#include <set>
+
+#include "models/fields/scene_numbers.h"
+#include "models/scene_file/scene_file.h"
+#include "renderer/renderer.h"
+#include "tests/support/catch.h"
+#include "tests/support/scenes.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+constexpr PictureSize size{64, 48};
+
+/// Scenes among which each number has its part.
+std::vector<Scene> scenes() {
+    Scene first = busy_scene();
+    for (Object& object : first.objects) {
+        object.source = PrimitiveMesh{Primitive::Cube, 2};
+        object.mesh.reset();
+    }
+    first.objects[0].normals = {NormalSource::Vertex, NormalWeighting::Angle, 100};
+    first.shading.power_table = 16;
+    REQUIRE(problem_of(load_meshes(first, "scene.json", ".")) == nullptr);
+    std::vector<Scene> all(6, first);
+    for (Scene& scene : all) scene.shading.power_table = 0;
+    all.push_back(first);
+    all[0].shading.reflection = Reflection::CookTorrance;
+    all[1].shading.reflection = Reflection::OrenNayar;
+    all[2].camera.projection = Orthographic{3};
+    all[3].camera.projection = Frustum{-0.1f, 0.1f, -0.08f, 0.08f, 0.2f, 6};
+    all[4].npr.cool_to_warm = all[4].npr.silhouettes = all[4].npr.creases = true;
+    for (Scene& scene : all)  // planes that cut through the objects
+        std::visit([](auto& projection) { projection.near = 3.2f, projection.far = 4.4f; },
+                   scene.camera.projection);
+    return all;
+}
+
+std::vector<std::uint8_t> bytes_of(Renderer& renderer, Scene scene) {
+    REQUIRE(problem_of(load_meshes(scene, "scene.json", ".")) == nullptr);
+    return renderer.render(scene, size).rgba;
+}
+
+/// Whether some other value of the number gives another picture.
+bool has_effect(Renderer& renderer, const Scene& scene, const SceneNumber& number,
+                const std::vector<std::uint8_t>& before) {
+    const double v = number.value;
+    for (const double other : {v + 0.4, 0.5 * v, 1.5 * v + 0.1, v + 1, v + 5, v + 30, v - 40}) {
+        Scene changed = scene;
+        if (set_number(changed, number.pointer, other)) continue;
+        if (bytes_of(renderer, changed) != before) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("every number of a scene changes a picture", "[renderer][scene_fields]") {
+    std::set<std::string> all, with_effect;
+    Renderer renderer(1);
+    for (const Scene& scene : scenes()) {
+        const std::vector<std::uint8_t> before = bytes_of(renderer, scene);
+        for (const SceneNumber& number : numbers_of(scene)) {
+            all.insert(number.pointer);
+            if (!with_effect.count(number.pointer) && has_effect(renderer, scene, number, before))
+                with_effect.insert(number.pointer);
+        }
+    }
+    CHECK(all.size() > 150);
+    std::vector<std::string> idle;
+    std::set_difference(all.begin(), all.end(), with_effect.begin(), with_effect.end(),
+                        std::back_inserter(idle));
+    CHECK(idle == std::vector<std::string>{});
+}
