@@ -52,8 +52,7 @@ double angle_of(double x, double y) {
         base = pi / 4;
     }
     const double q = t * t;
-    double series =
-        0;  // atan t = t - t^3/3 + t^5/5 ..., |t| <= 0.4143: the first term left out is below 5e-10
+    double series = 0;  // t - t^3/3 + t^5/5 ..., |t| <= 0.4143: the first term left out is below 5e-10
     for (int k = 19; k >= 1; k -= 2) series = 1.0 / k - q * series;
     double angle = base + t * series;
     if (steep) angle = pi / 2 - angle;

@@ -35,6 +35,8 @@ PlyFormat read_format(TextCursor& cursor) {
                 "ascii, binary_little_endian or binary_big_endian");
 }
 
+bool is_integer(PlyType type) { return type != PlyType::Float32 && type != PlyType::Float64; }
+
 PlyRole role_of(std::string_view element, const PlyProperty& property) {
     if (element == "face" && (property.name == "vertex_indices" || property.name == "vertex_index"))
         return PlyRole::Indices;
@@ -149,8 +151,6 @@ class HeaderReader {
 };
 
 }  // namespace
-
-bool is_integer(PlyType type) { return type != PlyType::Float32 && type != PlyType::Float64; }
 
 void PlyElement::add(PlyProperty property) {
     std::size_t& number = number_of_[static_cast<std::size_t>(property.role)];

@@ -55,8 +55,6 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
 };
 
-[[nodiscard]] bool is_integer(PlyType type);
-
 /// Reads up to and including the word "end_header", in n log n of its names. Throws Unreadable; LoadCancelled
 /// when this thread's load shall end.
 [[nodiscard]] PlyHeader read_ply_header(TextCursor& cursor);

@@ -68,8 +68,8 @@ void place_points(const LitPoints& lit, Surface& s, const Geometry& g) {
 void find_lit_points(LitPoints& lit, Surface& s, const Geometry& g, const Visibility& visibility) {
     number_items(lit, s, g);
     visit_pixels(s, g, visibility, [&lit](std::size_t, unsigned, const SampleSources& sample) {
-        for (std::size_t k = 0; k < static_cast<std::size_t>(sample.count);
-             ++k)  // several threads may write the same 1
+        for (std::size_t k = 0; k < static_cast<std::size_t>(sample.count); ++k)
+            // Several threads may write the same 1.
             std::atomic_ref(lit.seen[lit.number(sample.source[k])]).store(1, std::memory_order_relaxed);
     });
     number_seen(lit, s);

@@ -15,7 +15,7 @@
 
 #include "models/scene/material.h"
 #include "models/scene/scene.h"
-#include "models/scene/shading.h"
+#include "renderer/lighting/shade_point.h"
 
 namespace glint {
 
@@ -87,22 +87,33 @@ struct LobeBin {
 // A scene of one light, for what is measured light by light.
 
 /// The light, on, white and of intensity 1, whatever its own diffuse and specular colours are.
-[[nodiscard]] inline Light white(Light light) {
-    light.enabled = true;
-    light.intensity = 1;
-    light.diffuse = light.specular = glm::vec3(1);
-    return light;
-}
+[[nodiscard]] Light white(Light light);
 
 /// The scene's camera and shading with this light, on, as the only one, and no objects.
-[[nodiscard]] inline Scene alone(const Scene& scene, const Light& light) {
-    Scene s;
-    s.camera = scene.camera;
-    s.shading = scene.shading;
-    s.lights = {light};
-    s.lights[0].enabled = true;
-    return s;
-}
+[[nodiscard]] Scene alone(const Scene& scene, const Light& light);
+
+/// What the picture's equation makes of one light, taken as white, of intensity 1 and on, at any point of a
+/// material, mistakes and all. The scene gives camera and shading; diffuse and specular terms are on. Points
+/// and normals are in camera coordinates.
+class LightAlone {
+  public:
+    LightAlone(const Scene& scene, PictureSize size, const Light& light, const Material& material);
+    LightAlone(const LightAlone&) = delete;  // the job points to the sources
+    LightAlone& operator=(const LightAlone&) = delete;
+
+    [[nodiscard]] PointAt<float> seen(glm::vec3 position, glm::vec3 normal) const;
+    /// One source: the light itself or, of an area light, each of its samples.
+    [[nodiscard]] const std::vector<LightSource>& sources() const { return sources_; }
+    [[nodiscard]] LightTerms<float> terms(const LightSource& source, const PointAt<float>& at) const;
+    /// The light's terms; of an area light, those of its middle sample (of four, the third).
+    [[nodiscard]] LightTerms<float> middle(const PointAt<float>& at) const {
+        return terms(sources_[sources_.size() / 2], at);
+    }
+
+  private:
+    std::vector<LightSource> sources_;
+    LightJob job_;
+};
 
 // Random numbers that are the same on every machine: a generator's bits, not the distributions of std::,
 // which differ between libraries.
