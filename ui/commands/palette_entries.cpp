@@ -123,9 +123,8 @@ void add_items(Entries& entries, const UiState& state) {
 }
 
 void add_open(Entries& entries, std::string name, std::string group, const std::string& path) {
-    entries.push_back({std::move(name), std::move(group), "", "", [path](UiState& s) {
-                           begin_pending(s, {Pending::What::Open, path, false});
-                       }});
+    entries.push_back({std::move(name), std::move(group), "", "",
+                       [path](UiState& s) { begin_pending(s, Pending::What::Open, path); }});
 }
 
 void add_recent(Entries& entries, const UiState& state) {

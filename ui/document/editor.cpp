@@ -7,6 +7,15 @@
 #include "models/mesh/mesh_memory.h"
 
 namespace glint {
+namespace {
+
+/// Puts the scene of a step in hand.
+void take_step(Editor& editor, const Scene& scene) {
+    editor.document.scene = scene;
+    editor.selection = valid_selection(editor.selection, scene);
+}
+
+}  // namespace
 
 std::string Editor::title() const {
     return document.path.empty() ? "New scene" : std::filesystem::path(document.path).filename().string();
@@ -51,22 +60,19 @@ std::optional<Problem> settle(Editor& editor) {
     Result<Warnings> loaded = load_meshes(scene, editor.document.path, editor.document.mesh_dir);
     const Problem* problem = problem_of(loaded);
     if (!problem) return {};
-    editor.document.scene = editor.history.present();
-    editor.selection = valid_selection(editor.selection, editor.scene());
+    take_step(editor, editor.history.present());
     return *problem;
 }
 
 bool undo(Editor& editor) {
     if (!editor.history.can_undo()) return false;
-    editor.document.scene = editor.history.undo();
-    editor.selection = valid_selection(editor.selection, editor.scene());
+    take_step(editor, editor.history.undo());
     return true;
 }
 
 bool redo(Editor& editor) {
     if (!editor.history.can_redo()) return false;
-    editor.document.scene = editor.history.redo();
-    editor.selection = valid_selection(editor.selection, editor.scene());
+    take_step(editor, editor.history.redo());
     return true;
 }
 

@@ -23,11 +23,6 @@ bool is_quick(const MeshSource& source) {
     return primitive != nullptr && is_quick(*primitive);
 }
 
-std::string short_name(const MeshSource& source) {
-    if (const auto* file = std::get_if<MeshFile>(&source)) return fs::path(file->path).filename().string();
-    return std::string(name_of(std::get<PrimitiveMesh>(source).primitive));
-}
-
 void leave(Loading& loading, std::unique_ptr<LoadJob>& job) {
     if (!job) return;
     job->cancel();

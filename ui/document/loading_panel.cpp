@@ -120,7 +120,7 @@ void recovery_panel(UiState& state, const Rect& picture) {
     std::error_code failed;
     if (discard) std::filesystem::remove(left.front().lock.path(), failed);
     if (discard || later) left.erase(left.begin());
-    if (open) begin_pending(state, {Pending::What::Recover, left.front().lock.path(), false});
+    if (open) begin_pending(state, Pending::What::Recover, left.front().lock.path());
 }
 
 }  // namespace glint

@@ -12,6 +12,7 @@
 namespace glint {
 
 struct UiState;
+struct Notifications;
 
 struct ExportOptions {
     PictureSize size{1920, 1080};
@@ -22,7 +23,6 @@ struct ExportState {
     bool open = false;
     ExportOptions options;
     std::unique_ptr<Job<std::string>> job;  // its result: what to say when it is done
-    double since = 0;                       // ImGui's time when it began
 };
 
 /// The bytes of a picture file: PNG that carries its scene, PFM or EXR, by the extension of `path`; mesh
@@ -36,6 +36,8 @@ void begin_export(UiState& state, const ExportOptions& options, const std::strin
 void begin_copy(UiState& state);
 /// Once a frame: says what has come of it.
 void poll_export(UiState& state);
+/// The same for any job whose result is what to say when it is done.
+void poll_job(std::unique_ptr<Job<std::string>>& job, Notifications& notifications);
 
 /// The question about size and samples; the file's name is asked for after it.
 void export_dialog(UiState& state);

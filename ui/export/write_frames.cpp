@@ -7,7 +7,8 @@
 
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
-#include "ui/export/animate.h"
+#include "ui/export/animation.h"
+#include "ui/ui.h"
 
 namespace glint {
 namespace {

@@ -1,6 +1,4 @@
 // Scenes that move, and their frames as files.
-#include "ui/export/animate.h"
-
 #include <gif_lib.h>
 
 #include <glm/geometric.hpp>
@@ -12,6 +10,7 @@
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
+#include "ui/export/animation.h"
 
 using namespace glint;
 using test::HeadlessWindow;

@@ -9,9 +9,9 @@
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
 #include "ui/document/document_actions.h"
-#include "ui/document/recent_files.h"
 #include "ui/fields/field_panel.h"
 #include "ui/preferences/autosave.h"
+#include "ui/preferences/persistence.h"
 
 using namespace glint;
 using test::HeadlessWindow;
