@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -142,15 +140,8 @@ void require_writable(const std::string& out) {
     if (const auto problem = why_not_writable(out)) throw Failure{ExitStatus::Impossible, *problem};
 }
 
-bool has_extension(const std::string& path, const std::string& extension) {
-    std::string has = std::filesystem::path(path).extension().string();
-    std::transform(has.begin(), has.end(), has.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return has == extension;
-}
-
 bool takes_png(const std::string& out) {
-    if (out == "-" || has_extension(out, ".png")) return true;
+    if (out == "-" || lower_extension(out) == ".png") return true;
     const std::filesystem::path path = out;
     std::error_code ignored;
     const auto status = std::filesystem::status(path, ignored);

@@ -58,9 +58,6 @@ void require_file(const SceneArguments& arguments);
 /// Throws the Failure of an output file that could not be written when the work is done; "-" can.
 void require_writable(const std::string& out);
 
-/// True when the last part of a path ends in `extension` (".png"), in any case.
-[[nodiscard]] bool has_extension(const std::string& path, const std::string& extension);
-
 /// True for an output that is written as PNG: "-", a name that ends in .png, and a device or pipe whose name
 /// has no extension.
 [[nodiscard]] bool takes_png(const std::string& out);

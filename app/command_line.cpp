@@ -1,11 +1,10 @@
-#include "app/command_line.h"
-
+// From argv to what the program does: finds the command and runs it.
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <new>
 
-#include "app/failure.h"
+#include "app/commands/command.h"
 #include "app/options.h"
 #include "models/memory_limit.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// How a command ends early: with the one line that says why, and the exit status. Thrown and caught inside
-// app only.
+// How a command ends early: with the one line on standard error that says why, and the exit status. Thrown
+// and caught inside app only.
 
 #include <string>
 #include <utility>
@@ -36,5 +36,12 @@ template <class T> [[nodiscard]] T take(Result<T> result) {
     }
     return std::get<T>(std::move(result));
 }
+
+/// "glint: KIND: the problem": one line of at most 4096 bytes, with control characters escaped. When standard
+/// error is gone nobody is told.
+void say(const char* kind, Problem problem);
+
+/// Says, in the same form, what was tolerated.
+void say_warning(const std::string& warning);
 
 }  // namespace glint

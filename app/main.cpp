@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/command_line.h"
-#include "app/say.h"
+#include "app/commands/command.h"
+#include "app/failure.h"
 #include "models/io/file.h"
 #include "models/io/temporary.h"
 #include "models/memory_limit.h"

@@ -1,7 +1,7 @@
 #pragma once
-// How much memory the scenes in hand may ask for, all of it together, and who has asked for how much. What is
-// large is asked for here before it is taken, so that what does not fit ends in one line and not in a machine
-// that swaps or a process that is killed.
+// Keeps how much memory the scenes in hand may ask for, all of it together, and who has asked for how much.
+// What is large is asked for here before it is taken, so that what does not fit ends in one line and not in a
+// machine that swaps or a process that is killed.
 
 #include <array>
 #include <cstddef>
@@ -11,11 +11,29 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "models/problem.h"
-#include "models/refused.h"
 
 namespace glint {
+
+/// A std::bad_alloc with words: whoever can go on without memory can go on after this.
+class Refused : public std::bad_alloc {
+  public:
+    explicit Refused(Problem problem) {
+        std::string text = problem.text();
+        told_ = std::make_shared<const Told>(Told{std::move(problem), std::move(text)});
+    }
+    [[nodiscard]] const Problem& problem() const { return told_->problem; }
+    [[nodiscard]] const char* what() const noexcept override { return told_->text.c_str(); }
+
+  private:
+    struct Told {
+        Problem problem;
+        std::string text;
+    };
+    std::shared_ptr<const Told> told_;  // exceptions are copied, and that must not throw
+};
 
 /// What memory is for; memory_limit.cpp has the words.
 enum class MemoryUse { Files, Meshes, Objects, Tiles, Pixels, Output };
@@ -33,7 +51,7 @@ struct MemoryNeed {
 
 /// Bytes: what set_memory_limit() or the environment variable GLINT_MEMORY says, else default_memory_limit().
 [[nodiscard]] std::uint64_t memory_limit();
-/// From now on, for the whole process; 0: as if it had never been called.
+/// Sets it for the whole process, in bytes; 0: as if this had never been called.
 void set_memory_limit(std::uint64_t bytes);
 
 /// Three quarters of the least of: the machine's memory, that of the process's control group and of those

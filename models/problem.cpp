@@ -121,4 +121,8 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
     return best;
 }
 
+void warn(Warnings& warnings, std::size_t count, std::string_view one, std::string_view many) {
+    if (count > 0) warnings.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
+}
+
 }  // namespace glint

@@ -43,4 +43,7 @@ using Warnings = std::vector<std::string>;
 /// whose capitals agree, then the first. Empty when there are no candidates.
 [[nodiscard]] std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
+/// Appends "COUNT one" or "COUNT many" unless the count is 0.
+void warn(Warnings& warnings, std::size_t count, std::string_view one, std::string_view many);
+
 }  // namespace glint

@@ -1,7 +1,7 @@
 #pragma once
-// How far a load has come, for whoever watches from another thread, and the wish to end it early. Loading
-// reports to the LoadProgress of its own thread, if that has one; without one nothing is said and nothing
-// ends.
+// Tells whoever watches from another thread how far a load has come, and takes the wish to end it early.
+// Loading reports to the LoadProgress of its own thread, if that has one; without one nothing is said and
+// nothing ends.
 
 #include <atomic>
 #include <cstddef>
@@ -41,7 +41,7 @@ struct LoadCancelled : std::exception {
 /// report_progress(), but throws LoadCancelled when the load shall end.
 void report_or_leave(LoadStage stage, std::uint64_t done, std::uint64_t total = 0);
 
-/// Whether this thread's load shall end; for steps that have nothing to tell.
+/// True when this thread's load shall end; for steps that have nothing to tell.
 [[nodiscard]] bool load_cancelled();
 
 /// Reports how many bytes of a file have been parsed, after every 64 KiB: cheap enough to be told of each

@@ -1,5 +1,6 @@
 #pragma once
-// From floating point to whole numbers where anything may come in: a cast of what does not fit is undefined.
+// Turns floating point into whole numbers where anything may come in: a cast of what does not fit is
+// undefined.
 
 #include <limits>
 

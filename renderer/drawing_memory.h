@@ -1,5 +1,5 @@
 #pragma once
-// How much memory a picture takes, said before any of it is taken. What only drawing can tell (how many tiles
+// Says how much memory a picture takes, before any of it is taken. What only drawing can tell (how many tiles
 // the triangles touch, how the objects divide the rows of pixels) is guessed here and counted, by the stages
 // themselves, before they make room for it.
 

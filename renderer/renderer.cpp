@@ -9,7 +9,7 @@
 
 #include "models/fields/choices.h"
 #include "models/memory_limit.h"
-#include "models/warn.h"
+#include "models/problem.h"
 #include "renderer/drawing_memory.h"
 #include "renderer/inspect/explain/explain.h"
 #include "renderer/kernels/instruction_set.h"

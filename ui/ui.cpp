@@ -3,12 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
+#include <thread>
 
 #include "ui/commands/command.h"
 #include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
-#include "ui/export/animate.h"
+#include "ui/export/animation.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/shell/columns.h"
 #include "ui/shell/modal.h"
@@ -77,6 +79,26 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     return requests(state);
 }
 
+/// `action` with every job there is.
+template <class Do> void for_each_job(UiState& state, Do action) {
+    const auto with = [&action](const auto& job) {
+        if (job) action(*job);
+    };
+    with(state.loading.document);
+    with(state.loading.meshes);
+    std::for_each(state.loading.left.begin(), state.loading.left.end(), with);
+    with(state.exporting.job);
+    with(state.animate.job);
+    with(state.sensitivity.job);
+    std::for_each(state.sensitivity.ending.begin(), state.sensitivity.ending.end(), with);
+}
+
+bool all_done(UiState& state) {
+    bool done = true;
+    for_each_job(state, [&done](const auto& job) { done = done && job.done(); });
+    return done;
+}
+
 }  // namespace
 
 UiRequests ui_frame(UiState& state, const UiInput& input) {
@@ -87,6 +109,14 @@ UiRequests ui_frame(UiState& state, const UiInput& input) {
         redraw_within(0);
         return requests(state);
     }
+}
+
+bool end_jobs(UiState& state, double seconds) {
+    using Clock = std::chrono::steady_clock;
+    for_each_job(state, [](auto& job) { job.cancel(); });
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    while (!all_done(state) && Clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return all_done(state);
 }
 
 }  // namespace glint

@@ -12,7 +12,7 @@
 
 #include "renderer/renderer.h"
 #include "ui/commands/keys.h"
-#include "ui/commands/palette_state.h"
+#include "ui/commands/menus.h"
 #include "ui/document/editor.h"
 #include "ui/document/file_dialog.h"
 #include "ui/document/loading.h"
@@ -45,6 +45,10 @@ struct PlacedPicture {
     Rect picture, room;
 };
 
+/// Everything that the window remembers from frame to frame, beside ImGui's own context and what ui/widgets
+/// keeps of the current one: the theme and scale applied last (theme.cpp), the fonts loaded last (fonts.cpp);
+/// the item on which the pointer rests, the earliest frame asked for, and the list in which tests find
+/// controls (tooltip.cpp).
 struct UiState {
     explicit UiState(int threads) : renderer(std::make_unique<Renderer>(threads)) { views.threads = threads; }
 
@@ -81,7 +85,7 @@ struct UiState {
     std::uint64_t picture_serial = 0;        // counts what was shown: the texture follows it
     PlacedPicture picture_rect;              // where it lies in the window
     Scene rendered_scene;                    // what `rendered` shows
-    bool rendered_is_edited = false;         // that was the edited scene, not a preview
+    bool rendered_is_edited = false;         // that was the edited scene: no preview, none that awaits a mesh
     std::optional<Explanation> explanation;  // of the probe in `rendered`, where that shows the edited scene
     ItemCounts explained;  // of the scene that `explanation` is about: it names lights and objects by number
     glm::ivec2 asked{0};   // the pixel of the whole picture that `explanation` is about
@@ -96,5 +100,10 @@ struct UiRequests {
 /// Between ImGui::NewFrame() and ImGui::Render(). The caller fills the window with theme().panel, puts
 /// UiState::displayed where UiState::picture_rect says, and draws ImGui's data over both.
 [[nodiscard]] UiRequests ui_frame(UiState& state, const UiInput& input);
+
+/// Cancels every load, export and search at once and waits for them, at most `seconds`. False when one goes
+/// on: a thread in the middle of a mesh or a picture cannot be stopped. What is cancelled begins to write no
+/// file.
+[[nodiscard]] bool end_jobs(UiState& state, double seconds);
 
 }  // namespace glint

@@ -10,8 +10,8 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
+#include "app/commands/drag.h"
 #include "app/progress.h"
-#include "app/window/drag.h"
 #include "models/json/json_value.h"
 #include "renderer/renderer.h"
 

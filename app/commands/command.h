@@ -45,4 +45,8 @@ struct Command {
 /// Those that have a name, in the order of --help.
 [[nodiscard]] std::vector<Command> named_commands();
 
+/// Runs the command that `arguments` (argv without its first) name: splits its line, and says what is wrong
+/// with it in the one-line form of docs/interface.md. Throws Failure.
+[[nodiscard]] Outcome run_command_line(const std::vector<std::string>& arguments);
+
 }  // namespace glint

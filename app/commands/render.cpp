@@ -14,8 +14,6 @@
 namespace glint {
 namespace {
 
-enum class PictureFormat { Png, Pfm, Exr };
-
 struct RenderArguments {
     SceneArguments scene;
     PictureSize size;
@@ -31,54 +29,29 @@ constexpr int max_buffer_pixels = 4096 * 4096;
 
 /// By the extension. "-", and a device or pipe whose name has none, take PNG.
 PictureFormat format_of(const std::string& out) {
-    if (has_extension(out, ".pfm")) return PictureFormat::Pfm;
-    if (has_extension(out, ".exr")) return PictureFormat::Exr;
     if (takes_png(out)) return PictureFormat::Png;
-    throw wrong_usage("-o", out + " cannot be written",
-                      "a name that ends in .png, .pfm or .exr, or - for standard output");
+    const Result<PictureFormat> format = picture_format(out);
+    if (const Problem* problem = problem_of(format))
+        throw wrong_usage("-o", out + " " + problem->what, problem->expected + ", or - for standard output");
+    return std::get<PictureFormat>(format);
 }
 
-/// The scene that the picture carries; its mesh paths lead to the meshes from where the picture is.
-std::string scene_for(const SceneDocument& document, const std::string& out) {
-    return scene_text(with_mesh_paths_from(document.scene, document.mesh_dir, directory_of(out)));
+/// Of the buffers beside a picture of that format.
+PictureFormat buffer_format(PictureFormat format) {
+    return format == PictureFormat::Exr ? PictureFormat::Exr : PictureFormat::Pfm;
 }
 
 /// Asked for before anything is drawn, which may take long.
 MemoryShare share_of_output(const RenderArguments& arguments, PictureFormat format) {
-    const auto bytes = [&]() -> std::uint64_t {
-        switch (format) {
-        case PictureFormat::Png:
-            return png_memory(arguments.size);
-        case PictureFormat::Pfm:
-            return pfm_memory(arguments.size);
-        case PictureFormat::Exr:
-            return exr_memory(arguments.size);
-        }
-        return 0;  // not reached
-    };
     const std::uint64_t buffers =
         arguments.buffers.empty() ? 0 : buffers_memory(arguments.size) + exr_memory(arguments.size);
-    return MemoryShare(memory_need(MemoryUse::Output, bytes() + buffers));
-}
-
-std::string picture_bytes(const Picture& picture, PictureFormat format, const SceneDocument& document,
-                          const RenderArguments& arguments) {
-    const float exposure = document.scene.display.exposure;
-    switch (format) {
-    case PictureFormat::Png:
-        return png_bytes(picture, arguments.no_scene ? "" : scene_for(document, arguments.out));
-    case PictureFormat::Pfm:
-        return pfm_bytes(picture, exposure);
-    case PictureFormat::Exr:
-        return exr_bytes(picture, exposure);
-    }
-    return {};  // not reached
+    return MemoryShare(memory_need(MemoryUse::Output, file_memory(format, arguments.size) + buffers));
 }
 
 /// Where a buffer of that name goes.
 std::string buffer_path(const RenderArguments& arguments, const std::string& name) {
-    const bool exr = format_of(arguments.out) == PictureFormat::Exr;
-    return (std::filesystem::path(arguments.buffers) / (name + (exr ? ".exr" : ".pfm"))).string();
+    const PictureFormat format = buffer_format(format_of(arguments.out));
+    return (std::filesystem::path(arguments.buffers) / (name + extension_of(format))).string();
 }
 
 void require_possible(const RenderArguments& arguments) {
@@ -91,7 +64,8 @@ void require_possible(const RenderArguments& arguments) {
         throw wrong_usage("--buffers", "the picture is too large", "at most 16777216 pixels");
     std::error_code ignored;
     if (!std::filesystem::is_directory(arguments.buffers, ignored))
-        throw wrong_usage("--buffers", arguments.buffers + " is not a directory", "a directory that is there");
+        throw wrong_usage("--buffers", arguments.buffers + " is not a directory",
+                          "a directory that is there");
 }
 
 std::string stats_text(const Renderer& renderer, PictureSize size) {
@@ -122,22 +96,22 @@ Outcome render(const RenderArguments& arguments) {
 
     const MemoryShare share = share_of_output(arguments, format);
     Renderer renderer(arguments.scene.threads);
-    const bool linear = format != PictureFormat::Png;
-    const Picture& picture = renderer.render(document.scene, arguments.size, linear, arguments.samples);
+    const Picture& picture =
+        renderer.render(document.scene, arguments.size, is_linear(format), arguments.samples);
     outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());
-    std::string bytes = picture_bytes(picture, format, document, arguments);
+    std::string bytes = picture_bytes(
+        picture, format, document.scene.display.exposure,
+        arguments.no_scene ? "" : carried_scene_text(document.scene, document.mesh_dir, arguments.out));
     FilesTogether files;  // a full disk leaves none of them
     if (arguments.out == "-") {
         outcome.output = std::move(bytes);
     } else {
         (void)take(files.add(arguments.out, std::move(bytes)));
     }
-    if (!arguments.buffers.empty()) {
-        const bool exr = format == PictureFormat::Exr;
+    if (!arguments.buffers.empty())
         for (const PixelBuffer& buffer : pixel_buffers(renderer, arguments.size))
             (void)take(files.add(buffer_path(arguments, buffer.name),
-                                 exr ? exr_bytes(buffer.picture, 1) : pfm_bytes(buffer.picture, 1)));
-    }
+                                 picture_bytes(buffer.picture, buffer_format(format), 1, {})));
     (void)take(files.put_in_place());
     if (arguments.stats) outcome.output = stats_text(renderer, arguments.size);
     return outcome;

@@ -1,7 +1,6 @@
 // glint schema: what a scene file may hold, for editors and other programs.
-#include "models/scene_file/schema.h"
-
 #include "app/commands/command.h"
+#include "models/scene_file/scene_file.h"
 
 namespace glint {
 namespace {

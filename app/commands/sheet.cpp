@@ -10,7 +10,7 @@
 #include "app/progress.h"
 #include "models/io/file.h"
 #include "models/memory_limit.h"
-#include "models/scene/scene_variant.h"
+#include "models/scene_file/scene_file.h"
 #include "renderer/image/image_file.h"
 #include "renderer/renderer.h"
 

@@ -13,7 +13,6 @@
 #include <filesystem>
 
 #include "app/failure.h"
-#include "app/say.h"
 #include "app/window/texture.h"
 #include "app/window/window_input.h"
 #include "app/window/x_errors.h"

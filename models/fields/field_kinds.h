@@ -19,27 +19,17 @@ struct Row {
     const char* undo = "";   // what a step of undo that changes it is called; {} is the item's name
     bool applies = true;     // false: without effect at the moment, as the cone of a light that is not a spot
     bool omit_default = false;  // written only where it is not the default
-    bool moves_faces =
-        true;  // false: it decides how a pixel is lit, never which face it shows; so do its members
+    bool moves_faces = true;    // false: it and its members decide how a pixel is lit, never which face shows
 
-    [[nodiscard]] constexpr Row undone_as(const char* words) const {
+    [[nodiscard]] constexpr Row undone_as(const char* words) const { return with(&Row::undo, words); }
+    [[nodiscard]] constexpr Row when(bool has_effect) const { return with(&Row::applies, has_effect); }
+    [[nodiscard]] constexpr Row omitted_by_default() const { return with(&Row::omit_default, true); }
+    [[nodiscard]] constexpr Row of_lighting() const { return with(&Row::moves_faces, false); }
+
+  private:
+    template <class T> [[nodiscard]] constexpr Row with(T Row::*member, T value) const {
         Row row = *this;
-        row.undo = words;
-        return row;
-    }
-    [[nodiscard]] constexpr Row when(bool has_effect) const {
-        Row row = *this;
-        row.applies = has_effect;
-        return row;
-    }
-    [[nodiscard]] constexpr Row omitted_by_default() const {
-        Row row = *this;
-        row.omit_default = true;
-        return row;
-    }
-    [[nodiscard]] constexpr Row of_lighting() const {
-        Row row = *this;
-        row.moves_faces = false;
+        row.*member = value;
         return row;
     }
 };
@@ -87,7 +77,7 @@ struct Count {
                (is_allowed == nullptr || is_allowed(static_cast<int>(x)));
     }
 };
-/// For "expected ...": "1, 4, 9", "a whole number from 1 to 8", or "1" where there is no other.
+/// Words for "expected ...": "1, 4, 9", "a whole number from 1 to 8", or "1" where there is no other.
 [[nodiscard]] std::string words_of(const Count& count);
 /// A struct with fields of its own.
 struct Group {};

@@ -1,5 +1,5 @@
 #pragma once
-// Which values a number may have, said once: the reader refuses others, the window's fields stop there, the
+// Says once which values a number may have: the reader refuses others, the window's fields stop there, the
 // documentation and the JSON Schema print it.
 
 #include <optional>

@@ -79,7 +79,6 @@ template <class Visit> class NumberWalk {
     template <class V> void at(const Homogeneous& kind, V& v, const glm::vec4& initial) const {
         parts<4>(kind, v, initial, false);
     }
-    template <class T> void at(const Group&, T& value, const T&) const { members(value); }
     template <class T, class D> void at(const Group&, T& value, const D&) const { members(value); }
     template <class T, class D> void at(const OneProjection&, T& projection, const D&) const {
         std::visit([this](auto& p) { members(p); }, projection);

@@ -26,7 +26,7 @@ struct SceneNumber {
                              // count, and where the scene was const
 };
 
-/// All numbers, in the order of the scene file.
+/// Lists all numbers in the order of the scene file.
 [[nodiscard]] std::vector<SceneNumber> numbers_of(const Scene& scene);
 
 /// The number at that pointer, if there is one.

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <new>
+#include <sstream>
 
+#include "models/io/descriptor.h"
 #include "models/memory_limit.h"
 #include "models/progress.h"
-#include "models/scene/descriptor.h"
 
 namespace glint {
 namespace {
@@ -66,6 +68,13 @@ Result<std::string> read_regular(const std::string& path, std::size_t max_bytes,
 
 }  // namespace
 
+std::string lower_extension(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return extension;
+}
+
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes, const CheckBlock& check) {
     try {
         if (path == "-") return read_all(STDIN_FILENO, path, max_bytes, 0, check);
@@ -75,6 +84,26 @@ Result<std::string> read_file(const std::string& path, std::size_t max_bytes, co
     } catch (const std::bad_alloc&) {
         return cannot_read(path, ENOMEM);
     }
+}
+
+FileStamp file_stamp(const std::string& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) return {};
+    constexpr std::int64_t ns = 1'000'000'000;
+    return {status.st_dev, status.st_ino, status.st_size,
+            status.st_mtim.tv_sec * ns + status.st_mtim.tv_nsec};
+}
+
+std::string stamp_text(const FileStamp& stamp) {
+    return fmt::format("{} {} {} {}", stamp.device, stamp.inode, stamp.size, stamp.modified_ns);
+}
+
+std::optional<FileStamp> stamp_of(const std::string& text) {
+    std::istringstream numbers(text);
+    FileStamp stamp;
+    numbers >> stamp.device >> stamp.inode >> stamp.size >> stamp.modified_ns;
+    if (numbers.fail() || stamp_text(stamp) != text) return {};
+    return stamp;
 }
 
 }  // namespace glint

@@ -1,7 +1,8 @@
 #pragma once
-// Whole files in and out, safely.
+// Whole files in and out, safely, and whether a file is still the one that was read or written.
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -12,6 +13,10 @@
 #include "models/problem.h"
 
 namespace glint {
+
+/// What a file's name says of its format: the extension with its dot and without capitals, ".png"; empty
+/// where the name has none.
+[[nodiscard]] std::string lower_extension(const std::string& path);
 
 /// A part of a file as it comes in: `bytes` from `at` on, of a file of `size` bytes (0 for standard input).
 struct FileBlock {
@@ -58,5 +63,23 @@ class FilesTogether {
     struct Staged;
     std::vector<Staged> files_;
 };
+
+/// One state of a file. Whoever writes it, in place or by renaming another into its place, changes this.
+struct FileStamp {
+    std::uint64_t device = 0, inode = 0;
+    std::int64_t size = -1;        // bytes; -1: there is no file
+    std::int64_t modified_ns = 0;  // since 1970
+    bool operator==(const FileStamp&) const = default;
+
+    [[nodiscard]] bool exists() const { return size >= 0; }
+};
+
+/// The file that `path` names, links followed. A default stamp when there is none or it cannot be asked.
+[[nodiscard]] FileStamp file_stamp(const std::string& path);
+
+/// Write a stamp as four numbers, to be kept in a file, and read it back; nothing when `text` is anything
+/// else.
+[[nodiscard]] std::string stamp_text(const FileStamp& stamp);
+[[nodiscard]] std::optional<FileStamp> stamp_of(const std::string& text);
 
 }  // namespace glint

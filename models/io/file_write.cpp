@@ -10,9 +10,9 @@
 #include <csignal>
 #include <ctime>
 
+#include "models/io/descriptor.h"
 #include "models/io/file.h"
 #include "models/io/temporary.h"
-#include "models/scene/descriptor.h"
 
 namespace glint {
 namespace {

@@ -12,8 +12,8 @@ namespace glint {
 /// A new file, locked (flock) while it is held, so that other processes can tell it from one that was left.
 class Temporary {
   public:
-    /// In the directory of `target`, empty, open for writing. `mode` as for open(): the umask is taken off.
-    /// Also removes, once for each directory, what killed processes of this user have left there.
+    /// Makes it in the directory of `target`, empty and open for writing. `mode` as for open(): the umask is
+    /// taken off. Also removes, once for each directory, what killed processes of this user have left there.
     Temporary(const std::string& target, mode_t mode);
     /// Removes the file unless it has been put in place.
     ~Temporary();

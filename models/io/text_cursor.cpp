@@ -22,6 +22,10 @@ void TextCursor::fail_integer() {
          "a whole number");
 }
 
+void TextCursor::fail_too_many(const char* expected) {
+    fail(fmt::format("{} is one too many", quoted_word(word())), expected);
+}
+
 /// Past the end of this line and of those that a backslash joins to it.
 void TextCursor::skip_rest() {
     while (at_ < end_) {

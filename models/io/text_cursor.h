@@ -2,9 +2,11 @@
 // Walks through the text of a mesh file, line by line and word by word, and says where something is wrong.
 // No locale, no allocation; what a line may hold is up to its reader. Inside models/ only.
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,7 +46,7 @@ class TextCursor {
         return true;
     }
 
-    /// Whether no further word is on this line.
+    /// True when no further word is on this line.
     bool end_of_line() {
         parsed_.at(static_cast<std::size_t>(at_ - begin_));
         skip_blanks();
@@ -83,9 +85,20 @@ class TextCursor {
         return value;
     }
 
+    /// The next three words as numbers. `names`: of each.
+    glm::vec3 three(const std::array<std::string_view, 3>& names = {"x", "y", "z"}) {
+        const float a = number(names[0]), b = number(names[1]), c = number(names[2]);
+        return {a, b, c};
+    }
+
+    /// Fails unless the line ends here.
+    void end_line(const char* expected) {
+        if (!end_of_line()) fail_too_many(expected);
+    }
+
     [[nodiscard]] int line() const { return line_; }
 
-    /// What is left of the text, from here on.
+    /// Returns what is left of the text, from here on.
     [[nodiscard]] std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
 
     [[noreturn]] void fail(std::string what, std::string expected) const {
@@ -110,6 +123,7 @@ class TextCursor {
     float unusual_number();
     [[noreturn]] void fail_missing(std::string_view name, const char* expected) const;
     [[noreturn]] void fail_integer();
+    [[noreturn]] void fail_too_many(const char* expected);
 
     const char* at_;
     const char* begin_;

@@ -1,7 +1,7 @@
 #pragma once
-// What we need to know of UTF-8: where a character ends, whether it is one, and how text that must be UTF-8
-// can hold bytes that are none, as the name of a file may have them. Source: The Unicode Standard, table 3-7
-// "Well-Formed UTF-8 Byte Sequences".
+// Answers what we need to know of UTF-8: where a character ends, whether it is one, and how text that must be
+// UTF-8 can hold bytes that are none, as the name of a file may have them. Source: The Unicode Standard,
+// table 3-7 "Well-Formed UTF-8 Byte Sequences".
 
 #include <cstddef>
 #include <string>

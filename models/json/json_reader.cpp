@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "models/io/utf8.h"
-#include "models/json/json_syntax.h"
 #include "models/progress.h"
 
 namespace glint {
@@ -169,8 +168,8 @@ Json read_json(std::string_view text, const std::string& file) {
         throw ProblemFound{{file, "", fmt::format("{} bytes of text", text.size()), "at most 64 MiB"}};
     if (const std::size_t bad = first_invalid_utf8(text); bad < text.size()) {
         const auto byte = static_cast<unsigned char>(text[bad]);
-        throw ProblemFound{
-            {file, "", fmt::format("the byte 0x{:02x} is not UTF-8", byte), "UTF-8 text", line_of(text, bad)}};
+        throw ProblemFound{{file, "", fmt::format("the byte 0x{:02x} is not UTF-8", byte), "UTF-8 text",
+                            line_of(text, bad)}};
     }
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     if (text.starts_with(byte_order_mark))  // the library would pass over this one

@@ -1,7 +1,7 @@
 #pragma once
 // JSON text -> nlohmann::json, strictly: comments, repeated keys, invalid UTF-8 and hostile sizes are
 // problems with the line they stand in, said in our words. Source: RFC 8259; docs/interface.md, "Scene file".
-// For the .cpp files of models only: nothing else needs to know which JSON library we use.
+// Only .cpp files of models include it: nothing else needs to know which JSON library we use.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -36,5 +36,26 @@ inline constexpr std::size_t max_json_values = 2'000'000;
 [[nodiscard]] std::string shortened(std::string_view text);
 /// shortened(text) in double quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
+
+// json_syntax.cpp says in our words what is wrong with JSON text at the place where a parser stopped.
+
+/// What a parser understood last.
+enum class JsonEvent { Nothing, Key, Value, OpenedObject, OpenedArray };
+enum class JsonContainer { None, Object, Array };
+
+/// Where a parser stopped.
+struct JsonStop {
+    std::string_view text;
+    std::size_t understood = 0;  // end of what it understood last
+    std::size_t reached = 0;     // end of what it looked at
+    JsonEvent last = JsonEvent::Nothing;
+    JsonContainer container = JsonContainer::None;  // around the place
+};
+
+/// Line (from 1), what is wrong and what was expected; the file is left empty.
+[[nodiscard]] Problem syntax_problem(const JsonStop& stop);
+
+/// Line of the byte at `place`, from 1.
+[[nodiscard]] int line_of(std::string_view text, std::size_t place);
 
 }  // namespace glint

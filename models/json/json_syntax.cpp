@@ -1,4 +1,3 @@
-#include "models/json/json_syntax.h"
 
 #include <fmt/core.h>
 

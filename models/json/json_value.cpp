@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
@@ -126,16 +125,6 @@ void append(std::string& text, const JsonValue& json, std::size_t indent) {
     }
 }
 
-/// "~1" is a slash and "~0" a tilde in a pointer's token.
-std::string unescaped_token(std::string_view token) {
-    std::string name;
-    for (std::size_t i = 0; i < token.size(); ++i) {
-        const bool escapes = token[i] == '~' && i + 1 < token.size();
-        name += escapes ? (token[++i] == '1' ? '/' : '~') : token[i];
-    }
-    return name;
-}
-
 }  // namespace
 
 JsonValue::JsonValue(std::initializer_list<JsonValue> values) {
@@ -178,24 +167,6 @@ const JsonValue* JsonValue::find(std::string_view name) const {
     for (const auto& [key, value] : members())
         if (key == name) return &value;
     return nullptr;
-}
-
-const JsonValue* JsonValue::at_pointer(std::string_view pointer) const {
-    const JsonValue* at = this;
-    while (at != nullptr && !pointer.empty()) {
-        const std::size_t end = std::min(pointer.find('/', 1), pointer.size());
-        const std::string token = unescaped_token(pointer.substr(1, end - 1));
-        pointer.remove_prefix(end);
-        if (!at->is_array()) {
-            at = at->find(token);
-            continue;
-        }
-        std::size_t index = 0;
-        const auto [rest, error] = std::from_chars(token.data(), token.data() + token.size(), index);
-        const bool whole = error == std::errc{} && rest == token.data() + token.size();
-        at = whole && index < at->elements().size() ? &at->elements()[index] : nullptr;
-    }
-    return at;
 }
 
 JsonValue& JsonValue::operator[](std::string_view name) {

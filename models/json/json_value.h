@@ -70,16 +70,14 @@ class JsonValue {
 
     /// The member of that name; null where there is none, or where this is not an object.
     [[nodiscard]] const JsonValue* find(std::string_view name) const;
-    /// What a JSON pointer (RFC 6901) leads to: "/lights/0/position"; null where it leads nowhere.
-    [[nodiscard]] const JsonValue* at_pointer(std::string_view pointer) const;
     /// The member of that name, made where there is none. Precondition: this is an object or null, which
     /// becomes one.
     JsonValue& operator[](std::string_view name);
     /// Precondition: this is an array or null, which becomes one.
     void push_back(JsonValue value);
 
-    /// On one line without spaces. Numbers in the shortest form that reads back equal; those that are not
-    /// finite become null, invalid UTF-8 the replacement character.
+    /// The value on one line without spaces. Numbers have the shortest form that reads back equal; those that
+    /// are not finite become null, invalid UTF-8 the replacement character.
     [[nodiscard]] std::string text() const;
 
     /// Numbers by their value: 1 is 1.0. Objects with their members in the same order.

@@ -19,6 +19,12 @@ CosSin small_angle(double a) {
     return {1 - c, a * (1 - s)};
 }
 
+/// The same so many quarters of a turn further round.
+CosSin turned(CosSin a, std::int64_t quarters) {
+    for (std::int64_t i = quarters & 3; i > 0; --i) a = {-a.s, a.c};
+    return a;
+}
+
 }  // namespace
 
 CosSin on_circle(std::int64_t k, std::int64_t n) {
@@ -27,39 +33,12 @@ CosSin on_circle(std::int64_t k, std::int64_t n) {
     const bool odd = eighth % 2 != 0;
     const double part = static_cast<double>(odd ? n - rest : rest) / static_cast<double>(n);
     const CosSin a = small_angle(part * (pi / 4));
-    switch (eighth) {
-    case 0:
-        return {a.c, a.s};
-    case 1:
-        return {a.s, a.c};
-    case 2:
-        return {-a.s, a.c};
-    case 3:
-        return {-a.c, a.s};
-    case 4:
-        return {-a.c, -a.s};
-    case 5:
-        return {-a.s, -a.c};
-    case 6:
-        return {a.s, -a.c};
-    default:
-        return {a.c, -a.s};
-    }
+    return turned(odd ? CosSin{a.s, a.c} : a, eighth / 2);
 }
 
 CosSin cos_sin(double angle) {
     const double quarter = std::floor(angle / (pi / 2) + 0.5);
-    const CosSin a = small_angle(angle - quarter * (pi / 2));
-    switch (static_cast<int>(quarter) & 3) {
-    case 0:
-        return a;
-    case 1:
-        return {-a.s, a.c};
-    case 2:
-        return {-a.c, -a.s};
-    default:
-        return {a.s, -a.c};
-    }
+    return turned(small_angle(angle - quarter * (pi / 2)), static_cast<std::int64_t>(quarter));
 }
 
 double angle_of(double x, double y) {
@@ -73,8 +52,7 @@ double angle_of(double x, double y) {
         base = pi / 4;
     }
     const double q = t * t;
-    double series =
-        0;  // atan t = t - t^3/3 + t^5/5 ..., |t| <= 0.4143: the first term left out is below 5e-10
+    double series = 0;  // t - t^3/3 + t^5/5 ..., |t| <= 0.4143: the first term left out is below 5e-10
     for (int k = 19; k >= 1; k -= 2) series = 1.0 / k - q * series;
     double angle = base + t * series;
     if (steep) angle = pi / 2 - angle;

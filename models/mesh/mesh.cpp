@@ -7,9 +7,8 @@
 #include "models/mesh/normals.h"
 #include "models/mesh/polygon.h"
 #include "models/mesh/topology.h"
-#include "models/mesh/triangulate.h"
+#include "models/problem.h"
 #include "models/progress.h"
-#include "models/warn.h"
 
 namespace glint {
 namespace {
@@ -51,8 +50,7 @@ void finish_mesh(Mesh& mesh) {
         } else {
             distinct_corners(mesh, f, corners);
             repeating += corners.size() < size ? 1 : 0;
-            const Cut cut = triangulator.cut(mesh, f, corners, plane.normal, mesh.triangles);
-            long_fans += cut == Cut::LongFan ? 1 : 0;
+            long_fans += triangulator.cut(mesh, f, corners, plane.normal, mesh.triangles) ? 0 : 1;
         }
     }
     mesh.bounds = bounds_of_faces(mesh);
@@ -115,19 +113,10 @@ void count_edges(const Mesh& mesh, MeshInfo& info) {
     const Topology topology = make_topology(mesh);
     info.edges = topology.edges.size();
     for (std::size_t e = 0; e < info.edges; ++e) {
-        switch (edge_kind(mesh, topology, e)) {
-        case EdgeKind::Boundary:
-            ++info.boundary_edges;
-            break;
-        case EdgeKind::Manifold:
-            break;
-        case EdgeKind::Inconsistent:
-            ++info.inconsistent_edges;
-            break;
-        case EdgeKind::NonManifold:
-            ++info.non_manifold_edges;
-            break;
-        }
+        const EdgeKind kind = edge_kind(mesh, topology, e);
+        info.boundary_edges += kind == EdgeKind::Boundary ? 1 : 0;
+        info.inconsistent_edges += kind == EdgeKind::Inconsistent ? 1 : 0;
+        info.non_manifold_edges += kind == EdgeKind::NonManifold ? 1 : 0;
     }
 }
 

@@ -51,7 +51,7 @@ struct Mesh {
     [[nodiscard]] std::size_t face_count() const {
         return first_corner.empty() ? 0 : first_corner.size() - 1;
     }
-    /// The positions' indices around polygon f.
+    /// The indices into `positions` around polygon f, in the file's order.
     [[nodiscard]] std::span<const std::uint32_t> corners_of(std::size_t f) const {
         return std::span(corner_position).subspan(first_corner[f], first_corner[f + 1] - first_corner[f]);
     }

@@ -7,8 +7,7 @@
 
 #include "models/fields/choices.h"
 #include "models/mesh/polygon.h"
-#include "models/mesh/vertex_normals.h"
-#include "models/warn.h"
+#include "models/problem.h"
 
 namespace glint {
 namespace {

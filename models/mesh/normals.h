@@ -1,11 +1,12 @@
 #pragma once
-// Where a corner's normal comes from (lecture: "Vertex Normals", "Computing Normals").
+// Finds the normals of a mesh's corners (lecture: "Vertex Normals", "Computing Normals").
 
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
 #include "models/mesh/mesh.h"
+#include "models/mesh/topology.h"
 
 namespace glint {
 
@@ -39,13 +40,32 @@ struct CornerNormals {
         corner;         // #C, indices into normals; empty: corner c has normals[corner_position[c]]
     Warnings warnings;  // source fallen back, corners without a normal
 };
-/// By the source, weighting and crease of `options`. A source that the mesh does not have falls back as
-/// `auto` does, with a warning; corners without a normal of the chosen source (or with a zero one) take their
-/// vertex normal, with a counted warning. `crease_deg` is used by vertex normals only. Never NaN. 1 million
-/// triangles: about 60 ms; with a crease below 180 degrees, which needs the topology, 300 ms.
+/// Finds the normals by the source, weighting and crease of `options`. A source that the mesh does not have
+/// falls back as `auto` does, with a warning; corners without a normal of the chosen source (or with a zero
+/// one) take their vertex normal, with a counted warning. `crease_deg` is used by vertex normals only. Never
+/// NaN. 1 million triangles: about 60 ms; with a crease below 180 degrees, which needs the topology, 300 ms.
 [[nodiscard]] CornerNormals corner_normals(const Mesh& mesh, const NormalOptions& options);
 
 /// The warning that corner_normals() gives of corners without a normal in the mesh's own, for `glint info`.
 void warn_of_missing_normals(const Mesh& mesh, Warnings& warnings);
+
+// Vertex normals: facet normals averaged around each vertex (lecture: "Vertex Normals").
+// Source: G. Thürmer and C. Wüthrich, JGT 3(1), 1998 (weighting by angle).
+
+/// Corners of facets that meet at a vertex and are joined there, perhaps through other facets, across
+/// manifold edges at which the facet normals differ by at most `crease_deg` (0 to 180). Source:
+/// docs/interface.md, `normals.source`.
+struct CreaseGroups {
+    std::vector<std::uint32_t> group;  // #C, numbered from 0 in the order of their first corner
+    std::size_t count = 0;
+};
+[[nodiscard]] CreaseGroups crease_groups(const Mesh& mesh, const Topology& topology, float crease_deg);
+
+/// Object coordinates, unit. Sum of the weighted unit facet normals of a vertex (below 180 degrees: of each
+/// group of crease_groups() there), made unit. A sum that cancels (shorter than 1e-6 of its weights) leaves
+/// each corner its facet normal; a degenerate facet takes no part and its corners, where no other facet is
+/// averaged, get 0. The angle at a corner is the interior one, so that it may pass 180 degrees in a polygon
+/// that is not convex. `corner` stays empty when one normal a position says it all.
+[[nodiscard]] CornerNormals vertex_normals(const Mesh& mesh, NormalWeighting weighting, float crease_deg);
 
 }  // namespace glint

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 namespace glint {
 namespace {
@@ -45,6 +46,169 @@ void distinct_corners(const Mesh& mesh, std::size_t face, std::vector<std::uint3
     for (std::uint32_t c = mesh.first_corner[face]; c < mesh.first_corner[face + 1]; ++c)
         if (corners.empty() || place(corners.back()) != place(c)) corners.push_back(c);
     while (corners.size() > 1 && place(corners.back()) == place(corners.front())) corners.pop_back();
+}
+
+namespace {
+
+// Sine of a turn below which a corner counts as straight: floats that lie on a line do so to about 1e-7.
+constexpr double straight = 1e-6;
+
+constexpr std::size_t no_corner = static_cast<std::size_t>(-1);  // past either end of the sweep
+
+void add(const Mesh& mesh, const Triangle& t, std::vector<Triangle>& triangles) {
+    const auto place = [&](int i) { return mesh.positions[mesh.corner_position[t.corner[i]]]; };
+    if (triangle_plane(place(0), place(1), place(2)).area > 0) triangles.push_back(t);
+}
+
+template <class P> double cross(const P& a, const P& b, const P& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Sine of the angle at a from b to c; 0 when b or c is a.
+template <class P> double turn(const P& a, const P& b, const P& c) {
+    const double bb = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
+    const double cc = (c.x - a.x) * (c.x - a.x) + (c.y - a.y) * (c.y - a.y);
+    return bb * cc > 0 ? cross(a, b, c) / std::sqrt(bb * cc) : 0;
+}
+
+}  // namespace
+
+void Triangulator::project(const Mesh& mesh, const std::vector<std::uint32_t>& corners,
+                           const glm::dvec3& normal) {
+    // Two axes so that u x v = normal; u from the coordinate axis that lies flattest in the plane.
+    const glm::dvec3 size = glm::abs(normal);
+    const glm::dvec3 axis = size.x <= size.y && size.x <= size.z   ? glm::dvec3(1, 0, 0)
+                            : size.y <= size.x && size.y <= size.z ? glm::dvec3(0, 1, 0)
+                                                                   : glm::dvec3(0, 0, 1);
+    const glm::dvec3 u = glm::normalize(glm::cross(axis, normal)), v = glm::cross(normal, u);
+    const glm::dvec3 origin(mesh.positions[mesh.corner_position[corners[0]]]);
+    points_.resize(corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec3 p = glm::dvec3(mesh.positions[mesh.corner_position[corners[i]]]) - origin;
+        points_[i] = {glm::dot(p, u), glm::dot(p, v)};
+    }
+}
+
+bool Triangulator::convex() const {
+    const std::size_t n = points_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Point &here = points_[i], &next = points_[(i + 1) % n], &then = points_[(i + 2) % n];
+        if (turn(next, then, here) < -straight) return false;
+        // Left turns alone also wind round twice (a pentagram, a spiral): the fan's triangles must all be
+        // counter-clockwise and stay on the left of its first edge.
+        if (turn(points_[0], here, next) < -straight) return false;
+        if (turn(points_[0], points_[1], here) < -straight) return false;
+    }
+    return true;
+}
+
+bool Triangulator::cut(const Mesh& mesh, std::uint32_t face, const std::vector<std::uint32_t>& corners,
+                       const glm::dvec3& normal, std::vector<Triangle>& triangles) {
+    bool is_convex = corners.size() <= 3;
+    if (!is_convex) {
+        project(mesh, corners, normal);
+        is_convex = convex();
+    }
+    if (!is_convex && corners.size() <= longest_ear_clipping) {
+        clip_ears(mesh, face, corners, triangles);
+        return true;
+    }
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+        add(mesh, {{corners[0], corners[i], corners[i + 1]}, face}, triangles);
+    return is_convex;
+}
+
+void Triangulator::make_ring() {
+    const std::size_t n = points_.size();
+    before_.resize(n);
+    after_.resize(n);
+    sine_.resize(n);
+    is_ear_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        before_[i] = (i + n - 1) % n;
+        after_[i] = (i + 1) % n;
+    }
+}
+
+/// Orders the corners by x.
+void Triangulator::make_sweep() {
+    const std::size_t n = points_.size();
+    order_.resize(n);
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::sort(order_.begin(), order_.end(), [this](std::size_t i, std::size_t k) {
+        return points_[i].x != points_[k].x ? points_[i].x < points_[k].x : i < k;
+    });
+    lower_.assign(n, no_corner);
+    higher_.assign(n, no_corner);
+    for (std::size_t k = 1; k < n; ++k) {
+        lower_[order_[k]] = order_[k - 1];
+        higher_[order_[k - 1]] = order_[k];
+    }
+}
+
+/// Takes a corner out of the ring and out of the sweep.
+void Triangulator::clip(std::size_t i) {
+    after_[before_[i]] = after_[i];
+    before_[after_[i]] = before_[i];
+    if (lower_[i] != no_corner) higher_[lower_[i]] = higher_[i];
+    if (higher_[i] != no_corner) lower_[higher_[i]] = lower_[i];
+}
+
+/// A corner that keeps the triangle a, b, c from being an ear: within it or on its edge. A corner at the same
+/// place as one of its own does not: that is how holes are joined to the outline.
+bool Triangulator::blocks(std::size_t k, const Point& a, const Point& b, const Point& c) const {
+    const Point& p = points_[k];
+    if (cross(a, b, p) < 0 || cross(b, c, p) < 0 || cross(c, a, p) < 0) return false;
+    const auto at_p = [&p](const Point& q) { return p.x == q.x && p.y == q.y; };
+    return !at_p(a) && !at_p(b) && !at_p(c);
+}
+
+/// An ear: a left turn that no other corner of the ring blocks.
+bool Triangulator::ear(std::size_t i) const {
+    if (sine_[i] <= straight) return false;
+    const Point &a = points_[before_[i]], &b = points_[i], &c = points_[after_[i]];
+    const double min_x = std::min({a.x, b.x, c.x}), max_x = std::max({a.x, b.x, c.x});
+    for (std::size_t k = lower_[i]; k != no_corner && points_[k].x >= min_x; k = lower_[k])
+        if (blocks(k, a, b, c)) return false;
+    for (std::size_t k = higher_[i]; k != no_corner && points_[k].x <= max_x; k = higher_[k])
+        if (blocks(k, a, b, c)) return false;
+    return true;
+}
+
+void Triangulator::look_at(std::size_t i) {
+    sine_[i] = turn(points_[i], points_[after_[i]], points_[before_[i]]);
+    is_ear_[i] = ear(i) ? 1 : 0;
+}
+
+/// The first ear at or after `start`, of a ring of `left` corners. Where there is none (the polygon crosses
+/// itself, or only straight corners are left), the corner that turns left most.
+std::size_t Triangulator::next_ear(std::size_t start, std::size_t left) const {
+    std::size_t i = start, best = start;
+    double best_sine = -2;
+    for (; left > 0; --left, i = after_[i]) {
+        if (is_ear_[i] != 0) return i;
+        if (sine_[i] > best_sine) {
+            best_sine = sine_[i];
+            best = i;
+        }
+    }
+    return best;
+}
+
+void Triangulator::clip_ears(const Mesh& mesh, std::uint32_t face, const std::vector<std::uint32_t>& corners,
+                             std::vector<Triangle>& triangles) {
+    make_ring();
+    make_sweep();
+    for (std::size_t i = 0; i < corners.size(); ++i) look_at(i);
+    std::size_t start = 0;
+    for (std::size_t left = corners.size(); left >= 3; --left) {
+        const std::size_t i = next_ear(start, left), b = before_[i], a = after_[i];
+        add(mesh, {{corners[b], corners[i], corners[a]}, face}, triangles);
+        clip(i);
+        look_at(b);  // only the neighbours can have changed
+        look_at(a);
+        start = a;
+    }
 }
 
 }  // namespace glint

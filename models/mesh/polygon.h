@@ -1,5 +1,6 @@
 #pragma once
-// The plane and size of one polygon of a mesh, in double: what cutting, normals and counting share.
+// One polygon of a mesh: its plane and size, in double, which cutting, normals and counting share, and its
+// triangles (docs/interface.md, "Shading").
 
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -24,5 +25,44 @@ struct PolygonPlane {
 /// Appends the corners of polygon `face` that do not repeat the place of the corner before them (the last
 /// one, of the first) to `corners`, which is cleared first. The first corner of a run stays.
 void distinct_corners(const Mesh& mesh, std::size_t face, std::vector<std::uint32_t>& corners);
+
+inline constexpr std::size_t longest_ear_clipping = 1000;  // corners
+
+/// Cuts polygons; keeps its buffers from one to the next.
+class Triangulator {
+  public:
+    /// Appends the triangles of polygon `face`, each with an area and wound as the polygon where it is
+    /// simple: a fan from the first corner when it is convex in its Newell plane (`normal`, unit), else by
+    /// ear clipping. `corners`: distinct_corners() of it; fewer than three give nothing. A polygon that
+    /// crosses itself is cut as well as it goes. False for one that is not convex but too long to clip ears:
+    /// it is cut as a fan. Time: linear when convex, else at most quadratic. Source: J. O'Rourke,
+    /// Computational Geometry in C, 1.6.
+    bool cut(const Mesh& mesh, std::uint32_t face, const std::vector<std::uint32_t>& corners,
+             const glm::dvec3& normal, std::vector<Triangle>& triangles);
+
+  private:
+    struct Point {
+        double x, y;
+    };
+    void project(const Mesh& mesh, const std::vector<std::uint32_t>& corners, const glm::dvec3& normal);
+    [[nodiscard]] bool convex() const;
+    void make_ring();
+    void make_sweep();
+    void clip(std::size_t i);
+    [[nodiscard]] bool blocks(std::size_t k, const Point& a, const Point& b, const Point& c) const;
+    [[nodiscard]] bool ear(std::size_t i) const;
+    void look_at(std::size_t i);
+    [[nodiscard]] std::size_t next_ear(std::size_t start, std::size_t left) const;
+    void clip_ears(const Mesh& mesh, std::uint32_t face, const std::vector<std::uint32_t>& corners,
+                   std::vector<Triangle>& triangles);
+
+    std::vector<Point> points_;                // the corners in the Newell plane, counter-clockwise
+    std::vector<std::size_t> before_, after_;  // ring of the corners not clipped yet
+    std::vector<double> sine_;                 // of each corner's turn
+    std::vector<char> is_ear_;
+    // Lists the corners in the order of their x: only those between the ends of an ear can lie in
+    // it.
+    std::vector<std::size_t> order_, lower_, higher_;
+};
 
 }  // namespace glint

@@ -1,8 +1,8 @@
 #pragma once
-// Which polygons meet at which edges: built from the polygon list when somebody asks (counting, creases,
-// silhouettes), never for plain drawing. Connectivity is OpenMesh's half-edge structure; what that cannot
-// hold (an edge of three faces, two fans at one vertex, ...) is split there and joined again here, so that
-// every edge of every polygon is reported. All indices are those of the Mesh it was made from.
+// Tells which polygons meet at which edges: built from the polygon list when somebody asks (counting,
+// creases, silhouettes), never for plain drawing. Connectivity is OpenMesh's half-edge structure; what that
+// cannot hold (an edge of three faces, two fans at one vertex, ...) is split there and joined again here, so
+// that every edge of every polygon is reported. All indices are those of the Mesh it was made from.
 
 #include <array>
 #include <cstddef>
@@ -31,10 +31,11 @@ struct Topology {
     }
 };
 
-/// Degenerate polygons are included; a side from a vertex to itself is not an edge.
-/// Time: about linear (n log n in what OpenMesh cannot hold).
+/// Finds the edges. Degenerate polygons are included; a side from a vertex to itself is not an edge. Time:
+/// about linear (n log n in what OpenMesh cannot hold).
 [[nodiscard]] Topology make_topology(const Mesh& mesh);
 
+/// The corner after `corner` around polygon `face`; after its last one the first.
 [[nodiscard]] inline std::uint32_t next_corner(const Mesh& mesh, std::uint32_t face, std::uint32_t corner) {
     return corner + 1 < mesh.first_corner[face + 1] ? corner + 1 : mesh.first_corner[face];
 }
@@ -46,14 +47,5 @@ enum class EdgeKind {
     NonManifold    // three sides and more
 };
 [[nodiscard]] EdgeKind edge_kind(const Mesh& mesh, const Topology& topology, std::size_t edge);
-
-/// Corners of facets that meet at a vertex and are joined there, perhaps through other facets, across
-/// manifold edges at which the facet normals differ by at most `crease_deg` (0 to 180). Source:
-/// docs/interface.md, `normals.source`.
-struct CreaseGroups {
-    std::vector<std::uint32_t> group;  // #C, numbered from 0 in the order of their first corner
-    std::size_t count = 0;
-};
-[[nodiscard]] CreaseGroups crease_groups(const Mesh& mesh, const Topology& topology, float crease_deg);
 
 }  // namespace glint

@@ -11,7 +11,6 @@
 
 #include "models/io/file.h"
 #include "models/mesh/mesh_memory.h"
-#include "models/mesh_formats/mesh_file_head.h"
 #include "models/mesh_formats/mesh_reader.h"
 #include "models/progress.h"
 
@@ -73,6 +72,33 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
     }
 }
 
+/// True where the first block of a file cannot begin one of the format with that extension; its reader then
+/// fails in that block already.
+bool begins_badly(std::string_view extension, const FileBlock& first) {
+    const std::string_view bytes = first.bytes;
+    if (extension == ".ply") return !bytes.starts_with("ply");
+    if (extension == ".om") return !bytes.starts_with("OM");
+    if (extension == ".stl" && bytes.size() >= binary_stl_header && !begins_with_solid(bytes))
+        return binary_stl_facets(bytes) == 0 || binary_stl_size(bytes) > first.size;
+    const std::size_t word = bytes.find_first_not_of(" \t\r\n\v\f");
+    return word != std::string_view::npos && bytes[word] == '\0';
+}
+
+/// Whether all of a file that begins so is text.
+bool is_text_mesh(std::string_view extension, const FileBlock& first) {
+    if (extension == ".om") return false;
+    if (extension == ".ply") return first.bytes.find("format ascii") != std::string_view::npos;
+    if (extension != ".stl") return true;
+    return begins_with_solid(first.bytes) && binary_stl_size(first.bytes) != first.size;
+}
+
+/// Whether the block holds nothing but zero bytes, as the holes of a file do, and more than a line of text
+/// might.
+bool is_hole(const FileBlock& block) {
+    constexpr std::size_t shortest = 4096;
+    return block.bytes.size() >= shortest && block.bytes.find_first_not_of('\0') == std::string_view::npos;
+}
+
 /// Looks at a mesh file while it comes in, so that what is not a mesh is not read to its end.
 class MeshCheck {
   public:
@@ -88,8 +114,7 @@ class MeshCheck {
                 if (const Problem* problem = problem_of(tried)) return *problem;
             }
             text_ = is_text_mesh(format->extension, block);
-            // OpenMesh is given a copy, which it copies, and makes lists of its own.
-            share_.set(memory_need(MemoryUse::Files, (format->read == read_om ? 6 : 1) * block.size));
+            share_.set(memory_need(MemoryUse::Files, block.size));
         }
         if (text_ && is_hole(block))
             return Problem{path_, "", fmt::format("from byte {} on there are only zeros", block.at), "text",
@@ -120,6 +145,10 @@ Result<Mesh> parse_mesh(std::string_view bytes, const std::string& path) {
 }
 
 void require_room(const Mesh& mesh) { require_memory(memory_need(MemoryUse::Meshes, mesh_bytes(mesh))); }
+
+std::string numbers_of(std::size_t count, const char* things) {
+    return count == 0 ? things : fmt::format("0 to {}", count - 1);
+}
 
 void close_face(Mesh& mesh, const std::string& file, int line) {
     if (mesh.corner_position.size() > most_corners)

@@ -21,7 +21,7 @@ namespace glint {
 /// orders, properties in any order; integer colours are scaled to 0 .. 1. .off: OFF, COFF, NOFF, CNOFF,
 /// ASCII; whole-number colours of which one is above 1 count to 255. .stl: ASCII and binary; the format knows
 /// no indices, so corners at exactly one place share a position (nothing is merged by distance), and its
-/// facet normals are the file's normals. .om: OpenMesh's own, read by OpenMesh.
+/// facet normals are the file's normals. .om: OpenMesh's own.
 [[nodiscard]] Result<Mesh> read_mesh(const std::string& path);
 
 /// Reads a mesh from bytes in memory; `path` names the format by its extension, and the problems.

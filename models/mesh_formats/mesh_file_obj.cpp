@@ -70,7 +70,7 @@ class ObjReader {
 
     /// x y z, then nothing, a weight, or a colour.
     void vertex() {
-        mesh_.positions.push_back(three());
+        mesh_.positions.push_back(cursor_.three());
         vertex_read(mesh_);
         if (cursor_.end_of_line()) return;
         glm::vec3 color(1);
@@ -81,24 +81,14 @@ class ObjReader {
         }
         color.g = cursor_.number("a colour's green");
         color.b = cursor_.number("a colour's blue");
-        end_line("3, 4 or 6 numbers after \"v\"");
+        cursor_.end_line("3, 4 or 6 numbers after \"v\"");
         mesh_.colors.resize(mesh_.positions.size() - 1, glm::vec3(1));  // white, where there was none
         mesh_.colors.push_back(color);
     }
 
     void normal() {
-        mesh_.normals.push_back(three());
-        end_line("3 numbers after \"vn\"");
-    }
-
-    glm::vec3 three() {
-        const float x = cursor_.number("x"), y = cursor_.number("y"), z = cursor_.number("z");
-        return {x, y, z};
-    }
-
-    void end_line(const char* expected) {
-        if (!cursor_.end_of_line())
-            cursor_.fail(fmt::format("{} is one too many", quoted_word(cursor_.word())), expected);
+        mesh_.normals.push_back(cursor_.three());
+        cursor_.end_line("3 numbers after \"vn\"");
     }
 
     void face() {

@@ -56,7 +56,7 @@ class OffReader {
         vertex_count_ = count("the count of vertices");
         face_count_ = count("the count of faces");
         if (!cursor_.end_of_line()) static_cast<void>(cursor_.integer("the count of edges"));
-        end_line("the counts of vertices, faces and edges");
+        cursor_.end_line("the counts of vertices, faces and edges");
     }
 
     std::size_t count(const char* name) {
@@ -71,31 +71,22 @@ class OffReader {
             cursor_.fail(fmt::format("the file ends after {} {}", row, what), fmt::format("{}", of));
     }
 
-    void end_line(const char* expected) {
-        if (!cursor_.end_of_line())
-            cursor_.fail(fmt::format("{} is one too many", quoted_word(cursor_.word())), expected);
-    }
-
-    glm::vec3 three(const char* x, const char* y, const char* z) {
-        const float a = cursor_.number(x), b = cursor_.number(y), c = cursor_.number(z);
-        return {a, b, c};
-    }
-
     void read_vertex(std::size_t row) {
         next_row("vertices", row, vertex_count_);
-        mesh_.positions.push_back(three("x", "y", "z"));
+        mesh_.positions.push_back(cursor_.three());
         vertex_read(mesh_);
-        if (normals_) mesh_.normals.push_back(three("a normal's x", "a normal's y", "a normal's z"));
+        if (normals_)
+            mesh_.normals.push_back(cursor_.three({"a normal's x", "a normal's y", "a normal's z"}));
         if (colors_) {
             const std::string_view before = cursor_.rest();
-            mesh_.colors.push_back(three("red", "green", "blue"));
+            mesh_.colors.push_back(cursor_.three({"red", "green", "blue"}));
             const std::string_view text = before.substr(0, before.size() - cursor_.rest().size());
             whole_colors_ = whole_colors_ && text.find_first_of(".eE") == std::string_view::npos;
             const glm::vec3& c = mesh_.colors.back();
             brightest_ = std::max({brightest_, c.r, c.g, c.b});
             if (!cursor_.end_of_line()) static_cast<void>(cursor_.number("alpha"));
         }
-        end_line("x y z, for NOFF a normal, for COFF a colour");
+        cursor_.end_line("x y z, for NOFF a normal, for COFF a colour");
     }
 
     void read_face(std::size_t row) {
@@ -106,7 +97,7 @@ class OffReader {
             const std::int64_t index = cursor_.integer("a vertex index");
             if (index < 0 || index >= static_cast<std::int64_t>(vertex_count_))
                 cursor_.fail(fmt::format("vertex index {} is out of range", index),
-                             vertex_count_ == 0 ? "vertices" : fmt::format("0 to {}", vertex_count_ - 1));
+                             numbers_of(vertex_count_, "vertices"));
             mesh_.corner_position.push_back(static_cast<std::uint32_t>(index));
         }
         close_face(mesh_, file_, cursor_.line());

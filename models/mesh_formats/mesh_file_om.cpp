@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include <OpenMesh/Core/IO/OMFormat.hh>
-#include <bit>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -32,11 +32,6 @@ struct ChunkHeader {
     [[nodiscard]] std::size_t vector_bytes() const {
         return dimensions() * (is_float() ? std::size_t{4} << size_code() : integer_bytes());
     }
-};
-
-/// Half-edges 2e and 2e + 1 are edge e.
-struct Halfedge {
-    std::int64_t next = -1, to_vertex = -1;
 };
 
 class OmReader {
@@ -118,20 +113,14 @@ class OmReader {
     }
 
     [[nodiscard]] std::size_t count(const ChunkHeader& header) const {
-        switch (header.entity()) {
-        case Chunk::Entity_Vertex:
-            return vertices_;
-        case Chunk::Entity_Face:
-            return faces_;
-        case Chunk::Entity_Edge:
-            return edges_;
-        case Chunk::Entity_Halfedge:
-            return 2 * edges_;
-        case Chunk::Entity_Mesh:
-            return 1;
-        default:
-            fail(fmt::format("a chunk is of the unknown kind {}", header.entity()), "0, 1, 2, 4, 6 or 7");
-        }
+        const std::array<std::pair<unsigned, std::size_t>, 5> counts{{{Chunk::Entity_Vertex, vertices_},
+                                                                      {Chunk::Entity_Face, faces_},
+                                                                      {Chunk::Entity_Edge, edges_},
+                                                                      {Chunk::Entity_Halfedge, 2 * edges_},
+                                                                      {Chunk::Entity_Mesh, 1}}};
+        for (const auto& [entity, count] : counts)
+            if (entity == header.entity()) return count;
+        fail(fmt::format("a chunk is of the unknown kind {}", header.entity()), "0, 1, 2, 4, 6 or 7");
     }
 
     std::size_t data_size(const ChunkHeader& header, std::size_t at) {
@@ -181,8 +170,7 @@ class OmReader {
         for (std::size_t v = 0; v < vertices_; ++v) {
             parsed_.at(chunk.at + 12 * v);
             for (std::size_t i = 0; i < 3; ++i) {
-                const auto number =
-                    std::bit_cast<float>(static_cast<std::uint32_t>(natural(chunk.at + 12 * v + 4 * i, 4)));
+                const float number = little_endian_float(&bytes_[chunk.at + 12 * v + 4 * i]);
                 if (!(std::abs(number) <= static_cast<float>(max_number)))
                     fail(fmt::format("vertex {}: {} of {} is out of range", v, what, number),
                          "-1e30 to 1e30");
@@ -193,17 +181,14 @@ class OmReader {
     }
 
     void read_colors(const Data& chunk) {
-        mesh_.colors.resize(vertices_);
-        for (std::size_t v = 0; v < vertices_; ++v)
-            for (std::size_t i = 0; i < 3; ++i)
-                mesh_.colors[v][static_cast<int>(i)] =
-                    static_cast<float>(natural(chunk.at + 3 * v + i, 1)) / 255.f;
+        for (std::size_t at = chunk.at; at < chunk.at + 3 * vertices_; at += 3)
+            mesh_.colors.push_back(glm::vec3(natural(at, 1), natural(at + 1, 1), natural(at + 2, 1)) / 255.f);
     }
 
     void add_corner(std::int64_t vertex) {
         if (vertex < 0 || static_cast<std::size_t>(vertex) >= vertices_)
             fail_in_face(fmt::format("vertex index {} is out of range", vertex),
-                         vertices_ == 0 ? "vertices" : fmt::format("0 to {}", vertices_ - 1));
+                         numbers_of(vertices_, "vertices"));
         constexpr std::size_t corners_between_reports = 1 << 16;
         if (mesh_.corner_position.size() % corners_between_reports == 0)
             report_or_leave(LoadStage::Building, mesh_.face_count(), faces_);
@@ -228,35 +213,29 @@ class OmReader {
 
     /// From version 2 on: one half-edge of each face, whose next ones lead round it.
     void add_loops(const Data& chunk) {
-        const std::vector<Halfedge> halfedges = read_halfedges();
-        std::vector<char> walked(halfedges.size(), 0);  // each belongs to one face only
+        std::vector<char> walked(halfedge_chunk_ ? 2 * edges_ : 0, 0);  // each belongs to one face only
         const std::size_t size = chunk.header.integer_bytes();
         for (std::size_t f = 0; f < faces_; ++f) {
             const std::int64_t first = integer(chunk.at + f * size, size);
             std::int64_t half = first;
             do {
-                if (half < 0 || static_cast<std::size_t>(half) >= halfedges.size())
-                    fail_in_face(
-                        fmt::format("half-edge index {} is out of range", half),
-                        halfedges.empty() ? "half-edges" : fmt::format("0 to {}", halfedges.size() - 1));
+                if (half < 0 || static_cast<std::size_t>(half) >= walked.size())
+                    fail_in_face(fmt::format("half-edge index {} is out of range", half),
+                                 numbers_of(walked.size(), "half-edges"));
                 if (walked[static_cast<std::size_t>(half)]++ != 0)
                     fail_in_face("its half-edges do not form a loop", "each once");
-                add_corner(halfedges[static_cast<std::size_t>(half ^ 1)].to_vertex);  // where it starts
-                half = halfedges[static_cast<std::size_t>(half)].next;
+                add_corner(of_halfedge(half ^ 1, 1));  // where it starts
+                half = of_halfedge(half, 0);
             } while (half != first);
             close_face(mesh_, file_);
         }
     }
 
-    std::vector<Halfedge> read_halfedges() {
-        std::vector<Halfedge> all(halfedge_chunk_ ? 2 * edges_ : 0);
-        for (std::size_t h = 0; h < all.size(); ++h) {
-            const std::size_t size = halfedge_chunk_->header.integer_bytes(),
-                              at = halfedge_chunk_->at + 3 * size * h;
-            parsed_.at(at);
-            all[h] = {integer(at, size), integer(at + size, size)};
-        }
-        return all;
+    /// Number `which` of a half-edge: 0 is the next one's, 1 that of the vertex to which it leads. Half-edges
+    /// 2e and 2e + 1 are edge e. Preconditions: there is a chunk of them, and `half` is below 2 edges_.
+    [[nodiscard]] std::int64_t of_halfedge(std::int64_t half, std::size_t which) const {
+        const std::size_t size = halfedge_chunk_->header.integer_bytes();
+        return integer(halfedge_chunk_->at + size * (3 * static_cast<std::size_t>(half) + which), size);
     }
 
     std::string_view bytes_;

@@ -68,24 +68,20 @@ template <class Rows> class PlyBody {
                  "vertices have a part of a colour only, which is ignored");
         mesh_.positions.reserve(std::min(element.count, rows_.bytes_left() / 3));
         std::array<float, 11> value{};  // by role
-        for (std::size_t row = 0; row < element.count; ++row) {
-            rows_.begin_row(element, row);
-            for (const PlyProperty& p : element.properties) {
-                if (p.is_list)
-                    skip_list(p);
-                else
-                    value[static_cast<std::size_t>(p.role)] = rows_.number(p);
-            }
-            rows_.end_row();
-            const auto three = [&value](PlyRole first) {
-                const auto i = static_cast<std::size_t>(first);
-                return glm::vec3(value[i], value[i + 1], value[i + 2]);
-            };
+        const auto three = [&value](PlyRole first) {
+            const auto i = static_cast<std::size_t>(first);
+            return glm::vec3(value[i], value[i + 1], value[i + 2]);
+        };
+        const auto skip = [this](const PlyProperty& p) { skip_list(p); };
+        const auto keep = [&value](const PlyProperty& p, float number) {
+            value[static_cast<std::size_t>(p.role)] = number;
+        };
+        read_rows(element, skip, keep, [&] {
             mesh_.positions.push_back(three(PlyRole::X));
             vertex_read(mesh_);
             if (normals) mesh_.normals.push_back(three(PlyRole::Nx));
             if (scale != 0) mesh_.colors.push_back(scale * three(PlyRole::Red));
-        }
+        });
         if (normals) mesh_.given_normals = GivenNormals::File;
     }
 
@@ -106,7 +102,7 @@ template <class Rows> class PlyBody {
             const std::int64_t index = rows_.integer(p.type, p);
             if (index < 0 || index >= static_cast<std::int64_t>(vertex_count_))
                 rows_.fail(fmt::format("vertex index {} is out of range", index),
-                           vertex_count_ == 0 ? "vertices" : fmt::format("0 to {}", vertex_count_ - 1));
+                           numbers_of(vertex_count_, "vertices"));
             mesh_.corner_position.push_back(static_cast<std::uint32_t>(index));
         }
         close_face(mesh_, file_, rows_.line());
@@ -124,19 +120,26 @@ template <class Rows> class PlyBody {
         read_lists(element, [this](const PlyProperty& p) { skip_list(p); });
     }
 
-    /// All rows of the element: calls list(property) where a list begins, to read it, and passes over
-    /// numbers.
-    template <class List> void read_lists(const PlyElement& element, const List& list) {
+    /// Reads all rows of the element: calls list(property) where a list begins, to read it, keep(property,
+    /// number) for each number, and end() after each row.
+    template <class List, class Keep, class End>
+    void read_rows(const PlyElement& element, const List& list, const Keep& keep, const End& end) {
         for (std::size_t row = 0; row < element.count; ++row) {
             rows_.begin_row(element, row);
             for (const PlyProperty& p : element.properties) {
                 if (p.is_list)
                     list(p);
                 else
-                    static_cast<void>(rows_.number(p));
+                    keep(p, rows_.number(p));
             }
             rows_.end_row();
+            end();
         }
+    }
+    /// Passes over numbers.
+    template <class List> void read_lists(const PlyElement& element, const List& list) {
+        read_rows(
+            element, list, [](const PlyProperty&, float) {}, [] {});
     }
 
     const PlyHeader& header_;

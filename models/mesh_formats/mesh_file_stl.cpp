@@ -16,8 +16,6 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t binary_header = 84, binary_facet = 50;
-
 /// Numbers places in the order in which they first come: an open hash table of indices into the positions.
 /// Its hash begins anywhere, so that no file can be made that is slow; the numbers do not depend on it.
 class Places {
@@ -90,18 +88,14 @@ class Facets {
     bool any_normal_ = false;
 };
 
-std::uint32_t facet_count(std::string_view bytes) {
-    return static_cast<std::uint32_t>(little_endian(&bytes[80], 4));
-}
-
 Mesh read_binary(std::string_view bytes, const std::string& file) {
-    const std::size_t count = facet_count(bytes);
+    const std::size_t count = binary_stl_facets(bytes);
     Facets facets(file);
     ParsedBytes parsed(bytes.size());
     std::size_t bad_normals = 0;
     for (std::size_t f = 0; f < count; ++f) {
-        parsed.at(f * binary_facet);
-        const char* at = bytes.data() + binary_header + f * binary_facet;
+        parsed.at(f * binary_stl_facet);
+        const char* at = bytes.data() + binary_stl_header + f * binary_stl_facet;
         std::array<glm::vec3, 4> v;  // normal, three corners
         bool good_normal = true;
         for (int i = 0; i < 12; ++i, at += 4) {
@@ -116,7 +110,7 @@ Mesh read_binary(std::string_view bytes, const std::string& file) {
         for (const std::size_t i : {1u, 2u, 3u}) facets.corner(v[i]);
         facets.close(v[0], 0);
     }
-    if (bytes.size() > binary_header + count * binary_facet)
+    if (bytes.size() > binary_stl_header + count * binary_stl_facet)
         facets.warnings().emplace_back("data after the last facet is ignored");
     warn(facets.warnings(), bad_normals, "facet has a normal that is out of range, which is ignored",
          "facets have normals that are out of range, which are ignored");
@@ -187,10 +181,9 @@ class AsciiStl {
     }
 
     glm::vec3 three() {
-        const float x = cursor_.number("x"), y = cursor_.number("y"), z = cursor_.number("z");
-        if (!cursor_.end_of_line())
-            cursor_.fail(fmt::format("{} is one too many", quoted_word(cursor_.word())), "3 numbers");
-        return {x, y, z};
+        const glm::vec3 v = cursor_.three();
+        cursor_.end_line("3 numbers");
+        return v;
     }
 
     TextCursor cursor_;
@@ -199,18 +192,29 @@ class AsciiStl {
 
 }  // namespace
 
-Mesh read_stl(std::string_view bytes, const std::string& file) {
-    // Some binary files begin with "solid" too; the size decides.
-    const bool has_header = bytes.size() >= binary_header;
-    const std::size_t promised = has_header ? binary_header + facet_count(bytes) * binary_facet : 0;
-    if (has_header && bytes.size() == promised) return read_binary(bytes, file);
+bool begins_with_solid(std::string_view bytes) {
     const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
     const std::string_view word = bytes.substr(first, 5);
-    if (word == "solid" || word == "SOLID" || word == "Solid") return AsciiStl(bytes, file).read();
-    if (has_header && bytes.size() > promised) return read_binary(bytes, file);
+    return word == "solid" || word == "SOLID" || word == "Solid";
+}
+
+std::size_t binary_stl_facets(std::string_view bytes) { return little_endian(&bytes[80], 4); }
+
+std::size_t binary_stl_size(std::string_view bytes) {
+    if (bytes.size() < binary_stl_header) return 0;
+    return binary_stl_header + binary_stl_facets(bytes) * binary_stl_facet;
+}
+
+Mesh read_stl(std::string_view bytes, const std::string& file) {
+    // Some binary files begin with "solid" too; the size decides.
+    const std::size_t promised = binary_stl_size(bytes);
+    if (bytes.size() == promised) return read_binary(bytes, file);
+    if (begins_with_solid(bytes)) return AsciiStl(bytes, file).read();
+    if (promised > 0 && bytes.size() > promised) return read_binary(bytes, file);
     throw Unreadable{{file, "", "this is not an STL file, or one that ends early",
-                      has_header ? fmt::format("{} bytes for its {} facets", promised, facet_count(bytes))
-                                 : std::string("\"solid\", or a binary file of 84 + 50 n bytes"),
+                      promised > 0
+                          ? fmt::format("{} bytes for its {} facets", promised, binary_stl_facets(bytes))
+                          : std::string("\"solid\", or a binary file of 84 + 50 n bytes"),
                       0}};
 }
 

@@ -11,7 +11,6 @@
 #include "models/io/text_cursor.h"
 #include "models/mesh/mesh.h"
 #include "models/problem.h"
-#include "models/warn.h"
 
 namespace glint {
 
@@ -25,7 +24,7 @@ inline constexpr std::size_t most_corners = std::numeric_limits<std::int32_t>::m
 
 /// Throws Refused when what the mesh holds so far does not fit in the memory that there is for it.
 void require_room(const Mesh& mesh);
-/// After each vertex: now and then the above.
+/// To be called after each vertex: asks require_room() now and then.
 inline void vertex_read(const Mesh& mesh) {
     constexpr std::size_t vertices_between = 1 << 16;
     if (mesh.positions.size() % vertices_between == 0) require_room(mesh);
@@ -42,6 +41,19 @@ inline std::uint64_t little_endian(const char* at, std::size_t size) {
 inline float little_endian_float(const char* at) {
     return std::bit_cast<float>(static_cast<std::uint32_t>(little_endian(at, 4)));
 }
+
+// What tells a binary STL file from text, which both begin with "solid" in some files.
+
+inline constexpr std::size_t binary_stl_header = 84, binary_stl_facet = 50;  // bytes
+/// True when the first word is "solid", small, large or with a capital.
+[[nodiscard]] bool begins_with_solid(std::string_view bytes);
+/// Returns how many facets the header promises. Precondition: there is a whole header.
+[[nodiscard]] std::size_t binary_stl_facets(std::string_view bytes);
+/// Returns how many bytes a file with this header has; 0 where there is no whole header.
+[[nodiscard]] std::size_t binary_stl_size(std::string_view bytes);
+
+/// Words for "expected ...": "0 to 7" of eight things; `things` where there are none.
+[[nodiscard]] std::string numbers_of(std::size_t count, const char* things);
 
 /// Ends the polygon that the corners appended last make up.
 void close_face(Mesh& mesh, const std::string& file, int line = 0);

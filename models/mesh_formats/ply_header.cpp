@@ -2,33 +2,29 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <set>
 #include <string_view>
-#include <utility>
 
 #include "models/mesh_formats/mesh_reader.h"
 
 namespace glint {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, PlyType>, 16> type_names{{{"char", PlyType::Int8},
-                                                                           {"int8", PlyType::Int8},
-                                                                           {"uchar", PlyType::Uint8},
-                                                                           {"uint8", PlyType::Uint8},
-                                                                           {"short", PlyType::Int16},
-                                                                           {"int16", PlyType::Int16},
-                                                                           {"ushort", PlyType::Uint16},
-                                                                           {"uint16", PlyType::Uint16},
-                                                                           {"int", PlyType::Int32},
-                                                                           {"int32", PlyType::Int32},
-                                                                           {"uint", PlyType::Uint32},
-                                                                           {"uint32", PlyType::Uint32},
-                                                                           {"float", PlyType::Float32},
-                                                                           {"float32", PlyType::Float32},
-                                                                           {"double", PlyType::Float64},
-                                                                           {"float64", PlyType::Float64}}};
+/// Both names of each PlyType, in its order.
+constexpr std::array<std::array<std::string_view, 2>, 8> type_names{{{"char", "int8"},
+                                                                     {"uchar", "uint8"},
+                                                                     {"short", "int16"},
+                                                                     {"ushort", "uint16"},
+                                                                     {"int", "int32"},
+                                                                     {"uint", "uint32"},
+                                                                     {"float", "float32"},
+                                                                     {"double", "float64"}}};
+/// What the properties of a vertex are called, in the order of PlyRole from X on.
+constexpr std::array<std::string_view, 9> vertex_roles{"x",  "y",   "z",     "nx",  "ny",
+                                                       "nz", "red", "green", "blue"};
 
 PlyFormat read_format(TextCursor& cursor) {
     const std::string_view word = cursor.word();
@@ -39,22 +35,15 @@ PlyFormat read_format(TextCursor& cursor) {
                 "ascii, binary_little_endian or binary_big_endian");
 }
 
+bool is_integer(PlyType type) { return type != PlyType::Float32 && type != PlyType::Float64; }
+
 PlyRole role_of(std::string_view element, const PlyProperty& property) {
-    constexpr std::array<std::pair<std::string_view, PlyRole>, 9> vertex_roles{{{"x", PlyRole::X},
-                                                                                {"y", PlyRole::Y},
-                                                                                {"z", PlyRole::Z},
-                                                                                {"nx", PlyRole::Nx},
-                                                                                {"ny", PlyRole::Ny},
-                                                                                {"nz", PlyRole::Nz},
-                                                                                {"red", PlyRole::Red},
-                                                                                {"green", PlyRole::Green},
-                                                                                {"blue", PlyRole::Blue}}};
     if (element == "face" && (property.name == "vertex_indices" || property.name == "vertex_index"))
         return PlyRole::Indices;
     if (element != "vertex" && element != "face") return PlyRole::Other;
-    for (const auto& [name, role] : vertex_roles)
-        if (name == property.name && !property.is_list) return role;
-    return PlyRole::Other;
+    const auto* const found = std::find(vertex_roles.begin(), vertex_roles.end(), property.name);
+    if (found == vertex_roles.end() || property.is_list) return PlyRole::Other;
+    return static_cast<PlyRole>(static_cast<int>(PlyRole::X) + (found - vertex_roles.begin()));
 }
 
 void check_elements(const TextCursor& cursor, const PlyHeader& header) {
@@ -148,8 +137,8 @@ class HeaderReader {
     }
 
     [[nodiscard]] PlyType type_of(std::string_view word) const {
-        for (const auto& [name, type] : type_names)
-            if (name == word) return type;
+        for (std::size_t i = 0; i < type_names.size(); ++i)
+            if (word == type_names[i][0] || word == type_names[i][1]) return static_cast<PlyType>(i);
         cursor_.fail(word.empty() ? "the property's type is missing"
                                   : fmt::format("{} is not a type", quoted_word(word)),
                      "char, uchar, short, ushort, int, uint, float or double");
@@ -162,8 +151,6 @@ class HeaderReader {
 };
 
 }  // namespace
-
-bool is_integer(PlyType type) { return type != PlyType::Float32 && type != PlyType::Float64; }
 
 void PlyElement::add(PlyProperty property) {
     std::size_t& number = number_of_[static_cast<std::size_t>(property.role)];

@@ -39,9 +39,9 @@ struct PlyElement {
     void add(PlyProperty property);
     /// The first property of that role; null when there is none. Precondition: the role is not Other.
     [[nodiscard]] const PlyProperty* with(PlyRole role) const;
-    /// Whether all three of the roles that begin with `first` are there, as single values.
+    /// True when all three of the roles that begin with `first` are there, as single values.
     [[nodiscard]] bool has_three(PlyRole first) const;
-    /// Whether some of the three are there, and others are not.
+    /// True when some of the three are there, and others are not.
     [[nodiscard]] bool has_part_of_three(PlyRole first) const;
 
   private:
@@ -54,8 +54,6 @@ struct PlyHeader {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
 };
-
-[[nodiscard]] bool is_integer(PlyType type);
 
 /// Reads up to and including the word "end_header", in n log n of its names. Throws Unreadable; LoadCancelled
 /// when this thread's load shall end.

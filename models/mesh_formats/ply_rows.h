@@ -27,11 +27,7 @@ class AsciiRows {
             cursor_.fail(fmt::format("the file ends after {} of element {}", row, quoted_word(element.name)),
                          fmt::format("{}", element.count));
     }
-    void end_row() {
-        if (!cursor_.end_of_line())
-            cursor_.fail(fmt::format("{} is one too many", quoted_word(cursor_.word())),
-                         "the header's properties only");
-    }
+    void end_row() { cursor_.end_line("the header's properties only"); }
     float number(const PlyProperty& p) {
         if (p.role != PlyRole::Other) return cursor_.number(p.name);
         if (cursor_.word().empty()) cursor_.fail(fmt::format("{} is missing", p.name), "a number");
@@ -76,7 +72,7 @@ template <bool swap> class BinaryRows {
         return static_cast<std::int64_t>(scalar(type));
     }
     void skip_list(const PlyProperty& p, std::int64_t count) {
-        take(static_cast<std::size_t>(count) * size_of(p.type));
+        take(static_cast<std::size_t>(count) * as_machine_type(p.type, [](auto of) { return sizeof(of); }));
     }
     [[nodiscard]] std::size_t bytes_left() const { return left_.size(); }
     [[nodiscard]] bool anything_left() const {
@@ -88,22 +84,27 @@ template <bool swap> class BinaryRows {
     }
 
   private:
-    static std::size_t size_of(PlyType type) {
+    /// visit(a number of the machine's own type).
+    template <class Visit> static auto as_machine_type(PlyType type, const Visit& visit) {
         switch (type) {
         case PlyType::Int8:
+            return visit(std::int8_t{});
         case PlyType::Uint8:
-            return 1;
+            return visit(std::uint8_t{});
         case PlyType::Int16:
+            return visit(std::int16_t{});
         case PlyType::Uint16:
-            return 2;
+            return visit(std::uint16_t{});
         case PlyType::Int32:
+            return visit(std::int32_t{});
         case PlyType::Uint32:
+            return visit(std::uint32_t{});
         case PlyType::Float32:
-            return 4;
+            return visit(float{});
         case PlyType::Float64:
-            return 8;
+            break;
         }
-        return 1;  // not reached
+        return visit(double{});
     }
     const char* take(std::size_t bytes) {
         parsed_.at(bytes_ - left_.size());
@@ -112,32 +113,13 @@ template <bool swap> class BinaryRows {
         left_.remove_prefix(bytes);
         return at;
     }
-    template <class T> double take_as() {
-        std::array<char, sizeof(T)> bytes;
-        std::memcpy(bytes.data(), take(sizeof(T)), sizeof(T));
-        if constexpr (swap) std::reverse(bytes.begin(), bytes.end());
-        return static_cast<double>(std::bit_cast<T>(bytes));
-    }
     double scalar(PlyType type) {
-        switch (type) {
-        case PlyType::Int8:
-            return take_as<std::int8_t>();
-        case PlyType::Uint8:
-            return take_as<std::uint8_t>();
-        case PlyType::Int16:
-            return take_as<std::int16_t>();
-        case PlyType::Uint16:
-            return take_as<std::uint16_t>();
-        case PlyType::Int32:
-            return take_as<std::int32_t>();
-        case PlyType::Uint32:
-            return take_as<std::uint32_t>();
-        case PlyType::Float32:
-            return take_as<float>();
-        case PlyType::Float64:
-            return take_as<double>();
-        }
-        return 0;  // not reached
+        return as_machine_type(type, [this]<class T>(T) {
+            std::array<char, sizeof(T)> bytes;
+            std::memcpy(bytes.data(), take(sizeof(T)), sizeof(T));
+            if constexpr (swap) std::reverse(bytes.begin(), bytes.end());
+            return static_cast<double>(std::bit_cast<T>(bytes));
+        });
     }
 
     const std::string& file_;

@@ -54,12 +54,15 @@ struct PictureSize {
 /// are both far away do not lose the difference.
 /// Precondition: eye != target and up not parallel to the view direction (the scene file checks it).
 [[nodiscard]] glm::dmat4 view_from_world(const Camera& camera);
+/// World coordinates from camera coordinates: its inverse, with the axes u, v, w as columns. The same
+/// precondition.
 [[nodiscard]] glm::dmat4 world_from_view(const Camera& camera);
 
 /// Clip coordinates from camera coordinates, OpenGL's: rows (E 0 A 0) (0 F B 0) (0 0 C D) (0 0 -1 0); visible
 /// is -w <= x, y, z <= w. Source: lecture, "Perspective Derivation"; OpenGL 2.1, section 2.11.
 [[nodiscard]] glm::dmat4 clip_from_view(const Projection& projection, PictureSize size);
 
+/// The clipping planes' distances from the eye along the line of sight, scene units.
 [[nodiscard]] inline float near_of(const Projection& projection) {
     return std::visit([](const auto& p) { return p.near; }, projection);
 }

@@ -3,6 +3,7 @@
 // scenes; a test is a scene and a picture. Names and defaults are those of the scene file
 // (docs/interface.md).
 
+#include <algorithm>
 #include <string>
 #include <variant>
 #include <vector>
@@ -38,11 +39,9 @@ struct Object {
     Transform transform;
     NormalOptions normals;
     Material material;
-    MeshPtr mesh;  // what `source` stands for once loaded, else null; not part of what a scene *is*
-    bool operator==(const Object& o) const {
-        return name == o.name && source == o.source && transform == o.transform && normals == o.normals &&
-               material == o.material;
-    }
+    MeshPtr mesh;  // what `source` stands for once loaded, else null
+    /// Another mesh makes another object, be it an equal one that was loaded again: it is drawn anew.
+    bool operator==(const Object&) const = default;
 };
 
 /// Non-photorealistic: cool-to-warm shading and strokes.
@@ -79,5 +78,18 @@ struct Scene {
     Display display;
     bool operator==(const Scene&) const = default;
 };
+
+/// Whether the scene file says the same of both, whatever meshes are loaded: what is saved, what a step of
+/// the history is, and what is read back go by this.
+[[nodiscard]] inline bool same_description(const Object& a, const Object& b) {
+    return a.name == b.name && a.source == b.source && a.transform == b.transform && a.normals == b.normals &&
+           a.material == b.material;
+}
+[[nodiscard]] inline bool same_description(const Scene& a, const Scene& b) {
+    const auto same = [](const Object& x, const Object& y) { return same_description(x, y); };
+    return a.camera == b.camera && a.global_ambient == b.global_ambient && a.lights == b.lights &&
+           std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(), same) &&
+           a.shading == b.shading && a.npr == b.npr && a.display == b.display;
+}
 
 }  // namespace glint

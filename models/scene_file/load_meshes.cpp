@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "models/fields/choices.h"
+#include "models/io/file.h"
 #include "models/mesh/mesh_memory.h"
 #include "models/mesh_formats/mesh_file.h"
 #include "models/progress.h"
@@ -54,13 +55,6 @@ Result<MeshPtr> load(const MeshSource& source, const std::string& mesh_dir) {
     } catch (const std::bad_alloc&) {
         return Problem{"", "", "the mesh does not fit in memory", "a smaller detail"};
     }
-}
-
-std::string lower_extension(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return extension;
 }
 
 /// What tells meshes apart: the name of a primitive and its detail, or the file itself, whatever path leads

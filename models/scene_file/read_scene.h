@@ -1,8 +1,10 @@
 #pragma once
-// A scene from a JSON document, by its fields (models/fields/scene_fields.h).
+// A scene from a JSON document, by its fields (models/fields/scene_fields.h), and assignments to the document
+// before that. Inside models/ only.
 
 #include "models/json/json_node.h"
 #include "models/scene/scene.h"
+#include "models/scene_file/scene_file.h"
 
 namespace glint {
 
@@ -15,5 +17,15 @@ namespace glint {
 
 /// A projection of that kind with its defaults.
 [[nodiscard]] Projection default_projection(ProjectionKind kind);
+
+// `--set /pointer=JSON`: assignments to a document before it is checked (docs/interface.md, "Command line").
+
+/// Applies all assignments in order. Missing parents are made: lists and the numbers of a vector where a
+/// scene has them, else objects. A light's `type` set alone brings its own w, a projection's `type` drops the
+/// keys of the other projections. Throws ProblemFound with file "--set".
+void apply_assignments(Json& document, const std::vector<Assignment>& assignments);
+
+/// True when an assignment sets the value at `pointer` or one around it.
+[[nodiscard]] bool is_assigned(const std::string& pointer, const std::vector<Assignment>& assignments);
 
 }  // namespace glint

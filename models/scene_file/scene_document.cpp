@@ -1,6 +1,7 @@
 // Scenes from files and into files.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -10,8 +11,8 @@
 #include "models/json/json_reader.h"
 #include "models/mesh/mesh_memory.h"
 #include "models/mesh_formats/mesh_file.h"
+#include "models/scene_file/read_scene.h"
 #include "models/scene_file/scene_file.h"
-#include "models/scene_file/scene_set.h"
 
 namespace glint {
 namespace {
@@ -20,13 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t max_png_bytes = std::size_t{4} << 30;  // 16384 x 16384 pixels that nothing compresses
 constexpr const char* known_extensions = "a scene (.json, .png) or a mesh (.obj, .ply, .off, .stl, .om)";
-
-std::string extension_of(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return extension;
-}
 
 /// Checks, then loads what the checked scene names. What an assignment put there is the assignment's fault.
 Result<SceneDocument> document_of(std::string_view text, const std::string& path,
@@ -95,7 +89,7 @@ Result<SceneDocument> open_mesh(const std::string& path, const std::vector<Assig
 }
 
 Result<SceneDocument> open_by_extension(const std::string& path, const std::vector<Assignment>& assignments) {
-    const std::string extension = extension_of(path);
+    const std::string extension = lower_extension(path);
     if (path == "-" || extension == ".json") return open_scene(path, assignments);
     if (extension == ".png") return open_picture(path, assignments);
     if (is_mesh_path(path)) return open_mesh(path, assignments);
@@ -134,6 +128,11 @@ Scene with_mesh_paths_from(Scene scene, const std::string& old_directory, const 
     return scene;
 }
 
+std::string carried_scene_text(const Scene& scene, const std::string& mesh_dir,
+                               const std::string& picture_path) {
+    return scene_text(with_mesh_paths_from(scene, mesh_dir, directory_of(picture_path)));
+}
+
 Result<SceneDocument> open_document(const std::string& path, const std::vector<Assignment>& assignments) {
     // Before reading: what is written meanwhile counts as a change.
     const FileStamp stamp = path == "-" ? FileStamp{} : file_stamp(path);
@@ -143,7 +142,7 @@ Result<SceneDocument> open_document(const std::string& path, const std::vector<A
 }
 
 Result<SceneDocument> save_document(const SceneDocument& document, const std::string& path) {
-    if (path != "-" && extension_of(path) != ".json")
+    if (path != "-" && lower_extension(path) != ".json")
         return Problem{path, "", "is not the name of a scene file", "the extension .json"};
     SceneDocument saved = document;
     saved.path = path;
@@ -152,12 +151,32 @@ Result<SceneDocument> save_document(const SceneDocument& document, const std::st
     const std::string text = scene_text(saved.scene);
     const Result<Scene> read_back = parse_scene(text, path);
     if (const Problem* problem = problem_of(read_back)) return *problem;
-    if (std::get<Scene>(read_back) != saved.scene)
-        return Problem{path, "", "a name in the scene is not UTF-8 and would not read back", "names in UTF-8"};
+    if (!same_description(std::get<Scene>(read_back), saved.scene))
+        return Problem{path, "", "a name in the scene is not UTF-8 and would not read back",
+                       "names in UTF-8"};
     const Result<std::monostate> written = write_file(path, text);
     if (const Problem* problem = problem_of(written)) return *problem;
     saved.stamp = file_stamp(path);
     return saved;
+}
+
+Result<Scene> scene_variant(const SceneDocument& document, const std::vector<Assignment>& assignments) {
+    Result<Scene> parsed = parse_scene(scene_text(document.scene), document.path, assignments);
+    if (problem_of(parsed)) return parsed;
+    Scene scene = std::get<Scene>(std::move(parsed));
+    const std::vector<Object>& loaded = document.scene.objects;
+    for (Object& object : scene.objects) {
+        const auto same = std::find_if(loaded.begin(), loaded.end(),
+                                       [&](const Object& o) { return o.source == object.source; });
+        if (same != loaded.end()) object.mesh = same->mesh;
+    }
+    const Result<Warnings> warned = load_meshes(scene, document.path, document.mesh_dir);
+    if (const Problem* found = problem_of(warned)) {
+        Problem problem = *found;
+        if (is_assigned(problem.pointer, assignments)) problem.file = "--set";
+        return problem;
+    }
+    return scene;
 }
 
 }  // namespace glint

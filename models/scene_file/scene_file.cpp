@@ -8,7 +8,6 @@
 
 #include "models/json/json_reader.h"
 #include "models/scene_file/read_scene.h"
-#include "models/scene_file/scene_set.h"
 
 namespace glint {
 namespace {

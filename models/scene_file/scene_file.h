@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "models/io/file_stamp.h"
+#include "models/io/file.h"
 #include "models/problem.h"
 #include "models/scene/scene.h"
 
@@ -59,14 +59,19 @@ struct SceneDocument {
 [[nodiscard]] Result<SceneDocument> open_document(const std::string& path,
                                                   const std::vector<Assignment>& assignments = {});
 
-/// What a file's relative mesh paths are relative to: its directory; empty for the working directory, and for
-/// "-".
+/// Returns what a file's relative mesh paths are relative to: its directory; empty for the working directory,
+/// and for "-".
 [[nodiscard]] std::string directory_of(const std::string& path);
 
 /// Returns the scene with relative mesh paths that lead from the new directory where they led from the old
 /// one.
 [[nodiscard]] Scene with_mesh_paths_from(Scene scene, const std::string& old_directory,
                                          const std::string& new_directory);
+
+/// The scene as a picture at `picture_path` carries it: mesh paths, which lead from `mesh_dir`, lead from
+/// there.
+[[nodiscard]] std::string carried_scene_text(const Scene& scene, const std::string& mesh_dir,
+                                             const std::string& picture_path);
 
 /// Writes the scene as .json beside its target and renames it into place ("-" is standard output). Mesh paths
 /// are made relative to the new place. Problems: another extension, what cannot be written, a scene that
@@ -81,5 +86,17 @@ struct SceneDocument {
 /// changes when there is no loaded mesh, or no such camera within the numbers of a scene file.
 /// Precondition: the camera is valid.
 void frame_camera(Scene& scene, int object = -1);
+
+/// The scene with the assignments applied, as `--set` would, to its text with every key written out. Meshes
+/// that the document has loaded are shared where their source stays; others are loaded. What is wrong in an
+/// assignment has the file "--set".
+[[nodiscard]] Result<Scene> scene_variant(const SceneDocument& document,
+                                          const std::vector<Assignment>& assignments);
+
+/// JSON Schema, draft 2020-12, of the scene file: keys, types, ranges, words, defaults. Made of the rows of
+/// models/fields/scene_fields.h. It accepts every valid scene. Conditions between numbers (near < far, an
+/// area that is not zero; models/fields/scene_rules.h) are beyond it: what it accepts may still be refused by
+/// the reader. Ends with a newline.
+[[nodiscard]] std::string scene_schema();
 
 }  // namespace glint

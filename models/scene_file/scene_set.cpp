@@ -1,4 +1,3 @@
-#include "models/scene_file/scene_set.h"
 
 #include <fmt/core.h>
 
@@ -79,15 +78,12 @@ class MissingParent {
         });
     }
     /// The member that the first `step` tokens lead to.
-    void at(const Colour&, const glm::vec3& v, std::size_t step, Json& found) const {
-        vector(v, step, found);
-    }
-    void at(const Vector&, const glm::vec3& v, std::size_t step, Json& found) const {
-        vector(v, step, found);
+    template <class Kind> void at(const Kind&, const glm::vec3& v, std::size_t step, Json& found) const {
+        if (step == path_.size()) found = {v.x, v.y, v.z};
     }
     /// Without its w, which belongs to the light's type.
-    void at(const Homogeneous&, const glm::vec4& v, std::size_t step, Json& found) const {
-        vector(glm::vec3(v), step, found);
+    void at(const Homogeneous& kind, const glm::vec4& v, std::size_t step, Json& found) const {
+        at(kind, glm::vec3(v), step, found);
     }
     template <class T> void at(const List&, const std::vector<T>&, std::size_t step, Json& found) const {
         if (step == path_.size()) found = Json::array();
@@ -97,10 +93,6 @@ class MissingParent {
         if (step < path_.size()) descend(value, step, found);
     }
     template <class Kind, class T> void at(const Kind&, const T&, std::size_t, Json&) const {}
-
-    void vector(const glm::vec3& v, std::size_t step, Json& found) const {
-        if (step == path_.size()) found = {v.x, v.y, v.z};
-    }
 
     const Tokens& path_;
 };

@@ -1,4 +1,3 @@
-#include "models/scene_file/schema.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,8 +2,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "renderer/geometry/to_screen.h"
-
 namespace glint {
 namespace {
 

@@ -1,16 +1,23 @@
 #pragma once
-// Clipping in homogeneous coordinates, before anything is divided (OpenGL 2.1, section 2.12).
+// Clipping in homogeneous coordinates, before anything is divided (OpenGL 2.1, section 2.12), and the way of
+// a single vertex to the screen.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <memory_resource>
 #include <span>
 #include <vector>
 
+#include "models/scene/camera.h"
 #include "renderer/geometry/geometry.h"
-#include "renderer/geometry/outside_bits.h"
+#include "renderer/geometry/geometry_kernels.h"
+#include "renderer/geometry/interpolate.h"
+#include "renderer/geometry/vertex_transform.h"
 
 namespace glint {
 
@@ -51,5 +58,67 @@ struct ClipMemory {
 [[nodiscard]] std::pmr::vector<ClippedCorner> clip_at_near(const Geometry& geometry, std::uint32_t object,
                                                            std::span<const std::uint32_t> corners,
                                                            ClipMemory& memory);
+
+// The kernels' ways of a vertex to the screen, for one vertex alone: those of triangles and of clipped pieces
+// go the same way, so that no crack opens between them.
+
+[[nodiscard]] inline Matrix4 matrix_of(const glm::dmat4& m) {
+    Matrix4 out;
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r) out.column[c][r] = m[c][r];
+    return out;
+}
+
+[[nodiscard]] inline Viewport viewport_of(const Camera& camera, PictureSize size) {
+    return {static_cast<double>(size.width), static_cast<double>(size.height),
+            is_orthographic(camera.projection)};
+}
+
+/// The kernels' to_pixel and inv_w_of for GLM's vectors. Precondition: clip.w != 0.
+[[nodiscard]] inline glm::dvec2 to_pixel(const Viewport& viewport, const glm::dvec4& clip) {
+    const PixelPoint<double> at = to_pixel(viewport, Point4<double>{clip.x, clip.y, clip.z, clip.w});
+    return {at.x, at.y};
+}
+[[nodiscard]] inline double inv_w_of(const Viewport& viewport, const glm::dvec4& clip) {
+    return inv_w_of(viewport, Point4<double>{clip.x, clip.y, clip.z, clip.w});
+}
+/// The inverse of to_pixel: x and y from -1 (left, bottom) to 1 (right, top).
+[[nodiscard]] inline glm::dvec2 to_ndc(const Viewport& viewport, glm::dvec2 pixel) {
+    const ScreenPoint<double> at = to_ndc(pixel.x, pixel.y, viewport.width, viewport.height);
+    return {at.x, at.y};
+}
+
+/// A corner that the near plane has left, but where it lies beyond it by more than rounding takes from usual
+/// numbers: of an edge that is 1e17 long doubles keep no digit of the place where it is cut. Then it has the
+/// least w that it may have, so that dividing by it gives a number.
+[[nodiscard]] inline glm::dvec4 before_eye(const Projection& projection, const glm::dvec4& clip) {
+    const double least_w = is_orthographic(projection) ? 0.5 : 0.5 * static_cast<double>(near_of(projection));
+    return {clip.x, clip.y, clip.z, std::max(clip.w, least_w)};
+}
+
+/// A corner that clipping has left; where it lies beyond near plane or guard band by more than rounding takes
+/// from usual numbers, the nearest that has a place on the rasteriser's grid.
+[[nodiscard]] inline glm::dvec4 held_in_view(const Projection& projection, const glm::dvec4& clip) {
+    const glm::dvec4 c = before_eye(projection, clip);
+    const double side = (guard_band + 1) * c.w, depth = 1.001 * c.w;
+    return {std::clamp(c.x, -side, side), std::clamp(c.y, -side, side), std::clamp(c.z, -depth, depth), c.w};
+}
+
+/// Precondition: held_in_view().
+[[nodiscard]] inline ScreenVertex to_screen(const Viewport& viewport, const glm::dvec4& clip) {
+    const GridPoint<double> at = grid_point(viewport, Point4<double>{clip.x, clip.y, clip.z, clip.w});
+    return {static_cast<std::int32_t>(nearest(at.x)), static_cast<std::int32_t>(nearest(at.y)),
+            static_cast<float>(at.inv_w)};
+}
+
+// Positions so far away that the square of their distance does not fit a float.
+
+/// Returns how many times nearer `place` (camera coordinates) has to be for its distance to be
+/// `max_distance`; 1 when it is not farther.
+[[nodiscard]] inline double share_of_way(const glm::dvec3& place) {
+    return std::min(1.0, max_distance / glm::length(place));
+}
+/// The place, or the one in the same direction that is not too far.
+[[nodiscard]] inline glm::dvec3 not_too_far(const glm::dvec3& place) { return share_of_way(place) * place; }
 
 }  // namespace glint

@@ -10,8 +10,8 @@
 #include <map>
 #include <utility>
 
-#include "models/refused.h"
-#include "renderer/geometry/to_screen.h"
+#include "models/memory_limit.h"
+#include "renderer/geometry/clip.h"
 
 namespace glint {
 namespace {

@@ -9,12 +9,35 @@ namespace glint {
 inline constexpr int subpixel_bits = 8;
 inline constexpr int subpixels = 1 << subpixel_bits;  // the rasteriser's grid, per pixel
 
+/// The six planes of the view volume, and a guard band: around the picture, beyond which screen coordinates
+/// would not fit the rasteriser's integers, and around the lengths whose products floats hold.
+enum OutsideBits : std::uint32_t {
+    OutsideLeft = 1,
+    OutsideRight = 2,
+    OutsideBottom = 4,
+    OutsideTop = 8,
+    OutsideNear = 16,
+    OutsideFar = 32,
+    OutsideGuard = 64
+};
+inline constexpr std::uint32_t needs_clipping = OutsideNear | OutsideFar | OutsideGuard;
+
+/// How far the guard band reaches, in half picture widths: |x|, |y| <= guard_band w. The largest picture,
+/// 16384, times 32, times 256 subpixels, is 2^27: edge functions then fit 64 bits with room to spare.
+inline constexpr double guard_band = 64;
+
+/// Within these w, products of two corners' clip coordinates fit a float, and keep its digits where the
+/// corners lie close together. Beyond, pixels are placed in doubles.
+inline constexpr double min_float_w = 1e-12, max_float_w = 1e15;
+/// The square of a distance up to this fits a float; scene units.
+inline constexpr double max_distance = 1e18;
+
 /// A vertex on the rasteriser's grid, y down, (0, 0) the picture's upper left corner. Four numbers, read at
 /// once.
 struct alignas(16) ScreenVertex {
     std::int32_t x = 0, y = 0;  // 1/256 pixel
-    float inv_w = 0;  // depth, linear on the screen, larger is nearer: inv_w_of (viewport_transform.h)
-    /// OutsideBits (outside_bits.h); with one of `needs_clipping` the rest has no meaning.
+    float inv_w = 0;  // depth, linear on the screen, larger is nearer: inv_w_of (vertex_transform.h)
+    /// OutsideBits; with one of `needs_clipping` the rest has no meaning.
     std::uint32_t outside = 0;
 };
 
@@ -36,7 +59,7 @@ struct Matrix4 {
     double column[4][4];
 };
 
-/// The picture as the target of the projection (viewport_transform.h).
+/// The picture as the target of the projection (vertex_transform.h).
 struct Viewport {
     double width = 0, height = 0;  // pixels
     bool orthographic = false;

@@ -20,7 +20,7 @@ template <Number F> ScreenPoint<F> to_ndc(F x, F y, F width, F height) {
     return {F(2) * x / width - F(1), F(1) - F(2) * y / height};
 }
 
-/// What the weights of three corners are in proportion to where the ray through `at` meets their plane: not
+/// Numbers in proportion to the weights of three corners where the ray through `at` meets their plane: not
 /// negative inside the triangle, from whichever side it is seen.
 template <Number F>
 Vec3<F> edge_functions(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, ScreenPoint<F> at) {

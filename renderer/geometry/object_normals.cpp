@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "renderer/geometry/camera_normal.h"
+#include "renderer/geometry/vertex_transform.h"
 #include "renderer/simd/glm_vec3.h"
 
 namespace glint {

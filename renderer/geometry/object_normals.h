@@ -33,8 +33,8 @@ struct ObjectNormals {
     [[nodiscard]] glm::vec3 at_corner(std::uint32_t corner) const {
         return normal(normal_of_corner()[corner]);
     }
-    /// What tells lit vertices of one object apart: the position where one normal a position suffices, else
-    /// the corner. A slot's normal is normal_of_slot(slot).
+    /// The number that tells lit vertices of one object apart: the position where one normal a position
+    /// suffices, else the corner. A slot's normal is normal_of_slot(slot).
     [[nodiscard]] std::uint32_t slot_of(std::uint32_t corner) const {
         return of_mesh->corner.empty() ? mesh->corner_position[corner] : corner;
     }

@@ -74,7 +74,6 @@ class PngWriter {
     png_infop info_ = nullptr;
 };
 
-std::uint64_t pixels_of(PictureSize size) { return size.pixels(); }
 constexpr std::uint64_t bytes_beside_pixels = 1 << 20;  // of the libraries
 
 Problem unreadable(const std::string& path, const std::string& what) {
@@ -110,9 +109,56 @@ std::optional<Problem> check_first_block(const FileBlock& block, const std::stri
 }  // namespace
 
 // Strings that grow have up to twice the room that they need.
-std::uint64_t png_memory(PictureSize size) { return 2 * 3 * pixels_of(size) + bytes_beside_pixels; }
-std::uint64_t pfm_memory(PictureSize size) { return 12 * pixels_of(size) + bytes_beside_pixels; }
-std::uint64_t exr_memory(PictureSize size) { return 3 * 12 * pixels_of(size) + bytes_beside_pixels; }
+std::uint64_t png_memory(PictureSize size) {
+    return std::uint64_t{2 * 3} * size.pixels() + bytes_beside_pixels;
+}
+std::uint64_t pfm_memory(PictureSize size) { return std::uint64_t{12} * size.pixels() + bytes_beside_pixels; }
+std::uint64_t exr_memory(PictureSize size) {
+    return std::uint64_t{3 * 12} * size.pixels() + bytes_beside_pixels;
+}
+
+const char* extension_of(PictureFormat format) {
+    switch (format) {
+    case PictureFormat::Png:
+        return ".png";
+    case PictureFormat::Pfm:
+        return ".pfm";
+    case PictureFormat::Exr:
+        return ".exr";
+    }
+    return "";  // not reached
+}
+
+Result<PictureFormat> picture_format(const std::string& path) {
+    for (const auto format : {PictureFormat::Png, PictureFormat::Pfm, PictureFormat::Exr})
+        if (lower_extension(path) == extension_of(format)) return format;
+    return Problem{path, "", "cannot be written", "a name that ends in .png, .pfm or .exr"};
+}
+
+std::uint64_t file_memory(PictureFormat format, PictureSize size) {
+    switch (format) {
+    case PictureFormat::Png:
+        return png_memory(size);
+    case PictureFormat::Pfm:
+        return pfm_memory(size);
+    case PictureFormat::Exr:
+        return exr_memory(size);
+    }
+    return 0;  // not reached
+}
+
+std::string picture_bytes(const Picture& picture, PictureFormat format, float exposure,
+                          const std::string& scene_json) {
+    switch (format) {
+    case PictureFormat::Png:
+        return png_bytes(picture, scene_json);
+    case PictureFormat::Pfm:
+        return pfm_bytes(picture, exposure);
+    case PictureFormat::Exr:
+        return exr_bytes(picture, exposure);
+    }
+    return {};  // not reached
+}
 
 std::string png_bytes(const Picture& picture, const std::string& scene_json) {
     std::string bytes;

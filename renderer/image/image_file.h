@@ -1,13 +1,28 @@
 #pragma once
 // Pictures to and from bytes (models/io/file.h writes them): PNG (8 bit, carrying its scene in a text chunk),
-// PFM and OpenEXR (linear float).
+// PFM and OpenEXR (linear float); and rows of them as GIF.
 
+#include <memory>
 #include <string>
 
 #include "models/problem.h"
 #include "renderer/picture.h"
 
 namespace glint {
+
+enum class PictureFormat { Png, Pfm, Exr };
+/// By the extension of `path`, in any case. The problem for any other says which there are.
+[[nodiscard]] Result<PictureFormat> picture_format(const std::string& path);
+/// ".png", ".pfm", ".exr".
+[[nodiscard]] const char* extension_of(PictureFormat format);
+/// Whether it holds linear float numbers: then Picture::linear must be filled.
+[[nodiscard]] constexpr bool is_linear(PictureFormat format) { return format != PictureFormat::Png; }
+
+/// A file of that format, and at least the bytes that making it takes. `exposure` is for the linear formats,
+/// `scene_json` for PNG: see below.
+[[nodiscard]] std::string picture_bytes(const Picture& picture, PictureFormat format, float exposure,
+                                        const std::string& scene_json);
+[[nodiscard]] std::uint64_t file_memory(PictureFormat format, PictureSize size);
 
 /// At least the bytes that making a file of a picture of that size takes: as PNG (which is never longer than
 /// the colours that go into it, but for a little), PFM, EXR.
@@ -32,5 +47,27 @@ namespace glint {
 /// Reads a PNG of any colour type and depth, up to 16384x16384, as 8-bit RGBA; `linear` stays empty. Sample
 /// values are taken as sRGB, as Glint writes them, whatever the depth. "-" is standard input.
 [[nodiscard]] Result<Picture> read_png(const std::string& path);
+
+// Moving pictures as GIF, for slides that show nothing else. A frame has at most 256 colours: steps that are
+// not in the picture appear in its gradients. Where it can be, a row of PNG files is the better choice.
+
+/// GIF89a, endlessly repeated; each frame has a palette of its own (median cut, Heckbert 1982).
+class GifWriter {
+  public:
+    /// `hundredths`: how long each frame is shown. Precondition: the size is 1x1 to 16384x16384.
+    GifWriter(PictureSize size, int hundredths);
+    ~GifWriter();
+    GifWriter(const GifWriter&) = delete;
+    GifWriter& operator=(const GifWriter&) = delete;
+
+    /// Adds a picture of that size. False when there is no memory for it.
+    [[nodiscard]] bool add(const Picture& picture);
+    /// The whole file, once.
+    [[nodiscard]] Result<std::string> finish();
+
+  private:
+    struct Encoder;
+    std::unique_ptr<Encoder> encoder_;
+};
 
 }  // namespace glint

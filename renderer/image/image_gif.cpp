@@ -1,11 +1,11 @@
-#include "renderer/image/image_gif.h"
-
 #include <gif_lib.h>
 
 #include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
+
+#include "renderer/image/image_file.h"
 
 namespace glint {
 namespace {
@@ -63,7 +63,7 @@ struct GifWriter::Encoder {
     }
 
     void frame(const Picture& picture) {
-        const auto count = std::size_t(size.width) * std::size_t(size.height);
+        const std::size_t count = size.pixels();
         std::vector<GifByteType> red(count), green(count), blue(count), index(count);
         for (std::size_t i = 0; i < count; ++i) {
             red[i] = picture.rgba[4 * i];
@@ -79,7 +79,7 @@ struct GifWriter::Encoder {
         delay();
         check(EGifPutImageDesc(file, 0, 0, size.width, size.height, false, map.get()));
         for (int y = 0; y < size.height && !failed; ++y)
-            check(EGifPutLine(file, index.data() + std::size_t(y) * std::size_t(size.width), size.width));
+            check(EGifPutLine(file, &index[size.index(0, y)], size.width));
     }
 };
 

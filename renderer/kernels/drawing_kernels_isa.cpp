@@ -1,8 +1,7 @@
 // The kernels of geometry, visibility and surface, compiled once for each instruction set
 // (renderer/CMakeLists.txt, add_kernels). No standard library inside, as in lighting_kernels_isa.cpp.
 
-#include "renderer/geometry/transform_normals.h"
-#include "renderer/geometry/transform_vertices.h"
+#include "renderer/geometry/transform_lanes.h"
 #include "renderer/kernels/kernel_set.h"
 #include "renderer/simd/wide.h"
 #include "renderer/surface/interpolate_group.h"

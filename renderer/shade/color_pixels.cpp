@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstring>
 
-#include "renderer/shade/lighting_steps.h"
+#include "renderer/shade/lighting.h"
 #include "renderer/simd/lanes.h"
 
 namespace glint {
@@ -46,17 +46,15 @@ void write_group(Lighting& l, const PixelGroup& group, const ColorBlock& color, 
 
 /// Colours of `count` groups from `first` on.
 void color_groups(Lighting& l, const Surface& s, std::size_t first, std::size_t count, ColorBlock* colors) {
-    const ShadeKernels& kernels = shade_kernels();
-    const std::size_t ref = s.corner_ref(first, 0);
-    switch (s.choice.kind) {
-    case SurfaceKind::Pixels:
-        return light_points(l, s, first, count, colors);
-    case SurfaceKind::Corners:
-        return kernels.blend(l.point_colors.data(), &s.ref_point[ref], &s.ref_weight[ref], s.refs_per_pixel,
-                             colors, count);
-    case SurfaceKind::Faces:
-        return kernels.pick(l.point_colors.data(), s.face_refs[first].point, colors, count);
+    const ColorRecord* lit = l.point_colors.data();
+    if (const auto* faces = std::get_if<PerFace>(&s.kept))
+        return shade_kernels().pick(lit, faces->refs[first].point, colors, count);
+    if (const auto* vertices = std::get_if<PerVertex>(&s.kept)) {
+        const std::size_t ref = s.corner_ref(first, 0);
+        return shade_kernels().blend(lit, &vertices->ref_point[ref], &vertices->ref_weight[ref],
+                                     max_blended(s.choice), colors, count);
     }
+    light_points(l, s, first, count, colors);
 }
 
 /// Copies the bytes of lit points to pixels. Unrolled, and with local pointers: stores of bytes may alias
@@ -73,13 +71,13 @@ void show_points(const std::uint32_t* point_rgba, const std::uint32_t (&points)[
 }
 
 /// Flat, with nothing drawn over it: a pixel shows the bytes of its lit point.
-void show_faces(Lighting& l, const Surface& s) {
+void show_faces(Lighting& l, const Surface& s, const PerFace& faces) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.groups.size(), 8 * batch_size),
                       [&](const auto& range) {
                           for (std::size_t r = range.begin(); r != range.end(); ++r) {
                               const PixelGroup& group = s.groups[r];
                               if (!l.again(group.object)) continue;
-                              show_points(l.point_rgba.data(), s.face_refs[r].point, group.mask,
+                              show_points(l.point_rgba.data(), faces.refs[r].point, group.mask,
                                           &l.picture.rgba[4 * std::size_t{group.first_pixel}]);
                           }
                       });
@@ -193,8 +191,9 @@ void color_sampled_pixels(Lighting& l, const Surface& s, const Strokes& strokes,
 
 void color_pixels(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display) {
     if (!s.group_samples.empty()) return color_sampled_pixels(l, s, strokes, display);
-    const bool as_they_are = s.choice.kind == SurfaceKind::Faces && strokes.coverage.empty() && !l.linear;
-    as_they_are ? show_faces(l, s) : color_groups_to_bytes(l, s, strokes, display);
+    const auto* faces = std::get_if<PerFace>(&s.kept);
+    const bool as_they_are = faces != nullptr && strokes.coverage.empty() && !l.linear;
+    as_they_are ? show_faces(l, s, *faces) : color_groups_to_bytes(l, s, strokes, display);
 }
 
 void clear_picture(Lighting& l, PictureSize size, const Strokes& strokes, const DisplayJob& display) {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "models/mesh/normals.h"
-#include "renderer/geometry/to_screen.h"
+#include "renderer/geometry/clip.h"
 #include "renderer/lighting/light_source.h"
 #include "renderer/shade/moving_light.h"
 
@@ -61,6 +61,61 @@ struct Frame {
         return glm::dvec3(to_camera * glm::dvec4(d, 0));
     }
 };
+
+/// The cosine of a cone's half angle, 0 to 180 degrees.
+double cos_of_cutoff(double degrees) {
+    // cos 90 degrees is not quite 0 in floating point, and the edge belongs to the cone.
+    return degrees == 90 ? 0 : std::cos(glm::radians(degrees));
+}
+
+/// Camera coordinates from a light's own: the view matrix for a light given in world coordinates, and nothing
+/// for one given in camera coordinates; mistakes may put another matrix in place.
+glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world, const Mistakes& wrong) {
+    const bool world = (space == LightSpace::World) != wrong.light_in_wrong_space;
+    const glm::dmat4 frame = world ? view_from_world : glm::dmat4(1.0);
+    return wrong.light_moved_twice ? view_from_world * frame : frame;
+}
+
+// What students do by mistake to lights and viewer before the equation sees them (models/scene/mistakes.h).
+
+/// Falloff and cone as the mistakes have them. No mistake leaves the source as it is.
+void apply_source_mistakes(const Mistakes& wrong, const Light& light, LightSource& source) {
+    if (wrong.falloff_without_constant && light.kind != LightKind::Directional) {
+        source.constant = 0;
+        source.has_falloff = true;
+    }
+    if (wrong.falloff_of_directional && light.kind == LightKind::Directional) {
+        const float r = glm::length(glm::vec3(light.position));
+        const Falloff& f = light.falloff;
+        source.has_falloff = true;  // the same wherever the point is
+        source.constant = falloff_polynomial(f.constant, f.linear, f.quadratic, r);
+        source.linear = source.quadratic = 0;
+    }
+    if (!source.has_cone || !(wrong.degrees_for_radians || wrong.cutoff_as_full_angle)) return;
+    const double angle = light.spot.cutoff_deg / (wrong.cutoff_as_full_angle ? 2.0 : 1.0);
+    const double cosine = wrong.degrees_for_radians ? std::cos(angle) : cos_of_cutoff(angle);
+    source.cos_cutoff = static_cast<float>(cosine);
+}
+
+LightJob::Projection projection_of(const glm::dmat4& m) {  // m[column][row]
+    const auto f = [&m](int row, int column) {             // products with places have to fit a float
+        return static_cast<float>(std::clamp(m[column][row], -max_distance, max_distance));
+    };
+    return {f(0, 0), f(0, 2), f(0, 3), f(1, 1), f(1, 2), f(1, 3), f(2, 2), f(2, 3), f(3, 2), f(3, 3)};
+}
+
+/// Viewer, shininess and projection as the mistakes have them; notes whether any mistake is made at all.
+void apply_job_mistakes(const Scene& scene, PictureSize size, LightJob& job) {
+    const Mistakes& wrong = scene.shading.mistakes;
+    job.mistakes = wrong;
+    job.power_table = scene.shading.power_table;
+    job.any_mistake = wrong != Mistakes{} || job.power_table > 0;
+    if (wrong.shininess_as_fraction) job.material.shininess /= 128;
+    if (wrong.viewer_at_origin_of_world)
+        job.eye = to_float3(not_too_far(glm::dvec3(view_from_world(scene.camera)[3])));
+    if (wrong.lit_after_projection)
+        job.projection = projection_of(clip_from_view(scene.camera.projection, size));
+}
 
 void add_area(std::vector<LightSource>& sources, LightSource source, const Light& light, const Frame& frame,
               const glm::dvec3& centre) {
@@ -144,17 +199,6 @@ float faintest_cosine_squared(float shininess) {
                          : std::numeric_limits<float>::lowest();  // anything to the power 0 is 1
 }
 
-double cos_of_cutoff(double degrees) {
-    // cos 90 degrees is not quite 0 in floating point, and the edge belongs to the cone.
-    return degrees == 90 ? 0 : std::cos(glm::radians(degrees));
-}
-
-glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world, const Mistakes& wrong) {
-    const bool world = (space == LightSpace::World) != wrong.light_in_wrong_space;
-    const glm::dmat4 frame = world ? view_from_world : glm::dmat4(1.0);
-    return wrong.light_moved_twice ? view_from_world * frame : frame;
-}
-
 SurfaceMaterial surface_material(const Material& m) {
     SurfaceMaterial s;
     s.k_a = to_float3(m.ambient);
@@ -202,50 +246,6 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& m,
     job.grid = rounding_grid(job);
     job.material.faintest_squared = faintest_cosine_squared(job.material.shininess);
     return job;
-}
-
-namespace {
-
-LightJob::Projection projection_of(const glm::dmat4& m) {  // m[column][row]
-    const auto f = [&m](int row, int column) {             // products with places have to fit a float
-        return static_cast<float>(std::clamp(m[column][row], -max_distance, max_distance));
-    };
-    return {f(0, 0), f(0, 2), f(0, 3), f(1, 1), f(1, 2), f(1, 3), f(2, 2), f(2, 3), f(3, 2), f(3, 3)};
-}
-
-}  // namespace
-
-void apply_source_mistakes(const Mistakes& wrong, const Light& light, LightSource& source) {
-    if (wrong.falloff_without_constant && light.kind != LightKind::Directional) {
-        source.constant = 0;
-        source.has_falloff = true;
-    }
-    if (wrong.falloff_of_directional && light.kind == LightKind::Directional) {
-        const float r = glm::length(glm::vec3(light.position));
-        const Falloff& f = light.falloff;
-        source.has_falloff = true;
-        source.constant =
-            falloff_polynomial(f.constant, f.linear, f.quadratic, r);  // the same wherever the point is
-        source.linear = source.quadratic = 0;
-    }
-    if (!source.has_cone || !(wrong.degrees_for_radians || wrong.cutoff_as_full_angle)) return;
-    const double angle = wrong.cutoff_as_full_angle ? light.spot.cutoff_deg / 2.0 : light.spot.cutoff_deg;
-    source.cos_cutoff =
-        static_cast<float>(wrong.degrees_for_radians ? std::cos(angle) : cos_of_cutoff(angle));
-}
-
-void apply_job_mistakes(const Scene& scene, PictureSize size, LightJob& job) {
-    const Mistakes& wrong = scene.shading.mistakes;
-    job.mistakes = wrong;
-    job.power_table = scene.shading.power_table;
-    job.any_mistake = wrong != Mistakes{} || job.power_table > 0;
-    if (wrong.shininess_as_fraction) job.material.shininess /= 128;
-    if (wrong.viewer_at_origin_of_world) {
-        const glm::dvec3 origin = not_too_far(glm::dvec3(view_from_world(scene.camera)[3]));
-        job.eye = {static_cast<float>(origin.x), static_cast<float>(origin.y), static_cast<float>(origin.z)};
-    }
-    if (wrong.lit_after_projection)
-        job.projection = projection_of(clip_from_view(scene.camera.projection, size));
 }
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// From the scene's lights and materials to what the kernels take: camera coordinates, colours times
+// Makes of the scene's lights and materials what the kernels take: camera coordinates, colours times
 // intensity. Lecture: "Light Sources": standard: world coordinates; alternative: camera coordinates (car
 // headlights).
 
@@ -13,7 +13,7 @@ namespace glint {
 /// The enabled lights in the scene's order; an area light gives one source a sample.
 [[nodiscard]] std::vector<LightSource> light_sources(const Scene& scene);
 
-/// Fills `sources` in its own memory.
+/// Fills `sources` with them in its own memory.
 void light_sources(const Scene& scene, std::vector<LightSource>& sources);
 
 /// One object's part of the equation. `lights` must outlive the job. `at_corners`: the colours will be
@@ -29,24 +29,8 @@ inline constexpr float opengl_max_shininess = 128;
 /// A material as the equation sees it, without k_a I_a: `global_ambient` stays 0.
 [[nodiscard]] SurfaceMaterial surface_material(const Material& material);
 
-/// Camera coordinates from a light's own: the view matrix for a light given in world coordinates, and nothing
-/// for one given in camera coordinates; `mistakes` may put another matrix in place.
-[[nodiscard]] glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world,
-                                           const Mistakes& mistakes = {});
-
-/// The cosine of a cone's half angle, 0 to 180 degrees.
-[[nodiscard]] double cos_of_cutoff(double degrees);
-
-/// The square of the cosine whose power is 2^-24, the last bit of a highlight of 1; -4, below every square
-/// with its sign, for a shininess of 0, where every cosine counts (0^0 is 1).
+/// The square of the cosine whose power is 2^-24, the last bit of a highlight of 1; the lowest float,
+/// below every square with its sign, for a shininess of 0, where every cosine counts (0^0 is 1).
 [[nodiscard]] float faintest_cosine_squared(float shininess);
-
-// What students do by mistake to lights and viewer before the equation sees them (models/scene/mistakes.h).
-
-/// Falloff and cone as the mistakes have them. No mistake leaves the source as it is.
-void apply_source_mistakes(const Mistakes& mistakes, const Light& light, LightSource& source);
-
-/// Viewer, shininess and projection as the mistakes have them; notes whether any mistake is made at all.
-void apply_job_mistakes(const Scene& scene, PictureSize size, LightJob& job);
 
 }  // namespace glint

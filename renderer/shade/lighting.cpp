@@ -7,7 +7,6 @@
 #include <array>
 
 #include "renderer/shade/light_sources.h"
-#include "renderer/shade/lighting_steps.h"
 
 namespace glint {
 
@@ -32,8 +31,9 @@ namespace {
 
 /// The colours of the mesh itself.
 void take_vertex_colors(const Surface& s, const Geometry& g, std::size_t block, ColorBlock& colors) {
+    const std::vector<ShadingPoint>& sources = s.lit_points().sources;
     for (std::size_t i = 0; i < block_size; ++i) {
-        const ShadingPoint& source = s.sources[block * block_size + i];
+        const ShadingPoint& source = sources[block * block_size + i];
         const glm::vec3 c = source.item == no_index ? glm::vec3(0) : vertex_color(s, g, source);
         colors.r[i] = c.x;
         colors.g[i] = c.y;

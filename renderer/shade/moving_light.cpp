@@ -9,10 +9,10 @@
 #include <cmath>
 
 #include "models/fields/choices.h"
-#include "models/refused.h"
+#include "models/memory_limit.h"
 #include "models/scene/reflection.h"
 #include "renderer/lighting/reflection.h"
-#include "renderer/shade/lighting_steps.h"
+#include "renderer/shade/lighting.h"
 
 namespace glint {
 namespace {

@@ -33,11 +33,11 @@ class MovingLight {
     [[nodiscard]] bool is_followed() const { return moving_ >= 0; }
     /// One job an object, with the moving light alone. Precondition, here and below: is_followed().
     [[nodiscard]] const std::vector<LightJob>& jobs() const { return jobs_; }
-    /// What the other lights add up to, from block `first` of the surface's points on.
+    /// The sums of the other lights, linear RGB, from block `first` of the surface's points on.
     [[nodiscard]] const ColorBlock* others(std::size_t first) const { return &others_[first]; }
 
-    /// What has to be done in the groups 16 `batch` and on, and notes it as done; all of it where nothing is
-    /// followed. May be called for several batches at once.
+    /// Returns what has to be done in the groups 16 `batch` and on, and notes it as done; all of it where
+    /// nothing is followed. May be called for several batches at once.
     [[nodiscard]] GroupsToDo groups_to_do(std::size_t batch);
     /// The kept picture is gone: every group has to be coloured again.
     void forget_picture();
@@ -63,9 +63,9 @@ class MovingLight {
 /// The index of the only light that differs, or -1 when none or several do.
 [[nodiscard]] int changed_light(const std::vector<Light>& kept, const std::vector<Light>& now);
 
-/// For LightJob::grid: the power of two to whose multiples each light's share is rounded, so that the sum is
-/// exact. 0, no rounding, where a share has no bound (near a light without constant falloff, an area light,
-/// Cook-Torrance), and for so few lights that keeping a sum would not pay.
+/// Returns LightJob::grid: the power of two to whose multiples each light's share is rounded, so that the sum
+/// is exact. 0, no rounding, where a share has no bound (near a light without constant falloff, an area
+/// light, Cook-Torrance), and for so few lights that keeping a sum would not pay.
 [[nodiscard]] float rounding_grid(const LightJob& job);
 
 }  // namespace glint

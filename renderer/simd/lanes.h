@@ -30,9 +30,8 @@ template <int N> struct Lanes {
     using V = typename LanesOf<N>::Floats;
     V v;
     Lanes() : v{} {}
-    Lanes(float a)
-        : v(a - typename LanesOf<N>::Floats{}) {}  // NOLINT: a number stands for itself in all lanes
-    explicit Lanes(typename LanesOf<N>::Floats a) : v(a) {}
+    Lanes(float a) : v(a - V{}) {}  // NOLINT: a number stands for itself in all lanes
+    explicit Lanes(V a) : v(a) {}
 };
 
 /// A mask of 16 lanes in the register that AVX-512 has for it.
@@ -70,7 +69,7 @@ concept Number = requires {
 template <Number F> using MaskOf = typename NumberTraits<F>::Mask;
 template <Number F> using IntOf = typename NumberTraits<F>::Int;
 
-/// Numbers side by side in one vector: Lanes, and Doubles (doubles.h).
+/// Numbers side by side in one vector: Lanes, and Doubles (double_lanes.h).
 template <class L>
 concept SideBySide = Number<L> && requires {
     typename L::V;
@@ -133,10 +132,10 @@ template <int N> IntLanes<N> operator<<(IntLanes<N> a, int b) { return {a.v << b
 template <int N> IntLanes<N> operator>>(IntLanes<N> a, int b) { return {a.v >> b}; }
 template <int N> IntLanes<N> bits_of(Lanes<N> a) { return {(typename LanesOf<N>::Ints)a.v}; }
 inline int bits_of(float a) { return __builtin_bit_cast(int, a); }
-template <int N> Lanes<N> number_of_bits(IntLanes<N> a) { return Lanes<N>((typename LanesOf<N>::Floats)a.v); }
+template <int N> Lanes<N> number_of_bits(IntLanes<N> a) { return Lanes<N>((typename Lanes<N>::V)a.v); }
 inline float number_of_bits(int a) { return __builtin_bit_cast(float, a); }
 template <int N> Lanes<N> to_number(IntLanes<N> a) {
-    return Lanes<N>(__builtin_convertvector(a.v, typename LanesOf<N>::Floats));
+    return Lanes<N>(__builtin_convertvector(a.v, typename Lanes<N>::V));
 }
 inline float to_number(int a) { return static_cast<float>(a); }
 /// Towards zero; the number must fit.
@@ -158,14 +157,13 @@ inline double square_root(double a) { return __builtin_sqrt(a); }
 template <int N> Lanes<N> square_root(Lanes<N> a) {
 #ifdef __AVX512F__
     // maskz: g++ 12 warns about the undefined register inside _mm512_sqrt_ps; the code is the same.
-    if constexpr (N == 16)
-        return Lanes<N>((typename LanesOf<N>::Floats)_mm512_maskz_sqrt_ps(0xFFFF, (__m512)a.v));
+    if constexpr (N == 16) return Lanes<N>((typename Lanes<N>::V)_mm512_maskz_sqrt_ps(0xFFFF, (__m512)a.v));
 #endif
 #ifdef __AVX__
-    if constexpr (N == 8) return Lanes<N>((typename LanesOf<N>::Floats)_mm256_sqrt_ps((__m256)a.v));
+    if constexpr (N == 8) return Lanes<N>((typename Lanes<N>::V)_mm256_sqrt_ps((__m256)a.v));
 #endif
 #ifdef __SSE2__
-    if constexpr (N == 4) return Lanes<N>((typename LanesOf<N>::Floats)_mm_sqrt_ps((__m128)a.v));
+    if constexpr (N == 4) return Lanes<N>((typename Lanes<N>::V)_mm_sqrt_ps((__m128)a.v));
 #endif
     Lanes<N> root;
     for (int i = 0; i < N; ++i) root.v[i] = __builtin_sqrtf(a.v[i]);
@@ -179,28 +177,26 @@ template <Number F> F min(F a, F b) { return select(a < b, a, b); }
 template <int N> Lanes<N> max(Lanes<N> a, Lanes<N> b) {  // one instruction with the same meaning, NaN too
 #ifdef __AVX512F__
     if constexpr (N == 16)
-        return Lanes<N>((typename LanesOf<N>::Floats)_mm512_maskz_max_ps(0xFFFF, (__m512)a.v, (__m512)b.v));
+        return Lanes<N>((typename Lanes<N>::V)_mm512_maskz_max_ps(0xFFFF, (__m512)a.v, (__m512)b.v));
 #endif
 #ifdef __AVX__
-    if constexpr (N == 8)
-        return Lanes<N>((typename LanesOf<N>::Floats)_mm256_max_ps((__m256)a.v, (__m256)b.v));
+    if constexpr (N == 8) return Lanes<N>((typename Lanes<N>::V)_mm256_max_ps((__m256)a.v, (__m256)b.v));
 #endif
 #ifdef __SSE2__
-    if constexpr (N == 4) return Lanes<N>((typename LanesOf<N>::Floats)_mm_max_ps((__m128)a.v, (__m128)b.v));
+    if constexpr (N == 4) return Lanes<N>((typename Lanes<N>::V)_mm_max_ps((__m128)a.v, (__m128)b.v));
 #endif
     return select(a > b, a, b);
 }
 template <int N> Lanes<N> min(Lanes<N> a, Lanes<N> b) {
 #ifdef __AVX512F__
     if constexpr (N == 16)
-        return Lanes<N>((typename LanesOf<N>::Floats)_mm512_maskz_min_ps(0xFFFF, (__m512)a.v, (__m512)b.v));
+        return Lanes<N>((typename Lanes<N>::V)_mm512_maskz_min_ps(0xFFFF, (__m512)a.v, (__m512)b.v));
 #endif
 #ifdef __AVX__
-    if constexpr (N == 8)
-        return Lanes<N>((typename LanesOf<N>::Floats)_mm256_min_ps((__m256)a.v, (__m256)b.v));
+    if constexpr (N == 8) return Lanes<N>((typename Lanes<N>::V)_mm256_min_ps((__m256)a.v, (__m256)b.v));
 #endif
 #ifdef __SSE2__
-    if constexpr (N == 4) return Lanes<N>((typename LanesOf<N>::Floats)_mm_min_ps((__m128)a.v, (__m128)b.v));
+    if constexpr (N == 4) return Lanes<N>((typename Lanes<N>::V)_mm_min_ps((__m128)a.v, (__m128)b.v));
 #endif
     return select(a < b, a, b);
 }
@@ -225,25 +221,6 @@ template <class I> I load_ints(const void* from) {
     I a;
     __builtin_memcpy(&a, from, sizeof(a));
     return a;
-}
-/// from[at], lane by lane.
-template <Number F> F gather(const float* from, IntOf<F> at) {
-    if constexpr (NumberTraits<F>::width == 1) {
-        return from[at];
-    } else {
-#ifdef __AVX512F__
-        if constexpr (NumberTraits<F>::width == 16)
-            return F((decltype(F::v))_mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xFFFF, (__m512i)at.v,
-                                                              from, 4));
-#endif
-#ifdef __AVX2__
-        if constexpr (NumberTraits<F>::width == 8)
-            return F((decltype(F::v))_mm256_i32gather_ps(from, (__m256i)at.v, 4));
-#endif
-        F a;
-        for (int i = 0; i < NumberTraits<F>::width; ++i) a.v[i] = from[at.v[i]];
-        return a;
-    }
 }
 inline void store(float* to, float a) { *to = a; }
 template <int N> void store(float* to, Lanes<N> a) { __builtin_memcpy(to, &a.v, sizeof(a.v)); }

@@ -62,7 +62,7 @@ template <> struct Rows<16> {
     }
 };
 
-/// From r[k], which holds the records of lanes k, k + 4, k + 8, ...
+/// Transposes r[k], which holds the records of lanes k, k + 4, k + 8, ...
 template <Number F> Columns<F> transposed(const typename Rows<NumberTraits<F>::width>::V* r) {
     using T = Rows<NumberTraits<F>::width>;
     const auto ab0 = T::low(r[0], r[1]), ab2 = T::low(r[2], r[3]);

@@ -34,7 +34,7 @@ template <Number F> Vec3<F> select(MaskOf<F> m, Vec3<F> a, Vec3<F> b) {
     return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
 }
 
-/// All lanes alike, from anything with x, y, z.
+/// Puts anything with x, y, z into all lanes.
 template <Number F, class V> Vec3<F> broadcast(const V& a) { return {F(a.x), F(a.y), F(a.z)}; }
 
 }  // namespace glint::inline GLINT_ISA

@@ -1,5 +1,6 @@
 #pragma once
-// Which edges of a mesh are drawn as strokes. Lecture: "Non-photorealistic shading: silhouettes and creases".
+// Selects the edges of a mesh that are drawn as strokes. Lecture: "Non-photorealistic shading: silhouettes
+// and creases".
 //
 // Silhouette: (e.n0)(e.n1) <= 0, e from the edge to the eye, n0 and n1 the normals of its two facets: one is
 // seen from the front and the other is not. Crease: n0.n1 <= cos(crease_deg).

@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "renderer/geometry/clip.h"
-#include "renderer/geometry/to_screen.h"
 
 namespace glint {
 

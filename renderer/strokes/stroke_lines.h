@@ -21,8 +21,7 @@
 
 namespace glint {
 
-// Whether a surface that a pixel shows lies in front of a place beside that pixel.
-
+/// Tells whether a surface that a pixel shows lies in front of a place beside that pixel.
 class Occlusion {
   public:
     explicit Occlusion(const Geometry& geometry);

@@ -111,6 +111,11 @@ float stroke_share(float distance_px, float width_px) {
     return std::clamp(std::min(overlap, width_px), 0.0f, 1.0f);
 }
 
+namespace {
+
+/// Width x height, 0 to 1: the largest share of any line, so that lines that meet or lie on each other are no
+/// darker there; ends are round. A line does not cover a pixel that shows another object in front of it. The
+/// same bits for every order of the lines.
 std::vector<float> stroke_coverage(const Geometry& g, const Visibility& visibility,
                                    std::span<const StrokeLine> lines, float width_px) {
     std::vector<float> coverage(g.size.pixels(), 0.0f);
@@ -118,8 +123,6 @@ std::vector<float> stroke_coverage(const Geometry& g, const Visibility& visibili
     tbb::parallel_for(0, filler.band_count(), [&filler](int band) { filler.fill(band); });
     return coverage;
 }
-
-namespace {
 
 /// Drops the edges of meshes that are gone and finds those of new ones.
 void update_meshes(std::vector<MeshEdges>& meshes, const Geometry& g) {

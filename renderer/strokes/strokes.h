@@ -47,12 +47,6 @@ bool draw_over(const Strokes& strokes, const glm::vec3& stroke, std::size_t firs
 /// stroke's middle: exact for a straight stroke along rows or columns, width below a pixel included.
 [[nodiscard]] float stroke_share(float distance_px, float width_px);
 
-/// Width x height, 0 to 1: the largest share of any line, so that lines that meet or lie on each other are no
-/// darker there; ends are round. A line does not cover a pixel that shows another object in front of it. The
-/// same bits for every order of the lines.
-[[nodiscard]] std::vector<float> stroke_coverage(const Geometry& geometry, const Visibility& visibility,
-                                                 std::span<const StrokeLine> lines, float width_px);
-
 }  // namespace glint
 
 namespace glint::inline GLINT_ISA {

@@ -5,7 +5,6 @@
 
 #include "renderer/geometry/clip.h"
 #include "renderer/geometry/interpolate.h"
-#include "renderer/geometry/to_screen.h"
 
 namespace glint {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
-// How much each corner of a face counts at a pixel, under the three ways of interpolating.
-// Lecture: "Gouraud Shading", "Gouraud Shading Artifacts", "Shading Artifacts: Orientation".
+// Weighs the corners of a face at a pixel, under the three ways of interpolating. Lecture: "Gouraud Shading",
+// "Gouraud Shading Artifacts", "Shading Artifacts: Orientation".
 
 #include <array>
 #include <cstdint>

@@ -21,7 +21,7 @@ template <Number F> struct FacesOfLanes {
     bool clipped = false;  // some had to be
 };
 
-/// Where corner `c` of a triangle (number within the object) is, and its normal.
+/// The records of a corner: where it is, and its normal. `triangle`: number within the object.
 struct CornerRecords {
     const TransformedVertex* vertex;
     const CameraNormal* normal;
@@ -149,7 +149,7 @@ template <Number F> bool make_normals_unit(PointBlock& block) {
     return long_enough;
 }
 
-/// What the pixels of a group show; those that it leaves out, what its first does: then in `filled`.
+/// Returns what the pixels of a group show; for those that it leaves out, what its first does, in `filled`.
 inline const std::uint32_t* seen_in_group(const InterpolateJob& job, const PixelGroup& group,
                                           std::uint32_t (&filled)[block_size]) {
     const std::uint32_t* seen = job.seen + group.first_pixel;

@@ -12,7 +12,7 @@
 #include <numeric>
 
 #include "renderer/geometry/clip.h"
-#include "renderer/surface/surface_points.h"
+#include "renderer/surface/surface.h"
 
 namespace glint {
 namespace {
@@ -20,7 +20,8 @@ namespace {
 // The kernels read a mesh's triangles as plain numbers.
 static_assert(sizeof(Triangle) == 4 * sizeof(std::uint32_t) && offsetof(Triangle, corner) == 0);
 
-InterpolateJob place_job(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t o) {
+InterpolateJob interpolate_job(const Surface& s, const Geometry& g, const Visibility& visibility,
+                               std::size_t o) {
     const ObjectGeometry& object = g.objects[o];
     InterpolateJob job;
     job.vertices = object.vertices.data();
@@ -54,8 +55,8 @@ constexpr std::size_t most_together = 64;  // groups
 void place_together(Surface& s, const Geometry& g, const Visibility& visibility, std::size_t first,
                     std::size_t count) {
     std::array<std::uint8_t, most_together> on_fast_path;
-    surface_kernels().interpolate(s.interpolate_jobs[s.groups[first].object], &s.groups[first], count,
-                                  &s.points[first], on_fast_path.data());
+    const InterpolateJob& job = std::get<PerPixel>(s.kept).jobs[s.groups[first].object];
+    surface_kernels().interpolate(job, &s.groups[first], count, &s.points[first], on_fast_path.data());
     for (std::size_t i = 0; i < count; ++i)
         if (!on_fast_path[i]) place_one_by_one(s, g, visibility, first + i, s.points[first + i]);
 }
@@ -73,10 +74,11 @@ void interpolate_pixels(Surface& s, const Geometry& g, const Visibility& visibil
     const bool on_fast_path = s.group_samples.empty() && !s.choice.facet_normals &&
                               s.choice.interpolation == Interpolation::Perspective &&
                               !s.choice.mistakes.unnormalized_at_pixel;
-    s.interpolate_jobs.clear();
+    std::vector<InterpolateJob>& jobs = s.as<PerPixel>().jobs;
+    jobs.clear();
     for (std::size_t o = 0; o < g.objects.size(); ++o)
-        s.interpolate_jobs.push_back(g.objects[o].mesh->triangles.empty() ? InterpolateJob{}
-                                                                          : place_job(s, g, visibility, o));
+        jobs.push_back(g.objects[o].mesh->triangles.empty() ? InterpolateJob{}
+                                                            : interpolate_job(s, g, visibility, o));
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.groups.size(), 256), [&](const auto& range) {
         for (std::size_t r = range.begin(); r != range.end(); ++r) s.point_object[r] = s.groups[r].object;
         for (std::size_t r = range.begin(); r != range.end();) {

@@ -3,24 +3,23 @@
 #include <algorithm>
 #include <atomic>
 
-#include "models/refused.h"
-#include "renderer/surface/surface_points.h"
+#include "models/memory_limit.h"
+#include "renderer/surface/surface.h"
 
 namespace glint {
 namespace {
 
-void number_items(Surface& s, const Geometry& g) {
-    std::vector<std::size_t>& first = s.lit_items.first;
-    first.assign(1, 0);
+void number_items(LitPoints& lit, const Surface& s, const Geometry& g) {
+    lit.first.assign(1, 0);
     for (std::size_t o = 0; o < g.objects.size(); ++o) {
         const Mesh& mesh = *g.objects[o].mesh;
         std::size_t items = mesh.face_count();
         if (s.choice.provoking) items = mesh.triangles.size();
         if (s.choice.kind == SurfaceKind::Corners) items = s.normals[o].slot_count();
-        first.push_back(first.back() + 2 * items);
+        lit.first.push_back(lit.first.back() + 2 * items);
     }
-    s.lit_items.seen.assign(first.back(), 0);
-    s.lit_items.point.assign(first.back(), no_index);
+    lit.seen.assign(lit.first.back(), 0);
+    lit.point.assign(lit.first.back(), no_index);
 }
 
 /// Calls visit(group number, lane, sources) for every pixel that shows a surface.
@@ -34,72 +33,71 @@ void visit_pixels(const Surface& s, const Geometry& g, const Visibility& visibil
 }
 
 /// Gives the seen items of each object consecutive numbers, each object beginning a new block.
-void number_seen(Surface& s) {
-    const LitItems& items = s.lit_items;
-    s.sources.clear();
+void number_seen(LitPoints& lit, Surface& s) {
+    lit.sources.clear();
     s.point_object.clear();
     s.point_count = 0;
-    for (std::uint32_t o = 0; o + 1 < items.first.size(); ++o) {
-        for (std::size_t i = items.first[o]; i < items.first[o + 1]; ++i) {
-            if (!items.seen[i]) continue;
-            s.lit_items.point[i] = static_cast<std::uint32_t>(s.sources.size());
-            const std::size_t local = i - items.first[o];
-            s.sources.push_back({o, static_cast<std::uint32_t>(local / 2), local % 2 != 0});
+    for (std::uint32_t o = 0; o + 1 < lit.first.size(); ++o) {
+        for (std::size_t i = lit.first[o]; i < lit.first[o + 1]; ++i) {
+            if (!lit.seen[i]) continue;
+            lit.point[i] = static_cast<std::uint32_t>(lit.sources.size());
+            const std::size_t local = i - lit.first[o];
+            lit.sources.push_back({o, static_cast<std::uint32_t>(local / 2), local % 2 != 0});
             ++s.point_count;
         }
-        if (s.sources.size() >= no_index - block_size)
+        if (lit.sources.size() >= no_index - block_size)
             throw Refused({"", "", "more than 4294967279 corners are lit", "fewer, or a smaller picture"});
-        while (s.sources.size() % block_size) s.sources.push_back({o, no_index, false});
-        s.point_object.resize(s.sources.size() / block_size, o);
+        while (lit.sources.size() % block_size) lit.sources.push_back({o, no_index, false});
+        s.point_object.resize(lit.sources.size() / block_size, o);
     }
 }
 
-void place_points(Surface& s, const Geometry& g) {
+void place_points(const LitPoints& lit, Surface& s, const Geometry& g) {
     s.points.resize(s.point_object.size());
     tbb::parallel_for(std::size_t{0}, s.points.size(), [&](std::size_t b) {
         PointBlock block{};
         for (std::size_t i = 0; i < block_size; ++i) {
-            const ShadingPoint& source = s.sources[b * block_size + i];
+            const ShadingPoint& source = lit.sources[b * block_size + i];
             if (source.item != no_index) lit_point(s, g, source).put(block, i);
         }
         s.points[b] = block;
     });
 }
 
-void refer_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
-    const LitItems& items = s.lit_items;
-    const bool corners = s.choice.kind == SurfaceKind::Corners;
-    s.refs_per_pixel = max_blended(s.choice);
-    const std::size_t refs = corners ? s.corner_ref(s.groups.size(), 0) : 0;
-    s.ref_point.assign(refs, 0);
-    s.ref_weight.assign(refs, 0);
-    s.face_refs.assign(corners ? 0 : s.groups.size(), FaceRefs{});
-    visit_pixels(s, g, visibility, [&](std::size_t r, unsigned i, const SampleSources& sample) {
-        if (!corners) {
-            s.face_refs[r].point[i] = items.point[items.number(sample.source[0])];
-            return;
-        }
-        for (int k = 0; k < std::min(sample.count, s.refs_per_pixel); ++k) {
-            s.ref_point[s.corner_ref(r, k) + i] =
-                items.point[items.number(sample.source[static_cast<std::size_t>(k)])];
-            s.ref_weight[s.corner_ref(r, k) + i] = sample.weight[static_cast<std::size_t>(k)];
-        }
+/// Finds the lit points that the pixels show.
+void find_lit_points(LitPoints& lit, Surface& s, const Geometry& g, const Visibility& visibility) {
+    number_items(lit, s, g);
+    visit_pixels(s, g, visibility, [&lit](std::size_t, unsigned, const SampleSources& sample) {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(sample.count); ++k)
+            // Several threads may write the same 1.
+            std::atomic_ref(lit.seen[lit.number(sample.source[k])]).store(1, std::memory_order_relaxed);
     });
+    number_seen(lit, s);
+    place_points(lit, s, g);
 }
 
 }  // namespace
 
 void collect_lit_points(Surface& s, const Geometry& g, const Visibility& visibility) {
-    number_items(s, g);
-    LitItems& items = s.lit_items;
-    visit_pixels(s, g, visibility, [&](std::size_t, unsigned, const SampleSources& sample) {
-        for (std::size_t k = 0; k < static_cast<std::size_t>(sample.count);
-             ++k)  // several threads may write the same 1
-            std::atomic_ref(items.seen[items.number(sample.source[k])]).store(1, std::memory_order_relaxed);
+    if (s.choice.kind == SurfaceKind::Faces) {
+        auto& [lit, refs] = s.as<PerFace>();
+        find_lit_points(lit, s, g, visibility);
+        refs.assign(s.groups.size(), FaceRefs{});
+        return visit_pixels(s, g, visibility, [&](std::size_t r, unsigned i, const SampleSources& sample) {
+            refs[r].point[i] = lit.point[lit.number(sample.source[0])];
+        });
+    }
+    auto& [lit, ref_point, ref_weight] = s.as<PerVertex>();
+    find_lit_points(lit, s, g, visibility);
+    ref_point.assign(s.corner_ref(s.groups.size(), 0), 0);
+    ref_weight.assign(ref_point.size(), 0);
+    visit_pixels(s, g, visibility, [&](std::size_t r, unsigned i, const SampleSources& sample) {
+        for (int k = 0; k < std::min(sample.count, max_blended(s.choice)); ++k) {
+            const auto which = static_cast<std::size_t>(k);
+            ref_point[s.corner_ref(r, k) + i] = lit.point[lit.number(sample.source[which])];
+            ref_weight[s.corner_ref(r, k) + i] = sample.weight[which];
+        }
     });
-    number_seen(s);
-    place_points(s, g);
-    refer_pixels(s, g, visibility);
 }
 
 }  // namespace glint

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "renderer/geometry/interpolate.h"
-#include "renderer/surface/surface_points.h"
+#include "renderer/surface/surface.h"
 
 namespace glint {
 namespace {

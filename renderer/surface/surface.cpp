@@ -4,8 +4,6 @@
 
 #include <bit>
 
-#include "renderer/surface/surface_points.h"
-
 namespace glint {
 namespace {
 

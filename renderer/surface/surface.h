@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 #include "models/memory_limit.h"
@@ -36,7 +37,7 @@ struct SurfaceChoice {
     bool operator==(const SurfaceChoice&) const = default;
 };
 [[nodiscard]] SurfaceChoice surface_choice(const Shading& shading);
-/// How many corners a pixel blends at most under Corners.
+/// Returns how many corners a pixel blends at most under Corners.
 [[nodiscard]] inline int max_blended(const SurfaceChoice& choice) {
     return choice.interpolation == Interpolation::Scanline ? CornerWeights::most : 3;
 }
@@ -75,46 +76,70 @@ struct ShadingPoint {
     bool operator==(const ShadingPoint&) const = default;
 };
 
-/// All that could be lit of a scene, its objects one after the other, each item twice: as it is and turned.
-struct LitItems {
-    std::vector<std::size_t> first;    // #objects + 1
-    std::vector<std::uint8_t> seen;    // 1: some pixel shows it
-    std::vector<std::uint32_t> point;  // the lit point's number, or no_index
+/// The lit points that pixels share (Gouraud, flat), out of all that could be lit of a scene: the objects one
+/// after the other, each item twice, as it is and turned.
+struct LitPoints {
+    std::vector<std::size_t> first;     // #objects + 1, into seen and point
+    std::vector<std::uint8_t> seen;     // 1: some pixel shows it
+    std::vector<std::uint32_t> point;   // the lit point's number, or no_index
+    std::vector<ShadingPoint> sources;  // of each lit point, 16 a block; unused ones have no_index
 
     [[nodiscard]] std::size_t number(const ShadingPoint& s) const {
         return first[s.object] + 2 * std::size_t{s.item} + (s.turned ? 1 : 0);
     }
 };
 
+// What each kind of surface keeps beside the lit points.
+
+struct PerPixel {
+    std::vector<InterpolateJob> jobs;  // one an object
+};
+struct PerVertex {
+    LitPoints lit;
+    // What each pixel blends; entry k of lane i of a group is at Surface::corner_ref(group, k) + i.
+    std::vector<std::uint32_t> ref_point;  // numbers of lit points
+    std::vector<float> ref_weight;         // 0: nothing to blend
+};
+struct PerFace {
+    LitPoints lit;
+    std::vector<FaceRefs> refs;  // one a group
+};
+
 struct Surface {
     SurfaceChoice choice;
     std::vector<ObjectNormals> normals;
-    std::vector<PixelGroup> groups;                // those of one group of 16 pixels lie together
-    std::vector<GroupSamples> group_samples;       // one a group; empty with one sample a pixel
-    std::vector<RowGroups> row_groups;             // #rows + 1, with one sample a pixel
-    std::vector<SampledRow> sampled_rows;          // #rows, with several
-    std::vector<InterpolateJob> interpolate_jobs;  // Pixels: one an object
-    std::vector<PointBlock> points;                // lit points; Pixels: points[i] belongs to groups[i]
-    std::vector<std::uint32_t> point_object;       // #points: the object whose material each block has
-    std::vector<ShadingPoint> sources;  // Corners, Faces: 16 a block of points; unused ones have no_index
-    std::vector<FaceRefs> face_refs;    // Faces: one a group
-    LitItems lit_items;                 // Corners, Faces: how they got their numbers
-    // Corners: what each pixel blends; entry k of lane i of a group is at corner_ref(group, k) + i.
-    int refs_per_pixel = 3;                // 8 under scanline interpolation
-    std::vector<std::uint32_t> ref_point;  // numbers of lit points
-    std::vector<float> ref_weight;         // 0: nothing to blend
-    std::uint64_t pixel_count = 0;         // that show a surface
-    std::uint64_t point_count = 0;         // lit
-    MemoryShare share;                     // of what there is for each group
+    std::vector<PixelGroup> groups;                   // those of one group of 16 pixels lie together
+    std::vector<GroupSamples> group_samples;          // one a group; empty with one sample a pixel
+    std::vector<RowGroups> row_groups;                // #rows + 1, with one sample a pixel
+    std::vector<SampledRow> sampled_rows;             // #rows, with several
+    std::vector<PointBlock> points;                   // lit points; Pixels: points[i] belongs to groups[i]
+    std::vector<std::uint32_t> point_object;          // #points: the object whose material each block has
+    std::variant<PerPixel, PerVertex, PerFace> kept;  // as choice.kind says
+    std::uint64_t pixel_count = 0;                    // that show a surface
+    std::uint64_t point_count = 0;                    // lit
+    MemoryShare share;                                // of what there is for each group
 
-    /// How many blocks of points from `first` on, and before `end`, are of the same object: at least 1.
+    /// Returns what this kind of surface keeps, in the memory of before where it was of the same kind.
+    template <class Kind> Kind& as() {
+        if (!std::holds_alternative<Kind>(kept)) kept.emplace<Kind>();
+        return std::get<Kind>(kept);
+    }
+    /// Precondition: Corners or Faces.
+    [[nodiscard]] const LitPoints& lit_points() const {
+        const auto* vertices = std::get_if<PerVertex>(&kept);
+        return vertices != nullptr ? vertices->lit : std::get<PerFace>(kept).lit;
+    }
+    /// Counts the blocks of points from `first` on, and before `end`, that are of the same object: at least
+    /// 1.
     [[nodiscard]] std::size_t count_of_one_object(std::size_t first, std::size_t end) const {
         std::size_t next = first + 1;
         while (next < end && point_object[next] == point_object[first]) ++next;
         return next - first;
     }
+    /// Where entry k of what a group of pixels blends begins. Precondition: Corners.
     [[nodiscard]] std::size_t corner_ref(std::size_t group, int k) const {
-        return (group * static_cast<std::size_t>(refs_per_pixel) + static_cast<std::size_t>(k)) * block_size;
+        return (group * static_cast<std::size_t>(max_blended(choice)) + static_cast<std::size_t>(k)) *
+               block_size;
     }
 };
 
@@ -134,10 +159,10 @@ struct SurfaceInputs {
     SurfaceInputs(const Surface& s) : choice(s.choice), normals(s.normals) {}  // NOLINT: one for the other
 };
 
-/// What lane `lane` of group `group` shows.
+/// Returns what lane `lane` of group `group` shows.
 [[nodiscard]] SampleFace face_of_lane(const Surface& surface, const Geometry& geometry,
                                       const Visibility& visibility, std::size_t group, unsigned lane);
-/// What pixel (x, y) shows at its centre; the picture must have one sample a pixel.
+/// Returns what pixel (x, y) shows at its centre. Precondition: one sample a pixel, and it shows a surface.
 [[nodiscard]] SampleFace sample_face(const SurfaceChoice& choice, const Geometry& geometry,
                                      const Visibility& visibility, int x, int y);
 
@@ -170,5 +195,19 @@ struct SampleSources {
 };
 [[nodiscard]] SampleSources sample_sources(const SurfaceInputs& surface, const Geometry& geometry,
                                            const SampleFace& face);
+
+// The steps that fill a surface.
+
+/// With several samples a pixel: fills groups, group_samples and pixel_count from all planes of the
+/// visibility, in reading order (multisample.cpp).
+void find_sampled_groups(Surface& surface, const Geometry& geometry, const Visibility& visibility);
+
+/// Phong and facet shading: fills points, point_object and point_count with the position and normal of every
+/// visible pixel (interpolate_pixels.cpp). Precondition: the groups are found.
+void interpolate_pixels(Surface& surface, const Geometry& geometry, const Visibility& visibility);
+
+/// Gouraud and flat shading light only the corners and faces that are seen, each once: fills points,
+/// point_object, and the refs of every group (lit_points.cpp). Precondition: the groups are found.
+void collect_lit_points(Surface& surface, const Geometry& geometry, const Visibility& visibility);
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// Which tiles each of many triangles may touch, and which of them have to be clipped first.
+// Finds which tiles each of many triangles may touch, and which of them have to be clipped first.
 
 #include "renderer/simd/int_lanes.h"
 #include "renderer/simd/transpose.h"

@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "models/refused.h"
+#include "models/memory_limit.h"
 #include "renderer/geometry/clip.h"
-#include "renderer/geometry/to_screen.h"
 
 namespace glint {
 namespace {
@@ -57,8 +56,7 @@ void lay_out_chunks(TileLists& lists, const Geometry& g, const BinJob& like, Cul
 
 /// How many tiles a box meets.
 std::uint64_t tiles_of(const TriangleBox& box) {
-    const std::uint32_t wide = box.x1() - box.x0() + 1, high = box.y1() - box.y0() + 1;
-    return std::uint64_t{wide} * high;
+    return std::uint64_t{box.x1() - box.x0() + 1} * (box.y1() - box.y0() + 1);
 }
 
 /// The finest level on which a box meets few enough cells.
@@ -115,54 +113,35 @@ void ask_for_room(TileLists& lists, std::uint64_t entries) {
         memory_need(MemoryUse::Tiles, kept * sizeof(TileEntry) + lists.clipped.capacity() * a_piece));
 }
 
-/// Cuts the triangles that cross the near or far plane or leave the guard band into pieces that do not.
-class Clipper {
-  public:
-    Clipper(TileLists& lists, const Geometry& g)
-        : lists_(lists),
-          camera_(g.camera.projection),
-          clip_from_view_(g.clip_from_view),
-          viewport_(viewport_of(g.camera, g.size)) {}
-
-    /// Triangle `t` of an object.
-    void clip(const ObjectGeometry& object, std::uint32_t t) {
-        std::vector<glm::dvec4>& polygon = lists_.polygon;
-        polygon.clear();
-        for (std::size_t k = 0; k < 3; ++k) {
-            const glm::vec3& p = object.mesh->positions[object.triangle_vertices[3 * std::size_t{t} + k]];
-            // In two steps, as the kernels take them (transform_vertices.h), so that no crack opens.
-            polygon.push_back(clip_from_view_ * (object.view_from_object * glm::dvec4(glm::dvec3(p), 1.0)));
-        }
-        clip_polygon(polygon, lists_.spare_polygon);
-        for (std::size_t i = 2; i < polygon.size(); ++i) {
-            if (lists_.clipped.size() == max_pieces)
-                throw Refused({"", "",
-                               fmt::format("more than {} pieces of triangles are in view", max_pieces),
-                               "fewer triangles that cross the near or far plane"});
-            lists_.clipped.push_back({{corner(polygon[0]), corner(polygon[i - 1]), corner(polygon[i])},
-                                      object.first_triangle + t,
-                                      object.mirrored});
-        }
+/// Cuts a triangle, which crosses the near or far plane or leaves the guard band, into pieces that do not.
+void clip_triangle(TileLists& lists, const Geometry& g, const ObjectGeometry& object, std::uint32_t t) {
+    std::vector<glm::dvec4>& polygon = lists.polygon;
+    polygon.clear();
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::vec3& p = object.mesh->positions[object.triangle_vertices[3 * std::size_t{t} + k]];
+        // In two steps, as the kernels take them (transform_lanes.h), so that no crack opens.
+        polygon.push_back(g.clip_from_view * (object.view_from_object * glm::dvec4(glm::dvec3(p), 1.0)));
     }
-
-  private:
-    [[nodiscard]] ScreenVertex corner(const glm::dvec4& clip) const {
-        return to_screen(viewport_, held_in_view(camera_, clip));
+    clip_polygon(polygon, lists.spare_polygon);
+    const auto corner = [&g, viewport = viewport_of(g.camera, g.size)](const glm::dvec4& clip) {
+        return to_screen(viewport, held_in_view(g.camera.projection, clip));
+    };
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+        if (lists.clipped.size() == max_pieces)
+            throw Refused({"", "", fmt::format("more than {} pieces of triangles are in view", max_pieces),
+                           "fewer triangles that cross the near or far plane"});
+        lists.clipped.push_back({{corner(polygon[0]), corner(polygon[i - 1]), corner(polygon[i])},
+                                 object.first_triangle + t,
+                                 object.mirrored});
     }
-
-    TileLists& lists_;
-    const Projection& camera_;
-    const glm::dmat4& clip_from_view_;
-    Viewport viewport_;
-};
+}
 
 void clip_triangles(TileLists& lists, const Geometry& g) {
-    Clipper clipper(lists, g);
     lists.clipped.clear();
     for (const BinnedChunk& chunk : lists.chunks) {
         std::size_t n = 0;
         for (const ChunkPart& part : chunk.parts)
-            for (; n < part.clip_end; ++n) clipper.clip(g.objects[part.object], chunk.to_clip[n]);
+            for (; n < part.clip_end; ++n) clip_triangle(lists, g, g.objects[part.object], chunk.to_clip[n]);
         if (n > 0) ask_for_room(lists, 0);
     }
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Which triangles may be seen in which tile of the screen: those in view, clipped where they must be, without
-// the ones that are culled or have no area.
+// Lists which triangles may be seen in which tile of the screen: those in view, clipped where they must be,
+// without the ones that are culled or have no area.
 
 #include <array>
 

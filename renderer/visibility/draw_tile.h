@@ -1,5 +1,6 @@
 #pragma once
-// All triangles of one tile: made ready several at once (triangle_lanes.h), then drawn one after the other.
+// Draws all triangles of one tile: they are made ready several at once (triangle_lanes.h), then drawn one
+// after the other.
 
 #include "renderer/visibility/fill_triangle.h"
 #include "renderer/visibility/triangle_lanes.h"
@@ -132,7 +133,7 @@ template <Number F> void draw_tile(const TileJob& job, TilePixels& tile) {
     }
 }
 
-/// Which pixels of a patch show a triangle: bit i the pixel i.
+/// Tells which pixels of a patch show a triangle: bit i the pixel i.
 template <Number F> unsigned covered_of_patch(const std::int32_t* seen) {
     unsigned bits = 0;
     for (int i = 0; i < patch_pixels; i += NumberTraits<F>::width)

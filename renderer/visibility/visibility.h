@@ -29,7 +29,7 @@ struct Visibility {
     [[nodiscard]] bool back_at(std::size_t pixel) const { return seen[pixel] && back_of_code(seen[pixel]); }
 };
 
-/// Where sample `which` of `samples` lies in its pixel, in 1/256 pixel from the centre. One sample is the
+/// The place of sample `which` of `samples` in its pixel, in 1/256 pixel from the centre. One sample is the
 /// centre; the others are the usual rotated grids, so that nearly horizontal and vertical edges get as many
 /// steps as samples.
 struct SampleOffset {

@@ -55,9 +55,9 @@ struct BinnedTriangles {
 
 // Which triangle is seen at each pixel of a tile.
 
-/// What a pixel holds that shows a triangle; 0 shows none. Larger for lower numbers, so that at equal depth
-/// the lower object and then the lower face wins by being larger. Numbers below 2^30; `back`: 1 where the
-/// triangle is wound clockwise as seen, else 0. I: an integer, or as many as there are lanes.
+/// The code that a pixel holds where it shows a triangle; 0 shows none. Larger for lower numbers, so that at
+/// equal depth the lower object and then the lower face wins by being larger. Numbers below 2^30; `back`: 1
+/// where the triangle is wound clockwise as seen, else 0. I: an integer, or as many as there are lanes.
 template <class I> [[nodiscard]] constexpr I seen_code(I triangle, I back) {
     return 0x7fffffff - ((triangle << 1) + back);
 }

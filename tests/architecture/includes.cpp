@@ -74,6 +74,8 @@ std::string complaint(string_view path, string_view name, bool quoted) {
     if (floors[*from] == "renderer" && from == to) {
         if (std::string why = complaint_inside(path, name); !why.empty()) return why;
     }
+    if (path.starts_with("ui/widgets/") && name.starts_with("ui/") && !name.starts_with("ui/widgets/"))
+        return "is not a widget; expected ui/widgets/ to stand by itself";
     if (*from > 0 && is_gl_or_window(name)) return "brings GL, GLFW or a window below app";
     if (*from > 1 && name.starts_with("imgui")) return "brings ImGui below ui";
     if (name.starts_with("OpenMesh/") && !(path.starts_with("models/") && path.ends_with(".cpp"))) {
@@ -105,4 +107,23 @@ std::vector<std::string> forbidden_includes(string_view path, string_view text) 
         found.push_back(text_of_line.str());
     }
     return found;
+}
+
+std::vector<std::string> way_of_includes(const std::map<std::string, std::string>& files,
+                                         const std::string& from, const std::string& to) {
+    static const std::regex include(R"re((?:^|\n)\s*#\s*include\s*"([^"]+)")re");
+    std::map<std::string, std::string> reached{{from, ""}};  // and by which file
+    std::vector<std::string> next{from};
+    while (!next.empty() && !reached.contains(to)) {
+        const std::string file = next.back();
+        next.pop_back();
+        const auto at = files.find(file);
+        if (at == files.end()) continue;
+        for (std::sregex_iterator i(at->second.begin(), at->second.end(), include), end; i != end; ++i)
+            if (reached.emplace((*i)[1], file).second) next.push_back((*i)[1]);
+    }
+    std::vector<std::string> way;
+    if (reached.contains(to))
+        for (std::string file = to; !file.empty(); file = reached[file]) way.insert(way.begin(), file);
+    return way;
 }

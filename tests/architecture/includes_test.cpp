@@ -50,6 +50,31 @@ TEST_CASE("a room of the renderer that includes a later one is reported", "[arch
     CHECK_FALSE(reported("renderer/surface/surface.h", "renderer/geometry/geometry.h"));
 }
 
+TEST_CASE("fields and handles know the window's state neither directly nor through another header",
+          "[architecture]") {
+    std::map<std::string, std::string> files;
+    const fs::path root = GLINT_SOURCE_DIR;
+    for (const auto& entry : fs::recursive_directory_iterator(root / "ui")) {
+        if (!entry.is_regular_file()) continue;
+        std::ostringstream text;
+        text << std::ifstream(entry.path()).rdbuf();
+        files[fs::relative(entry.path(), root).generic_string()] = text.str();
+    }
+    int asked = 0;
+    for (const auto& [path, text] : files) {
+        if (!path.starts_with("ui/fields/") && !path.starts_with("ui/picture/handles/")) continue;
+        ++asked;
+        std::string way;
+        for (const std::string& file : way_of_includes(files, path, "ui/ui.h")) way += " > " + file;
+        INFO("includes ui/ui.h:" << way);
+        CHECK(way.empty());
+    }
+    CHECK(asked > 20);
+    CHECK(way_of_includes({{"a.h", "#include \"b.h\""}, {"b.h", "// why\n#include \"c.h\"\n"}}, "a.h",
+                          "c.h") == std::vector<std::string>{"a.h", "b.h", "c.h"});
+    CHECK(way_of_includes({{"a.h", "#include \"b.h\""}}, "b.h", "a.h").empty());
+}
+
 TEST_CASE("no two headers define a class of one name, which the linker would take for one",
           "[architecture]") {
     // Specialisations are not asked about, nor what stands in another namespace: it is indented or in a .cpp.
@@ -92,6 +117,8 @@ TEST_CASE("an upward include is reported with its file and line", "[architecture
     CHECK(forbidden_includes("models/a.h", "  #  include <ui/widgets/theme.h>  // why").size() == 1);
     CHECK(forbidden_includes("renderer/a/b.cpp", "#include \"ui/widgets/theme.h\"").size() == 1);
     CHECK(forbidden_includes("renderer/a/b.cpp", "#include \"../../app/main.h\"").size() == 1);
+    CHECK(forbidden_includes("ui/widgets/a.cpp", "#include \"ui/fields/panels.h\"").size() == 1);
+    CHECK(forbidden_includes("ui/widgets/a.cpp", "#include \"ui/widgets/theme.h\"").empty());
 }
 
 TEST_CASE("libraries of the window are reported below their floor", "[architecture]") {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "app/window/drag.h"
+#include "app/commands/drag.h"
 #include "models/scene_file/scene_file.h"
 #include "renderer/renderer.h"
 #include "tests/bench/llvmpipe/rival.h"

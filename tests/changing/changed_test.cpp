@@ -11,7 +11,6 @@
 #include "models/fields/scene_numbers.h"
 #include "models/scene/mistakes.h"
 #include "models/scene_file/scene_file.h"
-#include "models/scene_file/schema.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
 

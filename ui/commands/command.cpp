@@ -16,7 +16,8 @@ namespace {
 
 std::vector<WindowCommand> all_commands() {
     std::vector<WindowCommand> all;
-    for (const auto rows : {file_commands, edit_commands, view_commands, lecture_commands, shading_commands})
+    for (const auto rows :
+         {file_commands, edit_commands, camera_commands, view_commands, lecture_commands, shading_commands})
         for (WindowCommand& row : rows()) all.push_back(std::move(row));
     return all;
 }

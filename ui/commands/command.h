@@ -1,7 +1,7 @@
 #pragma once
 // Everything that a menu item or a key does, once: a command is one row of a table, and the row's functions
 // do it. Menus, keys, the palette, the tool bar and the sheet of shortcuts read the rows. The rows stand in
-// commands_file_edit.cpp, commands_view.cpp, commands_lecture.cpp and commands_shading.cpp.
+// commands_file_edit.cpp, commands_scene.cpp, commands_view.cpp and commands_lecture.cpp.
 
 #include <optional>
 #include <span>
@@ -26,10 +26,9 @@ struct WindowCommand {
     bool (*is_on)(const UiState&) = nullptr;                // null: it is not a switch
     std::string (*why_disabled)(const UiState&) = nullptr;  // null, or an empty reason: it can be done
     CommandId id = CommandId::None;
-    bool line_above = false;  // in the menu
-    bool changes_picture =
-        false;              // it shows something over or in place of the picture: hints would be in its way
-    const char* sets = "";  // what it sets of the scene, as keys_of_value() takes it
+    bool line_above = false;       // in the menu
+    bool changes_picture = false;  // over it or in place of it, where hints would be in the way
+    const char* sets = "";         // what it sets of the scene, as keys_of_value() takes it
 };
 
 /// All commands, in the order of menus and lists.

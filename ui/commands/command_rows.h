@@ -7,6 +7,7 @@ namespace glint {
 
 [[nodiscard]] std::vector<WindowCommand> file_commands();
 [[nodiscard]] std::vector<WindowCommand> edit_commands();
+[[nodiscard]] std::vector<WindowCommand> camera_commands();
 [[nodiscard]] std::vector<WindowCommand> view_commands();
 [[nodiscard]] std::vector<WindowCommand> lecture_commands();
 [[nodiscard]] std::vector<WindowCommand> shading_commands();
@@ -21,5 +22,6 @@ constexpr bool ctrl = true, shift = true;  // of a KeyPress
 [[nodiscard]] inline std::string unless_drawn(const void* picture) {
     return unless(picture != nullptr, "There is no picture yet");
 }
+[[nodiscard]] std::string unless_objects(const UiState& state);
 
 }  // namespace glint

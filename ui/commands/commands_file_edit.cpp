@@ -67,10 +67,7 @@ std::vector<WindowCommand> file_commands() {
         {.name = "New scene",
          .keys = {{Key::N, ctrl}},
          .menu = Menu::File,
-         .run =
-             [](UiState& s) {
-                 begin_pending(s, {Pending::What::New, "", false});
-             }},
+         .run = [](UiState& s) { begin_pending(s, Pending::What::New); }},
         {.name = "Open…",
          .keys = {{Key::O, ctrl}},
          .menu = Menu::File,
@@ -109,10 +106,7 @@ std::vector<WindowCommand> file_commands() {
         {.name = "Quit",
          .keys = {{Key::Q, ctrl}},
          .menu = Menu::File,
-         .run =
-             [](UiState& s) {
-                 begin_pending(s, {Pending::What::Quit, "", false});
-             },
+         .run = [](UiState& s) { begin_pending(s, Pending::What::Quit); },
          .id = CommandId::Quit,
          .line_above = true},
     };

@@ -18,7 +18,7 @@ std::string other_scene(const UiState& state, int step) {
 void open_other(UiState& state, int step) {
     const std::string path = other_scene(state, step);
     if (path.empty()) return;
-    begin_pending(state, {Pending::What::Open, path, false});
+    begin_pending(state, Pending::What::Open, path);
 }
 
 void switch_projector(UiState& state) {

@@ -1,45 +1,12 @@
-// The commands of the menu View, and the directions of view that have keys alone.
+// The commands of the menu View, but for the camera's.
 #include <imgui.h>
 
 #include "ui/commands/command_rows.h"
-#include "ui/picture/orbit.h"
 #include "ui/ui.h"
 #include "ui/views/views.h"
 
 namespace glint {
 namespace {
-
-std::string unless_objects(const UiState& state) {
-    return unless(!state.editor.scene().objects.empty(), "The scene has no object");
-}
-
-void frame_selected(UiState& state) {
-    const Selection& selected = state.editor.selection;
-    frame_camera(state.editor.scene(), selected.kind == Selection::Kind::Object ? selected.index : -1);
-}
-
-template <ViewFrom side> void look_from(UiState& state) {
-    Scene& scene = state.editor.scene();
-    const Camera before = scene.camera;
-    scene.camera = seen_from(scene.camera, side);
-    keep_depth_range(scene.camera, before, scene_bounds(scene));
-}
-
-void switch_projection(UiState& state) {
-    Camera& camera = state.editor.scene().camera;
-    if (state.rendered != nullptr) camera = other_projection(camera, state.rendered->size);
-}
-
-void keep_this_view(UiState& state) {
-    keep_view(state.kept_views, state.editor.scene().camera);
-    state.notifications.add(Tone::Done,
-                            "This view is kept: " + keys_of(CommandId::NextView) + " comes back to it");
-}
-
-void show_next_view(UiState& state) {
-    Camera& camera = state.editor.scene().camera;
-    if (const auto view = next_view(state.kept_views, camera)) camera = *view;
-}
 
 void switch_compare(UiState& state) {
     state.views.compare.choice.on ^= true;
@@ -74,74 +41,6 @@ void store_b(UiState& state) {
     choice.stored = std::make_shared<const Scene>(state.editor.scene());
     choice.shows_stored = false;
     state.notifications.add(Tone::Done, "Stored as B: press " + keys_of(CommandId::ShowB) + " to look at it");
-}
-
-std::vector<WindowCommand> camera_commands() {
-    return {
-        {.name = "Frame the selected object, or all",
-         .keys = {{Key::F}, {Key::PadPoint}},
-         .menu = Menu::View,
-         .run = frame_selected,
-         .why_disabled = unless_objects},
-        {.name = "Frame all",
-         .keys = {{Key::F, !ctrl, shift}},
-         .menu = Menu::View,
-         .run = [](UiState& s) { frame_camera(s.editor.scene(), -1); },
-         .why_disabled = unless_objects},
-        {.name = "Perspective or parallel",
-         .keys = {{Key::Pad5}},
-         .menu = Menu::View,
-         .run = switch_projection},
-        {.name = "Back to the saved camera",
-         .keys = {{Key::Pad0}},
-         .menu = Menu::View,
-         .run = [](UiState& s) { s.editor.scene().camera = s.editor.saved.camera; },
-         .why_disabled =
-             [](const UiState& s) {
-                 return unless(s.editor.scene().camera != s.editor.saved.camera,
-                               "The camera is the saved one already");
-             }},
-        {.name = "Keep this view",
-         .keys = {{Key::U, !ctrl, shift}},
-         .menu = Menu::View,
-         .run = keep_this_view,
-         .id = CommandId::KeepView},
-        {.name = "Next kept view",
-         .keys = {{Key::U}},
-         .menu = Menu::View,
-         .run = show_next_view,
-         .why_disabled =
-             [](const UiState& s) {
-                 return s.kept_views.empty()
-                            ? "No view is kept yet: " + keys_of(CommandId::KeepView) + " keeps this one"
-                            : std::string();
-             },
-         .id = CommandId::NextView},
-        {.name = "View from the front",
-         .keys = {{Key::Pad1}},
-         .run = look_from<ViewFrom::Front>,
-         .id = CommandId::ViewFront},
-        {.name = "View from behind",
-         .keys = {{Key::Pad1, ctrl}},
-         .run = look_from<ViewFrom::Back>,
-         .id = CommandId::ViewBack},
-        {.name = "View from the right",
-         .keys = {{Key::Pad3}},
-         .run = look_from<ViewFrom::Right>,
-         .id = CommandId::ViewRight},
-        {.name = "View from the left",
-         .keys = {{Key::Pad3, ctrl}},
-         .run = look_from<ViewFrom::Left>,
-         .id = CommandId::ViewLeft},
-        {.name = "View from above",
-         .keys = {{Key::Pad7}},
-         .run = look_from<ViewFrom::Top>,
-         .id = CommandId::ViewTop},
-        {.name = "View from below",
-         .keys = {{Key::Pad7, ctrl}},
-         .run = look_from<ViewFrom::Bottom>,
-         .id = CommandId::ViewBottom},
-    };
 }
 
 std::vector<WindowCommand> looking_commands() {
@@ -261,7 +160,7 @@ std::vector<WindowCommand> layout_commands() {
 
 std::vector<WindowCommand> view_commands() {
     std::vector<WindowCommand> all;
-    for (const auto rows : {camera_commands, looking_commands, comparing_commands, layout_commands})
+    for (const auto rows : {looking_commands, comparing_commands, layout_commands})
         for (WindowCommand& row : rows()) all.push_back(std::move(row));
     return all;
 }

@@ -1,15 +1,24 @@
 #include <imgui.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <utility>
 
 #include "ui/commands/command.h"
 #include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
+
+constexpr std::array named_menus{std::pair{Menu::File, "File"}, std::pair{Menu::Edit, "Edit"},
+                                 std::pair{Menu::View, "View"}, std::pair{Menu::Lecture, "Lecture"},
+                                 std::pair{Menu::Help, "Help"}};
 
 /// Undo and redo say what they would undo.
 std::string shown_name(const UiState& state, const WindowCommand& command) {
@@ -40,7 +49,7 @@ void recent_menu(UiState& state) {
         tooltip(file.filename().string().c_str(), file.parent_path().string().c_str());
     }
     ImGui::EndMenu();
-    if (!chosen.empty()) begin_pending(state, {Pending::What::Open, chosen, false});
+    if (!chosen.empty()) begin_pending(state, Pending::What::Open, chosen);
 }
 
 void menu(UiState& state, Menu which, const char* name) {
@@ -54,16 +63,124 @@ void menu(UiState& state, Menu which, const char* name) {
     ImGui::EndMenu();
 }
 
+/// What is done, and how; with an empty `how` a heading.
+struct Line {
+    std::string does, how;
+    [[nodiscard]] bool is_heading() const { return how.empty(); }
+};
+using Lines = std::vector<Line>;
+
+void add_mouse_lines(Lines& lines) {
+    const Lines mouse{{"Mouse", ""},
+                      {"Ask why a pixel has its colour", "Click"},
+                      {"Select an object", "Double-click"},
+                      {"Orbit", "Drag; on a light or highlight Alt+drag"},
+                      {"Pan", "Shift+drag, right or middle drag"},
+                      {"Closer, away", "Wheel, Ctrl+drag"},
+                      {"Pan, turn with two fingers", "Shift+scroll, Alt+scroll"},
+                      {"Move a light", "Drag its handle or its highlight"},
+                      {"Turn the selected light", "Drag its terminator"},
+                      {"… in depth, along an axis", "with Shift, with X Y Z"},
+                      {"Open a cone, aim, size a panel", "Drag the marks of the selected light"},
+                      {"Move, rotate, scale an object", "Select it, drag its gizmo (G R T)"},
+                      {"… on a grid, cancel", "with Ctrl, Esc"},
+                      {"Number: finer, type, default", "Shift, Ctrl+click, double-click"}};
+    lines.insert(lines.end(), mouse.begin(), mouse.end());
+}
+
+/// Every command that has a key, in the table's order, under the names of the menus.
+Lines all_lines() {
+    Lines lines;
+    const auto add = [&lines](Menu menu, const char* heading) {
+        lines.push_back({heading, ""});
+        for (const WindowCommand& command : commands())
+            if (!command.keys.empty() && command.menu == menu)
+                lines.push_back({command.name, keys_of(command)});
+    };
+    for (const auto& [menu, name] : named_menus) add(menu, name);
+    add(Menu::None, "Shading, terms, directions of view");
+    add_mouse_lines(lines);
+    return lines;
+}
+
+float height_of(const Line& line) {
+    return line.is_heading() ? px(8) + ImGui::GetTextLineHeightWithSpacing()
+                             : ImGui::GetTextLineHeightWithSpacing();
+}
+
+/// Where each of `count` columns about equally high ends: where a heading is near, before it; never after
+/// one.
+std::vector<std::size_t> column_ends(const Lines& lines, std::size_t count) {
+    float all = 0, before = 0;
+    for (const Line& line : lines) all += height_of(line);
+    std::vector<std::size_t> ends;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const float spared = lines[i].is_heading() ? 4 * ImGui::GetTextLineHeightWithSpacing() : 0;
+        const bool full = before + spared >= all * float(ends.size() + 1) / float(count);
+        if (full && i > 0 && !lines[i - 1].is_heading()) ends.push_back(i);
+        before += height_of(lines[i]);
+    }
+    ends.resize(count, lines.size());
+    ends.back() = lines.size();
+    return ends;
+}
+
+/// Lines `from` to `to`: what is done and how, each in its column.
+void sheet(const Lines& lines, std::size_t from, std::size_t to) {
+    float widest = 0;
+    for (std::size_t i = from; i < to; ++i)
+        if (!lines[i].is_heading()) widest = std::max(widest, ImGui::CalcTextSize(lines[i].does.c_str()).x);
+    ImGui::BeginGroup();
+    for (std::size_t i = from; i < to; ++i) {
+        if (lines[i].is_heading()) {
+            if (i > from) ImGui::SetCursorPosY(ImGui::GetCursorPosY() + px(8));
+            dim_text(lines[i].does.c_str());
+            continue;
+        }
+        const float left = ImGui::GetCursorPosX();
+        ImGui::TextUnformatted(lines[i].does.c_str());
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(left + widest +
+                             px(14));  // SameLine(offset) counts from the group, this does not
+        ImGui::PushStyleColor(ImGuiCol_Text, theme().accent);
+        ImGui::TextUnformatted(lines[i].how.c_str());
+        ImGui::PopStyleColor();
+    }
+    ImGui::EndGroup();
+}
+
 }  // namespace
 
 void menu_bar(UiState& state) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(6)});
-    menu(state, Menu::File, "File");
-    menu(state, Menu::Edit, "Edit");
-    menu(state, Menu::View, "View");
-    menu(state, Menu::Lecture, "Lecture");
-    menu(state, Menu::Help, "Help");
+    for (const auto& [which, name] : named_menus) menu(state, which, name);
     ImGui::PopStyleVar();
+}
+
+void shortcuts_sheet(UiState& state) {
+    if (!state.shows_shortcuts) return;
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {window.x - px(20), window.y - px(20)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(8));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(18), px(14)});
+    constexpr auto flags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                           ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
+                           ImGuiWindowFlags_HorizontalScrollbar;
+    if (ImGui::Begin("Keys and mouse", &state.shows_shortcuts, flags)) {
+        ImGui::PushFont(fonts().small);
+        const Lines lines = all_lines();
+        std::size_t from = 0;
+        for (const std::size_t end : column_ends(lines, window.x > px(1180) ? 3 : 2)) {
+            if (from > 0) ImGui::SameLine(0, px(28));
+            sheet(lines, from, end);
+            from = end;
+        }
+        ImGui::PopFont();
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(3);
 }
 
 }  // namespace glint

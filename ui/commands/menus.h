@@ -1,15 +1,37 @@
 #pragma once
-// The menus, filled from the table of actions.
+// What is filled from the table of commands: the menus, the sheet of keys, and the palette.
 
-#include "ui/ui.h"
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ui/document/scene_edit.h"
 
 namespace glint {
+
+struct UiState;
+struct UiInput;
+
+/// One thing that the palette can do.
+struct PaletteEntry {
+    std::string name, group;  // "Phong shading", "Action": what is shown, and what kind of thing it is
+    std::string keys;         // that do the same; or empty
+    std::string refused;      // why it cannot be done now; empty when it can
+    std::function<void(UiState&)> run;
+};
+
+struct PaletteState {
+    bool open = false, appearing = false;
+    std::string text;
+    int chosen = 0;  // of those that match
+    std::vector<PaletteEntry> entries;
+    ItemCounts made_for;  // of the scene: entries name its lights and objects by number
+};
 
 /// Between ImGui::BeginMenuBar() and EndMenuBar().
 void menu_bar(UiState& state);
 
-// The sheet of keys and of what the mouse does (F1 or ?).
-
+/// The sheet of keys and of what the mouse does (F1 or ?), while it is open.
 void shortcuts_sheet(UiState& state);
 
 // Ctrl+K: type a few letters of anything that the window can do.

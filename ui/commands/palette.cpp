@@ -5,6 +5,7 @@
 
 #include "ui/commands/fuzzy.h"
 #include "ui/commands/menus.h"
+#include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "models/io/file.h"
 #include "models/scene/mistakes.h"
 #include "ui/commands/command.h"
 #include "ui/commands/menus.h"
@@ -122,9 +123,8 @@ void add_items(Entries& entries, const UiState& state) {
 }
 
 void add_open(Entries& entries, std::string name, std::string group, const std::string& path) {
-    entries.push_back({std::move(name), std::move(group), "", "", [path](UiState& s) {
-                           begin_pending(s, {Pending::What::Open, path, false});
-                       }});
+    entries.push_back({std::move(name), std::move(group), "", "",
+                       [path](UiState& s) { begin_pending(s, Pending::What::Open, path); }});
 }
 
 void add_recent(Entries& entries, const UiState& state) {
@@ -139,7 +139,7 @@ void add_scenes(Entries& entries, const UiState& state) {
     namespace fs = std::filesystem;
     if (state.shipped_scenes.empty()) return;
     for (const FolderEntry& found : list_folder(state.shipped_scenes, FilePurpose::OpenScene)) {
-        if (found.folder || fs::path(found.name).extension() != ".json") continue;
+        if (found.folder || lower_extension(found.name) != ".json") continue;
         const std::string path = (fs::path(state.shipped_scenes) / found.name).string();
         std::string name = fs::path(found.name).stem().string();
         for (char& c : name)

@@ -1,17 +1,101 @@
 #include "ui/document/document_actions.h"
 
 #include <fmt/core.h>
+#include <imgui_internal.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include "models/memory_limit.h"
+#include "ui/ui.h"
 
 namespace glint {
+namespace {
 
-void begin_pending(UiState& state, Pending pending) {
-    state.pending = std::move(pending);
-    if (state.editor.unsaved())
-        state.pending.asking = true;
-    else
-        finish_pending(state);
+constexpr int largest_divisor_for_memory = 64;
+constexpr double first_memory_wait = 1, longest_memory_wait = 60;  // seconds until a larger picture is tried
+
+/// Whatever draws beside the one picture, or wants more of it than its bytes.
+void put_views_away(UiState& state) {
+    ViewsState& views = state.views;
+    views.compare.choice.on = views.compare.choice.shows_stored = false;
+    views.compare.renderers.clear();
+    views.debug_view.set = {};
+    views.debug_view.painter.reset();
+    views.scope.open = false;
+    views.grid.renderer.reset();
+    views.grid.solo.reset();
+    views.grid.muted.clear();
+    state.inspector.instead.reset();
+    state.explanation.reset();
+    state.displayed = state.rendered;
+    ++state.picture_serial;
+}
+
+/// The edited scene as it was drawn last, or as the newest step of the history has it. Where it was drawn
+/// already, smaller or with less, it stays.
+void take_scene_back(UiState& state) {
+    Editor& editor = state.editor;
+    const bool knows_drawn = state.rendered_is_edited && !editor.before;
+    if (knows_drawn && state.rendered_scene == editor.scene()) return;
+    (void)cancel_gesture(state.viewport, editor.scene());
+    if (state.persistence.autosave && state.persistence.has_copy_of(editor.scene()))
+        state.persistence.autosave.reset();  // the file stays: what it holds is in no other
+    if (editor.before) {
+        const std::unique_ptr<Editor> before = std::move(editor.before);
+        editor = std::move(*before);
+    } else if (knows_drawn) {
+        editor.scene() = state.rendered_scene;
+    } else {
+        editor.scene() = editor.history.present();
+    }
+    editor.selection = valid_selection(editor.selection, editor.scene());
+}
+
+bool can_draw(UiState& state, const Scene& scene, PictureSize size) {
+    try {
+        state.rendered = &state.renderer->render(scene, size);
+    } catch (const std::exception&) {
+        return false;
+    }
+    return true;
+}
+
+/// The edited scene, as large as it can be.
+void draw_what_can_be(UiState& state, PictureSize full) {
+    const Scene& scene = state.editor.scene();
+    int divisor = state.pace.memory_divisor;
+    while (divisor <= largest_divisor_for_memory && !can_draw(state, scene, divided(full, divisor)))
+        divisor *= 2;
+    if (divisor > largest_divisor_for_memory) {
+        Scene nothing = scene;
+        nothing.objects.clear();
+        state.rendered = &state.renderer->render(nothing, divided(full, divisor));
+    }
+    state.pace.memory_divisor = divisor;
+    state.pace.memory_divided = full;
+    state.rendered_scene = scene;
+    state.rendered_is_edited = true;
+}
+
+/// The words for an exception that ends a piece of the window's work.
+void say_what_failed(UiState& state, const std::exception& error) {
+    if (const auto* no_memory = dynamic_cast<const std::bad_alloc*>(&error))
+        return state.notifications.add(memory_problem(*no_memory));
+    if (dynamic_cast<const std::length_error*>(&error) != nullptr)  // more than any machine has
+        return state.notifications.add(memory_problem(std::bad_alloc()));
+    state.notifications.add({.file = {}, .pointer = {}, .what = error.what(), .expected = {}});
+}
+
+}  // namespace
+
+void begin_pending(UiState& state, Pending::What what, const std::string& path) {
+    state.pending = {what, path, state.editor.unsaved()};
+    if (!state.pending.asking) finish_pending(state);
 }
 
 void take_scene(UiState& state, SceneDocument document) {
@@ -69,6 +153,35 @@ bool save_over(UiState& state) {
 void reload(UiState& state) {
     state.pending = {};
     begin_open(state, state.editor.document.path);
+}
+
+void take_back(UiState& state, const std::exception& error, PictureSize full, bool previewed) {
+    if (state.rendered == nullptr) throw;
+    FramePace& pace = state.pace;
+    if (pace.memory_tries_again) {  // in vain, and that was said before
+        pace.memory_divisor *= 2;
+        pace.memory_wait = std::min(2 * pace.memory_wait, longest_memory_wait);
+    } else {
+        say_what_failed(state, error);
+        pace.memory_wait = first_memory_wait;
+    }
+    pace.memory_tries_again = false;
+    pace.memory_rests_until = ImGui::GetTime() + pace.memory_wait;
+    if (!previewed) take_scene_back(state);
+    put_views_away(state);
+    draw_what_can_be(state, full);
+    state.displayed = state.rendered;
+    ++state.picture_serial;
+}
+
+void give_up_frame(UiState& state, const std::exception& error) {
+    if (state.rendered == nullptr) throw;
+    say_what_failed(state, error);
+    // Fonts of windows that are open, which the windows' ends would miss.
+    GImGui->FontStack.resize(0);
+    ImGui::SetCurrentFont(ImGui::GetDefaultFont());
+    ImGui::ErrorCheckEndFrameRecover(nullptr);
+    put_views_away(state);
 }
 
 }  // namespace glint

@@ -1,5 +1,6 @@
 #pragma once
-// Opening, beginning anew, saving, quitting, and the question that comes first.
+// Opens, begins anew, saves and quits, with the question that comes first; and keeps the window going where
+// memory does not suffice.
 
 #include <exception>
 #include <string>
@@ -9,8 +10,8 @@
 
 namespace glint {
 
-/// Opens a file or begins anew, asking first when changes are not saved.
-void begin_pending(UiState& state, Pending pending);
+/// Opens the file `path`, begins anew or quits, asking first when changes are not saved.
+void begin_pending(UiState& state, Pending::What what, const std::string& path = {});
 /// Goes on with what waited, after the answer or after saving.
 void finish_pending(UiState& state);
 /// Puts another document in hand. All that was about the scene before goes: gesture, probe, explanation, what
@@ -26,10 +27,7 @@ bool save_over(UiState& state);
 /// Opens the document's file again, giving up what is not saved.
 void reload(UiState& state);
 
-// What happens where memory does not suffice: the scene that could be drawn last stays in hand, and the
-// window goes on.
-
-struct UiState;
+// Where memory does not suffice the scene that could be drawn last stays in hand, and the window goes on.
 
 /// After an exception while the edited scene (or, if `previewed`, another one in its place) was drawn: says
 /// so, puts the document or the scene that was drawn before back in hand, and draws that, smaller where
@@ -39,8 +37,5 @@ void take_back(UiState& state, const std::exception& error, PictureSize full, bo
 /// After an exception anywhere in a frame: says so, closes what ImGui has open, and puts away what is drawn
 /// beside the picture. The next frame begins afresh.
 void give_up_frame(UiState& state, const std::exception& error);
-
-/// The words for an exception that ends a piece of the window's work.
-void say_what_failed(UiState& state, const std::exception& error);
 
 }  // namespace glint

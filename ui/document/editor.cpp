@@ -3,27 +3,25 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "models/io/file.h"
 #include "models/mesh/mesh_memory.h"
 
 namespace glint {
 namespace {
 
-namespace fs = std::filesystem;
-
-bool ends_with_json(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    return extension == ".json";
+/// Puts the scene of a step in hand.
+void take_step(Editor& editor, const Scene& scene) {
+    editor.document.scene = scene;
+    editor.selection = valid_selection(editor.selection, scene);
 }
 
 }  // namespace
 
 std::string Editor::title() const {
-    return document.path.empty() ? "New scene" : fs::path(document.path).filename().string();
+    return document.path.empty() ? "New scene" : std::filesystem::path(document.path).filename().string();
 }
 
-bool Editor::has_scene_file() const { return ends_with_json(document.path); }
+bool Editor::has_scene_file() const { return lower_extension(document.path) == ".json"; }
 
 void take_document(Editor& editor, SceneDocument document) {
     // Of two documents that were not drawn yet the older one goes: what could be drawn stays.
@@ -39,7 +37,7 @@ void take_document(Editor& editor, SceneDocument document) {
 }
 
 std::optional<Problem> save_file(Editor& editor, std::string path) {
-    if (!ends_with_json(path)) path += ".json";
+    if (lower_extension(path) != ".json") path += ".json";
     // The copy in hand keeps its mesh paths: they and the history's stay relative to where it was opened.
     Result<SceneDocument> written = save_document(editor.document, path);
     if (const Problem* problem = problem_of(written)) return *problem;
@@ -62,22 +60,19 @@ std::optional<Problem> settle(Editor& editor) {
     Result<Warnings> loaded = load_meshes(scene, editor.document.path, editor.document.mesh_dir);
     const Problem* problem = problem_of(loaded);
     if (!problem) return {};
-    editor.document.scene = editor.history.present();
-    editor.selection = valid_selection(editor.selection, editor.scene());
+    take_step(editor, editor.history.present());
     return *problem;
 }
 
 bool undo(Editor& editor) {
     if (!editor.history.can_undo()) return false;
-    editor.document.scene = editor.history.undo();
-    editor.selection = valid_selection(editor.selection, editor.scene());
+    take_step(editor, editor.history.undo());
     return true;
 }
 
 bool redo(Editor& editor) {
     if (!editor.history.can_redo()) return false;
-    editor.document.scene = editor.history.redo();
-    editor.selection = valid_selection(editor.selection, editor.scene());
+    take_step(editor, editor.history.redo());
     return true;
 }
 

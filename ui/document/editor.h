@@ -24,8 +24,8 @@ class History {
     void reset(const Scene& scene);
 
     /// Adds a step from the present scene to `scene`, named by what changed, and drops what was undone.
-    /// Equal scenes add nothing. `join`: if the newest step has the same name it is widened instead, so that
-    /// ten clicks of the wheel are one step. True when the present scene changed.
+    /// Scenes of the same description add nothing. `join`: if the newest step has the same name it is widened
+    /// instead, so that ten clicks of the wheel are one step. True when the present scene changed.
     bool commit(const Scene& scene, bool join = false);
 
     [[nodiscard]] const Scene& present() const { return steps_[at_].scene; }
@@ -55,7 +55,7 @@ class History {
 };
 
 /// What changed between two scenes, as the name of a step: "Move Bulb", "Material of Teapot", "Add Lamp".
-/// Empty when they are equal.
+/// Empty when their descriptions are equal.
 [[nodiscard]] std::string step_name(const Scene& before, const Scene& after);
 
 struct Editor {
@@ -67,7 +67,7 @@ struct Editor {
 
     [[nodiscard]] Scene& scene() { return document.scene; }
     [[nodiscard]] const Scene& scene() const { return document.scene; }
-    [[nodiscard]] bool unsaved() const { return document.scene != saved; }
+    [[nodiscard]] bool unsaved() const { return !same_description(document.scene, saved); }
     /// File name for titles; "New scene" when there is none.
     [[nodiscard]] std::string title() const;
     /// True when saving needs no question: the document is a scene file already.

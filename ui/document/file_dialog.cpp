@@ -4,11 +4,11 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
-#include <span>
 
+#include "models/io/file.h"
+#include "models/mesh_formats/mesh_file.h"
 #include "ui/shell/modal.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
@@ -24,34 +24,33 @@ std::string lower(std::string text) {
     return text;
 }
 
-bool is_picture(const std::string& extension) {
-    return extension == ".png" || extension == ".pfm" || extension == ".exr";
-}
-
-bool serves(const std::string& name, FilePurpose purpose) {
-    static constexpr std::array meshes{".obj", ".ply", ".off", ".stl", ".om"};
-    const std::string extension = lower(fs::path(name).extension().string());
-    const bool mesh = std::find(meshes.begin(), meshes.end(), extension) != meshes.end();
+/// The extensions of the files that serve a purpose, beside meshes; a new file's name gets the first one.
+std::vector<std::string> extensions(FilePurpose purpose) {
     switch (purpose) {
     case FilePurpose::OpenScene:
-        return mesh || extension == ".json" || extension == ".png";
+        return {".json", ".png"};
     case FilePurpose::OpenMesh:
-        return mesh;
+        return {};
     case FilePurpose::SaveScene:
-        return extension == ".json";
+        return {".json"};
     case FilePurpose::SavePicture:
-        return extension == ".png";
+        return {".png"};
     case FilePurpose::ExportPicture:
-        return is_picture(extension);
+        return {".png", ".pfm", ".exr"};
     case FilePurpose::SaveFrames:
-        return extension == ".png" || extension == ".gif";
+        return {".gif", ".png"};
     }
-    return false;  // not reached
+    return {};  // not reached
 }
 
 bool saves(FilePurpose purpose) {
-    return purpose == FilePurpose::SaveScene || purpose == FilePurpose::SavePicture ||
-           purpose == FilePurpose::ExportPicture || purpose == FilePurpose::SaveFrames;
+    return purpose != FilePurpose::OpenScene && purpose != FilePurpose::OpenMesh;
+}
+
+bool serves(const std::string& name, FilePurpose purpose) {
+    const std::vector<std::string> known = extensions(purpose);
+    return std::find(known.begin(), known.end(), lower_extension(name)) != known.end() ||
+           (!saves(purpose) && is_mesh_path(name));
 }
 
 struct Words {
@@ -85,21 +84,13 @@ void go_to(FileDialog& dialog, const fs::path& folder) {
 }
 
 /// The path that folder and name stand for; an absolute name wins.
-fs::path whole_path(const FileDialog& dialog) {
+std::string whole_path(const FileDialog& dialog) {
     std::string name = dialog.name;
     if (name.starts_with("~/"))
         if (const char* home = std::getenv("HOME")) name = home + name.substr(1);
-    fs::path path = fs::path(dialog.folder) / name;
-    if (dialog.purpose == FilePurpose::SaveScene && lower(path.extension().string()) != ".json")
-        path += ".json";
-    if (dialog.purpose == FilePurpose::SavePicture && lower(path.extension().string()) != ".png")
-        path += ".png";
-    if (dialog.purpose == FilePurpose::ExportPicture && !is_picture(lower(path.extension().string())))
-        path += ".png";
-    const std::string extension = lower(path.extension().string());
-    if (dialog.purpose == FilePurpose::SaveFrames && extension != ".png" && extension != ".gif")
-        path += ".gif";
-    return path;
+    const std::string path = (fs::path(dialog.folder) / name).string();
+    const bool is_named = !saves(dialog.purpose) || serves(path, dialog.purpose);
+    return is_named ? path : path + extensions(dialog.purpose).front();
 }
 
 /// Opens a folder, asks before overwriting, or gives the chosen path.
@@ -112,13 +103,13 @@ std::optional<std::string> decide(FileDialog& dialog) {
         go_to(dialog, folder);
         return {};
     }
-    const fs::path path = whole_path(dialog);
+    const std::string path = whole_path(dialog);
     if (saves(dialog.purpose) && !dialog.asks_overwrite && fs::exists(path, failed)) {
         dialog.asks_overwrite = true;
         return {};
     }
     dialog.open = false;
-    return path.string();
+    return path;
 }
 
 void folder_line(FileDialog& dialog) {

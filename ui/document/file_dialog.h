@@ -1,5 +1,5 @@
 #pragma once
-// A small file browser of our own: a path to type, a folder to click through.
+// A small file browser of our own: one types a path or clicks through folders.
 
 #include <optional>
 #include <string>

@@ -1,6 +1,13 @@
+// Undo and redo, and the names of the steps: derived from what changed by the rows of scene_fields.h, so that
+// whoever edits need not say it and cannot say it wrong.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cassert>
 #include <set>
+#include <string_view>
 
+#include "models/fields/scene_fields.h"
 #include "models/memory_limit.h"
 #include "models/mesh/mesh_memory.h"
 #include "ui/document/editor.h"
@@ -14,6 +21,81 @@ constexpr std::size_t max_items = 200'000;
 // Meshes that no object has any more may take this share of the memory that there is.
 constexpr std::uint64_t meshes_share = 8;
 
+/// The rows in which a and b differ.
+template <class T> std::vector<Row> changed_rows(const T& a, const T& b) {
+    std::vector<const void*> members;
+    fields(a, [&](const Row&, const auto&, const auto& member) { members.push_back(&member); });
+    std::vector<Row> changed;
+    std::size_t i = 0;
+    fields(b, [&]<class Kind, class Member>(const Row& row, const Kind&, const Member& member) {
+        if (!(*static_cast<const Member*>(members[i++]) == member)) changed.push_back(row);
+    });
+    return changed;
+}
+
+/// What all changed rows are called: "Colour of Bulb" for two of its colours; `otherwise` where they differ.
+std::string common_name(const std::vector<Row>& changed, const std::string& name,
+                        std::string_view otherwise) {
+    const auto is_same = [&](const Row& row) { return std::string_view(row.undo) == changed.front().undo; };
+    const bool one_name = !changed.empty() && *changed.front().undo != 0 &&
+                          std::all_of(changed.begin(), changed.end(), is_same);
+    return fmt::format(fmt::runtime(one_name ? std::string_view(changed.front().undo) : otherwise), name);
+}
+
+/// A light that turned its shape while it moved.
+bool is_carried(const Light& a, const Light& b) {
+    Light same = a;
+    same.position = b.position;
+    same.spot.direction = b.spot.direction;
+    same.area.edge_u = b.area.edge_u;
+    same.area.edge_v = b.area.edge_v;
+    return same == b && a.position != b.position;
+}
+
+std::string light_step(const Light& a, const Light& b) {
+    const std::vector<Row> changed = changed_rows(a, b);
+    const auto only = [&](std::string_view key) { return changed.size() == 1 && changed.front().key == key; };
+    if (only("name")) return fmt::format("Rename {}", a.name);
+    if (only("position")) return fmt::format("{} {}", b.position.w == 0 ? "Turn" : "Move", b.name);
+    if (is_carried(a, b)) return fmt::format("Move {}", b.name);
+    if (only("enabled")) return fmt::format("Switch {} {}", b.name, b.enabled ? "on" : "off");
+    if (a.space != b.space) return fmt::format("{} to {} coordinates", b.name, name_of(b.space));
+    if (a.kind != b.kind) return fmt::format("Type of {}", b.name);
+    return common_name(changed, b.name, "Edit {}");
+}
+
+std::string object_step(const Object& a, const Object& b) {
+    const std::vector<Row> changed = changed_rows(a, b);
+    if (changed.size() != 1) return fmt::format("Edit {}", b.name);
+    if (changed.front().key == "name") return fmt::format("Rename {}", a.name);
+    if (changed.front().key != "transform") return common_name(changed, b.name, "Edit {}");
+    const std::vector<Row> moved = changed_rows(a.transform, b.transform);
+    // Turned about a point that is not the object's origin, it moves too.
+    if (a.transform.rotate_deg != b.transform.rotate_deg && a.transform.scale == b.transform.scale)
+        return fmt::format("Rotate {}", b.name);
+    return common_name(moved, b.name, changed.front().undo);
+}
+
+/// "Add X", "Delete X", the step of the one item that differs, or `otherwise`.
+template <class Item, class ItemStep>
+std::string list_step(const std::vector<Item>& a, const std::vector<Item>& b, ItemStep item_step,
+                      const char* otherwise) {
+    const auto shorter = static_cast<std::ptrdiff_t>(std::min(a.size(), b.size()));
+    const auto first = std::mismatch(a.begin(), a.begin() + shorter, b.begin()).first - a.begin();
+    const auto at = static_cast<std::size_t>(first);
+    if (b.size() == a.size() + 1) return fmt::format("Add {}", b[at].name);
+    if (a.size() == b.size() + 1) return fmt::format("Delete {}", a[at].name);
+    if (a.size() == b.size() && std::equal(a.begin() + first + 1, a.end(), b.begin() + first + 1))
+        return item_step(a[at], b[at]);
+    return otherwise;
+}
+
+/// A mesh that was loaded again is no change that has a name.
+Scene without_meshes(Scene scene) {
+    for (Object& object : scene.objects) object.mesh = nullptr;
+    return scene;
+}
+
 }  // namespace
 
 void History::reset(const Scene& scene) {
@@ -22,7 +104,7 @@ void History::reset(const Scene& scene) {
 }
 
 bool History::commit(const Scene& scene, bool join) {
-    if (scene == present()) return false;
+    if (same_description(scene, present())) return false;
     std::string name = step_name(present(), scene);
     steps_.resize(at_ + 1);
     if (join && can_undo() && steps_[at_].name == name) {
@@ -76,6 +158,18 @@ const Scene& History::undo() {
 const Scene& History::redo() {
     assert(can_redo());
     return steps_[++at_].scene;
+}
+
+std::string step_name(const Scene& scene_before, const Scene& scene_after) {
+    const Scene before = without_meshes(scene_before), after = without_meshes(scene_after);
+    const std::vector<Row> changed = changed_rows(before, after);
+    if (changed.empty()) return {};
+    if (changed.size() > 1) return "Edit scene";
+    const Row& row = changed.front();
+    if (row.key == "lights") return list_step(before.lights, after.lights, light_step, row.undo);
+    if (row.key == "objects") return list_step(before.objects, after.objects, object_step, row.undo);
+    if (row.key == "shading") return common_name(changed_rows(before.shading, after.shading), "", row.undo);
+    return row.undo;
 }
 
 }  // namespace glint

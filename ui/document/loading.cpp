@@ -23,11 +23,6 @@ bool is_quick(const MeshSource& source) {
     return primitive != nullptr && is_quick(*primitive);
 }
 
-std::string short_name(const MeshSource& source) {
-    if (const auto* file = std::get_if<MeshFile>(&source)) return fs::path(file->path).filename().string();
-    return std::string(name_of(std::get<PrimitiveMesh>(source).primitive));
-}
-
 void leave(Loading& loading, std::unique_ptr<LoadJob>& job) {
     if (!job) return;
     job->cancel();
@@ -103,9 +98,6 @@ void give_mesh(UiState& state, const AwaitedMesh& awaited, const MeshPtr& mesh) 
     Editor& editor = state.editor;
     for (Object& object : editor.scene().objects)
         if (waits(object, awaited)) object.mesh = mesh;
-    state.rendered_is_edited = false;
-    state.rendered_scene =
-        {};  // a scene with other meshes is equal to it: it must be drawn again all the same
     if (awaited.mesh_before) return;
     if (const auto index = add_object(editor.scene(), awaited.wanted)) {
         editor.scene().objects[static_cast<std::size_t>(*index)].mesh = mesh;
@@ -120,7 +112,7 @@ void give_up_meshes(UiState& state) {
     state.loading.awaited.clear();
 }
 
-void tend_meshes(UiState& state) {
+void poll_meshes(UiState& state) {
     note_slow_edits(state);
     forget_unwanted(state);
     Loading& loading = state.loading;
@@ -148,14 +140,22 @@ void tend_meshes(UiState& state) {
     start_meshes(state);
 }
 
-void take_opened(UiState& state, SceneDocument document) {
-    leave(state.loading, state.loading.meshes);
-    state.loading.awaited.clear();
+/// Puts a loaded document in hand: a file's, or the copy that a window left behind, which is not saved and
+/// from now on is this window's own.
+void take_loaded(UiState& state, SceneDocument document) {
+    Loading& loading = state.loading;
+    leave(loading, loading.meshes);
+    loading.awaited.clear();
+    const std::optional<Recovery> recovery = std::exchange(loading.recovery, std::nullopt);
+    if (recovery) drop_autosave(state);
     take_scene(state, std::move(document));
     state.notifications.add(state.editor.document.warnings);
+    if (!recovery) return;
+    state.editor.saved = *recovery->in_file;
+    keep_orphan(state, recovery->autosave);
 }
 
-void tend_document(UiState& state) {
+void poll_document(UiState& state) {
     Loading& loading = state.loading;
     if (!state.pending.asking) loading.loaded.reset();  // the answer was no
     if (!loading.document || !loading.document->done()) return;
@@ -163,11 +163,24 @@ void tend_document(UiState& state) {
     loading.document.reset();
     if (const Problem* problem = problem_of(result)) return state.notifications.add(*problem);
     auto& document = std::get<SceneDocument>(result);
-    if (state.editor.scene() == loading.scene_then || !state.editor.unsaved())
-        return take_opened(state, std::move(document));
+    if (same_description(state.editor.scene(), loading.scene_then) || !state.editor.unsaved())
+        return take_loaded(state, std::move(document));
     // Work went on while it was loading: it is not thrown away unasked.
-    state.pending = {Pending::What::Open, document.path, true};
+    state.pending = loading.recovery ? Pending{Pending::What::Recover, loading.recovery->autosave, true}
+                                     : Pending{Pending::What::Open, document.path, true};
     loading.loaded = std::move(document);
+}
+
+/// Begins to load a document, in place of the one that was being loaded.
+void begin_document(UiState& state, const std::string& name, LoadJob::Work work,
+                    std::optional<Recovery> recovery) {
+    Loading& loading = state.loading;
+    leave(loading, loading.document);
+    loading.loaded.reset();
+    loading.recovery = std::move(recovery);
+    loading.scene_then = state.editor.scene();
+    loading.since = ImGui::GetTime();
+    loading.document = std::make_unique<LoadJob>(name, std::move(work));
 }
 
 }  // namespace
@@ -182,16 +195,25 @@ bool is_quick(const PrimitiveMesh& mesh) {
 
 void begin_open(UiState& state, const std::string& path) {
     Loading& loading = state.loading;
-    if (loading.loaded && loading.loaded->path == path) {
-        SceneDocument document = std::move(*loading.loaded);
-        loading.loaded.reset();
-        return take_opened(state, std::move(document));
-    }
-    leave(loading, loading.document);
-    loading.scene_then = state.editor.scene();
-    loading.since = ImGui::GetTime();
-    loading.document = std::make_unique<LoadJob>(fs::path(path).filename().string(),
-                                                 [path](LoadProgress&) { return open_document(path); });
+    if (loading.loaded && !loading.recovery && loading.loaded->path == path)
+        return take_loaded(state, *std::exchange(loading.loaded, std::nullopt));
+    begin_document(state, fs::path(path).filename().string(),
+                   [path](LoadProgress&) { return open_document(path); }, {});
+}
+
+void recover_autosave(UiState& state, const std::string& path) {
+    Loading& loading = state.loading;
+    if (loading.loaded && loading.recovery && loading.recovery->autosave == path)
+        return take_loaded(state, *std::exchange(loading.loaded, std::nullopt));
+    const auto in_file = std::make_shared<Scene>();
+    const auto work = [path, in_file](LoadProgress&) -> Result<SceneDocument> {
+        Result<SceneDocument> copy = open_autosave(path);
+        if (problem_of(copy) != nullptr) return copy;
+        const Result<SceneDocument> file = open_document(std::get<SceneDocument>(copy).path);
+        if (const auto* document = std::get_if<SceneDocument>(&file)) *in_file = document->scene;
+        return copy;
+    };
+    begin_document(state, "Copy of the unsaved work", work, Recovery{path, in_file});
 }
 
 void begin_mesh(UiState& state, const MeshSource& source, int index) {
@@ -207,8 +229,8 @@ void begin_mesh(UiState& state, const MeshSource& source, int index) {
 
 void poll_loads(UiState& state) {
     Loading& loading = state.loading;
-    tend_document(state);
-    tend_meshes(state);
+    poll_document(state);
+    poll_meshes(state);
     const auto ended = [](const std::unique_ptr<LoadJob>& job) { return job->done(); };
     loading.left.erase(std::remove_if(loading.left.begin(), loading.left.end(), ended), loading.left.end());
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ui/document/editor.h"
-#include "ui/preferences/job.h"
+#include "ui/document/job.h"
 #include "ui/shell/layout.h"
 
 namespace glint {
@@ -21,8 +21,15 @@ struct AwaitedMesh {
     MeshPtr mesh_before;  // null: no object waits, a new one will be made of it
 };
 
+/// A copy that a window left behind, on its way like a file.
+struct Recovery {
+    std::string autosave;                  // its path
+    std::shared_ptr<const Scene> in_file;  // what its file has, which the copy is newer than; empty: no file
+};
+
 struct Loading {
     std::unique_ptr<LoadJob> document;    // to be opened
+    std::optional<Recovery> recovery;     // where `document` or `loaded` is a copy
     Scene scene_then;                     // what was in hand when it began
     std::optional<SceneDocument> loaded;  // whole, and waiting for the answer to "save changes?"
     std::unique_ptr<LoadJob> meshes;      // of `awaited`
@@ -35,6 +42,9 @@ struct Loading {
 
 /// Begins to open a file; what was being opened is cancelled.
 void begin_open(UiState& state, const std::string& path);
+
+/// Begins to take up a copy that a window left behind, in the same way: then it is in hand, not saved.
+void recover_autosave(UiState& state, const std::string& path);
 
 /// Begins to load `source` and gives it to object `index` when it is there; a negative index makes a new
 /// object of it.
@@ -52,6 +62,15 @@ void cancel_loads(UiState& state);
 
 /// The bar that says what is being loaded, in the middle of the window's upper part.
 void loading_panel(UiState& state, const Rect& picture);
+
+/// The offer to take up the work that a crash interrupted, at the same place while nothing is loaded.
+void recovery_panel(UiState& state, const Rect& picture);
+
+/// "reading 12 of 37 MB", "building the mesh: 400000 faces": how far a load has come.
+[[nodiscard]] std::string progress_words(const LoadProgress& progress);
+
+/// How much of the load is done, from 0 to 1; negative when that is not known.
+[[nodiscard]] float progress_share(const LoadProgress& progress);
 
 /// Whether a primitive is made in a few milliseconds.
 [[nodiscard]] bool is_quick(const PrimitiveMesh& mesh);

@@ -1,9 +1,14 @@
-// What is being loaded, how far it has come, and the way to end it.
+// What lies over the picture for a while: what is being loaded, with the way to end it, and the offer of a
+// copy that a crash left.
+#include <fmt/core.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
-#include "ui/export/export_picture.h"
+#include "ui/document/document_actions.h"
+#include "ui/document/loading.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
@@ -31,7 +36,48 @@ void bar(float share) {
                        to_u32(theme().accent), px(2));
 }
 
+/// Begins a panel over the picture's upper edge, in the middle, at most `widest` wide and never cut off at
+/// the window's left; end_over_picture() must follow. Returns its width.
+float begin_over_picture(const char* id, float widest, const Rect& picture, ImGuiWindowFlags more = 0) {
+    const float width = std::min(widest, ImGui::GetIO().DisplaySize.x - px(20));
+    const float middle = std::max((picture.low.x + picture.high.x) / 2, width / 2);
+    ImGui::SetNextWindowPos({middle, picture.low.y + px(14)}, ImGuiCond_Always, {0.5f, 0});
+    ImGui::SetNextWindowSize({width, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
+    ImGui::Begin(id, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | more);
+    return width;
+}
+
+void end_over_picture() {
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
 }  // namespace
+
+std::string progress_words(const LoadProgress& progress) {
+    const std::uint64_t done = progress.done, total = progress.total;
+    const auto megabytes = [](std::uint64_t bytes) { return static_cast<double>(bytes) * 1e-6; };
+    switch (progress.stage.load()) {
+    case LoadStage::Reading:
+        if (total == 0) return "reading";
+        return fmt::format("reading {:.1f} of {:.1f} MB", megabytes(done), megabytes(total));
+    case LoadStage::Parsing:
+        return fmt::format("parsing {:.1f} of {:.1f} MB", megabytes(done), megabytes(total));
+    case LoadStage::Building:
+        if (total > 0) return fmt::format("building the mesh: {} of {} faces", done, total);
+        return done == 0 ? "building the mesh" : fmt::format("building the mesh: {} faces", done);
+    }
+    return {};  // not reached
+}
+
+float progress_share(const LoadProgress& progress) {
+    const std::uint64_t done = progress.done, total = progress.total;
+    if (total == 0) return -1;
+    return static_cast<float>(std::min(1.0, static_cast<double>(done) / static_cast<double>(total)));
+}
 
 void loading_panel(UiState& state, const Rect& picture) {
     const LoadJob* job = state.loading.document ? state.loading.document.get() : state.loading.meshes.get();
@@ -50,6 +96,31 @@ void loading_panel(UiState& state, const Rect& picture) {
     bar(progress_share(job->progress()));
     end_over_picture();
     if (cancelled) cancel_loads(state);
+}
+
+void recovery_panel(UiState& state, const Rect& picture) {
+    auto& left = state.persistence.orphans;
+    if (left.empty() || state.pending.asking || state.loading.active()) return;
+    const float width = begin_over_picture("##recovery", px(470), picture);
+    ImGui::PushTextWrapPos(width - px(14));
+    ImGui::TextUnformatted(
+        fmt::format("Glint ended while {} had changes that were not saved. A copy of {} was kept.",
+                    left.front().title, left.front().when)
+            .c_str());
+    ImGui::PopTextWrapPos();
+    const bool open = ImGui::Button("Recover", {px(110), 0});
+    tooltip("Recover", "Opens the copy; what is in the file stays until it is saved");
+    ImGui::SameLine();
+    const bool discard = ImGui::Button("Discard", {px(110), 0});
+    tooltip("Discard", "Deletes the copy");
+    ImGui::SameLine();
+    const bool later = ImGui::Button("Not now", {px(110), 0});
+    tooltip("Not now", "Asks again at the next start");
+    end_over_picture();
+    std::error_code failed;
+    if (discard) std::filesystem::remove(left.front().lock.path(), failed);
+    if (discard || later) left.erase(left.begin());
+    if (open) begin_pending(state, Pending::What::Recover, left.front().lock.path());
 }
 
 }  // namespace glint

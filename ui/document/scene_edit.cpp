@@ -9,7 +9,6 @@
 
 #include "models/fields/choices.h"
 #include "models/io/utf8.h"
-#include "ui/fields/field_panel.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/picture/screen.h"
 
@@ -30,14 +29,11 @@ const char* name_of(LightKind kind) {
     return "Light";  // not reached
 }
 
-std::string name_of(const MeshSource& source) {
-    std::string name;
-    if (const auto* file = std::get_if<MeshFile>(&source)) {
-        name = file->path.substr(file->path.find_last_of('/') + 1);
+/// A name for an object of that source: "Square" for meshes/square.obj.
+std::string object_name(const MeshSource& source) {
+    std::string name = short_name(source);
+    if (std::holds_alternative<MeshFile>(source))
         name = with_invalid_replaced(name.substr(0, name.find_last_of('.')));
-    } else {
-        name = name_of(std::get<PrimitiveMesh>(source).primitive);
-    }
     if (name.empty()) return "Object";
     name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
     return name;
@@ -88,6 +84,11 @@ std::string free_name(const std::string& wanted, const Scene& scene) {
         if (std::string name = fmt::format("{} {}", base, i); !taken(name)) return name;
 }
 
+std::string short_name(const MeshSource& source) {
+    const std::string name = source_name(source);
+    return name.substr(name.find_last_of('/') + 1);
+}
+
 std::optional<int> add_light(Scene& scene, LightKind kind) {
     if (scene.lights.size() >= max_lights) return {};
     const Bounds bounds = scene_bounds(scene);
@@ -111,7 +112,7 @@ std::optional<int> add_light(Scene& scene, LightKind kind) {
 std::optional<int> add_object(Scene& scene, const MeshSource& source) {
     if (scene.objects.size() >= max_objects) return {};
     Object object;
-    object.name = free_name(name_of(source), scene);
+    object.name = free_name(object_name(source), scene);
     object.source = source;
     if (!scene.objects.empty()) object.transform.translate.x = scene_bounds(scene).max.x + 1.2f;
     scene.objects.push_back(object);

@@ -34,6 +34,9 @@ struct ItemCounts {
 /// `selection`, or the nearest that exists in `scene`.
 [[nodiscard]] Selection valid_selection(const Selection& selection, const Scene& scene);
 
+/// What a mesh is called: its file's name, or the primitive's word.
+[[nodiscard]] std::string short_name(const MeshSource& source);
+
 /// `wanted`, or with the first number that makes it different from all names: "Bulb", "Bulb 2".
 [[nodiscard]] std::string free_name(const std::string& wanted, const Scene& scene);
 

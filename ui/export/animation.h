@@ -1,14 +1,18 @@
 #pragma once
-// A scene that moves: the camera round its target, or one number of the scene to and fro. No drawing.
+// A scene that moves: the camera goes round its target, or one number of the scene to and fro. The window
+// lets it be chosen, plays it, and writes it as PNG files or as a GIF.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "models/fields/choice.h"
 #include "models/scene_file/scene_file.h"
-#include "ui/preferences/job.h"
+#include "ui/document/job.h"
 
 namespace glint {
+
+struct UiState;
 
 enum class Motion { Turntable, PingPong };
 constexpr Choice choice_of(Motion motion) {
@@ -37,8 +41,7 @@ struct Animation {
 /// The value at a frame of a PingPong.
 [[nodiscard]] double value_at(const Animation& animation, int frame);
 
-// What the window remembers of an animation between frames.
-
+/// What the window remembers of an animation between frames.
 struct AnimateState {
     bool open = false, playing = false;
     std::optional<Scene> frame;  // while it plays: what the next picture shows
@@ -49,5 +52,15 @@ struct AnimateState {
     std::string refused;                    // why it cannot play; empty when it can
     std::unique_ptr<Job<std::string>> job;  // its result: what to say when the frames are written
 };
+
+/// The panel, while it is open.
+void animate_panel(UiState& state);
+
+/// Once a frame: what plays is shown in the next one; what is being written goes on.
+void poll_animation(UiState& state);
+
+/// Writes all frames aside: NAME.png as NAME-0001.png, NAME-0002.png, …, each carrying its scene; NAME.gif as
+/// one file. The picture's size is `size`, with `samples` a pixel.
+void begin_frames(UiState& state, const std::string& path, PictureSize size, int samples);
 
 }  // namespace glint

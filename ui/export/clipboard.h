@@ -1,5 +1,6 @@
 #pragma once
-// Pictures for the clipboard: GLFW's holds text only, so a tool of the desktop takes them.
+// What is copied out of the window: pictures, which a tool of the desktop takes because GLFW's clipboard
+// holds text only, and commands.
 
 #include <string>
 #include <vector>
@@ -19,7 +20,8 @@ namespace glint {
 /// Puts PNG bytes on the clipboard and waits until the tool has taken them. Not for the window's thread.
 [[nodiscard]] Result<std::monostate> copy_png(const std::string& bytes);
 
-// The command line that draws the picture on the screen.
+/// The text as one word of a POSIX shell: as it is when that is safe, else in single quotes.
+[[nodiscard]] std::string shell_word(const std::string& text);
 
 /// `glint render FILE --set … --size WxH -o OUT` for a POSIX shell: what differs from the file stands in
 /// --set. `in_file`: the scene as the document's file has it. A document without a file, or whose file is

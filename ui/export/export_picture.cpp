@@ -4,112 +4,149 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <filesystem>
+#include <functional>
 
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
+#include "ui/document/document_actions.h"
 #include "ui/export/clipboard.h"
+#include "ui/shell/modal.h"
 #include "ui/ui.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
-
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr double seconds_a_look = 0.1;  // between looks whether it is done
 
-std::string lower_extension(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    return extension;
+struct NamedSize {
+    const char* name;
+    PictureSize size;
+};
+constexpr std::array sizes{NamedSize{"HD", {1280, 720}}, NamedSize{"Full HD", {1920, 1080}},
+                           NamedSize{"4K", {3840, 2160}}, NamedSize{"Square", {1024, 1024}}};
+constexpr std::array<int, 4> samples{1, 2, 4, 8};
+
+bool size_button(const char* name, PictureSize size, ExportOptions& options) {
+    const bool chosen = options.size == size;
+    ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().accent : theme().field);
+    ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme().accent_text : theme().text);
+    const bool pressed = ImGui::Button(name);
+    ImGui::PopStyleColor(2);
+    if (pressed) options.size = size;
+    return pressed;
+}
+
+void size_rows(UiState& state, ExportOptions& options) {
+    label_cell("Size");
+    if (state.rendered != nullptr) {
+        size_button("As shown", state.rendered->size, options);
+        ImGui::SameLine(0, px(3));
+    }
+    for (const NamedSize& named : sizes) {
+        size_button(named.name, named.size, options);
+        ImGui::SameLine(0, px(3));
+    }
+    ImGui::NewLine();
+    const Help help{"Of the picture, in pixels", ""};
+    (void)integer_field("Width", options.size.width, 1, 16384, 1920, help);
+    (void)integer_field("Height", options.size.height, 1, 16384, 1080, help);
+}
+
+/// Draws the edited scene aside into a picture file for `path`, whose bytes `deliver` puts where they go.
+void begin_picture(UiState& state, const ExportOptions& options, const std::string& path,
+                   const std::function<Result<std::string>(const std::string& bytes)>& deliver) {
+    const int threads = state.renderer->stats().threads;
+    state.exporting.job = std::make_unique<Job<std::string>>(
+        fs::path(path).filename().string(),
+        [document = state.editor.document, options, path, threads,
+         deliver](LoadProgress& progress) -> Result<std::string> {
+            const Result<std::string> bytes = picture_file(document, options, path, threads);
+            if (const Problem* problem = problem_of(bytes)) return *problem;
+            if (progress.cancelled) return Problem{path, "", "writing was cancelled", ""};
+            return deliver(std::get<std::string>(bytes));
+        });
 }
 
 }  // namespace
 
 Result<std::string> picture_file(const SceneDocument& document, const ExportOptions& options,
                                  const std::string& path, int threads) {
-    const std::string extension = lower_extension(path);
-    if (extension != ".png" && extension != ".pfm" && extension != ".exr")
-        return Problem{path, "", "cannot be written", "a name that ends in .png, .pfm or .exr"};
-    const std::uint64_t bytes = extension == ".pfm"   ? pfm_memory(options.size)
-                                : extension == ".exr" ? exr_memory(options.size)
-                                                      : png_memory(options.size);
-    const MemoryShare share(memory_need(MemoryUse::Output, bytes));
+    const Result<PictureFormat> known = picture_format(path);
+    if (const Problem* problem = problem_of(known)) return *problem;
+    const auto format = std::get<PictureFormat>(known);
+    const MemoryShare share(memory_need(MemoryUse::Output, file_memory(format, options.size)));
     Renderer renderer(threads);
     const Picture& picture =
-        renderer.render(document.scene, options.size, extension != ".png", options.samples);
-    const float exposure = document.scene.display.exposure;
-    if (extension == ".pfm") return pfm_bytes(picture, exposure);
-    if (extension == ".exr") return exr_bytes(picture, exposure);
-    return png_bytes(picture,
-                     scene_text(with_mesh_paths_from(document.scene, document.mesh_dir, directory_of(path))));
+        renderer.render(document.scene, options.size, is_linear(format), options.samples);
+    return picture_bytes(picture, format, document.scene.display.exposure,
+                         carried_scene_text(document.scene, document.mesh_dir, path));
 }
 
 void begin_export(UiState& state, const ExportOptions& options, const std::string& path) {
-    const int threads = state.renderer->stats().threads;
     const std::string name = fs::path(path).filename().string();
-    state.exporting.since = ImGui::GetTime();
-    state.exporting.job = std::make_unique<Job<std::string>>(
-        name,
-        [document = state.editor.document, options, path, name,
-         threads](LoadProgress& progress) -> Result<std::string> {
-            const Result<std::string> bytes = picture_file(document, options, path, threads);
-            if (const Problem* problem = problem_of(bytes)) return *problem;
-            if (progress.cancelled) return Problem{path, "", "writing was cancelled", ""};
-            const auto written = write_file(path, std::get<std::string>(bytes));
-            if (const Problem* problem = problem_of(written)) return *problem;
-            return fmt::format("Saved {} ({} × {}, {} {} a pixel)", name, options.size.width,
-                               options.size.height, options.samples,
-                               options.samples == 1 ? "sample" : "samples");
-        });
+    begin_picture(state, options, path,
+                  [path, name, options](const std::string& bytes) -> Result<std::string> {
+                      const auto written = write_file(path, bytes);
+                      if (const Problem* problem = problem_of(written)) return *problem;
+                      return fmt::format("Saved {} ({} × {}, {} {} a pixel)", name, options.size.width,
+                                         options.size.height, options.samples,
+                                         options.samples == 1 ? "sample" : "samples");
+                  });
 }
 
 void begin_copy(UiState& state) {
-    const int threads = state.renderer->stats().threads;
     const PictureSize size = state.rendered->size;
-    state.exporting.since = ImGui::GetTime();
-    state.exporting.job = std::make_unique<Job<std::string>>(
-        "Copy",
-        [document = state.editor.document, size, threads](LoadProgress& progress) -> Result<std::string> {
-            const Result<std::string> bytes = picture_file(document, {size, 1}, "clipboard.png", threads);
-            if (const Problem* problem = problem_of(bytes)) return *problem;
-            if (progress.cancelled) return Problem{"Copy", "", "was cancelled", ""};
-            const auto copied = copy_png(std::get<std::string>(bytes));
-            if (const Problem* problem = problem_of(copied)) return *problem;
-            return fmt::format("The picture is on the clipboard ({} × {})", size.width, size.height);
-        });
+    begin_picture(state, {size, 1}, "clipboard.png", [size](const std::string& bytes) -> Result<std::string> {
+        const auto copied = copy_png(bytes);
+        if (const Problem* problem = problem_of(copied)) return *problem;
+        return fmt::format("The picture is on the clipboard ({} × {})", size.width, size.height);
+    });
 }
 
-void poll_export(UiState& state) {
-    auto& job = state.exporting.job;
+void poll_export(UiState& state) { poll_job(state.exporting.job, state.notifications); }
+
+void poll_job(std::unique_ptr<Job<std::string>>& job, Notifications& notifications) {
     if (!job) return;
     if (!job->done()) return redraw_within(seconds_a_look);
     const Result<std::string> result = job->take();
     job.reset();
-    if (const Problem* problem = problem_of(result)) return state.notifications.add(*problem);
-    state.notifications.add(Tone::Done, std::get<std::string>(result));
+    if (const Problem* problem = problem_of(result)) return notifications.add(*problem);
+    notifications.add(Tone::Done, std::get<std::string>(result));
 }
 
-float begin_over_picture(const char* id, float widest, const Rect& picture, int more) {
-    const float width = std::min(widest, ImGui::GetIO().DisplaySize.x - px(20));
-    const float middle = std::max((picture.low.x + picture.high.x) / 2, width / 2);
-    ImGui::SetNextWindowPos({middle, picture.low.y + px(14)}, ImGuiCond_Always, {0.5f, 0});
-    ImGui::SetNextWindowSize({width, 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
-    ImGui::Begin(id, nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | more);
-    return width;
-}
-
-void end_over_picture() {
-    ImGui::End();
-    ImGui::PopStyleVar();
+void export_dialog(UiState& state) {
+    ExportState& exporting = state.exporting;
+    static constexpr const char* id = "Export the picture##export";
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(px(470), window.x), 0});
+    if (!begin_modal(id, &exporting.open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
+    size_rows(state, exporting.options);
+    std::vector<Choice> options;
+    constexpr const char* names[] = {"1", "2", "4", "8"};
+    for (const char* name : names) options.push_back({name, name, "Samples a pixel"});
+    const auto at = std::find(samples.begin(), samples.end(), exporting.options.samples) - samples.begin();
+    label_cell("Samples");
+    const int chosen = segments("##samples", static_cast<int>(at), options,
+                                {"More make the edges smooth; inside a face nothing changes", ""});
+    exporting.options.samples = samples[static_cast<std::size_t>(chosen)];
+    ImGui::Dummy({0, px(4)});
+    dim_text(".png carries its scene; .pfm and .exr hold linear float numbers");
+    ImGui::Dummy({0, px(4)});
+    if (ImGui::Button("Choose a name…", {px(150), 0})) {
+        exporting.open = false;
+        state.files.ask(FilePurpose::ExportPicture, offered_name(state, ".png"));
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", {px(90), 0})) exporting.open = false;
+    if (!exporting.open) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
 }
 
 }  // namespace glint

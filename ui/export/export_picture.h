@@ -6,12 +6,13 @@
 
 #include "models/scene_file/scene_file.h"
 #include "renderer/picture.h"
-#include "ui/preferences/job.h"
+#include "ui/document/job.h"
 #include "ui/shell/layout.h"
 
 namespace glint {
 
 struct UiState;
+struct Notifications;
 
 struct ExportOptions {
     PictureSize size{1920, 1080};
@@ -22,7 +23,6 @@ struct ExportState {
     bool open = false;
     ExportOptions options;
     std::unique_ptr<Job<std::string>> job;  // its result: what to say when it is done
-    double since = 0;                       // ImGui's time when it began
 };
 
 /// The bytes of a picture file: PNG that carries its scene, PFM or EXR, by the extension of `path`; mesh
@@ -36,16 +36,10 @@ void begin_export(UiState& state, const ExportOptions& options, const std::strin
 void begin_copy(UiState& state);
 /// Once a frame: says what has come of it.
 void poll_export(UiState& state);
+/// The same for any job whose result is what to say when it is done.
+void poll_job(std::unique_ptr<Job<std::string>>& job, Notifications& notifications);
 
 /// The question about size and samples; the file's name is asked for after it.
 void export_dialog(UiState& state);
-
-// The frame of what lies over the picture's upper edge for a while: what is being loaded, the offer of a lost
-// copy.
-
-/// Begins a panel over the picture's middle, at most `widest` wide and never cut off at the window's left;
-/// end_over_picture must follow. Returns its width. `more`: further ImGuiWindowFlags.
-float begin_over_picture(const char* id, float widest, const Rect& picture, int more = 0);
-void end_over_picture();
 
 }  // namespace glint

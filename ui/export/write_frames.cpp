@@ -7,8 +7,8 @@
 
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
-#include "renderer/image/image_gif.h"
-#include "ui/export/animate.h"
+#include "ui/export/animation.h"
+#include "ui/ui.h"
 
 namespace glint {
 namespace {
@@ -52,8 +52,8 @@ Result<std::string> write_pngs(const FrameJob& job, LoadProgress& progress) {
     const auto take = [&job](int frame, const Scene& scene,
                              const Picture& picture) -> std::optional<Problem> {
         const std::string path = numbered(job.path, frame);
-        const Scene carried = with_mesh_paths_from(scene, job.document.mesh_dir, directory_of(path));
-        const auto written = write_file(path, png_bytes(picture, scene_text(carried)));
+        const std::string carried = carried_scene_text(scene, job.document.mesh_dir, path);
+        const auto written = write_file(path, png_bytes(picture, carried));
         if (const Problem* problem = problem_of(written)) return *problem;
         return {};
     };
@@ -89,7 +89,7 @@ void begin_frames(UiState& state, const std::string& path, PictureSize size, int
                        samples,
                        100 / std::max(animate.frames_a_second, 1),
                        state.renderer->stats().threads};
-    const bool gif = fs::path(path).extension() == ".gif";
+    const bool gif = lower_extension(path) == ".gif";
     animate.playing = false;
     animate.job = std::make_unique<Job<std::string>>(
         fs::path(path).filename().string(), [job, gif](LoadProgress& progress) {

@@ -137,17 +137,14 @@ template <class T> [[nodiscard]] bool field_rows(T& value, const std::string& po
     return FieldPanel(value, pointer).rest().edited();
 }
 
-// What the scene file would refuse, the window does not let happen: what is saved opens again. Ranges of
-// single numbers are kept by the fields; conditions between numbers are those of models/fields/scene_rules.h.
-
-/// `edited` if it breaks no condition, else as it was `before`. True when the edit stands.
+/// Takes an edit back that breaks a condition between numbers (models/fields/scene_rules.h): what the scene
+/// file would refuse, the window does not let happen. Ranges of single numbers are kept by the fields. True
+/// when the edit stands.
 template <class Item> bool keep_valid(Item& edited, const Item& before) {
     if (!violation_of(edited)) return true;
     edited = before;
     return false;
 }
-
-// Fields for the closed sets of a scene (models/fields/choices.h).
 
 /// A drop-down for the enumerators of E.
 template <class E> bool choice_field(const char* label, E& value, const Help& help) {

@@ -121,10 +121,10 @@ bool add_light_menu(Scene& scene, Selection& selection) {
     return edited;
 }
 
-bool add_object_menu(Scene& scene, Selection& selection, SceneRequests& requests) {
+bool add_object_menu(Scene& scene, Selection& selection, bool& browse_mesh) {
     bool edited = false;
     if (!ImGui::BeginPopup("##add-object")) return false;
-    if (ImGui::MenuItem("Mesh file…")) requests.browse_mesh = true;
+    if (ImGui::MenuItem("Mesh file…")) browse_mesh = true;
     ImGui::Separator();
     for (const Primitive primitive : enumerators<Primitive>) {
         const std::string name(name_of(primitive));
@@ -176,7 +176,7 @@ template <class Item, class DrawRow> bool rows(const std::vector<Item>& items, D
 
 }  // namespace
 
-bool scene_panel(Scene& scene, Selection& selection, SceneRequests& requests) {
+bool scene_panel(Scene& scene, Selection& selection, bool& browse_mesh) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, px(1)});
     bool edited = false;
     plain_row(Icon::Camera, "Camera", Selection::Kind::Camera, selection);
@@ -187,7 +187,7 @@ bool scene_panel(Scene& scene, Selection& selection, SceneRequests& requests) {
     edited |= rows(scene.lights, [&](int i) { return light_row(scene, i, selection); });
     if (scene.lights.empty()) dim_text("   No light yet: press + or L");
     list_heading("Objects", "##add-object", scene.objects.size() >= max_objects);
-    edited |= add_object_menu(scene, selection, requests);
+    edited |= add_object_menu(scene, selection, browse_mesh);
     edited |= rows(scene.objects, [&](int i) { return object_row(scene, i, selection); });
     if (scene.objects.empty()) dim_text("   Nothing to light yet: press +");
     ImGui::PopStyleVar();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "models/io/file.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/shortcut.h"
@@ -141,9 +142,7 @@ std::vector<std::string> folder_scenes(const std::string& folder) {
          !failed && it != fs::directory_iterator(); it.increment(failed)) {
         std::error_code unknown;
         const std::string name = it->path().filename().string();
-        std::string extension = it->path().extension().string();
-        std::transform(extension.begin(), extension.end(), extension.begin(), lower);
-        if (extension == ".json" && !name.starts_with(".") && it->is_regular_file(unknown))
+        if (lower_extension(name) == ".json" && !name.starts_with(".") && it->is_regular_file(unknown))
             names.push_back(name);
     }
     std::sort(names.begin(), names.end(), natural_less);

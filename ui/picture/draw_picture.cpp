@@ -129,7 +129,7 @@ void draw_picture(UiState& state, const PictureView& view) {
             return;
         }
         state.rendered_scene = shown;
-        state.rendered_is_edited = !preview;
+        state.rendered_is_edited = !preview && !awaits_mesh(state);
         ++state.picture_serial;
         if (moves && changed) state.pace.drawn_at = size == view.map.size ? 1 : state.pace.divisor;
     }

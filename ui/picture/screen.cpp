@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
-#include "renderer/geometry/to_screen.h"
+#include "renderer/geometry/clip.h"
 
 namespace glint {
 namespace {

@@ -54,9 +54,9 @@ struct OrphanedAutosave {
 /// The document of a copy, its meshes loaded; where it was opened from is its path again.
 [[nodiscard]] Result<SceneDocument> open_autosave(const std::string& path);
 
-// One window at a time: what several windows read, change and write in the folder that they share.
+// Several windows share the folder: what they read, change and write there they do one at a time.
 
-/// The right to a folder among those who ask for it this way, held until this is destroyed. Never waits.
+/// The right to the folder among those who ask for it this way, held until this is destroyed. Never waits.
 class FolderLock {
   public:
     explicit FolderLock(const std::string& folder);

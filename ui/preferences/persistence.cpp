@@ -10,8 +10,7 @@
 #include <utility>
 
 #include "models/io/file.h"
-#include "ui/document/recent_files.h"
-#include "ui/preferences/autosave.h"
+#include "models/json/json_value.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
 
@@ -19,6 +18,19 @@ namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t longest_path = 4096;  // PATH_MAX
+
+bool can_be_shown(const std::string& path) {
+    const auto control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+    return path.size() <= longest_path && fs::path(path).is_absolute() &&
+           std::none_of(path.begin(), path.end(), control);
+}
+
+void add(std::vector<std::string>& paths, std::string path) {
+    if (paths.size() >= most_recent_files || !can_be_shown(path)) return;
+    if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(std::move(path));
+}
 
 constexpr double seconds_between_copies = 5, seconds_of_rest = 1, seconds_between_asking = 0.02;
 constexpr int most_asking = 50;  // times, of a window that ends
@@ -116,7 +128,7 @@ void note_autosave(UiState& state) {
     Persistence& memory = state.persistence;
     if (!state.editor.unsaved()) return drop_autosave(state);
     const bool ended = take_written_autosave(state);
-    if (memory.autosaved_scene == state.editor.scene() || state.viewport.gesture != Gesture::None) return;
+    if (memory.has_copy_of(state.editor.scene()) || state.viewport.gesture != Gesture::None) return;
     const double rest = memory.autosaved_at + seconds_between_copies - ImGui::GetTime();
     if (rest > 0) return redraw_within(rest);
     if (!ended) return redraw_within(0.2);
@@ -124,6 +136,29 @@ void note_autosave(UiState& state) {
 }
 
 }  // namespace
+
+std::vector<std::string> read_recent_files(const std::string& text) {
+    std::vector<std::string> paths;
+    const JsonValue json = JsonValue::parse(text).value_or(JsonValue());
+    for (const JsonValue& item : json.elements())
+        if (item.is_string()) add(paths, item.string());
+    return paths;
+}
+
+std::string recent_files_text(const std::vector<std::string>& paths) {
+    // A path need not be UTF-8; then it stands with a replacement, is not found again, and falls out.
+    return json_text(JsonValue(paths));
+}
+
+std::vector<std::string> with_recent_file(std::vector<std::string> paths, const std::string& path) {
+    if (path.empty() || path == "-") return paths;
+    std::error_code failed;
+    std::string whole = fs::absolute(path, failed).lexically_normal().string();
+    if (failed || !can_be_shown(whole)) return paths;
+    std::vector<std::string> list{std::move(whole)};
+    for (std::string& other : paths) add(list, std::move(other));
+    return list;
+}
 
 std::string state_folder() {
     const char* given = std::getenv("XDG_STATE_HOME");
@@ -162,6 +197,16 @@ void drop_autosave(UiState& state) {
     fs::remove(memory.autosave->path(), failed);
     memory.autosave.reset();
     memory.autosaved_scene.reset();
+}
+
+void keep_orphan(UiState& state, const std::string& path) {
+    Persistence& memory = state.persistence;
+    const auto copy = std::find_if(memory.orphans.begin(), memory.orphans.end(),
+                                   [&path](const OrphanedAutosave& o) { return o.lock.path() == path; });
+    if (copy == memory.orphans.end()) return;
+    memory.autosave = std::move(copy->lock);
+    memory.autosaved_scene = state.editor.scene();
+    memory.orphans.erase(copy);
 }
 
 void end_persistence(UiState& state) {

@@ -1,5 +1,5 @@
 #pragma once
-// What outlives the window: recent files, settings, and a copy of unsaved work.
+// What outlives the window: recent files, preferences, and a copy of unsaved work.
 
 #include <future>
 #include <optional>
@@ -15,6 +15,19 @@ namespace glint {
 
 struct UiState;
 
+// The files opened or saved last, newest first: a list in an untrusted file that several windows share.
+
+inline constexpr std::size_t most_recent_files = 12;
+
+/// Reads the list from JSON: absolute paths without control characters, each once, at most most_recent_files.
+/// Anything else is left out.
+[[nodiscard]] std::vector<std::string> read_recent_files(const std::string& text);
+[[nodiscard]] std::string recent_files_text(const std::vector<std::string>& paths);
+
+/// `paths` with `path`, made absolute, in front. "-" and an empty path are not remembered.
+[[nodiscard]] std::vector<std::string> with_recent_file(std::vector<std::string> paths,
+                                                        const std::string& path);
+
 struct Persistence {
     std::string folder;                    // empty: nothing is remembered
     std::vector<std::string> recent;       // newest first
@@ -22,12 +35,16 @@ struct Persistence {
     double preferences_changed = 0;        // ImGui's time
     std::string opened;                    // the document's path that stands first among the recent ones
     std::optional<AutosaveLock> autosave;  // of the unsaved work, while there is some
-    std::optional<Scene>
-        autosaved_scene;         // what it holds, or will when `autosave_writing` has come to its end
-    double autosaved_at = -1e9;  // ImGui's time
+    std::optional<Scene> autosaved_scene;  // what it holds, or will when it is written
+    double autosaved_at = -1e9;            // ImGui's time
     std::future<Result<std::monostate>> autosave_writing;
     bool autosave_failed = false;           // and the user was told so
     std::vector<OrphanedAutosave> orphans;  // by windows that are gone: offered one by one
+
+    /// Whether the copy is of `scene`.
+    [[nodiscard]] bool has_copy_of(const Scene& scene) const {
+        return autosaved_scene && same_description(*autosaved_scene, scene);
+    }
 };
 
 /// $XDG_STATE_HOME/glint, else ~/.local/state/glint; empty when there is neither.
@@ -53,17 +70,7 @@ bool keep_unsaved_work(UiState& state);
 /// Columns, theme, sizes and views as on the first day; kept views stay.
 void reset_layout(UiState& state);
 
-/// The offer to take up the work that a crash interrupted.
-void recovery_panel(UiState& state, const Rect& picture);
-
-/// Takes up a copy that a window left behind: its scene is in hand, not saved.
-void recover_autosave(UiState& state, const std::string& path);
-
-// Background jobs at exit: cancel, wait briefly.
-
-/// Cancels every load, export and search at once and waits for them, at most `seconds`. False when one goes
-/// on: a thread in the middle of a mesh or a picture cannot be stopped. What is cancelled begins to write no
-/// file.
-[[nodiscard]] bool end_jobs(UiState& state, double seconds);
+/// The copy that a window left behind and that is in hand now becomes this window's own.
+void keep_orphan(UiState& state, const std::string& path);
 
 }  // namespace glint

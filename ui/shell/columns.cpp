@@ -15,6 +15,12 @@
 namespace glint {
 namespace {
 
+/// Asks for the mesh file of that object; of a new one for -1.
+void ask_mesh(UiState& state, int object) {
+    state.mesh_for_object = object;
+    state.files.ask(FilePurpose::OpenMesh, state.editor.document.path);
+}
+
 /// Puts the selected item's panel on the screen.
 void selected_panel(UiState& state, const PictureView& view) {
     Scene& scene = state.editor.scene();
@@ -42,10 +48,7 @@ void selected_panel(UiState& state, const PictureView& view) {
         break;
     }
     state.viewport.gizmo = requests.gizmo;
-    if (requests.browse_mesh) {
-        state.mesh_for_object = selection.index;
-        state.files.ask(FilePurpose::OpenMesh, state.editor.document.path);
-    }
+    if (requests.browse_mesh) ask_mesh(state, selection.index);
 }
 
 std::string selected_title(const Scene& scene, const Selection& selection) {
@@ -72,19 +75,16 @@ void column_heading(const char* name) {
 }
 
 void scene_column(UiState& state, const PictureView& view) {
-    SceneRequests requests;
+    bool browse_mesh = false;
     Scene& scene = state.editor.scene();
     const auto rows = static_cast<float>(5 + std::max<std::size_t>(scene.lights.size(), 1) +
                                          std::max<std::size_t>(scene.objects.size(), 1));
     const float all = rows * (ImGui::GetFrameHeight() + px(1)) + px(4);
     const float room = ImGui::GetContentRegionAvail().y;
     ImGui::BeginChild("##list", {0, std::min(all, 0.45f * room)});
-    (void)scene_panel(scene, state.editor.selection, requests);
+    (void)scene_panel(scene, state.editor.selection, browse_mesh);
     ImGui::EndChild();
-    if (requests.browse_mesh) {
-        state.mesh_for_object = -1;
-        state.files.ask(FilePurpose::OpenMesh, state.editor.document.path);
-    }
+    if (browse_mesh) ask_mesh(state, -1);
     ImGui::Separator();
     ImGui::PushFont(fonts().title);
     ImGui::TextUnformatted(selected_title(scene, state.editor.selection).c_str());

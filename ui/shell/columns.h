@@ -1,5 +1,6 @@
 #pragma once
-// The columns on either side of the picture: what is in the scene, and why a pixel has its colour.
+// What stands round the picture: the scene's column, the column that says why a pixel has its colour, and the
+// rows above and below.
 
 #include "ui/picture/picture_view.h"
 #include "ui/shell/layout.h"
@@ -15,8 +16,7 @@ void left_column(UiState& state, const Layout& layout, const PictureView& view);
 /// WHY, wherever it is. After the picture was drawn, so that its numbers are of the picture on the screen.
 void inspector_columns(UiState& state, const Layout& layout, const PictureView& view);
 
-// The row at the top: menus, shading mode, reflection model, terms, undo and redo.
-
+/// The row at the top: menus, shading mode, reflection model, terms, undo and redo.
 void toolbar(UiState& state, const Rect& area);
 
 /// The row at the bottom: what a drag does now; what the last frame took and which stages were redone.

@@ -1,10 +1,104 @@
 #include "ui/shell/modal.h"
 
+#include <fmt/core.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
+#include <filesystem>
+
+#include "models/io/file.h"
+#include "renderer/image/image_file.h"
+#include "ui/document/document_actions.h"
+#include "ui/export/animation.h"
 #include "ui/ui.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
+namespace {
+
+bool pressed(const UiInput& input, Key key) {
+    return std::any_of(input.presses.begin(), input.presses.end(),
+                       [key](const KeyPress& p) { return p.key == key; });
+}
+
+void unsaved_question(UiState& state, bool enter) {
+    if (!begin_question("Unsaved changes##question")) return;
+    ImGui::TextUnformatted(fmt::format("{} has changes that are not saved.", state.editor.title()).c_str());
+    ImGui::Dummy({px(380), px(6)});
+    if (ImGui::Button("Save", {px(110), 0}) || enter) {
+        state.pending.asking = false;
+        if (save(state)) finish_pending(state);
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Don't save", {px(110), 0})) finish_pending(state);
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", {px(110), 0})) state.pending = {};
+    if (!state.pending.asking) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+/// Enter chooses nothing here: every answer but Cancel gives something up or needs a name.
+void changed_question(UiState& state) {
+    if (!begin_question("Changed by another##question")) return;
+    const std::string title = state.editor.title();
+    ImGui::TextUnformatted(
+        fmt::format("{} was changed by another program since it was opened here.", title).c_str());
+    ImGui::Dummy({px(460), px(6)});
+    const auto answer = [&state](const char* name, const char* what) {
+        const bool chosen = ImGui::Button(name, {px(110), 0});
+        tooltip(name, what);
+        state.asks_overwrite = state.asks_overwrite && !chosen;
+        return chosen;
+    };
+    if (answer("Overwrite", "What the other program wrote is lost") && save_over(state))
+        finish_pending(state);
+    ImGui::SameLine();
+    if (answer("Save as…", "Under another name: both are kept"))
+        state.files.ask(FilePurpose::SaveScene, offered_name(state, ".json"));
+    ImGui::SameLine();
+    if (answer("Reload", "What was changed here since the last saving is lost")) reload(state);
+    ImGui::SameLine();
+    if (answer("Cancel", "Nothing is saved")) state.pending = {};
+    if (!state.asks_overwrite) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+void save_picture(UiState& state, const std::string& path) {
+    const std::string carried =
+        carried_scene_text(state.rendered_scene, state.editor.document.mesh_dir, path);
+    const auto written = write_file(path, png_bytes(*state.rendered, carried));
+    if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
+    state.notifications.add(Tone::Done,
+                            fmt::format("Saved {}", std::filesystem::path(path).filename().string()));
+}
+
+void use_file(UiState& state, const std::string& path) {
+    switch (state.files.purpose) {
+    case FilePurpose::OpenScene:
+        return begin_pending(state, Pending::What::Open, path);
+    case FilePurpose::OpenMesh:
+        // The path is kept absolute: saving makes it relative.
+        begin_mesh(state, MeshFile{std::filesystem::absolute(path).string()}, state.mesh_for_object);
+        state.mesh_for_object = -1;
+        return;
+    case FilePurpose::SavePicture:
+        return save_picture(state, path);
+    case FilePurpose::SaveFrames:
+        return begin_frames(state, path, state.exporting.options.size, state.exporting.options.samples);
+    case FilePurpose::ExportPicture:
+        return begin_export(state, state.exporting.options, path);
+    case FilePurpose::SaveScene:
+        if (const auto problem = save_file(state.editor, path)) {
+            state.pending = {};
+            return state.notifications.add(*problem);
+        }
+        state.notifications.add(Tone::Done, fmt::format("Saved {}", state.editor.title()));
+        return finish_pending(state);
+    }
+}
+
+}  // namespace
 
 Modal modal_of(const UiState& state) {
     if (state.pending.asking) return Modal::Unsaved;
@@ -49,6 +143,38 @@ bool begin_question(const char* id) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     return begin_modal(id, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove);
+}
+
+void dialogs(UiState& state, const UiInput& input) {
+    const bool enter = pressed(input, Key::Enter);
+    const Modal modal = modal_of(state);
+    switch (modal) {
+    case Modal::None:
+        break;
+    case Modal::Unsaved:
+        unsaved_question(state, enter);
+        break;
+    case Modal::Changed:
+        changed_question(state);
+        break;
+    case Modal::Files:
+        if (const auto path = draw_file_dialog(state.files, enter)) use_file(state, *path);
+        break;
+    case Modal::Export:
+        export_dialog(state);
+        break;
+    }
+    if (modal_of(state) != modal) redraw_within(0);  // the next one, or what lay below
+    // The name was not given, or the question not answered.
+    if (!state.files.open && !state.asks_overwrite && !state.pending.asking) state.pending = {};
+    poll_export(state);
+}
+
+void take_dropped(UiState& state, const UiInput& input) {
+    if (input.dropped.empty()) return;
+    begin_pending(state, Pending::What::Open, input.dropped.front());
+    if (input.dropped.size() > 1)
+        state.notifications.add(Tone::Warning, "Several files were dropped; the first was opened");
 }
 
 }  // namespace glint

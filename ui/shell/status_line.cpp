@@ -1,6 +1,7 @@
 // The row at the bottom.
 #include <fmt/core.h>
 
+#include <array>
 #include <string>
 
 #include "ui/inspector/tabs.h"
@@ -13,6 +14,8 @@
 namespace glint {
 namespace {
 
+constexpr std::array<const char*, stage_count> stage_names{"geometry", "visibility", "surface", "lighting"};
+
 std::string with_thousands(std::uint64_t n) {
     std::string digits = std::to_string(n);
     for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
@@ -21,10 +24,9 @@ std::string with_thousands(std::uint64_t n) {
 }
 
 std::string redone_stages(const FrameStats& stats) {
-    static constexpr const char* names[] = {"geometry", "visibility", "surface", "lighting"};
     std::string text;
     for (std::size_t i = 0; i < stage_count; ++i)
-        if (stats.redone[i]) text.append(text.empty() ? "" : " ").append(names[i]);
+        if (stats.redone[i]) text.append(text.empty() ? "" : " ").append(stage_names[i]);
     if (stats.strokes_redone) text.append(text.empty() ? "" : " ").append("strokes");
     return text.empty() ? "all kept" : text;
 }
@@ -43,11 +45,10 @@ std::string stats_text(const UiState& state, bool roomy) {
 }
 
 void stats_tooltip(const FrameStats& stats) {
-    static constexpr const char* names[] = {"geometry", "visibility", "surface", "lighting"};
     std::string lines;
     for (std::size_t i = 0; i < stage_count; ++i)
-        lines += stats.redone[i] ? fmt::format("{}: {:.2f} ms\n", names[i], stats.ms[i])
-                                 : fmt::format("{}: kept\n", names[i]);
+        lines += stats.redone[i] ? fmt::format("{}: {:.2f} ms\n", stage_names[i], stats.ms[i])
+                                 : fmt::format("{}: kept\n", stage_names[i]);
     if (stats.strokes_redone) lines += fmt::format("strokes: {:.2f} ms\n", stats.strokes_ms);
     lines += fmt::format("{} pixels show a surface\n{} evaluations of the equation\n{} × {} threads",
                          with_thousands(stats.shaded_pixels), with_thousands(stats.evaluations),

@@ -38,16 +38,7 @@ void reflection_switch(Shading& shading, float room) {
         chosen = segments("##reflection", chosen, options, help);
     } else {
         ImGui::SetNextItemWidth(std::max(std::min(room, px(130)), px(40)));
-        if (ImGui::BeginCombo("##reflection", options[static_cast<std::size_t>(chosen)].label)) {
-            for (int i = 0; i < static_cast<int>(options.size()); ++i) {
-                const Choice& option = options[static_cast<std::size_t>(i)];
-                if (ImGui::Selectable(option.label, i == chosen)) chosen = i;
-                tooltip(option.label, option.meaning);
-            }
-            ImGui::EndCombo();
-        } else {
-            tooltip("Reflection", help.what, options[static_cast<std::size_t>(chosen)].meaning, help.pointer);
-        }
+        chosen = drop_down("Reflection", chosen, options, help);
     }
     shading.reflection = static_cast<Reflection>(chosen);
 }
@@ -83,19 +74,14 @@ void term_switches(Terms& terms) {
     term_switch("s", "Specular", "/shading/terms/specular", Symbol::Specular, terms.specular);
 }
 
-void history_buttons(UiState& state) {
-    const History& history = state.editor.history;
-    ImGui::BeginDisabled(!history.can_undo());
-    if (icon_button("##undo", Icon::Undo)) run_command(state, CommandId::Undo);
+/// Undo or redo; `step` is what it would take back or do again, empty when there is nothing.
+void history_button(UiState& state, CommandId id, Icon icon, const std::string& step) {
+    const WindowCommand& row = command(id);
+    ImGui::BeginDisabled(!can_run(state, row));
+    if (icon_button(row.name, icon)) run_command(state, row);
     ImGui::EndDisabled();
-    tooltip("Undo", history.can_undo() ? history.undo_name().c_str() : "Nothing to undo", "",
-            keys_of(CommandId::Undo));
-    ImGui::SameLine(0, px(2));
-    ImGui::BeginDisabled(!history.can_redo());
-    if (icon_button("##redo", Icon::Redo)) run_command(state, CommandId::Redo);
-    ImGui::EndDisabled();
-    tooltip("Redo", history.can_redo() ? history.redo_name().c_str() : "Nothing to redo", "",
-            keys_of(CommandId::Redo));
+    tooltip(row.name, can_run(state, row) ? step.c_str() : why_disabled(state, row).c_str(), "",
+            keys_of(row));
 }
 
 /// What stands to the right of the menus.
@@ -114,7 +100,9 @@ void switches(UiState& state, const Rect& area) {
     ImGui::SameLine(0, gap);
     term_switches(shading.terms);
     ImGui::SetCursorScreenPos({right_end - history, y});
-    history_buttons(state);
+    history_button(state, CommandId::Undo, Icon::Undo, state.editor.history.undo_name());
+    ImGui::SameLine(0, px(2));
+    history_button(state, CommandId::Redo, Icon::Redo, state.editor.history.redo_name());
 }
 
 }  // namespace

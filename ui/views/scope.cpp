@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "models/saturate.h"
+#include "ui/export/clipboard.h"
 #include "ui/picture/tool.h"
-#include "ui/shell/shell_word.h"
 #include "ui/ui.h"
 #include "ui/widgets/theme.h"
 

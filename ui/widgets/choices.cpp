@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "ui/fields/field_panel.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -50,22 +49,27 @@ bool segment(const Choice& option, const Segment& look) {
 
 }  // namespace
 
-int choose(const char* label, int chosen, std::span<const Choice> options, const Help& help) {
+int drop_down(const char* label, int chosen, std::span<const Choice> options, const Help& help) {
     ImGui::PushID(label);
-    ImGui::SetNextItemWidth(label_cell(label));
     int result = chosen;
-    const bool open = ImGui::BeginCombo("##choice", options[static_cast<std::size_t>(chosen)].label);
-    if (!open) tooltip(label, help.what, options[static_cast<std::size_t>(chosen)].meaning, help.pointer);
-    if (open) {
+    const Choice& present = options[static_cast<std::size_t>(chosen)];
+    if (ImGui::BeginCombo("##choice", present.label)) {
         for (int i = 0; i < static_cast<int>(options.size()); ++i) {
             const Choice& option = options[static_cast<std::size_t>(i)];
             if (ImGui::Selectable(option.label, i == chosen)) result = i;
             option_tooltip(option, help);
         }
         ImGui::EndCombo();
+    } else {
+        tooltip(label, help.what, present.meaning, help.pointer);
     }
     ImGui::PopID();
     return result;
+}
+
+int choose(const char* label, int chosen, std::span<const Choice> options, const Help& help) {
+    ImGui::SetNextItemWidth(label_cell(label));
+    return drop_down(label, chosen, options, help);
 }
 
 float segments_width(std::span<const Choice> options) {

@@ -12,10 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Fonts& loaded() {
-    static Fonts state;
-    return state;
-}
+Fonts loaded;  // last (ui/ui.h)
 
 struct Family {
     const char *text, *bold, *figures;  // paths below a font folder
@@ -91,7 +88,7 @@ void load_fonts(const FontFiles& files, float scale, float dots_per_unit) {
         ImFontConfig config;
         config.SizePixels = 13 * dots;
         ImFont* only = atlas.AddFontDefault(&config);
-        loaded() = {only, only, only, only};
+        loaded = {only, only, only, only};
         atlas.Build();
         stand_in(*only);
         return;
@@ -99,11 +96,11 @@ void load_fonts(const FontFiles& files, float scale, float dots_per_unit) {
     const auto add = [&](const std::string& path, float size) {
         return atlas.AddFontFromFileTTF(path.c_str(), size * dots, nullptr, glyphs.data());
     };
-    loaded() = {add(files.text, 15), add(files.text, 13), add(files.bold, 15), add(files.figures, 14)};
+    loaded = {add(files.text, 15), add(files.text, 13), add(files.bold, 15), add(files.figures, 14)};
     atlas.Build();
 }
 
-const Fonts& fonts() { return loaded(); }
+const Fonts& fonts() { return loaded; }
 
 float small_text_height() { return fonts().small->FontSize * ImGui::GetIO().FontGlobalScale; }
 

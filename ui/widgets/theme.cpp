@@ -12,14 +12,9 @@ ImVec4 rgb(unsigned hex) {
     return {float((hex >> 16) & 255) / 255, float((hex >> 8) & 255) / 255, float(hex & 255) / 255, 1};
 }
 
-struct Applied {
-    const Theme* theme = nullptr;
-    float scale = 1;
-};
-Applied& applied() {
-    static Applied state;
-    return state;
-}
+// Applied last (ui/ui.h).
+const Theme* applied_theme = nullptr;
+float applied_scale = 1;
 
 double luminance(const ImVec4& c) {
     const auto linear = [](double v) {
@@ -137,11 +132,12 @@ const Theme& projector_theme(bool dark) {
     return dark ? of_dark : of_light;
 }
 
-const Theme& theme() { return applied().theme != nullptr ? *applied().theme : dark_theme(); }
-float px(float length) { return length * applied().scale; }
+const Theme& theme() { return applied_theme != nullptr ? *applied_theme : dark_theme(); }
+float px(float length) { return length * applied_scale; }
 
 void apply_theme(const Theme& chosen, float scale) {
-    applied() = {&chosen, scale};
+    applied_theme = &chosen;
+    applied_scale = scale;
     ImGuiStyle style;
     style.WindowPadding = {10, 8};
     style.FramePadding = {7, 3};

@@ -8,23 +8,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <limits>
 
 #include "models/saturate.h"
 #include "ui/widgets/fonts.h"
-#include "ui/widgets/named_controls.h"
-#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
 namespace {
-
-constexpr double rest_before_tooltip = 0.45;  // seconds
-
-double& earliest_redraw() {
-    static double seconds = std::numeric_limits<double>::infinity();
-    return seconds;
-}
 
 /// The ends of a range as floats that are in it.
 float lowest(const Range& range) {
@@ -102,44 +92,6 @@ void number_tooltip(const char* label, const Real& kind, float initial, const He
 }
 
 }  // namespace
-
-void redraw_within(double seconds) { earliest_redraw() = std::min(earliest_redraw(), seconds); }
-void reset_next_redraw() { earliest_redraw() = std::numeric_limits<double>::infinity(); }
-double next_redraw() { return earliest_redraw(); }
-
-void tooltip(const char* title, const char* what, const std::string& range, const std::string& key) {
-    static ImVec2 resting_on;
-    static double since = 0;
-    list_control(title, key, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
-    const ImVec2 item = ImGui::GetItemRectMin();
-    if (item.x != resting_on.x || item.y != resting_on.y) {
-        resting_on = item;
-        since = ImGui::GetTime();
-    }
-    const double rested = ImGui::GetTime() - since;
-    if (rested < rest_before_tooltip) return redraw_within(rest_before_tooltip - rested + 0.01);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10), px(8)});
-    ImGui::PushStyleColor(ImGuiCol_Text, theme().text);  // whatever colour the item's own text has
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(px(320));
-    ImGui::PushFont(fonts().title);
-    ImGui::TextUnformatted(title, ImGui::FindRenderedTextEnd(title));
-    ImGui::PopFont();
-    const std::string keys = keys_of_value(key);
-    if (!keys.empty())
-        ImGui::TextUnformatted(fmt::format("{} (key {})", what, keys).c_str());
-    else if (*what != 0)
-        ImGui::TextUnformatted(what);
-    ImGui::PushFont(fonts().small);
-    if (!range.empty()) dim_text(range.c_str());
-    if (!key.empty()) dim_text(key.c_str());
-    ImGui::PopFont();
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
-}
 
 bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
     return ImGui::InvisibleButton(id, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)}, flags);

@@ -38,7 +38,8 @@ struct Help {
 [[nodiscard]] bool switch_field(const char* label, bool& value, const Help& help);
 [[nodiscard]] bool name_field(const char* label, std::string& name, const Help& help);
 
-/// The index chosen, `chosen` when nothing changed. As a drop-down in a row, or as joined buttons.
+/// The index chosen, `chosen` when nothing changed. As a drop-down, alone or in a row, or as joined buttons.
+[[nodiscard]] int drop_down(const char* label, int chosen, std::span<const Choice> options, const Help& help);
 [[nodiscard]] int choose(const char* label, int chosen, std::span<const Choice> options, const Help& help);
 [[nodiscard]] int segments(const char* id, int chosen, std::span<const Choice> options, const Help& help);
 /// Width that segments() takes where there is room; in less its words stand closer together.
@@ -66,8 +67,7 @@ void dim_text(const char* text);
 /// Text in figures of equal width.
 void mono_text(const std::string& text);
 
-// Colours to choose from: pure ones that a lecture reasons with, and those of lamps.
-
+/// A colour to choose: one of the pure ones that a lecture reasons with, or that of a lamp.
 struct ColourPreset {
     const char* name;
     glm::vec3 linear;  // linear sRGB, the largest channel at most 1

@@ -39,8 +39,7 @@ PixelValues values_at(const Renderer& renderer, int x, int y) {
 }  // namespace
 
 std::uint64_t buffers_memory(PictureSize size) {
-    return names.size() * 3 * sizeof(float) * static_cast<std::uint64_t>(size.width) *
-           static_cast<std::uint64_t>(size.height);
+    return std::uint64_t{names.size()} * 3 * sizeof(float) * size.pixels();
 }
 
 std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, PictureSize size) {

@@ -25,8 +25,7 @@ Result<Comparison> compare(const Picture& a, const Picture& b) {
     }
     Comparison result;
     result.size = a.size;
-    std::array<std::uint64_t, 3> sum{},
-        sum_of_squares{};  // whole numbers, so that no order of adding matters
+    std::array<std::uint64_t, 3> sum{}, sum_of_squares{};  // whole, so that no order of adding matters
     for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
         const int alpha = difference(a, b, i + 3);
         bool differs = alpha > 0;
@@ -40,7 +39,7 @@ Result<Comparison> compare(const Picture& a, const Picture& b) {
         }
         result.differing_pixels += differs ? 1 : 0;
     }
-    const double pixels = std::max(1.0, static_cast<double>(a.size.width) * a.size.height);
+    const double pixels = std::max(1.0, static_cast<double>(a.size.pixels()));
     for (std::size_t c = 0; c < 3; ++c) {
         result.mean[c] = static_cast<double>(sum[c]) / pixels;
         result.rmse[c] = std::sqrt(static_cast<double>(sum_of_squares[c]) / pixels);

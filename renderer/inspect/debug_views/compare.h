@@ -1,5 +1,5 @@
 #pragma once
-// How far two pictures are apart: numbers for tests and for `glint compare`, and a picture of the
+// Measures how far two pictures are apart: numbers for tests and for `glint compare`, and a picture of the
 // differences.
 
 #include <array>

@@ -67,8 +67,9 @@ class DebugViewPainter {
   public:
     explicit DebugViewPainter(int threads);
 
-    /// What the choice shows of `scene`, which `drawn_by` has drawn last at this size. A light that does not
-    /// exist is the last one there is; a scene without lights has n.l nowhere. Background is dark grey.
+    /// Paints what the choice shows of `scene`, which `drawn_by` has drawn last at this size. A light that
+    /// does not exist is the last one there is; a scene without lights has n.l nowhere. Background is dark
+    /// grey.
     const Picture& paint(DebugViewChoice choice, const Scene& scene, const Renderer& drawn_by,
                          PictureSize size);
 

@@ -1,6 +1,6 @@
 // The scenes whose pictures are measurements.
 #include "renderer/inspect/debug_views/debug_view.h"
-#include "renderer/inspect/light_alone.h"
+#include "renderer/inspect/reflectance/lobes.h"
 
 namespace glint {
 namespace {

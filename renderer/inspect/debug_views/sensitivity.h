@@ -1,6 +1,6 @@
 #pragma once
-// How much a pixel changes with each number of its scene: the equation's derivatives, by differences of the
-// picture itself, so that whatever the engine does is in them.
+// Measures how much a pixel changes with each number of its scene: the equation's derivatives, by differences
+// of the picture itself, so that whatever the engine does is in them.
 
 #include <functional>
 #include <glm/vec3.hpp>

@@ -6,8 +6,8 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "renderer/geometry/clip.h"
 #include "renderer/geometry/interpolate.h"
-#include "renderer/geometry/to_screen.h"
 #include "renderer/lighting/display.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"

@@ -5,7 +5,6 @@
 #include <glm/trigonometric.hpp>
 #include <optional>
 
-#include "renderer/inspect/light_alone.h"
 #include "renderer/inspect/reflectance/lobes.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"

@@ -22,7 +22,7 @@ namespace glint {
 [[nodiscard]] std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
                                                std::span<const SeenPoint> points);
 
-/// n.l of a light at a point, not clamped; of an area light, of its middle sample (of four, the first).
+/// n.l of a light at a point, not clamped; of an area light, of its middle sample (of four, the third).
 [[nodiscard]] double cosine_at(const Scene& scene, PictureSize size, const Light& light,
                                const SeenPoint& point);
 
@@ -57,5 +57,16 @@ struct HighlightFit {
 /// The shininess n' with which Blinn-Phong's highlight comes nearest to Phong's with `shininess` (>= 0), by
 /// least squares over angles from 0 to 90 degrees. About 4 n.
 [[nodiscard]] double blinn_shininess_like(float shininess);
+
+// How r comes about, step by step. Lecture: "Calculating R Vector": P is l's shadow on n, R = 2 P - L.
+
+struct MirrorSteps {
+    float n_dot_l = 0;
+    glm::vec3 p{0}, twice_p{0}, r{0};  // n (n.l); 2 n (n.l); 2 n (n.l) - l
+};
+
+/// The equation's own r for a normal of any length: with |n| = k, p is k^2 times as long as it should be, and
+/// r is not a mirror direction. n and l in one frame; the results are in it.
+[[nodiscard]] MirrorSteps mirror_steps(glm::vec3 n, glm::vec3 l);
 
 }  // namespace glint

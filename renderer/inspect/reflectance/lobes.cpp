@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "models/scene/reflection.h"
-#include "renderer/inspect/reflectance/seeded.h"
 #include "renderer/lighting/cook_torrance.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"
@@ -186,6 +185,37 @@ std::vector<LobeBin> facet_lobe(double roughness, double view_deg, int rays, std
         lobe[static_cast<std::size_t>(std::min(deg / bin_deg, bins - 0.5))].share += 1.0 / rays;
     }
     return lobe;
+}
+
+Light white(Light light) {
+    light.enabled = true;
+    light.intensity = 1;
+    light.diffuse = light.specular = glm::vec3(1);
+    return light;
+}
+
+Scene alone(const Scene& scene, const Light& light) {
+    Scene s;
+    s.camera = scene.camera;
+    s.shading = scene.shading;
+    s.lights = {light};
+    s.lights[0].enabled = true;
+    return s;
+}
+
+LightAlone::LightAlone(const Scene& scene, PictureSize size, const Light& light, const Material& material) {
+    Scene s = alone(scene, white(light));
+    s.shading.terms.diffuse = s.shading.terms.specular = true;
+    sources_ = light_sources(s);
+    job_ = light_job(s, size, material, sources_, false);
+}
+
+PointAt<float> LightAlone::seen(glm::vec3 position, glm::vec3 normal) const {
+    return seen_from_eye(job_, to_vec(position), to_vec(normal));
+}
+
+LightTerms<float> LightAlone::terms(const LightSource& source, const PointAt<float>& at) const {
+    return illuminate(equation_of(job_), light_at<float>(source), material_at<float>(job_.material), at);
 }
 
 }  // namespace glint

@@ -1,8 +1,8 @@
 #pragma once
-// What a reflection model does with light from one direction: slices f(l, v) for plots, and what can be said
-// of the whole lobe: its energy, its albedo, whether it may be read backwards. Every value comes from the
-// equation's own illuminate(). Lecture: "Types of Reflection", "BRDF", the intensity plots at 60, 25 and 0
-// degrees.
+// Samples what a reflection model does with light from one direction: slices f(l, v) for plots, and what can
+// be said of the whole lobe: its energy, its albedo, whether it may be read backwards. Every value comes from
+// the equation's own illuminate(). Lecture: "Types of Reflection", "BRDF", the intensity plots at 60, 25 and
+// 0 degrees.
 //
 // The surface has n = (0, 0, 1); the light is white, of intensity 1, at `light_deg` from n on the side of -x,
 // so that the mirror direction leans as far towards +x.
@@ -14,7 +14,8 @@
 #include <vector>
 
 #include "models/scene/material.h"
-#include "models/scene/shading.h"
+#include "models/scene/scene.h"
+#include "renderer/lighting/shade_point.h"
 
 namespace glint {
 
@@ -48,7 +49,8 @@ struct LobeSample {
     Reflected reflected;
     glm::vec3 brdf{0};
 };
-/// From -90 to 90 degrees in the plane of incidence, `steps` steps. 0 <= light_deg < 90, steps >= 1.
+/// Samples the lobe from -90 to 90 degrees in the plane of incidence, in `steps` steps. 0 <= light_deg < 90,
+/// steps >= 1.
 [[nodiscard]] std::vector<LobeSample> lobe_slice(const Reflector& reflector, double light_deg, int steps);
 
 /// The integral of the specular term times n.v over all v: for Phong at light_deg = 0 it is k_s 2 pi /
@@ -81,5 +83,42 @@ struct LobeBin {
 /// What leaves below the horizon is in no bin. D is the equation's own d_ggx.
 [[nodiscard]] std::vector<LobeBin> facet_lobe(double roughness, double view_deg, int rays,
                                               std::uint32_t seed);
+
+// A scene of one light, for what is measured light by light.
+
+/// The light, on, white and of intensity 1, whatever its own diffuse and specular colours are.
+[[nodiscard]] Light white(Light light);
+
+/// The scene's camera and shading with this light, on, as the only one, and no objects.
+[[nodiscard]] Scene alone(const Scene& scene, const Light& light);
+
+/// What the picture's equation makes of one light, taken as white, of intensity 1 and on, at any point of a
+/// material, mistakes and all. The scene gives camera and shading; diffuse and specular terms are on. Points
+/// and normals are in camera coordinates.
+class LightAlone {
+  public:
+    LightAlone(const Scene& scene, PictureSize size, const Light& light, const Material& material);
+    LightAlone(const LightAlone&) = delete;  // the job points to the sources
+    LightAlone& operator=(const LightAlone&) = delete;
+
+    [[nodiscard]] PointAt<float> seen(glm::vec3 position, glm::vec3 normal) const;
+    /// One source: the light itself or, of an area light, each of its samples.
+    [[nodiscard]] const std::vector<LightSource>& sources() const { return sources_; }
+    [[nodiscard]] LightTerms<float> terms(const LightSource& source, const PointAt<float>& at) const;
+    /// The light's terms; of an area light, those of its middle sample (of four, the third).
+    [[nodiscard]] LightTerms<float> middle(const PointAt<float>& at) const {
+        return terms(sources_[sources_.size() / 2], at);
+    }
+
+  private:
+    std::vector<LightSource> sources_;
+    LightJob job_;
+};
+
+// Random numbers that are the same on every machine: a generator's bits, not the distributions of std::,
+// which differ between libraries.
+
+/// Uniform in [0, 1).
+[[nodiscard]] inline double uniform(std::mt19937& random) { return static_cast<double>(random()) * 0x1p-32; }
 
 }  // namespace glint

@@ -6,7 +6,7 @@
 #include <optional>
 #include <random>
 
-#include "renderer/inspect/reflectance/seeded.h"
+#include "renderer/inspect/reflectance/lobes.h"
 #include "renderer/lighting/oren_nayar.h"
 
 namespace glint {
@@ -74,8 +74,8 @@ FacetRay trace(const MicrofacetPicture& p, int facet, double along, double light
     const glm::dvec2 l = direction(-light_deg);
     ray.at = a + along * (b - a);
     ray.from = ray.at + ((highest - ray.at.y) / l.y + 2) * l;
-    const double out =
-        2 * p.tilt_deg[static_cast<std::size_t>(facet)] + light_deg;  // equal angles to the normal
+    const double tilt = p.tilt_deg[static_cast<std::size_t>(facet)];
+    const double out = 2 * tilt + light_deg;  // equal angles to the normal
     ray.out_deg = out > 180 ? out - 360 : out < -180 ? out + 360 : out;
     if (const auto stopped = meets(p, facet, ray.at, l, highest)) {
         ray.fate = RayFate::Shadowed;
@@ -135,6 +135,14 @@ void count_rays(MicrofacetPicture& p) {
     }
 }
 
+/// The density of tilts, per degree: normal with deviation sigma_deg, cut at steepest_deg. sigma_deg > 0.
+double tilt_density(double sigma_deg, double tilt_deg) {
+    if (std::abs(tilt_deg) > steepest_deg) return 0;
+    const double kept = std::erf(steepest_deg / (sigma_deg * std::numbers::sqrt2));
+    const double x = tilt_deg / sigma_deg;
+    return std::exp(-x * x / 2) / (sigma_deg * std::sqrt(2 * std::numbers::pi) * kept);
+}
+
 /// The share of tilts within `half_width` of one, by the midpoint rule.
 double share_of_tilts(double sigma_deg, double tilt_deg, double half_width) {
     constexpr int steps = 64;
@@ -156,13 +164,6 @@ void find_shining(MicrofacetPicture& p, const MicrofacetOptions& options) {
 }
 
 }  // namespace
-
-double tilt_density(double sigma_deg, double tilt_deg) {
-    if (std::abs(tilt_deg) > steepest_deg) return 0;
-    const double kept = std::erf(steepest_deg / (sigma_deg * std::numbers::sqrt2));
-    const double x = tilt_deg / sigma_deg;
-    return std::exp(-x * x / 2) / (sigma_deg * std::sqrt(2 * std::numbers::pi) * kept);
-}
 
 double smith_g1(double sigma_deg, double light_deg) {
     if (!(sigma_deg > 0) || !(light_deg > 0)) return 1;

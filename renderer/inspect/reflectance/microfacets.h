@@ -61,7 +61,4 @@ inline constexpr double steepest_deg = 80;
 /// beyond m = cot(light_deg), over m. Assumes that heights far apart are independent.
 [[nodiscard]] double smith_g1(double sigma_deg, double light_deg);
 
-/// The density of tilts, per degree: normal with deviation sigma_deg, cut at steepest_deg. sigma_deg > 0.
-[[nodiscard]] double tilt_density(double sigma_deg, double tilt_deg);
-
 }  // namespace glint

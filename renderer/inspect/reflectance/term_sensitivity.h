@@ -1,6 +1,6 @@
 #pragma once
-// Which term of the equation needs the normal, the light's direction and the viewer. Lecture: "Lighting
-// Review".
+// Measures which term of the equation needs the normal, the light's direction and the viewer. Lecture:
+// "Lighting Review".
 
 #include <array>
 #include <glm/vec3.hpp>

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "models/mesh/mesh.h"
+#include "models/mesh/normals.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_helpers.h"
 

@@ -53,22 +53,6 @@ TEST_CASE("of two members of one name the last counts, where the first stood", "
     CHECK(json->text() == R"({"a":3,"b":{"a":5,"c":[]}})");
 }
 
-TEST_CASE("a pointer leads to members and elements, or nowhere", "[json]") {
-    const auto json = JsonValue::parse(R"({"lights": [{"a/b": 1}, {"m~n": [7, 8]}], "": 9})");
-    REQUIRE(json);
-    const auto number_at = [&json](const char* pointer) {
-        const JsonValue* found = json->at_pointer(pointer);
-        return found != nullptr && found->is_number() ? found->number() : -1;
-    };
-    CHECK(number_at("/lights/0/a~1b") == 1);
-    CHECK(number_at("/lights/1/m~0n/1") == 8);
-    CHECK(number_at("/") == 9);
-    CHECK(json->at_pointer("") == &*json);
-    for (const char* nowhere :
-         {"/light", "/lights/2", "/lights/x", "/lights/0/a~1b/c", "/lights/1/m~0n/-1", "/lights/"})
-        CHECK(json->at_pointer(nowhere) == nullptr);
-}
-
 TEST_CASE("numbers are equal by their value and stay as they are in text", "[json]") {
     CHECK(JsonValue(1) == JsonValue(1.0));
     CHECK_FALSE(JsonValue(1) == JsonValue(true));

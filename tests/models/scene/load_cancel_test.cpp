@@ -12,7 +12,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/mesh_file_bytes.h"
 #include "tests/support/program.h"
-#include "ui/preferences/job.h"
+#include "ui/document/loading.h"
 
 using namespace glint;
 

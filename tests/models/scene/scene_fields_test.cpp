@@ -7,7 +7,6 @@
 
 #include "models/fields/scene_numbers.h"
 #include "models/fields/scene_rules.h"
-#include "models/scene/scene_variant.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_scene.h"

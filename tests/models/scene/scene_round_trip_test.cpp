@@ -5,6 +5,7 @@
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/scenes.h"
 
 using namespace glint;
 
@@ -176,4 +177,27 @@ TEST_CASE("an assignment of anything to anything gives a scene or a problem of o
         }
     }
     CHECK(scenes > 50);
+}
+
+TEST_CASE("a scene with another mesh is another scene of the same description", "[scene]") {
+    Scene scene = RandomScene(1).scene();
+    scene.objects.resize(2);
+    Scene other = scene;
+    other.objects[1].mesh = test::primitive(Primitive::Sphere, 8);
+    CHECK(scene != other);
+    CHECK(same_description(scene, other));
+    for (const auto& edit : std::vector<void (*)(Scene&)>{
+             [](Scene& s) { s.camera.eye.x += 1; }, [](Scene& s) { s.global_ambient.y += 1; },
+             [](Scene& s) { s.lights.emplace_back(); }, [](Scene& s) { s.objects.emplace_back(); },
+             [](Scene& s) { s.objects[0].name += "'"; },
+             [](Scene& s) { s.objects[1].source = MeshFile{"other.obj"}; },
+             [](Scene& s) { s.objects[1].transform.translate.x += 1; },
+             [](Scene& s) { s.objects[1].normals.crease_deg += 1; },
+             [](Scene& s) { s.objects[1].material.shininess += 1; },
+             [](Scene& s) { s.shading.two_sided ^= true; }, [](Scene& s) { s.npr.creases ^= true; },
+             [](Scene& s) { s.display.exposure += 1; }}) {
+        Scene edited = scene;
+        edit(edited);
+        CHECK_FALSE(same_description(scene, edited));
+    }
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "models/scene/scene_variant.h"
+#include "models/scene_file/scene_file.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"

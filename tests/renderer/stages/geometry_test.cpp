@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "renderer/geometry/geometry_kernels.h"
 #include "renderer/geometry/object_normals.h"
-#include "renderer/geometry/outside_bits.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
 

@@ -90,6 +90,20 @@ void check_refused(const std::string& bytes) {
 
 }  // namespace
 
+TEST_CASE("the format of a picture is its name's extension, in any case", "[image]") {
+    for (const auto format : {PictureFormat::Png, PictureFormat::Pfm, PictureFormat::Exr}) {
+        const std::string path = "a.b/picture" + std::string(extension_of(format));
+        CHECK(std::get<PictureFormat>(picture_format(path)) == format);
+        CHECK(is_linear(format) == (format != PictureFormat::Png));
+    }
+    CHECK(std::get<PictureFormat>(picture_format("PICTURE.EXR")) == PictureFormat::Exr);
+    for (const char* path : {"", "picture", "a.png/picture", "picture.jpg", "exr"}) {
+        const auto refused = picture_format(path);
+        REQUIRE(problem_of(refused) != nullptr);
+        CHECK(problem_of(refused)->expected == "a name that ends in .png, .pfm or .exr");
+    }
+}
+
 TEST_CASE("a PFM holds its bottom row first, little-endian, times the exposure", "[image]") {
     Picture picture{{2, 2}, {}, {0, 0.25f, 0.5f, 1, 2, 3, -1, 4, 5, 6, 7, 8}};
     const std::string bytes = pfm_bytes(picture, 2);

@@ -1,18 +1,16 @@
 // Scenes that move, and their frames as files.
-#include "ui/export/animate.h"
-
 #include <gif_lib.h>
 
 #include <glm/geometric.hpp>
 
 #include "models/fields/scene_numbers.h"
 #include "renderer/image/image_file.h"
-#include "renderer/image/image_gif.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
+#include "ui/export/animation.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -75,7 +73,7 @@ TEST_CASE("every number of a scene can be chosen, by its key", "[ui][animate]") 
     for (const SceneNumber& number : numbers) {
         const Animation still{Motion::PingPong, number.pointer, number.value, number.value, 2};
         INFO(number.pointer);
-        CHECK(at(document, still, 0) == document.scene);
+        CHECK(same_description(at(document, still, 0), document.scene));
     }
 }
 
@@ -114,6 +112,16 @@ TEST_CASE("a GIF holds every frame at its size and time, and repeats", "[image]"
         CHECK(std::abs(int(colour.Red) - 40 * frame) <= 8);  // its palette has 5 bits a channel
     }
     DGifCloseFile(file, &error);
+}
+
+TEST_CASE("a name that ends in .gif is one file, in capitals too", "[ui][animate]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.state.animate.animation.frames = 2;
+    begin_frames(bench.state, folder.path("TURN.GIF"), {40, 30}, 1);
+    while (bench.state.animate.job) bench.frame();
+    CHECK(folder.names() == std::vector<std::string>{"TURN.GIF"});
 }
 
 TEST_CASE("frames are written as numbered pictures that carry their scenes", "[ui][animate]") {

@@ -8,9 +8,10 @@
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
-#include "ui/document/recent_files.h"
+#include "ui/document/document_actions.h"
 #include "ui/fields/field_panel.h"
 #include "ui/preferences/autosave.h"
+#include "ui/preferences/persistence.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -287,13 +288,50 @@ TEST_CASE("unsaved work is copied, found after a crash and taken up, and no wind
     CHECK(orphaned_autosaves(folder.path("")).empty());  // it is offered to one window only
     next.frames(2);
     recover_autosave(next.state, next.state.persistence.orphans[0].lock.path());
-    next.frames(3);
-    CHECK(next.scene() == left);
+    next.wait_for_loads();
+    next.frames(2);
+    CHECK(same_description(next.scene(), left));
     CHECK(next.state.editor.unsaved());
     CHECK(copies_in(folder) == 1);  // still kept, until it is saved
     next.state.editor.saved = next.scene();
     next.frames(2);
     CHECK(copies_in(folder) == 0);
+}
+
+TEST_CASE("a copy is loaded aside like any other file, and one that is cancelled is offered again",
+          "[ui][memory]") {
+    const TemporaryDirectory folder;
+    {
+        HeadlessWindow crashes;
+        begin_persistence(crashes.state, folder.path(""));
+        edit_and_wait(crashes, 0.25f);
+    }
+    HeadlessWindow next;
+    begin_persistence(next.state, folder.path(""));
+    next.frames(2);
+    const Scene before = next.scene();
+    const std::string copy = next.state.persistence.orphans.at(0).lock.path();
+    recover_autosave(next.state, copy);
+    CHECK(next.state.loading.active());
+    CHECK(next.scene() == before);
+    CHECK_FALSE(next.state.editor.unsaved());
+    next.key(Key::Escape);
+    next.frames(3);
+    CHECK_FALSE(next.state.loading.active());
+    CHECK(next.scene() == before);
+    REQUIRE(next.state.persistence.orphans.size() == 1);
+    recover_autosave(next.state, copy);
+    next.scene().shading.mode = ShadingMode::Flat;  // work that is not thrown away unasked
+    next.wait_for_loads();
+    REQUIRE(next.state.pending.asking);
+    CHECK(next.scene().shading.mode == ShadingMode::Flat);
+    finish_pending(next.state);
+    next.frames(2);
+    CHECK(next.scene().lights[0].intensity == 0.25f);
+    CHECK(next.scene().shading.mode == before.shading.mode);
+    CHECK(next.state.editor.unsaved());
+    CHECK(next.state.persistence.orphans.empty());
+    CHECK(copies_in(folder) == 1);
 }
 
 TEST_CASE("two windows keep two copies, and a window that is closed takes its own away", "[ui][memory]") {

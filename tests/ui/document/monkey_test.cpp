@@ -170,7 +170,7 @@ void check_scene(const Scene& scene, int event) {
     const auto read = parse_scene(scene_text(scene), "monkey.json");
     if (const Problem* problem = problem_of(read)) {
         FAIL("after event " << event << ": " << problem->text());
-    } else if (!(std::get<Scene>(read) == scene)) {
+    } else if (!same_description(std::get<Scene>(read), scene)) {
         FAIL("after event " << event << ": the scene does not read back equal");
     }
 }
@@ -216,9 +216,10 @@ TEMPLATE_TEST_CASE_SIG(
         check_scene(bench.scene(), event);
         while (undo(bench.state.editor)) ++undone;
         // By the mouse it may still find "New", or open what it saved: then undo leads back to there.
-        if (!bench.state.editor.document.path.empty() || bench.scene() == first_scene().scene) continue;
+        if (!bench.state.editor.document.path.empty() || same_description(bench.scene(), first_scene().scene))
+            continue;
         INFO("event " << event << ": " << step_name(small_document().scene, bench.scene()));
-        CHECK(bench.scene() == small_document().scene);
+        CHECK(same_description(bench.scene(), small_document().scene));
         ++compared;
         bench.frames(2);
     }

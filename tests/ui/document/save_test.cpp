@@ -166,7 +166,7 @@ TEST_CASE("work that is taken up after a crash does not overwrite what was writt
         begin_persistence(next.state, folder.path("state"));
         REQUIRE_FALSE(next.state.persistence.orphans.empty());
         recover_autosave(next.state, next.state.persistence.orphans[0].lock.path());
-        next.frames(2);
+        next.wait_for_loads();
         edit(next, 0.75f);
         next.key(Key::S, true);
         next.frames(2);

@@ -23,11 +23,16 @@ bool wait_for_numbers(HeadlessWindow& bench) {
     return bench.state.sensitivity.current;
 }
 
-/// A number or switch of the scene, as its file has it.
+/// A number or switch of the scene, as its file has it; the pointer's tokens have no "~".
 JsonValue value_at(const Scene& scene, std::string_view pointer) {
     const JsonValue file = JsonValue::parse(scene_text(scene)).value();
-    const JsonValue* found = file.at_pointer(pointer);
-    REQUIRE(found != nullptr);
+    const JsonValue* found = &file;
+    while (!pointer.empty()) {
+        const std::string token(pointer.substr(1, pointer.find('/', 1) - 1));
+        pointer.remove_prefix(token.size() + 1);
+        found = found->is_array() ? &found->elements().at(std::stoul(token)) : found->find(token);
+        REQUIRE(found != nullptr);
+    }
     return *found;
 }
 

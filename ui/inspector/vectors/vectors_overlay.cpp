@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "models/scene/reflection.h"
-#include "renderer/inspect/reflectance/mirror.h"
+#include "renderer/inspect/reflectance/highlight.h"
 #include "ui/inspector/asked.h"
 #include "ui/inspector/vectors/arrows.h"
 #include "ui/inspector/vectors/facet.h"

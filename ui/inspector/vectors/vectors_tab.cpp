@@ -7,7 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "renderer/inspect/reflectance/mirror.h"
+#include "renderer/inspect/reflectance/highlight.h"
 #include "ui/inspector/asked.h"
 #include "ui/inspector/equation/parts.h"
 #include "ui/inspector/equation/words.h"

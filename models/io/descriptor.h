@@ -54,4 +54,5 @@ inline std::string reason(int error) {
 inline Problem cannot(const char* verb, const std::string& path, int error, const char* expected) {
     return {path, "", fmt::format("cannot {}: {}", verb, reason(error)), expected};
 }
+
 }  // namespace glint

@@ -1,10 +1,11 @@
 #pragma once
 // A vertex's way to the screen, in doubles: from object to camera to clip coordinates, and onto the
-// rasteriser's grid. One at a time (double) or side by side (Doubles).
+// rasteriser's grid; and its normal's way to camera coordinates. One at a time (double) or side by side
+// (Doubles).
 
 #include "renderer/geometry/geometry_kernels.h"
-#include "renderer/geometry/outside_bits.h"
 #include "renderer/simd/double_lanes.h"
+#include "renderer/simd/vec3.h"
 
 namespace glint::inline GLINT_ISA {
 
@@ -35,7 +36,7 @@ template <Number D> Outside<D> outside_of(const Point4<D>& camera, const Point4<
                        (D(1) - within) * D(static_cast<double>(OutsideGuard))};
 }
 
-/// On the rasteriser's grid, in whole units.
+/// A point on the rasteriser's grid, in its units (1/256 pixel), y down; and its depth.
 template <Number D> struct GridPoint { D x, y, inv_w; };
 
 /// To the nearest whole number, halves away from zero. |a| < 2^31.
@@ -50,14 +51,30 @@ template <Number D> PixelPoint<D> to_pixel(const Viewport& viewport, const Point
     return {(clip.x / clip.w + D(1)) * D(0.5) * D(viewport.width),
             (D(1) - clip.y / clip.w) * D(0.5) * D(viewport.height)};
 }
-/// What the depth test compares, larger nearer, linear on the screen: 1/w in perspective, (1 - z_ndc)/2 when
-/// orthographic, where w is 1 everywhere.
+/// The depth that the depth test compares, larger nearer, linear on the screen: 1/w in perspective, (1 -
+/// z_ndc)/2 when orthographic, where w is 1 everywhere.
 template <Number D> D inv_w_of(const Viewport& viewport, const Point4<D>& clip) {
     return viewport.orthographic ? D(0.5) * (D(1) - clip.z / clip.w) : D(1) / clip.w;
 }
 template <Number D> GridPoint<D> grid_point(const Viewport& viewport, const Point4<D>& clip) {
     const PixelPoint<D> at = to_pixel(viewport, clip);
     return {at.x * D(subpixels), at.y * D(subpixels), inv_w_of(viewport, clip)};
+}
+
+/// Transforms a normal to camera coordinates; its length is what the matrix leaves.
+template <Number D> Vec3<D> to_camera(const Matrix3& m, Vec3<D> n) {
+    const auto row = [&](int r) {
+        return D(m.column[0][r]) * n.x + D(m.column[1][r]) * n.y + D(m.column[2][r]) * n.z;
+    };
+    return {row(0), row(1), row(2)};
+}
+
+/// v / |v|, correctly rounded divisions; (0, 0, 0) stays so.
+template <Number D> Vec3<D> unit_or_zero(Vec3<D> v) {
+    const D length = square_root(dot(v, v));
+    const auto any_length = length > D(0);
+    const D divisor = select(any_length, length, D(1));
+    return select<D>(any_length, Vec3<D>{v.x / divisor, v.y / divisor, v.z / divisor}, Vec3<D>{});
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -1,4 +1,4 @@
-#include "app/say.h"
+#include "app/failure.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "ui/export/animate.h"
+#include "ui/export/animation.h"
 
 #include <fmt/core.h>
 #include <imgui.h>
@@ -21,7 +21,6 @@
 #include "ui/widgets/widgets.h"
 
 namespace glint {
-
 namespace {
 
 constexpr int most_frames = 2000;
@@ -91,6 +90,20 @@ void write_buttons(UiState& state) {
     ImGui::EndDisabled();
 }
 
+/// 0 .. frames - 1.
+int within_period(const Animation& animation, int frame) {
+    const int period = std::max(animation.frames, 1);
+    return ((frame % period) + period) % period;
+}
+
+Scene turned(Scene scene, double angle) {
+    Camera& camera = scene.camera;
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(camera.up)), target(camera.target);
+    const glm::dmat4 turn = glm::rotate(glm::dmat4(1), angle, axis);
+    camera.eye = glm::vec3(target + glm::dvec3(turn * glm::dvec4(glm::dvec3(camera.eye) - target, 0)));
+    return scene;
+}
+
 }  // namespace
 
 void animate_panel(UiState& state) {
@@ -124,17 +137,7 @@ void animate_panel(UiState& state) {
 
 void poll_animation(UiState& state) {
     AnimateState& animate = state.animate;
-    if (animate.job) {
-        redraw_within(0.1);
-        if (animate.job->done()) {
-            const Result<std::string> result = animate.job->take();
-            animate.job.reset();
-            if (const Problem* problem = problem_of(result))
-                state.notifications.add(*problem);
-            else
-                state.notifications.add(Tone::Done, std::get<std::string>(result));
-        }
-    }
+    poll_job(animate.job, state.notifications);
     animate.frame.reset();
     if (!animate.playing) return;
     const double frame = (ImGui::GetTime() - animate.began) * animate.frames_a_second;
@@ -147,24 +150,6 @@ void poll_animation(UiState& state) {
     animate.frame = std::get<Scene>(std::move(scene));
     redraw_within((std::floor(frame) + 1 - frame) / animate.frames_a_second);
 }
-
-namespace {
-
-/// 0 .. frames - 1.
-int within_period(const Animation& animation, int frame) {
-    const int period = std::max(animation.frames, 1);
-    return ((frame % period) + period) % period;
-}
-
-Scene turned(Scene scene, double angle) {
-    Camera& camera = scene.camera;
-    const glm::dvec3 axis = glm::normalize(glm::dvec3(camera.up)), target(camera.target);
-    const glm::dmat4 turn = glm::rotate(glm::dmat4(1), angle, axis);
-    camera.eye = glm::vec3(target + glm::dvec3(turn * glm::dvec4(glm::dvec3(camera.eye) - target, 0)));
-    return scene;
-}
-
-}  // namespace
 
 double value_at(const Animation& animation, int frame) {
     const double share = double(within_period(animation, frame)) / std::max(animation.frames, 1);

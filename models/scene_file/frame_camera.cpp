@@ -123,8 +123,7 @@ Scene scene_of_mesh(MeshPtr mesh, const std::string& path) {
     fill.specular = glm::vec3(0);  // a highlight at the eye would follow the viewer about
     scene.lights = {key, fill};
 
-    scene.camera.eye = {0.5f, 0.35f,
-                        1};  // of which framing keeps the direction: from the front, a little above
+    scene.camera.eye = {0.5f, 0.35f, 1};  // framing keeps the direction: from the front, a little above
     frame_camera(scene);
     return scene;
 }

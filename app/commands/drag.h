@@ -1,12 +1,19 @@
-#include "app/window/drag.h"
+#pragma once
+// A hand that drags something, frame by frame: what benchmarks move.
 
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
+#include "models/scene/scene.h"
+
 namespace glint {
 
-void drag_to(Scene& scene, const Scene& start, Drag drag, int frame) {
+enum class Drag { Light, Material, Camera, Object };
+
+/// Puts into `scene` what a hand has dragged of `start` by `frame`; every frame differs from the one before.
+/// The first light or object is dragged, on a circle. Precondition: there is one.
+inline void drag_to(Scene& scene, const Scene& start, Drag drag, int frame) {
     const auto turn = 0.1f * static_cast<float>(frame);
     const glm::vec3 circle{std::cos(turn), std::sin(turn), 0};
     switch (drag) {

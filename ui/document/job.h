@@ -65,10 +65,4 @@ template <class T> class Job {
 
 using LoadJob = Job<SceneDocument>;
 
-/// "reading 12 of 37 MB", "building the mesh: 400000 faces": how far a load has come.
-[[nodiscard]] std::string progress_words(const LoadProgress& progress);
-
-/// How much of the load is done, from 0 to 1; negative when that is not known.
-[[nodiscard]] float progress_share(const LoadProgress& progress);
-
 }  // namespace glint
