@@ -1,7 +1,7 @@
 #pragma once
 // The columns on either side of the picture: what is in the scene, and why a pixel has its colour.
 
-#include "ui/picture/picture_view.h"
+#include "ui/picture/screen.h"
 #include "ui/shell/layout.h"
 #include "ui/ui.h"
 
