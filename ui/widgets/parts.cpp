@@ -141,7 +141,7 @@ void badge_ground(ImDrawList& list, const Rect& area, bool lit) {
 }
 
 Rect badge(ImDrawList& list, ImVec2 at, const std::string& text, ImVec2 pivot) {
-    const ImVec2 pad = px(1) * ImVec2(10, 5), size = ImGui::CalcTextSize(text.c_str()) + 2 * pad;
+    const ImVec2 pad = px(1) * ImVec2(8, 5), size = ImGui::CalcTextSize(text.c_str()) + 2 * pad;
     const ImVec2 low = at - ImVec2(pivot.x * size.x, pivot.y * size.y);
     badge_ground(list, {low, low + size});
     list.AddText(low + pad, to_u32(theme().text), text.c_str());

@@ -28,8 +28,13 @@ Factor scene_factor(Symbol symbol, const char* letter, const char* index, const 
 
 Factor value_factor(Symbol symbol, const char* letter, float value) { return {symbol, letter, "", value}; }
 
+/// A number of the scene by which a factor before it came about: it multiplies nothing.
+Factor by_number(Symbol symbol, const char* letter, const NumberHandle& handle) {
+    return {symbol, letter, "", 1, handle};
+}
+
 Factor by_roughness(const LightInEquation& in, Symbol symbol) {
-    return scene_factor(symbol, "by roughness", "", material_number(in.scene, in.explanation, "roughness"));
+    return by_number(symbol, "by roughness", material_number(in.scene, in.explanation, "roughness"));
 }
 
 /// F, the light's colour, the surface's colour: what every term begins with.
@@ -96,7 +101,7 @@ void add_highlight(std::vector<Factor>& factors, const LightInEquation& in) {
     case HighlightCosine::None:
         factors.push_back(value_factor(Symbol::Specular, "S", strength));
         if (info.uses_shininess())
-            factors.push_back(scene_factor(Symbol::Specular, "by shininess", "", shininess_number(in)));
+            factors.push_back(by_number(Symbol::Specular, "by shininess", shininess_number(in)));
         if (info.has_highlight && info.uses_roughness) factors.push_back(by_roughness(in, Symbol::Specular));
         return;
     }
