@@ -18,9 +18,9 @@
 #include "ui/document/loading.h"
 #include "ui/export/animation.h"
 #include "ui/export/export_picture.h"
+#include "ui/inspector/inspector.h"
 #include "ui/inspector/outside_view.h"
-#include "ui/inspector/sensitivity_job.h"
-#include "ui/inspector/state.h"
+#include "ui/inspector/sensitivity.h"
 #include "ui/lecture/lecture.h"
 #include "ui/picture/tool.h"
 #include "ui/picture/viewport.h"
@@ -28,7 +28,7 @@
 #include "ui/shell/frame_pace.h"
 #include "ui/shell/layout.h"
 #include "ui/shell/notifications.h"
-#include "ui/views/state.h"
+#include "ui/views/views.h"
 
 namespace glint {
 

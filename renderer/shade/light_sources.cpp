@@ -68,14 +68,6 @@ double cos_of_cutoff(double degrees) {
     return degrees == 90 ? 0 : std::cos(glm::radians(degrees));
 }
 
-/// Camera coordinates from a light's own: the view matrix for a light given in world coordinates, and nothing
-/// for one given in camera coordinates; mistakes may put another matrix in place.
-glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world, const Mistakes& wrong) {
-    const bool world = (space == LightSpace::World) != wrong.light_in_wrong_space;
-    const glm::dmat4 frame = world ? view_from_world : glm::dmat4(1.0);
-    return wrong.light_moved_twice ? view_from_world * frame : frame;
-}
-
 // What students do by mistake to lights and viewer before the equation sees them (models/scene/mistakes.h).
 
 /// Falloff and cone as the mistakes have them. No mistake leaves the source as it is.
@@ -193,6 +185,12 @@ CoolToWarm tone_of(const Npr& npr, const Material& m, const std::vector<LightSou
 }
 
 }  // namespace
+
+glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world, const Mistakes& wrong) {
+    const bool world = (space == LightSpace::World) != wrong.light_in_wrong_space;
+    const glm::dmat4 frame = world ? view_from_world : glm::dmat4(1.0);
+    return wrong.light_moved_twice ? view_from_world * frame : frame;
+}
 
 float faintest_cosine_squared(float shininess) {
     return shininess > 0 ? static_cast<float>(std::exp2(-48.0 / static_cast<double>(shininess)))

@@ -3,6 +3,7 @@
 // intensity. Lecture: "Light Sources": standard: world coordinates; alternative: camera coordinates (car
 // headlights).
 
+#include <glm/mat4x4.hpp>
 #include <vector>
 
 #include "models/scene/scene.h"
@@ -15,6 +16,11 @@ namespace glint {
 
 /// Fills `sources` with them in its own memory.
 void light_sources(const Scene& scene, std::vector<LightSource>& sources);
+
+/// Camera coordinates from a light's own: the view matrix for a light given in world coordinates, and nothing
+/// for one given in camera coordinates; mistakes may put another matrix in place.
+[[nodiscard]] glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world,
+                                           const Mistakes& mistakes);
 
 /// One object's part of the equation. `lights` must outlive the job. `at_corners`: the colours will be
 /// blended over faces, which OpenGL's rules clamp before.

@@ -10,6 +10,7 @@
 #include "ui/document/document_actions.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -142,9 +143,7 @@ void sheet(const Lines& lines, std::size_t from, std::size_t to) {
         ImGui::SameLine();
         ImGui::SetCursorPosX(left + widest +
                              px(14));  // SameLine(offset) counts from the group, this does not
-        ImGui::PushStyleColor(ImGuiCol_Text, theme().accent);
-        ImGui::TextUnformatted(lines[i].how.c_str());
-        ImGui::PopStyleColor();
+        coloured(theme().accent, lines[i].how);
     }
     ImGui::EndGroup();
 }

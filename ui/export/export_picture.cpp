@@ -14,6 +14,7 @@
 #include "ui/export/clipboard.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -33,11 +34,7 @@ constexpr std::array sizes{NamedSize{"HD", {1280, 720}}, NamedSize{"Full HD", {1
 constexpr std::array<int, 4> samples{1, 2, 4, 8};
 
 bool size_button(const char* name, PictureSize size, ExportOptions& options) {
-    const bool chosen = options.size == size;
-    ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().accent : theme().field);
-    ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme().accent_text : theme().text);
-    const bool pressed = ImGui::Button(name);
-    ImGui::PopStyleColor(2);
+    const bool pressed = chosen_button(name, options.size == size);
     if (pressed) options.size = size;
     return pressed;
 }

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <string>
 
-#include "ui/inspector/equation/parts.h"
+#include "renderer/shade/light_sources.h"
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -60,12 +61,14 @@ void camera_matrices(const Camera& camera, PictureSize size) {
     small_dim(fmt::format("For {} × {} pixels; visible is −w ≤ x, y, z ≤ w.", size.width, size.height));
 }
 
-void row_of(const char* name, const glm::dvec4& v) {
+/// A name and its numbers.
+void row(const char* name, const std::string& numbers) {
     dim_text(name);
     ImGui::SameLine(px(56));
-    const auto part = [](double x) { return shown_number(static_cast<float>(x)); };
-    mono_text(fmt::format("{} {} {} {}", part(v.x), part(v.y), part(v.z), part(v.w)));
+    mono_text(numbers);
 }
+
+std::string four_numbers(glm::vec4 v) { return shown_vector(v) + " " + shown_number(v.w); }
 
 void light_rows(UiState& state) {
     const Scene& scene = state.editor.scene();
@@ -74,65 +77,55 @@ void light_rows(UiState& state) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
         const bool world = light.space == LightSpace::World;
-        const CarriedLight both = carried(light, scene.camera);
+        const CarriedLight both = carried(light, scene.camera, scene.shading.mistakes);
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Selectable(
                 fmt::format("{}, given in {} coordinates", light.name, world ? "world" : "camera").c_str()))
             state.editor.selection = {Selection::Kind::Light, static_cast<int>(i)};
         tooltip("Light", "Click: its panel", "", fmt::format("/lights/{}/position", i));
-        row_of("world", both.world);
-        row_of("camera", both.camera);
+        row("world", four_numbers(both.world));
+        row("camera", four_numbers(both.camera));
         ImGui::PopID();
     }
     small_dim("The last number is w: 0 is a direction, which no translation moves.");
 }
 
 void stop(const char* name, const std::string& numbers, const char* what) {
-    dim_text(name);
-    ImGui::SameLine(px(56));
-    mono_text(numbers);
+    row(name, numbers);
     tooltip(name, what);
 }
 
-void small_text(const char* text) {
-    ImGui::PushFont(fonts().small);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text);
-    ImGui::PopTextWrapPos();
-    ImGui::PopFont();
-}
-
-/// The road from the mesh to the pixel.
+/// Follows the picked point from the mesh to its pixel.
 void carried_point(const UiState& state) {
     section_heading("The picked point on its way");
     if (!state.explanation || !state.explanation->hit)
         return wrapped_dim("Click an object to follow a point of it.");
     const ExplainedSpaces& s = state.explanation->spaces;
-    const auto three = [](glm::vec3 v) {
-        return fmt::format("{} {} {}", shown_number(v.x), shown_number(v.y), shown_number(v.z));
-    };
-    stop("object", three(s.object), "As the mesh has it");
-    stop("world", three(s.world), "After the object's transform");
-    stop("camera", three(s.camera), "After view_from_world");
-    ImGui::PushStyleColor(ImGuiCol_Text, theme()[Symbol::L]);
-    small_text("↳ lit here: angles and distances are still true");
-    ImGui::PopStyleColor();
-    stop("clip", three(glm::vec3(s.clip)) + " " + shown_number(s.clip.w), "After clip_from_view; w last");
-    stop("NDC", three(s.ndc), "Divided by w: −1 to 1");
+    stop("object", shown_vector(s.object), "As the mesh has it");
+    stop("world", shown_vector(s.world), "After the object's transform");
+    stop("camera", shown_vector(s.camera), "After view_from_world");
+    ImGui::PushFont(fonts().small);
+    ImGui::PushTextWrapPos(0);
+    coloured(Symbol::L, "↳ lit here: angles and distances are still true");
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    stop("clip", four_numbers(s.clip), "After clip_from_view; w last");
+    stop("NDC", shown_vector(s.ndc), "Divided by w: −1 to 1");
     stop("pixel", fmt::format("{} {}", shown_number(s.pixel.x), shown_number(s.pixel.y)),
          "Scaled to the picture; y down");
     const InBothFrames& n = state.explanation->at.normal;
     section_heading("Its normal");
-    stop("world", three(n.world), "By the inverse transpose of the object's transform, made unit");
-    stop("camera", three(n.camera), "A normal is not projected: it has done its work before");
+    stop("world", shown_vector(n.world), "By the inverse transpose of the object's transform, made unit");
+    stop("camera", shown_vector(n.camera), "A normal is not projected: it has done its work before");
 }
 
 }  // namespace
 
-CarriedLight carried(const Light& light, const Camera& camera) {
+CarriedLight carried(const Light& light, const Camera& camera, const Mistakes& mistakes) {
     const glm::dvec4 given(light.position);
-    if (light.space == LightSpace::World) return {given, view_from_world(camera) * given};
-    return {world_from_view(camera) * given, given};
+    const glm::dmat4 view = view_from_world(camera), carry = camera_from_light(light.space, view, mistakes);
+    const glm::dvec4 arrived = carry * given;
+    return {carry == view ? given : world_from_view(camera) * arrived, arrived};
 }
 
 void matrices_tab(UiState& state, const PictureView& view) {

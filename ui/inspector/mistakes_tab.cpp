@@ -5,10 +5,10 @@
 #include <string>
 
 #include "models/scene/mistakes.h"
-#include "ui/inspector/asked.h"
-#include "ui/inspector/equation/parts.h"
+#include "ui/inspector/inspector.h"
 #include "ui/inspector/tabs.h"
 #include "ui/ui.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -46,7 +46,7 @@ void mistake_row(UiState& state, const MistakeName& mistake) {
     small_dim(std::string(mistake.what));
     ImGui::Unindent(px(24));
     ImGui::EndGroup();
-    if (!pointed && !is_pointed_at(ImGui::GetItemRectMin(), ImGui::GetItemRectMax())) return;
+    if (!pointed && !is_pointed_at(last_item())) return;
     Scene other = state.editor.scene();
     other.shading.mistakes.*mistake.flag ^= true;
     show_instead(state, other, mistakes.*mistake.flag ? "without: " + title : title);

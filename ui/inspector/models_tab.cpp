@@ -4,35 +4,30 @@
 #include <algorithm>
 
 #include "ui/fields/field_panel.h"
-#include "ui/inspector/asked.h"
-#include "ui/inspector/equation/parts.h"
 #include "ui/inspector/equation/words.h"
+#include "ui/inspector/inspector.h"
 #include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
 
-std::string three(glm::vec3 v) {
-    return fmt::format("{} {} {}", shown_number(v.x), shown_number(v.y), shown_number(v.z));
-}
-
-/// A square of a linear colour as the scene's display would show it: only under the explained sum is that
-/// exact, so corners are clamped as they are.
+/// A linear colour, clamped: only of the explained sum is what the display makes of it known exactly.
 ImU32 ink_of(glm::vec3 c) {
     return to_u32({std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f), 1});
 }
 
 void swatch(ImU32 colour, float edge) {
-    const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + edge, low.y + edge};
+    const ImVec2 low = ImGui::GetCursorScreenPos(), high = low + edge * ImVec2(1, 1);
     ImGui::GetWindowDrawList()->AddRectFilled(low, high, colour, px(3));
     ImGui::GetWindowDrawList()->AddRect(low, high, to_u32(theme().line), px(3));
     ImGui::Dummy({edge, edge});
 }
 
-/// Which corners, with which weights, make the colour.
+/// Lists the corners that make the colour, with their weights.
 void corner_lines(const Explanation& explanation) {
     char letter = 'A';
     for (const ExplainedCorner& corner : explanation.corners) {
@@ -40,11 +35,11 @@ void corner_lines(const Explanation& explanation) {
         ImGui::SameLine(0, px(6));
         dim_text(fmt::format("{}", letter++).c_str());
         ImGui::SameLine(0, px(6));
-        mono_text(fmt::format("{:.3f} × {}", corner.weight, three(corner.at.sum)));
+        mono_text(fmt::format("{:.3f} × {}", corner.weight, shown_vector(corner.at.sum)));
     }
 }
 
-/// How the mode comes by the colour.
+/// Says how the mode comes by the colour.
 void how(const Explanation& explanation, FlatPoint flat_point, Rules rules) {
     switch (explanation.mode) {
     case ShadingMode::Flat: {
@@ -62,13 +57,13 @@ void how(const Explanation& explanation, FlatPoint flat_point, Rules rules) {
     }
 }
 
-/// n in the frame that the Vectors tab shows.
+/// Shows n in the frame of the Vectors tab.
 void normal_line(const InspectorState& state, const Explanation& explanation) {
     if (explanation.lit_per_corner) return;
     const InBothFrames& n = explanation.at.normal;
     coloured(Symbol::N, "n");
     ImGui::SameLine(0, px(6));
-    mono_text(three(state.world_frame ? n.world : n.camera));
+    mono_text(shown_vector(state.world_frame ? n.world : n.camera));
 }
 
 void mode_block(UiState& state, const Explanation& explanation, ShadingMode mode, const Explanation& phong) {
@@ -87,11 +82,11 @@ void mode_block(UiState& state, const Explanation& explanation, ShadingMode mode
     ImGui::PopFont();
     const bool pointed = is_pointed_at();
     tooltip(choice.label, choice.meaning, "Rest here: the picture under it. Click: take it", "/shading/mode");
-    mono_text(three(explanation.sum));
+    mono_text(shown_vector(explanation.sum));
     ImGui::EndGroup();
     how(explanation, shading.flat_point, shading.rules);
     normal_line(state.inspector, explanation);
-    if (mode != ShadingMode::Phong) small_dim("minus Phong: " + three(explanation.sum - phong.sum));
+    if (mode != ShadingMode::Phong) small_dim("minus Phong: " + shown_vector(explanation.sum - phong.sum));
     ImGui::EndGroup();
     ImGui::PopID();
     ImGui::Dummy({0, px(4)});
@@ -101,7 +96,7 @@ void mode_block(UiState& state, const Explanation& explanation, ShadingMode mode
     show_instead(state, other, fmt::format("{} shading", choice.label));
 }
 
-/// Nothing differs between the scenes that decides what shows at a pixel.
+/// Whether the scenes agree in all that decides what shows at a pixel.
 bool same_faces(const Scene& a, const Scene& b) {
     const auto same_place = [](const Object& x, const Object& y) {
         return x.source == y.source && x.transform == y.transform;
@@ -133,7 +128,7 @@ void models_tab(UiState& state, const PictureView&) {
     const std::array<Explanation, 4> all = under_each_mode(state, explanation);
     small_dim(fmt::format("Sums of the same pixel, red green blue; {} triangle of face {}, at the weights {}",
                           explanation.front_facing ? "front" : "back", explanation.face,
-                          three(explanation.weights)));
+                          shown_vector(explanation.weights)));
     ImGui::Dummy({0, px(2)});
     for (std::size_t i = 0; i < all.size(); ++i)
         mode_block(state, all[i], static_cast<ShadingMode>(i), all.back());

@@ -3,13 +3,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "ui/inspector/label_room.h"
 #include "ui/inspector/outside_view.h"
+#include "ui/picture/handles/light_handles.h"
 #include "ui/picture/orbit.h"
-#include "ui/picture/world_pen.h"
+#include "ui/picture/screen.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
-#include "ui/widgets/label_room.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 
 namespace glint {
 namespace {
@@ -23,17 +24,16 @@ struct LabelledPen : WorldPen {
 
     /// Beside a place of the window; pushed away where something is written, and then tied to it by a line.
     void text(ImVec2 place, const char* words, ImU32 colour) const {
-        const ImFont* type = fonts().small;
-        const float height = type->FontSize * ImGui::GetIO().FontGlobalScale;
-        const ImVec2 size = type->CalcTextSizeA(height, 1e9f, 0, words);
-        const ImVec2 wanted{place.x + px(5) + size.x / 2, place.y};
-        const ImVec2 middle = room.place_anyhow(wanted, {size.x + px(2), size.y}, px(56));
-        const ImVec2 low{middle.x - size.x / 2, middle.y - size.y / 2};
-        if (std::hypot(middle.x - wanted.x, middle.y - wanted.y) > height)
-            list.AddLine(place, {std::clamp(place.x, low.x, low.x + size.x), middle.y}, colour, px(1));
-        list.AddRectFilled({low.x - px(2), low.y}, {low.x + size.x + px(2), low.y + size.y},
-                           to_u32(theme().surround, 0.75f), px(3));
-        list.AddText(type, height, low, colour, words);
+        ImGui::PushFont(fonts().small);
+        const ImVec2 size = ImGui::CalcTextSize(words), more{px(2), 0};
+        const ImVec2 wanted = place + ImVec2(px(5) + size.x / 2, 0);
+        const ImVec2 middle = room.place_anyhow(wanted, size + more, px(56));
+        const ImVec2 low = middle - size / 2, high = middle + size / 2;
+        if (length_of(middle - wanted) > size.y)
+            list.AddLine(place, {std::clamp(place.x, low.x, high.x), middle.y}, colour, px(1));
+        list.AddRectFilled(low - more, high + more, to_u32(theme().surround, 0.75f), px(3));
+        list.AddText(low, colour, words);
+        ImGui::PopFont();
     }
     void text(glm::dvec3 place, const char* words, ImU32 colour) const {
         const OnScreen at = project(view.map, place);
@@ -71,7 +71,7 @@ void draw_axes(const LabelledPen& pen, const glm::dmat4& frame, double length,
     }
 }
 
-/// The eye and the volume it sees.
+/// Draws the eye and the volume it sees.
 void draw_camera(const LabelledPen& pen, const OutsideScene& what, double size) {
     const ScreenMap& map = what.main.map;
     const Camera& camera = what.scene.camera;
@@ -95,13 +95,14 @@ void draw_camera(const LabelledPen& pen, const OutsideScene& what, double size) 
     draw_axes(pen, map.world_from_view, size, {"x", "y", "z"});
 }
 
-/// No word over a light's mark.
+/// Lets no word stand over a light's mark.
 void keep_light_free(const LabelledPen& pen, const OutsideScene& what, std::size_t index) {
     const OnScreen at =
         project(pen.view.map, handle_of(what.scene.lights[index], what.main.dome, what.main.map));
     if (!at.in_front) return;
     const ImVec2 p = pen.view.to_window(at.pixel);
-    pen.room.keep_free({{p.x - px(6), p.y - px(6)}, {p.x + px(6), p.y + px(6)}});
+    const ImVec2 half = px(6) * ImVec2(1, 1);
+    pen.room.keep_free({p - half, p + half});
 }
 
 void draw_light(const LabelledPen& pen, const OutsideScene& what, int index) {
@@ -116,15 +117,11 @@ void draw_light(const LabelledPen& pen, const OutsideScene& what, int index) {
     const OnScreen at = project(pen.view.map, place);
     if (!at.in_front) return;
     const ImVec2 p = pen.view.to_window(at.pixel);
-    const float radius = px(index == what.hovered_light ? 7.5f : 6);
-    pen.list.AddCircleFilled(p, radius + px(1.5f), to_u32(ink, 0.8f));
-    if (light.enabled)
-        pen.list.AddCircleFilled(p, radius, colour);
-    else
-        pen.list.AddCircle(p, radius, colour, 0, px(2));
-    if (index == what.selected_light) pen.list.AddCircle(p, radius + px(4), to_u32(theme().accent), 0, px(2));
+    const float radius = index == what.hovered_light ? 7.5f : 6;
+    draw_light_disc(pen.list, p, radius, light, colour, 1);
+    if (index == what.selected_light) pen.list.AddCircle(p, px(radius + 4), to_u32(theme().accent), 0, px(2));
     const std::string label = light.name + (rides ? "  C" : "  W");
-    pen.text({p.x + px(8), p.y}, label.c_str(), to_u32(ink));
+    pen.text(p + ImVec2(px(8), 0), label.c_str(), to_u32(ink));
 }
 
 }  // namespace
@@ -136,14 +133,14 @@ double drawn_depth(const Camera& camera) {
 double axis_length(const Camera& camera) { return 0.22 * target_depth(camera); }
 
 void draw_outside(ImDrawList& list, const PictureView& view, const OutsideScene& what) {
+    constexpr std::size_t most_items = 300;  // lights, and objects
     const PictureSize size_px = view.map.size;
     LabelRoom room({view.to_window({3, 2}), view.to_window({size_px.width - 3, size_px.height - 2})});
     const LabelledPen pen{{list, view}, room};
-    const auto lights = std::min<std::size_t>(what.scene.lights.size(), 300);
+    const auto lights = std::min(what.scene.lights.size(), most_items);
     for (std::size_t i = 0; i < lights; ++i) keep_light_free(pen, what, i);
-    const std::size_t count = std::max<std::size_t>(what.scene.objects.size(), 1);
-    for (std::size_t i = 0; i < std::min<std::size_t>(count, 300) && i < what.scene.objects.size(); ++i)
-        draw_mesh(pen, what.scene.objects[i], most_lines / std::min<std::size_t>(count, 300));
+    const auto objects = std::min(what.scene.objects.size(), most_items);
+    for (std::size_t i = 0; i < objects; ++i) draw_mesh(pen, what.scene.objects[i], most_lines / objects);
     const double size = axis_length(what.scene.camera);
     for (std::size_t i = 0; i < lights; ++i) draw_light(pen, what, static_cast<int>(i));
     draw_camera(pen, what, size);

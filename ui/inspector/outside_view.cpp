@@ -9,18 +9,19 @@
 
 #include "models/saturate.h"
 #include "ui/picture/handles/drag_math.h"
+#include "ui/picture/handles/light_place.h"
 #include "ui/picture/orbit.h"
 #include "ui/ui.h"
 #include "ui/widgets/named_controls.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
 
-constexpr double grip_units = 11;  // of the design: how near to a light a click selects it
+constexpr float grip_units = 11;  // of the design: how near to a light a click selects it
 
-/// The ends of what is drawn of the camera, and of the world's axes.
+/// Adds the ends of what is drawn of the camera, and of the world's axes.
 void add_drawn(std::vector<glm::dvec3>& places, const Scene& scene, const PictureView& main) {
     const double w = main.map.size.width, h = main.map.size.height, deep = drawn_depth(scene.camera);
     for (const glm::dvec2 corner : {glm::dvec2(0, 0), {w, 0}, {w, h}, {0, h}})
@@ -35,8 +36,8 @@ void add_drawn(std::vector<glm::dvec3>& places, const Scene& scene, const Pictur
     }
 }
 
-/// What must be in sight: eye, target, lights and what is drawn of the camera, and of the objects what is no
-/// farther from the target than these. A wide floor would make all else too small to see.
+/// All that must be in sight: eye, target, lights and what is drawn of the camera, and of the objects what is
+/// no farther from the target than these. A wide floor would make all else too small to see.
 std::vector<glm::dvec3> all_places(const Scene& scene, const PictureView& main) {
     const glm::dvec3 target(scene.camera.target);
     std::vector<glm::dvec3> places{target, glm::dvec3(scene.camera.eye)};
@@ -44,10 +45,7 @@ std::vector<glm::dvec3> all_places(const Scene& scene, const PictureView& main) 
     add_drawn(places, scene, main);
     double reach = 0;
     for (const glm::dvec3& place : places) reach = std::max(reach, 0.7 * glm::length(place - target));
-    const Bounds& box = main.bounds;
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 corner{(i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
-                                (i & 4) != 0 ? box.max.z : box.min.z};
+    for (const glm::dvec3& corner : corners_of(main.bounds)) {
         const double away = glm::length(corner - target);
         places.push_back(away > reach ? target + reach / away * (corner - target) : corner);
     }
@@ -57,7 +55,7 @@ std::vector<glm::dvec3> all_places(const Scene& scene, const PictureView& main) 
 /// The light under the cursor, or -1.
 int light_under(const Scene& scene, const PictureView& main, const PictureView& outside, ImVec2 cursor) {
     int found = -1;
-    double nearest = double(px(float(grip_units)));
+    double nearest = double(px(grip_units));
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const OnScreen at = project(outside.map, handle_of(scene.lights[i], main.dome, main.map));
         const double away = glm::length(at.pixel - outside.to_pixel(cursor));
@@ -79,12 +77,10 @@ void use_mouse(OutsideState& state, PictureSize size, bool hovered) {
 }
 
 void legend() {
-    ImGui::PushTextWrapPos(0);
-    dim_text("Drag: turn · Wheel: closer · Double-click: all in sight · Click a light: select it");
-    dim_text(
+    wrapped_dim("Drag: turn · Wheel: closer · Double-click: all in sight · Click a light: select it");
+    wrapped_dim(
         "C lights ride with the camera, on a line from the eye; W lights stay in the world. Orbit the "
         "picture and watch.");
-    ImGui::PopTextWrapPos();
 }
 
 }  // namespace
@@ -124,8 +120,8 @@ void outside_tab(UiState& state, const PictureView& main) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const ImVec2 extent{std::max(room.x, px(60)),
                         std::clamp(room.y - px(90), px(120), 1.15f * std::max(room.x, px(120)))};
-    const PictureSize size{std::clamp(saturated_int(extent.x), 1, max_picture_side),
-                           std::clamp(saturated_int(extent.y), 1, max_picture_side)};
+    const auto side = [](float length) { return std::clamp(saturated_int(length), 1, max_picture_side); };
+    const PictureSize size{side(extent.x), side(extent.y)};
     PictureView view = main;
     view.origin = ImGui::GetCursorScreenPos();
     view.units_per_pixel = 1;
@@ -142,7 +138,7 @@ void outside_tab(UiState& state, const PictureView& main) {
         ImGui::GetIO().MouseDragMaxDistanceSqr[0] < 16)
         state.editor.selection = {Selection::Kind::Light, light};
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 high{view.origin.x + extent.x, view.origin.y + extent.y};
+    const ImVec2 high = view.origin + extent;
     list.AddRectFilled(view.origin, high, to_u32(theme().surround), px(4));
     list.PushClipRect(view.origin, high, true);
     draw_outside(list, view, {scene, main, selected_light(state.editor.selection), light});

@@ -1,11 +1,11 @@
 #pragma once
-// The scene from outside: the eye with what it sees, the axes of world and camera, the lights, and which of
-// them ride with the camera. Drawn in lines, from a camera of its own that no scene knows.
+// The outside view draws in lines the eye with what it sees, the axes of world and camera, the lights, and
+// which of them ride with the camera. It has a camera of its own that no scene knows.
 
 #include <imgui.h>
 
-#include "models/scene/camera.h"
-#include "ui/picture/picture_view.h"
+#include "models/scene/scene.h"
+#include "ui/picture/screen.h"
 
 namespace glint {
 
@@ -24,7 +24,7 @@ struct OutsideState {
 /// that moves the scene's camera.
 void outside_tab(UiState& state, const PictureView& main);
 
-// The lines of the outside view.
+// Its lines are drawn by these.
 
 struct OutsideScene {
     const Scene& scene;

@@ -13,7 +13,8 @@
 #include "ui/ui.h"
 #include "ui/views/term_grid.h"
 #include "ui/widgets/fonts.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -41,6 +42,64 @@ constexpr std::array tabs{
                      "The eye, its view volume and the lights, seen from outside", outside_tab},
 };
 
+/// The place of the heading's square of colour.
+struct Square {
+    ImVec2 low;
+    float edge;
+    [[nodiscard]] ImVec2 high() const { return {low.x + edge, low.y + edge}; }
+};
+
+void nothing_picked(const Square& square) {
+    ImGui::GetWindowDrawList()->AddRect(square.low, square.high(), to_u32(theme().line), px(4));
+    ImGui::Dummy({square.edge, square.edge});
+    ImGui::SameLine(0, px(10));
+    ImGui::BeginGroup();
+    dim_text("no pixel picked");
+    ImGui::PushFont(fonts().title);
+    ImGui::TextUnformatted("Click the picture to ask why");
+    ImGui::PopFont();
+    ImGui::EndGroup();
+}
+
+void picked(UiState& state, const Explanation& explanation, const Square& square) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto [r, g, b] = explanation.byte;
+    list.AddRectFilled(square.low, square.high(), IM_COL32(r, g, b, 255), px(4));
+    list.AddRect(square.low, square.high(), to_u32(theme().line), px(4));
+    ImGui::Dummy({square.edge, square.edge});
+    tooltip("Colour", "As it is on the screen: red, green, blue from 0 to 255",
+            fmt::format("{} {} {}   #{:02x}{:02x}{:02x}", r, g, b, r, g, b));
+    ImGui::SameLine(0, px(10));
+    ImGui::BeginGroup();
+    mono_text(fmt::format("{} {}, {}   {} {} {}", ImGui::GetIO().KeyAlt ? "under" : "pixel", state.asked.x,
+                          state.asked.y, r, g, b));
+    if (explanation.hit) {
+        if (ImGui::Selectable(fmt::format("{}, face {}", explanation.object, explanation.face).c_str(), false,
+                              0, {ImGui::GetContentRegionAvail().x - px(26), 0}))
+            state.editor.selection = {Selection::Kind::Object, explanation.object_index};
+        tooltip("Object", "Click to show its panel");
+    } else {
+        dim_text("background");
+    }
+    ImGui::EndGroup();
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::GetFrameHeight());
+    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, square.low.y});
+    if (icon_button("##forget", Icon::Close)) state.viewport.probe.reset();
+    tooltip("Forget this pixel", "Click the picture to pick another");
+}
+
+/// A square of the pixel's colour with its byte values, the pixel, and what it shows. A click on the object
+/// selects it, a click on the cross forgets the pixel. As high while no pixel is picked, when it says how to
+/// pick one: the tabs below it stay where they are.
+void heading(UiState& state) {
+    const Square square{ImGui::GetCursorScreenPos(), 2 * ImGui::GetTextLineHeight() + px(6)};
+    if (state.explanation)
+        picked(state, *state.explanation, square);
+    else
+        nothing_picked(square);
+    ImGui::SetCursorScreenPos({square.low.x, square.high().y + px(8)});
+}
+
 /// A tab's button; the chosen one stands on a bar of the accent.
 bool tab_button(const InspectorTabInfo& info, bool chosen) {
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().field_active : theme().panel);
@@ -49,7 +108,7 @@ bool tab_button(const InspectorTabInfo& info, bool chosen) {
     const bool clicked = ImGui::Button(info.label);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const auto [low, high] = last_item();
     if (chosen)
         ImGui::GetWindowDrawList()->AddRectFilled({low.x, high.y - px(2)}, high, to_u32(theme().accent));
     tooltip(info.label, info.what);
@@ -61,11 +120,9 @@ void tab_bar(InspectorState& inspector) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(fonts().small);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(1), px(1)});
-    bool first = true;
     for (const InspectorTabInfo& info : tabs) {
-        const float width = ImGui::CalcTextSize(info.label).x + px(12);
-        if (!first && ImGui::GetItemRectMax().x + px(1) + width <= right) ImGui::SameLine();
-        first = false;
+        if (&info != &tabs.front())
+            same_line_if_fits(ImGui::CalcTextSize(info.label).x + px(12), px(1), right);
         if (tab_button(info, inspector.tab == info.tab)) inspector.tab = info.tab;
     }
     ImGui::PopStyleVar();
@@ -82,7 +139,7 @@ std::span<const InspectorTabInfo> inspector_tabs() { return tabs; }
 void inspector(UiState& state, const PictureView& view) {
     const std::optional<Symbol> pointed_vector = std::exchange(state.inspector.pointed_vector, std::nullopt);
     const int pointed_light = std::exchange(state.inspector.pointed_light, -1);
-    inspector_heading(state);
+    heading(state);
     tab_bar(state.inspector);
     for (const InspectorTabInfo& info : tabs) {
         if (info.tab != state.inspector.tab) continue;
@@ -92,6 +149,15 @@ void inspector(UiState& state, const PictureView& view) {
     }
     if (pointed_vector != state.inspector.pointed_vector || pointed_light != state.inspector.pointed_light)
         redraw_within(0);  // the picture's arrows were drawn before
+}
+
+void inspector_empty_state(const char* promise) {
+    for (const char* text :
+         {promise, "The pixel stays picked while you drag lights and sliders, and the numbers follow.",
+          "With Alt held, what is under the cursor is asked, without a click."}) {
+        ImGui::Dummy({0, px(5)});
+        wrapped_dim(text);
+    }
 }
 
 }  // namespace glint

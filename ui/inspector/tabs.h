@@ -10,7 +10,7 @@
 #include "models/scene/light.h"
 #include "models/scene/shading.h"
 #include "renderer/inspect/explain/explanation.h"
-#include "ui/inspector/state.h"
+#include "ui/inspector/inspector.h"
 
 namespace glint {
 
@@ -32,18 +32,11 @@ struct InspectorTabInfo {
 /// of what is on the screen.
 void inspector(UiState& state, const PictureView& view);
 
-// What stands above the tabs of WHY: the picked pixel, its colour, and what shows there.
-
-/// A square of the pixel's colour with its byte values, the pixel, and what it shows. A click on the object
-/// selects it, a click on the cross forgets the pixel. As high while no pixel is picked, when it says how to
-/// pick one: the tabs below it stay where they are.
-void inspector_heading(UiState& state);
-
-/// What a tab that needs a pixel shows while none is picked: `promise` says what it would.
+/// Draws a tab that needs a pixel while none is picked; `promise` says what it would show.
 void inspector_empty_state(const char* promise);
 
-// This tab shows the picked pixel under flat, facet, Gouraud and Phong shading, side by side, and how each
-// comes by its colour.
+// The models tab shows the picked pixel under flat, facet, Gouraud and Phong shading, side by side, and how
+// each comes by its colour.
 
 /// Pointing at a model shows the whole picture under it, a click takes it.
 void models_tab(UiState& state, const PictureView& view);
@@ -53,31 +46,29 @@ void models_tab(UiState& state, const PictureView& view);
 [[nodiscard]] std::array<Explanation, 4> under_each_mode(const UiState& state,
                                                          const Explanation& explanation);
 
-// Mistakes that students really make, as switches: on, one sees how each is recognised; pointed at, one sees
-// it for as long as the mouse rests there.
+// The mistakes that students really make are switches: on, one sees how each is recognised; pointed at, one
+// sees it for as long as the mouse rests there.
 
 void mistakes_tab(UiState& state, const PictureView& view);
 
-/// How many are on.
+/// How many mistakes are on.
 [[nodiscard]] int mistakes_on(const Mistakes& mistakes);
 
-// The matrices of the camera with their numbers, and what they do: each light's position carried into camera
-// coordinates, the picked point on its way from the mesh to its pixel, with lighting's place marked.
+// The matrices tab shows those of the camera with their numbers, and what they do: each light's position
+// carried into camera coordinates, the picked point on its way from the mesh to its pixel, with lighting's
+// place marked.
 
 void matrices_tab(UiState& state, const PictureView& view);
 
-/// A light's position in both frames, w as in the scene: a direction stays a direction.
+/// A light's position in both frames, w as in the scene: a direction stays a direction. The frames are those
+/// of the picture: `mistakes` may carry the light into wrong ones.
 struct CarriedLight {
     glm::dvec4 world{0}, camera{0};
 };
-[[nodiscard]] CarriedLight carried(const Light& light, const Camera& camera);
+[[nodiscard]] CarriedLight carried(const Light& light, const Camera& camera, const Mistakes& mistakes = {});
 
-// What matters here: every number of the scene, sorted by how much the picked pixel moves with it.
+// The sensitivity tab sorts every number of the scene by how much the picked pixel moves with it.
 
 void sensitivity_tab(UiState& state, const PictureView& view);
-
-/// The review's table, live at the picked point: how far each term moves when normal, light or viewer is
-/// turned by a degree.
-void term_sensitivity_section(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light);
 
 }  // namespace glint

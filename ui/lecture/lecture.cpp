@@ -8,54 +8,50 @@
 
 #include "models/io/file.h"
 #include "ui/ui.h"
+#include "ui/widgets/area.h"
 #include "ui/widgets/fonts.h"
-#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
 
-void frozen_badge(ImDrawList& list, const LectureState& lecture, const PictureView& view) {
-    if (!lecture.frozen) return;
-    const std::string text = "Frozen (" + keys_of(CommandId::Freeze) + ")";
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 low{view.origin.x + px(10), view.origin.y + px(10)};
-    list.AddRectFilled(low, {low.x + size.x + px(16), low.y + size.y + px(8)}, to_u32(theme().window, 0.85f),
-                       px(6));
-    list.AddText({low.x + px(8), low.y + px(4)}, to_u32(theme().text), text.c_str());
-}
-
 namespace {
 
 ImU32 grey(int value) { return IM_COL32(value, value, value, 255); }
 
-/// The row's patches over the whole width, each to be clicked.
+/// A patch in its cell of the row, to be clicked.
+void patch(ImDrawList& list, WedgeRow& row, int index, const Rect& cell) {
+    const ImVec2 size = cell.size();
+    const int step = wedge_steps[static_cast<std::size_t>(index)];
+    const float half = std::min(0.6f * size.x, 0.55f * size.y) / 2;
+    const ImVec2 middle{cell.middle().x, cell.low.y + 0.45f * size.y}, corner{half, half};
+    list.AddRectFilled(middle - corner, middle + corner, grey(row.ground + row.sign * step));
+    ImGui::SetCursorScreenPos(cell.low);
+    ImGui::PushID(index);
+    if (hit_area("##patch", size)) row.seen = index;
+    ImGui::PopID();
+    const bool chosen = row.seen == index;
+    const ImU32 ink = row.ground < 128 ? grey(150) : grey(row.ground == 255 ? 110 : 20);
+    const ImVec2 inset = px(3) * ImVec2(1, 1);
+    if (chosen || ImGui::IsItemHovered())
+        list.AddRect(cell.low + inset, cell.high - inset, ink, px(4), 0, px(chosen ? 2.0f : 1.0f));
+    const std::string label = std::to_string(step);
+    const ImVec2 text = ImGui::CalcTextSize(label.c_str());
+    list.AddText({middle.x - text.x / 2, cell.high.y - text.y - px(7)}, ink, label.c_str());
+}
+
+/// The row's patches over the whole width.
 void patches(WedgeRow& row, float height) {
     const float width = ImGui::GetContentRegionAvail().x;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(low, {low.x + width, low.y + height}, grey(row.ground));
-    const auto count = wedge_steps.size();
-    const float cell = width / static_cast<float>(count), size = std::min(0.6f * cell, 0.55f * height);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float x = low.x + (static_cast<float>(i) + 0.5f) * cell, y = low.y + 0.45f * height;
-        const int value = row.ground + row.sign * wedge_steps[i];
-        list.AddRectFilled({x - size / 2, y - size / 2}, {x + size / 2, y + size / 2}, grey(value));
-        ImGui::SetCursorScreenPos({x - cell / 2, low.y});
-        ImGui::PushID(static_cast<int>(i));
-        if (hit_area("##patch", {cell, height})) row.seen = static_cast<int>(i);
-        const bool chosen = row.seen == static_cast<int>(i);
-        const ImU32 ink = row.ground < 128 ? grey(150) : grey(row.ground == 255 ? 110 : 20);
-        if (chosen || ImGui::IsItemHovered())
-            list.AddRect({x - cell / 2 + px(3), low.y + px(3)},
-                         {x + cell / 2 - px(3), low.y + height - px(3)}, ink, px(4), 0,
-                         px(chosen ? 2.0f : 1.0f));
-        const std::string label = std::to_string(wedge_steps[i]);
-        const ImVec2 text = ImGui::CalcTextSize(label.c_str());
-        list.AddText({x - text.x / 2, low.y + height - text.y - px(7)}, ink, label.c_str());
-        ImGui::PopID();
+    list.AddRectFilled(low, low + ImVec2(width, height), grey(row.ground));
+    const float cell = width / float(wedge_steps.size());
+    for (int i = 0; i < static_cast<int>(wedge_steps.size()); ++i) {
+        const ImVec2 corner = low + ImVec2(float(i) * cell, 0);
+        patch(list, row, i, {corner, corner + ImVec2(cell, height)});
     }
-    ImGui::SetCursorScreenPos({low.x, low.y + height + px(4)});
+    ImGui::SetCursorScreenPos(low + ImVec2(0, height + px(4)));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// What the window does for a lecture: large type, a clean picture, freeze, pen, a step wedge.
+// The window helps in a lecture: with large type, a clean picture, freeze, pen, a step wedge.
 
 #include <array>
 #include <optional>
@@ -12,12 +12,12 @@
 
 namespace glint {
 
-// Patches that differ little from their ground: which of them a projector, in its room, still tells apart.
+// The wedge has patches that differ little from their ground: a projector, in its room, tells some apart.
 
 /// Differences in steps of 1/255 of the display's range.
 inline constexpr std::array<int, 10> wedge_steps{1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
 
-/// A ground and what is seen on it.
+/// The patches on one ground, and which of them are seen.
 struct WedgeRow {
     const char* name;  // "black"
     int ground;        // 0 .. 255
@@ -31,10 +31,11 @@ struct WedgeState {
     std::array<WedgeRow, 3> rows{{{"black", 0, 1}, {"grey", 128, 1}, {"white", 255, -1}}};
 };
 
-/// What a row's answer means: "On black, differences below 6/255 are swallowed: a colour of 0.02 is black."
+/// The meaning of a row's answer: "On black, differences below 6/255 are swallowed: a colour of 0.02 is
+/// black."
 [[nodiscard]] std::string wedge_words(const WedgeRow& row);
 
-/// The whole window, while it is open.
+/// Covers the whole window while it is open.
 void step_wedge(WedgeState& wedge);
 
 // The scenes of a folder, in the order in which a person would count them.
@@ -50,8 +51,6 @@ void step_wedge(WedgeState& wedge);
 /// the list the one that would be next to it. Empty when there is none.
 [[nodiscard]] std::string scene_beside(const std::string& path, int step);
 
-struct UiState;
-
 /// Type and widgets are so many times larger: the smallest type, 13 units, becomes 18.
 inline constexpr float projector_scale = 1.4f;
 
@@ -62,8 +61,5 @@ struct LectureState {
     PenState pen;
     WedgeState wedge;
 };
-
-/// A word over the picture while it does not show what is edited.
-void frozen_badge(ImDrawList& list, const LectureState& lecture, const PictureView& view);
 
 }  // namespace glint

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ui/document/document_actions.h"
-#include "ui/inspector/asked.h"
+#include "ui/inspector/inspector.h"
 #include "ui/ui.h"
 #include "ui/views/views.h"
 #include "ui/widgets/widgets.h"

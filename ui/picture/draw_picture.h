@@ -1,11 +1,11 @@
 #pragma once
-// When the picture is drawn, and how large.
+// The picture is drawn when it must be, and as large as there is time for.
 
 #include <optional>
 
 #include "renderer/renderer.h"
 #include "ui/commands/keys.h"
-#include "ui/picture/picture_view.h"
+#include "ui/picture/screen.h"
 #include "ui/shell/layout.h"
 
 namespace glint {
@@ -22,9 +22,9 @@ struct UiState;
 /// is of no use.
 [[nodiscard]] const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size);
 
-/// What the next picture shows in place of the edited scene, with the same meshes; nothing of it reaches the
-/// history or a file, and `explanation` stays what it was. Of several that want one: what is frozen, what is
-/// animated, what the mouse points at in the column, B.
+/// The scene that the next picture shows in place of the edited one, with its meshes; nothing of it reaches
+/// the history or a file, and `explanation` stays what it was. Those that want one, in order: what is frozen,
+/// what is animated, what the mouse points at in the column, B.
 [[nodiscard]] std::optional<Scene> preview_of(const UiState& state);
 
 /// Whether `explanation` is there and names lights and objects by numbers that the open scene has.
@@ -47,7 +47,8 @@ void learn_pace(UiState& state);
 /// Places the picture and reads what a hand does on it. True while a gesture has the scene in hand.
 [[nodiscard]] bool picture_room(UiState& state, const Layout& layout, const UiInput& input);
 
-/// Handles, vectors, views, the pen; notifications. After the picture was drawn, so that they agree with it.
+/// Draws handles, vectors, views, the pen, notifications. After the picture was drawn, so that they agree
+/// with it.
 void picture_overlay(UiState& state, const Layout& layout, const PictureView& view);
 
 }  // namespace glint

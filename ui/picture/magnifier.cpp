@@ -32,7 +32,7 @@ PixelRange visible(const ImDrawList& list, const PictureView& view) {
 }
 
 std::pair<int, std::int64_t> face_at(const Renderer& renderer, PictureSize size, int x, int y) {
-    if (x < 0 || y < 0 || x >= size.width || y >= size.height) return {-1, -1};
+    if (!is_inside(size, {x, y})) return {-1, -1};
     const auto seen = renderer.seen_at(x, y);
     return seen ? std::pair(seen->object, std::int64_t{seen->face}) : std::pair(-1, std::int64_t{-1});
 }
@@ -47,8 +47,8 @@ void draw_number(ImDrawList& list, const PictureView& view, const Picture& shown
                                    : fmt::format("{}", (2126 * r + 7152 * g + 722 * b + 5000) / 10000);
     const float height = std::min(view.units_per_pixel * (three ? 0.28f : 0.4f), small_text_height());
     const ImVec2 size = fonts().figures->CalcTextSizeA(height, 1e9f, 0, text.c_str());
-    const ImVec2 middle = view.to_window(glm::dvec2(x, y) + 0.5);
-    list.AddText(fonts().figures, height, {middle.x - size.x / 2, middle.y - size.y / 2}, ink, text.c_str());
+    const ImVec2 low = view.to_window(glm::dvec2(x, y) + 0.5) - size / 2;
+    list.AddText(fonts().figures, height, low, ink, text.c_str());
 }
 
 /// The stepped edges that rasterising makes: between pixels that show different faces.
@@ -127,20 +127,17 @@ bool magnifier_hover(ToolFrame& frame) {
 }
 
 int magnifier_press(ToolFrame& frame) {
-    MagnifierState& magnifier = frame.state.views.magnifier;
-    if (magnifier.zoom <= 1 || !ImGui::IsMouseClicked(ImGuiMouseButton_Right)) return not_taken;
-    magnifier.last = {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
-    return ImGuiMouseButton_Right;
+    const bool begins = frame.state.views.magnifier.zoom > 1 && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    return begins ? ImGuiMouseButton_Right : not_taken;
 }
 
 bool magnifier_drag(ToolFrame& frame) {
     MagnifierState& magnifier = frame.state.views.magnifier;
     if (magnifier.zoom <= 1) return false;
     const glm::dvec2 size(frame.view.map.size.width, frame.view.map.size.height);
-    const glm::dvec2 now(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
-    magnifier.centre = glm::clamp(
-        magnifier.centre - (now - magnifier.last) / (size * double(frame.view.units_per_pixel)), 0.0, 1.0);
-    magnifier.last = now;
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    magnifier.centre -= glm::dvec2(moved.x, moved.y) / (size * double(frame.view.units_per_pixel));
+    magnifier.centre = glm::clamp(magnifier.centre, 0.0, 1.0);
     return true;
 }
 

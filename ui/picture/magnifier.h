@@ -1,13 +1,13 @@
 #pragma once
-// Big pixels: the picture enlarged as it is, without another look by the camera, until each pixel is a square
-// with its number in it. Lecture: "Gouraud Shading" (scanlines), "Shading Artifacts" (silhouettes).
+// The magnifier enlarges the picture as it is, without drawing it again, until each pixel is a square with
+// its number in it. Lecture: "Gouraud Shading" (scanlines), "Shading Artifacts" (silhouettes).
 
 #include <imgui.h>
 
 #include <glm/vec2.hpp>
 
 #include "renderer/renderer.h"
-#include "ui/picture/picture_view.h"
+#include "ui/picture/screen.h"
 #include "ui/shell/layout.h"
 
 namespace glint {
@@ -15,7 +15,6 @@ namespace glint {
 struct MagnifierState {
     int zoom = 1;            // 1, 2, 4 ... 64: window pixels a pixel
     glm::dvec2 centre{0.5};  // what lies in the middle, as a share of the picture's size
-    glm::dvec2 last{0};      // the cursor, while the right button moves the picture
 };
 inline constexpr int most_zoom = 64, usual_zoom = 32;
 

@@ -12,7 +12,6 @@
 #include "ui/picture/screen.h"
 
 namespace glint {
-
 namespace {
 
 constexpr double closest = 1e-4, farthest = 1e7;  // eye to target, scene units
@@ -30,15 +29,38 @@ bool usable(const Camera& camera) {
 std::pair<double, double> depths_of(const Camera& camera, const Bounds& bounds) {
     const glm::dmat4 view = view_from_world(camera);
     double low = 1e300, high = -1e300;
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 corner{(i & 1) != 0 ? bounds.max.x : bounds.min.x,
-                                (i & 2) != 0 ? bounds.max.y : bounds.min.y,
-                                (i & 4) != 0 ? bounds.max.z : bounds.min.z};
+    for (const glm::dvec3& corner : corners_of(bounds)) {
         const double depth = -(view * glm::dvec4(corner, 1)).z;
         low = std::min(low, depth);
         high = std::max(high, depth);
     }
     return {low, high};
+}
+
+/// Eye and target moved alike.
+Camera shifted(Camera camera, glm::dvec3 shift) {
+    camera.eye = glm::vec3(glm::dvec3(camera.eye) + shift);
+    camera.target = glm::vec3(glm::dvec3(camera.target) + shift);
+    return camera;
+}
+
+glm::dvec3 way_to_eye(ViewFrom from) {
+    constexpr double off_pole = 2e-3;  // a tenth of a degree
+    switch (from) {
+    case ViewFrom::Front:
+        return {0, 0, 1};
+    case ViewFrom::Back:
+        return {0, 0, -1};
+    case ViewFrom::Right:
+        return {1, 0, 0};
+    case ViewFrom::Left:
+        return {-1, 0, 0};
+    case ViewFrom::Top:
+        return {0, 1, off_pole};
+    case ViewFrom::Bottom:
+        return {0, -1, off_pole};
+    }
+    return {0, 0, 1};  // not reached
 }
 
 }  // namespace
@@ -64,10 +86,7 @@ void orbit(Camera& camera, glm::dvec2 motion_px, PictureSize size) {
 
 void pan(Camera& camera, glm::dvec2 from_px, glm::dvec2 to_px, double depth, PictureSize size) {
     const ScreenMap map = screen_map(camera, size);
-    const glm::dvec3 shift = unproject(map, from_px, depth) - unproject(map, to_px, depth);
-    Camera moved = camera;
-    moved.eye = glm::vec3(glm::dvec3(camera.eye) + shift);
-    moved.target = glm::vec3(glm::dvec3(camera.target) + shift);
+    const Camera moved = shifted(camera, unproject(map, from_px, depth) - unproject(map, to_px, depth));
     if (usable(moved)) camera = moved;
 }
 
@@ -79,10 +98,7 @@ void dolly(Camera& camera, glm::dvec2 cursor_px, double depth, double factor, Pi
         const double height = flat->height * factor;
         if (height < closest || height > farthest) return;
         flat->height = static_cast<float>(height);
-        const glm::dvec3 shift =
-            unproject(map, cursor_px, depth) - unproject(screen_map(moved, size), cursor_px, depth);
-        moved.eye = glm::vec3(glm::dvec3(camera.eye) + shift);
-        moved.target = glm::vec3(glm::dvec3(camera.target) + shift);
+        moved = shifted(moved, anchor - unproject(screen_map(moved, size), cursor_px, depth));
     } else {
         moved.eye = glm::vec3(anchor + factor * (glm::dvec3(camera.eye) - anchor));
         moved.target = glm::vec3(anchor + factor * (glm::dvec3(camera.target) - anchor));
@@ -96,7 +112,7 @@ void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds
     const auto [low, high] = depths_of(camera, bounds);
     std::visit(
         [low = low, high = high](auto& p) {
-            const float near_before = p.near;
+            [[maybe_unused]] const float near_before = p.near;
             if (high > p.far) p.far = static_cast<float>(high * 1.5);
             // A near plane at the eye would waste all of the depth's precision.
             if (low < p.near) p.near = static_cast<float>(std::clamp(low / 2, p.far * 1e-4, double(p.near)));
@@ -104,35 +120,10 @@ void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds
             if constexpr (requires { p.left; }) {
                 const float share = p.near / near_before;
                 p.left *= share, p.right *= share, p.bottom *= share, p.top *= share;
-            } else {
-                (void)near_before;
             }
         },
         camera.projection);
 }
-
-namespace {
-
-glm::dvec3 way_to_eye(ViewFrom from) {
-    constexpr double off_pole = 2e-3;  // a tenth of a degree
-    switch (from) {
-    case ViewFrom::Front:
-        return {0, 0, 1};
-    case ViewFrom::Back:
-        return {0, 0, -1};
-    case ViewFrom::Right:
-        return {1, 0, 0};
-    case ViewFrom::Left:
-        return {-1, 0, 0};
-    case ViewFrom::Top:
-        return {0, 1, off_pole};
-    case ViewFrom::Bottom:
-        return {0, -1, off_pole};
-    }
-    return {0, 0, 1};  // not reached
-}
-
-}  // namespace
 
 Camera seen_from(Camera camera, ViewFrom from) {
     const Camera before = camera;

@@ -1,5 +1,5 @@
 #pragma once
-// How a hand moves the camera: orbit, pan, dolly. Pure functions of the camera and of a motion in pixels.
+// A hand moves the camera: orbit, pan, dolly. Pure functions of the camera and of a motion in pixels.
 // The habits are those of common 3D viewers: a turntable round `up`, a full turn over the picture's height;
 // what is panned stays under the cursor; the wheel moves towards what is under the cursor.
 
@@ -33,7 +33,7 @@ void dolly(Camera& camera, glm::dvec2 cursor_px, double depth, double factor, Pi
 /// to cut the scene; a near plane that was set into the scene stays.
 void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds);
 
-// Ways to look at the scene: from the front, the side or above, in perspective or in parallel, and views kept
+// The scene can be seen from the front, the side or above, in perspective or in parallel, and in views kept
 // by hand. Pure functions of a camera.
 
 /// Front looks along -z, Right along -x, Top along -y; the others from the opposite sides.

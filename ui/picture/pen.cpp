@@ -6,8 +6,8 @@
 #include "ui/picture/tool.h"
 #include "ui/ui.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
-#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -77,23 +77,19 @@ ImVec4 pen_colour(int index) {
 
 void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view) {
     for (const PenLine& line : pen.lines) {
-        for (const bool rim : {true, false}) {  // a dark rim keeps it visible on every ground
-            const ImU32 colour = rim ? IM_COL32(0, 0, 0, 130) : to_u32(pen_colour(line.colour));
-            const float width = px(rim ? line_width + 2 : line_width);
-            if (line.places.size() == 1) {
-                list.AddCircleFilled(to_window(line.places[0], view), width * 0.75f, colour);
-                continue;
-            }
-            for (const glm::vec2 place : line.places) list.PathLineTo(to_window(place, view));
-            list.PathStroke(colour, 0, width);
-        }
+        const ImU32 colour = to_u32(pen_colour(line.colour));
+        std::vector<ImVec2> places;
+        for (const glm::vec2 place : line.places) places.push_back(to_window(place, view));
+        if (places.size() == 1)
+            rimmed_disc(list, places[0], 0.75f * line_width, colour);
+        else
+            cased_outline(list, places, colour, line_width, false);
     }
 }
 
 void pen_bar(PenState& pen, const PictureView& view) {
     if (!pen.on) return;
-    const float middle = view.origin.x + float(view.map.size.width) * view.units_per_pixel / 2;
-    ImGui::SetNextWindowPos({middle, view.origin.y + px(8)}, ImGuiCond_Always, {0.5f, 0});
+    ImGui::SetNextWindowPos(view.top() + ImVec2(0, px(8)), ImGuiCond_Always, {0.5f, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(8));
     ImGui::Begin("##pen", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -103,10 +99,10 @@ void pen_bar(PenState& pen, const PictureView& view) {
     for (int i = 0; i < pen_colour_count; ++i) {
         ImGui::PushID(i);
         if (hit_area("##colour", {size, size})) pen.colour = i;
-        const ImVec2 low = ImGui::GetItemRectMin(), mid{low.x + size / 2, low.y + size / 2};
+        const ImVec2 middle = last_item().middle();
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        list.AddCircleFilled(mid, size * 0.32f, to_u32(pen_colour(i)));
-        if (pen.colour == i) list.AddCircle(mid, size * 0.45f, to_u32(theme().text), 0, px(1.5f));
+        list.AddCircleFilled(middle, size * 0.32f, to_u32(pen_colour(i)));
+        if (pen.colour == i) list.AddCircle(middle, size * 0.45f, to_u32(theme().text), 0, px(1.5f));
         tooltip("Pen", "Draws in this colour over the picture");
         ImGui::PopID();
         ImGui::SameLine(0, px(2));

@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "ui/picture/picture_view.h"
+#include "ui/picture/screen.h"
 
 namespace glint {
 

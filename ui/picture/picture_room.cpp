@@ -1,35 +1,36 @@
+// The room in the middle of the window: the picture, what is drawn over it, and whose turn it is: the order
+// in which tools are asked for the mouse, drawn, and left by Escape.
+#include <imgui_internal.h>
+
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "models/saturate.h"
 #include "ui/inspector/vectors/vectors_tab.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/tool.h"
+#include "ui/shell/modal.h"
 #include "ui/ui.h"
-#include "ui/widgets/area.h"
-#include "ui/widgets/theme.h"
+#include "ui/views/views.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
 
-/// In one line, or in three where the picture is too narrow for that.
+/// Says what can be done: in one line, or in three where the picture is too narrow for that.
 void first_hints(const UiState& state, const PictureView& view) {
     if (state.viewport.touched || state.views.debug_view.set.choice.view != DebugView::Picture) return;
     const char* text =
         "Drag a light or a highlight   ·   Click a pixel to ask why   ·   Drag elsewhere to orbit";
-    const float room = float(view.map.size.width) * view.units_per_pixel;
-    if (ImGui::CalcTextSize(text).x + px(40) > room)
+    if (ImGui::CalcTextSize(text).x + px(40) > view.end().x - view.origin.x)
         text = "Drag a light or a highlight\nClick a pixel to ask why\nDrag elsewhere to orbit";
-    const ImVec2 size = ImGui::CalcTextSize(text);
-    const float middle = view.origin.x + room / 2;
-    const float bottom = view.origin.y + float(view.map.size.height) * view.units_per_pixel - px(18);
-    const ImVec2 low{middle - size.x / 2 - px(14), bottom - size.y - px(12)};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(low, {middle + size.x / 2 + px(14), bottom}, to_u32(theme().window, 0.85f), px(14));
-    list.AddText({low.x + px(14), low.y + px(6)}, to_u32(theme().text), text);
+    badge(*ImGui::GetWindowDrawList(), {view.top().x, view.end().y - px(18)}, text, {0.5f, 1});
 }
 
-/// What of the room the picture leaves free.
+/// Fills what of the room the picture leaves free.
 void draw_surround(ImDrawList& list, const Rect& room, const Rect& picture) {
     const ImU32 colour = to_u32(theme().surround);
     const auto fill = [&](ImVec2 low, ImVec2 high) {
@@ -39,6 +40,82 @@ void draw_surround(ImDrawList& list, const Rect& room, const Rect& picture) {
     fill({room.low.x, picture.high.y}, room.high);
     fill({room.low.x, picture.low.y}, {picture.low.x, picture.high.y});
     fill({picture.high.x, picture.low.y}, {room.high.x, picture.high.y});
+}
+
+constexpr std::array asked_for_the_mouse{&pen_tool, &magnifier_tool, &compare_tool, &scope_tool, &hand_tool};
+
+void drag_held_tool(ToolFrame& frame) {
+    ToolCapture& held = frame.state.capture;
+    if (ImGui::IsMousePosValid() && !held.tool->drag(frame))
+        held = {};
+    else if (!ImGui::IsMouseDown(held.button)) {
+        if (held.tool->release != nullptr) held.tool->release(frame);
+        held = {};
+    }
+}
+
+bool close_palette(UiState& state) { return std::exchange(state.palette.open, false); }
+
+bool leave_dialog(UiState& state) {
+    if (modal_of(state) == Modal::None) return false;
+    leave_modal(state);
+    return true;
+}
+
+bool close_popup(UiState&) {
+    if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return false;
+    ImGui::ClosePopupToLevel(0, true);
+    return true;
+}
+
+bool cancel_loading(UiState& state) {
+    if (!state.loading.active()) return false;
+    cancel_loads(state);
+    return true;
+}
+
+bool close_shortcuts(UiState& state) { return std::exchange(state.shows_shortcuts, false); }
+bool close_wedge(UiState& state) { return std::exchange(state.lecture.wedge.open, false); }
+bool show_panels(UiState& state) { return std::exchange(state.layout.hides_all, false); }
+
+bool forget_probe(UiState& state) {
+    if (!state.viewport.probe || ImGui::GetIO().WantTextInput) return false;
+    state.viewport.probe.reset();
+    return true;
+}
+
+/// The innermost first.
+const std::array left_by_escape{hand_tool.cancel, close_palette,     leave_dialog, close_popup,
+                                cancel_loading,   close_shortcuts,   close_wedge,  pen_tool.cancel,
+                                show_panels,      scope_tool.cancel, forget_probe};
+
+/// Reads the mouse over the item drawn last (the picture).
+void use_tools(UiState& state, const PictureView& view, const UiInput& input) {
+    ToolFrame frame{state, view, input, ImGui::IsItemHovered() && ImGui::IsMousePosValid(),
+                    view.to_pixel(ImGui::GetIO().MousePos)};
+    if (state.capture.tool != nullptr) return drag_held_tool(frame);
+    const Tool* under = nullptr;
+    for (const Tool* tool : asked_for_the_mouse)
+        if (tool->hover(frame)) {
+            under = tool;
+            frame.over = false;
+        }
+    if (under == nullptr) return;
+    frame.over = true;
+    if (under->press != nullptr)
+        if (const int button = under->press(frame); button != not_taken) state.capture = {under, button};
+    if (under != &hand_tool) state.viewport.touched |= ImGui::IsAnyMouseDown();
+}
+
+/// Draws what the tools show over the picture, but for the pen's lines.
+void draw_tools(ImDrawList& list, UiState& state, const PictureView& view) {
+    hand_tool.draw(list, state, view);
+    magnifier_tool.draw(list, state, view);
+    draw_lit_dots(list, state.views.lit, *state.renderer, state.rendered_scene, view);
+    compare_tool.draw(list, state, view);
+    draw_debug_view_legend(list, state.views.debug_view, state.rendered_scene, view,
+                           probe_pixel(state.viewport, view.map.size));
+    scope_tool.draw(list, state, view);
 }
 
 }  // namespace
@@ -64,18 +141,18 @@ PictureView picture_view(const Rect& centre, const UiState& state) {
 bool picture_room(UiState& state, const Layout& layout, const UiInput& input) {
     begin_area("##view", layout.centre);
     const PictureView view = picture_view(layout.centre, state);
-    const ImVec2 high = view.to_window({view.map.size.width, view.map.size.height});
+    const ImVec2 high = view.end();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(layout.centre.low, layout.centre.high);  // ImGui's own leaves out some of the border
     draw_surround(list, layout.centre, {view.origin, high});
     state.picture_rect = {{view.origin, high}, layout.centre};
     list.PopClipRect();
     // Magnified, the picture goes on behind the columns.
-    const ImVec2 low{std::max(view.origin.x, layout.centre.low.x),
-                     std::max(view.origin.y, layout.centre.low.y)};
+    const Rect& room = layout.centre;
+    const ImVec2 low{std::max(view.origin.x, room.low.x), std::max(view.origin.y, room.low.y)},
+        end{std::min(high.x, room.high.x), std::min(high.y, room.high.y)};
     ImGui::SetCursorScreenPos(low);
-    hit_area("##picture",
-             {std::min(high.x, layout.centre.high.x) - low.x, std::min(high.y, layout.centre.high.y) - low.y},
+    hit_area("##picture", end - low,
              ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                  ImGuiButtonFlags_MouseButtonMiddle);
     use_tools(state, view, input);
@@ -86,20 +163,32 @@ bool picture_room(UiState& state, const Layout& layout, const UiInput& input) {
 void picture_overlay(UiState& state, const Layout& layout, const PictureView& view) {
     resume_area("##view");
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 high = view.to_window({view.map.size.width, view.map.size.height});
-    list.PushClipRect(view.origin, high, true);
+    list.PushClipRect(view.origin, view.end(), true);
     if (!state.layout.hides_all) {
         draw_tools(list, state, view);
         draw_point_vectors(list, state, view);
         first_hints(state, view);
-        frozen_badge(list, state.lecture, view);
+        if (state.lecture.frozen)
+            badge(list, view.origin + px(10) * ImVec2(1, 1), "Frozen (" + keys_of(CommandId::Freeze) + ")");
     }
     draw_pen(list, state.lecture.pen, view);
     list.PopClipRect();
     ImGui::End();
     pen_bar(state.lecture.pen, view);
-    draw_notifications(state.notifications, {layout.centre.high.x - px(18), layout.centre.high.y - px(18)},
+    draw_notifications(state.notifications, layout.centre.high - px(18) * ImVec2(1, 1),
                        layout.centre.size().x - px(36));
+}
+
+std::string tools_hint(const UiState& state) {
+    for (const Tool* tool : asked_for_the_mouse)
+        if (tool->hint != nullptr)
+            if (std::string hint = tool->hint(state); !hint.empty()) return hint;
+    return {};
+}
+
+void escape(UiState& state) {
+    for (const auto leave : left_by_escape)
+        if (leave(state)) return;
 }
 
 }  // namespace glint

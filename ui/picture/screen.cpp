@@ -1,9 +1,14 @@
 #include "ui/picture/screen.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+#include <numbers>
 
+#include "models/saturate.h"
 #include "renderer/geometry/clip.h"
+#include "ui/widgets/parts.h"
 
 namespace glint {
 namespace {
@@ -46,6 +51,65 @@ Ray ray_through(const ScreenMap& map, glm::dvec2 pixel) {
     const bool parallel = map.clip_from_view[2][3] == 0;
     const glm::dvec3 origin = parallel ? unproject(map, pixel, 0) : glm::dvec3(map.world_from_view[3]);
     return {origin, glm::normalize(unproject(map, pixel, 1) - origin)};
+}
+
+glm::dvec3 in_world(const ScreenMap& map, glm::vec3 camera, double w) {
+    return glm::dvec3(map.world_from_view * glm::dvec4(glm::dvec3(camera), w));
+}
+
+bool is_inside(PictureSize size, glm::dvec2 pixel) {
+    return pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.width && pixel.y < size.height;
+}
+
+glm::ivec2 nearest_pixel(PictureSize size, glm::dvec2 pixel) {
+    return {std::clamp(saturated_int(pixel.x), 0, size.width - 1),
+            std::clamp(saturated_int(pixel.y), 0, size.height - 1)};
+}
+
+std::array<glm::dvec3, 8> corners_of(const Bounds& box) {
+    std::array<glm::dvec3, 8> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        corners[i] = {(i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
+                      (i & 4) != 0 ? box.max.z : box.min.z};
+    return corners;
+}
+
+double PictureView::pixels(float units) const { return double(px(units)) / double(units_per_pixel); }
+
+void WorldPen::line(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float width) const {
+    constexpr double eye = 1e-3;
+    const double depth_a = -(view.map.view_from_world * glm::dvec4(a, 1)).z;
+    const double depth_b = -(view.map.view_from_world * glm::dvec4(b, 1)).z;
+    if (depth_a < eye && depth_b < eye) return;
+    if (depth_a < eye) a += (b - a) * ((eye - depth_a) / (depth_b - depth_a));
+    if (depth_b < eye) b += (a - b) * ((eye - depth_b) / (depth_a - depth_b));
+    const OnScreen from = project(view.map, a), to = project(view.map, b);
+    if (!from.in_front || !to.in_front) return;
+    list.AddLine(view.to_window(from.pixel), view.to_window(to.pixel), colour, width);
+}
+
+void WorldPen::cased(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float opacity, float width) const {
+    line(a, b, rim_colour(opacity), px(width + rim_width));
+    line(a, b, colour, px(width));
+}
+
+void WorldPen::circle(glm::dvec3 centre, glm::dvec3 u, glm::dvec3 v, ImU32 colour, float opacity) const {
+    constexpr int sides = 48;
+    const auto point = [&](int i) {
+        const double a = 2 * std::numbers::pi * i / sides;
+        return centre + std::cos(a) * u + std::sin(a) * v;
+    };
+    for (int i = 0; i < sides; ++i) cased(point(i), point(i + 1), colour, opacity);
+}
+
+void WorldPen::mark(glm::dvec3 place, ImU32 colour, float opacity, bool hovered) const {
+    const OnScreen at = project(view.map, place);
+    if (!at.in_front) return;
+    const float radius = hovered ? 5.5f : 3.5f;
+    rimmed_disc(list, view.to_window(at.pixel), radius, colour, opacity);
+    if (hovered)
+        list.AddCircle(view.to_window(at.pixel), px(radius + 1.2f), to_u32({1, 1, 1, 1}, opacity), 0,
+                       px(1.5f));
 }
 
 }  // namespace glint

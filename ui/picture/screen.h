@@ -1,12 +1,16 @@
 #pragma once
-// The way from the world to the pixels of a picture and back, for one camera and one size. Handles, the probe
-// and the drags are computed with it, so that they agree with what the renderer drew. Pixels: x right, y
-// down, the first row at the top; pixel (x, y) has its centre at (x + 1/2, y + 1/2).
+// The way from the world to the pixels of a picture and on to the window, and back, for one camera and one
+// size. Handles, the probe and the drags are computed with it, so that they agree with what the renderer
+// drew. Pixels: x right, y down, the first row at the top; pixel (x, y) has its centre at (x + 1/2, y + 1/2).
 
+#include <imgui.h>
+
+#include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "models/mesh/mesh.h"
 #include "models/scene/camera.h"
 
 namespace glint {
@@ -36,5 +40,58 @@ struct Ray {
 
 /// The line of sight through a pixel: from the eye, or (orthographic) from the plane of the eye.
 [[nodiscard]] Ray ray_through(const ScreenMap& map, glm::dvec2 pixel);
+
+/// A place (w = 1) or direction (w = 0) of camera coordinates, in the world.
+[[nodiscard]] glm::dvec3 in_world(const ScreenMap& map, glm::vec3 camera, double w);
+
+[[nodiscard]] bool is_inside(PictureSize size, glm::dvec2 pixel);
+/// The whole pixel at `pixel`, or the one at the border that is nearest to it.
+[[nodiscard]] glm::ivec2 nearest_pixel(PictureSize size, glm::dvec2 pixel);
+
+[[nodiscard]] std::array<glm::dvec3, 8> corners_of(const Bounds& box);
+
+/// The sphere on which directional lights are shown and dragged.
+struct Dome {
+    glm::dvec3 centre{0};
+    double radius = 1;
+};
+
+/// Where the picture lies in the window, in ImGui's units, and the camera that drew it.
+struct PictureView {
+    ImVec2 origin;
+    float units_per_pixel = 1;
+    ScreenMap map;
+    Dome dome;
+    Bounds bounds;  // of the scene, world
+
+    [[nodiscard]] ImVec2 to_window(glm::dvec2 pixel) const {
+        return {origin.x + float(pixel.x) * units_per_pixel, origin.y + float(pixel.y) * units_per_pixel};
+    }
+    [[nodiscard]] glm::dvec2 to_pixel(ImVec2 at) const {
+        return {(at.x - origin.x) / units_per_pixel, (at.y - origin.y) / units_per_pixel};
+    }
+    /// Where a place in the world shows, which must lie in front of the eye.
+    [[nodiscard]] ImVec2 shown(glm::dvec3 world) const { return to_window(project(map, world).pixel); }
+    /// The window's place of the picture's far corner, and of the middle of its upper edge.
+    [[nodiscard]] ImVec2 end() const { return to_window({map.size.width, map.size.height}); }
+    [[nodiscard]] ImVec2 top() const { return to_window({map.size.width / 2.0, 0}); }
+    /// The picture's pixels that `units` of the design take.
+    [[nodiscard]] double pixels(float units) const;
+};
+
+/// Draws lines of the world over the picture.
+struct WorldPen {
+    ImDrawList& list;
+    const PictureView& view;
+
+    /// Cut where it passes the eye. `width`: as ImGui draws it.
+    void line(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float width) const;
+    /// Light on dark, so that it is seen on every picture; `width` in units of the design.
+    void cased(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float opacity, float width = 1.3f) const;
+    /// centre + cos u + sin v.
+    void circle(glm::dvec3 centre, glm::dvec3 u, glm::dvec3 v, ImU32 colour, float opacity) const;
+    /// A small disc with a dark rim; larger when the hand is on it.
+    void mark(glm::dvec3 place, ImU32 colour, float opacity, bool hovered) const;
+};
 
 }  // namespace glint

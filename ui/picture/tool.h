@@ -1,6 +1,6 @@
 #pragma once
-// Tools on the picture: one at a time has the mouse. Each is a row of functions, and only tools.cpp decides
-// whose turn it is.
+// Tools on the picture: one at a time has the mouse. Each is a row of functions, and only picture_room.cpp
+// decides whose turn it is.
 
 #include <imgui.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "ui/commands/keys.h"
-#include "ui/picture/picture_view.h"
+#include "ui/picture/screen.h"
 
 namespace glint {
 
@@ -33,30 +33,25 @@ struct Tool {
     /// A button may just have gone down on what hover() found. The button that holds the tool from now on
     /// (ImGui's number), or not_taken.
     int (*press)(ToolFrame&) = nullptr;
-    /// In every frame while it is held. False when there is nothing to drag any more.
+    /// Called in every frame while it is held. False when there is nothing to drag any more.
     bool (*drag)(ToolFrame&) = nullptr;
     /// The button went up.
     void (*release)(ToolFrame&) = nullptr;
     /// Escape. True when there was something to put away.
     bool (*cancel)(UiState&) = nullptr;
-    /// What a drag or click does now, for the status line; empty when the tool has not the mouse.
+    /// Says for the status line what a drag or click does now; empty when the tool has not the mouse.
     std::string (*hint)(const UiState&) = nullptr;
-    /// Over the picture.
+    /// Draws over the picture.
     void (*draw)(ImDrawList&, UiState&, const PictureView&) = nullptr;
 };
 
-/// Which tool a button holds.
+/// The tool that a button holds.
 struct ToolCapture {
     const Tool* tool = nullptr;
     int button = not_taken;
 };
 
-/// Reads the mouse over the item drawn last (the picture).
-void use_tools(UiState& state, const PictureView& view, const UiInput& input);
-
-/// Draws what the tools show over the picture, but for the pen's lines.
-void draw_tools(ImDrawList& list, UiState& state, const PictureView& view);
-
+/// Says for the status line what the tool under the mouse would do.
 [[nodiscard]] std::string tools_hint(const UiState& state);
 
 /// Escape leaves the innermost thing: a drag, a dialog, a sheet, a tool, the picked pixel.

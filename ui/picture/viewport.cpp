@@ -6,7 +6,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "models/saturate.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/orbit.h"
 #include "ui/picture/tool.h"
@@ -25,10 +24,8 @@ glm::dvec2 cursor_px(const ViewportFrame& frame) { return frame.view.to_pixel(Im
 
 /// Depth of what shows under the cursor; of the target over the background.
 double depth_under(const ViewportFrame& frame, glm::dvec2 pixel) {
-    const PictureSize size = frame.view.map.size;
-    const bool inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.width && pixel.y < size.height;
-    const float depth =
-        inside && frame.renderer != nullptr ? frame.renderer->depth_at(int(pixel.x), int(pixel.y)) : 0;
+    const bool drawn = is_inside(frame.view.map.size, pixel) && frame.renderer != nullptr;
+    const float depth = drawn ? frame.renderer->depth_at(int(pixel.x), int(pixel.y)) : 0;
     return depth > 0 ? double(depth) : target_depth(frame.scene.camera);
 }
 
@@ -61,12 +58,6 @@ int press(ViewportState& state, ViewportFrame& frame) {
         return button;
     }
     return not_taken;
-}
-
-/// With Alt nothing but the camera is taken hold of.
-void hover(ViewportState& state, const ViewportFrame& frame) {
-    state.hovered_grip =
-        state.hovered && !ImGui::GetIO().KeyAlt ? grip_under(frame, cursor_px(frame)) : Grip{};
 }
 
 /// A press that moved far enough becomes a drag.
@@ -110,16 +101,14 @@ void move(ViewportState& state, ViewportFrame& frame, const UiInput& input) {
     state.last_px = cursor;
 }
 
-void click(ViewportState& state, ViewportFrame& frame) {
-    const PictureSize size = frame.view.map.size;
+void click(ViewportState& state, PictureSize size) {
     state.touched = true;
     if (state.pressed_grip.is_mark()) return;  // it was selected when pressed
     state.asked = true;
     state.probe = glm::dvec2(state.pressed_px.x / size.width, state.pressed_px.y / size.height);
 }
 
-void release(ViewportState& state, ViewportFrame& frame) {
-    if (state.gesture == Gesture::Press) click(state, frame);
+void end_gesture(ViewportState& state) {
     state.gesture = Gesture::None;
     state.pressed_grip = {};
     state.before = {};
@@ -127,10 +116,8 @@ void release(ViewportState& state, ViewportFrame& frame) {
 
 void select_object_under(ViewportFrame& frame, glm::dvec2 pixel) {
     if (frame.renderer == nullptr) return;
-    const PictureSize size = frame.view.map.size;
-    const int x = std::clamp(saturated_int(pixel.x), 0, size.width - 1),
-              y = std::clamp(saturated_int(pixel.y), 0, size.height - 1);
-    if (const int object = frame.renderer->object_at(x, y); object >= 0)
+    const glm::ivec2 at = nearest_pixel(frame.view.map.size, pixel);
+    if (const int object = frame.renderer->object_at(at.x, at.y); object >= 0)
         frame.selection = {Selection::Kind::Object, object};
 }
 
@@ -177,7 +164,9 @@ bool hand_hover(ToolFrame& tool) {
     ViewportFrame frame = viewport_frame(tool.state, tool.view);
     state.asked = false;
     state.hovered = tool.over;
-    hover(state, frame);
+    // With Alt nothing but the camera is taken hold of.
+    state.hovered_grip =
+        state.hovered && !ImGui::GetIO().KeyAlt ? grip_under(frame, cursor_px(frame)) : Grip{};
     wheel(state, frame);
     set_cursor(state);
     return tool.over;
@@ -203,12 +192,12 @@ bool hand_drag(ToolFrame& tool) {
 }
 
 void hand_release(ToolFrame& tool) {
-    ViewportFrame frame = viewport_frame(tool.state, tool.view);
-    release(tool.state.viewport, frame);
+    ViewportState& state = tool.state.viewport;
+    if (state.gesture == Gesture::Press) click(state, tool.view.map.size);
+    end_gesture(state);
 }
 
 bool hand_cancel(UiState& state) { return cancel_gesture(state.viewport, state.editor.scene()); }
-
 std::string hand_hint(const UiState& state) { return gesture_hint(state.viewport, state.editor.scene()); }
 
 void hand_draw(ImDrawList& list, UiState& state, const PictureView& view) {
@@ -222,16 +211,13 @@ const Tool hand_tool{hand_hover, hand_press, hand_drag, hand_release, hand_cance
 bool cancel_gesture(ViewportState& state, Scene& scene) {
     if (state.gesture == Gesture::None) return false;
     scene = state.before;
-    state.gesture = Gesture::None;
-    state.pressed_grip = {};
-    state.before = {};
+    end_gesture(state);
     return true;
 }
 
 std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size) {
     if (!state.probe) return {};
-    return glm::ivec2(std::clamp(saturated_int(state.probe->x * size.width), 0, size.width - 1),
-                      std::clamp(saturated_int(state.probe->y * size.height), 0, size.height - 1));
+    return nearest_pixel(size, *state.probe * glm::dvec2(size.width, size.height));
 }
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// The picture under the hand: what a press, a drag, a click and the wheel do there.
+// The picture is used by hand: by a press, a drag, a click and the wheel.
 
 #include <glm/vec2.hpp>
 #include <optional>
@@ -36,10 +36,10 @@ bool cancel_gesture(ViewportState& state, Scene& scene);
 /// The pixel asked about, in a picture of this size.
 [[nodiscard]] std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size);
 
-/// Handles, the probe, and the note at the hand.
+/// Draws handles, the probe, and the note at the hand.
 void draw_overlay(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame);
 
-/// What a drag or click would do now, for the status line.
+/// Says for the status line what a drag or click would do now.
 [[nodiscard]] std::string gesture_hint(const ViewportState& state, const Scene& scene);
 
 }  // namespace glint

@@ -1,26 +1,23 @@
-// What is drawn over the picture, and what the status line says of it.
+// Draws handles, the probe and notes over the picture, and tells the status line what a drag would do.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "models/saturate.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/picture/handles/object_drag.h"
 #include "ui/picture/viewport.h"
 #include "ui/widgets/icons.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 
 namespace glint {
 namespace {
 
-/// An object stands before the handle. A little slack, so that a light on a surface does not flicker.
+/// Whether an object stands before the handle. A little slack, so that a light on a surface does not flicker.
 bool is_hidden(const Handle& handle, const ViewportFrame& frame) {
     if (!handle.in_picture || frame.renderer == nullptr) return false;
-    const PictureSize size = frame.view.map.size;
-    const int x = std::clamp(saturated_int(handle.at.pixel.x), 0, size.width - 1),
-              y = std::clamp(saturated_int(handle.at.pixel.y), 0, size.height - 1);
-    const double depth = frame.renderer->depth_at(x, y);
+    const glm::ivec2 at = nearest_pixel(frame.view.map.size, handle.at.pixel);
+    const double depth = frame.renderer->depth_at(at.x, at.y);
     return depth > 0 && handle.at.depth > depth * 1.01;
 }
 
@@ -31,45 +28,31 @@ void draw_hold_on_surface(ImDrawList& list, const ViewportState& state, const Vi
     if (!exists(grip, frame.scene) || grip.is_mark() || (!held && !state.hovered)) return;
     const Light& light = frame.scene.lights[static_cast<std::size_t>(grip.item)];
     const ImVec2 hand = ImGui::GetIO().MousePos;
-    const ImU32 colour = to_u32(colour_of(light)), dark = to_u32({0, 0, 0, 1}, 0.5f);
+    const ImU32 colour = to_u32(colour_of(light));
     const OnScreen to = project(frame.view.map, handle_of(light, frame.view.dome, frame.view.map));
-    if (to.in_front) {
-        const ImVec2 end = frame.view.to_window(to.pixel);
-        list.AddLine(hand, end, dark, px(2.6f));
-        list.AddLine(hand, end, colour, px(1.2f));
-    }
-    const float radius = px(held ? 7 : 10);
-    list.AddCircle(hand, radius, dark, 0, px(4));
-    list.AddCircle(hand, radius, held && state.held.no_solution ? to_u32(theme().dim_text) : colour, 0,
-                   px(2));
+    if (to.in_front) cased_line(list, hand, frame.view.to_window(to.pixel), colour);
+    const bool waits = held && state.held.no_solution;
+    cased_circle(list, hand, held ? 7 : 10, waits ? to_u32(theme().dim_text) : colour, 2);
 }
 
 void draw_gizmo_of_selected(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame) {
-    if (frame.selection.kind != Selection::Kind::Object) return;
-    const auto index = static_cast<std::size_t>(frame.selection.index);
-    if (index >= frame.scene.objects.size()) return;
+    const auto gizmo = selected_gizmo(frame);
+    if (!gizmo) return;
     const bool held = state.gesture == Gesture::Hand;
     const Grip& grip = held ? state.held.grip : state.hovered_grip;
     std::optional<GizmoPart> in_hand;
     if (grip.kind == GripKind::Object) in_hand = grip.part;
-    const auto gizmo = gizmo_of(frame.scene.objects[index].transform, state.gizmo, frame.view, state.pivot);
-    if (gizmo) draw_object_gizmo(list, frame.view, *gizmo, state.gizmo, in_hand);
+    draw_object_gizmo(list, frame.view, *gizmo, state.gizmo, in_hand);
 }
 
 void draw_probe(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame) {
     const auto pixel = probe_pixel(state, frame.view.map.size);
     if (!pixel) return;
     const ImVec2 at = frame.view.to_window(glm::dvec2(*pixel) + 0.5);
-    const float in = px(5), out = px(12);
-    const auto cross = [&](ImU32 colour, float width) {
-        list.AddLine({at.x - out, at.y}, {at.x - in, at.y}, colour, width);
-        list.AddLine({at.x + in, at.y}, {at.x + out, at.y}, colour, width);
-        list.AddLine({at.x, at.y - out}, {at.x, at.y - in}, colour, width);
-        list.AddLine({at.x, at.y + in}, {at.x, at.y + out}, colour, width);
-        list.AddCircle(at, in, colour, 0, width);
-    };
-    cross(to_u32({0, 0, 0, 1}, 0.6f), px(3.2f));
-    cross(to_u32({1, 1, 1, 1}), px(1.4f));
+    const ImU32 white = to_u32({1, 1, 1, 1});
+    for (const ImVec2 way : {ImVec2(1, 0), ImVec2(-1, 0), ImVec2(0, 1), ImVec2(0, -1)})
+        cased_line(list, at + px(5) * way, at + px(12) * way, white, 1.4f);
+    cased_circle(list, at, 5, white, 1.4f);
 }
 
 void draw_hand_note(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame) {

@@ -1,4 +1,4 @@
-// What matters to which kind of light: a table, worked live at the picked point.
+// A table, worked live at the picked point, of what matters to which kind of light.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -7,12 +7,10 @@
 
 #include "renderer/inspect/reflectance/term_sensitivity.h"
 #include "ui/fields/field_panel.h"
-#include "ui/inspector/equation/parts.h"
-#include "ui/picture/handles/drag_math.h"
-#include "ui/picture/picture_view.h"
+#include "ui/picture/handles/light_place.h"
 #include "ui/plots/plots_tab.h"
 #include "ui/widgets/fonts.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -30,9 +28,10 @@ constexpr std::array columns{
 
 /// The letter of a term that moves, or a dash in its place.
 void letter(Symbol symbol, float moved) {
-    ImGui::PushStyleColor(ImGuiCol_Text, moved > 0 ? theme()[symbol] : theme().disabled_text);
-    ImGui::TextUnformatted(moved > 0 ? letter_of(symbol) : "–");
-    ImGui::PopStyleColor();
+    if (moved > 0)
+        coloured(symbol, letter_of(symbol));
+    else
+        coloured(theme().disabled_text, "–");
 }
 
 std::string moved_text(const char* term, float moved) {
@@ -51,8 +50,7 @@ void cell(LightKind kind, const Column& column, const LightSensitivity& sensitiv
     letter(Symbol::Diffuse, sensitivity.diffuse.*column.moved);
     ImGui::SameLine(0, px(6));
     letter(Symbol::Specular, sensitivity.specular.*column.moved);
-    const bool fails = slide_fails(kind, column, sensitivity);
-    if (fails) {
+    if (slide_fails(kind, column, sensitivity)) {
         ImGui::SameLine(0, px(4));
         ImGui::TextUnformatted("*");
     }
@@ -71,13 +69,9 @@ void header() {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushFont(fonts().small);
-    for (const Column& column : columns) {
+    for (const char* title : {columns[0].title, columns[1].title, columns[2].title, "falloff", "cone"}) {
         ImGui::TableNextColumn();
-        dim_text(column.title);
-    }
-    for (const char* factor : {"falloff", "cone"}) {
-        ImGui::TableNextColumn();
-        dim_text(factor);
+        dim_text(title);
     }
     ImGui::PopFont();
 }
@@ -108,9 +102,7 @@ void kinds_section(const PlotSubject& subject, const PictureView& view) {
             *subject.point.material, subject.point.at->point.camera, subject.point.at->normal.camera);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::PushStyleColor(ImGuiCol_Text, kind == light.kind ? theme().text : theme().dim_text);
-        ImGui::TextUnformatted(choice_of(kind).label);
-        ImGui::PopStyleColor();
+        coloured(kind == light.kind ? theme().text : theme().dim_text, choice_of(kind).label);
         for (const Column& column : columns) cell(kind, column, sensitivity);
         figure_cell(sensitivity.falloff);
         figure_cell(sensitivity.spot);

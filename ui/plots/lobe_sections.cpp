@@ -1,17 +1,18 @@
-// Polar plots: what a surface sends into which direction.
+// A surface sends light into each direction: polar plots of it, and a slice of the BRDF, read forwards and
+// backwards.
 #include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "renderer/inspect/debug_views/profile.h"
 #include "renderer/inspect/reflectance/lobes.h"
-#include "ui/inspector/equation/parts.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/plots_tab.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -59,32 +60,46 @@ void draw_lobe(ImDrawList& list, const PolarArea& area, const Lobe& lobe, bool w
     draw_polar_curve(list, area, lobe.total, theme().accent, 2);
 }
 
-void legend(bool with_ambient) {
+void lobe_legend(bool with_ambient) {
     if (with_ambient) {
         coloured(Symbol::Ambient, "ambient");
         ImGui::SameLine(0, px(8));
     }
-    coloured(Symbol::Diffuse, "diffuse");
+    legend({{Symbol::Diffuse, "diffuse"}, {Symbol::Specular, "specular"}});
     ImGui::SameLine(0, px(8));
-    coloured(Symbol::Specular, "specular");
-    ImGui::SameLine(0, px(8));
-    ImGui::PushStyleColor(ImGuiCol_Text, theme().accent);
-    ImGui::TextUnformatted("sum");
-    ImGui::PopStyleColor();
+    coloured(theme().accent, "sum");
 }
 
-/// The integrals take some milliseconds: kept, and not begun again while the mouse drags something.
-void update_energy(PlotsState& plots, const Reflector& reflector, double light_deg) {
-    const double deg = std::round(std::min(light_deg, 89.0));
-    const auto same = [&](const Reflector& r) {
-        return r.reflection == reflector.reflection && r.material == reflector.material;
-    };
-    if (plots.energy_of && same(*plots.energy_of) && plots.energy_deg == deg) return;
+/// Computes again what takes some milliseconds, but not while the mouse drags something.
+template <class Key, class Value, class Compute>
+void update_at_rest(Kept<Key, Value>& kept, const Key& key, const Compute& compute) {
+    if (kept.is_of(key)) return;
     if (ImGui::IsAnyMouseDown()) return redraw_within(0.1);
-    plots.energy = specular_energy(reflector, deg);
-    plots.albedo = directional_albedo(reflector, deg);
-    plots.energy_of = reflector;
-    plots.energy_deg = deg;
+    kept.keep(key, compute());
+}
+
+void energy_line(const LobeEnergy& energy, double light_deg) {
+    const double specular = intensity_of(glm::vec3(energy.specular)),
+                 albedo = intensity_of(glm::vec3(energy.albedo));
+    mono_text(fmt::format("specular energy {:.4f}   albedo {:.3f}", specular, albedo));
+    tooltip("Energy",
+            "The specular term times n·v, over all directions (2π k_s / (n + 2) for Phong head on); and "
+            "the share of the light's power that is reflected in all",
+            fmt::format("for the light at {:.0f}°", light_deg));
+    if (albedo > 1.0005) warning_text("More light leaves than arrives.");
+}
+
+constexpr double usual_deg = 45;  // of the BRDF's light, where none is picked
+constexpr double steepest = 89;
+
+void verdict(const PlotsState& plots) {
+    const double* const error = plots.reciprocity.value();
+    if (error == nullptr) return;
+    if (*error < 1e-4)
+        small_dim("The same both ways, over 4096 pairs of directions: reciprocal (Helmholtz).");
+    else
+        warning_text(
+            fmt::format("Not reciprocal: up to {:.0f} % apart over 4096 pairs of directions.", 100 * *error));
 }
 
 }  // namespace
@@ -108,7 +123,7 @@ void intensities_section(const PlotSubject& subject) {
         draw_lobe(list, area, lobes[i], true);
         draw_direction(list, area, -angles[i], theme()[Symbol::L], "l", true);
     }
-    legend(true);
+    lobe_legend(true);
     small_dim("For a white light with an ambient part of 1, luminance; the length is what the eye gets.");
 }
 
@@ -130,24 +145,54 @@ void lobe_section(PlotsState& plots, const PlotSubject& subject) {
     draw_direction(list, area, local.view_deg, theme()[Symbol::V], "v", false);
     const Reflected seen = reflected(reflector, local.l, local.v);
     const double amount = intensity_of(seen.diffuse + seen.specular);
-    const ImVec2 at = area.at(local.view_deg, amount);
-    list.AddCircleFilled(at, px(5), to_u32(theme().window));
-    list.AddCircleFilled(at, px(3.6f), to_u32(theme()[Symbol::V]));
-    legend(false);
+    draw_point(list, area.at(local.view_deg, amount), theme()[Symbol::V]);
+    lobe_legend(false);
     small_dim(fmt::format(
         "l at {:.1f}°, v at {:.1f}° from n: {:.3f} of the light's intensity (the disc; v need not lie in the "
         "plane of l and n, which is drawn)",
         local.light_deg, std::abs(local.view_deg), amount));
-    update_energy(plots, reflector, local.light_deg);
-    if (!plots.energy_of) return;
-    const double energy = intensity_of(glm::vec3(plots.energy)),
-                 albedo = intensity_of(glm::vec3(plots.albedo));
-    mono_text(fmt::format("specular energy {:.4f}   albedo {:.3f}", energy, albedo));
-    tooltip("Energy",
-            "The specular term times n·v, over all directions (2π k_s / (n + 2) for Phong head on); and "
-            "the share of the light's power that is reflected in all",
-            fmt::format("for the light at {:.0f}°", plots.energy_deg));
-    if (albedo > 1.0005) warning_text("More light leaves than arrives.");
+    const double whole_deg = std::round(std::min(local.light_deg, 89.0));
+    update_at_rest(plots.energy, {reflector, whole_deg}, [&] {
+        return LobeEnergy{specular_energy(reflector, whole_deg), directional_albedo(reflector, whole_deg)};
+    });
+    if (const LobeEnergy* energy = plots.energy.value()) energy_line(*energy, plots.energy.key()->light_deg);
+}
+
+BrdfCurves brdf_curves(const Reflector& reflector, double light_deg) {
+    BrdfCurves curves;
+    for (const LobeSample& s : lobe_slice(reflector, light_deg, steps)) {
+        curves.forwards.emplace_back(s.view_deg, intensity_of(s.brdf));
+        const glm::vec3 back = brdf(reflector, in_plane(s.view_deg), in_plane(-light_deg));
+        curves.backwards.emplace_back(s.view_deg, intensity_of(back));
+    }
+    return curves;
+}
+
+void brdf_section(PlotsState& plots, const PlotSubject& subject) {
+    section_heading("BRDF f(l, v), a slice");
+    const Reflector reflector = reflector_of(subject);
+    const bool picked = subject.point.light != nullptr;
+    const double light_deg = picked ? local_directions(subject.point).light_deg : usual_deg;
+    if (!(light_deg <= steepest)) return small_dim("The light stands behind the surface: f is 0.");
+    const BrdfCurves curves = brdf_curves(reflector, light_deg);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const AxisText up{"f", "1/sr"};
+    const PlotArea area = draw_axes(list, plot_room(132), {-90, 90}, {0, 1.25 * most_of(curves.forwards)},
+                                    {"v from n", "degrees", true, 30}, up);
+    draw_upright(list, area, -light_deg, theme()[Symbol::L], 0.7f);
+    draw_upright(list, area, light_deg, theme()[Symbol::R], 0.4f);
+    draw_curve(list, area, curves.backwards, theme()[Symbol::L], 1.2f);
+    draw_curve(list, area, curves.forwards, theme()[Symbol::V], 2.2f);
+    draw_y_name(list, area, up);
+    if (picked) {
+        const LocalDirections local = local_directions(subject.point);
+        const double f = intensity_of(brdf(reflector, local.l, local.v));
+        if (local.v.z > 0) draw_mark(list, area, {local.view_deg, f}, theme()[Symbol::V]);
+    }
+    legend({{Symbol::V, "f(l, v)"}, {Symbol::L, "f(v, l): read backwards"}});
+    small_dim(fmt::format("l at {:.1f}° from n (line); f = (d + s) / (π n·l)", light_deg));
+    update_at_rest(plots.reciprocity, reflector, [&] { return reciprocity_error(reflector); });
+    verdict(plots);
 }
 
 }  // namespace glint

@@ -6,10 +6,9 @@
 #include <cmath>
 
 #include "models/saturate.h"
-#include "ui/inspector/equation/parts.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/plots_tab.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -19,12 +18,7 @@ namespace {
 constexpr double shown = 56;
 constexpr int most_rays = 48;
 
-bool same(const MicrofacetOptions& a, const MicrofacetOptions& b) {
-    return a.roughness == b.roughness && a.light_deg == b.light_deg && a.view_deg == b.view_deg &&
-           a.rays == b.rays && a.facets == b.facets && a.seed == b.seed;
-}
-
-/// From the section's coordinates to the window: the same scale along both axes.
+/// Takes the section's coordinates to the window: the same scale along both axes.
 struct Section {
     ImVec2 origin;
     double unit = 1, middle_x = 0, level = 0;
@@ -35,13 +29,10 @@ struct Section {
 };
 
 void dashed(ImDrawList& list, ImVec2 a, ImVec2 b, ImU32 colour) {
-    const float length = std::max(std::hypot(b.x - a.x, b.y - a.y), 1.0f);
-    const int pieces = std::min(saturated_int(length / px(6)), 59) + 1;
-    for (int i = 0; i < pieces; ++i) {
-        const float from = float(i) / float(pieces), to = (float(i) + 0.5f) / float(pieces);
-        list.AddLine({a.x + from * (b.x - a.x), a.y + from * (b.y - a.y)},
-                     {a.x + to * (b.x - a.x), a.y + to * (b.y - a.y)}, colour, px(1));
-    }
+    const int pieces = std::min(saturated_int(length_of(b - a) / px(6)), 59) + 1;
+    const ImVec2 step = (b - a) / float(pieces);
+    for (int i = 0; i < pieces; ++i)
+        list.AddLine(a + float(i) * step, a + (float(i) + 0.5f) * step, colour, px(1));
 }
 
 void draw_ray(ImDrawList& list, const Section& section, const FacetRay& ray) {
@@ -73,8 +64,7 @@ void draw_profile(ImDrawList& list, const Section& section, const MicrofacetPict
 void draw_section(const MicrofacetPicture& picture) {
     const Rect room = plot_room(120);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(room.low, room.high, to_u32(theme().window));
-    list.PushClipRect(room.low, room.high, true);
+    begin_drawing(list, room);
     const auto middle = picture.profile.size() / 2;
     Section section;
     section.unit = double(room.size().x) / shown;
@@ -90,11 +80,10 @@ void draw_section(const MicrofacetPicture& picture) {
     const std::size_t stride = std::max(inside.size() / most_rays, std::size_t{1});
     for (std::size_t i = 0; i < inside.size(); i += stride) draw_ray(list, section, *inside[i]);
     draw_profile(list, section, picture, room.high.y);
-    list.PopClipRect();
-    list.AddRect(room.low, room.high, to_u32(theme().line));
+    end_drawing(list, room);
 }
 
-/// Where the rays went, counted, as a lobe.
+/// Draws where the rays went, counted, as a lobe.
 void draw_histogram(const MicrofacetPicture& picture, const MicrofacetOptions& options) {
     std::vector<glm::dvec2> bars;
     double most = 1e-3;
@@ -147,17 +136,10 @@ void fields(PlotsState& plots, const PlotSubject& subject) {
 void microfacet_section(PlotsState& plots, const PlotSubject& subject) {
     section_heading("Microfacets: a rough surface is many mirrors");
     fields(plots, subject);
-    if (!plots.profile_of || !same(*plots.profile_of, plots.microfacets)) {
-        plots.profile = microfacet_picture(plots.microfacets);
-        plots.profile_of = plots.microfacets;
-    }
-    const MicrofacetPicture& p = plots.profile;
+    const MicrofacetPicture& p =
+        plots.profile.of(plots.microfacets, [&] { return microfacet_picture(plots.microfacets); });
     draw_section(p);
-    coloured(Symbol::L, "in");
-    ImGui::SameLine(0, px(8));
-    coloured(Symbol::R, "out");
-    ImGui::SameLine(0, px(8));
-    coloured(Symbol::H, "facets whose normal is h");
+    legend({{Symbol::L, "in"}, {Symbol::R, "out"}, {Symbol::H, "facets whose normal is h"}});
     warning_text(fmt::format("shadowed {:.0f} %, masked {:.0f} %, inward {:.0f} %", 100 * p.shadowed,
                              100 * p.masked, 100 * p.inward));
     small_dim(

@@ -37,13 +37,11 @@ std::vector<double> multiples(Interval range, double step) {
     return values;
 }
 
-float text_height() { return small_text_height(); }
-
 ImVec2 text_size(const std::string& text) {
-    return fonts().small->CalcTextSizeA(text_height(), 1e9f, 0, text.c_str());
+    return fonts().small->CalcTextSizeA(small_text_height(), 1e9f, 0, text.c_str());
 }
 
-/// Between the curves' room and the right edge of all.
+/// The margin between the curves' room and the right edge of all.
 float right_margin() { return px(6); }
 
 std::string axis_title(const AxisText& axis) {
@@ -60,12 +58,12 @@ void draw_x_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
         if (!text.numbers) continue;
         const std::string number = tick_text(v, step);
         const float half = text_size(number).x / 2, right = area.rect.high.x + right_margin();
-        plot_text(list, {std::min(x, right - half), y + px(3) + text_height() / 2}, theme().dim_text, number,
-                  true);
+        plot_text(list, {std::min(x, right - half), y + px(3) + small_text_height() / 2}, theme().dim_text,
+                  number, true);
     }
     if (*text.name == 0) return;
     const std::string title = axis_title(text);
-    const float below = text.numbers ? text_height() + px(3) : px(2);
+    const float below = text.numbers ? small_text_height() + px(3) : px(2);
     plot_text(list, {area.rect.high.x - text_size(title).x, y + below}, theme().text, title);
 }
 
@@ -76,7 +74,7 @@ void draw_y_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
         list.AddLine({area.rect.low.x, y}, {area.rect.high.x, y}, to_u32(theme().line));
         if (!text.numbers) continue;
         const std::string number = tick_text(v, tick_step(area.y, most));
-        plot_text(list, {area.rect.low.x - px(4) - text_size(number).x, y - text_height() / 2},
+        plot_text(list, {area.rect.low.x - px(4) - text_size(number).x, y - small_text_height() / 2},
                   theme().dim_text, number);
     }
 }
@@ -141,10 +139,6 @@ glm::dvec2 PlotArea::value(ImVec2 at) const {
             y.low + y.length() * static_cast<double>((rect.high.y - at.y) / size.y)};
 }
 
-bool PlotArea::holds(ImVec2 at) const {
-    return at.x >= rect.low.x && at.x <= rect.high.x && at.y >= rect.low.y && at.y <= rect.high.y;
-}
-
 ImVec4 channel_colour(int channel) {
     static const ImVec4 on_dark[] = {{1, 0.42f, 0.36f, 1}, {0.35f, 0.85f, 0.45f, 1}, {0.45f, 0.65f, 1, 1}};
     static const ImVec4 on_light[] = {{0.75f, 0.1f, 0.1f, 1}, {0, 0.45f, 0.1f, 1}, {0.1f, 0.25f, 0.8f, 1}};
@@ -152,24 +146,23 @@ ImVec4 channel_colour(int channel) {
 }
 
 void plot_text(ImDrawList& list, ImVec2 at, const ImVec4& colour, const std::string& text, bool centre) {
-    const ImVec2 size = centre ? text_size(text) : ImVec2{0, 0};
-    list.AddText(fonts().small, text_height(), {at.x - size.x / 2, at.y - size.y / 2}, to_u32(colour),
-                 text.c_str());
+    const ImVec2 low = centre ? at - text_size(text) / 2 : at;
+    list.AddText(fonts().small, small_text_height(), low, to_u32(colour), text.c_str());
 }
 
 void draw_y_name(ImDrawList& list, const PlotArea& area, const AxisText& text) {
     if (*text.name == 0) return;
     const std::string title = axis_title(text);
-    const ImVec2 at{area.rect.low.x + px(4), area.rect.low.y + px(1)}, size = text_size(title);
-    list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, to_u32(theme().window, 0.8f));
+    const ImVec2 at = area.rect.low + px(1) * ImVec2(4, 1);
+    list.AddRectFilled(at, at + text_size(title), to_u32(theme().window, 0.8f));
     plot_text(list, at, theme().text, title);
 }
 
 PlotArea area_within(const Rect& all, Interval x, Interval y, const AxisText& x_text,
                      const AxisText& y_text) {
     const float left = y_text.numbers ? px(44) : px(4);
-    const float below =
-        (x_text.numbers ? text_height() + px(3) : 0) + (*x_text.name != 0 ? text_height() + px(2) : px(2));
+    const float below = (x_text.numbers ? small_text_height() + px(3) : 0) +
+                        (*x_text.name != 0 ? small_text_height() + px(2) : px(2));
     PlotArea area{
         {{all.low.x + left, all.low.y + px(2)}, {all.high.x - right_margin(), all.high.y - below}}, x, y};
     area.rect.high.x = std::max(area.rect.high.x, area.rect.low.x + 1);
@@ -208,19 +201,33 @@ void draw_curve(ImDrawList& list, const PlotArea& area, std::span<const glm::dve
     list.PopClipRect();
 }
 
-void draw_mark(ImDrawList& list, const PlotArea& area, glm::dvec2 at, const ImVec4& colour,
-               const std::string& text) {
+void draw_point(ImDrawList& list, ImVec2 at, const ImVec4& colour) {
+    list.AddCircleFilled(at, px(5), to_u32(theme().window));
+    list.AddCircleFilled(at, px(3.6f), to_u32(colour));
+}
+
+void begin_drawing(ImDrawList& list, const Rect& room) {
+    list.AddRectFilled(room.low, room.high, to_u32(theme().window));
+    list.PushClipRect(room.low, room.high, true);
+}
+
+void end_drawing(ImDrawList& list, const Rect& room) {
+    list.PopClipRect();
+    list.AddRect(room.low, room.high, to_u32(theme().line));
+}
+
+void draw_mark(ImDrawList& list, const PlotArea& area, glm::dvec2 at, const ImVec4& colour, bool figures) {
     if (!std::isfinite(at.x) || !std::isfinite(at.y)) return;
     ImVec2 place = area.at(at);
     place.x = std::clamp(place.x, area.rect.low.x, area.rect.high.x);
     place.y = std::clamp(place.y, area.rect.low.y, area.rect.high.y);
-    list.AddCircleFilled(place, px(5), to_u32(theme().window));
-    list.AddCircleFilled(place, px(3.6f), to_u32(colour));
-    if (text.empty()) return;
+    draw_point(list, place, colour);
+    if (!figures) return;
+    const std::string text = fmt::format("{:.3f}", at.y);
     const float width = text_size(text).x;
     const bool left = place.x + px(9) + width > area.rect.high.x;
-    const float y =
-        std::clamp(place.y - text_height() - px(3), area.rect.low.y, area.rect.high.y - text_height());
+    const float y = std::clamp(place.y - small_text_height() - px(3), area.rect.low.y,
+                               area.rect.high.y - small_text_height());
     plot_text(list, {left ? place.x - px(9) - width : place.x + px(9), y}, colour, text);
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/shell/layout.h"
+#include "ui/widgets/area.h"
 
 namespace glint {
 
@@ -29,7 +29,7 @@ struct Interval {
 /// A tick's number with as many places as its step asks for; "0" without a sign.
 [[nodiscard]] std::string tick_text(double value, double step);
 
-/// What an axis shows: "r" and "scene units" become "r, scene units".
+/// The title of an axis: "r" and "scene units" become "r, scene units".
 struct AxisText {
     const char* name = "";
     const char* unit = "";
@@ -44,10 +44,9 @@ struct PlotArea {
 
     [[nodiscard]] ImVec2 at(glm::dvec2 value) const;
     [[nodiscard]] glm::dvec2 value(ImVec2 at) const;
-    [[nodiscard]] bool holds(ImVec2 at) const;
 };
 
-/// What draw_axes() leaves of `all` for curves, under the same names of axes.
+/// The part of `all` that draw_axes() leaves for curves, under the same names of axes.
 [[nodiscard]] PlotArea area_within(const Rect& all, Interval x, Interval y, const AxisText& x_text,
                                    const AxisText& y_text);
 
@@ -63,9 +62,16 @@ void draw_y_name(ImDrawList& list, const PlotArea& area, const AxisText& y_text)
 void draw_curve(ImDrawList& list, const PlotArea& area, std::span<const glm::dvec2> points,
                 const ImVec4& colour, float width = 1.6f);
 
-/// The current point: a disc with a ring, and a letter or number beside it.
+/// Marks the current point, with its y beside it in figures or without.
 void draw_mark(ImDrawList& list, const PlotArea& area, glm::dvec2 at, const ImVec4& colour,
-               const std::string& text = "");
+               bool figures = true);
+
+/// A point of a plot: a disc on a ring of the ground's colour.
+void draw_point(ImDrawList& list, ImVec2 at, const ImVec4& colour);
+
+/// The frame of a drawing without axes; what is drawn between the two is cut off at it.
+void begin_drawing(ImDrawList& list, const Rect& room);
+void end_drawing(ImDrawList& list, const Rect& room);
 
 /// A line across the area at an x.
 void draw_upright(ImDrawList& list, const PlotArea& area, double x, const ImVec4& colour, float opacity = 1);

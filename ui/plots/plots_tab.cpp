@@ -3,39 +3,80 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
-#include "ui/inspector/equation/parts.h"
 #include "ui/ui.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
 
-void light_field(PlotsState& plots, const Scene& scene) {
-    plots.light = std::clamp(plots.light, 0, static_cast<int>(scene.lights.size()) - 1);
-    ImGui::SetNextItemWidth(label_cell("Light"));
-    if (!ImGui::BeginCombo("##plot_light",
-                           scene.lights[static_cast<std::size_t>(plots.light)].name.c_str())) {
-        tooltip("Light", "Whose curves are drawn");
-        return;
-    }
-    for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
-        ImGui::PushID(i);
-        if (ImGui::Selectable(scene.lights[static_cast<std::size_t>(i)].name.c_str(), i == plots.light))
-            plots.light = i;
-        ImGui::PopID();
-    }
-    ImGui::EndCombo();
+double degrees_of(double cosine) { return glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0))); }
+
+const ExplainedPoint& heaviest(const Explanation& explanation) {
+    if (!explanation.lit_per_corner || explanation.corners.empty()) return explanation.at;
+    const auto lighter = [](const ExplainedCorner& a, const ExplainedCorner& b) {
+        return a.weight < b.weight;
+    };
+    return std::max_element(explanation.corners.begin(), explanation.corners.end(), lighter)->at;
 }
 
 }  // namespace
+
+PlotPoint plot_point(const std::optional<Explanation>& explanation, int light) {
+    PlotPoint point;
+    if (!explanation || !explanation->hit) return point;
+    point.at = &heaviest(*explanation);
+    point.material = &explanation->material;
+    for (const ExplainedLight& each : point.at->lights)
+        if (each.index == light)
+            point.light = each.samples.empty() ? &each : &each.samples[each.samples.size() / 2];
+    return point;
+}
+
+glm::dvec2 falloff_mark(const PlotPoint& point) { return {point.light->distance, point.light->falloff}; }
+
+glm::dvec2 spot_mark(const PlotPoint& point) { return {point.light->spot_angle_deg, point.light->spot}; }
+
+glm::dvec2 highlight_mark(const PlotPoint& point, Reflection reflection) {
+    const double deg = reflection == Reflection::BlinnPhong ? 2 * degrees_of(double(point.light->n_dot_h))
+                                                            : degrees_of(double(point.light->r_dot_v));
+    return {deg, point.light->specular_factor.x};
+}
+
+LocalDirections local_directions(const PlotPoint& point) {
+    LocalDirections local;
+    if (point.light == nullptr) return local;
+    const glm::dvec3 n = point.at->normal.camera, l = point.light->l.camera, v = point.at->view.camera;
+    glm::dvec3 x = n * glm::dot(n, l) - l;
+    if (glm::length(x) < 1e-6) x = v - n * glm::dot(n, v);  // light along n: any plane; that of v
+    if (glm::length(x) < 1e-6)
+        x = glm::cross(n, std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
+    x = glm::normalize(x);
+    const glm::dvec3 y = glm::cross(n, x);
+    local.l = glm::vec3(glm::dot(l, x), glm::dot(l, y), glm::dot(l, n));
+    local.v = glm::vec3(glm::dot(v, x), glm::dot(v, y), glm::dot(v, n));
+    local.light_deg = degrees_of(double(local.l.z));
+    local.view_deg = degrees_of(double(local.v.z)) * (local.v.x < 0 ? -1 : 1);
+    return local;
+}
+
+Rect plot_room(float height) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 size{std::max(ImGui::GetContentRegionAvail().x, px(60)), px(height)};
+    ImGui::Dummy(size);
+    return {low, low + size};
+}
 
 void plots_tab(UiState& state, const PictureView& view) {
     const Scene& scene = state.editor.scene();
     PlotsState& plots = state.views.plots;
     if (scene.lights.empty()) return wrapped_dim("The curves are those of a light: add one (L).");
-    light_field(plots, scene);
+    ImGui::SetNextItemWidth(label_cell("Light"));
+    if (light_combo("##plot_light", plots.light, scene.lights)) tooltip("Light", "Whose curves are drawn");
     PlotSubject subject{scene, plots.light, plot_point(state.explanation, plots.light), {}};
     if (subject.point.material != nullptr)
         subject.material = *subject.point.material;

@@ -1,17 +1,17 @@
 #pragma once
-// The tab of curves: falloff, highlight, cone, lobes and microfacets, with the picked point marked on each.
-// Curves are sampled from renderer/inspect; nothing is computed here.
+// The plots tab draws curves: falloff, highlight, cone, lobes and microfacets, with the picked point marked
+// on each. Curves are sampled from renderer/inspect; nothing is computed here.
 
 #include <array>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "models/scene/scene.h"
 #include "renderer/inspect/explain/explanation.h"
 #include "renderer/inspect/reflectance/lobes.h"
 #include "renderer/inspect/reflectance/microfacets.h"
-#include "ui/shell/layout.h"
+#include "ui/widgets/area.h"
+#include "ui/widgets/kept.h"
 
 namespace glint {
 
@@ -27,8 +27,18 @@ struct HighlightSketch {
 };
 /// Draws a straight stroke between two places (degrees 0 to 90, value).
 void add_to_sketch(HighlightSketch& sketch, glm::dvec2 from, glm::dvec2 to);
-/// What is drawn of it: (degrees, value), by degrees.
+/// The points drawn so far: (degrees, value), by degrees.
 [[nodiscard]] std::vector<glm::dvec2> points_of(const HighlightSketch& sketch);
+
+/// A reflector and a direction of light, of which all that leaves is added up.
+struct EnergyKey {
+    Reflector reflector;
+    double light_deg = 0;
+    bool operator==(const EnergyKey&) const = default;
+};
+struct LobeEnergy {
+    glm::dvec3 specular{0}, albedo{0};
+};
 
 struct PlotsState {
     int light = 0;        // whose curves are shown: in Scene::lights
@@ -36,24 +46,19 @@ struct PlotsState {
     HighlightSketch sketch;
     MicrofacetOptions microfacets{.rays = 3000, .facets = 1000};  // of the profile
     bool follow_pick = true;                                      // its angles are those at the picked point
-    // Kept until what they are of changes:
-    std::optional<std::pair<float, double>> blinn_like;  // Phong's shininess, Blinn's best
-    std::optional<MicrofacetOptions> profile_of;
-    MicrofacetPicture profile;
-    std::optional<Reflector> energy_of;
-    double energy_deg = 0;
-    glm::dvec3 energy{0}, albedo{0};
-    std::optional<Reflector> reciprocity_of;
-    double reciprocity = 0;
+    Kept<float, double> blinn_like;  // of Phong's shininess: Blinn's that comes nearest
+    Kept<MicrofacetOptions, MicrofacetPicture> profile;
+    Kept<EnergyKey, LobeEnergy> energy;
+    Kept<Reflector, double> reciprocity;
 };
 
-/// What is known of one light at the picked point, where a pixel is picked and the light is on.
+/// One light at the picked point, where a pixel is picked and the light is on.
 struct PlotPoint {
     const ExplainedLight* light = nullptr;  // null: no mark
     const ExplainedPoint* at = nullptr;
     const Material* material = nullptr;
 };
-/// Takes, of several lit points (corners), the one that counts most in the pixel; of an area light its middle
+/// Takes the one of several lit points (corners) that counts most in the pixel, and an area light's middle
 /// sample.
 [[nodiscard]] PlotPoint plot_point(const std::optional<Explanation>& explanation, int light);
 
@@ -84,9 +89,9 @@ struct BrdfCurves {
 
 void plots_tab(UiState& state, const PictureView& view);
 
-// The plots of the tab, one a function. Each draws into the current window at its width.
+// Each section draws into the current window at its width.
 
-/// What every plot draws from.
+/// The scene, light, point and surface that every plot draws from.
 struct PlotSubject {
     const Scene& scene;
     int light = 0;  // in scene.lights, which are not empty
@@ -96,6 +101,8 @@ struct PlotSubject {
 
 /// Room for a plot: as wide as the window, `height` units of the design high; moves the cursor below it.
 [[nodiscard]] Rect plot_room(float height);
+/// Height of a curve's plot.
+inline constexpr float curve_height = 132;
 
 void falloff_section(const PlotSubject& subject);
 void highlight_section(PlotsState& plots, const PlotSubject& subject);

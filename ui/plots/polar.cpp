@@ -1,10 +1,11 @@
+// Plots in a half-disc of directions.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "ui/plots/plot.h"
 #include "ui/widgets/fonts.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 
 namespace glint {
 namespace {
@@ -41,10 +42,10 @@ PolarArea draw_polar_axes(ImDrawList& list, const Rect& all, double most) {
     half_ring(list, area.centre, area.radius, theme().line);
     for (const double deg : {-60.0, -30.0, 0.0, 30.0, 60.0})
         list.AddLine(area.centre, area.at(deg, most), to_u32(theme().line));
-    list.AddLine({area.centre.x - area.radius - px(6), area.centre.y},
-                 {area.centre.x + area.radius + px(6), area.centre.y}, to_u32(theme().dim_text), px(1.5f));
+    const ImVec2 half{area.radius + px(6), 0};
+    list.AddLine(area.centre - half, area.centre + half, to_u32(theme().dim_text), px(1.5f));
     if (rings.size() > 1)
-        plot_text(list, {area.at(0, rings.back()).x + px(3), area.at(0, rings.back()).y}, theme().dim_text,
+        plot_text(list, area.at(0, rings.back()) + ImVec2(px(3), 0), theme().dim_text,
                   tick_text(rings.back(), step));
     return area;
 }
@@ -61,10 +62,8 @@ void draw_direction(ImDrawList& list, const PolarArea& area, double deg, const I
     const ImVec2 rim = area.at(deg, area.most), near = area.at(deg, 0.12 * area.most);
     const ImVec2 from = arrives ? rim : area.centre, to = arrives ? near : area.at(deg, 0.92 * area.most);
     list.AddLine(from, to, to_u32(colour), px(1.6f));
-    const float dx = to.x - from.x, dy = to.y - from.y, length = std::max(std::hypot(dx, dy), 1e-3f);
-    const ImVec2 along{dx / length * px(6), dy / length * px(6)};
-    list.AddTriangleFilled(to, {to.x - along.x - along.y / 2, to.y - along.y + along.x / 2},
-                           {to.x - along.x + along.y / 2, to.y - along.y - along.x / 2}, to_u32(colour));
+    const ImVec2 way = to - from;
+    arrow_head(list, to, way / std::max(length_of(way), 1e-3f), 6, 3, to_u32(colour));
     const ImVec2 beyond = area.at(deg, area.most * (1 + double(px(8)) / double(area.radius)));
     plot_text(list, beyond, colour, letter, true);
 }

@@ -2,7 +2,7 @@
 // What stands round the picture: the scene's column, the column that says why a pixel has its colour, and the
 // rows above and below.
 
-#include "ui/picture/picture_view.h"
+#include "ui/picture/screen.h"
 #include "ui/shell/layout.h"
 #include "ui/ui.h"
 

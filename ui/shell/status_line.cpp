@@ -8,7 +8,7 @@
 #include "ui/picture/tool.h"
 #include "ui/shell/columns.h"
 #include "ui/widgets/fonts.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -63,9 +63,7 @@ float mistakes_mark(UiState& state, ImVec2 right) {
     const std::string text = fmt::format("{} mistake{} on", on, on == 1 ? "" : "s");
     const float width = ImGui::CalcTextSize(text.c_str()).x, gap = px(14);
     ImGui::SetCursorScreenPos({right.x - width - gap, right.y});
-    ImGui::PushStyleColor(ImGuiCol_Text, theme().warning);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
+    coloured(theme().warning, text);
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsItemClicked()) {
         state.inspector.tab = InspectorTab::Mistakes;

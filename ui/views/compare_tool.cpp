@@ -1,4 +1,7 @@
-// The comparison under the hand: its lines and labels.
+// The comparison in the window: its lines and labels under the hand, and its part of the row above the
+// picture.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -6,8 +9,8 @@
 #include "ui/ui.h"
 #include "ui/views/compare_view.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
-#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -40,17 +43,13 @@ Rect label_rect(const CompareChoice& choice, int part, const PictureView& view) 
         small_text_height(), 1e9f, 0, label_of(choice.parts[static_cast<std::size_t>(part)]).c_str());
     const ImVec2 half{std::min(text.x / 2 + px(8), (right - left) / 2), text.y / 2 + px(4)};
     const ImVec2 middle{(left + right) / 2, room.low.y + px(8) + half.y};
-    return {{middle.x - half.x, middle.y - half.y}, {middle.x + half.x, middle.y + half.y}};
-}
-
-bool holds(const Rect& rect, ImVec2 at) {
-    return at.x >= rect.low.x && at.x < rect.high.x && at.y >= rect.low.y && at.y < rect.high.y;
+    return {middle - half, middle + half};
 }
 
 void find_under(CompareState& state, const PictureView& view) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     for (int i = 0; i < static_cast<int>(state.choice.parts.size()); ++i)
-        if (holds(label_rect(state.choice, i, view), mouse)) state.label_under = i;
+        if (label_rect(state.choice, i, view).holds(mouse)) state.label_under = i;
     if (state.label_under >= 0 || state.choice.difference) return;
     for (int i = 0; i < static_cast<int>(state.choice.wipes.size()); ++i)
         if (std::abs((state.choice.stacked ? mouse.y : mouse.x) - line_at(state.choice, i, view)) <=
@@ -73,31 +72,30 @@ void draw_wipe(ImDrawList& list, const CompareState& state, int wipe, const Pict
     const Rect before = part_rect(state.choice, wipe, view);
     const ImVec2 end = before.high,
                  start = stacked ? ImVec2(before.low.x, end.y) : ImVec2(end.x, before.low.y);
-    const ImVec2 middle{(start.x + end.x) / 2, (start.y + end.y) / 2};
+    const ImVec2 middle = (start + end) / 2, way = stacked ? ImVec2(0, 1) : ImVec2(1, 0);
     const bool lit = state.under == wipe || state.dragged == wipe;
-    list.AddLine(start, end, to_u32({0, 0, 0, 1}, 0.6f), px(3));
-    list.AddLine(start, end, to_u32({1, 1, 1, 1}), px(lit ? 1.8f : 1));
-    list.AddCircleFilled(middle, px(lit ? 10 : 8), to_u32({0, 0, 0, 1}, 0.6f));
-    list.AddCircleFilled(middle, px(lit ? 8.5f : 6.5f), to_u32({1, 1, 1, 1}));
-    const ImU32 ink = to_u32({0.2f, 0.2f, 0.2f, 1});
-    // `along` the way the line can go, `across` it.
-    const auto at = [&](float along, float across) {
-        return stacked ? ImVec2(middle.x + px(across), middle.y + px(along))
-                       : ImVec2(middle.x + px(along), middle.y + px(across));
-    };
-    for (const float side : {-1.0f, 1.0f})
-        list.AddTriangleFilled(at(side * 5, 0), at(side * 1.5f, -3.5f), at(side * 1.5f, 3.5f), ink);
+    const ImU32 white = to_u32({1, 1, 1, 1});
+    cased_line(list, start, end, white, lit ? 1.8f : 1);
+    rimmed_disc(list, middle, lit ? 8.5f : 6.5f, white);
+    for (const float side : {-1.0f, 1.0f})  // the ways that the line can go
+        arrow_head(list, middle + px(5) * side * way, side * way, 3.5f, 3.5f, to_u32({0.2f, 0.2f, 0.2f, 1}));
 }
 
 void draw_label(ImDrawList& list, const CompareState& state, int part, const PictureView& view) {
     const Rect rect = label_rect(state.choice, part, view);
-    const bool lit = state.label_under == part;
-    list.AddRectFilled(rect.low, rect.high, to_u32(lit ? theme().field_active : theme().window, 0.88f),
-                       px(6));
+    badge_ground(list, rect, state.label_under == part);
     list.PushClipRect(rect.low, rect.high, true);
-    list.AddText(fonts().small, small_text_height(), {rect.low.x + px(8), rect.low.y + px(4)},
-                 to_u32(theme().text), label_of(state.choice.parts[static_cast<std::size_t>(part)]).c_str());
+    list.AddText(fonts().small, small_text_height(), rect.low + px(1) * ImVec2(8, 4), to_u32(theme().text),
+                 label_of(state.choice.parts[static_cast<std::size_t>(part)]).c_str());
     list.PopClipRect();
+}
+
+/// A row of a list, which needs a stored scene where `variant` is that one. True when it was clicked.
+bool variant_row(const CompareChoice& choice, const std::string& label, Variant variant, bool chosen) {
+    const bool can = variant.kind != Variant::Kind::Stored || choice.stored != nullptr;
+    const bool clicked = ImGui::Selectable(label.c_str(), chosen, can ? 0 : ImGuiSelectableFlags_Disabled);
+    if (!can) tooltip(label.c_str(), "Store a scene first", "", keys_of(CommandId::StoreB));
+    return clicked;
 }
 
 void settings_popup(CompareState& state) {
@@ -110,10 +108,7 @@ void settings_popup(CompareState& state) {
         Variant& part = state.choice.parts[static_cast<std::size_t>(state.asked)];
         if (setting.kind != last) ImGui::Separator();
         last = setting.kind;
-        const bool can = setting.kind != Variant::Kind::Stored || state.choice.stored != nullptr;
-        const auto flags = can ? 0 : ImGuiSelectableFlags_Disabled;
-        if (ImGui::Selectable(label_of(setting).c_str(), part == setting, flags)) part = setting;
-        if (!can) tooltip("B, stored", "Store a scene first", "", keys_of(CommandId::StoreB));
+        if (variant_row(state.choice, label_of(setting), setting, part == setting)) part = setting;
     }
     ImGui::EndPopup();
 }
@@ -173,9 +168,78 @@ void draw_compare(ImDrawList& list, UiState& ui, const PictureView& view) {
     settings_popup(state);
 }
 
+struct Preset {
+    const char* label;
+    std::vector<Variant> parts;
+};
+
+const std::vector<Preset>& presets() {
+    static const std::vector<Preset> all{
+        {"Flat, Gouraud, Phong",
+         {variant_of(ShadingMode::Flat), variant_of(ShadingMode::Gouraud), variant_of(ShadingMode::Phong)}},
+        {"Gouraud, Phong", {variant_of(ShadingMode::Gouraud), variant_of(ShadingMode::Phong)}},
+        {"Facet, Phong", {variant_of(ShadingMode::Facet), variant_of(ShadingMode::Phong)}},
+        {"Phong's and Blinn's highlight",
+         {variant_of(Reflection::Phong), variant_of(Reflection::BlinnPhong)}},
+        {"As edited, B", {{}, {Variant::Kind::Stored, 0}}}};
+    return all;
+}
+
+void presets_popup(CompareChoice& choice) {
+    if (ImGui::SmallButton("Parts##presets")) ImGui::OpenPopup("##presets");
+    tooltip("What is compared", "Or click a label on the picture to choose one part");
+    ImGui::SameLine(0, px(4));
+    if (!ImGui::BeginPopup("##presets")) return;
+    for (const Preset& preset : presets()) {
+        if (variant_row(choice, preset.label, preset.parts.back(), choice.parts == preset.parts))
+            set_parts(choice, preset.parts);
+    }
+    ImGui::EndPopup();
+}
+
+/// Whether the parts lie side by side; of no use to a difference.
+void stacked_button(CompareChoice& choice) {
+    if (ImGui::SmallButton(choice.stacked ? "Stacked###stacked" : "Side by side###stacked"))
+        choice.stacked = !choice.stacked;
+    tooltip(choice.stacked ? "Stacked" : "Side by side",
+            "Whether the parts follow from top to bottom or from left to right");
+    ImGui::SameLine(0, px(4));
+}
+
+void difference_controls(CompareState& state) {
+    CompareChoice& choice = state.choice;
+    if (ImGui::SmallButton(fmt::format("×{}###gain", choice.gain).c_str()))
+        choice.gain = choice.gain >= most_gain ? 1 : 2 * choice.gain;
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) choice.gain = std::max(choice.gain / 2, 1);
+    tooltip("Scale of the difference", "Click: twice as much, after ×64 again ×1 · Right click: half");
+    ImGui::SameLine(0, px(8));
+    const Comparison& n = state.numbers;
+    mono_text(fmt::format("max {}  mean {:.2f}", n.max_error, (n.mean[0] + n.mean[1] + n.mean[2]) / 3));
+    tooltip(
+        "How far apart", "Largest and mean difference of the first and the last part, in steps of 0 to 255",
+        fmt::format("max {} {} {}\nmean {:.3f} {:.3f} {:.3f}\nroot of mean square {:.3f} {:.3f} {:.3f}\n{} "
+                    "pixels differ",
+                    n.max[0], n.max[1], n.max[2], n.mean[0], n.mean[1], n.mean[2], n.rmse[0], n.rmse[1],
+                    n.rmse[2], n.differing_pixels));
+    ImGui::SameLine(0, px(4));
+}
+
 }  // namespace
 
 const Tool compare_tool{compare_hover, compare_press, compare_drag, compare_release,
                         nullptr,       compare_hint,  draw_compare};
+
+void compare_controls(CompareState& state) {
+    CompareChoice& choice = state.choice;
+    if (!choice.on) return;
+    presets_popup(choice);
+    if (!choice.difference) stacked_button(choice);
+    if (small_chosen_button("Difference", choice.difference)) choice.difference = !choice.difference;
+    tooltip("Difference",
+            (label_of(choice.parts.front()) + " against " + label_of(choice.parts.back())).c_str(),
+            "Red, green and blue apart, of what is displayed");
+    ImGui::SameLine(0, px(4));
+    if (choice.difference) difference_controls(state);
+}
 
 }  // namespace glint

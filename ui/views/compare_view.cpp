@@ -5,13 +5,11 @@
 
 #include "models/fields/choices.h"
 #include "models/saturate.h"
-#include "ui/widgets/theme.h"
 
 namespace glint {
-
 namespace {
 
-/// The pixels from `low` to before `high` of one picture into the same place of another.
+/// Copies the pixels from `low` to before `high` of one picture into the same place of another.
 void copy_pixels(const Picture& from, Picture& to, glm::ivec2 low, glm::ivec2 high) {
     if (high.x <= low.x) return;
     const auto count = static_cast<std::ptrdiff_t>(high.x - low.x);
@@ -46,6 +44,33 @@ void compose_difference(CompareState& state) {
     const Result<Comparison> numbers = compare(first, last);
     if (const auto* found = std::get_if<Comparison>(&numbers)) state.numbers = *found;
     state.picture = difference_picture(first, last, state.choice.gain);
+}
+
+template <class E> void add_settings(std::vector<Variant>& all, Variant::Kind kind) {
+    for (std::size_t i = 0; i < count_of<E>(); ++i) all.push_back({kind, static_cast<int>(i)});
+}
+
+/// A choice in place of the edited one: its field's key, and the noun of its label.
+struct NamedChoice {
+    const char *field = "", *noun = "";
+    const Choice* choice = nullptr;
+};
+
+/// Precondition: neither Edited nor Stored.
+NamedChoice choice_in(Variant setting) {
+    const auto index = static_cast<std::size_t>(setting.index);
+    switch (setting.kind) {
+    case Variant::Kind::Edited:
+    case Variant::Kind::Stored:
+        break;
+    case Variant::Kind::Mode:
+        return {"mode", "shading", &choices<ShadingMode>[index]};
+    case Variant::Kind::Reflection:
+        return {"reflection", "lighting", &choices<Reflection>[index]};
+    case Variant::Kind::Interpolation:
+        return {"interpolation", "interpolation", &choices<Interpolation>[index]};
+    }
+    return {};  // not reached
 }
 
 }  // namespace
@@ -107,14 +132,6 @@ void set_parts(CompareChoice& choice, std::vector<Variant> parts) {
         choice.wipes.push_back(double(i) / double(choice.parts.size()));
 }
 
-namespace {
-
-template <class E> void add_settings(std::vector<Variant>& all, Variant::Kind kind) {
-    for (std::size_t i = 0; i < count_of<E>(); ++i) all.push_back({kind, static_cast<int>(i)});
-}
-
-}  // namespace
-
 Variant variant_of(ShadingMode mode) { return {Variant::Kind::Mode, static_cast<int>(mode)}; }
 
 Variant variant_of(Reflection reflection) {
@@ -131,20 +148,10 @@ std::vector<Variant> all_variants() {
 }
 
 std::string word_of(Variant setting) {
-    const auto index = static_cast<std::size_t>(setting.index);
-    switch (setting.kind) {
-    case Variant::Kind::Edited:
-        return "edited";
-    case Variant::Kind::Mode:
-        return std::string("mode ").append(choices<ShadingMode>[index].word);
-    case Variant::Kind::Reflection:
-        return std::string("reflection ").append(choices<Reflection>[index].word);
-    case Variant::Kind::Interpolation:
-        return std::string("interpolation ").append(choices<Interpolation>[index].word);
-    case Variant::Kind::Stored:
-        return "stored";
-    }
-    return {};  // not reached
+    if (setting.kind == Variant::Kind::Edited) return "edited";
+    if (setting.kind == Variant::Kind::Stored) return "stored";
+    const NamedChoice named = choice_in(setting);
+    return std::string(named.field) + " " + std::string(named.choice->word);
 }
 
 std::optional<Variant> variant_named(const std::string& word) {
@@ -154,20 +161,10 @@ std::optional<Variant> variant_named(const std::string& word) {
 }
 
 std::string label_of(Variant setting) {
-    const auto index = static_cast<std::size_t>(setting.index);
-    switch (setting.kind) {
-    case Variant::Kind::Edited:
-        return "As edited";
-    case Variant::Kind::Mode:
-        return std::string(choices<ShadingMode>[index].label) + " shading";
-    case Variant::Kind::Reflection:
-        return std::string(choices<Reflection>[index].label) + " lighting";
-    case Variant::Kind::Interpolation:
-        return std::string(choices<Interpolation>[index].label) + " interpolation";
-    case Variant::Kind::Stored:
-        return "B, stored";
-    }
-    return {};  // not reached
+    if (setting.kind == Variant::Kind::Edited) return "As edited";
+    if (setting.kind == Variant::Kind::Stored) return "B, stored";
+    const NamedChoice named = choice_in(setting);
+    return std::string(named.choice->label) + " " + named.noun;
 }
 
 Scene scene_under(Variant setting, const Scene& edited, const Scene* stored) {

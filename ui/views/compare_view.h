@@ -1,6 +1,6 @@
 #pragma once
-// Several settings of one scene in one picture, side by side under lines that are dragged, or their
-// difference. Lecture: "Shading Models" (flat, Gouraud and Phong side by side).
+// A comparison shows several settings of one scene in one picture, side by side under lines that are dragged,
+// or their difference. Lecture: "Shading Models" (flat, Gouraud and Phong side by side).
 
 #include <imgui.h>
 
@@ -13,12 +13,12 @@
 #include "models/scene/scene.h"
 #include "renderer/inspect/debug_views/compare.h"
 #include "renderer/renderer.h"
-#include "ui/picture/picture_view.h"
+#include "ui/picture/screen.h"
 
 namespace glint {
 
-// A way to draw the edited scene: as it is, with one choice changed, or as it was when it was stored. What
-// the parts of a comparison differ in.
+// A variant draws the edited scene as it is, with one choice changed, or as it was when it was stored. It is
+// what the parts of a comparison differ in.
 
 struct Variant {
     enum class Kind { Edited, Mode, Reflection, Interpolation, Stored };
@@ -45,7 +45,7 @@ struct Variant {
 /// as edited.
 [[nodiscard]] Scene scene_under(Variant setting, const Scene& edited, const Scene* stored);
 
-/// What is compared: changes to it change the picture.
+/// A comparison as it is chosen; changes to it change the picture.
 struct CompareChoice {
     bool on = false;
     std::vector<Variant> parts{variant_of(ShadingMode::Flat), variant_of(ShadingMode::Gouraud),
@@ -76,7 +76,7 @@ struct CompareState {
     int b_frames = 0;    // in which it was down
 };
 
-/// What the parts are drawn from: the picture on the screen and what drew it.
+/// The picture on the screen and what drew it, from which the parts are drawn.
 struct DrawnScene {
     const Scene& scene;
     const Picture& picture;
@@ -98,8 +98,13 @@ const Picture& compose(CompareState& state, const DrawnScene& drawn);
 /// The part in which pixel (x, y) of the composed picture lies; -1 when no parts are shown.
 [[nodiscard]] int part_of(const CompareState& state, glm::ivec2 pixel, PictureSize size);
 
-/// What drew pixel (x, y) of the composed picture; null when that is the drawn scene's renderer, or nothing.
+/// The renderer that drew pixel (x, y) of the composed picture; null when that is the drawn scene's renderer,
+/// or nothing.
 [[nodiscard]] const Renderer* part_renderer(const CompareState& state, glm::ivec2 pixel, PictureSize size);
+
+/// Draws into the current line what the row above the picture says and sets of a comparison; nothing while
+/// none is on.
+void compare_controls(CompareState& state);
 
 /// Sets how many parts there are, their lines spread evenly.
 void set_parts(CompareChoice& choice, std::vector<Variant> parts);

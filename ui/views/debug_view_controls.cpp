@@ -8,8 +8,8 @@
 
 #include "ui/plots/plot.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
-#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -43,8 +43,8 @@ void draw_normal_ball(ImDrawList& list, ImVec2 centre, float radius) {
             const float x = (float(i) + 0.5f) * 2 / cells - 1, y = 1 - (float(j) + 0.5f) * 2 / cells;
             const float z = 1 - x * x - y * y;
             if (z < 0) continue;
-            const ImVec2 low{centre.x - radius + float(i) * cell, centre.y - radius + float(j) * cell};
-            list.AddRectFilled(low, {low.x + cell + 0.5f, low.y + cell + 0.5f},
+            const ImVec2 low = centre - radius * ImVec2(1, 1) + cell * ImVec2(float(i), float(j));
+            list.AddRectFilled(low, low + (cell + 0.5f) * ImVec2(1, 1),
                                packed_bytes(normal_color({x, y, std::sqrt(z)})));
         }
 }
@@ -79,8 +79,7 @@ void draw_bar(ImDrawList& list, const DebugViewState& state, const Rect& bar,
     for (const Reading& reading : readings) {
         if (std::isnan(reading.value)) continue;
         const float x = x_of(reading.value);
-        list.AddTriangleFilled({x, bar.low.y + px(3)}, {x - px(4), bar.low.y - px(4)},
-                               {x + px(4), bar.low.y - px(4)}, to_u32(theme().text));
+        arrow_head(list, {x, bar.low.y + px(3)}, {0, 1}, 7, 4, to_u32(theme().text));
     }
 }
 
@@ -91,11 +90,8 @@ std::vector<Reading> readings_of(const DebugViewState& state, const PictureView&
         readings.push_back({name, state.painter->value_text(p.x, p.y), state.painter->value_at(p.x, p.y)});
     };
     if (picked) add("picked", *picked);
-    const PictureSize size = view.map.size;
     const glm::dvec2 cursor = view.to_pixel(ImGui::GetIO().MousePos);
-    const bool inside = ImGui::IsMousePosValid() && cursor.x >= 0 && cursor.y >= 0 && cursor.x < size.width &&
-                        cursor.y < size.height;
-    if (inside) add("cursor", glm::ivec2(cursor));
+    if (ImGui::IsMousePosValid() && is_inside(view.map.size, cursor)) add("cursor", glm::ivec2(cursor));
     return readings;
 }
 
@@ -113,23 +109,13 @@ std::string title_of(const DebugViewState& state, const Scene& scene) {
     return "n·l of " + scene.lights[light].name;
 }
 
-bool light_combo(DebugViewState& state, const Scene& scene) {
-    if (state.set.choice.view != DebugView::NDotL || scene.lights.empty()) return false;
-    int& light = state.set.choice.light;
-    light = std::clamp(light, 0, static_cast<int>(scene.lights.size()) - 1);
+/// The light whose n·l is shown, where one is.
+void light_choice(DebugViewState& state, const Scene& scene) {
+    if (state.set.choice.view != DebugView::NDotL || scene.lights.empty()) return;
     ImGui::SetNextItemWidth(px(86));
-    if (ImGui::BeginCombo("##debug_view_light", scene.lights[static_cast<std::size_t>(light)].name.c_str())) {
-        for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
-            ImGui::PushID(i);
-            if (ImGui::Selectable(scene.lights[static_cast<std::size_t>(i)].name.c_str(), i == light))
-                light = i;
-            ImGui::PopID();
-        }
-        ImGui::EndCombo();
-    }
+    (void)light_combo("##debug_view_light", state.set.choice.light, scene.lights);
     tooltip("Light", "Whose n·l is shown; it may be off");
     ImGui::SameLine(0, px(4));
-    return true;
 }
 
 }  // namespace
@@ -144,9 +130,10 @@ bool debug_view_controls(DebugViewState& state, const Scene& scene) {
     DebugView& view = state.set.choice.view;
     bool chosen = false;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), px(1)});
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, view == DebugView::Picture ? theme().field : theme().accent);
-    ImGui::PushStyleColor(ImGuiCol_Button, view == DebugView::Picture ? theme().field : theme().accent);
-    ImGui::PushStyleColor(ImGuiCol_Text, view == DebugView::Picture ? theme().text : theme().accent_text);
+    const bool plain = view == DebugView::Picture;
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, plain ? theme().field : theme().accent);
+    ImGui::PushStyleColor(ImGuiCol_Button, plain ? theme().field : theme().accent);
+    ImGui::PushStyleColor(ImGuiCol_Text, plain ? theme().text : theme().accent_text);
     ImGui::SetNextItemWidth(px(126));
     const bool open = ImGui::BeginCombo("##look", info_of(view).label, ImGuiComboFlags_HeightLargest);
     ImGui::PopStyleColor(3);
@@ -162,7 +149,7 @@ bool debug_view_controls(DebugViewState& state, const Scene& scene) {
                 keys_of(CommandId::NextDebugView) + ", " + keys_of(CommandId::PreviousDebugView));
     }
     ImGui::SameLine(0, px(4));
-    (void)light_combo(state, scene);
+    light_choice(state, scene);
     ImGui::PopStyleVar();
     return chosen;
 }
@@ -175,21 +162,20 @@ void draw_debug_view_legend(ImDrawList& list, const DebugViewState& state, const
     const std::vector<Reading> readings = readings_of(state, view, picked);
     const float line = small_text_height() + px(3);
     const ImVec2 size{px(236), px(14) + line * float(1 + readings.size()) + (has_bar ? px(32) : 0)};
-    const ImVec2 corner = view.to_window({0, view.map.size.height});
-    const ImVec2 low{corner.x + px(8), corner.y - px(8) - size.y};
-    list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, to_u32(theme().window, 0.88f), px(6));
-    ImVec2 at{low.x + px(10), low.y + px(6)};
+    const ImVec2 low{view.origin.x + px(8), view.end().y - px(8) - size.y};
+    badge_ground(list, {low, low + size});
+    ImVec2 at = low + px(1) * ImVec2(10, 6);
     plot_text(list, at, theme().text, title_of(state, scene));
     at.y += line;
-    if (ball) draw_normal_ball(list, {low.x + size.x - px(24), low.y + size.y / 2}, px(16));
+    if (ball) draw_normal_ball(list, low + ImVec2(size.x - px(24), size.y / 2), px(16));
     if (has_bar) {
-        draw_bar(list, state, {{at.x + px(6), at.y + px(5)}, {low.x + size.x - px(16), at.y + px(13)}},
+        draw_bar(list, state, {at + px(1) * ImVec2(6, 5), {low.x + size.x - px(16), at.y + px(13)}},
                  readings);
         at.y += px(32);
     }
     for (const Reading& reading : readings) {
         plot_text(list, at, theme().dim_text, reading.name);
-        list.AddText(fonts().figures, small_text_height(), {at.x + px(46), at.y}, to_u32(theme().text),
+        list.AddText(fonts().figures, small_text_height(), at + ImVec2(px(46), 0), to_u32(theme().text),
                      reading.text.c_str());
         at.y += line;
     }

@@ -1,6 +1,6 @@
 #pragma once
-// One quantity behind the picture in place of its colours, with a colour bar that says what they mean; and
-// stripes over what is too bright to be shown.
+// A debug view shows one quantity behind the picture in place of its colours, with a colour bar that says
+// what they mean; stripes may lie over what is too bright to be shown.
 
 #include <imgui.h>
 
@@ -9,11 +9,11 @@
 #include <string>
 
 #include "renderer/inspect/debug_views/debug_view.h"
-#include "ui/picture/picture_view.h"
+#include "ui/picture/screen.h"
 
 namespace glint {
 
-/// What is looked at: changes to it change the picture.
+/// The quantity that is looked at; changes to it change the picture.
 struct DebugViewSet {
     DebugViewChoice choice;
     bool over_range = false;  // stripes where a channel exceeds 1
@@ -32,7 +32,7 @@ struct DebugViewInfo {
     const char* label;
     const char* what;
 };
-/// What the window says of a debug view.
+/// The window's words for a debug view.
 [[nodiscard]] const DebugViewInfo& info_of(DebugView view);
 
 /// The next debug view after `view`, or the one before it, round and round.
@@ -41,7 +41,8 @@ struct DebugViewInfo {
 /// Draws drop-downs for the debug view and its light into the current line. True when a view was chosen.
 bool debug_view_controls(DebugViewState& state, const Scene& scene);
 
-/// The colour bar in the picture's lower left corner, with the values at the picked pixel and at the cursor.
+/// Draws the colour bar into the picture's lower left corner, with the values at the picked pixel and at the
+/// cursor.
 void draw_debug_view_legend(ImDrawList& list, const DebugViewState& state, const Scene& scene,
                             const PictureView& view, std::optional<glm::ivec2> picked);
 

@@ -1,5 +1,4 @@
-#include "ui/views/lit_dots.h"
-
+// The dots where the equation is evaluated.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,10 +6,10 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "ui/plots/plot.h"
+#include "ui/views/views.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/named_controls.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 
 namespace glint {
 namespace {
@@ -54,14 +53,10 @@ std::vector<LitDot> lit_dots(const Renderer& renderer, PictureSize size, int acr
 }
 
 void update_lit_dots(LitDotsState& state, const Renderer& renderer, PictureSize size, std::uint64_t serial) {
-    if (!state.dots && !state.needles) {
-        state.found.clear();
-        state.found_for = 0;
-        return;
-    }
-    if (state.found_for == serial) return;
-    state.found = lit_dots(renderer, size, columns);
-    state.found_for = serial;
+    if (state.dots || state.needles)
+        (void)state.found.of(serial, [&] { return lit_dots(renderer, size, columns); });
+    else
+        state.found.forget();
 }
 
 std::string evaluations_text(const Renderer& renderer, const Scene& scene) {
@@ -80,41 +75,39 @@ std::string evaluations_text(const Renderer& renderer, const Scene& scene) {
                        places_of(scene.shading.mode), lights, stats.evaluations);
 }
 
+namespace {
+
+void draw_needle(ImDrawList& list, const PictureView& view, const LitDot& dot, const OnScreen& foot) {
+    // Across the line of sight it is this many pixels long, near or far.
+    const glm::dvec2 beside = foot.pixel + glm::dvec2(24, 0);
+    const double length =
+        glm::length(unproject(view.map, beside, foot.depth) - unproject(view.map, foot.pixel, foot.depth));
+    const OnScreen tip = project(view.map, glm::dvec3(dot.place) + length * glm::dvec3(dot.normal));
+    if (tip.in_front)
+        cased_line(list, view.to_window(foot.pixel), view.to_window(tip.pixel), to_u32(theme()[Symbol::N]));
+}
+
+}  // namespace
+
 void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const Renderer& renderer, const Scene& scene,
                    const PictureView& view) {
-    if (!state.dots && !state.needles) return;
-    // A needle across the line of sight is this many pixels long, near or far.
-    const auto needle = [&](const OnScreen& foot) {
-        constexpr double pixels = 24;
-        const glm::dvec2 beside = foot.pixel + glm::dvec2(pixels, 0);
-        return glm::length(unproject(view.map, beside, foot.depth) -
-                           unproject(view.map, foot.pixel, foot.depth));
-    };
-    for (const LitDot& dot : state.found) {
+    if (state.found.value() == nullptr) return;
+    for (const LitDot& dot : *state.found.value()) {
         const OnScreen foot = project(view.map, dot.place);
         if (!foot.in_front) continue;
-        const ImVec2 at = view.to_window(foot.pixel);
-        if (state.needles) {
-            const OnScreen tip =
-                project(view.map, glm::dvec3(dot.place) + needle(foot) * glm::dvec3(dot.normal));
-            if (tip.in_front) {
-                list.AddLine(at, view.to_window(tip.pixel), to_u32({0, 0, 0, 1}, 0.5f), px(2.4f));
-                list.AddLine(at, view.to_window(tip.pixel), to_u32(theme()[Symbol::N]), px(1.2f));
-            }
-        }
+        if (state.needles) draw_needle(list, view, dot, foot);
         if (!state.dots) continue;
+        const ImVec2 at = view.to_window(foot.pixel);
         const glm::vec3 c = glm::min(dot.color, glm::vec3(1));
         list.AddCircleFilled(at, px(3.4f), to_u32({1, 1, 1, 1}, 0.9f), 10);
         list.AddCircleFilled(at, px(2.4f), to_u32({c.x, c.y, c.z, 1}), 10);
     }
     if (!state.dots) return;
-    const std::string text = evaluations_text(renderer, scene);
-    const ImVec2 size = fonts().small->CalcTextSizeA(small_text_height(), 1e9f, 0, text.c_str());
-    const ImVec2 low{list.GetClipRectMax().x - size.x - px(28), list.GetClipRectMin().y + px(10)};
-    list.AddRectFilled(low, {low.x + size.x + px(16), low.y + size.y + px(10)}, to_u32(theme().window, 0.88f),
-                       px(6));
-    plot_text(list, {low.x + px(8), low.y + px(5)}, theme().text, text);
-    list_control("evaluations", "", {low, {low.x + size.x + px(16), low.y + size.y + px(10)}});
+    ImGui::PushFont(fonts().small);
+    const ImVec2 corner{list.GetClipRectMax().x, list.GetClipRectMin().y};
+    list_control("evaluations", "",
+                 badge(list, corner + px(10) * ImVec2(-1, 1), evaluations_text(renderer, scene), {1, 0}));
+    ImGui::PopFont();
 }
 
 }  // namespace glint

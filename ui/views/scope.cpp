@@ -1,3 +1,4 @@
+// The scan-line scope under the hand, and what it reads off the picture.
 #include "ui/views/scope.h"
 
 #include <fmt/core.h>
@@ -12,7 +13,7 @@
 #include "ui/export/clipboard.h"
 #include "ui/picture/tool.h"
 #include "ui/ui.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 
 namespace glint {
 namespace {
@@ -24,16 +25,16 @@ constexpr float end_reach = 10, line_reach = 6;
 
 glm::dvec2 size_of(const PictureView& view) { return {view.map.size.width, view.map.size.height}; }
 
-/// The middle of an end's pixel, in the window.
+/// The window's place of the middle of an end's pixel.
 ImVec2 place_of(glm::dvec2 share, const PictureView& view) {
     return view.to_window(glm::dvec2(pixel_of(share, view.map.size)) + 0.5);
 }
 
-double distance_to_segment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
-    const glm::dvec2 along = b - a;
-    const double square = glm::dot(along, along);
-    const double share = square > 0 ? glm::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
-    return glm::length(p - a - share * along);
+float distance_to_segment(ImVec2 p, ImVec2 a, ImVec2 b) {
+    const ImVec2 along = b - a, way = p - a;
+    const float square = along.x * along.x + along.y * along.y;
+    const float share = square > 0 ? std::clamp((way.x * along.x + way.y * along.y) / square, 0.0f, 1.0f) : 0;
+    return length_of(way - share * along);
 }
 
 bool is_on_card(const ScopeState& scope, glm::dvec2 share) {
@@ -42,17 +43,13 @@ bool is_on_card(const ScopeState& scope, glm::dvec2 share) {
 }
 
 Hand under_cursor(const ScopeState& scope, const PictureView& view, glm::dvec2 share) {
-    const auto at = [&](glm::dvec2 s) {
-        const ImVec2 place = place_of(s, view);
-        return glm::dvec2(place.x, place.y);
-    };
-    const glm::dvec2 mouse(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
-    const glm::dvec2 from = at(scope.from), to = at(scope.to);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const ImVec2 from = place_of(scope.from, view), to = place_of(scope.to, view);
     if (scope.armed) return Hand::New;
-    if (glm::length(mouse - to) <= double(px(end_reach))) return Hand::To;
-    if (glm::length(mouse - from) <= double(px(end_reach))) return Hand::From;
+    if (length_of(mouse - to) <= px(end_reach)) return Hand::To;
+    if (length_of(mouse - from) <= px(end_reach)) return Hand::From;
     if (is_on_card(scope, share)) return Hand::Card;
-    return distance_to_segment(mouse, from, to) <= double(px(line_reach)) ? Hand::Line : Hand::None;
+    return distance_to_segment(mouse, from, to) <= px(line_reach) ? Hand::Line : Hand::None;
 }
 
 /// `moved` level or upright as seen from `fixed`, whichever is nearer.
@@ -92,29 +89,11 @@ void drag(ScopeState& scope, const PictureView& view, glm::dvec2 share) {
     scope.last = share;
 }
 
-/// A press that never moved is the scan line through that pixel.
-void release(ScopeState& scope, const PictureView& view) {
-    const glm::dvec2 drawn = (scope.to - scope.from) * size_of(view) * double(view.units_per_pixel);
-    if (scope.hand == Hand::New) {
-        if (glm::length(drawn) < double(px(3))) {
-            scope.from.x = 0;
-            scope.to = {1, scope.from.y};
-        }
-        scope.armed = false;
-    }
-    scope.hand = Hand::None;
-}
-
 void set_cursor(const ScopeState& scope) {
     const Hand shown = scope.hand != Hand::None ? scope.hand : scope.under;
     if (shown == Hand::None) return;
     const bool moves = shown == Hand::Line || shown == Hand::Card;
     ImGui::SetMouseCursor(moves ? ImGuiMouseCursor_ResizeAll : ImGuiMouseCursor_Hand);
-}
-
-void draw_end(ImDrawList& list, ImVec2 at, bool lit) {
-    list.AddCircleFilled(at, px(lit ? 7 : 5.5f), to_u32({0, 0, 0, 1}, 0.7f));
-    list.AddCircleFilled(at, px(lit ? 5.5f : 4), to_u32({1, 1, 1, 1}));
 }
 
 void draw_card(ImDrawList& list, const ScopeState& scope, const PictureView& view) {
@@ -153,7 +132,20 @@ bool scope_drag(ToolFrame& frame) {
     return true;
 }
 
-void scope_release(ToolFrame& frame) { release(frame.state.views.scope, frame.view); }
+/// A press that never moved is the scan line through that pixel.
+void scope_release(ToolFrame& frame) {
+    ScopeState& scope = frame.state.views.scope;
+    const glm::dvec2 drawn =
+        (scope.to - scope.from) * size_of(frame.view) * double(frame.view.units_per_pixel);
+    if (scope.hand == Hand::New) {
+        if (glm::length(drawn) < double(px(3))) {
+            scope.from.x = 0;
+            scope.to = {1, scope.from.y};
+        }
+        scope.armed = false;
+    }
+    scope.hand = Hand::None;
+}
 
 bool disarm_scope(UiState& state) { return std::exchange(state.views.scope.armed, false); }
 
@@ -183,15 +175,14 @@ void draw_scope_line(ImDrawList& list, UiState& state, const PictureView& view) 
     if (!scope.open) return;
     if (scope.card) draw_card(list, scope, view);
     const ImVec2 from = place_of(scope.from, view), to = place_of(scope.to, view);
-    list.AddLine(from, to, to_u32({0, 0, 0, 1}, 0.55f), px(3));
-    list.AddLine(from, to, to_u32({1, 1, 1, 1}, 0.9f), px(1));
-    draw_end(list, from, scope.hand == Hand::From || scope.under == Hand::From);
-    draw_end(list, to, scope.hand == Hand::To || scope.under == Hand::To);
+    const ImU32 white = to_u32({1, 1, 1, 1});
+    cased_line(list, from, to, white, 1);
+    for (const auto& [end, hand] : {std::pair(from, Hand::From), std::pair(to, Hand::To)})
+        rimmed_disc(list, end, scope.hand == hand || scope.under == hand ? 5.5f : 4, white);
     if (scope.hovered < 0) return;
     const ProfileSample& sample = scope.samples[static_cast<std::size_t>(scope.hovered)];
     const ImVec2 at = view.to_window(glm::dvec2(sample.pixel) + 0.5);
-    list.AddCircle(at, px(7), to_u32({0, 0, 0, 1}, 0.7f), 0, px(3.5f));
-    list.AddCircle(at, px(7), to_u32(theme().accent), 0, px(1.8f));
+    cased_circle(list, at, 7, to_u32(theme().accent), 1.8f);
 }
 
 }  // namespace
@@ -200,8 +191,7 @@ const Tool scope_tool{scope_hover,  scope_press, scope_drag,     scope_release,
                       disarm_scope, scope_hint,  draw_scope_line};
 
 glm::ivec2 pixel_of(glm::dvec2 share, PictureSize size) {
-    return {std::clamp(saturated_int(share.x * size.width), 0, size.width - 1),
-            std::clamp(saturated_int(share.y * size.height), 0, size.height - 1)};
+    return nearest_pixel(size, share * glm::dvec2(size.width, size.height));
 }
 
 void toggle_scope(ScopeState& scope) {

@@ -1,6 +1,6 @@
 #pragma once
-// The scan-line scope: a line laid over the picture, and below the picture its intensity with first and
-// second differences, so that Mach bands are seen in numbers. Lecture: "Gouraud Shading Artifacts".
+// The scan-line scope lays a line over the picture and shows below it the intensity with first and second
+// differences, so that Mach bands are seen in numbers. Lecture: "Gouraud Shading Artifacts".
 
 #include <imgui.h>
 
@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "renderer/inspect/debug_views/profile.h"
-#include "ui/picture/picture_view.h"
+#include "ui/picture/screen.h"
+#include "ui/widgets/area.h"
 
 namespace glint {
 
@@ -35,6 +36,10 @@ struct ScopeState {
     std::vector<double> seen;            // perceived intensity; empty unless asked for
 };
 
+/// Draws the panel below the picture, with intensity along the scope's line, over `area`. `size`: of the
+/// picture that the samples are of. True when the command line is to be copied.
+[[nodiscard]] bool scope_panel(ScopeState& scope, const Rect& area, PictureSize size);
+
 /// The pixel at a share of the picture's size.
 [[nodiscard]] glm::ivec2 pixel_of(glm::dvec2 share, PictureSize size);
 
@@ -54,7 +59,7 @@ void place_card(ScopeState& scope, PictureSize size);
 /// The positions along the line, between two samples, at which the face seen changes.
 [[nodiscard]] std::vector<double> face_boundaries(const std::vector<ProfileSample>& samples);
 
-/// What the panel says of a sample: its pixel, values, differences and face.
+/// The panel's words for a sample: its pixel, values, differences and face.
 [[nodiscard]] std::string sample_text(const ProfileSample& sample);
 
 }  // namespace glint

@@ -1,3 +1,4 @@
+// The panel below the picture: intensity along the scope's line.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -7,10 +8,10 @@
 #include <limits>
 
 #include "ui/plots/plot.h"
-#include "ui/views/views.h"
+#include "ui/views/scope.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -57,7 +58,8 @@ void strip_curve(ImDrawList& list, const PlotArea& area, const Points& points, c
                  const ImVec4& colour) {
     if (points.empty()) return;
     draw_curve(list, area, points, colour, 1.4f);
-    if (scope.hovered >= 0) draw_mark(list, area, points[static_cast<std::size_t>(scope.hovered)], colour);
+    if (scope.hovered >= 0)
+        draw_mark(list, area, points[static_cast<std::size_t>(scope.hovered)], colour, false);
 }
 
 void intensity_strip(ImDrawList& list, const Strip& strip, const ScopeState& scope) {
@@ -78,14 +80,7 @@ void intensity_strip(ImDrawList& list, const Strip& strip, const ScopeState& sco
     draw_y_name(list, area, strip.y);
 }
 
-void zero_strip(ImDrawList& list, const Strip& strip, const ScopeState& scope, const Points& points,
-                const ImVec4& colour) {
-    const PlotArea area = begin_strip(list, strip, range_of_curves({&points}, true), scope);
-    strip_curve(list, area, points, scope, colour);
-    draw_y_name(list, area, strip.y);
-}
-
-/// The curves about zero, each in a strip of its own: differences, and (asked for) what the eye adds.
+/// A curve about zero, in a strip of its own: a difference, or (asked for) what the eye adds.
 struct ZeroCurve {
     AxisText y;
     Points points;
@@ -95,13 +90,13 @@ struct ZeroCurve {
 std::vector<ZeroCurve> zero_curves(const ScopeState& scope) {
     const auto& samples = scope.samples;
     const ImVec4& colour = theme().accent;
-    std::vector<ZeroCurve> curves;
-    curves.push_back({{"I′", "per pixel"},
-                      curve(samples, [&](std::size_t i) { return or_nan(samples[i].first_difference); }),
-                      colour});
-    curves.push_back({{"I″", "per pixel²"},
-                      curve(samples, [&](std::size_t i) { return or_nan(samples[i].second_difference); }),
-                      colour});
+    std::vector<ZeroCurve> curves{
+        {{"I′", "per pixel"},
+         curve(samples, [&](std::size_t i) { return or_nan(samples[i].first_difference); }),
+         colour},
+        {{"I″", "per pixel²"},
+         curve(samples, [&](std::size_t i) { return or_nan(samples[i].second_difference); }),
+         colour}};
     if (scope.eye && scope.seen.size() == samples.size())
         curves.push_back({{"bands: seen − I", ""},
                           curve(samples, [&](std::size_t i) { return scope.seen[i] - samples[i].intensity; }),
@@ -136,25 +131,25 @@ void strips(ScopeState& scope, const Rect& area) {
     for (const ZeroCurve& each : curves) {
         const bool last = &each == &curves.back();
         const float high = last ? area.high.y : y + unit;
-        zero_strip(list, {{{area.low.x, y}, {area.high.x, high}}, x, last, each.y}, scope, each.points,
-                   each.colour);
+        const Strip strip{{{area.low.x, y}, {area.high.x, high}}, x, last, each.y};
+        const PlotArea room = begin_strip(list, strip, range_of_curves({&each.points}, true), scope);
+        strip_curve(list, room, each.points, scope, each.colour);
+        draw_y_name(list, room, each.y);
         y += unit;
     }
     plot_text(list, {area.low.x, area.high.y - axis + px(3)}, theme().dim_text, "pixel");
 }
 
 bool toggle(const char* label, bool& on, const char* title, const char* what, const char* more = "") {
-    ImGui::PushStyleColor(ImGuiCol_Button, on ? theme().accent : theme().field);
-    ImGui::PushStyleColor(ImGuiCol_Text, on ? theme().accent_text : theme().text);
-    const bool clicked = ImGui::SmallButton(label);
+    const bool clicked = small_chosen_button(label, on);
     if (clicked) on = !on;
-    ImGui::PopStyleColor(2);
     tooltip(title, what, more);
     ImGui::SameLine(0, px(4));
     return clicked;
 }
 
-void buttons(ScopeState& scope, PictureSize size, ScopeRequests& requests) {
+/// True when the command is to be copied.
+bool buttons(ScopeState& scope, PictureSize size) {
     toggle("Draw", scope.armed, "Draw a line",
            "Drag over the picture; a click takes the whole scan line through a pixel",
            "Shift: level or upright");
@@ -169,16 +164,16 @@ void buttons(ScopeState& scope, PictureSize size, ScopeRequests& requests) {
                "Drag it over the picture") &&
         scope.card)
         place_card(scope, size);
-    if (ImGui::SmallButton("Copy")) requests.copy = true;
+    const bool copy = ImGui::SmallButton("Copy");
     tooltip("Copy as command", "The command line that prints these numbers");
+    return copy;
 }
 
 }  // namespace
 
-ScopeRequests scope_panel(ScopeState& scope, const Rect& area, PictureSize size) {
-    ScopeRequests requests;
+bool scope_panel(ScopeState& scope, const Rect& area, PictureSize size) {
     ImGui::PushFont(fonts().small);
-    buttons(scope, size, requests);
+    const bool copy = buttons(scope, size);
     const std::string text =
         scope.hovered >= 0
             ? sample_text(scope.samples[static_cast<std::size_t>(scope.hovered)])
@@ -186,15 +181,15 @@ ScopeRequests scope_panel(ScopeState& scope, const Rect& area, PictureSize size)
     ImGui::SameLine(0, px(10));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec4 room{at.x, area.low.y, area.high.x - px(34), area.high.y};
-    ImGui::GetWindowDrawList()->AddText(fonts().figures, 0, {at.x, at.y}, to_u32(theme().text), text.c_str(),
-                                        nullptr, 0, &room);
+    ImGui::GetWindowDrawList()->AddText(fonts().figures, 0, at, to_u32(theme().text), text.c_str(), nullptr,
+                                        0, &room);
     ImGui::PopFont();
     ImGui::SetCursorScreenPos({area.high.x - px(8) - ImGui::GetFrameHeight(), area.low.y + px(2)});
     if (icon_button("##close_scope", Icon::Close)) toggle_scope(scope);
     tooltip("Close the scope", "", "", "P");
     const float top = area.low.y + px(30);
     strips(scope, {{area.low.x + px(4), top}, {area.high.x - px(4), area.high.y - px(2)}});
-    return requests;
+    return copy;
 }
 
 }  // namespace glint

@@ -7,12 +7,10 @@
 #include <chrono>
 #include <cmath>
 
-#include "ui/inspector/asked.h"
-#include "ui/inspector/equation/parts.h"
+#include "ui/inspector/inspector.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
-#include "ui/widgets/icons.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -70,7 +68,7 @@ bool cell_button(TermGridState& grid, GridCell cell, float width) {
     ImGui::PushID(3 * (cell.light + 1) + cell.term);
     const bool clicked = hit_area("##cell", {width, height});
     const bool right = ImGui::IsItemClicked(ImGuiMouseButton_Right);
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const auto [low, high] = last_item();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const int row = cell.light + 1;
     if (row < most_rows && grid.sheet.size.height > 0) {
@@ -100,11 +98,8 @@ bool cell_button(TermGridState& grid, GridCell cell, float width) {
 void row_heading(const Scene& scene, int light) {
     if (light < 0) return small_dim("Without a light: emission, global ambient");
     const Light& l = scene.lights[static_cast<std::size_t>(light)];
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float line = ImGui::GetTextLineHeight();
-    draw_icon(*ImGui::GetWindowDrawList(), icon_of(l.kind), {at.x + line / 2, at.y + line / 2}, line,
-              to_u32(legible(colour_of(l))));
-    ImGui::SetCursorScreenPos({at.x + line + px(6), at.y});
+    light_icon(l);
+    ImGui::SetCursorScreenPos(ImGui::GetCursorScreenPos() + ImVec2(ImGui::GetTextLineHeight() + px(6), 0));
     small_dim(l.name + (l.enabled ? "" : " (off)"));
 }
 

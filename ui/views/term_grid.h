@@ -1,6 +1,6 @@
 #pragma once
-// Light by term: every term of every light as a small picture of its own. Their sum is the picture. Lecture:
-// "Phong Lighting Model" (the sum over lights).
+// The grid of light by term shows every term of every light as a small picture of its own. Their sum is the
+// picture. Lecture: "Phong Lighting Model" (the sum over lights).
 
 #include <imgui.h>
 
@@ -23,7 +23,7 @@ struct GridCell {
     bool operator==(const GridCell&) const = default;
 };
 
-/// All cells of a scene, row by row: first those without a light.
+/// The cells of a scene, row by row: first those without a light.
 [[nodiscard]] std::vector<GridCell> grid_cells(const Scene& scene);
 
 /// The scene with these addends alone. The linear pictures of all cells add up to the scene's, on surfaces

@@ -4,13 +4,14 @@
 
 #include "ui/commands/command.h"
 #include "ui/picture/draw_picture.h"
+#include "ui/ui.h"
 #include "ui/widgets/area.h"
 #include "ui/widgets/fonts.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
-
 namespace {
 
 void copy_profile_command(UiState& state) {
@@ -21,7 +22,7 @@ void copy_profile_command(UiState& state) {
                                               : "Copied. The command reads the scene's file: save it first");
 }
 
-/// What shows: the drawn picture, or what is composed of it.
+/// The picture that shows: the drawn one, or what is composed of it.
 const Picture& shown_picture(UiState& state) {
     ViewsState& views = state.views;
     DebugViewState& debug = views.debug_view;
@@ -69,79 +70,22 @@ void ask_part(UiState& state) {
     if (!is_explained(state)) state.explanation.reset();
 }
 
-}  // namespace
-
-void show_quantity(ViewsState& views, DebugView view, bool keep_comparing) {
-    views.debug_view.set.choice.view = view;
-    if (!keep_comparing) views.compare.choice.on = false;
-}
-
-void begin_views(UiState& state) { state.layout.scope = state.views.scope.open; }
-
-bool views_need_linear(const ViewsState& views) {
-    return views.scope.open || views.debug_view.set.over_range;
-}
-
-void update_views(UiState& state) {
-    update_shown(state);
-    // Of what is shown, where that has linear colours: of a comparison's parts, of a single term.
-    const bool readable = !state.displayed->linear.empty() && state.displayed->size == state.rendered->size;
-    update_scope(state.views.scope, *state.renderer, readable ? *state.displayed : *state.rendered);
-    ask_part(state);
-    update_lit_dots(state.views.lit, *state.renderer, state.rendered->size, state.picture_serial);
-}
-
-void views_windows(UiState& state, const Layout& layout) {
-    if (layout.has_views) {
-        begin_area("##views", layout.views, ImGuiWindowFlags_NoScrollWithMouse);
-        views_bar(state);
-        ImGui::End();
-    }
-    if (layout.has_scope && state.rendered != nullptr) {
-        begin_area("##scope", layout.scope, ImGuiWindowFlags_NoScrollWithMouse);
-        if (scope_panel(state.views.scope, layout.scope, state.rendered->size).copy)
-            copy_profile_command(state);
-        ImGui::End();
-    }
-}
-
-void follow_b_key(UiState& state, bool held) {
-    constexpr double long_press = 0.4;  // seconds
-    constexpr int enough_frames = 2;    // one slow frame makes no long press
-    CompareState& compare = state.views.compare;
-    if (!compare.b_turned) return;
-    if (held) {
-        ++compare.b_frames;
-        return;
-    }
-    compare.b_turned = false;
-    if (compare.b_frames > enough_frames && ImGui::GetTime() - compare.b_since > long_press)
-        compare.choice.shows_stored = !compare.choice.shows_stored;
-}
-
-namespace {
-
 /// A button that runs a command and shows whether it is on.
 void command_button(UiState& state, const char* label, CommandId id, const char* what) {
     const WindowCommand& row = command(id);
     const bool on = is_on(state, row).value_or(false);
     const std::string refused = why_disabled(state, row);
-    ImGui::PushStyleColor(ImGuiCol_Button, on ? theme().accent : theme().field);
-    ImGui::PushStyleColor(ImGuiCol_Text, on ? theme().accent_text : theme().text);
     ImGui::BeginDisabled(!refused.empty());
-    if (ImGui::SmallButton(label)) run_command(state, row);
+    if (small_chosen_button(label, on)) run_command(state, row);
     ImGui::EndDisabled();
-    ImGui::PopStyleColor(2);
     tooltip(row.name, what, refused, keys_of(row));
     ImGui::SameLine(0, px(4));
 }
 
-}  // namespace
-
 void views_bar(UiState& state) {
     ImGui::PushFont(fonts().small);
     if (debug_view_controls(state.views.debug_view, state.editor.scene()))
-        show_quantity(state.views, state.views.debug_view.set.choice.view);
+        state.views.compare.choice.on = false;  // they take each other's place
     command_button(state, "Over-range", CommandId::OverRange,
                    "Stripes over pixels whose colour exceeds 1 in a channel and is cut off");
     command_button(
@@ -159,13 +103,60 @@ void views_bar(UiState& state) {
         "A dot at each place that the equation is evaluated at, thinned, and how often it is in a frame");
     compare_controls(state.views.compare);
     if (state.views.compare.choice.shows_stored) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme().warning);
-        ImGui::TextUnformatted("B is shown");
-        ImGui::PopStyleColor();
+        coloured(theme().warning, "B is shown");
         tooltip("B is shown", "The stored scene, through the edited scene's camera", "",
                 keys_of(CommandId::ShowB));
     }
     ImGui::PopFont();
+}
+
+}  // namespace
+
+void show_quantity(ViewsState& views, DebugView view, bool keep_comparing) {
+    views.debug_view.set.choice.view = view;
+    if (!keep_comparing) views.compare.choice.on = false;
+}
+
+void begin_views(UiState& state) { state.layout.scope = state.views.scope.open; }
+
+bool views_need_linear(const ViewsState& views) {
+    return views.scope.open || views.debug_view.set.over_range;
+}
+
+void update_views(UiState& state) {
+    update_shown(state);
+    // The scope reads what is shown where that has linear colours: a comparison's parts, a single term.
+    const bool readable = !state.displayed->linear.empty() && state.displayed->size == state.rendered->size;
+    update_scope(state.views.scope, *state.renderer, readable ? *state.displayed : *state.rendered);
+    ask_part(state);
+    update_lit_dots(state.views.lit, *state.renderer, state.rendered->size, state.picture_serial);
+}
+
+void views_windows(UiState& state, const Layout& layout) {
+    if (layout.has_views) {
+        begin_area("##views", layout.views, ImGuiWindowFlags_NoScrollWithMouse);
+        views_bar(state);
+        ImGui::End();
+    }
+    if (layout.has_scope && state.rendered != nullptr) {
+        begin_area("##scope", layout.scope, ImGuiWindowFlags_NoScrollWithMouse);
+        if (scope_panel(state.views.scope, layout.scope, state.rendered->size)) copy_profile_command(state);
+        ImGui::End();
+    }
+}
+
+void follow_b_key(UiState& state, bool held) {
+    constexpr double long_press = 0.4;  // seconds
+    constexpr int enough_frames = 2;    // one slow frame makes no long press
+    CompareState& compare = state.views.compare;
+    if (!compare.b_turned) return;
+    if (held) {
+        ++compare.b_frames;
+        return;
+    }
+    compare.b_turned = false;
+    if (compare.b_frames > enough_frames && ImGui::GetTime() - compare.b_since > long_press)
+        compare.choice.shows_stored = !compare.choice.shows_stored;
 }
 
 }  // namespace glint

@@ -1,55 +1,92 @@
 #pragma once
-// What the window does for looking at the picture: the row above it, tools upon it, panels below it. One
-// place for ui.cpp to call.
+// The picture can be looked at in many ways: by the row above it, tools upon it, panels below it.
 
 #include <imgui.h>
 
-#include <optional>
+#include <cstdint>
 #include <string>
+#include <vector>
 
+#include "renderer/renderer.h"
+#include "ui/picture/magnifier.h"
+#include "ui/plots/plots_tab.h"
 #include "ui/shell/layout.h"
-#include "ui/ui.h"
 #include "ui/views/compare_view.h"
+#include "ui/views/debug_view_controls.h"
 #include "ui/views/scope.h"
+#include "ui/views/term_grid.h"
+#include "ui/widgets/kept.h"
 
 namespace glint {
+
+struct UiState;
+
+// Lit dots show where the equation is evaluated: a dot at each face's point, corner or pixel, thinned; its
+// normal as a needle; and how often it is evaluated a frame. Lecture: "Flat Shading", "Gouraud Shading",
+// "Phong Shading".
+
+struct LitDot {
+    glm::vec3 place{0}, normal{0};  // world
+    glm::vec3 color{0};             // what the equation gives there, linear
+};
+
+struct LitDotsState {
+    bool dots = false, needles = false;
+    Kept<std::uint64_t, std::vector<LitDot>> found;  // in the picture of this serial
+};
+
+/// The places at which the equation was evaluated for pixels of a grid of about `across` columns over the
+/// last picture: each corner or face's point once.
+[[nodiscard]] std::vector<LitDot> lit_dots(const Renderer& renderer, PictureSize size, int across);
+
+/// Looks for the dots again when the picture is another.
+void update_lit_dots(LitDotsState& state, const Renderer& renderer, PictureSize size, std::uint64_t serial);
+
+/// "corners: 5 321 × 4 lights = 21 284 evaluations a frame".
+[[nodiscard]] std::string evaluations_text(const Renderer& renderer, const Scene& scene);
+
+void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const Renderer& renderer, const Scene& scene,
+                   const PictureView& view);
+
+/// The shown picture is made from this, beside the drawn one: as long as it stays, so does the picture.
+struct ShownFrom {
+    CompareChoice compare;
+    DebugViewSet debug_view;
+    bool linear = false;
+    bool operator==(const ShownFrom&) const = default;
+};
+
+/// The ways in which the picture is looked at; none of it is the scene's.
+struct ViewsState {
+    ScopeState scope;
+    CompareState compare;
+    DebugViewState debug_view;
+    PlotsState plots;
+    MagnifierState magnifier;
+    LitDotsState lit;
+    TermGridState grid;
+    int threads = 0;  // of further renderers
+    // What the shown picture was made from:
+    ShownFrom shown_from;
+    std::uint64_t shown_serial = 0;  // UiState::picture_serial then
+};
 
 /// Shows one quantity in place of the picture. It and a comparison take each other's place.
 void show_quantity(ViewsState& views, DebugView view, bool keep_comparing = false);
 
-/// Before the layout: panels that are open ask for their room.
+/// Asks for the room of panels that are open; before the layout.
 void begin_views(UiState& state);
 
 /// Whether something shown is read off Picture::linear.
 [[nodiscard]] bool views_need_linear(const ViewsState& views);
 
-/// After the picture was drawn, or kept.
+/// Brings all that is read off the picture up to date; after it was drawn, or kept.
 void update_views(UiState& state);
 
-/// The row above the picture and the panel below.
+/// Draws the row above the picture, what shows in it and lies over it, and the panel below.
 void views_windows(UiState& state, const Layout& layout);
 
 /// B pressed stays, B held goes back when it is let go of. Once a frame, after the keys' actions.
 void follow_b_key(UiState& state, bool held);
-
-// The row above the picture: what shows in it and what lies over it.
-
-/// Draws the row into the current window.
-void views_bar(UiState& state);
-
-// What the row above the picture says and sets of a comparison.
-
-/// Draws it into the current line; nothing while no comparison is on.
-void compare_controls(CompareState& state);
-
-// The panel below the picture: intensity along the scope's line.
-
-/// What was done in the panel beyond the scope itself.
-struct ScopeRequests {
-    bool copy = false;  // the command line to the clipboard
-};
-
-/// Draws the panel over `area`. `size`: of the picture that the samples are of.
-[[nodiscard]] ScopeRequests scope_panel(ScopeState& scope, const Rect& area, PictureSize size);
 
 }  // namespace glint

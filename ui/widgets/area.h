@@ -1,15 +1,34 @@
 #pragma once
-// The window's fixed parts as ImGui windows: columns, bars, the picture's room.
+// Places in the window, rectangles, and the window's fixed parts as ImGui windows: columns, bars, the
+// picture's room.
 
 #include <imgui.h>
 
+#include <cmath>
+
 namespace glint {
+
+// Vectors of the window, in ImGui's units, y down.
+[[nodiscard]] inline ImVec2 operator+(ImVec2 a, ImVec2 b) { return {a.x + b.x, a.y + b.y}; }
+[[nodiscard]] inline ImVec2 operator-(ImVec2 a, ImVec2 b) { return {a.x - b.x, a.y - b.y}; }
+[[nodiscard]] inline ImVec2 operator*(float s, ImVec2 a) { return {s * a.x, s * a.y}; }
+[[nodiscard]] inline ImVec2 operator/(ImVec2 a, float s) { return {a.x / s, a.y / s}; }
+
+[[nodiscard]] inline float length_of(ImVec2 a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 
 /// A rectangle of the window.
 struct Rect {
     ImVec2 low, high;
-    [[nodiscard]] ImVec2 size() const { return {high.x - low.x, high.y - low.y}; }
+    [[nodiscard]] ImVec2 size() const { return high - low; }
+    [[nodiscard]] ImVec2 middle() const { return (low + high) / 2; }
+    /// The edges low and left are part of it, those high and right are not.
+    [[nodiscard]] bool holds(ImVec2 at) const {
+        return at.x >= low.x && at.x < high.x && at.y >= low.y && at.y < high.y;
+    }
 };
+
+/// Where the item drawn last lies.
+[[nodiscard]] inline Rect last_item() { return {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}; }
 
 /// Without a ground of their own: the window is cleared to the colour of panels, which a graphics card of
 /// software does far faster than it blends a rectangle of the same size.

@@ -24,6 +24,7 @@ struct Reflector {
     Reflection reflection = Reflection::Phong;
     Material material;
     Terms terms;
+    bool operator==(const Reflector&) const = default;
 };
 
 /// What the equation makes of the light, per channel. `ambient` is k_a, as if the light had an ambient part

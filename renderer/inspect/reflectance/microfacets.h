@@ -19,6 +19,7 @@ struct MicrofacetOptions {
     double view_deg = 30;   // whose facets shine: those with the normal h halfway between light and viewer
     int rays = 200, facets = 400;
     std::uint32_t seed = 1;
+    bool operator==(const MicrofacetOptions&) const = default;
 };
 
 /// What becomes of a ray that would meet its facet if no other stood in the way.

@@ -1,8 +1,7 @@
 // The inspector says where a shadow would fall, which the picture does not have.
-#include "ui/inspector/blocked.h"
-
 #include "tests/support/headless_inspector.h"
-#include "ui/inspector/asked.h"
+#include "ui/inspector/equation/equation_tab.h"
+#include "ui/inspector/inspector.h"
 
 using namespace glint;
 using test::HeadlessWindow;

@@ -34,6 +34,24 @@ TEST_CASE("lights are carried to where the equation has them, and back to where 
     CHECK(glm::length(glm::dvec3(carried(at_eye, scene.camera).camera)) < 1e-6);
 }
 
+TEST_CASE("with lights in the wrong space the tab carries them to where the picture has them", "[ui][why]") {
+    HeadlessWindow bench;
+    Scene& scene = bench.scene();
+    scene.camera = {{2, 1, 5}, {0.3f, 0.1f, 0}, {0, 1, 0}, Perspective{}};
+    scene.lights[1].space = LightSpace::Camera;
+    scene.shading.mistakes.light_in_wrong_space = true;
+    const std::vector<LightSource> sources = light_sources(scene);
+    REQUIRE(sources.size() == 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const CarriedLight both = carried(scene.lights[i], scene.camera, scene.shading.mistakes);
+        glm::dvec3 camera(both.camera);
+        if (both.camera.w == 0) camera = glm::normalize(camera);  // the equation's directions are unit
+        const glm::dvec3 lit(sources[i].xyz.x, sources[i].xyz.y, sources[i].xyz.z);
+        CHECK(glm::distance(camera, lit) < 1e-5);
+        CHECK(glm::distance(world_from_view(scene.camera) * both.camera, both.world) < 1e-9);
+    }
+}
+
 TEST_CASE("the matrices' tab edits nothing; a click on a light selects it", "[ui][window][why]") {
     HeadlessWindow bench({1280, 1400});
     test::ask(bench, InspectorTab::Matrices);

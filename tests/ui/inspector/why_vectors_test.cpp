@@ -3,9 +3,9 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
-#include "ui/inspector/asked.h"
+#include "ui/inspector/inspector.h"
 #include "ui/inspector/vectors/arrows.h"
-#include "ui/inspector/vectors/facet.h"
+#include "ui/inspector/vectors/vectors_tab.h"
 
 using namespace glint;
 using test::HeadlessWindow;

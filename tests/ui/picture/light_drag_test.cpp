@@ -1,10 +1,9 @@
 // Dragging lights: where the handle is before and after, by projecting it again.
-#include "ui/picture/handles/light_drag.h"
-
 #include <glm/geometric.hpp>
 #include <random>
 
 #include "tests/support/catch.h"
+#include "ui/picture/handles/light_handles.h"
 
 using namespace glint;
 

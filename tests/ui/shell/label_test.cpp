@@ -3,7 +3,7 @@
 #include <random>
 
 #include "tests/support/catch.h"
-#include "ui/widgets/label_room.h"
+#include "ui/inspector/label_room.h"
 
 using namespace glint;
 

@@ -6,37 +6,96 @@
 #include <algorithm>
 #include <array>
 
+#include "models/scene/reflection.h"
+#include "renderer/inspect/explain/explain_format.h"
 #include "ui/fields/field_panel.h"
-#include "ui/inspector/asked.h"
 #include "ui/inspector/equation/factors.h"
-#include "ui/inspector/equation/parts.h"
 #include "ui/inspector/equation/text_line.h"
 #include "ui/inspector/equation/words.h"
+#include "ui/inspector/inspector.h"
 #include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
+
+/// Pieces of a formula on one line; `low` pieces are subscripts.
+class Formula {
+  public:
+    Formula& plain(const char* text) { return piece(text, theme().dim_text, false); }
+    Formula& term(Symbol symbol, const char* letter, const char* index = "") {
+        piece(letter, theme()[symbol], false);
+        return *index != 0 ? piece(index, theme()[symbol], true) : *this;
+    }
+    /// "(a·b)", each letter in its colour.
+    Formula& dot(Symbol a, const char* name_a, Symbol b, const char* name_b) {
+        return plain("(").term(a, name_a).plain("·").term(b, name_b).plain(")");
+    }
+
+  private:
+    Formula& piece(const char* text, const ImVec4& colour, bool low) {
+        if (!first_) ImGui::SameLine(0, 0);
+        first_ = false;
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        if (low) ImGui::PushFont(fonts().small);
+        const ImVec2 size = ImGui::CalcTextSize(text);
+        ImGui::GetWindowDrawList()->AddText({at.x, at.y + (low ? px(4) : 0)}, to_u32(colour), text);
+        if (low) ImGui::PopFont();
+        ImGui::Dummy({size.x, ImGui::GetTextLineHeight()});
+        return *this;
+    }
+    bool first_ = true;
+};
+
+void highlight_formula(Formula& f, Reflection reflection) {
+    const ReflectionInfo info = info_of(reflection);
+    if (!info.has_highlight) return;
+    f.plain(" + ").term(Symbol::Specular, "k", "s");
+    switch (info.cosine) {
+    case HighlightCosine::RV:
+        f.dot(Symbol::R, "r", Symbol::V, "v").plain("ⁿ");
+        return;
+    case HighlightCosine::NH:
+        f.dot(Symbol::N, "n", Symbol::H, "h").plain("ⁿ");
+        return;
+    case HighlightCosine::LV:
+        f.dot(Symbol::L, "l", Symbol::V, "v").plain("ⁿ");
+        return;
+    case HighlightCosine::None:
+        f.plain(" ").plain(info.highlight);
+        return;
+    }
+}
+
+/// The equation in letters on one line, each in its symbol's colour.
+void formula(Reflection reflection) {
+    if (!info_of(reflection).is_lit) return dim_text("No lighting: the mesh's own colours.");
+    Formula f;
+    f.plain("I = ").term(Symbol::Emission, "e").plain(" + ").term(Symbol::Ambient, "k", "a");
+    f.term(Symbol::Ambient, "I", "a").plain(" + Σ F (").term(Symbol::Diffuse, "k", "d");
+    f.dot(Symbol::N, "n", Symbol::L, "l");
+    if (info_of(reflection).rough_diffuse) f.plain(" (A + B…)");
+    highlight_formula(f, reflection);
+    f.plain(")");
+}
 
 /// Buttons for the corners, with their weights, which sum to 1.
 void corner_buttons(InspectorState& state, const Explanation& explanation) {
     for (int i = 0; i < static_cast<int>(explanation.corners.size()); ++i) {
         const ExplainedCorner& corner = explanation.corners[static_cast<std::size_t>(i)];
         const std::string label = fmt::format("{} {:.2f}", static_cast<char>('A' + i % 26), corner.weight);
-        const bool chosen = i == state.corner;
         if (i % 4 != 0) ImGui::SameLine(0, px(4));
-        ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().accent : theme().field);
-        ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme().accent_text : theme().text);
         ImGui::PushFont(fonts().figures);
-        if (ImGui::Button(label.c_str())) state.corner = i;
+        if (chosen_button(label.c_str(), i == state.corner)) state.corner = i;
         ImGui::PopFont();
-        ImGui::PopStyleColor(2);
         tooltip("Corner", "Its share of the pixel; click for its numbers");
     }
 }
 
-/// Where what is written out was lit.
+/// Says at which corner the numbers below were lit.
 void lit_at(InspectorState& state, const Explanation& explanation) {
     if (!explanation.lit_per_corner || explanation.corners.empty()) return;
     if (explanation.corners.size() == 1) return wrapped_dim("Lit once for the whole polygon:");
@@ -45,7 +104,7 @@ void lit_at(InspectorState& state, const Explanation& explanation) {
     corner_buttons(state, explanation);
 }
 
-/// Cool to warm: what stands in place of emission, ambient and diffuse.
+/// The tone, which under cool to warm takes the place of emission, ambient and diffuse.
 void tone_line(const ExplainedTone& tone, int channel) {
     TextLine line;
     line.plain("k_w = (1 + n·l)/2 = ").number(shown_number(tone.k_w), theme().text);
@@ -80,18 +139,53 @@ std::string section_title(const InspectorState& state, const Explanation& explan
                        choice_of(explanation.mode).label);
 }
 
+struct Format {
+    CopyAs as;
+    const char* label;
+    const char* what;
+};
+constexpr std::array formats{
+    Format{CopyAs::Text, "text", "As `glint explain FILE --pixel X,Y` prints it"},
+    Format{CopyAs::Json, "JSON",
+           "As `glint explain … --format json` prints it; docs/explain.md tells its keys"},
+    Format{CopyAs::Latex, "LaTeX", "As `glint explain … --format latex` prints it, for amsmath"}};
+
+void copy_buttons(const Explanation& explanation, const Scene& scene) {
+    section_heading("Copy this explanation as");
+    ImGui::PushFont(fonts().small);
+    for (const Format& format : formats) {
+        if (&format != &formats.front()) ImGui::SameLine();
+        if (ImGui::Button(format.label))
+            ImGui::SetClipboardText(explained_as(format.as, explanation, scene).c_str());
+        tooltip(format.label, format.what);
+    }
+    ImGui::PopFont();
+}
+
 }  // namespace
+
+std::string explained_as(CopyAs format, const Explanation& explanation, const Scene& scene) {
+    switch (format) {
+    case CopyAs::Text:
+        return explain_text(explanation, scene);
+    case CopyAs::Json:
+        return explain_json(explanation);
+    case CopyAs::Latex:
+        return explain_latex(explanation, scene);
+    }
+    return {};  // not reached
+}
 
 void equation_tab(UiState& state, const PictureView&) {
     if (!state.explanation)
         return inspector_empty_state(
             "Here the lighting equation of that pixel appears with its numbers: what each light adds, and "
-            "why "
-            "a light that you expect adds nothing.");
+            "why a "
+            "light that you expect adds nothing.");
     const Explanation& explanation = *state.explanation;
     if (!explanation.hit) return wrapped_dim("No object shows here: the pixel has the background's colour.");
     if (static_cast<std::size_t>(explanation.object_index) >= state.editor.scene().objects.size()) return;
-    equation(explanation.reflection);
+    formula(explanation.reflection);
     sum_table(state, explanation);
     display_lines(state, explanation);
     if (explanation.reflection != Reflection::None) {

@@ -23,18 +23,30 @@ NumberHandle light_colour(const LightInEquation& in, const char* key) {
 }
 
 Factor scene_factor(Symbol symbol, const char* letter, const char* index, const NumberHandle& handle) {
-    return {symbol, letter, index, *handle.number.place, handle, {}, 0, {}};
+    return {symbol, letter, index, *handle.number.place, handle};
+}
+
+Factor value_factor(Symbol symbol, const char* letter, float value) { return {symbol, letter, "", value}; }
+
+/// A number of the scene by which a factor before it came about: it multiplies nothing.
+Factor by_number(Symbol symbol, const char* letter, const NumberHandle& handle) {
+    return {symbol, letter, "", 1, handle};
+}
+
+Factor by_roughness(const LightInEquation& in, Symbol symbol) {
+    return by_number(symbol, "by roughness", material_number(in.scene, in.explanation, "roughness"));
 }
 
 /// F, the light's colour, the surface's colour: what every term begins with.
 std::vector<Factor> common_factors(const LightInEquation& in, Symbol symbol, const char* index,
-                                   const NumberHandle& of_light, const NumberHandle& of_surface) {
+                                   const char* key) {
     std::vector<Factor> factors;
     const Light& light = light_in(in.scene, in.light.index);
     if (light.kind != LightKind::Area)
-        factors.push_back({Symbol::Emission, "F", "", share_of(in.light, light), {}, {}, 0, {}});
-    factors.push_back(scene_factor(symbol, "", "", of_light));
-    factors.push_back(scene_factor(symbol, "k", index, of_surface));
+        factors.push_back(value_factor(Symbol::Emission, "F", share_of(in.light, light)));
+    factors.push_back(scene_factor(symbol, "", "", light_colour(in, key)));
+    factors.push_back(
+        scene_factor(symbol, "k", index, material_colour(in.scene, in.explanation, key, in.channel)));
     return factors;
 }
 
@@ -62,15 +74,8 @@ void add_cosine(std::vector<Factor>& factors, const LightInEquation& in) {
     }
     n_dot_l.value = cosine;
     factors.push_back(n_dot_l);
-    factors.push_back({Symbol::Diffuse, "A+B…", "", in.light.diffuse_factor / cosine, {}, {}, 0, {}});
-    factors.push_back({Symbol::Diffuse,
-                       "by roughness",
-                       "",
-                       1,
-                       material_number(in.scene, in.explanation, "roughness"),
-                       {},
-                       0,
-                       {}});
+    factors.push_back(value_factor(Symbol::Diffuse, "A+B…", in.light.diffuse_factor / cosine));
+    factors.push_back(by_roughness(in, Symbol::Diffuse));
 }
 
 void add_highlight(std::vector<Factor>& factors, const LightInEquation& in) {
@@ -94,18 +99,10 @@ void add_highlight(std::vector<Factor>& factors, const LightInEquation& in) {
         return power(Symbol::N, Symbol::H, in.light.n_dot_h);
     case HighlightCosine::LV:
     case HighlightCosine::None:
-        factors.push_back({Symbol::Specular, "S", "", strength, {}, {}, 0, {}});
+        factors.push_back(value_factor(Symbol::Specular, "S", strength));
         if (info.uses_shininess())
-            factors.push_back({Symbol::Specular, "by shininess", "", 1, shininess_number(in), {}, 0, {}});
-        if (info.has_highlight && info.uses_roughness)
-            factors.push_back({Symbol::Specular,
-                               "by roughness",
-                               "",
-                               1,
-                               material_number(in.scene, in.explanation, "roughness"),
-                               {},
-                               0,
-                               {}});
+            factors.push_back(by_number(Symbol::Specular, "by shininess", shininess_number(in)));
+        if (info.has_highlight && info.uses_roughness) factors.push_back(by_roughness(in, Symbol::Specular));
         return;
     }
 }
@@ -115,16 +112,12 @@ void add_highlight(std::vector<Factor>& factors, const LightInEquation& in) {
 std::vector<TermLine> term_lines(const LightInEquation& in) {
     const Terms& on = in.scene.shading.terms;
     const bool area = light_in(in.scene, in.light.index).kind == LightKind::Area;
-    const int c = in.channel;
-    TermLine ambient{Symbol::Ambient, "a", on.ambient, {}, in.light.ambient[c]};
-    ambient.factors = common_factors(in, Symbol::Ambient, "a", light_colour(in, "ambient"),
-                                     material_colour(in.scene, in.explanation, "ambient", c));
-    TermLine diffuse{Symbol::Diffuse, "d", on.diffuse, {}, in.light.diffuse[c]};
-    diffuse.factors = common_factors(in, Symbol::Diffuse, "d", light_colour(in, "diffuse"),
-                                     material_colour(in.scene, in.explanation, "diffuse", c));
-    TermLine specular{Symbol::Specular, "s", on.specular, {}, in.light.specular[c]};
-    specular.factors = common_factors(in, Symbol::Specular, "s", light_colour(in, "specular"),
-                                      material_colour(in.scene, in.explanation, "specular", c));
+    const auto term = [&](Symbol symbol, const char* letter, const char* key, bool is_on, glm::vec3 result) {
+        return TermLine{symbol, letter, is_on, common_factors(in, symbol, letter, key), result[in.channel]};
+    };
+    const TermLine ambient = term(Symbol::Ambient, "a", "ambient", on.ambient, in.light.ambient);
+    TermLine diffuse = term(Symbol::Diffuse, "d", "diffuse", on.diffuse, in.light.diffuse);
+    TermLine specular = term(Symbol::Specular, "s", "specular", on.specular, in.light.specular);
     if (!area) {
         add_cosine(diffuse.factors, in);
         add_highlight(specular.factors, in);

@@ -1,6 +1,6 @@
 #pragma once
-// The equation of one light as a product of named numbers: which of them the scene holds (and a hand can
-// drag), which follow from it. Values are those of the renderer's explanation.
+// The equation of one light is a product of named numbers: some are held by the scene, and a hand can drag
+// them, the others follow. Their values are those of the renderer's explanation.
 
 #include <optional>
 #include <string>
@@ -29,10 +29,10 @@ struct Factor {
     const char* letter = "";  // in the symbol's colour: "k"
     const char* index = "";   // its subscript
     float value = 1;
-    std::optional<NumberHandle> number;            // set: the value is the scene's
-    std::optional<NumberHandle> exponent;          // `value` is then a base, raised to this
-    float clamped_from = 0;                        // below 0: what the value was before it was clamped to 0
-    std::optional<std::pair<Symbol, Symbol>> dot;  // set: the value is the cosine between these vectors
+    std::optional<NumberHandle> number{};            // set: the value is the scene's
+    std::optional<NumberHandle> exponent{};          // `value` is then a base, raised to this
+    float clamped_from = 0;                          // below 0: what the value was before it was clamped to 0
+    std::optional<std::pair<Symbol, Symbol>> dot{};  // set: the value is the cosine between these vectors
 };
 
 /// letter = product of the factors = result, in one channel.
@@ -44,7 +44,7 @@ struct TermLine {
     float result = 0;
 };
 
-/// What the terms of one light at one point are asked for.
+/// One light at one point, whose terms are asked for.
 struct LightInEquation {
     Scene& scene;
     const Explanation& explanation;
@@ -56,7 +56,7 @@ struct LightInEquation {
 /// factors, only the numbers of the scene are listed.
 [[nodiscard]] std::vector<TermLine> term_lines(const LightInEquation& in);
 
-/// What all three terms of a light are multiplied by: intensity, falloff, spot factor.
+/// The factor of all three terms of a light: intensity, falloff, spot factor.
 [[nodiscard]] float share_of(const ExplainedLight& explained, const Light& light);
 
 /// k_a · global ambient, and the emission: what there is without a light. Emission first.

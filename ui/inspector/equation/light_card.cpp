@@ -1,3 +1,4 @@
+// A card for each light: its part of the equation at the picked point.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -5,16 +6,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/inspect/debug_views/blocker.h"
 #include "ui/fields/field_panel.h"
-#include "ui/inspector/asked.h"
 #include "ui/inspector/equation/equation_tab.h"
 #include "ui/inspector/equation/factors.h"
-#include "ui/inspector/equation/parts.h"
 #include "ui/inspector/equation/text_line.h"
 #include "ui/inspector/equation/words.h"
+#include "ui/inspector/inspector.h"
 #include "ui/ui.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/named_controls.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -23,12 +25,12 @@ namespace {
 /// "n·l 0.713 44.5°": a cosine with its angle. Pointing at it lights up the arrow `to` in the picture.
 void angle(TextLine& line, UiState& state, Symbol to, Symbol from, float cosine) {
     line.dot(from, to);
-    const ImVec2 low{ImGui::GetItemRectMin().x - px(14), ImGui::GetItemRectMin().y};
+    const ImVec2 low = last_item().low - ImVec2(px(14), 0);
     line.gap(4).number(fmt::format("{} {:5.1f}°", shown_number(cosine), angle_deg(cosine)), theme().text);
-    const ImVec2 high = ImGui::GetItemRectMax();
+    const Rect area{low, last_item().high};
     line.gap(8);
-    list_control(to == Symbol::H ? "n·h" : to == Symbol::R ? "r·v" : "n·l", "", {low, high});
-    if (is_pointed_at(low, high)) state.inspector.pointed_vector = to;
+    list_control(to == Symbol::H ? "n·h" : to == Symbol::R ? "r·v" : "n·l", "", area);
+    if (is_pointed_at(area)) state.inspector.pointed_vector = to;
 }
 
 void angles(UiState& state, const Explanation& explanation, const ExplainedLight& light) {
@@ -84,10 +86,7 @@ bool share_lines(UiState& state, const ExplainedLight& explained) {
 /// The light's icon and name; true while pointed at.
 bool name_row(UiState& state, const ExplainedLight& explained, const Light& light) {
     ImGui::Dummy({0, px(3)});
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const float line = ImGui::GetTextLineHeight();
-    draw_icon(*ImGui::GetWindowDrawList(), icon_of(light.kind), {low.x + line / 2, low.y + line / 2}, line,
-              to_u32(legible(colour_of(light))));
+    light_icon(light);
     if (ImGui::Selectable(fmt::format("      {}", light.name).c_str()))
         state.editor.selection = {Selection::Kind::Light, explained.index};
     const bool pointed = is_pointed_at();
@@ -107,10 +106,10 @@ bool light_term(UiState& state, const TermLine& term, int light) {
     const bool edited = draw_term_line(term);
     ImGui::EndGroup();
     ImGui::PopID();
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const auto [low, high] = last_item();
     // Only its letter and its result: the numbers in between can be dragged themselves.
     const bool ends =
-        is_pointed_at(low, {low.x + px(14), high.y}) || is_pointed_at({high.x - px(52), low.y}, high);
+        is_pointed_at({low, {low.x + px(14), high.y}}) || is_pointed_at({{high.x - px(52), low.y}, high});
     if (ends && term.on)
         show_instead(state, with_term_alone(with_light_alone(scene, light), term.symbol),
                      fmt::format("{} of {} alone", name_of_term(term.symbol),
@@ -132,6 +131,32 @@ void factor(TextLine& line, const Factor& f, bool& edited) {
     if (f.exponent) edited |= line.exponent(*f.exponent, theme()[Symbol::Specular]);
 }
 
+/// Triangles times lights that are asked within a millisecond or two.
+constexpr std::size_t at_once = 250'000;
+
+std::size_t triangle_count(const Scene& scene) {
+    std::size_t count = 0;
+    for (const Object& object : scene.objects) count += object.mesh ? object.mesh->triangles.size() : 0;
+    return count;
+}
+
+/// The object between the point and the light, or -1.
+int blocker_index(const Scene& scene, const ExplainedPoint& point, const ExplainedLight& light) {
+    const bool area = scene.lights[static_cast<std::size_t>(light.index)].kind == LightKind::Area;
+    // The middle sample of an area light speaks for all: a point light in the middle of the panel.
+    const ExplainedLight& asked =
+        area && !light.samples.empty() ? light.samples[light.samples.size() / 2] : light;
+    if (!(asked.n_dot_l > 0)) return -1;
+    return blocker(scene, point.point.world, asked.l.world, double(asked.distance)).value_or(-1);
+}
+
+/// Per light of the point.
+std::vector<int> blocker_indices(const Scene& scene, const ExplainedPoint& point) {
+    std::vector<int> all;
+    for (const ExplainedLight& light : point.lights) all.push_back(blocker_index(scene, point, light));
+    return all;
+}
+
 }  // namespace
 
 bool draw_term_line(const TermLine& term) {
@@ -147,6 +172,22 @@ bool draw_term_line(const TermLine& term) {
     return edited;
 }
 
+std::string blocked_words(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
+                          std::size_t which) {
+    const Scene& scene = state.editor.scene();
+    const BlockedKey key{state.picture_serial, {explanation.x, explanation.y}, state.inspector.corner};
+    auto& blocked = state.inspector.blocked;
+    const bool slow = triangle_count(scene) * point.lights.size() > at_once;
+    if (slow && ImGui::IsAnyMouseDown() && !blocked.is_of(key)) return "";
+    const std::vector<int>& by = blocked.of(key, [&] { return blocker_indices(scene, point); });
+    if (which >= by.size() || by[which] < 0) return "";
+    const auto object = static_cast<std::size_t>(by[which]);
+    if (object >= scene.objects.size()) return "";
+    const std::string name =
+        by[which] == explanation.object_index ? "Its own surface" : scene.objects[object].name;
+    return fmt::format("{} stands in the way: no shadow, light here is local", name);
+}
+
 void light_card(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
                 std::size_t which) {
     const ExplainedLight& explained = point.lights[which];
@@ -159,9 +200,10 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
     ImGui::BeginGroup();
     if (name_row(state, explained, before))
         show_instead(state, with_light_alone(scene, explained.index), before.name + " alone");
-    if (before.kind != LightKind::Area)
-        angles(state, explanation, explained);  // an area's samples have their own
-    if (before.kind == LightKind::Area) small_dim(sample_words(explained));
+    if (before.kind == LightKind::Area)
+        small_dim(sample_words(explained));  // each has angles of its own
+    else
+        angles(state, explanation, explained);
     edited |= share_lines(state, explained);
     for (const TermLine& term : term_lines({scene, explanation, explained, state.inspector.channel}))
         edited |= light_term(state, term, explained.index);
@@ -169,8 +211,7 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
     if (const std::string words = blocked_words(state, explanation, point, which); !words.empty())
         wrapped_dim(words);
     ImGui::EndGroup();
-    if (is_pointed_at(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()))
-        state.inspector.pointed_light = explained.index;
+    if (is_pointed_at(last_item())) state.inspector.pointed_light = explained.index;
     ImGui::PopID();
     if (edited) keep_valid(scene.lights[index], before);
 }

@@ -4,20 +4,20 @@
 #include <algorithm>
 #include <array>
 
-#include "ui/inspector/asked.h"
 #include "ui/inspector/equation/equation_tab.h"
-#include "ui/inspector/equation/parts.h"
 #include "ui/inspector/equation/words.h"
+#include "ui/inspector/inspector.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/named_controls.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
 
-/// Of a column; narrower where the names would not fit.
+/// The width of a column, less where the names would not fit.
 float channel_width() { return std::min(px(58), (ImGui::GetContentRegionAvail().x - px(100)) / 3); }
 constexpr std::array channel_names{"red", "green", "blue"};
 
@@ -35,7 +35,7 @@ void header_row(InspectorState& inspector) {
         if (ImGui::Selectable(name, false, 0, {ImGui::GetContentRegionAvail().x - px(4), 0}))
             inspector.channel = c;
         ImGui::PopStyleColor();
-        const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+        const auto [low, high] = last_item();
         if (c == inspector.channel)
             ImGui::GetWindowDrawList()->AddRectFilled({low.x, high.y - px(1.5f)}, high,
                                                       to_u32(theme().accent));
@@ -53,9 +53,6 @@ void cells(glm::vec3 value, const ImVec4& colour) {
     ImGui::PopStyleColor();
 }
 
-/// A strip behind the row drawn last, in the current table.
-void light_up_row() { ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, to_u32(theme().field_hovered)); }
-
 void term_row(UiState& state, Symbol symbol, const char* name, glm::vec3 value, bool on) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -66,10 +63,10 @@ void term_row(UiState& state, Symbol symbol, const char* name, glm::vec3 value, 
         dim_text("off");
     }
     cells(value, value == glm::vec3(0) ? theme().disabled_text : theme()[symbol]);
-    const ImVec2 high{ImGui::GetItemRectMax().x, low.y + ImGui::GetTextLineHeight()};
-    list_control(name, "", {low, high});
-    if (!on || !is_pointed_at(low, high)) return;
-    light_up_row();
+    const Rect row{low, {ImGui::GetItemRectMax().x, low.y + ImGui::GetTextLineHeight()}};
+    list_control(name, "", row);
+    if (!on || !is_pointed_at(row)) return;
+    ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, to_u32(theme().field_hovered));
     show_instead(state, with_term_alone(state.editor.scene(), symbol), fmt::format("{} alone", name + 3));
 }
 
@@ -77,10 +74,9 @@ void sum_row(glm::vec3 sum) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted("sum");
-    const ImVec2 at = ImGui::GetItemRectMin();
+    const ImVec2 at = ImGui::GetItemRectMin() - ImVec2(0, px(1));
     cells(sum, theme().text);
-    ImGui::GetWindowDrawList()->AddLine({at.x, at.y - px(1)}, {ImGui::GetItemRectMax().x, at.y - px(1)},
-                                        to_u32(theme().dim_text));
+    ImGui::GetWindowDrawList()->AddLine(at, {ImGui::GetItemRectMax().x, at.y}, to_u32(theme().dim_text));
 }
 
 }  // namespace
@@ -112,9 +108,8 @@ void sum_table(UiState& state, const Explanation& explanation) {
 void display_lines(const UiState& state, const Explanation& explanation) {
     const Display& display = state.editor.scene().display;
     if (explanation.stroke.coverage > 0)
-        small_dim(fmt::format("a stroke covers {:.0f} % of the pixel → {} {} {}",
-                              100 * explanation.stroke.coverage, shown_number(explanation.sum.x),
-                              shown_number(explanation.sum.y), shown_number(explanation.sum.z)));
+        small_dim(fmt::format("a stroke covers {:.0f} % of the pixel → {}", 100 * explanation.stroke.coverage,
+                              shown_vector(explanation.sum)));
     std::string steps;
     if (display.exposure != 1) steps += fmt::format("× exposure {:.3g}  ", display.exposure);
     if (display.transfer == Transfer::Srgb) steps += "→ sRGB  ";

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float padding_x = 2, padding_y = 1;  // of a handle, units of the design
 
-/// As wide as the number is now, and at least as two figures: enough to take hold of.
+/// The width of the number as it is now, at least that of two figures: enough to take hold of.
 float handle_width(const NumberHandle& handle) {
     char text[64];
     std::snprintf(text, sizeof text, handle.number.kind.format, double(*handle.number.place));
@@ -97,7 +97,7 @@ bool TextLine::edit(const NumberHandle& handle, const ImVec4& colour, float down
     const float width = handle_width(handle);
     const SceneNumber& n = handle.number;
     place(width);
-    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y + down});
+    ImGui::SetCursorScreenPos(ImGui::GetCursorScreenPos() + ImVec2(0, down));
     ImGui::PushStyleColor(ImGuiCol_FrameBg, {0, 0, 0, 0});
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(padding_x), px(padding_y)});

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ui/inspector/equation/factors.h"
+#include "ui/widgets/area.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {

@@ -93,6 +93,10 @@ std::string shown_number(float value) {
     return fmt::format("{}{:.3f}", sign, size);
 }
 
+std::string shown_vector(glm::vec3 v) {
+    return fmt::format("{} {} {}", shown_number(v.x), shown_number(v.y), shown_number(v.z));
+}
+
 namespace {
 
 std::vector<std::string> parts_of(const std::string& pointer) {
@@ -119,19 +123,18 @@ NamedNumber named_number(const std::string& pointer, const Scene& scene) {
     if (parts.empty()) return {pointer, "", {Selection::Kind::Camera, 0}};
     const std::string& section = parts[0];
     const int index = parts.size() > 1 ? index_of_part(parts[1]) : -1;
-    const auto at = static_cast<std::size_t>(std::max(index, 0));
-    if (section == "lights" && index >= 0 && at < scene.lights.size())
-        return {scene.lights[at].name, words_of_pointer(scene, pointer, 2), {Selection::Kind::Light, index}};
-    if (section == "objects" && index >= 0 && at < scene.objects.size())
-        return {
-            scene.objects[at].name, words_of_pointer(scene, pointer, 2), {Selection::Kind::Object, index}};
-    if (section == "camera")
-        return {"Camera", words_of_pointer(scene, pointer, 1), {Selection::Kind::Camera, 0}};
-    if (section == "display")
-        return {"Display", words_of_pointer(scene, pointer, 1), {Selection::Kind::Display, 0}};
-    if (section == "npr")
-        return {"Strokes and tones", words_of_pointer(scene, pointer, 1), {Selection::Kind::Shading, 0}};
-    return {"Scene", words_of_pointer(scene, pointer, 0), {Selection::Kind::Shading, 0}};
+    const auto at = static_cast<std::size_t>(index);  // -1 becomes the largest
+    const auto named = [&](const std::string& owner, std::size_t depth, Selection::Kind kind, int item = 0) {
+        return NamedNumber{owner, words_of_pointer(scene, pointer, depth), {kind, item}};
+    };
+    if (section == "lights" && at < scene.lights.size())
+        return named(scene.lights[at].name, 2, Selection::Kind::Light, index);
+    if (section == "objects" && at < scene.objects.size())
+        return named(scene.objects[at].name, 2, Selection::Kind::Object, index);
+    if (section == "camera") return named("Camera", 1, Selection::Kind::Camera);
+    if (section == "display") return named("Display", 1, Selection::Kind::Display);
+    if (section == "npr") return named("Strokes and tones", 1, Selection::Kind::Shading);
+    return named("Scene", 0, Selection::Kind::Shading);
 }
 
 }  // namespace glint

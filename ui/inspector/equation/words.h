@@ -1,5 +1,5 @@
 #pragma once
-// What the numbers of an explanation mean, in words: why a light does nothing here, what was cut off. Pure.
+// The numbers of an explanation in words: why a light does nothing here, what was cut off. Pure.
 
 #include <string>
 
@@ -26,11 +26,12 @@ struct TermSums {
 };
 [[nodiscard]] TermSums term_sums(const Explanation& explanation);
 
-/// The angle of a cosine, 0 to 180; cosines past 1 by rounding are 1.
+/// The angle (degrees, 0 to 180) of a cosine; cosines past 1 by rounding are 1.
 [[nodiscard]] double angle_deg(float cosine);
 
 /// A number at a width that does not change while it does: three decimals, fewer for large ones.
 [[nodiscard]] std::string shown_number(float value);
+[[nodiscard]] std::string shown_vector(glm::vec3 v);
 
 // A JSON pointer of the scene file in words, and the panel in which its number stands.
 

@@ -7,20 +7,20 @@
 #include <string>
 #include <vector>
 
-#include "ui/picture/picture_view.h"
-#include "ui/widgets/label_room.h"
+#include "ui/inspector/label_room.h"
+#include "ui/picture/screen.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
 
-/// Where things are drawn that live in the world at one point.
+/// Draws vectors of the world at one point.
 struct PointPen {
     ImDrawList& list;
     const PictureView& view;
     glm::dvec3 origin{0};  // world
     double reach = 1;      // scene units: how long a unit vector is drawn
 
-    /// On the window; the place `offset` times the reach away from the origin.
+    /// The window's place of what lies `offset` times the reach away from the origin.
     [[nodiscard]] ImVec2 at(glm::dvec3 offset) const;
 };
 
@@ -59,8 +59,5 @@ void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look)
 /// pushed away from what else is written, and left out where there is no room.
 void draw_arc(const PointPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, const ImVec4& colour,
               Words& words);
-
-/// Text with a dark rim, its middle at `centre`.
-void rimmed_text(ImDrawList& list, ImVec2 centre, const ImVec4& colour, const std::string& text);
 
 }  // namespace glint

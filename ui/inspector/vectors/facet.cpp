@@ -1,5 +1,4 @@
-#include "ui/inspector/vectors/facet.h"
-
+// The facet's own normal.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -9,9 +8,10 @@
 #include <string>
 
 #include "models/mesh/normals.h"
-#include "ui/inspector/equation/parts.h"
 #include "ui/inspector/vectors/arrows.h"
+#include "ui/inspector/vectors/vectors_tab.h"
 #include "ui/ui.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -33,7 +33,7 @@ std::optional<Facet> picked_facet(const Explanation& explanation, const Scene& s
     return facet;
 }
 
-void facet_section(UiState& state, const Explanation& explanation) {
+void facet_section(const UiState& state, const Explanation& explanation) {
     const auto facet = picked_facet(explanation, state.editor.scene());
     if (!facet) return;
     section_heading("The facet's own normal, object coordinates");
@@ -52,12 +52,6 @@ void facet_section(UiState& state, const Explanation& explanation) {
         warning_text("The corners are not in one plane, or not convex: Newell's takes all of them.");
 }
 
-namespace {
-
-constexpr std::size_t most_numbered = 24;  // corners; more numbers than this hide one another
-
-}  // namespace
-
 void draw_facet(ImDrawList& list, const UiState& state, const PictureView& view) {
     const auto facet = picked_facet(*state.explanation, state.editor.scene());
     if (!facet) return;
@@ -65,21 +59,19 @@ void draw_facet(ImDrawList& list, const UiState& state, const PictureView& view)
         state.editor.scene().objects[static_cast<std::size_t>(state.explanation->object_index)];
     const glm::dmat4 world = world_from_object(object.transform);
     const auto place = [&](glm::vec3 p) { return glm::dvec3(world * glm::dvec4(glm::dvec3(p), 1)); };
-    const auto window = [&](glm::dvec3 p) { return view.to_window(project(view.map, p).pixel); };
     glm::dvec3 middle(0);
     std::vector<ImVec2> outline;
     for (const glm::vec3 corner : facet->corners) {
         middle += place(corner) / double(facet->corners.size());
-        outline.push_back(window(place(corner)));
+        outline.push_back(view.shown(place(corner)));
     }
-    const int count = static_cast<int>(outline.size());
-    list.AddPolyline(outline.data(), count, to_u32({0, 0, 0, 1}, 0.6f), ImDrawFlags_Closed, px(3.6f));
-    list.AddPolyline(outline.data(), count, to_u32({1, 1, 1, 1}), ImDrawFlags_Closed, px(1.2f));
+    cased_outline(list, outline, to_u32({1, 1, 1, 1}), 1.2f, true);
     const ImVec4& edge = dark_theme()[Symbol::Diffuse];
     draw_arrow(list, outline[0], outline[1], {edge, 2.5f, "a"});
     draw_arrow(list, outline[0], outline[2], {edge, 2.5f, "b"});
+    constexpr std::size_t most_numbered = 24;  // corners; more numbers than this hide one another
     for (std::size_t i = 0; i < std::min(outline.size(), most_numbered); ++i)
-        rimmed_text(list, {outline[i].x, outline[i].y + px(12)}, {1, 1, 1, 1}, std::to_string(i + 1));
+        rimmed_text(list, outline[i] + ImVec2(0, px(12)), {1, 1, 1, 1}, std::to_string(i + 1));
     // Normals go by the inverse transpose; a mirrored scale turns the winding round.
     const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(world)));
     const glm::dvec3 n = normal_matrix * glm::dvec3(facet->newell);

@@ -1,3 +1,4 @@
+// The plane of incidence, seen from the side.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -9,12 +10,12 @@
 
 #include "models/scene/reflection.h"
 #include "renderer/inspect/reflectance/lobes.h"
-#include "ui/inspector/equation/parts.h"
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/vectors/arrows.h"
 #include "ui/inspector/vectors/vectors_tab.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/parts.h"
 
 namespace glint {
 namespace {
@@ -51,17 +52,15 @@ class Diagram {
         list_.AddLine({left_ + px(8), foot_.y}, {right_ - px(8), foot_.y}, to_u32(theme().dim_text), px(1));
     }
     void arrow(glm::vec2 to, Symbol symbol, bool thick) const {
-        const ImVec2 from = foot_, tip = at(to);
+        const ImVec2 tip = at(to);
         const ImU32 ink = to_u32(theme()[symbol]);
-        list_.AddLine(from, tip, ink, px(thick ? 4.0f : 2.0f));
+        list_.AddLine(foot_, tip, ink, px(thick ? 4.0f : 2.0f));
         list_.AddCircleFilled(tip, px(3), ink);
-        const float size = std::max(std::hypot(to.x, to.y), 0.05f);
-        const ImVec2 text = ImGui::CalcTextSize(letter_of(symbol));
         const float out = px(symbol == Symbol::H ? 23 : 11);  // h is often close to n
-        const ImVec2 spot{tip.x + to.x / size * out, tip.y - to.y / size * out};
-        list_.AddText({spot.x - text.x / 2, spot.y - text.y / 2}, ink, letter_of(symbol));
+        const float size = std::max(std::hypot(to.x, to.y), 0.05f);
+        centred(tip + out / size * ImVec2(to.x, -to.y), ink, letter_of(symbol));
     }
-    /// From n, clockwise; its degrees outside.
+    /// Runs from n, clockwise, with its degrees outside.
     void arc(double degrees, double radius, Symbol symbol) const {
         const auto angle = static_cast<float>(degrees * std::numbers::pi / 180);
         const auto r = static_cast<float>(radius);
@@ -69,10 +68,8 @@ class Diagram {
         if (std::abs(angle) < 0.02f) return;
         list_.PathArcTo(foot_, r * reach_, up, up + angle, 20);
         list_.PathStroke(to_u32(theme()[symbol]), 0, px(1));
-        const std::string text = fmt::format("{:.0f}°", std::abs(degrees));
-        const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-        const ImVec2 spot = at((r + 0.17f) * glm::vec2(std::sin(angle / 2), std::cos(angle / 2)));
-        list_.AddText({spot.x - size.x / 2, spot.y - size.y / 2}, to_u32(theme()[symbol]), text.c_str());
+        centred(at((r + 0.17f) * glm::vec2(std::sin(angle / 2), std::cos(angle / 2))),
+                to_u32(theme()[symbol]), fmt::format("{:.0f}°", std::abs(degrees)));
     }
     void lobe(const std::vector<glm::vec2>& outline, const ImVec4& colour) const {
         for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
@@ -82,6 +79,10 @@ class Diagram {
     }
 
   private:
+    void centred(ImVec2 middle, ImU32 ink, const std::string& text) const {
+        list_.AddText(middle - ImGui::CalcTextSize(text.c_str()) / 2, ink, text.c_str());
+    }
+
     ImDrawList& list_ = *ImGui::GetWindowDrawList();
     ImVec2 foot_;
     float reach_ = 1, left_ = 0, right_ = 0;

@@ -1,3 +1,4 @@
+// The vectors drawn at the picked point in the picture.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -5,11 +6,11 @@
 
 #include "models/scene/reflection.h"
 #include "renderer/inspect/reflectance/highlight.h"
-#include "ui/inspector/asked.h"
+#include "ui/inspector/inspector.h"
 #include "ui/inspector/vectors/arrows.h"
-#include "ui/inspector/vectors/facet.h"
 #include "ui/inspector/vectors/vectors_tab.h"
 #include "ui/ui.h"
+#include "ui/widgets/parts.h"
 
 namespace glint {
 namespace {
@@ -69,7 +70,7 @@ class PointDrawing {
             draw_arrow(pen_.list, pen_.at(glm::dvec3(0)), pen_.at(glm::dvec3(sample.l.world)),
                        {theme_colour(Symbol::L), 1, ""});
     }
-    /// P, 2 P and r as they come about from a normal of the chosen length.
+    /// Draws P, 2 P and r as they come about from a normal of the chosen length.
     void mirror(const ExplainedLight& light) {
         const InspectorState& inspector = state_.inspector;
         const glm::vec3 n = inspector.normal_length * point_.normal.world, l = light.l.world;
@@ -98,7 +99,7 @@ class PointDrawing {
 void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& explanation) {
     if (!explanation.lit_per_corner || explanation.corners.size() < 2) return;
     const auto place = [&](const ExplainedCorner& corner) {
-        return view.to_window(project(view.map, glm::dvec3(corner.at.point.world)).pixel);
+        return view.shown(glm::dvec3(corner.at.point.world));
     };
     ImVec2 low = place(explanation.corners.front()), high = low;
     for (const ExplainedCorner& corner : explanation.corners) {
@@ -111,30 +112,20 @@ void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& 
     for (const ExplainedCorner& corner : explanation.corners) {
         const ImVec2 at = place(corner);
         const glm::vec3 c = glm::clamp(corner.at.sum, 0.0f, 1.0f);
-        list.AddCircleFilled(at, px(6.5f), to_u32({0, 0, 0, 1}, 0.7f));
-        list.AddCircleFilled(at, px(5), to_u32({c.x, c.y, c.z, 1}));
+        rimmed_disc(list, at, 5, to_u32({c.x, c.y, c.z, 1}));
         if (roomy)
-            rimmed_text(list, {at.x, at.y - px(14)}, {1, 1, 1, 1},
+            rimmed_text(list, at - ImVec2(0, px(14)), {1, 1, 1, 1},
                         fmt::format("{} {:.2f}", letter, corner.weight));
         ++letter;
     }
-}
-
-/// What the picture shows in place of the scene, so that nobody takes it for the scene.
-void draw_preview_name(ImDrawList& list, const PictureView& view, const std::string& name) {
-    const ImVec2 size = ImGui::CalcTextSize(name.c_str());
-    const float middle = view.origin.x + float(view.map.size.width) * view.units_per_pixel / 2;
-    const ImVec2 low{middle - size.x / 2 - px(12), view.origin.y + px(10)};
-    const ImVec2 high{middle + size.x / 2 + px(12), low.y + size.y + px(8)};
-    list.AddRectFilled(low, high, to_u32(theme().window, 0.85f), px(12));
-    list.AddText({low.x + px(12), low.y + px(4)}, to_u32(theme().text), name.c_str());
 }
 
 }  // namespace
 
 void draw_point_vectors(ImDrawList& list, const UiState& state, const PictureView& view) {
     const InspectorState& column = state.inspector;
-    if (!column.preview_name.empty()) draw_preview_name(list, view, column.preview_name);
+    if (!column.preview_name.empty())  // nobody shall take what is shown for the scene
+        badge(list, view.top() + ImVec2(0, px(10)), column.preview_name, {0.5f, 0});
     if (!state.explanation || !state.explanation->hit) return;
     if (column.shows_facet) draw_facet(list, state, view);
     if (!column.shows_vectors || state.explanation->reflection == Reflection::None) return;

@@ -8,13 +8,13 @@
 #include <glm/geometric.hpp>
 
 #include "renderer/inspect/reflectance/highlight.h"
-#include "ui/inspector/asked.h"
-#include "ui/inspector/equation/parts.h"
+#include "renderer/inspect/reflectance/term_sensitivity.h"
 #include "ui/inspector/equation/words.h"
+#include "ui/inspector/inspector.h"
 #include "ui/inspector/tabs.h"
-#include "ui/inspector/vectors/facet.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -38,7 +38,7 @@ void switches(InspectorState& inspector) {
     tooltip("Vectors in the picture", "n, l, v and r or h at the picked point, with their angles",
             "v, which points at the eye, is a circle there");
     const float facet = ImGui::GetFrameHeight() + px(8) + ImGui::CalcTextSize("its facet").x;
-    if (ImGui::GetItemRectMax().x + px(16) + facet <= right) ImGui::SameLine(0, px(16));
+    same_line_if_fits(facet, px(16), right);
     (void)ImGui::Checkbox("its facet", &inspector.shows_facet);
     tooltip("Facet in the picture", "Its corners in their order, two edges, and its normal");
 }
@@ -63,8 +63,8 @@ void vector_row(InspectorState& inspector, Symbol symbol, const char* letter, co
     } else {
         tooltip(letter, meaning);
     }
-    const ImVec2 high{ImGui::GetItemRectMax().x, low.y + ImGui::GetTextLineHeight()};
-    if (is_pointed_at(low, high) && *letter != 'p') inspector.pointed_vector = symbol;
+    const Rect row{low, {ImGui::GetItemRectMax().x, low.y + ImGui::GetTextLineHeight()}};
+    if (is_pointed_at(row) && *letter != 'p') inspector.pointed_vector = symbol;
 }
 
 void vector_table(InspectorState& inspector, const ExplainedPoint& point, const ExplainedLight* light) {
@@ -87,7 +87,7 @@ void vector_table(InspectorState& inspector, const ExplainedPoint& point, const 
     ImGui::EndTable();
 }
 
-/// The same angle from either frame: rigid motions keep it.
+/// Shows that both frames give one angle: rigid motions keep it.
 void same_product(const ExplainedPoint& point, const ExplainedLight& light) {
     const float camera = glm::dot(point.normal.camera, light.l.camera);
     const float world = glm::dot(point.normal.world, light.l.world);
@@ -95,25 +95,86 @@ void same_product(const ExplainedPoint& point, const ExplainedLight& light) {
                           shown_number(world)));
 }
 
-/// Which light's vectors are shown; a click takes another.
+/// Says which light's vectors are shown; a click takes another.
 void light_buttons(UiState& state, const ExplainedPoint& point, const ExplainedLight& chosen) {
     ImGui::PushFont(fonts().small);
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-    bool first = true;
     for (const ExplainedLight& light : point.lights) {
-        const float width = ImGui::CalcTextSize(light.name.c_str()).x + px(14);
-        if (!first && ImGui::GetItemRectMax().x + px(4) + width <= right) ImGui::SameLine(0, px(4));
-        first = false;
-        const bool on = light.index == chosen.index;
-        ImGui::PushStyleColor(ImGuiCol_Button, on ? theme().accent : theme().field);
-        ImGui::PushStyleColor(ImGuiCol_Text, on ? theme().accent_text : theme().text);
+        if (&light != &point.lights.front())
+            same_line_if_fits(ImGui::CalcTextSize(light.name.c_str()).x + px(14), px(4), right);
         ImGui::PushID(light.index);
-        if (ImGui::Button(light.name.c_str())) state.editor.selection = {Selection::Kind::Light, light.index};
+        if (chosen_button(light.name.c_str(), light.index == chosen.index))
+            state.editor.selection = {Selection::Kind::Light, light.index};
         if (is_pointed_at()) state.inspector.pointed_light = light.index;
         ImGui::PopID();
-        ImGui::PopStyleColor(2);
     }
     ImGui::PopFont();
+}
+
+/// Builds r = 2 n (n·l) − l in four steps, with a slider for the length of n: numbers in the frame that the
+/// column shows; the picture draws the chosen step.
+void mirror_section(InspectorState& state, const ExplainedPoint& point, const ExplainedLight& light) {
+    section_heading("r = 2 n (n·l) − l, step by step");
+    static const std::array options{Choice{"", "off", "r itself is drawn"},
+                                    Choice{"", "N, L", "What is given"},
+                                    Choice{"", "P", "P = N (N·L): the shadow of L on N"},
+                                    Choice{"", "2P", "Twice as far"}, Choice{"", "R", "R = 2P − L"}};
+    state.mirror_step = segments("##step", state.mirror_step, options, {"", ""});
+    if (state.mirror_step == 0) return;
+    (void)number_field("|N|", state.normal_length,
+                       {.range = {0.25, 2, "0.25 to 2"}, .step = 0.005f, .format = "%.2f", .usual_max = 2}, 1,
+                       {"Length of the normal here; a normal is to be unit. Not part of the scene", ""});
+    const bool world = state.world_frame;
+    const glm::vec3 n = state.normal_length * (world ? point.normal.world : point.normal.camera);
+    const glm::vec3 l = world ? light.l.world : light.l.camera;
+    const MirrorSteps steps = mirror_steps(n, l);
+    vector_line(Symbol::N, "N", n);
+    vector_line(Symbol::L, "L", l);
+    if (state.mirror_step >= 2) vector_line(Symbol::Diffuse, "P = N (N·L)", steps.p);
+    if (state.mirror_step >= 3) vector_line(Symbol::Diffuse, "2P", steps.twice_p);
+    if (state.mirror_step >= 4) vector_line(Symbol::R, "R = 2P − L", steps.r);
+    const float length = state.normal_length;
+    if (std::abs(length - 1) > 0.005f)
+        warning_text(fmt::format("|N| = {:.2f}: P is {:.2f} times as long as it should be, |R| = {:.2f}",
+                                 length, length * length, glm::length(steps.r)));
+}
+
+void cell(float moved, const ImVec4& colour) {
+    ImGui::TableNextColumn();
+    ImGui::PushFont(fonts().figures);
+    const bool tiny = moved < 5e-5f;
+    coloured(moved > 0 ? colour : theme().disabled_text, moved == 0 ? "no"
+                                                         : tiny     ? fmt::format("{:.0e}", moved)
+                                                                    : fmt::format("{:.4f}", moved));
+    ImGui::PopFont();
+}
+
+/// Shows live at the picked point how far each term moves when normal, light or viewer is turned by a degree.
+void sensitivity_of_terms(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light) {
+    section_heading("Which term needs what: moved by a turn of 1°");
+    const Shading& shading = state.editor.scene().shading;
+    const Reflector reflector{shading.reflection, state.explanation->material, Terms{}};
+    const auto sensitivity =
+        term_sensitivity(reflector, point.normal.camera, light.l.camera, point.view.camera);
+    constexpr std::array names{"ambient", "diffuse", "specular"};
+    constexpr std::array symbols{Symbol::Ambient, Symbol::Diffuse, Symbol::Specular};
+    if (!ImGui::BeginTable("##needs", 4, ImGuiTableFlags_NoPadOuterX)) return;
+    ImGui::TableNextColumn();
+    for (const auto& [symbol, name] :
+         {std::pair(Symbol::N, "normal"), std::pair(Symbol::L, "light"), std::pair(Symbol::V, "viewer")}) {
+        ImGui::TableNextColumn();
+        coloured(symbol, name);
+    }
+    for (std::size_t i = 0; i < sensitivity.size(); ++i) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        coloured(symbols[i], names[i]);
+        cell(sensitivity[i].normal, theme()[symbols[i]]);
+        cell(sensitivity[i].light, theme()[symbols[i]]);
+        cell(sensitivity[i].viewer, theme()[symbols[i]]);
+    }
+    ImGui::EndTable();
+    small_dim("For a white light of full strength from where this one stands; the point stays.");
 }
 
 }  // namespace
@@ -133,44 +194,15 @@ void vectors_tab(UiState& state, const PictureView&) {
         same_product(point, *light);
         lobe_diagram(state, point, *light);
         mirror_section(state.inspector, point, *light);
-        term_sensitivity_section(state, point, *light);
+        sensitivity_of_terms(state, point, *light);
     }
     facet_section(state, explanation);
 }
 
-namespace {
-
-/// Made when first asked for.
-const std::array<Choice, 5>& step_options() {
-    static const std::array<Choice, 5> options{
-        Choice{"", "off", "r itself is drawn"}, Choice{"", "N, L", "What is given"},
-        Choice{"", "P", "P = N (N·L): the shadow of L on N"}, Choice{"", "2P", "Twice as far"},
-        Choice{"", "R", "R = 2P − L"}};
-    return options;
-}
-
-}  // namespace
-
-void mirror_section(InspectorState& state, const ExplainedPoint& point, const ExplainedLight& light) {
-    section_heading("r = 2 n (n·l) − l, step by step");
-    state.mirror_step = segments("##step", state.mirror_step, step_options(), {"", ""});
-    if (state.mirror_step == 0) return;
-    (void)number_field("|N|", state.normal_length,
-                       {.range = {0.25, 2, "0.25 to 2"}, .step = 0.005f, .format = "%.2f", .usual_max = 2}, 1,
-                       {"Length of the normal here; a normal is to be unit. Not part of the scene", ""});
-    const bool world = state.world_frame;
-    const glm::vec3 n = state.normal_length * (world ? point.normal.world : point.normal.camera);
-    const glm::vec3 l = world ? light.l.world : light.l.camera;
-    const MirrorSteps steps = mirror_steps(n, l);
-    vector_line(Symbol::N, "N", n);
-    vector_line(Symbol::L, "L", l);
-    if (state.mirror_step >= 2) vector_line(Symbol::Diffuse, "P = N (N·L)", steps.p);
-    if (state.mirror_step >= 3) vector_line(Symbol::Diffuse, "2P", steps.twice_p);
-    if (state.mirror_step >= 4) vector_line(Symbol::R, "R = 2P − L", steps.r);
-    const float length = state.normal_length;
-    if (std::abs(length - 1) > 0.005f)
-        warning_text(fmt::format("|N| = {:.2f}: P is {:.2f} times as long as it should be, |R| = {:.2f}",
-                                 length, length * length, glm::length(steps.r)));
+void vector_line(Symbol symbol, const char* name, glm::vec3 v) {
+    coloured(symbol, name);
+    ImGui::SameLine(px(112));
+    mono_text(shown_vector(v));
 }
 
 }  // namespace glint

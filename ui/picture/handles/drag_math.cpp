@@ -8,11 +8,8 @@
 #include <numbers>
 
 namespace glint {
-namespace {
 
-constexpr double pi = std::numbers::pi;
-
-}  // namespace
+static constexpr double pi = std::numbers::pi;
 
 glm::dvec3 rotated(glm::dvec3 v, glm::dvec3 axis, double angle) {
     return glm::dvec3(glm::rotate(glm::dmat4(1), angle, axis) * glm::dvec4(v, 0));
@@ -93,6 +90,13 @@ std::optional<glm::dvec3> on_plane(const ScreenMap& map, glm::dvec3 place, glm::
     const double t = glm::dot(place - ray.origin, normal) / steepness;
     if (!(t > 0)) return {};
     return ray.origin + t * ray.direction;
+}
+
+glm::dvec3 snapped_direction(glm::dvec3 direction) {
+    const double step = pi / 12;
+    const double height = std::round(std::asin(std::clamp(direction.y, -1.0, 1.0)) / step) * step;
+    const double round_y = std::round(std::atan2(direction.x, direction.z) / step) * step;
+    return {std::cos(height) * std::sin(round_y), std::sin(height), std::cos(height) * std::cos(round_y)};
 }
 
 }  // namespace glint

@@ -1,13 +1,12 @@
 #pragma once
-// What drags have in common: from a cursor back to a place on a line, a plane, a sphere or a circle in the
-// world. World coordinates throughout.
+// Drags share the way from a cursor back to a place on a line, a plane, a sphere or a circle. All places are
+// in world coordinates.
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "ui/picture/handles/light_place.h"
 #include "ui/picture/screen.h"
 
 namespace glint {
@@ -41,5 +40,15 @@ struct Across {
 /// nearest to the cursor.
 [[nodiscard]] double turn_towards(const ScreenMap& map, const Dome& circle, glm::dvec3 direction,
                                   glm::dvec3 axis, glm::dvec2 cursor_px);
+
+/// A direction with its height and its angle round y at multiples of 15 degrees.
+[[nodiscard]] glm::dvec3 snapped_direction(glm::dvec3 direction);
+
+/// The view through which a drag is seen. It must not change while a drag lasts.
+struct DragView {
+    ScreenMap map;
+    Dome dome;
+    double snap_step = 0.25;  // scene units
+};
 
 }  // namespace glint

@@ -2,16 +2,14 @@
 
 #include <cmath>
 
-#include "ui/picture/handles/light_handles.h"
-#include "ui/picture/handles/surface_patch.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
 namespace {
 
-constexpr double terminator_reach = 4;  // units of the design
+constexpr float terminator_reach = 4;  // units of the design
 
-/// The surface, if the last picture shows it.
+/// The surfaces of the last picture, which must be there.
 SurfaceView surface_of(const ViewportFrame& frame) {
     return {frame.scene, *frame.renderer, frame.view.map, frame.view.dome};
 }
@@ -30,8 +28,8 @@ DragAlong drag_along(const HandKeys& keys) {
 bool has_terminator_under(const ViewportFrame& frame, int light, glm::dvec2 cursor_px) {
     if (light < 0 || !frame.scene.shading.terms.diffuse) return false;
     const Light& selected = frame.scene.lights[static_cast<std::size_t>(light)];
-    const double reach = terminator_reach * double(px(1)) / double(frame.view.units_per_pixel);
-    return selected.enabled && terminator_under(surface_of(frame), selected, cursor_px, reach);
+    return selected.enabled &&
+           terminator_under(surface_of(frame), selected, cursor_px, frame.view.pixels(terminator_reach));
 }
 
 void drag_light(LightDrag& drag, const Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px,
@@ -46,10 +44,8 @@ void drag_light(LightDrag& drag, const Held& held, const ViewportFrame& frame, g
 Light dragged_or_aimed(const ShapeDrag& drag, const Held& held, const ViewportFrame& frame,
                        glm::dvec2 cursor_px, const HandKeys& keys) {
     if (keys.shift && drag.grip.part == ShapePart::Aim && frame.renderer != nullptr)
-        if (const auto point = seen_at(*frame.renderer, frame.view.map.size, cursor_px)) {
-            const glm::dvec4 place(glm::dvec3(point->place), 1);
-            return aimed_at(drag.start, glm::dvec3(held.view.map.world_from_view * place), held.view);
-        }
+        if (const auto point = seen_at(*frame.renderer, frame.view.map.size, cursor_px))
+            return aimed_at(drag.start, in_world(held.view.map, point->place, 1), held.view);
     return dragged_shape(drag, held.view, cursor_px, keys.ctrl);
 }
 
@@ -63,10 +59,7 @@ void drag_object(ObjectDrag drag, const Held& held, const ViewportFrame& frame, 
 }
 
 std::optional<Grip> object_grip_under(const ViewportFrame& frame, glm::dvec2 cursor_px) {
-    if (frame.selection.kind != Selection::Kind::Object) return {};
-    const auto index = static_cast<std::size_t>(frame.selection.index);
-    if (index >= frame.scene.objects.size()) return {};
-    const auto gizmo = gizmo_of(frame.scene.objects[index].transform, frame.gizmo, frame.view, frame.pivot);
+    const auto gizmo = selected_gizmo(frame);
     if (!gizmo) return {};
     const auto part = gizmo_under(*gizmo, frame.gizmo, frame.view, cursor_px);
     if (!part) return {};
@@ -82,6 +75,13 @@ std::optional<Grip> shape_grip_under(const ViewportFrame& frame, int light, glm:
 }
 
 }  // namespace
+
+std::optional<ObjectGizmo> selected_gizmo(const ViewportFrame& frame) {
+    if (frame.selection.kind != Selection::Kind::Object) return {};
+    const auto index = static_cast<std::size_t>(frame.selection.index);
+    if (index >= frame.scene.objects.size()) return {};
+    return gizmo_of(frame.scene.objects[index].transform, frame.gizmo, frame.view, frame.pivot);
+}
 
 bool exists(const Grip& grip, const Scene& scene) {
     const std::size_t count = grip.kind == GripKind::Object ? scene.objects.size() : scene.lights.size();

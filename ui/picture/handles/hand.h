@@ -1,7 +1,6 @@
 #pragma once
-// What can be dragged in the picture, and how dragging it edits the scene: what the cursor could take hold
-// of, and what happens to the scene while it is dragged. The closed list of grips; each has a file of its
-// own, with pure functions.
+// The hand takes hold of what the cursor is over in the picture, and edits the scene while it drags that.
+// This is the closed list of grips; how each is dragged is said by pure functions in the files beside.
 
 #include <array>
 #include <string>
@@ -10,15 +9,12 @@
 #include "renderer/renderer.h"
 #include "ui/document/scene_edit.h"
 #include "ui/picture/handles/highlight_drag.h"
-#include "ui/picture/handles/light_drag.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/picture/handles/object_drag.h"
-#include "ui/picture/picture_view.h"
 
 namespace glint {
 
-// What one frame of the viewport works on, and which keys the other hand holds.
-
+/// The scene and the view that one frame of the viewport works on.
 struct ViewportFrame {
     Scene& scene;
     Selection& selection;
@@ -28,10 +24,14 @@ struct ViewportFrame {
     std::optional<glm::dvec3> pivot{};  // what Rotate turns it about, world coordinates; else its origin
 };
 
+/// The keys that the other hand holds.
 struct HandKeys {
     bool shift = false, ctrl = false, alt = false;
     std::array<bool, 3> axis{};  // X, Y, Z
 };
+
+/// The gizmo of the selected object; nothing while no object is.
+[[nodiscard]] std::optional<ObjectGizmo> selected_gizmo(const ViewportFrame& frame);
 
 enum class GripKind { None, Light, Shape, Object, Highlight, Terminator };
 
@@ -55,8 +55,8 @@ struct Grip {
 /// Whether what the grip belongs to is (still) in the scene.
 [[nodiscard]] bool exists(const Grip& grip, const Scene& scene);
 
-/// What the cursor (pixels of the picture) is over: marks first, then the selected light's terminator, then
-/// highlights.
+/// The grip that the cursor (pixels of the picture) is over: marks first, then the selected light's
+/// terminator, then highlights.
 [[nodiscard]] Grip grip_under(const ViewportFrame& frame, glm::dvec2 cursor_px);
 
 /// A grip in hand. `view` must not change while it is held.
@@ -75,7 +75,7 @@ struct Held {
 void drag_held(Held& held, ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec2 last_px,
                const HandKeys& keys);
 
-/// What a drag would do, or does, for the status line.
+/// Says for the status line what a drag would do, or does.
 [[nodiscard]] std::string hint_of(const Grip& grip, const Scene& scene);
 [[nodiscard]] std::string hint_of(const Held& held);
 

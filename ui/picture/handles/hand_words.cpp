@@ -1,4 +1,4 @@
-// What a hand is told: in the status line and beside the cursor.
+// Words that tell a hand what it can do and does, in the status line and beside the cursor.
 #include <fmt/core.h>
 
 #include <glm/geometric.hpp>
@@ -12,13 +12,8 @@ const Light& light_of(const Grip& grip, const Scene& scene) {
     return scene.lights[static_cast<std::size_t>(grip.item)];
 }
 
-const Transform& transform_of(const Grip& grip, const Scene& scene) {
-    return scene.objects[static_cast<std::size_t>(grip.item)].transform;
-}
-
-const std::string& name_of(const Grip& grip, const Scene& scene) {
-    return grip.kind == GripKind::Object ? scene.objects[static_cast<std::size_t>(grip.item)].name
-                                         : light_of(grip, scene).name;
+const Object& object_of(const Grip& grip, const Scene& scene) {
+    return scene.objects[static_cast<std::size_t>(grip.item)];
 }
 
 const char* shape_words(ShapePart part) {
@@ -40,7 +35,7 @@ const char* part_words(GizmoPart part) {
     return words[static_cast<int>(part)];
 }
 
-/// What dragging a part of the gizmo does, as a command: "Move along X".
+/// Says what dragging a part of the gizmo does: "Move along X".
 std::string action_text(GizmoMode mode, GizmoPart part) {
     const bool free = part == GizmoPart::Free;
     switch (mode) {
@@ -74,22 +69,51 @@ const char* along_words(DragAlong along, bool turns) {
     return "";  // not reached
 }
 
+/// Says how the light that is held moves.
 std::string motion_words(const Held& held) {
-    const bool turns = held.grip.kind == GripKind::Light &&
-                       std::get<LightDrag>(held.drag).start.kind == LightKind::Directional;
     switch (held.grip.kind) {
     case GripKind::None:
-        return {};
-    case GripKind::Light:
-        return along_words(std::get<LightDrag>(held.drag).along, turns);
     case GripKind::Shape:
-        return "shape";
     case GripKind::Object:
-        return action_text(held.grip.mode, held.grip.part);
+        return {};
+    case GripKind::Light: {
+        const auto& drag = std::get<LightDrag>(held.drag);
+        return along_words(drag.along, drag.start.kind == LightKind::Directional);
+    }
     case GripKind::Highlight:
         return held.no_solution ? "cannot shine there" : "by its highlight";
     case GripKind::Terminator:
         return held.no_solution ? "cannot end there" : "by its terminator, n·l = 0";
+    }
+    return {};  // not reached
+}
+
+HandNote shape_note(const Light& light, ShapePart part) {
+    switch (part) {
+    case ShapePart::Rim:
+        return {fmt::format("{}, axis to edge", light.name), fmt::format("{:5.1f}°", light.spot.cutoff_deg)};
+    case ShapePart::Aim:
+        if (light.kind == LightKind::Area) return {fmt::format("{} turned", light.name), ""};
+        return {fmt::format("{} aimed", light.name), three_numbers(light.spot.direction)};
+    case ShapePart::Corner:
+    case ShapePart::Edge:
+        return {
+            fmt::format("{}, half-edges", light.name),
+            fmt::format("{:.2f} × {:.2f}", glm::length(light.area.edge_u), glm::length(light.area.edge_v))};
+    }
+    return {};  // not reached
+}
+
+HandNote object_note(const ObjectDrag& drag, const Transform& t, const std::string& title) {
+    switch (drag.mode) {
+    case GizmoMode::None:
+    case GizmoMode::Move:
+        return {title, three_numbers(t.translate)};
+    case GizmoMode::Rotate:
+        return {title + ", x y z",
+                fmt::format("{:7.1f}° {:7.1f}° {:7.1f}°", t.rotate_deg.x, t.rotate_deg.y, t.rotate_deg.z)};
+    case GizmoMode::Scale:
+        return {title, three_numbers(t.scale)};
     }
     return {};  // not reached
 }
@@ -143,10 +167,12 @@ std::string hint_of(const Held& held) {
 }
 
 HandNote note_of(const Grip& grip, const Scene& scene) {
-    const std::string& name = name_of(grip, scene);
+    if (!grip) return {};
+    const std::string& name =
+        grip.kind == GripKind::Object ? object_of(grip, scene).name : light_of(grip, scene).name;
     switch (grip.kind) {
     case GripKind::None:
-        return {};
+        break;
     case GripKind::Light:
         if (!grip.in_picture) return {"Outside the picture", name};
         return {light_of(grip, scene).enabled ? "Drag to move" : "Off; drag to move", name};
@@ -162,44 +188,11 @@ HandNote note_of(const Grip& grip, const Scene& scene) {
     return {};  // not reached
 }
 
-namespace {
-
-HandNote shape_note(const Light& light, ShapePart part) {
-    switch (part) {
-    case ShapePart::Rim:
-        return {fmt::format("{}, axis to edge", light.name), fmt::format("{:5.1f}°", light.spot.cutoff_deg)};
-    case ShapePart::Aim:
-        if (light.kind == LightKind::Area) return {fmt::format("{} turned", light.name), ""};
-        return {fmt::format("{} aimed", light.name), three_numbers(light.spot.direction)};
-    case ShapePart::Corner:
-    case ShapePart::Edge:
-        return {
-            fmt::format("{}, half-edges", light.name),
-            fmt::format("{:.2f} × {:.2f}", glm::length(light.area.edge_u), glm::length(light.area.edge_v))};
-    }
-    return {};  // not reached
-}
-
-HandNote object_note(const ObjectDrag& drag, const Transform& t, const std::string& title) {
-    switch (drag.mode) {
-    case GizmoMode::None:
-    case GizmoMode::Move:
-        return {title, three_numbers(t.translate)};
-    case GizmoMode::Rotate:
-        return {title + ", x y z",
-                fmt::format("{:7.1f}° {:7.1f}° {:7.1f}°", t.rotate_deg.x, t.rotate_deg.y, t.rotate_deg.z)};
-    case GizmoMode::Scale:
-        return {title, three_numbers(t.scale)};
-    }
-    return {};  // not reached
-}
-
-}  // namespace
-
 HandNote note_of(const Held& held, const Scene& scene) {
     if (!exists(held.grip, scene) || held.drag.index() == 0) return {};
     if (const auto* drag = std::get_if<ObjectDrag>(&held.drag))
-        return object_note(*drag, transform_of(held.grip, scene), motion_words(held));
+        return object_note(*drag, object_of(held.grip, scene).transform,
+                           action_text(held.grip.mode, held.grip.part));
     const Light& light = light_of(held.grip, scene);
     if (held.grip.kind == GripKind::Shape) return shape_note(light, held.grip.shape.part);
     const char* space = light.space == LightSpace::World ? "world" : "camera";

@@ -9,7 +9,7 @@
 
 #include "renderer/inspect/reflectance/highlight.h"
 #include "ui/picture/handles/drag_math.h"
-#include "ui/picture/handles/surface_patch.h"
+#include "ui/picture/handles/light_place.h"
 
 namespace glint {
 namespace {
@@ -22,10 +22,6 @@ constexpr int patch_radius = 3;        // pixels
 // little as needed.
 constexpr double other_distances[] = {1, 1.25, 0.8, 1.6,  0.63, 2,  0.5,  3,    0.33, 4,    0.25,
                                       6, 0.16, 10,  0.13, 0.1,  16, 0.08, 0.06, 0.04, 0.025};
-
-glm::dvec3 in_world(const ScreenMap& map, glm::vec3 camera, double w) {
-    return glm::dvec3(map.world_from_view * glm::dvec4(glm::dvec3(camera), w));
-}
 
 /// Turns a spot, if it must be, so that `place` lies well inside its cone: a highlight cut off by the cone's
 /// edge has its peak there.
@@ -79,7 +75,7 @@ class PeakSearch {
         return away(tilt);
     }
 
-    /// How far from the middle the patch is brightest, pixels; far where it is dark.
+    /// The distance (pixels) of the brightest place from the middle; far where it is dark.
     [[nodiscard]] double miss(const Light& light) const {
         return patch_.distance_of_maximum(highlight_at(view_.scene, view_.map.size, light, patch_.points));
     }
@@ -133,7 +129,7 @@ std::vector<glm::dvec3> first_directions(const HighlightDrag& drag, const Surfac
     return all;
 }
 
-/// Where the peak is to lie.
+/// The place where the peak is to lie.
 struct Sought {
     const SurfaceView& view;
     const SurfacePatch& patch;
@@ -153,7 +149,7 @@ void look_over_distances(const HighlightDrag& drag, const Sought& sought, BestLi
     }
 }
 
-/// The same grab, with the spot's axis through the place that was grabbed.
+/// The grab of a spot turned so that its axis goes through the place that was grabbed.
 HighlightDrag aimed_at_grabbed(const HighlightDrag& drag, const SurfaceView& view) {
     HighlightDrag aimed = drag;
     const glm::dvec3 axis = glm::normalize(to_world(drag.start, drag.start.spot.direction, 0, view.map));

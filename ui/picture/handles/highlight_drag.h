@@ -1,5 +1,5 @@
 #pragma once
-// Dragging a highlight: the light moves so that its specular term peaks under the cursor. It keeps its
+// A highlight is dragged: the light moves so that its specular term peaks under the cursor. It keeps its
 // distance from the surface (a directional light its dome), a spot or a panel turns along with it.
 //
 // Where (r.v)^n or (n.h)^n is largest is known: at l = v mirrored at n. But falloff, a cone, the samples of a
@@ -11,18 +11,9 @@
 #include <vector>
 
 #include "models/scene/light.h"
-#include "renderer/renderer.h"
-#include "ui/picture/handles/light_place.h"
+#include "ui/picture/handles/surface_patch.h"
 
 namespace glint {
-
-/// What a search over the picture needs. The renderer's last picture must show the scene through `map`.
-struct SurfaceView {
-    const Scene& scene;
-    const Renderer& renderer;
-    const ScreenMap& map;
-    const Dome& dome;
-};
 
 struct HighlightDrag {
     Light start;
@@ -65,21 +56,5 @@ struct HoveredHighlight {
 /// shines at `place` as it shone at the place that was grabbed.
 [[nodiscard]] Light carried(const HighlightDrag& drag, const SurfaceView& view, glm::dvec3 place,
                             glm::dvec3 away, double nearer = 1);
-
-// Dragging a light by its terminator, the line on a surface where n.l = 0: the light moves, as little as it
-// must, into the plane that touches the surface under the cursor.
-
-struct TerminatorDrag {
-    Light start;
-};
-
-/// Whether the light's terminator passes within `reach` pixels of `pixel`.
-[[nodiscard]] bool terminator_under(const SurfaceView& view, const Light& light, glm::dvec2 pixel,
-                                    double reach);
-
-/// The light with its terminator through `pixel`: a place goes straight down onto the tangent plane, a
-/// direction is turned into it. Nothing on the background, and where the light stands right above the pixel.
-[[nodiscard]] std::optional<Light> dragged_terminator(const TerminatorDrag& drag, const SurfaceView& view,
-                                                      glm::dvec2 pixel);
 
 }  // namespace glint

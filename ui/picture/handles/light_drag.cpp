@@ -1,12 +1,13 @@
-#include "ui/picture/handles/light_drag.h"
-
+// Drags of a light by its handle, and by its terminator.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <numbers>
 
-#include "ui/picture/handles/drag_math.h"
+#include "renderer/inspect/reflectance/highlight.h"
+#include "ui/picture/handles/light_handles.h"
+#include "ui/picture/handles/surface_patch.h"
 
 namespace glint {
 namespace {
@@ -44,21 +45,12 @@ glm::dvec3 dragged_direction(const LightDrag& drag, const DragView& view, glm::d
     return direction;  // not reached
 }
 
-/// A direction with its height above and its angle round y at multiples of 15 degrees.
-glm::vec4 snapped_direction(glm::vec4 p) {
-    const double step = pi / 12;
-    const double height = std::round(std::asin(std::clamp(double(p.y), -1.0, 1.0)) / step) * step;
-    const double round_y = std::round(std::atan2(double(p.x), double(p.z)) / step) * step;
-    return glm::vec4(glm::dvec4(std::cos(height) * std::sin(round_y), std::sin(height),
-                                std::cos(height) * std::cos(round_y), 0));
-}
-
 Light dragged_sun(const LightDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
     const OnScreen handle = project(view.map, handle_of(drag.start, view.dome, view.map));
     if (!handle.in_front) return drag.start;
     const glm::dvec3 direction = dragged_direction(drag, view, cursor_px, handle.pixel);
     Light light = placed_at(drag.start, view.dome.centre + direction, view.dome, view.map);
-    if (snap) light.position = snapped_direction(light.position);
+    if (snap) light.position = glm::vec4(glm::dvec4(snapped_direction(glm::dvec3(light.position)), 0));
     return light;
 }
 
@@ -106,6 +98,38 @@ Light dragged(const LightDrag& drag, const DragView& view, glm::dvec2 cursor_px,
     Light light = placed_at(drag.start, moved, view.dome, view.map);
     if (snap) snap_to_grid(light, drag.start, view.snap_step);
     return light;
+}
+
+bool terminator_under(const SurfaceView& view, const Light& light, glm::dvec2 pixel, double reach) {
+    const auto patch = surface_patch(view.renderer, view.map.size, pixel, 1);
+    if (!patch) return false;
+    const auto cosine = [&](std::size_t i) {
+        return cosine_at(view.scene, view.map.size, light, patch->points[i]);
+    };
+    // The four of the nine pixels that lie beside the middle: 1 above, 3 and 5 left and right, 7 below.
+    const auto slope = [&](std::size_t before, std::size_t after) {
+        const double span = (patch->used[before] ? 1 : 0) + (patch->used[after] ? 1 : 0);
+        return span > 0 ? (cosine(after) - cosine(before)) / span : 0.0;
+    };
+    const double steepness = std::hypot(slope(3, 5), slope(1, 7));
+    return steepness > 1e-6 && std::abs(cosine(4)) <= reach * steepness;
+}
+
+std::optional<Light> dragged_terminator(const TerminatorDrag& drag, const SurfaceView& view,
+                                        glm::dvec2 pixel) {
+    const auto point = seen_at(view.renderer, view.map.size, pixel);
+    if (!point) return {};
+    const glm::dvec3 n = in_world(view.map, point->normal, 0);
+    if (drag.start.kind == LightKind::Directional) {
+        const glm::dvec3 l = direction_of(drag.start, view.map), flat = l - glm::dot(l, n) * n;
+        if (glm::length(flat) < 1e-3) return {};
+        return placed_at(drag.start, view.dome.centre + flat, view.dome, view.map);
+    }
+    const glm::dvec3 p = in_world(view.map, point->place, 1);
+    const glm::dvec3 from = handle_of(drag.start, view.dome, view.map), way = from - p;
+    const glm::dvec3 flat = way - glm::dot(way, n) * n;
+    if (glm::length(flat) < 1e-3 * glm::length(way)) return {};
+    return placed_at(drag.start, p + flat, view.dome, view.map);
 }
 
 }  // namespace glint

@@ -6,11 +6,9 @@
 #include <numbers>
 #include <optional>
 
-#include "ui/picture/handles/drag_math.h"
-#include "ui/picture/world_pen.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 
 namespace glint {
 namespace {
@@ -30,10 +28,8 @@ glm::dvec2 on_border(const OnScreen& at, glm::dvec3 in_view, PictureSize size, d
 }
 
 void draw_stem(const WorldPen& pen, glm::dvec3 place, ImU32 colour, float opacity) {
-    const Bounds& box = pen.view.bounds;
-    const glm::dvec3 foot{place.x, box.min.y, place.z};
-    pen.line(place, foot, to_u32({0, 0, 0, 1}, 0.4f * opacity), px(2.5f));
-    pen.line(place, foot, colour, px(1));
+    const glm::dvec3 foot{place.x, pen.view.bounds.min.y, place.z};
+    pen.cased(place, foot, colour, opacity, 1);
     const double radius = 0.06 * pen.view.dome.radius;  // follows the zoom
     pen.circle(foot, {radius, 0, 0}, {0, 0, radius}, colour, opacity);
 }
@@ -90,7 +86,7 @@ void draw_shape(const WorldPen& pen, const Light& light, const Handle& handle, I
 void draw_way_out(ImDrawList& list, const PictureView& view, glm::dvec2 pixel, ImU32 colour) {
     const glm::dvec2 middle{view.map.size.width / 2.0, view.map.size.height / 2.0};
     const glm::dvec2 way = glm::normalize(pixel - middle), side{-way.y, way.x};
-    const double unit = px(1) / view.units_per_pixel;
+    const double unit = view.pixels(1);
     const auto at = [&](double along, double across) {
         return view.to_window(pixel + unit * (along * way + across * side));
     };
@@ -99,22 +95,17 @@ void draw_way_out(ImDrawList& list, const PictureView& view, glm::dvec2 pixel, I
 
 /// The grip itself: a disc of the light's colour with a dark rim; rays for a sun; a ring when it is off.
 void draw_grip(ImDrawList& list, ImVec2 at, const Light& light, HandleLook look, float opacity) {
-    const float r = px(look.hovered ? handle_radius + 1.5f : handle_radius);
-    const ImU32 colour = to_u32(colour_of(light), opacity), rim = to_u32({0, 0, 0, 1}, 0.7f * opacity);
+    const float radius = look.hovered ? handle_radius + 1.5f : handle_radius, r = px(radius);
+    const ImU32 colour = to_u32(colour_of(light), opacity);
     if (light.kind == LightKind::Directional)
         for (int i = 0; i < 8; ++i) {
-            const float a = float(i * pi / 4), x = std::cos(a), y = std::sin(a);
-            const ImVec2 from{at.x + 1.35f * r * x, at.y + 1.35f * r * y},
-                to{at.x + 1.95f * r * x, at.y + 1.95f * r * y};
-            list.AddLine(from, to, rim, px(4));
-            list.AddLine(from, to, colour, px(2));
+            const float a = float(i * pi / 4);
+            const ImVec2 way = r * ImVec2(std::cos(a), std::sin(a));
+            cased_line(list, at + 1.35f * way, at + 1.95f * way, colour, 2, opacity);
         }
-    list.AddCircleFilled(at, r + px(1.5f), rim);
-    if (light.enabled)
-        list.AddCircleFilled(at, r, colour);
-    else
-        list.AddCircle(at, r - px(1), colour, 0, px(2));
-    if (light.enabled && light.space == LightSpace::Camera) list.AddCircleFilled(at, r * 0.38f, rim);
+    draw_light_disc(list, at, radius, light, colour, opacity);
+    if (light.enabled && light.space == LightSpace::Camera)
+        list.AddCircleFilled(at, r * 0.38f, rim_colour(opacity));
     if (look.selected) list.AddCircle(at, r + px(4), to_u32(theme().accent, opacity), 0, px(2));
     if (look.hovered) list.AddCircle(at, r + px(1.5f), to_u32({1, 1, 1, 1}, opacity), 0, px(1.5f));
 }
@@ -130,12 +121,10 @@ std::vector<Handle> light_handles(const Scene& scene, const PictureView& view, i
         Handle handle{
             i, handle_of(scene.lights[static_cast<std::size_t>(i)], view.dome, view.map), {}, false};
         handle.at = project(view.map, handle.place);
-        const glm::dvec2 p = handle.at.pixel;
-        handle.in_picture =
-            handle.at.in_front && p.x >= 0 && p.y >= 0 && p.x <= size.width && p.y <= size.height;
+        handle.in_picture = handle.at.in_front && is_inside(size, handle.at.pixel);
         if (!handle.in_picture) {
             const glm::dvec3 in_view(view.map.view_from_world * glm::dvec4(handle.place, 1));
-            handle.at.pixel = on_border(handle.at, in_view, size, px(18) / view.units_per_pixel);
+            handle.at.pixel = on_border(handle.at, in_view, size, view.pixels(18));
         }
         handles.push_back(handle);
     }
@@ -145,7 +134,7 @@ std::vector<Handle> light_handles(const Scene& scene, const PictureView& view, i
 const Handle* handle_under(const std::vector<Handle>& handles, glm::dvec2 cursor_px,
                            const PictureView& view) {
     const Handle* best = nullptr;
-    double nearest = px(grip_radius) / view.units_per_pixel;
+    double nearest = view.pixels(grip_radius);
     for (const Handle& handle : handles) {
         const double distance = glm::length(handle.at.pixel - cursor_px);
         if (distance <= nearest) {
@@ -154,6 +143,13 @@ const Handle* handle_under(const std::vector<Handle>& handles, glm::dvec2 cursor
         }
     }
     return best;
+}
+
+void draw_light_disc(ImDrawList& list, ImVec2 at, float radius, const Light& light, ImU32 colour,
+                     float opacity) {
+    if (light.enabled) return rimmed_disc(list, at, radius, colour, opacity);
+    list.AddCircleFilled(at, px(radius + 1.5f), rim_colour(opacity));
+    list.AddCircle(at, px(radius - 1), colour, 0, px(2));
 }
 
 void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, const Handle& handle,
@@ -178,20 +174,20 @@ void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, 
 
 void draw_note(ImDrawList& list, const PictureView& view, ImVec2 at, const std::string& title,
                const std::string& numbers) {
-    const Fonts& type = fonts();
-    const float pad = px(8), scale = ImGui::GetIO().FontGlobalScale;
-    const ImVec2 head = type.small->CalcTextSizeA(type.small->FontSize * scale, 1e9f, 0, title.c_str());
-    const ImVec2 body = type.figures->CalcTextSizeA(type.figures->FontSize * scale, 1e9f, 0, numbers.c_str());
-    const ImVec2 size{std::max(head.x, body.x) + 2 * pad, head.y + body.y + 1.5f * pad};
-    const ImVec2 right = view.to_window({view.map.size.width, view.map.size.height});
-    ImVec2 low{at.x + px(20), at.y + px(18)};
-    if (low.x + size.x > right.x - px(4)) low.x = at.x - px(20) - size.x;
-    if (low.y + size.y > right.y - px(4)) low.y = at.y - px(18) - size.y;
-    list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, to_u32(theme().window, 0.9f), px(6));
-    list.AddText(type.small, type.small->FontSize * scale, {low.x + pad, low.y + 0.6f * pad},
-                 to_u32(theme().dim_text), title.c_str());
-    list.AddText(type.figures, type.figures->FontSize * scale, {low.x + pad, low.y + 0.8f * pad + head.y},
-                 to_u32(theme().text), numbers.c_str());
+    ImGui::PushFont(fonts().small);
+    const ImVec2 head = ImGui::CalcTextSize(title.c_str());
+    ImGui::PushFont(fonts().figures);
+    const ImVec2 body = ImGui::CalcTextSize(numbers.c_str());
+    const ImVec2 pad = px(1) * ImVec2(8, 5), away = px(1) * ImVec2(20, 18), end = view.end();
+    const ImVec2 size = ImVec2(std::max(head.x, body.x), head.y + body.y) + 2 * pad;
+    ImVec2 low = at + away;
+    if (low.x + size.x > end.x - px(4)) low.x = at.x - away.x - size.x;
+    if (low.y + size.y > end.y - px(4)) low.y = at.y - away.y - size.y;
+    badge_ground(list, {low, low + size});
+    list.AddText(low + pad + ImVec2(0, head.y), to_u32(theme().text), numbers.c_str());
+    ImGui::PopFont();
+    list.AddText(low + pad, to_u32(theme().dim_text), title.c_str());
+    ImGui::PopFont();
 }
 
 }  // namespace glint

@@ -1,6 +1,6 @@
 #pragma once
-// Lights drawn where they are: a handle in the light's own colour, what kind it is, and a stem to its foot on
-// the ground so that depth can be judged.
+// Lights in the picture: what is drawn of them, what of them can be dragged, and what a drag makes of them. A
+// handle has the light's own colour, shows its kind, and stands on a stem so that depth can be judged.
 
 #include <imgui.h>
 
@@ -9,10 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "ui/picture/handles/light_drag.h"
-#include "ui/picture/picture_view.h"
+#include "ui/picture/handles/drag_math.h"
+#include "ui/picture/handles/light_place.h"
+#include "ui/picture/screen.h"
 
 namespace glint {
+
+struct SurfaceView;
 
 struct Handle {
     int light = 0;
@@ -29,7 +32,7 @@ struct Handle {
 [[nodiscard]] const Handle* handle_under(const std::vector<Handle>& handles, glm::dvec2 cursor_px,
                                          const PictureView& view);
 
-/// How a handle is to be drawn.
+/// The state in which a handle is drawn.
 struct HandleLook {
     bool selected = false, hovered = false;
     bool hidden = false;  // behind an object
@@ -39,12 +42,16 @@ struct HandleLook {
 void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, const Handle& handle,
                  HandleLook look);
 
+/// The disc of a light, with a dark rim: a ring when it is off. `radius`: units of the design.
+void draw_light_disc(ImDrawList& list, ImVec2 at, float radius, const Light& light, ImU32 colour,
+                     float opacity);
+
 /// A note beside the cursor: a title and lines of figures, kept inside the picture.
 void draw_note(ImDrawList& list, const PictureView& view, ImVec2 at, const std::string& title,
                const std::string& numbers);
 
-// What a light has beside its place: a spot's cone, a panel's rectangle. Where they are in the world, what of
-// them can be dragged, and what a drag makes of them. Pure functions.
+// A light's shape beside its place: a spot's cone, a panel's rectangle. These pure functions say where it is
+// in the world, what of it can be dragged, and what a drag makes of it.
 
 /// The part of a cone that is drawn, world coordinates.
 struct ConeShape {
@@ -70,7 +77,8 @@ struct PanelShape {
 };
 [[nodiscard]] std::optional<PanelShape> panel_of(const Light& light, const ScreenMap& map);
 
-/// What of a shape can be dragged. A panel's corners and edges are told apart by where they are on it.
+/// The parts of a shape that can be dragged. A panel's corners and edges are told apart by where they are on
+/// it.
 enum class ShapePart { Rim, Aim, Corner, Edge };
 
 struct ShapeGrip {
@@ -81,7 +89,7 @@ struct ShapeGrip {
     bool operator==(const ShapeGrip&) const = default;
 };
 
-/// Where a grip is now, world.
+/// The place of a grip now, in the world.
 [[nodiscard]] glm::dvec3 place_of(const ShapeGrip& grip, const Light& light, const Dome& dome,
                                   const ScreenMap& map);
 
@@ -106,5 +114,44 @@ struct ShapeDrag {
 
 /// The light turned so that it shines at a place in the world; as it was where it stands there.
 [[nodiscard]] Light aimed_at(const Light& light, glm::dvec3 place, const DragView& view);
+
+// A light is dragged by its handle, which stays under the cursor as exactly as float can hold the position.
+// Pure functions.
+
+/// Along what a light moves. ViewPlane: parallel to the picture. Depth: along the line of sight, up is away
+/// (a directional light instead turns round the picture's axes, past the rim of its dome). X, Y, Z: along an
+/// axis of the light's own coordinates (directional: round it).
+enum class DragAlong { ViewPlane, Depth, X, Y, Z };
+
+/// A drag from the moment it began, or changed what it moves along.
+struct LightDrag {
+    Light start;
+    DragAlong along = DragAlong::ViewPlane;
+    glm::dvec2 grabbed_px{0};  // the cursor then; its distance from the handle is kept
+};
+
+/// The light after the cursor went to `cursor_px`. `snap`: coordinates to multiples of the view's step,
+/// angles of a direction to multiples of 15 degrees. Where the motion has no answer (along an axis that is
+/// seen end on, behind the eye) the light is the one the drag began with.
+[[nodiscard]] Light dragged(const LightDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap);
+
+/// A step of 1, 2 or 5 times a power of ten, near a twentieth of the scene's size.
+[[nodiscard]] double snap_step_for(const Bounds& bounds);
+
+// It is dragged by its terminator, the line on a surface where n.l = 0: it moves, as little as it must, into
+// the plane that touches the surface under the cursor.
+
+struct TerminatorDrag {
+    Light start;
+};
+
+/// Whether the light's terminator passes within `reach` pixels of `pixel`.
+[[nodiscard]] bool terminator_under(const SurfaceView& view, const Light& light, glm::dvec2 pixel,
+                                    double reach);
+
+/// The light with its terminator through `pixel`: a place goes straight down onto the tangent plane, a
+/// direction is turned into it. Nothing on the background, and where the light stands right above the pixel.
+[[nodiscard]] std::optional<Light> dragged_terminator(const TerminatorDrag& drag, const SurfaceView& view,
+                                                      glm::dvec2 pixel);
 
 }  // namespace glint

@@ -4,16 +4,24 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "renderer/shade/light_sources.h"
 
 namespace glint {
 namespace {
 
+// The renderer says from which coordinates a light is carried to the camera's
+// (renderer/shade/light_sources.h). A light of the world is not carried there and back: no digit of it may
+// change.
 glm::dmat4 world_from_own(const Light& light, const ScreenMap& map) {
-    return light.space == LightSpace::World ? glm::dmat4(1) : map.world_from_view;
+    const glm::dmat4 carry = camera_from_light(light.space, map.view_from_world);
+    return carry == map.view_from_world ? glm::dmat4(1) : map.world_from_view * carry;
 }
 
 glm::dmat4 own_from_world(const Light& light, const ScreenMap& map) {
-    return light.space == LightSpace::World ? glm::dmat4(1) : map.view_from_world;
+    const glm::dmat4 carry = camera_from_light(light.space, map.view_from_world);
+    return carry == map.view_from_world ? glm::dmat4(1) : glm::inverse(carry) * map.view_from_world;
 }
 
 glm::dvec3 own_place(const Light& light) {
@@ -23,11 +31,8 @@ glm::dvec3 own_place(const Light& light) {
 
 void widen(Bounds& bounds, const Object& object) {
     const glm::dmat4 world = world_from_object(object.transform);
-    const Bounds& box = object.mesh->bounds;
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec4 corner{(i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
-                                (i & 4) != 0 ? box.max.z : box.min.z, 1};
-        const glm::vec3 place(world * corner);
+    for (const glm::dvec3& corner : corners_of(object.mesh->bounds)) {
+        const glm::vec3 place(world * glm::dvec4(corner, 1));
         bounds.min = glm::min(bounds.min, place);
         bounds.max = glm::max(bounds.max, place);
     }
@@ -98,14 +103,17 @@ void turn_shape(Light& light, const glm::dmat4& turn, const ScreenMap& map) {
 
 Light in_space(Light light, LightSpace space, const Camera& camera) {
     if (light.space == space) return light;
-    const glm::dmat4 carry = space == LightSpace::Camera ? view_from_world(camera) : world_from_view(camera);
-    const auto carried = [&carry](glm::vec3 v) { return glm::vec3(carry * glm::dvec4(v, 0)); };
+    const ScreenMap map = screen_map(camera, {1, 1});
+    const glm::dmat4 to_world = world_from_own(light, map);
     const double w = light.position.w == 0 ? 0 : 1;
-    light.position = glm::vec4(carry * glm::dvec4(own_place(light), w));
+    const glm::dvec4 place(own_place(light), w);
+    light.space = space;
+    const glm::dmat4 carry = own_from_world(light, map) * to_world;
+    const auto carried = [&carry](glm::vec3 v) { return glm::vec3(carry * glm::dvec4(v, 0)); };
+    light.position = glm::vec4(carry * place);
     light.spot.direction = carried(light.spot.direction);
     light.area.edge_u = carried(light.area.edge_u);
     light.area.edge_v = carried(light.area.edge_v);
-    light.space = space;
     return light;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Where a light stands in the world, and how its numbers change when it is moved there or told to count in
-// other coordinates. A directional light has no place; it is shown on a dome round the scene.
+// The place of a light in the world, and how its numbers change when it is moved there or given in other
+// coordinates. A directional light has no place; it is shown on a dome round the scene.
 
 #include <glm/vec3.hpp>
 
@@ -9,13 +9,7 @@
 
 namespace glint {
 
-/// The sphere on which directional lights are shown and dragged.
-struct Dome {
-    glm::dvec3 centre{0};
-    double radius = 1;
-};
-
-/// Bounds of all objects in world coordinates; of a cube of edge 2 at the target when there are none.
+/// A box round all objects, in world coordinates; a cube of edge 2 at the target when there are none.
 [[nodiscard]] Bounds scene_bounds(const Scene& scene);
 
 /// A dome round what the camera looks at, sized to stay inside the view, so that every directional light has

@@ -1,9 +1,9 @@
+// The shapes of lights: a spot's cone and a panel's rectangle.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "ui/picture/handles/drag_math.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/widgets/theme.h"
 
@@ -23,14 +23,6 @@ glm::dvec3 aim_of(const Light& light, const DragView& view) {
 Light turned_towards(Light light, glm::dvec3 aim, const DragView& view) {
     turn_shape(light, rotation_between(aim_of(light, view), aim), view.map);
     return light;
-}
-
-/// Heights and angles round y at multiples of 15 degrees.
-glm::dvec3 snapped(glm::dvec3 direction) {
-    const double step = pi / 12;
-    const double height = std::round(std::asin(std::clamp(direction.y, -1.0, 1.0)) / step) * step;
-    const double round_y = std::round(std::atan2(direction.x, direction.z) / step) * step;
-    return {std::cos(height) * std::sin(round_y), std::sin(height), std::cos(height) * std::cos(round_y)};
 }
 
 Light with_cutoff(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
@@ -82,7 +74,7 @@ Light with_aim(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_px
     const bool nearer = glm::dot(aim, ray_through(view.map, tip.pixel).direction) <= 0;
     const Ray ray = ray_through(view.map, tip.pixel + cursor_px - drag.grabbed_px);
     const glm::dvec3 wanted = glm::normalize(on_dome({place, reach}, ray, nearer) - place);
-    return turned_towards(drag.start, snap ? snapped(wanted) : wanted, view);
+    return turned_towards(drag.start, snap ? snapped_direction(wanted) : wanted, view);
 }
 
 }  // namespace
@@ -144,9 +136,8 @@ glm::dvec3 place_of(const ShapeGrip& grip, const Light& light, const Dome& dome,
 }
 
 std::optional<ShapeGrip> shape_under(const Light& light, const PictureView& view, glm::dvec2 cursor_px) {
-    const double reach = double(px(8)) / double(view.units_per_pixel);
     std::optional<ShapeGrip> best;
-    double nearest = reach;
+    double nearest = view.pixels(8);
     const auto offer = [&](const ShapeGrip& grip) {
         const OnScreen at = project(view.map, grip.place);
         const double distance = glm::length(at.pixel - cursor_px);

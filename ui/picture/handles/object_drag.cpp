@@ -6,9 +6,6 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
-#include "ui/picture/handles/drag_math.h"
-#include "ui/widgets/theme.h"
-
 namespace glint {
 namespace {
 
@@ -22,7 +19,7 @@ glm::dmat3 rotation_of(const Transform& transform) {
     return glm::dmat3(world_from_object(turn));
 }
 
-int axis_of(GizmoPart part) { return static_cast<int>(part) % 3; }
+std::size_t axis_of(GizmoPart part) { return static_cast<std::size_t>(part) % 3; }
 
 bool is_axis(GizmoPart part) { return part <= GizmoPart::Z; }
 
@@ -30,7 +27,7 @@ Transform moved(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor_
     const ObjectGizmo& g = drag.gizmo;
     glm::dvec3 motion(0);
     if (is_axis(drag.part)) {
-        const glm::dvec3 axis = g.axes[static_cast<std::size_t>(axis_of(drag.part))];
+        const glm::dvec3 axis = g.axes[axis_of(drag.part)];
         motion = (along_line(view.map, g.origin, axis, cursor_px) -
                   along_line(view.map, g.origin, axis, drag.grabbed_px)) *
                  axis;
@@ -38,7 +35,7 @@ Transform moved(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor_
         const double depth = project(view.map, g.origin).depth;
         motion = unproject(view.map, cursor_px, depth) - unproject(view.map, drag.grabbed_px, depth);
     } else {
-        const glm::dvec3 normal = g.axes[static_cast<std::size_t>(axis_of(drag.part))];
+        const glm::dvec3 normal = g.axes[axis_of(drag.part)];
         const auto from = on_plane(view.map, g.origin, normal, drag.grabbed_px),
                    to = on_plane(view.map, g.origin, normal, cursor_px);
         if (from && to) motion = *to - *from;
@@ -52,9 +49,9 @@ Transform moved(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor_
     return t;
 }
 
-/// The line of sight towards the object, or the axis of a ring.
+/// A ring turns about its own axis, or about the line of sight towards the object.
 glm::dvec3 ring_axis(const ObjectGizmo& gizmo, GizmoPart part) {
-    return is_axis(part) ? gizmo.axes[static_cast<std::size_t>(axis_of(part))] : gizmo.to_eye;
+    return is_axis(part) ? gizmo.axes[axis_of(part)] : gizmo.to_eye;
 }
 
 Transform turned(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
@@ -93,11 +90,11 @@ Transform resized(const ObjectDrag& drag, const DragView& view, glm::dvec2 curso
         for (int i = 0; i < 3; ++i) t.scale[i] = scaled(t.scale[i], factor, snap);
         return t;
     }
-    const int i = axis_of(drag.part);
-    const glm::dvec3 axis = g.axes[static_cast<std::size_t>(i)];
+    const glm::dvec3 axis = g.axes[axis_of(drag.part)];
     const double from = along_line(view.map, g.origin, axis, drag.grabbed_px),
                  to = along_line(view.map, g.origin, axis, cursor_px);
-    if (std::abs(from) > 1e-3 * g.length) t.scale[i] = scaled(t.scale[i], to / from, snap);
+    float& scale = t.scale[static_cast<int>(axis_of(drag.part))];
+    if (std::abs(from) > 1e-3 * g.length) scale = scaled(scale, to / from, snap);
     return t;
 }
 
@@ -126,7 +123,7 @@ double distance_to_ring(const ObjectGizmo& gizmo, glm::dvec3 axis, double radius
     return nearest;
 }
 
-/// Of the three axes or rings the one nearest to the cursor, if within reach.
+/// Finds the axis or ring that is nearest to the cursor, if one is within reach.
 std::optional<GizmoPart> axis_under(const ObjectGizmo& gizmo, GizmoMode mode, const PictureView& view,
                                     glm::dvec2 cursor_px, double reach) {
     std::optional<GizmoPart> best;
@@ -166,8 +163,8 @@ std::optional<ObjectGizmo> gizmo_of(const Transform& transform, GizmoMode mode, 
     gizmo.origin = pivot && mode == GizmoMode::Rotate ? *pivot : glm::dvec3(transform.translate);
     const OnScreen at = project(view.map, gizmo.origin);
     if (!at.in_front || at.depth <= 0) return {};
-    const double units = double(px(axis_units)) / double(view.units_per_pixel);
-    gizmo.length = glm::length(unproject(view.map, at.pixel + glm::dvec2(units, 0), at.depth) - gizmo.origin);
+    const glm::dvec2 end = at.pixel + glm::dvec2(view.pixels(axis_units), 0);
+    gizmo.length = glm::length(unproject(view.map, end, at.depth) - gizmo.origin);
     gizmo.to_eye = -ray_through(view.map, at.pixel).direction;
     const glm::dmat3 own = mode == GizmoMode::Scale ? rotation_of(transform) : glm::dmat3(1);
     for (int i = 0; i < 3; ++i) gizmo.axes[static_cast<std::size_t>(i)] = own[i];
@@ -176,7 +173,7 @@ std::optional<ObjectGizmo> gizmo_of(const Transform& transform, GizmoMode mode, 
 
 std::optional<GizmoPart> gizmo_under(const ObjectGizmo& gizmo, GizmoMode mode, const PictureView& view,
                                      glm::dvec2 cursor_px) {
-    const double unit = double(px(1)) / double(view.units_per_pixel);
+    const double unit = view.pixels(1);
     const double from_middle = glm::length(project(view.map, gizmo.origin).pixel - cursor_px);
     if (mode != GizmoMode::Rotate && from_middle < 9 * unit) return GizmoPart::Free;
     if (const auto axis = axis_under(gizmo, mode, view, cursor_px, 7 * unit)) return axis;

@@ -1,5 +1,5 @@
 #pragma once
-// Moving, rotating and scaling an object by hand: where the gizmo is, what of it is under the cursor, and
+// An object is moved, rotated and scaled by hand: where its gizmo is, what of it is under the cursor, and
 // what a drag makes of the transform. Pure functions; M = T Rz Ry Rx S (models/scene/transform.h).
 
 #include <imgui.h>
@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "models/scene/transform.h"
-#include "ui/picture/handles/light_drag.h"
-#include "ui/picture/picture_view.h"
+#include "ui/picture/handles/drag_math.h"
+#include "ui/picture/screen.h"
 
 namespace glint {
 

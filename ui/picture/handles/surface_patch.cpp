@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-/// Parts of one smooth surface, side by side.
+/// Whether both are parts of one smooth surface, side by side.
 bool hang_together(const SeenPoint& a, const SeenPoint& b) {
     if (a.object != b.object || glm::dot(a.normal, b.normal) < 0.7f) return false;
     // Two points of a smooth surface lie across the mean of their normals.
@@ -20,7 +20,7 @@ bool hang_together(const SeenPoint& a, const SeenPoint& b) {
 }  // namespace
 
 std::optional<SeenPoint> seen_at(const Renderer& renderer, PictureSize size, glm::dvec2 pixel) {
-    if (!(pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.width && pixel.y < size.height)) return {};
+    if (!is_inside(size, pixel)) return {};
     return renderer.seen_at(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
 }
 

@@ -1,15 +1,25 @@
 #pragma once
-// The surface that shows in a few pixels round one, and the slope over it of what is measured there.
+// A patch is the surface that shows in a few pixels round one, with the slope of what is measured there.
 
 #include <glm/vec2.hpp>
 #include <optional>
 #include <vector>
 
 #include "renderer/renderer.h"
+#include "ui/picture/screen.h"
 
 namespace glint {
 
-/// What shows at a place of the last picture, which must have this size; nothing outside and on the
+/// The surfaces of a picture, seen by its camera. The renderer's last picture must show the scene through
+/// `map`.
+struct SurfaceView {
+    const Scene& scene;
+    const Renderer& renderer;
+    const ScreenMap& map;
+    const Dome& dome;
+};
+
+/// The point that shows at a place of the last picture, which must have this size; nothing outside and on the
 /// background.
 [[nodiscard]] std::optional<SeenPoint> seen_at(const Renderer& renderer, PictureSize size, glm::dvec2 pixel);
 
@@ -31,7 +41,7 @@ struct SurfacePatch {
     [[nodiscard]] double distance_of_maximum(const std::vector<double>& values) const;
 };
 
-/// Nothing when the middle shows the background.
+/// The patch round a pixel; nothing when that shows the background.
 [[nodiscard]] std::optional<SurfacePatch> surface_patch(const Renderer& renderer, PictureSize size,
                                                         glm::dvec2 pixel, int radius);
 

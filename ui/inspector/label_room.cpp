@@ -1,4 +1,4 @@
-#include "ui/widgets/label_room.h"
+#include "ui/inspector/label_room.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,20 +1,96 @@
+// The sensitivity tab: jobs that measure beside the window, and the lines that show their results.
+#include "ui/inspector/sensitivity.h"
+
 #include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <glm/common.hpp>
 
-#include "ui/inspector/equation/parts.h"
 #include "ui/inspector/equation/words.h"
-#include "ui/inspector/sensitivity_job.h"
 #include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
+
+SensitivityJob::SensitivityJob(const SceneDocument& document, PictureSize size, glm::ivec2 pixel)
+    : document_(document), size_(size), pixel_(pixel) {
+    thread_ = std::thread([this] {
+        try {
+            work();
+        } catch (const std::exception& error) {
+            result_ = Problem{"", "", error.what(), ""};
+        }
+        done_ = true;
+    });
+}
+
+SensitivityJob::~SensitivityJob() {
+    cancel();
+    thread_.join();
+}
+
+void SensitivityJob::work() {
+    const std::size_t lights = document_.scene.lights.size();
+    if (lights > max_sensitivity_lights) {
+        result_ = Problem{"", "/lights", std::to_string(lights) + " lights are too many for the sensitivity",
+                          "at most " + std::to_string(max_sensitivity_lights)};
+        return;
+    }
+    SensitivityRun run(document_, size_, pixel_.x, pixel_.y, 1);  // one thread: the window needs the others
+    count_ = run.count();
+    while (!cancelled_ && run.step()) measured_ = run.measured();
+    if (!cancelled_) result_ = run.result();
+}
+
+float SensitivityJob::progress() const {
+    const std::size_t count = count_;
+    return count == 0 ? 0 : static_cast<float>(measured_) / static_cast<float>(count);
+}
+
 namespace {
+
+constexpr double stillness = 0.25;   // seconds before a job starts
+constexpr double look_again = 0.05;  // seconds between looks at its progress
+
+void retire(SensitivityState& state) {
+    if (!state.job) return;
+    state.job->cancel();
+    state.ending.push_back(std::move(state.job));
+}
+
+/// Starts, drops and collects jobs; once a frame while the results are wanted. A job starts when scene and
+/// pixel have stood still for a moment.
+void poll_sensitivity(SensitivityState& state, const SceneDocument& document, PictureSize size,
+                      glm::ivec2 pixel) {
+    const double now = ImGui::GetTime();
+    std::erase_if(state.ending, [](const auto& job) { return job->done(); });
+    const bool same =
+        state.asked_pixel == pixel && state.asked_size == size && state.asked_scene == document.scene;
+    if (!same) {
+        state.asked_scene = document.scene, state.asked_pixel = pixel, state.asked_size = size;
+        state.asked_since = now;
+        state.current = false;
+        retire(state);
+    }
+    if (state.current) return;
+    if (!state.job && state.ending.empty() && now - state.asked_since >= stillness &&
+        !ImGui::IsAnyMouseDown())
+        state.job = std::make_unique<SensitivityJob>(document, size, pixel);
+    if (state.job && state.job->done()) {
+        const auto* found = std::get_if<Sensitivities>(&state.job->result());
+        state.shown = found != nullptr ? std::optional(*found) : std::nullopt;
+        state.current = true;
+        state.job.reset();
+        return;
+    }
+    redraw_within(look_again);
+}
 
 double largest(glm::dvec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
@@ -42,10 +118,10 @@ void number_row(UiState& state, const Sensitivity& number, double most) {
     ImGui::PushID(number.pointer.c_str());
     if (ImGui::Selectable("##row", false, 0, {ImGui::GetContentRegionAvail().x, line + px(5)}))
         state.editor.selection = named.selection;
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const auto [low, high] = last_item();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto share = static_cast<float>(largest(number.change) / std::max(most, 1e-30));
-    const ImVec2 text{low.x + px(4), low.y + px(1)};
+    const ImVec2 text = low + px(1) * ImVec2(4, 1);
     list.AddRectFilled({text.x, high.y - px(3)}, {text.x + share * (high.x - low.x - px(8)), high.y - px(1)},
                        to_u32(theme().accent));
     list.AddText(text, to_u32(theme().text), fmt::format("{}  {}", named.owner, named.what).c_str());
@@ -100,7 +176,7 @@ void sensitivity_tab(UiState& state, const PictureView& view) {
         return inspector_empty_state(
             "Here every number of the scene is sorted by how much it matters there.");
     SensitivityState& job = state.sensitivity;
-    tend_sensitivity(job, state.editor.document, view.map.size, state.asked);
+    poll_sensitivity(job, state.editor.document, view.map.size, state.asked);
     if (!job.current) progress(job);
     if (!job.shown) {
         if (job.current)

@@ -1,5 +1,5 @@
 #pragma once
-// Labels that do not cover one another: each stands as near to where it would like to be as those before it
+// Labels do not cover one another: each stands as near to where it would like to be as those before it
 // let it. The most important ones first.
 
 #include <imgui.h>
@@ -24,7 +24,7 @@ class LabelRoom {
     /// there; its room is taken from now on. Nothing, and nothing taken, where there is no room.
     [[nodiscard]] std::optional<ImVec2> place(ImVec2 wanted, ImVec2 size, float reach);
 
-    /// The same; without room where it would like to be.
+    /// Likewise, but without room it stands where it would like to be.
     [[nodiscard]] ImVec2 place_anyhow(ImVec2 wanted, ImVec2 size, float reach);
 
   private:

@@ -1,10 +1,9 @@
-#include "ui/inspector/asked.h"
+#include "ui/inspector/inspector.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 
-#include "models/saturate.h"
 #include "ui/ui.h"
 
 namespace glint {
@@ -14,9 +13,7 @@ std::optional<glm::ivec2> asked_pixel(const UiState& state, const PictureView& v
     const PictureSize size = view.map.size;
     if (!io.KeyAlt || !state.viewport.hovered || state.viewport.gesture != Gesture::None)
         return probe_pixel(state.viewport, size);
-    const glm::dvec2 at = view.to_pixel(io.MousePos);
-    return glm::ivec2(std::clamp(saturated_int(at.x), 0, size.width - 1),
-                      std::clamp(saturated_int(at.y), 0, size.height - 1));
+    return nearest_pixel(size, view.to_pixel(io.MousePos));
 }
 
 const ExplainedPoint& asked_point(const InspectorState& state, const Explanation& explanation) {
@@ -45,27 +42,8 @@ const ExplainedLight* asked_light(const UiState& state, const ExplainedPoint& po
 }
 
 Scene with_term_alone(Scene scene, Symbol term) {
-    Terms& terms = scene.shading.terms;
-    switch (term) {
-    case Symbol::Ambient:
-        terms = {false, true, false, false};
-        break;
-    case Symbol::Diffuse:
-        terms = {false, false, true, false};
-        break;
-    case Symbol::Specular:
-        terms = {false, false, false, true};
-        break;
-    case Symbol::Emission:
-        terms = {true, false, false, false};
-        break;
-    case Symbol::N:
-    case Symbol::L:
-    case Symbol::V:
-    case Symbol::R:
-    case Symbol::H:
-        break;
-    }
+    scene.shading.terms = {term == Symbol::Emission, term == Symbol::Ambient, term == Symbol::Diffuse,
+                           term == Symbol::Specular};
     return scene;
 }
 

@@ -1,5 +1,5 @@
-// How a highlight might fall off: other shapes beside cos^n, and the n that comes nearest to a curve drawn by
-// hand.
+// Highlights: a cosine to the power n, other shapes beside it, and the n that comes nearest to a curve drawn
+// by hand.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -7,19 +7,19 @@
 #include <cmath>
 
 #include "models/saturate.h"
+#include "models/scene/reflection.h"
 #include "renderer/inspect/reflectance/curves.h"
 #include "renderer/inspect/reflectance/highlight.h"
-#include "ui/inspector/equation/parts.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/plots_tab.h"
 #include "ui/ui.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
 
-constexpr int steps = 90;
+constexpr int steps = 90, curve_steps = 240;
 
 /// The model whose power is fitted: the scene's, or Phong's where its model has none.
 Reflection fitted_model(const Scene& scene) {
@@ -33,7 +33,7 @@ std::vector<glm::dvec2> half_highlight(Reflection reflection, float shininess) {
     return curve;
 }
 
-/// What the hand draws while the button is down over the plot, a value for each degree.
+/// Takes what the hand draws while the button is down over the plot, a value for each degree.
 void draw_by_hand(HighlightSketch& sketch, const PlotArea& area) {
     ImGui::SetCursorScreenPos(area.rect.low);
     hit_area("##sketch", area.rect.size());
@@ -60,7 +60,35 @@ void fit_row(UiState& state, HighlightSketch& sketch, const std::optional<Highli
     if (ImGui::SmallButton("Clear")) sketch = {};
 }
 
+bool raises_a_cosine(Reflection reflection) {
+    return info_of(reflection).cosine == HighlightCosine::RV ||
+           info_of(reflection).cosine == HighlightCosine::NH;
+}
+
 }  // namespace
+
+void highlight_section(PlotsState& plots, const PlotSubject& subject) {
+    section_heading("Highlight: a cosine to the power n");
+    const float n = subject.material.shininess;
+    const double like = plots.blinn_like.of(n, [n] { return blinn_shininess_like(n); });
+    const auto phong = highlight_curve(Reflection::Phong, n, curve_steps);
+    const auto blinn = highlight_curve(Reflection::BlinnPhong, n, curve_steps);
+    const auto close = highlight_curve(Reflection::BlinnPhong, static_cast<float>(like), curve_steps);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const PlotArea area = draw_axes(list, plot_room(curve_height), {-90, 90}, {0, 1.1},
+                                    {"r to v", "degrees", true, 30}, {"S", ""});
+    draw_curve(list, area, blinn, theme()[Symbol::H]);
+    draw_curve(list, area, phong, theme()[Symbol::R], 2.6f);
+    draw_curve(list, area, close, theme().text, 1);
+    draw_y_name(list, area, {"S", ""});
+    const Reflection reflection = subject.scene.shading.reflection;
+    if (subject.point.light != nullptr && raises_a_cosine(reflection))
+        draw_mark(list, area, highlight_mark(subject.point, reflection),
+                  theme()[reflection == Reflection::Phong ? Symbol::R : Symbol::H]);
+    legend({{Symbol::R, fmt::format("(r·v)^{:.4g} Phong", n)},
+            {Symbol::H, fmt::format("(n·h)^{:.4g} Blinn", n)}});
+    small_dim(fmt::format("thin: Blinn's with n′ = {:.1f}, which comes nearest to Phong's", like));
+}
 
 void add_to_sketch(HighlightSketch& sketch, glm::dvec2 from, glm::dvec2 to) {
     if (from.x > to.x) std::swap(from, to);
@@ -105,9 +133,8 @@ void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subjec
     if (fit)
         draw_curve(list, area, half_highlight(model, static_cast<float>(fit->shininess)), theme().text, 1);
     draw_y_name(list, area, {"S", ""});
-    coloured(symbol, fmt::format("{}^{:.4g}", model == Reflection::Phong ? "(r·v)" : "(n·h)", n).c_str());
-    ImGui::SameLine(0, px(8));
-    coloured(Symbol::L, "Gaussian");
+    legend({{symbol, fmt::format("{}^{:.4g}", model == Reflection::Phong ? "(r·v)" : "(n·h)", n)},
+            {Symbol::L, "Gaussian"}});
     ImGui::SameLine(0, px(8));
     dim_text("linear");
     fit_row(state, plots.sketch, fit);

@@ -1,5 +1,5 @@
 #pragma once
-// What matters at a pixel, measured beside the window on a thread and with a renderer of its own.
+// The sensitivity of a pixel is measured beside the window, on a thread and with a renderer of its own.
 
 #include <atomic>
 #include <glm/vec2.hpp>
@@ -13,7 +13,7 @@
 
 namespace glint {
 
-/// The numbers of one pixel of one scene.
+/// Measures one pixel of one scene.
 class SensitivityJob {
   public:
     /// Starts; the document's meshes are shared, nothing else.
@@ -29,10 +29,6 @@ class SensitivityJob {
     [[nodiscard]] float progress() const;
     /// Precondition: done(), and not cancelled.
     [[nodiscard]] const Result<Sensitivities>& result() const { return result_; }
-
-    [[nodiscard]] bool is_of(const Scene& scene, PictureSize size, glm::ivec2 pixel) const {
-        return size_ == size && pixel_ == pixel && document_.scene == scene;
-    }
 
   private:
     void work();
@@ -57,10 +53,5 @@ struct SensitivityState {
     std::optional<Sensitivities> shown;
     bool current = false;  // `shown` is of the scene and pixel as they are
 };
-
-/// Starts, drops and collects jobs; call once a frame while the results are wanted. A job starts when scene
-/// and pixel have stood still for a moment.
-void tend_sensitivity(SensitivityState& state, const SceneDocument& document, PictureSize size,
-                      glm::ivec2 pixel);
 
 }  // namespace glint

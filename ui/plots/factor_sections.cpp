@@ -1,4 +1,5 @@
-// Lambert's cosine: the beam that spreads over more surface the more it slants, and the curve with its clamp.
+// Curves of one factor each: Lambert's cosine, with the beam that spreads over more surface the more it
+// slants; falloff; the cone.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -6,11 +7,11 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
+#include "renderer/inspect/reflectance/curves.h"
 #include "renderer/inspect/reflectance/lobes.h"
-#include "ui/inspector/equation/parts.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/plots_tab.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -30,25 +31,23 @@ Beam beam_at(const Rect& room, double deg) {
             {std::cos(angle), -std::sin(angle)}};
 }
 
-ImVec2 plus(ImVec2 a, ImVec2 b, float times) { return {a.x + times * b.x, a.y + times * b.y}; }
-
 /// Both rims of the beam run on until they meet the surface, which is level.
 void draw_beam(ImDrawList& list, const Rect& room, double deg) {
     const Beam beam = beam_at(room, deg);
     const float half = px(beam_units) / 2, far = room.size().x + room.size().y;
     const float foot = half / -beam.to_light.y;  // half of d / cos
-    const ImVec2 left{beam.foot.x - foot, beam.foot.y}, right{beam.foot.x + foot, beam.foot.y};
+    const ImVec2 left = beam.foot - ImVec2(foot, 0), right = beam.foot + ImVec2(foot, 0);
     const ImU32 light = to_u32(theme()[Symbol::L]);
-    list.AddQuadFilled(left, right, plus(right, beam.to_light, far), plus(left, beam.to_light, far),
+    list.AddQuadFilled(left, right, right + far * beam.to_light, left + far * beam.to_light,
                        to_u32(theme()[Symbol::L], 0.22f));
-    list.AddLine(left, plus(left, beam.to_light, far), light, px(1.2f));
-    list.AddLine(right, plus(right, beam.to_light, far), light, px(1.2f));
+    list.AddLine(left, left + far * beam.to_light, light, px(1.2f));
+    list.AddLine(right, right + far * beam.to_light, light, px(1.2f));
     // The beam's width, at right angles to it, a little above the surface.
-    const ImVec2 middle = plus(beam.foot, beam.to_light, px(54));
-    list.AddLine(plus(middle, beam.across, -half), plus(middle, beam.across, half), light, px(2));
-    plot_text(list, plus(middle, beam.to_light, px(9)), theme().text, "d", true);
+    const ImVec2 middle = beam.foot + px(54) * beam.to_light;
+    list.AddLine(middle - half * beam.across, middle + half * beam.across, light, px(2));
+    plot_text(list, middle + px(9) * beam.to_light, theme().text, "d", true);
     list.AddLine(left, right, to_u32(theme()[Symbol::Diffuse]), px(4));
-    plot_text(list, {beam.foot.x, beam.foot.y + px(13)}, theme()[Symbol::Diffuse],
+    plot_text(list, beam.foot + ImVec2(0, px(13)), theme()[Symbol::Diffuse],
               fmt::format("d / cos θ = {:.2f} d", 1 / std::cos(glm::radians(deg))), true);
 }
 
@@ -58,21 +57,19 @@ void draw_surface(ImDrawList& list, const Rect& room, double deg) {
     list.AddLine({room.low.x, beam.foot.y}, {room.high.x, beam.foot.y}, to_u32(theme().text), px(1.2f));
     const ImVec2 top{beam.foot.x, room.low.y + px(14)};
     list.AddLine(beam.foot, top, to_u32(theme()[Symbol::N]), px(1.4f));
-    plot_text(list, {top.x + px(5), top.y - px(6)}, theme()[Symbol::N], "n");
+    plot_text(list, top + px(1) * ImVec2(5, -6), theme()[Symbol::N], "n");
 }
 
 void beam_drawing(double deg) {
     const Rect room = plot_room(120);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(room.low, room.high, to_u32(theme().window));
-    list.PushClipRect(room.low, room.high, true);
+    begin_drawing(list, room);
     draw_surface(list, room, deg);
     if (deg < 90) draw_beam(list, room, deg);
-    list.PopClipRect();
-    list.AddRect(room.low, room.high, to_u32(theme().line));
+    end_drawing(list, room);
 }
 
-/// What a white matt surface reflects of a light at this angle: the equation's own diffuse term.
+/// The share that a white matt surface reflects of a light at this angle: the equation's own diffuse term.
 double diffuse_at(double light_deg) {
     Reflector white;
     white.reflection = Reflection::Lambert;
@@ -88,8 +85,15 @@ void cosine_curve(double deg) {
                                     {"θ between n and l", "degrees", true, 45}, {"", ""});
     draw_upright(list, area, 90, theme().dim_text);
     draw_curve(list, area, curve, theme()[Symbol::Diffuse]);
-    const double here = diffuse_at(deg);
-    draw_mark(list, area, {deg, here}, theme()[Symbol::Diffuse], fmt::format("{:.3f}", here));
+    draw_mark(list, area, {deg, diffuse_at(deg)}, theme()[Symbol::Diffuse]);
+}
+
+constexpr int steps = 240;
+
+/// Says how far a falloff's plot reaches: past the point, to where little is left.
+double farthest_of(const PlotSubject& subject) {
+    const double there = subject.point.light != nullptr ? double(subject.point.light->distance) : 0;
+    return std::max(1.5 * there, 5.0);
 }
 
 }  // namespace
@@ -109,6 +113,43 @@ void cosine_section(PlotsState& plots, const PlotSubject& subject) {
     if (deg >= 90) warning_text("From 90° on the light is behind the surface: nothing arrives.");
     cosine_curve(deg);
     small_dim("max(n·l, 0): what arrives, as a share of what arrives head on. The same seen from anywhere.");
+}
+
+void falloff_section(const PlotSubject& subject) {
+    section_heading("Falloff over the distance to the light");
+    const auto curve = falloff_curve(subject.scene, subject.light, farthest_of(subject), steps);
+    if (curve.empty()) {
+        const bool area =
+            subject.scene.lights[static_cast<std::size_t>(subject.light)].kind == LightKind::Area;
+        return small_dim(area ? "An area light has none of its own: it comes from its samples."
+                              : "A directional light has none: it is infinitely far.");
+    }
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    double most = 0;
+    for (const glm::dvec2 p : curve) most = std::max(most, p.y);
+    if (subject.point.light != nullptr)
+        most = std::min(most, 4 * std::max(falloff_mark(subject.point).y, 0.25));
+    const PlotArea area = draw_axes(list, plot_room(curve_height), {0, curve.back().x}, {0, 1.1 * most},
+                                    {"r", "scene units"}, {"falloff", ""});
+    draw_curve(list, area, curve, theme()[Symbol::L]);
+    draw_y_name(list, area, {"falloff", ""});
+    if (subject.point.light != nullptr)
+        draw_mark(list, area, falloff_mark(subject.point), theme()[Symbol::L]);
+}
+
+void spot_section(const PlotSubject& subject) {
+    const auto curve = spot_curve(subject.scene, subject.light, steps);
+    if (curve.empty()) return;
+    section_heading("Cone: how much goes into which direction");
+    const Light& light = subject.scene.lights[static_cast<std::size_t>(subject.light)];
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const PlotArea area = draw_axes(list, plot_room(curve_height), {-90, 90}, {0, 1.1},
+                                    {"from the axis", "degrees", true, 30}, {"spot", ""});
+    for (const float side : {-1.0f, 1.0f})
+        draw_upright(list, area, double(side * light.spot.cutoff_deg), theme().dim_text);
+    draw_curve(list, area, curve, theme()[Symbol::L]);
+    draw_y_name(list, area, {"spot", ""});
+    if (subject.point.light != nullptr) draw_mark(list, area, spot_mark(subject.point), theme()[Symbol::L]);
 }
 
 }  // namespace glint

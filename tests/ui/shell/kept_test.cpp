@@ -1,0 +1,28 @@
+// A kept result is computed again for another key, and for no other reason.
+#include "ui/widgets/kept.h"
+
+#include "tests/support/catch.h"
+
+using namespace glint;
+
+TEST_CASE("a kept result is computed once for each key that comes after another", "[ui][kept]") {
+    Kept<int, int> square;
+    int computed = 0;
+    const auto of = [&](int n) {
+        return square.of(n, [&] {
+            ++computed;
+            return n * n;
+        });
+    };
+    CHECK(square.value() == nullptr);
+    CHECK(of(0) == 0);  // the key that an empty one might be taken for
+    CHECK(of(0) == 0);
+    CHECK(computed == 1);
+    CHECK(of(3) == 9);
+    CHECK(square.is_of(3));
+    CHECK(of(0) == 0);
+    CHECK(computed == 3);
+    square.forget();
+    CHECK_FALSE(square.is_of(0));
+    CHECK(square.value() == nullptr);
+}

@@ -1,0 +1,70 @@
+#pragma once
+// The WHY column: what it remembers of the window, none of it the scene's, and what is being asked: which
+// pixel, which of its lit points, which light.
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/scene/scene.h"
+#include "renderer/inspect/explain/explanation.h"
+#include "ui/widgets/kept.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+
+/// One answer to "why that colour?" each; their labels and order are in ui/inspector/tabs.cpp.
+enum class InspectorTab { Equation, Vectors, Plots, Grid, Models, Sensitivity, Mistakes, Matrices, Outside };
+
+/// The point whose lights were asked: the picture (UiState::picture_serial), its pixel and corner.
+struct BlockedKey {
+    std::uint64_t serial = 0;
+    glm::ivec2 pixel{-1};
+    int corner = -1;
+    bool operator==(const BlockedKey&) const = default;
+};
+
+struct InspectorState {
+    InspectorTab tab = InspectorTab::Equation;
+    int corner = 0;                                  // whose numbers are listed under Gouraud and flat
+    int channel = 0;                                 // whose product is written out: 0 red, 1 green, 2 blue
+    bool shows_vectors = true, shows_facet = false;  // in the picture
+    bool world_frame = false;                        // vectors are listed in world coordinates, else camera
+    int mirror_step = 0;      // 1 to 4: r is built up in the picture; 0: r is simply shown
+    float normal_length = 1;  // of the n that r is built from
+    // What the mouse points at in the column, of the last frame: its arrow is drawn thick.
+    std::optional<Symbol> pointed_vector;
+    int pointed_light = -1;
+    Kept<BlockedKey, std::vector<int>> blocked;  // per light of the point: the object in its way, or -1
+    // What the mouse points at in the column alone, or otherwise: the next picture shows it.
+    std::optional<Scene> instead;
+    std::string preview_name;  // over it; or empty
+};
+
+struct UiState;
+struct PictureView;
+
+/// The pixel to explain is the one under the cursor while Alt is held, else the picked one. Nothing while
+/// neither.
+[[nodiscard]] std::optional<glm::ivec2> asked_pixel(const UiState& state, const PictureView& view);
+
+/// The lit point whose numbers are shown: the pixel's own, or the chosen corner or flat point.
+[[nodiscard]] const ExplainedPoint& asked_point(const InspectorState& state, const Explanation& explanation);
+
+/// The light whose vectors are shown. It is the one pointed at in the column, else the selected one, else the
+/// one that adds most. Null when no light is on.
+[[nodiscard]] const ExplainedLight* asked_light(const UiState& state, const ExplainedPoint& point);
+
+// While a line of the equation is pointed at, the picture shows a scene with all but one thing left out.
+
+/// One term alone. `term`: Ambient, Diffuse, Specular or Emission.
+[[nodiscard]] Scene with_term_alone(Scene scene, Symbol term);
+/// One light alone: no other, no emission, no global ambient light.
+[[nodiscard]] Scene with_light_alone(Scene scene, int light);
+
+/// The picture shows `scene` in the next frame, with its name written over it.
+void show_instead(UiState& state, const Scene& scene, const std::string& name);
+
+}  // namespace glint

@@ -1,0 +1,33 @@
+#pragma once
+// A result that takes long to compute, with what it was computed from.
+
+#include <optional>
+#include <utility>
+
+namespace glint {
+
+template <class Key, class Value> class Kept {
+  public:
+    /// Whether the result is that of `key`, as long as none differs from it by ==.
+    [[nodiscard]] bool is_of(const Key& key) const { return key_ == key; }
+    /// What was kept last, of whatever key; null before the first.
+    [[nodiscard]] const Value* value() const { return key_ ? &value_ : nullptr; }
+    [[nodiscard]] const std::optional<Key>& key() const { return key_; }
+
+    void keep(const Key& key, Value value) {
+        value_ = std::move(value);
+        key_ = key;
+    }
+    /// The result of `key`: compute() again when another key's is kept.
+    template <class Compute> const Value& of(const Key& key, const Compute& compute) {
+        if (!is_of(key)) keep(key, compute());
+        return value_;
+    }
+    void forget() { *this = {}; }
+
+  private:
+    std::optional<Key> key_;
+    Value value_{};
+};
+
+}  // namespace glint

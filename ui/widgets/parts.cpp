@@ -1,0 +1,151 @@
+#include "ui/widgets/parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// Draws a button with the colours of a chosen one.
+template <class Button> bool with_choice(bool chosen, const Button& button) {
+    ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().accent : theme().field);
+    ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme().accent_text : theme().text);
+    const bool clicked = button();
+    ImGui::PopStyleColor(2);
+    return clicked;
+}
+
+bool nothing_dragged() { return !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive(); }
+
+}  // namespace
+
+void coloured(const ImVec4& colour, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+}
+
+void coloured(Symbol symbol, const std::string& text) { coloured(theme()[symbol], text); }
+
+void light_icon(const Light& light) {
+    const float line = ImGui::GetTextLineHeight();
+    draw_icon(*ImGui::GetWindowDrawList(), icon_of(light.kind),
+              ImGui::GetCursorScreenPos() + line / 2 * ImVec2(1, 1), line, to_u32(legible(colour_of(light))));
+}
+
+void legend(std::initializer_list<std::pair<Symbol, std::string>> words) {
+    for (const auto& each : words) {
+        if (&each != words.begin()) ImGui::SameLine(0, px(8));
+        coloured(each.first, each.second);
+    }
+}
+
+void warning_text(const std::string& text) {
+    ImGui::PushTextWrapPos(0);
+    coloured(theme().warning, text);
+    ImGui::PopTextWrapPos();
+}
+
+void wrapped_dim(const std::string& text) {
+    ImGui::PushTextWrapPos(0);
+    dim_text(text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+void small_dim(const std::string& text) {
+    ImGui::PushFont(fonts().small);
+    wrapped_dim(text);
+    ImGui::PopFont();
+}
+
+bool chosen_button(const char* label, bool chosen) {
+    return with_choice(chosen, [label] { return ImGui::Button(label); });
+}
+
+bool small_chosen_button(const char* label, bool chosen) {
+    return with_choice(chosen, [label] { return ImGui::SmallButton(label); });
+}
+
+bool light_combo(const char* id, int& light, const std::vector<Light>& lights) {
+    const int count = static_cast<int>(lights.size());
+    light = std::clamp(light, 0, count - 1);
+    const auto name = [&](int i) { return lights[static_cast<std::size_t>(i)].name.c_str(); };
+    if (!ImGui::BeginCombo(id, name(light))) return true;
+    for (int i = 0; i < count; ++i) {
+        ImGui::PushID(i);
+        if (ImGui::Selectable(name(i), i == light)) light = i;
+        ImGui::PopID();
+    }
+    ImGui::EndCombo();
+    return false;
+}
+
+void same_line_if_fits(float width, float gap, float right) {
+    if (ImGui::GetItemRectMax().x + gap + width <= right) ImGui::SameLine(0, gap);
+}
+
+bool is_pointed_at() { return ImGui::IsItemHovered() && nothing_dragged(); }
+
+bool is_pointed_at(const Rect& area) {
+    constexpr bool clipped = false;  // a row of a table is wider than the cell drawn last
+    return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(area.low, area.high, clipped) &&
+           nothing_dragged();
+}
+
+ImU32 rim_colour(float opacity) { return to_u32({0, 0, 0, 1}, 0.6f * opacity); }
+
+void cased_line(ImDrawList& list, ImVec2 a, ImVec2 b, ImU32 colour, float width, float opacity) {
+    list.AddLine(a, b, rim_colour(opacity), px(width + rim_width));
+    list.AddLine(a, b, colour, px(width));
+}
+
+void cased_circle(ImDrawList& list, ImVec2 middle, float radius, ImU32 colour, float width) {
+    list.AddCircle(middle, px(radius), rim_colour(), 0, px(width + rim_width));
+    list.AddCircle(middle, px(radius), colour, 0, px(width));
+}
+
+void cased_outline(ImDrawList& list, const std::vector<ImVec2>& corners, ImU32 colour, float width,
+                   bool closed) {
+    const int count = static_cast<int>(corners.size());
+    const ImDrawFlags flags = closed ? ImDrawFlags_Closed : ImDrawFlags_None;
+    list.AddPolyline(corners.data(), count, rim_colour(), flags, px(width + rim_width));
+    list.AddPolyline(corners.data(), count, colour, flags, px(width));
+}
+
+void rimmed_disc(ImDrawList& list, ImVec2 middle, float radius, ImU32 colour, float opacity) {
+    list.AddCircleFilled(middle, px(radius + 1.5f), rim_colour(opacity));
+    list.AddCircleFilled(middle, px(radius), colour);
+}
+
+void arrow_head(ImDrawList& list, ImVec2 tip, ImVec2 way, float length, float half_width, ImU32 colour) {
+    const ImVec2 neck = tip - px(length) * way, aside = px(half_width) * ImVec2(-way.y, way.x);
+    list.AddTriangleFilled(tip, neck + aside, neck - aside, colour);
+}
+
+void rimmed_text(ImDrawList& list, ImVec2 middle, const ImVec4& colour, const std::string& text) {
+    const ImVec2 low = middle - ImGui::CalcTextSize(text.c_str()) / 2;
+    const ImVec2 at{std::round(low.x), std::round(low.y)};
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            list.AddText(at + px(1) * ImVec2(float(x), float(y)), rim_colour(), text.c_str());
+    list.AddText(at, to_u32(colour), text.c_str());
+}
+
+void badge_ground(ImDrawList& list, const Rect& area, bool lit) {
+    list.AddRectFilled(area.low, area.high, to_u32(lit ? theme().field_active : theme().window, 0.88f),
+                       px(6));
+}
+
+Rect badge(ImDrawList& list, ImVec2 at, const std::string& text, ImVec2 pivot) {
+    const ImVec2 pad = px(1) * ImVec2(8, 5), size = ImGui::CalcTextSize(text.c_str()) + 2 * pad;
+    const ImVec2 low = at - ImVec2(pivot.x * size.x, pivot.y * size.y);
+    badge_ground(list, {low, low + size});
+    list.AddText(low + pad, to_u32(theme().text), text.c_str());
+    return {low, low + size};
+}
+
+}  // namespace glint

@@ -1,0 +1,74 @@
+#pragma once
+// What panels and the picture's overlay are made of, beside the fields of widgets.h: words in colours,
+// buttons that show a choice, and marks, lines and badges that can be read on any picture.
+
+#include <imgui.h>
+
+#include <glm/vec3.hpp>
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "models/scene/light.h"
+#include "ui/widgets/area.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+
+// Words of a panel.
+
+void coloured(const ImVec4& colour, const std::string& text);
+void coloured(Symbol symbol, const std::string& text);
+/// The light's icon at the cursor, which stays.
+void light_icon(const Light& light);
+/// Each word in its symbol's colour, all in one line.
+void legend(std::initializer_list<std::pair<Symbol, std::string>> words);
+/// A sentence that warns.
+void warning_text(const std::string& text);
+void wrapped_dim(const std::string& text);
+/// In the small font.
+void small_dim(const std::string& text);
+
+// Choices.
+
+/// A button on the accent's ground while it is chosen. The small one is as high as a line of text.
+bool chosen_button(const char* label, bool chosen);
+bool small_chosen_button(const char* label, bool chosen);
+/// A drop-down of the lights' names, as wide as ImGui was told; `light` is brought into the range of
+/// `lights`, which are not empty. False while its list is open.
+bool light_combo(const char* id, int& light, const std::vector<Light>& lights);
+/// Goes on in the line of the item drawn last where `width` still fits to the left of `right`.
+void same_line_if_fits(float width, float gap, float right);
+
+/// True when the mouse rests on the item drawn last and nothing is being dragged: then a panel may show
+/// another scene than the edited one.
+[[nodiscard]] bool is_pointed_at();
+/// Whether a rectangle of the window drawn into is pointed at.
+[[nodiscard]] bool is_pointed_at(const Rect& area);
+
+// Over the picture. Widths and radii are in units of the design, places in the window's.
+
+/// How much wider a dark line is than the bright one on it.
+inline constexpr float rim_width = 1.8f;
+/// The dark that surrounds bright lines and marks.
+[[nodiscard]] ImU32 rim_colour(float opacity = 1);
+/// A bright line on a wider dark one.
+void cased_line(ImDrawList& list, ImVec2 a, ImVec2 b, ImU32 colour, float width = 1.2f, float opacity = 1);
+void cased_circle(ImDrawList& list, ImVec2 middle, float radius, ImU32 colour, float width);
+void cased_outline(ImDrawList& list, const std::vector<ImVec2>& corners, ImU32 colour, float width,
+                   bool closed);
+/// A disc with a dark rim.
+void rimmed_disc(ImDrawList& list, ImVec2 middle, float radius, ImU32 colour, float opacity = 1);
+/// A triangle with its tip at `tip`, pointing along `way` (unit).
+void arrow_head(ImDrawList& list, ImVec2 tip, ImVec2 way, float length, float half_width, ImU32 colour);
+/// Text in the font in use with a dark rim, its middle at `middle`.
+void rimmed_text(ImDrawList& list, ImVec2 middle, const ImVec4& colour, const std::string& text);
+
+/// The ground of what is written over the picture.
+void badge_ground(ImDrawList& list, const Rect& area, bool lit = false);
+/// Text in the font in use on such a ground. `at`: its corner low and left, or the point that `pivot` (shares
+/// of its size) says. Returns what it covers.
+Rect badge(ImDrawList& list, ImVec2 at, const std::string& text, ImVec2 pivot = {0, 0});
+
+}  // namespace glint
