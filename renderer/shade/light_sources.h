@@ -20,7 +20,7 @@ void light_sources(const Scene& scene, std::vector<LightSource>& sources);
 /// Camera coordinates from a light's own: the view matrix for a light given in world coordinates, and nothing
 /// for one given in camera coordinates; mistakes may put another matrix in place.
 [[nodiscard]] glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world,
-                                           const Mistakes& mistakes);
+                                           const Mistakes& mistakes = {});
 
 /// One object's part of the equation. `lights` must outlive the job. `at_corners`: the colours will be
 /// blended over faces, which OpenGL's rules clamp before.
