@@ -36,7 +36,7 @@ struct FrameStats {
 struct SeenPoint {
     int object = 0;          // in Scene::objects
     std::uint32_t face = 0;  // polygon, in the file's order from 0
-    glm::vec3 place{0};
+    glm::vec3 position{0};
     glm::vec3 normal{0};  // unit; the facet's under the mode `facet`, else the interpolated one
 };
 

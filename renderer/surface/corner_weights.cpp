@@ -1,10 +1,9 @@
-#include "renderer/surface/corner_weights.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "renderer/geometry/clip.h"
 #include "renderer/geometry/interpolate.h"
+#include "renderer/surface/surface.h"
 
 namespace glint {
 namespace {

@@ -1,16 +1,45 @@
 #pragma once
 // The window helps in a lecture: with large type, a clean picture, freeze, pen, a step wedge.
 
+#include <imgui.h>
+
 #include <array>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "models/scene/scene.h"
-#include "ui/picture/pen.h"
+#include "ui/picture/screen.h"
 
 namespace glint {
+
+// A pen to draw over the picture with, as on a blackboard. Strokes are kept apart from the scene and the
+// saved picture.
+
+/// A line of the pen. Places count from the picture's middle, in its heights, so that a line stays on what it
+/// was drawn on when the window changes.
+struct PenLine {
+    std::vector<glm::vec2> places;
+    int colour = 0;  // of pen_colours
+    bool operator==(const PenLine&) const = default;
+};
+
+struct PenState {
+    bool on = false;
+    int colour = 0;
+    std::vector<PenLine> lines;
+};
+
+inline constexpr int pen_colour_count = 5;
+[[nodiscard]] ImVec4 pen_colour(int index);
+
+void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view);
+
+/// Draws the pen's colours, the way back and the sponge, at the picture's upper edge, while the pen is in
+/// hand.
+void pen_bar(PenState& pen, const PictureView& view);
 
 // The wedge has patches that differ little from their ground: a projector, in its room, tells some apart.
 

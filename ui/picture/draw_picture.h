@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "renderer/picture.h"
 #include "renderer/renderer.h"
 #include "ui/commands/keys.h"
 #include "ui/picture/screen.h"
@@ -11,6 +12,42 @@
 namespace glint {
 
 struct UiState;
+
+// Keeps a drag fluent: when a picture of full size takes too long, smaller ones are drawn while the hand
+// moves, and the full one as soon as it rests. A state machine of its own: milliseconds in, a divisor out.
+
+/// A picture at full size that takes longer than this is drawn smaller while something moves.
+inline constexpr double slow_picture_ms = 33;
+
+struct FramePace {
+    double slow_ms = slow_picture_ms;  // infinite where no hand waits
+    int divisor = 1;                   // of the picture's width and height, for the next picture
+    double full_ms = 0;                // what one of full size took, or is judged to take
+    bool in_vain = false;              // smaller ones are not faster: the time goes elsewhere
+    double rests_since = 0;            // seconds on the clock that the caller keeps: the last change
+    int drawn_at = 0;  // divisor of the picture drawn in this frame; 0: none was, or nothing moves
+    // For want of memory, pictures of this size are divided by that, hand or no hand. Now and then a larger
+    // one is tried.
+    PictureSize memory_divided{0, 0};
+    int memory_divisor = 1;
+    double memory_wait = 0, memory_rests_until = 0;  // seconds, on the clock as above
+    bool memory_tries_again = false;
+};
+
+/// Smaller ones are chosen to take about this.
+inline constexpr double wanted_picture_ms = 24;
+inline constexpr int largest_divisor = 4;
+/// The hand rests when nothing has changed for so long, in seconds: then the full picture is drawn.
+inline constexpr double rest_before_full = 0.15;
+
+/// A gesture has ended: the next picture is a full one.
+void end_of_motion(FramePace& pace);
+
+/// Learns from a picture drawn at `divisor` in `ms`, while something moves.
+void picture_took(FramePace& pace, int divisor, double ms);
+
+/// `full` divided, each side at least 1.
+[[nodiscard]] PictureSize divided(PictureSize full, int divisor);
 
 /// Whether both scenes show the same surfaces in the same pixels of a picture, by the same numbers: camera,
 /// objects, meshes and transforms are the same. Lights, materials and shading may differ.
@@ -32,7 +69,7 @@ struct UiState;
 
 /// Draws what shows (the edited scene or a preview) if it, or the size, is not that of the last picture; then
 /// asks the edited scene about the probe. While a hand moves something, a picture that would take too long is
-/// a smaller one (ui/shell/frame_pace.h).
+/// a smaller one.
 void draw_picture(UiState& state, const PictureView& view);
 
 /// Learns how long the pictures of this frame took, those of a comparison's parts included. After

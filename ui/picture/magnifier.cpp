@@ -1,5 +1,3 @@
-#include "ui/picture/magnifier.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "models/scene/transform.h"
 #include "ui/picture/tool.h"
 #include "ui/ui.h"
+#include "ui/views/views.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 

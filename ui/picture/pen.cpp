@@ -1,8 +1,7 @@
-#include "ui/picture/pen.h"
-
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "ui/lecture/lecture.h"
 #include "ui/picture/tool.h"
 #include "ui/ui.h"
 #include "ui/widgets/icons.h"

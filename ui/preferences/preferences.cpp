@@ -1,5 +1,3 @@
-#include "ui/preferences/preferences.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include "models/json/json_value.h"
 #include "models/scene_file/scene_file.h"
 #include "ui/picture/orbit.h"
+#include "ui/preferences/persistence.h"
 #include "ui/ui.h"
 
 namespace glint {

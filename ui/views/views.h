@@ -4,11 +4,12 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <string>
 #include <vector>
 
 #include "renderer/renderer.h"
-#include "ui/picture/magnifier.h"
+#include "ui/picture/screen.h"
 #include "ui/plots/plots_tab.h"
 #include "ui/shell/layout.h"
 #include "ui/views/compare_view.h"
@@ -20,6 +21,21 @@
 namespace glint {
 
 struct UiState;
+
+// The magnifier enlarges the picture as it is, without drawing it again, until each pixel is a square with
+// its number in it. Lecture: "Gouraud Shading" (scanlines), "Shading Artifacts" (silhouettes).
+
+struct MagnifierState {
+    int zoom = 1;            // 1, 2, 4 ... 64: window pixels a pixel
+    glm::dvec2 centre{0.5};  // what lies in the middle, as a share of the picture's size
+};
+inline constexpr int most_zoom = 64, usual_zoom = 32;
+
+/// Enlarges the picture's place in the window about the middle of `area`, and keeps `area` covered.
+void magnify(PictureView& view, const Rect& area, const MagnifierState& magnifier);
+
+/// Another zoom, the pixel at `share` staying where it is in the window.
+void zoom_about(MagnifierState& magnifier, int zoom, glm::dvec2 share);
 
 // Lit dots show where the equation is evaluated: a dot at each face's point, corner or pixel, thinned; its
 // normal as a needle; and how often it is evaluated a frame. Lecture: "Flat Shading", "Gouraud Shading",

@@ -1,6 +1,6 @@
-#include "renderer/inspect/debug_views/lettering.h"
-
 #include <ft2build.h>
+
+#include "renderer/inspect/debug_views/sheet.h"
 #include FT_FREETYPE_H
 
 #include <array>

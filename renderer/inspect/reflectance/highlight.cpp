@@ -32,7 +32,7 @@ std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Lig
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!lit || points[i].object != points[i - 1].object)
             lit.emplace(scene, size, light, mirror_like(scene, points[i].object));
-        const PointAt<float> at = lit->seen(points[i].place, points[i].normal);
+        const PointAt<float> at = lit->seen(points[i].position, points[i].normal);
         double sum = 0;
         for (const LightSource& source : lit->sources()) {
             const Vec term = lit->terms(source, at).specular;
@@ -45,12 +45,12 @@ std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Lig
 
 double cosine_at(const Scene& scene, PictureSize size, const Light& light, const SeenPoint& point) {
     const LightAlone lit(scene, size, light, mirror_like(scene, point.object));
-    return static_cast<double>(lit.middle(lit.seen(point.place, point.normal)).directions.n_dot_l);
+    return static_cast<double>(lit.middle(lit.seen(point.position, point.normal)).directions.n_dot_l);
 }
 
 glm::vec3 peak_direction(const Scene& scene, PictureSize size, const SeenPoint& point) {
     const LightAlone any(scene, size, {}, mirror_like(scene, point.object));
-    const PointAt<float> at = any.seen(point.place, point.normal);
+    const PointAt<float> at = any.seen(point.position, point.normal);
     if (!(dot(at.n, at.v) > 0)) return glm::vec3(0);
     const bool back = info_of(scene.shading.reflection).peak == HighlightPeak::Light;
     return to_glm(back ? at.v : directions_for(at.v, at).r);

@@ -152,7 +152,7 @@ TEST_CASE("buffers: their terms add up to the picture under every mode", "[buffe
                 REQUIRE(buffer("face").linear_at(x, y) ==
                         (seen ? glm::vec3(1, seen->object, seen->face) : glm::vec3(0)));
                 if (!seen) continue;
-                REQUIRE(buffer("position").linear_at(x, y) == seen->place);
+                REQUIRE(buffer("position").linear_at(x, y) == seen->position);
                 REQUIRE(buffer("normal").linear_at(x, y) == seen->normal);
                 REQUIRE(buffer("depth").linear_at(x, y).x == renderer.depth_at(x, y));
                 glm::vec3 sum(0);

@@ -1,8 +1,7 @@
 // When the picture is drawn smaller.
-#include "ui/shell/frame_pace.h"
-
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
+#include "ui/picture/draw_picture.h"
 
 using namespace glint;
 

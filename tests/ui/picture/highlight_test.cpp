@@ -59,7 +59,7 @@ class Grab {
             if (!point) continue;
             const glm::vec3 v = is_orthographic(scene.camera.projection) || !scene.shading.local_viewer
                                     ? glm::vec3(0, 0, 1)
-                                    : -glm::normalize(point->place);
+                                    : -glm::normalize(point->position);
             if (glm::dot(point->normal, v) > 0.3f && patch_is_whole(pixel)) return pixel;
         }
         FAIL("the object does not show");

@@ -45,7 +45,7 @@ Light dragged_or_aimed(const ShapeDrag& drag, const Held& held, const ViewportFr
                        glm::dvec2 cursor_px, const HandKeys& keys) {
     if (keys.shift && drag.grip.part == ShapePart::Aim && frame.renderer != nullptr)
         if (const auto point = seen_at(*frame.renderer, frame.view.map.size, cursor_px))
-            return aimed_at(drag.start, in_world(held.view.map, point->place, 1), held.view);
+            return aimed_at(drag.start, in_world(held.view.map, point->position, 1), held.view);
     return dragged_shape(drag, held.view, cursor_px, keys.ctrl);
 }
 

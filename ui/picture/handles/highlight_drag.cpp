@@ -42,7 +42,7 @@ class PeakSearch {
   public:
     PeakSearch(const HighlightDrag& drag, const SurfaceView& view, const SurfacePatch& patch, double nearer)
         : drag_(drag), view_(view), patch_(patch), nearer_(nearer) {
-        place_ = in_world(view.map, patch.middle().place, 1);
+        place_ = in_world(view.map, patch.middle().position, 1);
     }
 
     [[nodiscard]] Light light(glm::dvec3 away) const { return carried(drag_, view_, place_, away, nearer_); }
@@ -192,7 +192,7 @@ std::optional<HighlightDrag> grab_highlight(const SurfaceView& view, const Light
     if (!point) return {};
     HighlightDrag drag;
     drag.start = light;
-    drag.grabbed = in_world(view.map, point->place, 1);
+    drag.grabbed = in_world(view.map, point->position, 1);
     if (light.kind != LightKind::Directional)
         drag.distance = std::max(glm::length(handle_of(light, view.dome, view.map) - drag.grabbed), 1e-4);
     aim_at(drag.start, drag.grabbed, view);
@@ -214,7 +214,7 @@ std::optional<Light> dragged_highlight(const HighlightDrag& drag, const SurfaceV
     if (!patch) return {};
     const glm::vec3 mirror = peak_direction(view.scene, view.map.size, patch->middle());
     if (mirror == glm::vec3(0)) return {};
-    const Sought sought{view, *patch, in_world(view.map, patch->middle().place, 1),
+    const Sought sought{view, *patch, in_world(view.map, patch->middle().position, 1),
                         in_world(view.map, mirror, 0)};
     BestLight best;
     look_over_distances(drag, sought, best);

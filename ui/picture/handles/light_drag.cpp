@@ -125,7 +125,7 @@ std::optional<Light> dragged_terminator(const TerminatorDrag& drag, const Surfac
         if (glm::length(flat) < 1e-3) return {};
         return placed_at(drag.start, view.dome.centre + flat, view.dome, view.map);
     }
-    const glm::dvec3 p = in_world(view.map, point->place, 1);
+    const glm::dvec3 p = in_world(view.map, point->position, 1);
     const glm::dvec3 from = handle_of(drag.start, view.dome, view.map), way = from - p;
     const glm::dvec3 flat = way - glm::dot(way, n) * n;
     if (glm::length(flat) < 1e-3 * glm::length(way)) return {};

@@ -13,7 +13,7 @@ namespace {
 bool hang_together(const SeenPoint& a, const SeenPoint& b) {
     if (a.object != b.object || glm::dot(a.normal, b.normal) < 0.7f) return false;
     // Two points of a smooth surface lie across the mean of their normals.
-    const glm::vec3 way = b.place - a.place, normal = a.normal + b.normal;
+    const glm::vec3 way = b.position - a.position, normal = a.normal + b.normal;
     return std::abs(glm::dot(way, normal)) <= 1.2f * glm::length(way);
 }
 
