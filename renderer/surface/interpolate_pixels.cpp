@@ -44,8 +44,10 @@ void place_one_by_one(const Surface& s, const Geometry& g, const Visibility& vis
                       PointBlock& out) {
     out = {};
     for (unsigned i = 0; i < block_size; ++i) {
-        if (s.groups[group].mask >> i & 1u)
-            pixel_point(s, g, face_of_lane(s, g, visibility, group, i)).put(out, i);
+        if (!(s.groups[group].mask >> i & 1u)) continue;
+        SampleFace face = face_of_lane(s, g, visibility, group, i);
+        locate_on_face(face, g);
+        pixel_point(s, g, face).put(out, i);
     }
 }
 

@@ -22,13 +22,18 @@ void number_items(LitPoints& lit, const Surface& s, const Geometry& g) {
     lit.point.assign(lit.first.back(), no_index);
 }
 
-/// Calls visit(group number, lane, sources) for every pixel that shows a surface.
+/// Calls visit(group number, lane, sources) for every pixel that shows a surface. `weighted`: with the
+/// sources' weights, for which the pixel has to be located on its face.
 template <class Visit>
-void visit_pixels(const Surface& s, const Geometry& g, const Visibility& visibility, const Visit& visit) {
+void visit_pixels(const Surface& s, const Geometry& g, const Visibility& visibility, bool weighted,
+                  const Visit& visit) {
     tbb::parallel_for(std::size_t{0}, s.groups.size(), [&](std::size_t r) {
-        for (unsigned i = 0; i < block_size; ++i)
-            if (s.groups[r].mask >> i & 1u)
-                visit(r, i, sample_sources(s, g, face_of_lane(s, g, visibility, r, i)));
+        for (unsigned i = 0; i < block_size; ++i) {
+            if (!(s.groups[r].mask >> i & 1u)) continue;
+            SampleFace face = face_of_lane(s, g, visibility, r, i);
+            if (weighted) locate_on_face(face, g);
+            visit(r, i, sample_sources(s, g, face));
+        }
     });
 }
 
@@ -67,7 +72,10 @@ void place_points(const LitPoints& lit, Surface& s, const Geometry& g) {
 /// Finds the lit points that the pixels show.
 void find_lit_points(LitPoints& lit, Surface& s, const Geometry& g, const Visibility& visibility) {
     number_items(lit, s, g);
-    visit_pixels(s, g, visibility, [&lit](std::size_t, unsigned, const SampleSources& sample) {
+    // Perspective blends the three corners of a triangle wherever the pixel is.
+    const bool weighted =
+        s.choice.kind == SurfaceKind::Corners && s.choice.interpolation != Interpolation::Perspective;
+    visit_pixels(s, g, visibility, weighted, [&lit](std::size_t, unsigned, const SampleSources& sample) {
         for (std::size_t k = 0; k < static_cast<std::size_t>(sample.count); ++k)
             // Several threads may write the same 1.
             std::atomic_ref(lit.seen[lit.number(sample.source[k])]).store(1, std::memory_order_relaxed);
@@ -83,15 +91,16 @@ void collect_lit_points(Surface& s, const Geometry& g, const Visibility& visibil
         auto& [lit, refs] = s.as<PerFace>();
         find_lit_points(lit, s, g, visibility);
         refs.assign(s.groups.size(), FaceRefs{});
-        return visit_pixels(s, g, visibility, [&](std::size_t r, unsigned i, const SampleSources& sample) {
-            refs[r].point[i] = lit.point[lit.number(sample.source[0])];
-        });
+        return visit_pixels(s, g, visibility, false,
+                            [&](std::size_t r, unsigned i, const SampleSources& sample) {
+                                refs[r].point[i] = lit.point[lit.number(sample.source[0])];
+                            });
     }
     auto& [lit, ref_point, ref_weight] = s.as<PerVertex>();
     find_lit_points(lit, s, g, visibility);
     ref_point.assign(s.corner_ref(s.groups.size(), 0), 0);
     ref_weight.assign(ref_point.size(), 0);
-    visit_pixels(s, g, visibility, [&](std::size_t r, unsigned i, const SampleSources& sample) {
+    visit_pixels(s, g, visibility, true, [&](std::size_t r, unsigned i, const SampleSources& sample) {
         for (int k = 0; k < std::min(sample.count, max_blended(s.choice)); ++k) {
             const auto which = static_cast<std::size_t>(k);
             ref_point[s.corner_ref(r, k) + i] = lit.point[lit.number(sample.source[which])];

@@ -21,16 +21,22 @@ Vec blended_normal(const SurfaceInputs& surface, const Geometry& g, const Sample
     return sum;
 }
 
-}  // namespace
-
-SampleFace sample_face(const SurfaceChoice& choice, const Geometry& g, const Visibility& visibility, int x,
-                       int y) {
+SampleFace seen_face(const SurfaceChoice& choice, const Geometry& g, const Visibility& visibility, int x,
+                     int y) {
     const std::size_t pixel = g.size.index(x, y);
     SampleFace face;
     face.at = {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
     face.triangle = visibility.triangle_at(pixel);
     face.object = g.object_of(face.triangle);
     face.turned = choice.two_sided && visibility.back_at(pixel);
+    return face;
+}
+
+}  // namespace
+
+SampleFace sample_face(const SurfaceChoice& choice, const Geometry& g, const Visibility& visibility, int x,
+                       int y) {
+    SampleFace face = seen_face(choice, g, visibility, x, y);
     locate_on_face(face, g);
     return face;
 }
@@ -40,8 +46,8 @@ SampleFace face_of_lane(const Surface& s, const Geometry& g, const Visibility& v
     if (s.group_samples.empty()) {
         const auto width = static_cast<std::uint32_t>(g.size.width);
         const std::uint32_t pixel = s.groups[group].first_pixel + lane;
-        return sample_face(s.choice, g, visibility, static_cast<int>(pixel % width),
-                           static_cast<int>(pixel / width));
+        return seen_face(s.choice, g, visibility, static_cast<int>(pixel % width),
+                         static_cast<int>(pixel / width));
     }
     const GroupSamples& samples = s.group_samples[group];
     SampleFace face;
@@ -49,7 +55,6 @@ SampleFace face_of_lane(const Surface& s, const Geometry& g, const Visibility& v
     face.object = s.groups[group].object;
     face.triangle = samples.triangle[lane];
     face.turned = s.choice.two_sided && (samples.back >> lane & 1u);
-    locate_on_face(face, g);
     return face;
 }
 

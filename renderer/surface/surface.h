@@ -197,7 +197,8 @@ struct SurfaceInputs {
     SurfaceInputs(const Surface& s) : choice(s.choice), normals(s.normals) {}  // NOLINT: one for the other
 };
 
-/// Returns what lane `lane` of group `group` shows.
+/// Returns what lane `lane` of group `group` shows, without `weights` and `p`: locate_on_face() fills them
+/// in.
 [[nodiscard]] SampleFace face_of_lane(const Surface& surface, const Geometry& geometry,
                                       const Visibility& visibility, std::size_t group, unsigned lane);
 /// Returns what pixel (x, y) shows at its centre. Precondition: one sample a pixel, and it shows a surface.
