@@ -6,17 +6,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "models/fields/choices.h"
 #include "models/primitives/primitive_builder.h"
 
 namespace glint {
 namespace {
-
-static_assert([] {
-    for (const Primitive primitive : enumerators<Primitive>)
-        if (info_of(primitive).make == nullptr || info_of(primitive).max_triangles == nullptr) return false;
-    return true;
-}());
 
 /// The middle of the bounds; exactly 0 where rounding alone keeps it from 0.
 glm::dvec3 middle_of_bounds(const std::vector<glm::dvec3>& positions) {

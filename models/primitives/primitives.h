@@ -47,8 +47,8 @@ struct PrimitiveInfo {
     Choice choice;  // its meaning is the shape
     int default_detail = 1, max_detail = 1;
     const char* detail_meaning = "";
-    std::uint64_t (*max_triangles)(std::uint64_t d) = nullptr;  // an upper bound, for what memory it takes
-    PrimitiveBuilder (*make)(int d) = nullptr;
+    std::uint64_t (*max_triangles)(std::uint64_t d);  // an upper bound, for what memory it takes
+    PrimitiveBuilder (*make)(int d);
 };
 
 /// What a solid is cut into at least, more finely than asked for.
