@@ -1,7 +1,7 @@
 #pragma once
 // Keeps how much memory the scenes in hand may ask for, all of it together, and who has asked for how much.
-// What is large is asked for here before it is taken, so that what does not fit ends in one line and not in a
-// machine that swaps or a process that is killed.
+// Large allocations are announced here first, so that a scene that does not fit ends in one line and
+// not in a machine that swaps or a process that is killed.
 
 #include <array>
 #include <cstddef>
@@ -64,7 +64,7 @@ void set_memory_limit(std::uint64_t bytes);
 /// "16G", "512M", "1000000": a whole number of bytes, with K, M, G or T of 1024, 1024^2, ... bytes. A problem
 /// has `option` in place of a file. 1M at least.
 [[nodiscard]] Result<std::uint64_t> parse_memory_size(const std::string& option, std::string_view text);
-/// What is wrong with GLINT_MEMORY; nothing when it is well or not there.
+/// The problem with the value of GLINT_MEMORY; nullopt when it is valid or not set.
 [[nodiscard]] std::optional<Problem> memory_limit_problem();
 
 /// The line for an exception that ends a piece of work: its own words, or that memory ran out. `file`: what

@@ -1,6 +1,6 @@
 #pragma once
 // What is wrong with something a user gave us, as a value: one line that says where, what, and what was
-// expected. Source: docs/interface.md, "Errors".
+// expected. Source: docs/interface.md, "Errors and warnings".
 
 #include <string>
 #include <string_view>

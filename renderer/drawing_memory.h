@@ -9,11 +9,11 @@
 
 namespace glint {
 
-/// At least what a renderer holds at any one time of drawing this scene at this size, with what may be
-/// guessed of it before; meshes are counted where they are made. Precondition: meshes are loaded.
+/// A lower bound of the memory that a renderer holds while it draws this scene at this size, without the
+/// meshes, which are counted where they are made. Precondition: meshes are loaded.
 struct DrawingMemory {
-    MemoryNeed certain;  // whatever shows in the picture
-    MemoryNeed guessed;  // beside that
+    MemoryNeed certain;  // needed whatever the picture shows
+    MemoryNeed guessed;  // a guess of what is needed beside that
 };
 [[nodiscard]] DrawingMemory drawing_memory(const Scene& scene, PictureSize size, bool linear, int samples);
 

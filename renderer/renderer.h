@@ -1,7 +1,7 @@
 #pragma once
 // Scene -> pixels, and why. Four stages, each a function of its inputs alone and kept until they differ:
-// geometry -> visibility -> surface -> lighting (docs/architecture.md). Nobody ever says "dirty": the
-// renderer compares the scene with the one it was given last.
+// geometry -> visibility -> surface -> lighting, with strokes as a small one before the last
+// (docs/architecture.md). Nobody ever says "dirty": the renderer compares the scene with the last one.
 
 #include <array>
 #include <cstdint>

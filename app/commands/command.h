@@ -12,7 +12,7 @@ namespace glint {
 
 class Options;
 
-/// What is left of a command that has done its work.
+/// The result of a command.
 struct Outcome {
     std::string output;  // for standard output
     Warnings warnings;   // what was tolerated

@@ -39,8 +39,8 @@ struct SceneNumber {
 /// scene_rules.h.
 [[nodiscard]] std::optional<Problem> set_number(Scene& scene, const std::string& pointer, double value);
 
-/// The keys of a pointer as words: "falloff quadratic", "diffuse red", "eye z". `first` tokens are left out.
-/// What is not a number of the scene keeps its keys.
+/// The keys of a pointer as words: "falloff quadratic", "diffuse red", "eye z". The first `first`
+/// tokens are left out. A pointer that leads to no number of the scene is returned with its keys.
 [[nodiscard]] std::string words_of_pointer(const Scene& scene, const std::string& pointer, std::size_t first);
 
 }  // namespace glint

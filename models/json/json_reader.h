@@ -1,7 +1,7 @@
 #pragma once
 // JSON text -> nlohmann::json, strictly: comments, repeated keys, invalid UTF-8 and hostile sizes are
-// problems with the line they stand in, said in our words. Source: RFC 8259; docs/interface.md, "Scene file".
-// Only .cpp files of models include it: nothing else needs to know which JSON library we use.
+// problems with the line they stand in, said in our words. Source: RFC 8259; docs/interface.md, "The scene
+// file". Only models/ includes nlohmann (tests/architecture holds that); all others use json_value.h.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

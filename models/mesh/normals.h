@@ -30,7 +30,7 @@ struct NormalOptions {
 [[nodiscard]] glm::vec3 facet_normal(glm::vec3 a, glm::vec3 b, glm::vec3 c);
 
 /// Unit normal of polygon f by Newell's method, object coordinates, outward; (0, 0, 0) when it has no area.
-/// Source: M. Newell, in Sutherland, Sproull, Schumacker 1974; formulas: docs/architecture.md.
+/// Source: M. Newell, in Sutherland, Sproull, Schumacker 1974.
 [[nodiscard]] glm::vec3 facet_normal(const Mesh& mesh, std::size_t face);
 
 /// Normals of all corners, object coordinates, unit (or zero where nothing defines one).
@@ -52,9 +52,10 @@ void warn_of_missing_normals(const Mesh& mesh, Warnings& warnings);
 // Vertex normals: facet normals averaged around each vertex (lecture: "Vertex Normals").
 // Source: G. Thürmer and C. Wüthrich, JGT 3(1), 1998 (weighting by angle).
 
-/// Corners of facets that meet at a vertex and are joined there, perhaps through other facets, across
-/// manifold edges at which the facet normals differ by at most `crease_deg` (0 to 180). Source:
-/// docs/interface.md, `normals.source`.
+/// Groups the corners at each vertex whose facets are joined there, perhaps through other facets, across
+/// manifold edges at which the facet normals differ by at most `crease_deg` (0 to 180). An edge of exactly
+/// that angle is joined here; as a stroke (renderer/strokes/stroke_edges.h) it is drawn. Source:
+/// docs/interface.md, `normals/crease_deg`.
 struct CreaseGroups {
     std::vector<std::uint32_t> group;  // #C, numbered from 0 in the order of their first corner
     std::size_t count = 0;

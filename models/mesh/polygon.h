@@ -1,6 +1,6 @@
 #pragma once
 // One polygon of a mesh: its plane and size, in double, which cutting, normals and counting share, and its
-// triangles (docs/interface.md, "Shading").
+// triangles (docs/interface.md, "How a colour is computed").
 
 #include <cstddef>
 #include <glm/vec3.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-// Where an object stands in the world: M = T Rz Ry Rx S (docs/interface.md, "Space and cameras").
+// Where an object stands in the world: M = T Rz Ry Rx S (docs/interface.md, "Objects").
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>

@@ -18,7 +18,8 @@ namespace glint {
 /// A projection of that kind with its defaults.
 [[nodiscard]] Projection default_projection(ProjectionKind kind);
 
-// `--set /pointer=JSON`: assignments to a document before it is checked (docs/interface.md, "Command line").
+// `--set /pointer=JSON`: assignments to a document before it is checked (docs/interface.md, "Changing a
+// scene from the command line").
 
 /// Applies all assignments in order. Missing parents are made: lists and the numbers of a vector where a
 /// scene has them, else objects. A light's `type` set alone brings its own w, a projection's `type` drops the

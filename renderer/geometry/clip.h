@@ -1,6 +1,6 @@
 #pragma once
-// Clipping in homogeneous coordinates, before anything is divided (OpenGL 2.1, section 2.12), and the way of
-// a single vertex to the screen.
+// Clips in homogeneous coordinates, before the division by w (OpenGL 2.1, section 2.12), and transforms
+// single vertices to the screen.
 
 #include <algorithm>
 #include <array>
@@ -59,8 +59,8 @@ struct ClipMemory {
                                                            std::span<const std::uint32_t> corners,
                                                            ClipMemory& memory);
 
-// The kernels' ways of a vertex to the screen, for one vertex alone: those of triangles and of clipped pieces
-// go the same way, so that no crack opens between them.
+// The kernels' viewport transform for one vertex alone: whole triangles and clipped pieces go through the
+// same formulas, so that no crack opens between them.
 
 [[nodiscard]] inline Matrix4 matrix_of(const glm::dmat4& m) {
     Matrix4 out;
@@ -88,16 +88,16 @@ struct ClipMemory {
     return {at.x, at.y};
 }
 
-/// A corner that the near plane has left, but where it lies beyond it by more than rounding takes from usual
-/// numbers: of an edge that is 1e17 long doubles keep no digit of the place where it is cut. Then it has the
-/// least w that it may have, so that dividing by it gives a number.
+/// Repairs w of a corner that clipping left at or inside the near plane. On an edge 1e17 units long, doubles
+/// keep no digit of where it is cut, and the corner may come out far beyond the plane: its w is then set to
+/// the least that is allowed, so that the division by w gives a number.
 [[nodiscard]] inline glm::dvec4 before_eye(const Projection& projection, const glm::dvec4& clip) {
     const double least_w = is_orthographic(projection) ? 0.5 : 0.5 * static_cast<double>(near_of(projection));
     return {clip.x, clip.y, clip.z, std::max(clip.w, least_w)};
 }
 
-/// A corner that clipping has left; where it lies beyond near plane or guard band by more than rounding takes
-/// from usual numbers, the nearest that has a place on the rasteriser's grid.
+/// Moves a corner that clipping left beyond near plane or guard band (see before_eye) to the nearest point
+/// that lies on the rasteriser's grid; any other stays.
 [[nodiscard]] inline glm::dvec4 held_in_view(const Projection& projection, const glm::dvec4& clip) {
     const glm::dvec4 c = before_eye(projection, clip);
     const double side = (guard_band + 1) * c.w, depth = 1.001 * c.w;

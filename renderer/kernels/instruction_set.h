@@ -1,7 +1,7 @@
 #pragma once
-// Which instruction set the kernels run on: the widest that the processor has, or the one that the
-// environment variable GLINT_ISA names (scalar, sse2, avx2, avx512), for tests and measurements. The picture
-// is the same.
+// Chooses the instruction set of the kernels: the widest that the processor has, or the one that the
+// environment variable GLINT_ISA names (scalar, sse2, avx2, avx512; on ARM scalar, neon), for tests and
+// measurements. The picture is the same.
 
 #include <optional>
 

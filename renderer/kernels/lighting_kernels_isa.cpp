@@ -179,7 +179,8 @@ template <Number F> Vec3<F> colors_of(const ColorRecord* points, const std::uint
     return {color.a, color.b, color.c};
 }
 
-/// A run of pixels under Gouraud: `each` lit points a pixel, their numbers and weights 16 side by side.
+/// Blends the colours of pixels under Gouraud: `each` lit points a pixel, whose numbers and weights lie 16
+/// side by side.
 template <Number F>
 Vec3<F> blended_colors(const ColorRecord* points, const std::uint32_t* number, const float* weight,
                        int each) {

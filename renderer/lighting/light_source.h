@@ -53,16 +53,16 @@ template <Number F> F spot_factor(const LightAt<F>& light, Vec3<F> l) {
     return select(inside, power(min(cos_angle, F(1)), light.exponent), F(0));
 }
 
-/// False where the cone certainly leaves out all lanes, asked before a root is drawn: the signed square of
-/// the cosine times |to_light|^2, with room for rounding.
+/// False where all lanes certainly lie outside the cone. Compares signed squares of cosines times
+/// |to_light|^2, so that no square root is taken, with a margin for rounding.
 template <Number F> bool may_be_inside(const LightAt<F>& light, Vec3<F> to_light) {
     const F along = along_axis(light, to_light);
     const F least = light.cos_cutoff * abs(light.cos_cutoff) - F(1e-5f);
     return any(along * abs(along) >= least * dot(to_light, to_light));
 }
 
-/// What one sample of an area light puts in place of falloff: A |cos theta'| / (pi n^2 r^2), theta' at the
-/// emitter; 0 at r = 0, and never more than 1e37. With all samples it tends to Lambert's polygon formula.
+/// The factor that takes the place of falloff for one sample of an area light: A |cos theta'| / (pi n^2 r^2),
+/// theta' at the emitter; 0 at r = 0, at most 1e37. With all samples it tends to Lambert's polygon formula.
 template <Number F> F patch_factor(const LightAt<F>& light, Vec3<F> l, F r) {
     return min(light.patch * abs(dot(l, light.axis)) * inverse_or_zero(r * r), F(1e37f));
 }

@@ -1,7 +1,7 @@
 #pragma once
-// What students do to the equation by mistake (models/scene/mistakes.h), and the table that once stood in
-// place of the power, kept apart from its own text: each step of illuminate() hands its result here only
-// while some of them is switched on.
+// The mistakes that change the equation itself (models/scene/mistakes.h), and the table of powers that
+// renderers once looked up. They stand apart from the equation's own text: illuminate() calls them on its
+// intermediate results, and only while a mistake or the table is on.
 
 #include "models/scene/shading.h"
 #include "renderer/lighting/light_job.h"
@@ -42,7 +42,7 @@ template <Number F> F nearest_entry(F cosine, int entries) {
     return ((min(max0(cosine), F(1)) * last + magic) - magic) / last;
 }
 
-/// c^shininess without the hold at 1 that a cosine needs not: of vectors that kept their lengths.
+/// c^shininess for c that may exceed 1, as the dot product of vectors that are not unit does.
 template <Number F> F unheld_highlight(F c, const MaterialAt<F>& m) {
     const F squared = max(c * c, m.faintest_squared), most = F(0x1p127f);
     const F power = min(power_of_root(min(squared, most), m.shininess), most);
@@ -92,7 +92,7 @@ void apply_response_mistakes(const Mistakes& wrong, int power_table, Reflection 
 
 /// The number nearest to a within +-most.
 template <Number F> F held(F a, float most) { return min(max(a, F(-most)), F(most)); }
-/// What falloff and response make of a light, finite: with a colour of 0 it is 0.
+/// Keeps the product of falloff and response finite, so that it times a colour of 0 is 0 and not NaN.
 template <Number F> F held_share(F a) { return held(a, 0x1p120f); }
 
 /// The point as the projection leaves it, in place of the point in camera coordinates; at the eye, where

@@ -80,8 +80,8 @@ template <Number F> Directions<F> directions_for(Vec3<F> l, const PointAt<F>& at
     return directions_for(LightVector<F>{l, dot(at.n, l)}, Attenuation<F>{}, at);
 }
 
-/// c^shininess for the cosine c = scaled / length, of any sign, as (c^2)^(shininess / 2), so that no root has
-/// to be drawn for the length. 0 where c^2, with c's sign, is not above `faintest_squared`, as over much of a
+/// c^shininess for the cosine c = scaled / length, of any sign, as (c^2)^(shininess / 2), so that no
+/// square root is taken. 0 where c^2, with c's sign, is not above `faintest_squared`, as over much of a
 /// picture.
 template <Number F> F highlight(F scaled, F length_squared, const MaterialAt<F>& m) {
     const F squared = max(length_squared, F(smallest_normal));

@@ -18,13 +18,13 @@ struct Lighting {
     std::vector<LightJob> jobs;             // one an object
     std::vector<ColorRecord> point_colors;  // Corners, Faces: of the lit points
     std::vector<std::uint32_t> point_rgba;  // Faces: the same as bytes, 16 a block
-    std::vector<std::size_t> block_begins;  // several samples a pixel: where runs of other pixels begin
+    std::vector<std::size_t> block_begins;  // several samples a pixel: first group of each 16 pixels
     Picture picture;
     // Coverage masks (Visibility::covered) of the last picture; empty with strokes or multisampling, where
     // they are not used.
     std::vector<std::uint16_t> covered;
     bool linear = false;  // picture.linear is kept up too
-    // Where a material alone changes: the objects to light again, by index; empty: all.
+    // While materials alone change, 1 for each object (by index) to be lit again; empty: all are.
     std::vector<std::uint8_t> objects_again;
     MovingLight moving_light;  // while one light alone changes
     // What the kept picture was made of, beside the surface and the strokes.

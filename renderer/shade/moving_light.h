@@ -14,10 +14,10 @@
 
 namespace glint {
 
-/// What is to be done in 16 groups of pixels; bit i: group i. The others show what they should already.
+/// Tells which of 16 groups of pixels have to be coloured again; bit i: group i. The rest are up to date.
 struct GroupsToDo {
-    unsigned light = 0xFFFF;  // with the moving light, or with all
-    unsigned leave_dark = 0;  // show the sum of the others: the moving light has just left them
+    unsigned light = 0xFFFF;  // to be lit with the moving light, or with all
+    unsigned leave_dark = 0;  // to show the sum of the others: the moving light has just left them
 };
 
 class MovingLight {

@@ -1,6 +1,6 @@
 #pragma once
-// Doubles side by side, for places: half as many as the instruction set has floats, so that they fill a
-// register. Operations round alike in every width, as in number.h.
+// Doubles side by side, for positions: half as many as the instruction set has floats, so that they fill a
+// register. Operations round alike in every width, as in lanes.h.
 
 #include "renderer/simd/lanes.h"
 

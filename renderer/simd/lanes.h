@@ -3,7 +3,7 @@
 // and, bit for bit, the same results. Only this header and its three additions (double_lanes.h,
 // transpose.h, int_lanes.h) know the compiler's vector types and the processor's intrinsics. Everything here
 // lives in a namespace of its own instruction set, so that the linker can never take AVX code for the
-// baseline's (docs/architecture.md).
+// baseline's.
 //
 // Allowed in the equation: + - * / square_root, comparisons, select, and the bit moves of pow.h. Nothing
 // else, and -ffp-contract=off: then every width and every optimisation level gives the same bits.
@@ -224,8 +224,8 @@ template <class I> I load_ints(const void* from) {
 }
 inline void store(float* to, float a) { *to = a; }
 template <int N> void store(float* to, Lanes<N> a) { __builtin_memcpy(to, &a.v, sizeof(a.v)); }
-/// Asks for the cache lines of `bytes` bytes from `from` on before they are read. Nothing happens where there
-/// is not memory. Inlined always: g++ 12 would drop calls of a function that does nothing else.
+/// Prefetches the cache lines of `bytes` bytes from `from` on. Addresses that are not mapped do no harm.
+/// Inlined always: g++ 12 would drop calls of a function that does nothing else.
 [[gnu::always_inline]] inline void prefetch(const void* from, unsigned long bytes) {
     for (unsigned long i = 0; i < bytes; i += 64) __builtin_prefetch(static_cast<const char*>(from) + i);
 }

@@ -21,8 +21,9 @@ inline Row row(const char* from) {
     return r;
 }
 
-// What turning needs of each width: N floats of N / 4 rows; two vectors' floats in turn, from the lower or
-// the upper half of each row; and two vectors' pairs of floats in turn.
+// The shuffles that a transpose is made of, for each width. `rows` loads N floats, four from each of N / 4
+// records; the others interleave two vectors: single floats of the lower or of the upper half of each row,
+// or pairs of floats.
 template <int N> struct Rows;
 template <> struct Rows<4> {
     using V = LanesOf<4>::Floats;

@@ -1,6 +1,6 @@
 #pragma once
-// What the kernels that are compiled once for each instruction set have in common: the set's own number, and
-// the wish to inline everything. Only for those (GLINT_LANES, renderer/CMakeLists.txt, add_kernels).
+// Shared by the kernels that are compiled once for each instruction set: the set's number type, Wide, and the
+// attribute that inlines everything. Only for those (GLINT_LANES, renderer/CMakeLists.txt, add_kernels).
 
 #include "renderer/simd/lanes.h"
 

@@ -3,7 +3,8 @@
 // and creases".
 //
 // Silhouette: (e.n0)(e.n1) <= 0, e from the edge to the eye, n0 and n1 the normals of its two facets: one is
-// seen from the front and the other is not. Crease: n0.n1 <= cos(crease_deg).
+// seen from the front and the other is not. Crease: n0.n1 <= cos(crease_deg); an edge of exactly that angle
+// is a crease here, while averaged normals (models/mesh/normals.h) still join across it.
 
 #include <cstdint>
 #include <glm/mat3x3.hpp>
@@ -15,7 +16,7 @@
 
 namespace glint {
 
-/// What selection needs of a mesh, made once for it.
+/// The edges and facet normals of a mesh, made once.
 struct MeshEdges {
     MeshPtr mesh;
     Topology topology;

@@ -20,7 +20,7 @@ Occlusion::Occlusion(const Geometry& g)
       half_pixel_(glm::abs(1 / (g.clip_from_view[1][1] * g.size.height))) {}
 
 bool Occlusion::hides(std::uint32_t triangle, glm::dvec2 pixel, double inv_w) const {
-    // Nearness over a plane is k . (x, y, 1) on the screen, so at each corner, in clip coordinates,
+    // inv_w over a plane is k . (x, y, 1) on the screen, so at each corner, in clip coordinates,
     // k . (x, y, w) = inv_w w: 1 in perspective, wherever the corner lies. Solved by Cramer's rule.
     const std::uint32_t o = g_.object_of(triangle);
     const auto corner = g_.position_indices(o, g_.triangle(o, triangle));

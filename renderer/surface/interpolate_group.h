@@ -11,7 +11,7 @@ namespace glint::inline GLINT_ISA {
 // The corners of the triangles that neighbouring pixels show, one triangle a lane. Few different ones are
 // looked up once each and put into their lanes; many are looked up lane by lane.
 
-/// One corner of each lane's triangle: where it is on the screen, its place and its normal.
+/// One corner of each lane's triangle: on the screen, its position and its normal in camera coordinates.
 template <Number F> struct CornerOfLanes {
     ClipCorner<F> clip;
     Vec3<F> p, n;
@@ -88,7 +88,7 @@ CornerOfLanes<F> take_corner(const InterpolateJob& job, const unsigned* triangle
 /// Where a group shows more triangles than this, looking up lane by lane is faster.
 inline constexpr int most_looked_up_once = 4;
 
-/// `triangles`: numbers within the object.
+/// Loads the corners of each lane's triangle. `triangles`: numbers within the object.
 template <Number F> FacesOfLanes<F> faces_of_lanes(const InterpolateJob& job, IntOf<F> triangles) {
     constexpr int width = NumberTraits<F>::width;
     unsigned number[width];
@@ -111,8 +111,8 @@ template <Number F> FacesOfLanes<F> faces_of_lanes(const InterpolateJob& job, In
     return faces;
 }
 
-/// Pixels k and up of a group that begins at (x, y) and shows `seen`: their places, and the normals before
-/// they are made unit. False when some lane shows a clipped triangle.
+/// Interpolates position and normal (not yet unit) of the pixels from k on, of a group that begins at (x, y)
+/// and shows `seen`. False when some lane shows a clipped triangle.
 template <Number F>
 bool blend_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size_t k, int x, int y,
                  PointBlock& out) {
@@ -172,7 +172,7 @@ void interpolate_groups(const InterpolateJob& job, const PixelGroup* groups, std
         for (std::size_t k = 0; k < block_size; k += NumberTraits<F>::width)
             all &= blend_lanes<F>(job, seen, k, x, y, out[i]);
         on_fast_path[i] = all;
-        // One group behind: a root and a quotient that would otherwise be waited for.
+        // Software pipelining, depth 1: hides the latency of the square root and the division.
         if (i > 0) on_fast_path[i - 1] &= make_normals_unit<F>(out[i - 1]);
     }
     if (count > 0) on_fast_path[count - 1] &= make_normals_unit<F>(out[count - 1]);

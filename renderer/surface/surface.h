@@ -1,6 +1,7 @@
 #pragma once
-// Stage 3. For each visible sample what lighting needs: its place and unit normal in camera coordinates, in
-// blocks of 16 (phong, facet), or which lit corners it blends (gouraud) or shows (flat). Inputs: geometry,
+// Stage 3. Finds for each visible sample what lighting needs: its position and unit normal in camera
+// coordinates, in blocks of 16 (phong, facet), or which lit corners it blends (gouraud) or which lit point it
+// shows (flat). Inputs: geometry,
 // visibility, `normals`, `mode`, `interpolation`, `two_sided`, `flat_point` (and `rules`, which may choose
 // it).
 
@@ -89,10 +90,10 @@ struct GroupSamples {
     std::uint16_t back = 0;              // bit i: wound clockwise on the screen
 };
 
-/// Where the groups of a row of pixels begin; `pixels` counts those of the row before that show a surface.
+/// One entry a row of pixels, and one past the last.
 struct RowGroups {
-    std::size_t first_group = 0;
-    std::uint64_t pixels = 0;
+    std::size_t first_group = 0;  // of this row
+    std::uint64_t pixels = 0;     // of the row before, that show a surface
 };
 
 /// The groups of one row of pixels, with several samples.
@@ -157,7 +158,7 @@ struct Surface {
     std::uint64_t point_count = 0;                    // lit
     MemoryShare share;                                // of what there is for each group
 
-    /// Returns what this kind of surface keeps, in the memory of before where it was of the same kind.
+    /// Returns what a surface of this kind keeps: the data of before if it was of the same kind, else empty.
     template <class Kind> Kind& as() {
         if (!std::holds_alternative<Kind>(kept)) kept.emplace<Kind>();
         return std::get<Kind>(kept);
@@ -174,7 +175,8 @@ struct Surface {
         while (next < end && point_object[next] == point_object[first]) ++next;
         return next - first;
     }
-    /// Where entry k of what a group of pixels blends begins. Precondition: Corners.
+    /// Index into PerVertex::ref_point and ref_weight of entry k of a group's lane 0; its other lanes follow.
+    /// Precondition: Corners.
     [[nodiscard]] std::size_t corner_ref(std::size_t group, int k) const {
         return (group * static_cast<std::size_t>(max_blended(choice)) + static_cast<std::size_t>(k)) *
                block_size;
@@ -189,7 +191,7 @@ struct Surface {
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& geometry, const Visibility& visibility,
                     bool visibility_redone);
 
-/// What a single sample's colour comes from, of a kept surface or of another way to shade the same pixels.
+/// The inputs of a single sample's colour: those of a kept surface, or of another shading of the same pixels.
 struct SurfaceInputs {
     const SurfaceChoice& choice;
     const std::vector<ObjectNormals>& normals;
@@ -205,7 +207,7 @@ struct SurfaceInputs {
 [[nodiscard]] SampleFace sample_face(const SurfaceChoice& choice, const Geometry& geometry,
                                      const Visibility& visibility, int x, int y);
 
-/// A place and its unit normal, camera coordinates.
+/// A position and its unit normal, camera coordinates.
 struct PositionNormal {
     glm::vec3 p{0}, n{0};
 

@@ -16,13 +16,13 @@ struct PixelGroup {
     std::uint16_t mask = 0;  // bit i: pixel first_pixel + i
 };
 
-/// One object, as the pixels that show it look their corners up.
+/// The arrays of one object in which a pixel looks up the corners of its triangle.
 struct InterpolateJob {
     const TransformedVertex* vertices = nullptr;
     const CameraNormal* normals = nullptr;
     const std::uint32_t* triangle_vertices = nullptr;  // three a triangle
-    // Where one normal a vertex does not suffice, else null: each triangle's corners (four numbers, the last
-    // without use) and each corner's normal.
+    // For meshes with more than one normal a vertex, else null: each triangle's corners (four numbers, the
+    // last unused) and the index of each corner's normal.
     const std::uint32_t* triangle_corners = nullptr;
     const std::uint32_t* corner_normal = nullptr;
     std::uint32_t first_triangle = 0;     // global number of the object's first

@@ -39,7 +39,7 @@ struct ChunkPart {
     std::size_t box_end = 0, clip_end = 0;  // where its boxes and clipped triangles end in the chunk's
 };
 
-/// Neighbouring triangles, which one task sorts: of one object, or of several small ones.
+/// Neighbouring triangles that one task bins: of one object, or of several small ones.
 struct BinnedChunk {
     std::vector<ChunkPart> parts;
     std::vector<TriangleBox> boxes;      // of those that may be seen, rising
@@ -54,9 +54,9 @@ struct TileLists {
     std::vector<std::size_t> cell_first;   // #cells + 1, into entries
     std::vector<TileEntry> entries;        // numbers rising within a cell
     std::vector<ClippedTriangle> clipped;  // numbered Geometry::triangle_count and on in the entries
-    // What they were made of.
-    std::vector<BinnedChunk> chunks;  // of all triangles, in rising order
-    BinnedChunk pieces;               // of the clipped ones: to sorting they are one more object, with
+    // Intermediate results, kept for their memory:
+    std::vector<BinnedChunk> chunks;                 // of all triangles, in rising order
+    BinnedChunk pieces;                              // of the clipped ones: binned as one more object, with
     std::vector<std::uint32_t> clipped_vertices;     // three vertices each of their own
     std::vector<glm::dvec4> polygon, spare_polygon;  // while a triangle is clipped
     MemoryShare share;                               // of the entries and the clipped triangles
@@ -69,8 +69,7 @@ struct TileLists {
 /// Tiles that triangles may meet, of all together: each is a step of drawing, and so many take minutes.
 inline constexpr std::uint64_t max_met_tiles = std::uint64_t{1} << 30;
 
-/// Bytes that sorting takes of an object of so many triangles, whatever its place, in a picture of so many
-/// tiles.
+/// Bytes that binning needs at most for an object of so many triangles, in a picture of so many tiles.
 [[nodiscard]] std::uint64_t bytes_to_bin(std::uint64_t triangles, std::uint64_t tiles);
 
 /// Makes the lists anew in the memory of the old ones. `multisampled`: for samples anywhere in their pixels,

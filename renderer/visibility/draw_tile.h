@@ -77,7 +77,7 @@ unsigned draw_tiny(const TileJob& job, const TriangleLanes<NumberTraits<F>::widt
     return mask_bits(not_equal(drawable & inverted(tiny), broadcast<I>(0)));
 }
 
-/// Asks for the vertices of the triangles begin .. end - 1 of a run, which lie anywhere in memory.
+/// Prefetches the vertices of the triangles begin .. end - 1 of a run, which lie anywhere in memory.
 inline void prefetch(const TileRun& run, unsigned begin, unsigned end) {
     for (unsigned i = begin; i < end && i < run.count; ++i)
         for (const std::uint32_t vertex : run.entries[i].vertex) __builtin_prefetch(run.screen + vertex);

@@ -33,7 +33,8 @@ inline void turn_over(TileTriangle& t) {
     t.area = -t.area;
 }
 
-/// Nearness over a triangle, linear on the screen: value at the sample of pixel (x0, y0), steps a pixel.
+/// inv_w over a triangle, linear on the screen: its value at the sample of pixel (x0, y0), and its steps from
+/// one pixel to the next.
 template <class D> struct DepthPlane { D value, step_x, step_y; };
 
 /// A corner on the grid, and pixel (x0, y0) of the tile.
@@ -51,7 +52,7 @@ DepthPlane<D> depth_plane(const PlaneCorner<D> (&corner)[3], D area, const TileP
     return {value, per_x * D(subpixels), per_y * D(subpixels)};
 }
 
-/// What the pixels get where a triangle is seen.
+/// Depth and code that a triangle writes into the pixels where it is seen.
 struct TilePlane {
     DepthPlane<float> inv_w;
     TilePixel<int> from;  // where its value is

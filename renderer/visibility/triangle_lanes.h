@@ -1,6 +1,6 @@
 #pragma once
-// Several triangles side by side: their boxes, areas and edges, as one triangle alone has them
-// (large_triangle.h says which formulas these are) while they fit 32 bits.
+// Several triangles side by side: their boxes, areas and edges, by the formulas of fill_rule.h, as one
+// triangle alone has them, where they fit 32 bits.
 
 #include "renderer/simd/transpose.h"
 #include "renderer/visibility/fill_triangle.h"
@@ -14,7 +14,7 @@ template <Number F> struct CornerLanes {
     F inv_w[3];
 };
 
-/// What drawing them needs. Flags are -1 (true) or 0.
+/// N triangles made ready for drawing into one tile. Flags are -1 (true) or 0.
 template <unsigned N> struct TriangleLanes {
     int number[N];
     int x[3][N], y[3][N];
@@ -124,7 +124,7 @@ template <unsigned N> PatchEdges edges_of_lane(const TriangleLanes<N>& lanes, un
 /// Boxes of more pixels than this a side are faster alone, patch by patch.
 inline constexpr int tiny_side = 6;
 
-/// What N triangles have at the pixels of their boxes, step by step; and which of that they cover.
+/// The pixels of N triangles' boxes, one of each at every step, with depths; and the list of covered ones.
 template <unsigned N> struct Fragments {
     static constexpr unsigned most = N * tiny_side * tiny_side;
     int at[most];  // where in the tile (TilePixels)

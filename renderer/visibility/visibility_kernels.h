@@ -25,8 +25,8 @@ struct BinJob {
     int margin = 0;                    // 1/256 pixel, by which boxes are made larger on every side
     std::uint32_t clipped_bits = 0;    // a triangle with one of these at some corner has to be clipped
     std::uint32_t beyond_bits = 0;     // with one of these at all corners it is out of view
-    // Culled: of the triangles less than a tile wide and high, which fit 32 bits; the rest are left to
-    // drawing.
+    // Culling. Only triangles less than a tile wide and high are culled here, as their areas fit 32 bits;
+    // larger ones are culled when they are drawn.
     bool drop_clockwise = false, drop_counterclockwise = false;
 };
 
@@ -83,8 +83,8 @@ struct alignas(16) TileEntry {
     std::uint32_t vertex[3];
 };
 
-/// Where a tile goes in the picture: what its pixels show (as in TilePixels) row by row, and which pixels of
-/// each 16 show a triangle, bit i the pixel i.
+/// The destination of a finished tile in the picture: `seen` row by row (seen_code of each pixel), and
+/// `covered`, a mask for each 16 pixels (bit i: pixel i shows a triangle).
 struct TileRows {
     std::uint32_t* seen = nullptr;          // of the tile's first pixel
     std::uint16_t* covered = nullptr;       // of its first 16; null: not wanted

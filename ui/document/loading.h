@@ -43,7 +43,7 @@ struct Loading {
 /// Begins to open a file; what was being opened is cancelled.
 void begin_open(UiState& state, const std::string& path);
 
-/// Begins to take up a copy that a window left behind, in the same way: then it is in hand, not saved.
+/// Begins to recover an autosave that a window left behind, in the same way; the document is then not saved.
 void recover_autosave(UiState& state, const std::string& path);
 
 /// Begins to load `source` and gives it to object `index` when it is there; a negative index makes a new
@@ -63,7 +63,7 @@ void cancel_loads(UiState& state);
 /// The bar that says what is being loaded, in the middle of the window's upper part.
 void loading_panel(UiState& state, const Rect& picture);
 
-/// The offer to take up the work that a crash interrupted, at the same place while nothing is loaded.
+/// Offers to recover the work that a crash interrupted, at the same place, while nothing is being loaded.
 void recovery_panel(UiState& state, const Rect& picture);
 
 /// "reading 12 of 37 MB", "building the mesh: 400000 faces": how far a load has come.

@@ -38,7 +38,8 @@ struct InspectorState {
     std::optional<Symbol> pointed_vector;
     int pointed_light = -1;
     Kept<BlockedKey, std::vector<int>> blocked;  // per light of the point: the object in its way, or -1
-    // What the mouse points at in the column alone, or otherwise: the next picture shows it.
+    // The scene that the next picture shows in place of the edited one, while the mouse points at a line that
+    // asks for it (a term alone, another model, a mistake).
     std::optional<Scene> instead;
     std::string preview_name;  // over it; or empty
 };

@@ -24,7 +24,7 @@ class LabelRoom {
     /// there; its room is taken from now on. Nothing, and nothing taken, where there is no room.
     [[nodiscard]] std::optional<ImVec2> place(ImVec2 wanted, ImVec2 size, float reach);
 
-    /// Likewise, but without room it stands where it would like to be.
+    /// As place(), but where there is no room it returns `wanted`.
     [[nodiscard]] ImVec2 place_anyhow(ImVec2 wanted, ImVec2 size, float reach);
 
   private:

@@ -1,6 +1,6 @@
 #pragma once
 // The plots tab draws curves: falloff, highlight, cone, lobes and microfacets, with the picked point marked
-// on each. Curves are sampled from renderer/inspect; nothing is computed here.
+// on each. renderer/inspect/reflectance samples the curves; nothing is computed here.
 
 #include <array>
 #include <optional>
@@ -68,8 +68,8 @@ struct PlotPoint {
 /// Degrees between r and v (Phong), or twice those between n and h (Blinn-Phong), and S.
 [[nodiscard]] glm::dvec2 highlight_mark(const PlotPoint& point, Reflection reflection);
 
-/// l and v with n along z and l in the plane of x and z on the side of -x: as renderer/inspect/lobes has
-/// them.
+/// l and v with n along z and l in the plane of x and z on the side of -x, as in
+/// renderer/inspect/reflectance/lobes.h.
 struct LocalDirections {
     glm::vec3 l{0, 0, 1}, v{0, 0, 1};
     double light_deg = 0;  // between n and l, 0 to 180

@@ -63,7 +63,7 @@ inline constexpr int most_gain = 64;
 struct CompareState {
     CompareChoice choice;
     int dragged = -1, under = -1;                      // a wipe line
-    int label_under = -1, asked = -1;                  // a part's label; whose settings are to be listed
+    int label_under = -1, asked = -1;                  // a part's label; whose variants are to be listed
     std::vector<std::unique_ptr<Renderer>> renderers;  // of the parts that are not the edited scene
     std::vector<const Picture*> pictures;              // one a part, of the last composing
     std::vector<const Renderer*> drawn_by;

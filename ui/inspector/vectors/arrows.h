@@ -30,9 +30,9 @@ struct PointPen {
 /// Words to be written over all arrows, none over another. Those that come first have the first choice.
 class Words {
   public:
-    /// With its middle near `centre`.
+    /// Writes a letter with its middle near `centre`.
     void letter(ImVec2 centre, const ImVec4& colour, const std::string& text);
-    /// Likewise, left out where there is no room.
+    /// Writes an angle with its middle near `centre`; left out where there is no room.
     void degrees(ImVec2 centre, const ImVec4& colour, const std::string& text);
     void draw(ImDrawList& list) const;
 

@@ -21,7 +21,7 @@ void vectors_tab(UiState& state, const PictureView& view);
 
 /// Draws the plane of incidence at the picked point, seen from the side: n up, l, r, h and v with their
 /// angles, and the lobe of what this surface reflects of this light. As wide as the column; the lobe is that
-/// of renderer/inspect/lobes, in the channel chosen in the equation.
+/// of renderer/inspect/reflectance/lobes.h, in the channel chosen in the equation.
 void lobe_diagram(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light);
 
 /// Draws n, l, v and r or h at the picked point in the picture, with their angles; the corners that a Gouraud
