@@ -54,6 +54,7 @@ struct PrimitiveInfo {
 /// What a solid is cut into at least, more finely than asked for.
 inline constexpr std::uint64_t triangles_of_the_coarsest = 64;
 
+// NOLINTNEXTLINE(readability-function-size): a table, one case a row.
 constexpr PrimitiveInfo info_of(Primitive primitive) {
     constexpr auto of_ball = [](std::uint64_t d) { return d * d + triangles_of_the_coarsest; };
     constexpr auto of_square = [](std::uint64_t d) { return 2 * d * d; };
