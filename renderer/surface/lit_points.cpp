@@ -88,7 +88,9 @@ void find_lit_points(LitPoints& lit, Surface& s, const Geometry& g, const Visibi
 
 void collect_lit_points(Surface& s, const Geometry& g, const Visibility& visibility) {
     if (s.choice.kind == SurfaceKind::Faces) {
-        auto& [lit, refs] = s.as<PerFace>();
+        PerFace& faces = s.as<PerFace>();
+        LitPoints& lit = faces.lit;
+        std::vector<FaceRefs>& refs = faces.refs;
         find_lit_points(lit, s, g, visibility);
         refs.assign(s.groups.size(), FaceRefs{});
         return visit_pixels(s, g, visibility, false,
@@ -96,7 +98,10 @@ void collect_lit_points(Surface& s, const Geometry& g, const Visibility& visibil
                                 refs[r].point[i] = lit.point[lit.number(sample.source[0])];
                             });
     }
-    auto& [lit, ref_point, ref_weight] = s.as<PerVertex>();
+    PerVertex& vertices = s.as<PerVertex>();
+    LitPoints& lit = vertices.lit;
+    std::vector<std::uint32_t>& ref_point = vertices.ref_point;
+    std::vector<float>& ref_weight = vertices.ref_weight;
     find_lit_points(lit, s, g, visibility);
     ref_point.assign(s.corner_ref(s.groups.size(), 0), 0);
     ref_weight.assign(ref_point.size(), 0);
