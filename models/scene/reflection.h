@@ -94,14 +94,14 @@ inline constexpr int reflection_count = [] {
 struct ReflectionTable {
     ReflectionInfo rows[reflection_count];
 };
-inline constexpr ReflectionTable reflection_table = [] {
+static constexpr ReflectionTable reflection_table = [] {
     ReflectionTable table;
     for (int i = 0; i < reflection_count; ++i) table.rows[i] = row_of(static_cast<Reflection>(i));
     return table;
 }();
 
-/// Precondition: an enumerator. always_inline: see the kernels' linker rule in renderer/CMakeLists.txt.
-[[gnu::always_inline]] constexpr const ReflectionInfo& info_of(Reflection reflection) {
+/// Precondition: an enumerator. Static, as the table: no weak name that the kernels of two sets share.
+[[gnu::always_inline]] static constexpr const ReflectionInfo& info_of(Reflection reflection) {
     return reflection_table.rows[static_cast<int>(reflection)];
 }
 
