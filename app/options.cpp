@@ -62,7 +62,7 @@ Failure of_parse_error(const CLI::ParseError& error) {
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
         return wrong_usage(option, "has no value", "one after it");
     }
-    return wrong_usage(option, "takes no such value", "what --help shows");
+    return wrong_usage(option, "does not take this value", "what --help shows");
 }
 
 }  // namespace

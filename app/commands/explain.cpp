@@ -55,7 +55,7 @@ Outcome explain(const ExplainArguments& arguments) {
     const Pixel pixel = *arguments.pixel;
     require_inside("--pixel", pixel, arguments.size);
     if (arguments.sensitivity && arguments.format == Format::Latex)
-        throw wrong_usage("--sensitivity", "is not set in LaTeX", "--format text or json");
+        throw wrong_usage("--sensitivity", "is not available as LaTeX", "--format text or json");
     const SceneDocument document = open_scene(arguments.scene);
 
     Renderer renderer(arguments.scene.threads);

@@ -70,7 +70,7 @@ Run declare(Options& options) {
                           object = read_count("--object", text, 0, 9999);
                       });
     options.add_value(
-        "--angle", "DEG", "of the light from the normal, 0 to 89.9; 45 when not given",
+        "--angle", "DEG", "angle of the light to the normal, 0 to 89.9; 45 when not given",
         [&deg = arguments->light_deg](const std::string& text) { deg = read_amount("--angle", text, 89.9); });
     options.add_value("--steps", "N", "samples from -90 to 90 degrees, less one; 180 when not given",
                       [&steps = arguments->steps](const std::string& text) {

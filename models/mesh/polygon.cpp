@@ -175,7 +175,7 @@ bool Triangulator::ear(std::size_t i) const {
     return true;
 }
 
-void Triangulator::look_at(std::size_t i) {
+void Triangulator::examine(std::size_t i) {
     sine_[i] = turn(points_[i], points_[after_[i]], points_[before_[i]]);
     is_ear_[i] = ear(i) ? 1 : 0;
 }
@@ -199,14 +199,14 @@ void Triangulator::clip_ears(const Mesh& mesh, std::uint32_t face, const std::ve
                              std::vector<Triangle>& triangles) {
     make_ring();
     make_sweep();
-    for (std::size_t i = 0; i < corners.size(); ++i) look_at(i);
+    for (std::size_t i = 0; i < corners.size(); ++i) examine(i);
     std::size_t start = 0;
     for (std::size_t left = corners.size(); left >= 3; --left) {
         const std::size_t i = next_ear(start, left), b = before_[i], a = after_[i];
         add(mesh, {{corners[b], corners[i], corners[a]}, face}, triangles);
         clip(i);
-        look_at(b);  // only the neighbours can have changed
-        look_at(a);
+        examine(b);  // only the neighbours can have changed
+        examine(a);
         start = a;
     }
 }

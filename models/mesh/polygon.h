@@ -51,7 +51,7 @@ class Triangulator {
     void clip(std::size_t i);
     [[nodiscard]] bool blocks(std::size_t k, const Point& a, const Point& b, const Point& c) const;
     [[nodiscard]] bool ear(std::size_t i) const;
-    void look_at(std::size_t i);
+    void examine(std::size_t i);
     [[nodiscard]] std::size_t next_ear(std::size_t start, std::size_t left) const;
     void clip_ears(const Mesh& mesh, std::uint32_t face, const std::vector<std::uint32_t>& corners,
                    std::vector<Triangle>& triangles);

@@ -12,7 +12,7 @@ using VertexHandle = OpenMesh::VertexHandle;
 
 // OpenMesh looks at every edge of a vertex when it adds a face there: a fan of a million triangles would take
 // a million times a million steps. A vertex is split after this many faces.
-constexpr std::uint32_t most_faces_at_vertex = 256;
+constexpr std::uint32_t max_faces_at_vertex = 256;
 
 /// A side of a polygon: the vertices it joins, the smaller first, and whose it is.
 struct Side {
@@ -105,7 +105,7 @@ class Builder {
     }
 
     VertexHandle handle_for(std::uint32_t v) {
-        if (++faces_at_[v] > most_faces_at_vertex) {
+        if (++faces_at_[v] > max_faces_at_vertex) {
             faces_at_[v] = 1;
             split_[v] = 1;
             current_[v] = new_vertex(v);

@@ -151,9 +151,9 @@ std::string numbers_of(std::size_t count, const char* things) {
 }
 
 void close_face(Mesh& mesh, const std::string& file, int line) {
-    if (mesh.corner_position.size() > most_corners)
+    if (mesh.corner_position.size() > max_corners)
         throw Unreadable{
-            {file, "", "the mesh has too many corners", fmt::format("at most {}", most_corners), line}};
+            {file, "", "the mesh has too many corners", fmt::format("at most {}", max_corners), line}};
     constexpr std::size_t faces_between = 4096;
     if (mesh.first_corner.size() % faces_between == 0) require_room(mesh);
     mesh.first_corner.push_back(static_cast<std::uint32_t>(mesh.corner_position.size()));

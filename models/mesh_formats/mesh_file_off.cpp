@@ -61,8 +61,8 @@ class OffReader {
 
     std::size_t count(const char* name) {
         const std::int64_t value = cursor_.integer(name);
-        if (value < 0 || value > static_cast<std::int64_t>(most_corners))
-            cursor_.fail(fmt::format("{} is {}", name, value), fmt::format("0 to {}", most_corners));
+        if (value < 0 || value > static_cast<std::int64_t>(max_corners))
+            cursor_.fail(fmt::format("{} is {}", name, value), fmt::format("0 to {}", max_corners));
         return static_cast<std::size_t>(value);
     }
 

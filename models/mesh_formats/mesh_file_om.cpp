@@ -48,8 +48,8 @@ class OmReader {
         vertices_ = natural(4, 4);
         faces_ = natural(8, 4);
         edges_ = natural(12, 4);
-        if (vertices_ > most_corners || faces_ > most_corners || edges_ > most_corners / 2)
-            fail("a count is out of range", fmt::format("at most {}", most_corners));
+        if (vertices_ > max_corners || faces_ > max_corners || edges_ > max_corners / 2)
+            fail("a count is out of range", fmt::format("at most {}", max_corners));
     }
 
     Mesh read() {

@@ -20,7 +20,7 @@ namespace glint {
 [[nodiscard]] Mesh read_stl(std::string_view bytes, const std::string& file);
 [[nodiscard]] Mesh read_om(std::string_view bytes, const std::string& file);
 
-inline constexpr std::size_t most_corners = std::numeric_limits<std::int32_t>::max();
+inline constexpr std::size_t max_corners = std::numeric_limits<std::int32_t>::max();
 
 /// Throws Refused when what the mesh holds so far does not fit in the memory that there is for it.
 void require_room(const Mesh& mesh);

@@ -90,9 +90,9 @@ class HeaderReader {
     void take_name(std::set<std::string_view>& names, const char* kind, std::string_view name) {
         if (!names.insert(name).second)
             cursor_.fail(fmt::format("{} {} comes twice", kind, quoted_word(name)), "one");
-        if (++name_count_ > most_ply_names)
+        if (++name_count_ > max_ply_names)
             cursor_.fail("the header has too many elements and properties",
-                         fmt::format("at most {}", most_ply_names));
+                         fmt::format("at most {}", max_ply_names));
     }
 
     void read_element() {
@@ -103,9 +103,9 @@ class HeaderReader {
         if (name.empty()) cursor_.fail("the element's name is missing", "\"element NAME COUNT\"");
         take_name(elements_, "element", name);
         const std::int64_t count = cursor_.integer("the element's count");
-        if (count < 0 || count > static_cast<std::int64_t>(most_corners))
+        if (count < 0 || count > static_cast<std::int64_t>(max_corners))
             cursor_.fail(fmt::format("a count of {} is out of range", count),
-                         fmt::format("0 to {}", most_corners));
+                         fmt::format("0 to {}", max_corners));
         element.count = static_cast<std::size_t>(count);
         header_.elements.push_back(std::move(element));
         properties_.clear();

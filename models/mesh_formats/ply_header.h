@@ -20,7 +20,7 @@ enum class PlyRole { Other, X, Y, Z, Nx, Ny, Nz, Red, Green, Blue, Indices };
 inline constexpr std::size_t ply_role_count = 11;
 
 /// Elements and properties in a header, together. Real files have a few dozen.
-inline constexpr std::size_t most_ply_names = 65536;
+inline constexpr std::size_t max_ply_names = 65536;
 
 struct PlyProperty {
     std::string name;

@@ -108,7 +108,7 @@ class Loader {
     /// largest of them.
     std::optional<Problem> too_much_memory(const std::vector<Object>& objects) {
         std::set<MeshKey> counted;
-        std::uint64_t all = 0, most_more = 0, most = 0;
+        std::uint64_t all = 0, max_more = 0, most = 0;
         std::size_t largest = 0;
         for (std::size_t i = 0; i < objects.size(); ++i) {
             const auto* mesh = std::get_if<PrimitiveMesh>(&objects[i].source);
@@ -118,12 +118,12 @@ class Loader {
             const std::uint64_t kept = bytes_once_made(mesh->primitive, mesh->detail);
             const std::uint64_t made = bytes_to_make(mesh->primitive, mesh->detail);
             all += kept;
-            most_more = std::max(most_more, made - kept);
+            max_more = std::max(max_more, made - kept);
             if (made > most) largest = i;
             most = std::max(most, made);
         }
         try {
-            require_memory(memory_need(MemoryUse::Meshes, all + most_more));
+            require_memory(memory_need(MemoryUse::Meshes, all + max_more));
         } catch (const Refused& refused) {
             Problem problem = glint::memory_problem(refused, file_);
             problem.pointer = fmt::format("/objects/{}/mesh", largest);

@@ -191,8 +191,9 @@ Vec3<F> blended_colors(const ColorRecord* points, const std::uint32_t* number, c
 }
 
 GLINT_FLATTEN static void blend_groups(const ColorRecord* points, const std::uint32_t* numbers,
-                                       const float* weights, int each, ColorBlock* colors, std::size_t runs) {
-    for (std::size_t i = 0; i < runs; ++i) {
+                                       const float* weights, int each, ColorBlock* colors,
+                                       std::size_t groups) {
+    for (std::size_t i = 0; i < groups; ++i) {
         const std::size_t first = i * static_cast<std::size_t>(each) * block_size;
         for (std::size_t k = 0; k < block_size; k += GLINT_LANES)
             store_colors(colors[i], k,
@@ -201,8 +202,8 @@ GLINT_FLATTEN static void blend_groups(const ColorRecord* points, const std::uin
 }
 
 GLINT_FLATTEN static void pick_groups(const ColorRecord* points, const std::uint32_t* numbers,
-                                      ColorBlock* colors, std::size_t runs) {
-    for (std::size_t i = 0; i < runs; ++i)
+                                      ColorBlock* colors, std::size_t groups) {
+    for (std::size_t i = 0; i < groups; ++i)
         for (std::size_t k = 0; k < block_size; k += GLINT_LANES)
             store_colors(colors[i], k, colors_of<Wide>(points, numbers + i * block_size + k));
 }

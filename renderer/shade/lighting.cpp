@@ -31,10 +31,10 @@ namespace {
 
 /// The colours of the mesh itself.
 void take_vertex_colors(const Surface& s, const Geometry& g, std::size_t block, ColorBlock& colors) {
-    const std::vector<ShadingPoint>& sources = s.lit_points().sources;
+    const std::vector<ShadingPoint>& points = s.lit_points().shading_points;
     for (std::size_t i = 0; i < block_size; ++i) {
-        const ShadingPoint& source = sources[block * block_size + i];
-        const glm::vec3 c = source.item == no_index ? glm::vec3(0) : vertex_color(s, g, source);
+        const ShadingPoint& point = points[block * block_size + i];
+        const glm::vec3 c = point.item == no_index ? glm::vec3(0) : vertex_color(s, g, point);
         colors.r[i] = c.x;
         colors.g[i] = c.y;
         colors.b[i] = c.z;

@@ -52,16 +52,16 @@ template <Number F> F power(F x, F s) {
 }
 
 /// Whole exponents up to here are raised to by squaring, which is a third of the work and as exact.
-inline constexpr float most_squared = 1024;
+inline constexpr float max_squared = 1024;
 
 /// An exponent s >= 0, the same in all lanes.
 template <Number F> struct Exponent {
     F value{};
-    int whole = 0;  // the same where it is a whole number up to `most_squared`, else -1
+    int whole = 0;  // the same where it is a whole number up to `max_squared`, else -1
     Exponent() = default;
     Exponent(F s) : value(s), whole(-1) {  // NOLINT: a number stands for itself
         const float a = lane(s, 0);
-        if (a >= 0 && a <= most_squared && a == static_cast<float>(static_cast<int>(a)))
+        if (a >= 0 && a <= max_squared && a == static_cast<float>(static_cast<int>(a)))
             whole = static_cast<int>(a);
     }
 };

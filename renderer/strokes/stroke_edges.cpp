@@ -22,9 +22,9 @@ class Selector {
         : edges_(edges),
           view_(view),
           choice_(choice),
-          most_cosine_(std::cos(glm::radians(static_cast<double>(choice.crease_deg))) + crease_tolerance) {}
+          max_cosine_(std::cos(glm::radians(static_cast<double>(choice.crease_deg))) + crease_tolerance) {}
 
-    void look_at(std::size_t edge, std::vector<StrokeEdge>& found) const {
+    void examine(std::size_t edge, std::vector<StrokeEdge>& found) const {
         const auto uses = edges_.topology.uses_of(edge);
         const glm::dvec3 e = to_eye(edge);
         int facets = 0, least = 1, most = -1;  // of side()
@@ -54,7 +54,7 @@ class Selector {
     static constexpr double edge_on = 1e-12;
     // Every pair of facets is compared for a crease; a file with a million facets at one edge must not take a
     // million million steps.
-    static constexpr std::size_t most_compared = 256;
+    static constexpr std::size_t max_compared = 256;
 
     [[nodiscard]] glm::dvec3 to_eye(std::size_t edge) const {
         const auto& p = edges_.mesh->positions;
@@ -70,7 +70,7 @@ class Selector {
     }
 
     [[nodiscard]] bool is_crease(std::span<const EdgeUse> uses) const {
-        uses = uses.first(std::min(uses.size(), most_compared));
+        uses = uses.first(std::min(uses.size(), max_compared));
         for (std::size_t i = 0; i < uses.size(); ++i)
             for (std::size_t j = 0; j < i; ++j)
                 if (meet_sharply(edges_.facet_normals[uses[i].face], edges_.facet_normals[uses[j].face]))
@@ -81,13 +81,13 @@ class Selector {
     [[nodiscard]] bool meet_sharply(const glm::dvec3& n0, const glm::dvec3& n1) const {
         const glm::dvec3 m0 = view_.normal_matrix * n0, m1 = view_.normal_matrix * n1;
         const double lengths = std::sqrt(glm::dot(m0, m0) * glm::dot(m1, m1));
-        return lengths > 0 && glm::dot(m0, m1) <= most_cosine_ * lengths;
+        return lengths > 0 && glm::dot(m0, m1) <= max_cosine_ * lengths;
     }
 
     const MeshEdges& edges_;
     const EdgeView& view_;
     const EdgeChoice& choice_;
-    double most_cosine_;
+    double max_cosine_;
 };
 
 }  // namespace
@@ -108,7 +108,7 @@ std::vector<StrokeEdge> stroke_edges(const MeshEdges& edges, const EdgeView& vie
     std::vector<std::vector<StrokeEdge>> found((count + chunk_size - 1) / chunk_size);
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t chunk) {
         for (std::size_t e = chunk * chunk_size; e < std::min(count, (chunk + 1) * chunk_size); ++e)
-            selector.look_at(e, found[chunk]);
+            selector.examine(e, found[chunk]);
     });
     std::vector<StrokeEdge> all;
     for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());

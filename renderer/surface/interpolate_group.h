@@ -86,7 +86,7 @@ CornerOfLanes<F> take_corner(const InterpolateJob& job, const unsigned* triangle
 }
 
 /// Where a group shows more triangles than this, looking up lane by lane is faster.
-inline constexpr int most_looked_up_once = 4;
+inline constexpr int max_looked_up_once = 4;
 
 /// Loads the corners of each lane's triangle. `triangles`: numbers within the object.
 template <Number F> FacesOfLanes<F> faces_of_lanes(const InterpolateJob& job, IntOf<F> triangles) {
@@ -95,7 +95,7 @@ template <Number F> FacesOfLanes<F> faces_of_lanes(const InterpolateJob& job, In
     store_ints(number, triangles);
     FacesOfLanes<F> faces;
     unsigned changes = mask_bits(not_equal(triangles, slide1up(triangles)));  // bit i: begins at lane i
-    if (width == 1 || __builtin_popcount(changes) > most_looked_up_once) {
+    if (width == 1 || __builtin_popcount(changes) > max_looked_up_once) {
         faces.a = take_corner<F>(job, number, 0, faces.clipped);
         faces.b = take_corner<F>(job, number, 1, faces.clipped);
         faces.c = take_corner<F>(job, number, 2, faces.clipped);

@@ -51,12 +51,12 @@ void place_one_by_one(const Surface& s, const Geometry& g, const Visibility& vis
     }
 }
 
-constexpr std::size_t most_together = 64;  // groups
+constexpr std::size_t max_together = 64;  // groups
 
 /// Groups first .. first + count - 1, all of one object.
 void place_together(Surface& s, const Geometry& g, const Visibility& visibility, std::size_t first,
                     std::size_t count) {
-    std::array<std::uint8_t, most_together> on_fast_path;
+    std::array<std::uint8_t, max_together> on_fast_path;
     const InterpolateJob& job = std::get<PerPixel>(s.kept).jobs[s.groups[first].object];
     surface_kernels().interpolate(job, &s.groups[first], count, &s.points[first], on_fast_path.data());
     for (std::size_t i = 0; i < count; ++i)
@@ -89,7 +89,7 @@ void interpolate_pixels(Surface& s, const Geometry& g, const Visibility& visibil
                 ++r;
                 continue;
             }
-            const std::size_t count = s.count_of_one_object(r, std::min(range.end(), r + most_together));
+            const std::size_t count = s.count_of_one_object(r, std::min(range.end(), r + max_together));
             place_together(s, g, visibility, r, count);
             r += count;
         }

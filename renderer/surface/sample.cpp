@@ -93,13 +93,13 @@ PositionNormal lit_point(const SurfaceInputs& surface, const Geometry& g, const 
     return at;
 }
 
-SampleSources sample_sources(const SurfaceInputs& surface, const Geometry& g, const SampleFace& face) {
+BlendedPoints blended_points(const SurfaceInputs& surface, const Geometry& g, const SampleFace& face) {
     const Triangle& t = g.triangle(face.object, face.triangle);
-    SampleSources s;
+    BlendedPoints s;
     if (surface.choice.kind == SurfaceKind::Faces) {
         const std::uint32_t triangle = face.triangle - g.objects[face.object].first_triangle;
         s.count = 1;
-        s.source[0] = {face.object, surface.choice.provoking ? triangle : t.face, face.turned};
+        s.point[0] = {face.object, surface.choice.provoking ? triangle : t.face, face.turned};
         s.weight[0] = 1;
         return s;
     }
@@ -108,7 +108,7 @@ SampleSources sample_sources(const SurfaceInputs& surface, const Geometry& g, co
     s.count = weights.count;
     s.weight = weights.weight;
     for (std::size_t i = 0; i < static_cast<std::size_t>(s.count); ++i)
-        s.source[i] = {face.object, normals.slot_of(weights.corner[i]), face.turned};
+        s.point[i] = {face.object, normals.slot_of(weights.corner[i]), face.turned};
     return s;
 }
 

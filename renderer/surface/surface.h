@@ -38,10 +38,10 @@ struct SampleFace {
 /// Weights of some corners of a mesh; the rest count nothing. At most eight: a scanline meets two edges, and
 /// where the near plane cuts the polygon each end of an edge may lie between two corners.
 struct CornerWeights {
-    static constexpr int most = 8;
+    static constexpr int max_count = 8;
     int count = 0;
-    std::array<std::uint32_t, most> corner{};  // indices into Mesh::corner_position
-    std::array<float, most> weight{};
+    std::array<std::uint32_t, max_count> corner{};  // indices into Mesh::corner_position
+    std::array<float, max_count> weight{};
 
     /// Adds a weight; a corner already listed keeps one entry.
     void add(std::uint32_t which, float w);
@@ -78,7 +78,7 @@ struct SurfaceChoice {
 [[nodiscard]] SurfaceChoice surface_choice(const Shading& shading);
 /// Returns how many corners a pixel blends at most under Corners.
 [[nodiscard]] inline int max_blended(const SurfaceChoice& choice) {
-    return choice.interpolation == Interpolation::Scanline ? CornerWeights::most : 3;
+    return choice.interpolation == Interpolation::Scanline ? CornerWeights::max_count : 3;
 }
 
 /// With several samples a pixel: what each lane of a group shows. A pixel then has a group for each face seen
@@ -118,10 +118,10 @@ struct ShadingPoint {
 /// The lit points that pixels share (Gouraud, flat), out of all that could be lit of a scene: the objects one
 /// after the other, each item twice, as it is and turned.
 struct LitPoints {
-    std::vector<std::size_t> first;     // #objects + 1, into seen and point
-    std::vector<std::uint8_t> seen;     // 1: some pixel shows it
-    std::vector<std::uint32_t> point;   // the lit point's number, or no_index
-    std::vector<ShadingPoint> sources;  // of each lit point, 16 a block; unused ones have no_index
+    std::vector<std::size_t> first;            // #objects + 1, into seen and point
+    std::vector<std::uint8_t> seen;            // 1: some pixel shows it
+    std::vector<std::uint32_t> point;          // the lit point's number, or no_index
+    std::vector<ShadingPoint> shading_points;  // of each lit point, 16 a block; unused ones have no_index
 
     [[nodiscard]] std::size_t number(const ShadingPoint& s) const {
         return first[s.object] + 2 * std::size_t{s.item} + (s.turned ? 1 : 0);
@@ -228,13 +228,14 @@ struct PositionNormal {
 [[nodiscard]] PositionNormal lit_point(const SurfaceInputs& surface, const Geometry& geometry,
                                        const ShadingPoint& source);
 
-/// The sources that a sample blends under Corners (weights in the same order), or shows under Faces (one).
-struct SampleSources {
+/// The shading points that a sample blends under Corners (weights in the same order), or shows under Faces
+/// (one).
+struct BlendedPoints {
     int count = 0;
-    std::array<ShadingPoint, CornerWeights::most> source;
-    std::array<float, CornerWeights::most> weight{};
+    std::array<ShadingPoint, CornerWeights::max_count> point;
+    std::array<float, CornerWeights::max_count> weight{};
 };
-[[nodiscard]] SampleSources sample_sources(const SurfaceInputs& surface, const Geometry& geometry,
+[[nodiscard]] BlendedPoints blended_points(const SurfaceInputs& surface, const Geometry& geometry,
                                            const SampleFace& face);
 
 // The steps that fill a surface.

@@ -11,7 +11,7 @@
 #include <new>
 
 inline std::atomic<long> allocations{0};
-inline std::atomic<std::int64_t> bytes_held{0}, most_bytes_held{0};
+inline std::atomic<std::int64_t> bytes_held{0}, max_bytes_held{0};
 
 /// Which allocations fail: the one with that number, counted down (0: now; negative: none), and from then on
 /// all of `large_bytes` and more.
@@ -31,8 +31,8 @@ inline void* counted(std::size_t bytes, std::size_t alignment) {
     if (!memory) throw std::bad_alloc();
     const auto size = static_cast<std::int64_t>(malloc_usable_size(memory));
     const std::int64_t held = bytes_held += size;
-    for (std::int64_t most = most_bytes_held;
-         held > most && !most_bytes_held.compare_exchange_weak(most, held);) {
+    for (std::int64_t most = max_bytes_held;
+         held > most && !max_bytes_held.compare_exchange_weak(most, held);) {
     }
     return memory;
 }

@@ -18,11 +18,11 @@ Scene opened(const std::string& path, const std::vector<Assignment>& changes = {
 }
 
 /// The largest number of bytes that were held at once while `action` ran, beside those held before.
-template <class Do> double most_held(const Do& action) {
+template <class Do> double max_held(const Do& action) {
     const std::int64_t before = bytes_held;
-    most_bytes_held = before;
+    max_bytes_held = before;
     action();
-    return static_cast<double>(most_bytes_held - before);
+    return static_cast<double>(max_bytes_held - before);
 }
 
 struct Asked {
@@ -35,7 +35,7 @@ Asked memory_of(const Scene& scene, PictureSize size, bool linear, int samples) 
     DrawingMemory memory = drawing_memory(scene, size, linear, samples);
     asked.before = static_cast<double>(memory.certain.total() + memory.guessed.total());
     const std::uint64_t left = memory_left();
-    asked.taken = most_held([&] {
+    asked.taken = max_held([&] {
         Renderer renderer(2);
         (void)renderer.render(scene, size, linear, samples);
         asked.counted = static_cast<double>(left - memory_left());
@@ -84,7 +84,7 @@ TEST_CASE("making a primitive takes at most what was asked for before", "[alloca
                                             {Primitive::Knot, 700},
                                             {Primitive::SkewQuad, 1}}) {
         double kept = 0;
-        const double taken = most_held(
+        const double taken = max_held(
             [&, p = primitive, d = detail] { kept = static_cast<double>(mesh_bytes(make_primitive(p, d))); });
         const auto made = static_cast<double>(bytes_to_make(primitive, detail));
         CAPTURE(static_cast<int>(primitive), detail, taken, made, kept);
@@ -104,9 +104,9 @@ TEST_CASE("making the bytes of a picture takes at most what was asked for before
         CHECK(static_cast<double>(asked) >= taken);
         CHECK(static_cast<double>(asked) <= 40 * taken);  // a PNG may be far smaller than its colours
     };
-    check("png", png_memory(size), most_held([&] { (void)png_bytes(picture, ""); }));
-    check("pfm", pfm_memory(size), most_held([&] { (void)pfm_bytes(picture, 1); }));
-    check("exr", exr_memory(size), most_held([&] { (void)exr_bytes(picture, 1); }));
+    check("png", png_memory(size), max_held([&] { (void)png_bytes(picture, ""); }));
+    check("pfm", pfm_memory(size), max_held([&] { (void)pfm_bytes(picture, 1); }));
+    check("exr", exr_memory(size), max_held([&] { (void)exr_bytes(picture, 1); }));
 }
 
 TEST_CASE("fifty objects of one mesh take what depends on their places, and one mesh",

@@ -12,7 +12,7 @@ namespace glint::oracle {
 namespace {
 
 /// What fixed function and the shader's array hold.
-constexpr std::ptrdiff_t most_lights = 8;
+constexpr std::ptrdiff_t max_lights = 8;
 
 std::ptrdiff_t enabled_lights(const Scene& scene) {
     return std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& l) { return l.enabled; });
@@ -83,7 +83,7 @@ bool can_draw(const Scene& scene) {
     const Shading& s = scene.shading;
     const Npr& npr = scene.npr;
     return s.mistakes == Mistakes{} && s.interpolation != Interpolation::Scanline && !npr.silhouettes &&
-           !npr.creases && enabled_lights(scene) <= most_lights;
+           !npr.creases && enabled_lights(scene) <= max_lights;
 }
 
 bool fixed_function_can_draw(const Scene& scene) {

@@ -123,11 +123,11 @@ class SceneMaker {
         return l;
     }
 
-    [[nodiscard]] Scene scene(int most_lights, bool area) {
+    [[nodiscard]] Scene scene(int max_lights, bool area) {
         Scene s;
         s.camera = camera();
         s.global_ambient = uniform_vec3(random_, 0, 0.3f);
-        for (int i = 1 + pick(most_lights); i > 0; --i) s.lights.push_back(light(area));
+        for (int i = 1 + pick(max_lights); i > 0; --i) s.lights.push_back(light(area));
         for (int i = 1 + pick(3); i > 0; --i) s.objects.push_back(object());
         s.display.background = uniform_vec3(random_, 0, 0.3f);
         s.shading.two_sided = chance(0.5f);

@@ -95,11 +95,11 @@ Material StressScenes::material() {
 }
 
 Object StressScenes::object(float size) {
-    constexpr int most_detail[] = {9, 9, 2, 2, 3, 3, 7, 9, 40, 1, 16, 1, 2};  // in the order of Primitive
+    constexpr int max_detail[] = {9, 9, 2, 2, 3, 3, 7, 9, 40, 1, 16, 1, 2};  // in the order of Primitive
     Object o;
-    const auto primitive = below(std::size(most_detail));
+    const auto primitive = below(std::size(max_detail));
     o.source = PrimitiveMesh{static_cast<Primitive>(primitive),
-                             1 + static_cast<int>(below(static_cast<std::size_t>(most_detail[primitive])))};
+                             1 + static_cast<int>(below(static_cast<std::size_t>(max_detail[primitive])))};
     o.transform = transform(size);
     o.normals = {one_of<NormalSource>(5), one_of<NormalWeighting>(3), one_in(2) ? 180.0f : between(0, 180)};
     o.material = material();

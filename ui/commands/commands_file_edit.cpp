@@ -161,7 +161,7 @@ std::vector<WindowCommand> edit_commands() {
          .is_on = [](const UiState& s) { return s.viewport.gizmo == GizmoMode::Rotate && !s.viewport.pivot; },
          .why_disabled = unless_object,
          .id = CommandId::RotateByHand},
-        {.name = "Rotate it about the picked point",
+        {.name = "Rotate the object about the picked point",
          .keys = {{Key::R, !ctrl, shift}},
          .menu = Menu::Edit,
          .run = rotate_about_picked,

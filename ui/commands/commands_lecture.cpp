@@ -49,7 +49,7 @@ std::vector<WindowCommand> lecture_commands() {
          .keys = {{Key::PageDown}},
          .menu = Menu::Lecture,
          .run = [](UiState& s) { open_other(s, 1); }},
-        {.name = "Scene before it",
+        {.name = "Previous scene of the folder",
          .keys = {{Key::PageUp}},
          .menu = Menu::Lecture,
          .run = [](UiState& s) { open_other(s, -1); }},

@@ -23,7 +23,7 @@
 namespace glint {
 namespace {
 
-constexpr int most_frames = 2000;
+constexpr int max_frames = 2000;
 constexpr int numbers_listed = 7;
 
 /// The numbers that match what was typed, best first.
@@ -58,7 +58,7 @@ void choose_number(AnimateState& animate, const Scene& scene) {
     ImGui::Separator();
     const Real ends{.format = "%.4g"};
     float from = static_cast<float>(animation.from), to = static_cast<float>(animation.to);
-    const Help help{"An end of its way", animation.pointer};
+    const Help help{"One end of the interval", animation.pointer};
     if (number_field("From", from, ends, 0, help)) animation.from = double(from);
     if (number_field("To", to, ends, 0, help)) animation.to = double(to);
 }
@@ -119,8 +119,8 @@ void animate_panel(UiState& state) {
         const Animation before = animate.animation;
         (void)segment_field("Motion", animate.animation.motion, {"What moves", ""});
         if (animate.animation.motion == Motion::PingPong) choose_number(animate, state.editor.scene());
-        (void)integer_field("Frames", animate.animation.frames, 1, most_frames, 48,
-                            {"Of one period, after which it begins anew", ""});
+        (void)integer_field("Frames", animate.animation.frames, 1, max_frames, 48,
+                            {"Frames of one period; then it begins again", ""});
         (void)integer_field("Speed", animate.frames_a_second, 1, 50, 25, {"Frames a second", ""});
         if (!(animate.animation == before)) animate.refused.clear();
         if (!animate.refused.empty()) {

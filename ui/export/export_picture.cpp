@@ -50,7 +50,7 @@ void size_rows(UiState& state, ExportOptions& options) {
         ImGui::SameLine(0, px(3));
     }
     ImGui::NewLine();
-    const Help help{"Of the picture, in pixels", ""};
+    const Help help{"Size of the picture, in pixels", ""};
     (void)integer_field("Width", options.size.width, 1, 16384, 1920, help);
     (void)integer_field("Height", options.size.height, 1, 16384, 1080, help);
 }

@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t most_lines = 6000;  // of all meshes together
+constexpr std::size_t max_lines = 6000;  // of all meshes together
 const ImVec4 ink{0.06f, 0.06f, 0.07f, 1};
 
 /// A pen that also writes, so that no word covers another.
@@ -133,14 +133,14 @@ double drawn_depth(const Camera& camera) {
 double axis_length(const Camera& camera) { return 0.22 * target_depth(camera); }
 
 void draw_outside(ImDrawList& list, const PictureView& view, const OutsideScene& what) {
-    constexpr std::size_t most_items = 300;  // lights, and objects
+    constexpr std::size_t max_items = 300;  // lights, and objects
     const PictureSize size_px = view.map.size;
     LabelRoom room({view.to_window({3, 2}), view.to_window({size_px.width - 3, size_px.height - 2})});
     const LabelledPen pen{{list, view}, room};
-    const auto lights = std::min(what.scene.lights.size(), most_items);
+    const auto lights = std::min(what.scene.lights.size(), max_items);
     for (std::size_t i = 0; i < lights; ++i) keep_light_free(pen, what, i);
-    const auto objects = std::min(what.scene.objects.size(), most_items);
-    for (std::size_t i = 0; i < objects; ++i) draw_mesh(pen, what.scene.objects[i], most_lines / objects);
+    const auto objects = std::min(what.scene.objects.size(), max_items);
+    for (std::size_t i = 0; i < objects; ++i) draw_mesh(pen, what.scene.objects[i], max_lines / objects);
     const double size = axis_length(what.scene.camera);
     for (std::size_t i = 0; i < lights; ++i) draw_light(pen, what, static_cast<int>(i));
     draw_camera(pen, what, size);

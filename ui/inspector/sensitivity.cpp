@@ -38,7 +38,7 @@ SensitivityJob::~SensitivityJob() {
 void SensitivityJob::work() {
     const std::size_t lights = document_.scene.lights.size();
     if (lights > max_sensitivity_lights) {
-        result_ = Problem{"", "/lights", std::to_string(lights) + " lights are too many for the sensitivity",
+        result_ = Problem{"", "/lights", std::to_string(lights) + " lights are too many to measure",
                           "at most " + std::to_string(max_sensitivity_lights)};
         return;
     }

@@ -104,7 +104,7 @@ void magnify(PictureView& view, const Rect& area, const MagnifierState& magnifie
 }
 
 void zoom_about(MagnifierState& magnifier, int zoom, glm::dvec2 share) {
-    zoom = std::clamp(zoom, 1, most_zoom);
+    zoom = std::clamp(zoom, 1, max_zoom);
     const double shrink = double(magnifier.zoom) / zoom;
     magnifier.centre = glm::clamp(share + (magnifier.centre - share) * shrink, 0.0, 1.0);
     magnifier.zoom = zoom;

@@ -144,7 +144,7 @@ Camera other_projection(Camera camera, PictureSize size) {
 void keep_view(std::vector<Camera>& views, const Camera& camera) {
     if (std::find(views.begin(), views.end(), camera) != views.end()) return;
     views.push_back(camera);
-    if (views.size() > most_views) views.erase(views.begin());
+    if (views.size() > max_views) views.erase(views.begin());
 }
 
 std::optional<Camera> next_view(const std::vector<Camera>& views, const Camera& shown) {

@@ -48,7 +48,7 @@ enum class ViewFrom { Front, Back, Right, Left, Top, Bottom };
 /// depth keeps its size in the picture.
 [[nodiscard]] Camera other_projection(Camera camera, PictureSize size);
 
-inline constexpr std::size_t most_views = 8;
+inline constexpr std::size_t max_views = 8;
 
 /// Keeps a view; one that is kept already is not kept twice, and the oldest of nine is forgotten.
 void keep_view(std::vector<Camera>& views, const Camera& camera);

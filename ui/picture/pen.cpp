@@ -12,9 +12,9 @@
 namespace glint {
 namespace {
 
-constexpr float line_width = 3.5f;            // units of the design
-constexpr double least_step = 1.5;            // pixels between places of a line
-constexpr std::size_t most_places = 200'000;  // of all lines together
+constexpr float line_width = 3.5f;           // logical pixels
+constexpr double least_step = 1.5;           // pixels between places of a line
+constexpr std::size_t max_places = 200'000;  // of all lines together
 
 glm::vec2 to_place(glm::dvec2 pixel, const PictureView& view) {
     const double height = view.map.size.height;
@@ -30,7 +30,7 @@ ImVec2 to_window(glm::vec2 place, const PictureView& view) {
 bool begin_line(PenState& pen, glm::vec2 place) {
     std::size_t places = 0;
     for (const PenLine& line : pen.lines) places += line.places.size();
-    if (places > most_places) return false;
+    if (places > max_places) return false;
     pen.lines.push_back({{place}, pen.colour});
     return true;
 }

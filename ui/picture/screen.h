@@ -86,7 +86,7 @@ struct WorldPen {
 
     /// Cut where it passes the eye. `width`: as ImGui draws it.
     void line(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float width) const;
-    /// Light on dark, so that it is seen on every picture; `width` in units of the design.
+    /// Light on dark, so that it is seen on every picture; `width` in logical pixels.
     void cased(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float opacity, float width = 1.3f) const;
     /// centre + cos u + sin v.
     void circle(glm::dvec3 centre, glm::dvec3 u, glm::dvec3 v, ImU32 colour, float opacity) const;

@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-constexpr double drag_threshold = 3;  // units of the design before a press becomes a drag
+constexpr double drag_threshold = 3;  // logical pixels before a press becomes a drag
 constexpr double wheel_step = 0.88;   // of the distance, per notch
 constexpr double scroll_units = 36;   // of the design, that a notch pans or turns by
 constexpr double wheel_pause = 0.6;   // seconds: notches closer than this are one step

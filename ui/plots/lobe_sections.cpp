@@ -32,7 +32,7 @@ std::vector<glm::dvec2> polar(const std::vector<LobeSample>& slice, const Value&
     return curve;
 }
 
-double most_of(const std::vector<glm::dvec2>& curve) {
+double max_of(const std::vector<glm::dvec2>& curve) {
     double most = 1e-3;
     for (const glm::dvec2 p : curve) most = std::max(most, p.y);
     return most;
@@ -115,7 +115,7 @@ void intensities_section(const PlotSubject& subject) {
     double most = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         lobes[i] = lobe_of(reflector, angles[i], true);
-        most = std::max(most, most_of(lobes[i].total));
+        most = std::max(most, max_of(lobes[i].total));
     }
     for (std::size_t i = 0; i < 3; ++i) {
         const float left = room.low.x + width * float(i);
@@ -138,7 +138,7 @@ void lobe_section(PlotsState& plots, const PlotSubject& subject) {
     const Reflector reflector = reflector_of(subject);
     const Lobe lobe = lobe_of(reflector, local.light_deg, false);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const PolarArea area = draw_polar_axes(list, plot_room(180), most_of(lobe.total));
+    const PolarArea area = draw_polar_axes(list, plot_room(180), max_of(lobe.total));
     draw_lobe(list, area, lobe, false);
     draw_direction(list, area, -local.light_deg, theme()[Symbol::L], "l", true);
     draw_direction(list, area, local.light_deg, theme()[Symbol::R], "r", false);
@@ -177,7 +177,7 @@ void brdf_section(PlotsState& plots, const PlotSubject& subject) {
     const BrdfCurves curves = brdf_curves(reflector, light_deg);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const AxisText up{"f", "1/sr"};
-    const PlotArea area = draw_axes(list, plot_room(132), {-90, 90}, {0, 1.25 * most_of(curves.forwards)},
+    const PlotArea area = draw_axes(list, plot_room(132), {-90, 90}, {0, 1.25 * max_of(curves.forwards)},
                                     {"v from n", "degrees", true, 30}, up);
     draw_upright(list, area, -light_deg, theme()[Symbol::L], 0.7f);
     draw_upright(list, area, light_deg, theme()[Symbol::R], 0.4f);

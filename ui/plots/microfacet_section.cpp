@@ -16,7 +16,7 @@ namespace {
 
 /// Facets across the drawing: the middle of the profile, at which the rays are aimed.
 constexpr double shown = 56;
-constexpr int most_rays = 48;
+constexpr int max_rays = 48;
 
 /// Takes the section's coordinates to the window: the same scale along both axes.
 struct Section {
@@ -77,7 +77,7 @@ void draw_section(const MicrofacetPicture& picture) {
     std::vector<const FacetRay*> inside;
     for (const FacetRay& ray : picture.rays)
         if (std::abs(ray.at.x - section.middle_x) < shown / 2) inside.push_back(&ray);
-    const std::size_t stride = std::max(inside.size() / most_rays, std::size_t{1});
+    const std::size_t stride = std::max(inside.size() / max_rays, std::size_t{1});
     for (std::size_t i = 0; i < inside.size(); i += stride) draw_ray(list, section, *inside[i]);
     draw_profile(list, section, picture, room.high.y);
     end_drawing(list, room);

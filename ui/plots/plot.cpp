@@ -14,7 +14,7 @@ namespace glint {
 namespace {
 
 /// More points than this on one curve are thinned: ImGui counts the corners of a list in 16 bits.
-constexpr std::size_t most_points = 1500;
+constexpr std::size_t max_points = 1500;
 
 double multiples_in(Interval range, double step) {
     return std::floor(range.high / step + 1e-9) - std::ceil(range.low / step - 1e-9) + 1;
@@ -185,8 +185,8 @@ PlotArea draw_axes(ImDrawList& list, const Rect& all, Interval x, Interval y, co
 void draw_curve(ImDrawList& list, const PlotArea& area, std::span<const glm::dvec2> points,
                 const ImVec4& colour, float width) {
     std::vector<glm::dvec2> fewer;
-    if (points.size() > most_points) {
-        fewer = thinned(points, most_points / 2);
+    if (points.size() > max_points) {
+        fewer = thinned(points, max_points / 2);
         points = fewer;
     }
     list.PushClipRect(area.rect.low, area.rect.high, true);

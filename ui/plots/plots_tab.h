@@ -99,7 +99,7 @@ struct PlotSubject {
     Material material;  // of the picked object, else of the first; defaults without objects
 };
 
-/// Room for a plot: as wide as the window, `height` units of the design high; moves the cursor below it.
+/// Room for a plot: as wide as the window, `height` logical pixels high; moves the cursor below it.
 [[nodiscard]] Rect plot_room(float height);
 /// Height of a curve's plot.
 inline constexpr float curve_height = 132;

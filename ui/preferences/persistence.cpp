@@ -28,12 +28,12 @@ bool can_be_shown(const std::string& path) {
 }
 
 void add(std::vector<std::string>& paths, std::string path) {
-    if (paths.size() >= most_recent_files || !can_be_shown(path)) return;
+    if (paths.size() >= max_recent_files || !can_be_shown(path)) return;
     if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(std::move(path));
 }
 
 constexpr double seconds_between_copies = 5, seconds_of_rest = 1, seconds_between_asking = 0.02;
-constexpr int most_asking = 50;  // times, of a window that ends
+constexpr int max_asking = 50;  // times, of a window that ends
 constexpr std::size_t longest_memory = 1 << 16;
 
 std::string file_in(const Persistence& memory, const char* name) {
@@ -213,7 +213,7 @@ void end_persistence(UiState& state) {
     Persistence& memory = state.persistence;
     if (memory.folder.empty()) return;
     drop_autosave(state);
-    for (int i = 0; i < most_asking && !note_recent(state); ++i)
+    for (int i = 0; i < max_asking && !note_recent(state); ++i)
         std::this_thread::sleep_for(std::chrono::duration<double>(seconds_between_asking));
     if (!(memory.preferences == memory.written))
         write(memory, "window.json", preferences_text(memory.preferences));

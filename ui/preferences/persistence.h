@@ -27,7 +27,7 @@ struct ViewPreferences {
     bool over_range = false, dots = false, needles = false;
     glm::dvec2 scope_from{0.02, 0.5}, scope_to{0.98, 0.5};  // shares of the picture's size
     bool scope_channels = false, scope_eye = false;
-    std::vector<Camera> kept;  // at most most_views
+    std::vector<Camera> kept;  // at most max_views
     bool operator==(const ViewPreferences&) const = default;
 };
 
@@ -53,9 +53,9 @@ struct Preferences {
 
 // The files opened or saved last, newest first: a list in an untrusted file that several windows share.
 
-inline constexpr std::size_t most_recent_files = 12;
+inline constexpr std::size_t max_recent_files = 12;
 
-/// Reads the list from JSON: absolute paths without control characters, each once, at most most_recent_files.
+/// Reads the list from JSON: absolute paths without control characters, each once, at most max_recent_files.
 /// Anything else is left out.
 [[nodiscard]] std::vector<std::string> read_recent_files(const std::string& text);
 [[nodiscard]] std::string recent_files_text(const std::vector<std::string>& paths);

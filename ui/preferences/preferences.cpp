@@ -85,7 +85,7 @@ CompareChoice read_compare(const Json& json) {
     read(json, "stacked", choice.stacked);
     read(json, "difference", choice.difference);
     int gain = 1;
-    read(json, "gain", gain, 1, most_gain);
+    read(json, "gain", gain, 1, max_gain);
     while (2 * choice.gain <= gain) choice.gain *= 2;
     std::vector<Variant> parts;
     if (const Json* found = json.find("parts"))
@@ -167,7 +167,7 @@ struct Limits {
 
 /// Every number and switch of the preferences, once: its name in the file, its member, and its range.
 template <class P, class Visit> void preference_fields(P& p, const Visit& visit) {
-    constexpr Limits column{least_column_width, most_column_width}, window{0, 16384};
+    constexpr Limits column{least_column_width, max_column_width}, window{0, 16384};
     visit("scene_column", p.layout.left);
     visit("why_column", p.layout.right);
     visit("scene_width", p.layout.left_width, column);

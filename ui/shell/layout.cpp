@@ -86,7 +86,7 @@ void edge(const char* id, float x, const Rect& column, float outwards, float ini
         const float wanted = outwards > 0 ? ImGui::GetIO().MousePos.x - column.low.x
                                           : column.high.x - ImGui::GetIO().MousePos.x;
         if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1))
-            width = std::clamp(wanted / scale, least_column_width, most_column_width);
+            width = std::clamp(wanted / scale, least_column_width, max_column_width);
     }
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) width = initial;
     ImGui::End();

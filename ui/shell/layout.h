@@ -10,7 +10,7 @@ struct LayoutState {
     bool left = true, right = true;             // columns shown
     bool hides_columns = false;                 // F11: the picture alone
     bool hides_all = false;                     // F10: and no bars
-    float left_width = 280, right_width = 340;  // units of the design
+    float left_width = 280, right_width = 340;  // logical pixels
     bool scope = false;                         // the panel below the picture is open
     float scope_height = 210;
     bool operator==(const LayoutState&) const = default;
@@ -35,9 +35,9 @@ void column_edges(LayoutState& state, const Layout& layout, float scale);
 /// scene's field of view is vertical and a tall picture would cut off what was composed for a wide one.
 [[nodiscard]] Rect picture_area(const Rect& centre, float scale);
 
-/// Below this width, in units of the design, the right column becomes a tab of the left.
+/// Below this width, in logical pixels, the right column becomes a tab of the left.
 inline constexpr float three_column_width = 1100;
 inline constexpr float top_height = 38, status_height = 26, views_height = 30;
-inline constexpr float least_column_width = 220, most_column_width = 700;
+inline constexpr float least_column_width = 220, max_column_width = 700;
 
 }  // namespace glint

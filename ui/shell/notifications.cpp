@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t most_at_once = 5;
+constexpr std::size_t max_at_once = 5;
 
 double seconds_shown(Tone tone) {
     switch (tone) {
@@ -61,7 +61,7 @@ void Notifications::add(Tone tone, const std::string& text) {
     const auto same = [&text](const Notification& note) { return note.text == text; };
     list.erase(std::remove_if(list.begin(), list.end(), same), list.end());
     list.push_back({tone, text, until});
-    if (list.size() > most_at_once) list.erase(list.begin());
+    if (list.size() > max_at_once) list.erase(list.begin());
 }
 
 void Notifications::add(const Warnings& warnings) {

@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-constexpr float line_reach = 6;  // units of the design within which a line is taken
+constexpr float line_reach = 6;  // logical pixels within which a line is taken
 constexpr double apart = 0.02;   // of the width: lines never come nearer to one another
 
 /// Where a line lies in the window: its x, or stacked its y.
@@ -209,7 +209,7 @@ void stacked_button(CompareChoice& choice) {
 void difference_controls(CompareState& state) {
     CompareChoice& choice = state.choice;
     if (ImGui::SmallButton(fmt::format("×{}###gain", choice.gain).c_str()))
-        choice.gain = choice.gain >= most_gain ? 1 : 2 * choice.gain;
+        choice.gain = choice.gain >= max_gain ? 1 : 2 * choice.gain;
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) choice.gain = std::max(choice.gain / 2, 1);
     tooltip("Scale of the difference", "Click: twice as much, after ×64 again ×1 · Right click: half");
     ImGui::SameLine(0, px(8));

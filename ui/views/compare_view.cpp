@@ -46,7 +46,7 @@ void compose_difference(CompareState& state) {
     state.picture = difference_picture(first, last, state.choice.gain);
 }
 
-template <class E> void add_settings(std::vector<Variant>& all, Variant::Kind kind) {
+template <class E> void add_variants(std::vector<Variant>& all, Variant::Kind kind) {
     for (std::size_t i = 0; i < count_of<E>(); ++i) all.push_back({kind, static_cast<int>(i)});
 }
 
@@ -57,9 +57,9 @@ struct NamedChoice {
 };
 
 /// Precondition: neither Edited nor Stored.
-NamedChoice choice_in(Variant setting) {
-    const auto index = static_cast<std::size_t>(setting.index);
-    switch (setting.kind) {
+NamedChoice choice_in(Variant variant) {
+    const auto index = static_cast<std::size_t>(variant.index);
+    switch (variant.kind) {
     case Variant::Kind::Edited:
     case Variant::Kind::Stored:
         break;
@@ -140,37 +140,37 @@ Variant variant_of(Reflection reflection) {
 
 std::vector<Variant> all_variants() {
     std::vector<Variant> all{{}};
-    add_settings<ShadingMode>(all, Variant::Kind::Mode);
-    add_settings<Reflection>(all, Variant::Kind::Reflection);
-    add_settings<Interpolation>(all, Variant::Kind::Interpolation);
+    add_variants<ShadingMode>(all, Variant::Kind::Mode);
+    add_variants<Reflection>(all, Variant::Kind::Reflection);
+    add_variants<Interpolation>(all, Variant::Kind::Interpolation);
     all.push_back({Variant::Kind::Stored, 0});
     return all;
 }
 
-std::string word_of(Variant setting) {
-    if (setting.kind == Variant::Kind::Edited) return "edited";
-    if (setting.kind == Variant::Kind::Stored) return "stored";
-    const NamedChoice named = choice_in(setting);
+std::string word_of(Variant variant) {
+    if (variant.kind == Variant::Kind::Edited) return "edited";
+    if (variant.kind == Variant::Kind::Stored) return "stored";
+    const NamedChoice named = choice_in(variant);
     return std::string(named.field) + " " + std::string(named.choice->word);
 }
 
 std::optional<Variant> variant_named(const std::string& word) {
-    for (const Variant& setting : all_variants())
-        if (word_of(setting) == word) return setting;
+    for (const Variant& variant : all_variants())
+        if (word_of(variant) == word) return variant;
     return {};
 }
 
-std::string label_of(Variant setting) {
-    if (setting.kind == Variant::Kind::Edited) return "As edited";
-    if (setting.kind == Variant::Kind::Stored) return "B, stored";
-    const NamedChoice named = choice_in(setting);
+std::string label_of(Variant variant) {
+    if (variant.kind == Variant::Kind::Edited) return "As edited";
+    if (variant.kind == Variant::Kind::Stored) return "B, stored";
+    const NamedChoice named = choice_in(variant);
     return std::string(named.choice->label) + " " + named.noun;
 }
 
-Scene scene_under(Variant setting, const Scene& edited, const Scene* stored) {
-    const auto index = static_cast<std::size_t>(setting.index);
+Scene scene_under(Variant variant, const Scene& edited, const Scene* stored) {
+    const auto index = static_cast<std::size_t>(variant.index);
     Scene scene = edited;
-    switch (setting.kind) {
+    switch (variant.kind) {
     case Variant::Kind::Edited:
         break;
     case Variant::Kind::Mode:

@@ -34,16 +34,16 @@ struct Variant {
 [[nodiscard]] std::vector<Variant> all_variants();
 
 /// "mode gouraud", "edited", "stored": for a file.
-[[nodiscard]] std::string word_of(Variant setting);
+[[nodiscard]] std::string word_of(Variant variant);
 /// Inverse of word_of; nothing for an unknown word.
 [[nodiscard]] std::optional<Variant> variant_named(const std::string& word);
 
 /// "Gouraud", "As edited", "B".
-[[nodiscard]] std::string label_of(Variant setting);
+[[nodiscard]] std::string label_of(Variant variant);
 
 /// The scene that a setting shows, seen by the edited scene's camera. Stored without a stored scene (null):
 /// as edited.
-[[nodiscard]] Scene scene_under(Variant setting, const Scene& edited, const Scene* stored);
+[[nodiscard]] Scene scene_under(Variant variant, const Scene& edited, const Scene* stored);
 
 /// A comparison as it is chosen; changes to it change the picture.
 struct CompareChoice {
@@ -58,7 +58,7 @@ struct CompareChoice {
     bool shows_stored = false;            // B alone in place of the picture
     bool operator==(const CompareChoice&) const = default;
 };
-inline constexpr int most_gain = 64;
+inline constexpr int max_gain = 64;
 
 struct CompareState {
     CompareChoice choice;

@@ -20,7 +20,7 @@ namespace {
 
 using Hand = ScopeState::Hand;
 
-/// Units of the design within which an end or the line is taken.
+/// Logical pixels within which an end or the line is taken.
 constexpr float end_reach = 10, line_reach = 6;
 
 glm::dvec2 size_of(const PictureView& view) { return {view.map.size.width, view.map.size.height}; }

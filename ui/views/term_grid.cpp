@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-constexpr int most_rows = 64;    // of the sheet: lights beyond have no picture
+constexpr int max_rows = 64;     // of the sheet: lights beyond have no picture
 constexpr int cell_width = 84;   // pixels
 constexpr double budget_ms = 8;  // of a frame, for small pictures
 
@@ -27,7 +27,7 @@ bool is_among(const std::vector<GridCell>& cells, GridCell cell) {
 void begin_sheet(TermGridState& grid, const Scene& scene, PictureSize size) {
     const int height = std::clamp(cell_width * size.height / std::max(size.width, 1), 20, 2 * cell_width);
     grid.cell = {cell_width, height};
-    const int rows = std::min(static_cast<int>(scene.lights.size()) + 1, most_rows);
+    const int rows = std::min(static_cast<int>(scene.lights.size()) + 1, max_rows);
     grid.sheet.size = {3 * cell_width, rows * height};
     grid.sheet.rgba.assign(std::size_t{4} * 3 * cell_width * static_cast<std::size_t>(rows * height), 0);
     grid.drawn_of = scene;
@@ -36,7 +36,7 @@ void begin_sheet(TermGridState& grid, const Scene& scene, PictureSize size) {
 
 void draw_cell(TermGridState& grid, const Scene& scene, GridCell cell) {
     const int row = cell.light + 1;
-    if (row >= most_rows) return;
+    if (row >= max_rows) return;
     const Picture& small = grid.renderer->render(with_cells(scene, {cell}), grid.cell);
     for (int y = 0; y < grid.cell.height; ++y)
         std::copy_n(small.rgba.begin() + static_cast<std::ptrdiff_t>(4 * small.pixel(0, y)),
@@ -71,7 +71,7 @@ bool cell_button(TermGridState& grid, GridCell cell, float width) {
     const auto [low, high] = last_item();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const int row = cell.light + 1;
-    if (row < most_rows && grid.sheet.size.height > 0) {
+    if (row < max_rows && grid.sheet.size.height > 0) {
         const float v = float(grid.cell.height) / float(grid.sheet.size.height);
         list.AddImage(grid.texture, low, high, {float(cell.term) / 3, v * float(row)},
                       {float(cell.term + 1) / 3, v * float(row + 1)});

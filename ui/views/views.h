@@ -29,7 +29,7 @@ struct MagnifierState {
     int zoom = 1;            // 1, 2, 4 ... 64: window pixels a pixel
     glm::dvec2 centre{0.5};  // what lies in the middle, as a share of the picture's size
 };
-inline constexpr int most_zoom = 64, usual_zoom = 32;
+inline constexpr int max_zoom = 64, usual_zoom = 32;
 
 /// Enlarges the picture's place in the window about the middle of `area`, and keeps `area` covered.
 void magnify(PictureView& view, const Rect& area, const MagnifierState& magnifier);

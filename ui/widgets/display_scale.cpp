@@ -6,8 +6,8 @@
 namespace glint {
 namespace {
 
-constexpr float least_scale = 0.75f, most_scale = 4;  // dots per unit of the design
-constexpr float least_dots = 0.5f, most_dots = 4;     // per unit of the window
+constexpr float least_scale = 0.75f, max_scale = 4;  // dots per logical pixel
+constexpr float least_dots = 0.5f, max_dots = 4;     // per unit of the window
 
 /// Whether `dots` is `units` times `ratio`, rounded to whole dots either way.
 bool fits(int units, int dots, float ratio) {
@@ -21,7 +21,7 @@ float dots_per_unit(const WindowExtent& extent, float before) {
     const float ratio = static_cast<float>(dots.x) / static_cast<float>(size.x);
     // A display has square units: another ratio downwards is of another size.
     if (!fits(size.y, dots.y, ratio)) return before;
-    return std::clamp(ratio, least_dots, most_dots);
+    return std::clamp(ratio, least_dots, max_dots);
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ DisplayScale display_scale(const WindowExtent& extent, const DisplayScale& befor
     DisplayScale scale;
     scale.dots_per_unit = dots_per_unit(extent, before.dots_per_unit);
     const float content = std::isfinite(extent.content_scale) ? extent.content_scale : 1;
-    scale.design = std::clamp(content, least_scale, most_scale) / scale.dots_per_unit;
+    scale.design = std::clamp(content, least_scale, max_scale) / scale.dots_per_unit;
     return scale;
 }
 

@@ -16,12 +16,12 @@ struct WindowExtent {
 };
 
 struct DisplayScale {
-    float design = 1;         // the window's units per unit of the design
+    float design = 1;         // the window's units per logical pixel
     float dots_per_unit = 1;  // pixels of the framebuffer per unit of the window
     bool operator==(const DisplayScale&) const = default;
 };
 
-/// The scale that fits `extent`, `before` being the one in use. Dots per unit of the design stay within 0.75
+/// The scale that fits `extent`, `before` being the one in use. Dots per logical pixel stay within 0.75
 /// and 4, dots per unit within 0.5 and 4. A window that is being resized or has no area keeps its dots per
 /// unit, and so does one whose ratio differs by what rounding to whole dots makes: fonts are rebuilt only for
 /// a true change.

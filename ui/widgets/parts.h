@@ -47,7 +47,7 @@ void same_line_if_fits(float width, float gap, float right);
 /// Whether a rectangle of the window drawn into is pointed at.
 [[nodiscard]] bool is_pointed_at(const Rect& area);
 
-// Over the picture. Widths and radii are in units of the design, places in the window's.
+// Over the picture. Widths and radii are in logical pixels, places in the window's.
 
 /// How much wider a dark line is than the bright one on it.
 inline constexpr float rim_width = 1.8f;

@@ -137,8 +137,7 @@ Result<Sensitivities> sensitivities(const SceneDocument& document, PictureSize s
                                     int threads, const SensitivityProgress& measured) {
     const std::size_t lights = document.scene.lights.size();
     if (lights > max_sensitivity_lights)
-        return Problem{document.path, "/lights",
-                       fmt::format("{} lights are too many for the sensitivity", lights),
+        return Problem{document.path, "/lights", fmt::format("{} lights are too many to measure", lights),
                        fmt::format("at most {}", max_sensitivity_lights), 0};
     SensitivityRun run(document, size, x, y, threads);
     while (run.measured() < run.count()) {

@@ -118,15 +118,15 @@ ExplainedPoint explain_point(const ExplainedStages& stages, const LightJob& job,
 void explain_corners(Explanation& e, const ExplainedStages& stages, const SampleFace& face,
                      const LightJob& job, const Frames& frames) {
     const SurfaceInputs& surface = stages.surface;
-    const SampleSources sample = sample_sources(surface, stages.geometry, face);
+    const BlendedPoints sample = blended_points(surface, stages.geometry, face);
     const bool lit = stages.lighting.shading.reflection != Reflection::None;
     Vec sum;
     for (std::size_t i = 0; i < static_cast<std::size_t>(sample.count); ++i) {
         ExplainedCorner corner;
         corner.weight = sample.weight[i];
-        const PositionNormal place = lit_point(surface, stages.geometry, sample.source[i]);
+        const PositionNormal place = lit_point(surface, stages.geometry, sample.point[i]);
         corner.at = explain_point(stages, job, place, frames, lit);
-        if (!lit) corner.at.sum = vertex_color(surface, stages.geometry, sample.source[i]);
+        if (!lit) corner.at.sum = vertex_color(surface, stages.geometry, sample.point[i]);
         sum = surface.choice.kind == SurfaceKind::Faces
                   ? to_vec(corner.at.sum)
                   : add_weighted(sum, corner.weight, to_vec(corner.at.sum));

@@ -76,7 +76,7 @@ TEST_CASE("the list of recent files takes nothing but whole paths, each once", "
     CHECK(read_recent_files("[\"/\xff\xfe\"]").empty());
     std::vector<std::string> paths;
     for (int i = 0; i < 40; ++i) paths = with_recent_file(paths, "/f" + std::to_string(i));
-    REQUIRE(paths.size() == most_recent_files);
+    REQUIRE(paths.size() == max_recent_files);
     CHECK(paths.front() == "/f39");
     CHECK(with_recent_file(paths, "/x/../f35")[0] == "/f35");
     CHECK(with_recent_file(paths, "-") == paths);
@@ -93,7 +93,7 @@ TEST_CASE("settings are read back equal, and from nonsense what makes sense is t
         R"({"theme": 5, "scene_width": -1e300, "why_width": 1e300, "width": "wide", "maximized": 1, "height": 99999})");
     CHECK(odd.dark);
     CHECK(odd.layout.left_width == least_column_width);
-    CHECK(odd.layout.right_width == most_column_width);
+    CHECK(odd.layout.right_width == max_column_width);
     CHECK(odd.width == 0);
     CHECK(odd.height == 16384);
     CHECK_FALSE(odd.maximized);
@@ -147,7 +147,7 @@ TEST_CASE("of remembered views only what makes sense is taken", "[ui][memory]") 
           ViewPreferences());
     CHECK(views(R"({"compare": {"parts": ["mode gouraud"], "lines": [0.5]}})") == ViewPreferences());
     CHECK(views(R"({"compare": {"parts": ["mode flat", "mode none"], "gain": 1e9}})").compare.gain ==
-          most_gain);
+          max_gain);
     CHECK(views(R"({"compare": {"lines": [0.7, 0.3]}})") == ViewPreferences());
     CHECK(views(R"({"compare": {"lines": [0.3, 1.3]}})") == ViewPreferences());
     CHECK(views(R"({"scope_from": [-3, 7], "scope_to": [1]})").scope_from == glm::dvec2(0, 1));

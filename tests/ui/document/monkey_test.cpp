@@ -45,7 +45,7 @@ class Cage {
 /// Commands with which a new history begins.
 bool ends_history(const WindowCommand& command) {
     static const std::set<std::string_view> names{"Quit", "New scene", "Open…", "Next scene of the folder",
-                                                  "Scene before it"};
+                                                  "Previous scene of the folder"};
     for (const std::string_view name : names) (void)test::command_named(name);  // they are called so
     return names.contains(command.name);
 }

@@ -64,7 +64,7 @@ TEST_CASE("the arrow n ends where a unit normal of its length shows", "[ui][wind
     const Scene start = bench.scene();
     const ExplainedPoint& point = bench.state.explanation->at;
     const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
-    // 92 units of the design at the point's depth, by the field of view: independent of the pen.
+    // 92 logical pixels at the point's depth, by the field of view: independent of the pen.
     const double depth = -double(point.point.camera.z);
     const double per_pixel = 2 * depth * std::tan(0.5 * 45 * 3.14159265358979 / 180) / map.size.height;
     const glm::dvec3 tip = glm::dvec3(point.point.world) + 92 * per_pixel * glm::dvec3(point.normal.world);

@@ -301,8 +301,8 @@ TEST_CASE(
                           std::string(GLINT_SOURCE_DIR) + "/assets/scenes/skew-quad.json", {})));
         bench.scene().shading.interpolation = interpolation;
         bench.frames(2);
-        CHECK_FALSE(
-            why_disabled(bench.state, test::command_named("Rotate it about the picked point")).empty());
+        CHECK_FALSE(why_disabled(bench.state, test::command_named("Rotate the object about the picked point"))
+                        .empty());
         const glm::dvec2 pixel =
             project(screen_map(bench.scene().camera, bench.state.rendered->size), {-2.5, 0.1, 0}).pixel;
         bench.click(bench.at_pixel(pixel));

@@ -74,7 +74,7 @@ TEST_CASE("views that were kept come back in turn, and eight of them are kept", 
         keep_view(views, camera);
         keep_view(views, camera);
     }
-    REQUIRE(views.size() == most_views);
+    REQUIRE(views.size() == max_views);
     CHECK(views.front().eye.x == 1);
     CHECK(next_view(views, views[2])->eye.x == 4);
     CHECK(next_view(views, views.back()) == views.front());

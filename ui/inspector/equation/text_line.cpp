@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr float padding_x = 2, padding_y = 1;  // of a handle, units of the design
+constexpr float padding_x = 2, padding_y = 1;  // of a handle, logical pixels
 
 /// The width of the number as it is now, at least that of two figures: enough to take hold of.
 float handle_width(const NumberHandle& handle) {

@@ -14,7 +14,7 @@ namespace glint {
 
 class TextLine {
   public:
-    /// Begins at the cursor; lines after the first are indented by `indent` units of the design.
+    /// Begins at the cursor; lines after the first are indented by `indent` logical pixels.
     explicit TextLine(float indent = 14);
 
     TextLine& plain(const std::string& text);

@@ -13,7 +13,7 @@
 namespace glint {
 namespace {
 
-constexpr float label_reach = 30;  // units of the design that a word may be pushed away
+constexpr float label_reach = 30;  // logical pixels that a word may be pushed away
 
 /// The letter with its middle at `centre`, or near it where something is written there.
 void letter_at(ImDrawList& list, ImVec2 centre, const ArrowLook& look) {

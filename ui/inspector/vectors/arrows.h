@@ -24,7 +24,7 @@ struct PointPen {
     [[nodiscard]] ImVec2 at(glm::dvec3 offset) const;
 };
 
-/// A pen at `origin` whose unit vectors are `length` units of the design long when seen from the side.
+/// A pen at `origin` whose unit vectors are `length` logical pixels long when seen from the side.
 [[nodiscard]] PointPen pen_at(ImDrawList& list, const PictureView& view, glm::dvec3 origin, float length);
 
 /// Words to be written over all arrows, none over another. Those that come first have the first choice.
@@ -48,7 +48,7 @@ class Words {
 
 struct ArrowLook {
     ImVec4 colour;
-    float width = 2;  // units of the design
+    float width = 2;  // logical pixels
     const char* letter = "";
     Words* words = nullptr;  // that the letter goes to; null: it is written at once
 };

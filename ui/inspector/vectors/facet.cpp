@@ -69,8 +69,8 @@ void draw_facet(ImDrawList& list, const UiState& state, const PictureView& view)
     const ImVec4& edge = dark_theme()[Symbol::Diffuse];
     draw_arrow(list, outline[0], outline[1], {edge, 2.5f, "a"});
     draw_arrow(list, outline[0], outline[2], {edge, 2.5f, "b"});
-    constexpr std::size_t most_numbered = 24;  // corners; more numbers than this hide one another
-    for (std::size_t i = 0; i < std::min(outline.size(), most_numbered); ++i)
+    constexpr std::size_t max_numbered = 24;  // corners; more numbers than this hide one another
+    for (std::size_t i = 0; i < std::min(outline.size(), max_numbered); ++i)
         rimmed_text(list, outline[i] + ImVec2(0, px(12)), {1, 1, 1, 1}, std::to_string(i + 1));
     // Normals go by the inverse transpose; a mirrored scale turns the winding round.
     const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(world)));

@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-constexpr float arrow_length = 92;  // units of the design, of a unit vector seen from the side
+constexpr float arrow_length = 92;  // logical pixels, of a unit vector seen from the side
 
 class PointDrawing {
   public:

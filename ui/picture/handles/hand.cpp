@@ -7,7 +7,7 @@
 namespace glint {
 namespace {
 
-constexpr float terminator_reach = 4;  // units of the design
+constexpr float terminator_reach = 4;  // logical pixels
 
 /// The surfaces of the last picture, which must be there.
 SurfaceView surface_of(const ViewportFrame& frame) {

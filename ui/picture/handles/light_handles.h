@@ -42,7 +42,7 @@ struct HandleLook {
 void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, const Handle& handle,
                  HandleLook look);
 
-/// The disc of a light, with a dark rim: a ring when it is off. `radius`: units of the design.
+/// The disc of a light, with a dark rim: a ring when it is off. `radius`: logical pixels.
 void draw_light_disc(ImDrawList& list, ImVec2 at, float radius, const Light& light, ImU32 colour,
                      float opacity);
 

@@ -15,7 +15,7 @@ const std::array axis_colours{ImVec4{0.93f, 0.42f, 0.35f, 1}, ImVec4{0.52f, 0.78
                               ImVec4{0.42f, 0.65f, 1.0f, 1}};
 constexpr const char* letters[] = {"X", "Y", "Z"};
 const ImVec4 white{1, 1, 1, 1};
-constexpr float line_width = 2.2f, held_width = 3;  // units of the design
+constexpr float line_width = 2.2f, held_width = 3;  // logical pixels
 
 struct GizmoPen {
     WorldPen pen;
