@@ -129,6 +129,9 @@ template <Of<NormalOptions> N, class Visit> void fields(N& n, Visit&& visit) {
     visit(Row{"crease_deg", "Crease",
               "Facets that meet at more are not averaged across their edge; 180 averages all"},
           angle_field, n.crease_deg);
+    visit(Row{"flip", "Flip", "Every normal is turned round: for a mesh whose faces run the wrong way"}
+              .omitted_by_default(),
+          Switch{}, n.flip);
 }
 
 template <Of<Material> M, class Visit> void fields(M& m, Visit&& visit) {
@@ -146,6 +149,7 @@ template <Of<Material> M, class Visit> void fields(M& m, Visit&& visit) {
 
 template <Of<Object> O, class Visit> void fields(O& o, Visit&& visit) {
     visit(Row{"name", "Name", "What the object is called"}.undone_as("Rename {}"), Text{}, o.name);
+    visit(Row{"visible", "Shown", "Whether it is drawn"}.omitted_by_default(), Switch{}, o.visible);
     visit(Row{"mesh", "Mesh", "The shape: a primitive, or a file"}.undone_as("Mesh of {}"), OneMesh{},
           o.source);
     visit(
@@ -290,6 +294,11 @@ template <Of<Display> D, class Visit> void fields(D& d, Visit&& visit) {
 }
 
 template <Of<Scene> S, class Visit> void fields(S& s, Visit&& visit) {
+    visit(Row{"about", "About", "One line: what to look at in the scene, and what to try"}
+              .undone_as("Caption")
+              .of_lighting()
+              .omitted_by_default(),
+          Text{}, s.about);
     visit(Row{"camera", "Camera", "The eye, and how it projects"}.undone_as("Camera"), Group{}, s.camera);
     visit(Row{"global_ambient", "Ambient", "Light from everywhere, apart from all lights"}
               .undone_as("Global ambient")

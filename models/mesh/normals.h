@@ -17,6 +17,7 @@ struct NormalOptions {
     NormalSource source = NormalSource::Auto;
     NormalWeighting weighting = NormalWeighting::Angle;
     float crease_deg = 180;  // 0 to 180; facets that meet at more are not averaged across; 180: no crease
+    bool flip = false;       // shading takes -n for every normal; corner_normals() does not heed it
     bool operator==(const NormalOptions&) const = default;
 };
 

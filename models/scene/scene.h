@@ -35,6 +35,7 @@ using MeshSource = std::variant<PrimitiveMesh, MeshFile>;
 
 struct Object {
     std::string name = "Object";
+    bool visible = true;
     MeshSource source;
     Transform transform;
     NormalOptions normals;
@@ -69,6 +70,7 @@ struct Display {
 inline constexpr std::size_t max_lights = 4096, max_objects = 10'000;
 
 struct Scene {
+    std::string about;
     Camera camera;
     glm::vec3 global_ambient{0.1f};
     std::vector<Light> lights;
@@ -82,12 +84,13 @@ struct Scene {
 /// Whether the scene file says the same of both, whatever meshes are loaded: what is saved, what a step of
 /// the history is, and what is read back go by this.
 [[nodiscard]] inline bool same_description(const Object& a, const Object& b) {
-    return a.name == b.name && a.source == b.source && a.transform == b.transform && a.normals == b.normals &&
-           a.material == b.material;
+    return a.name == b.name && a.visible == b.visible && a.source == b.source && a.transform == b.transform &&
+           a.normals == b.normals && a.material == b.material;
 }
 [[nodiscard]] inline bool same_description(const Scene& a, const Scene& b) {
     const auto same = [](const Object& x, const Object& y) { return same_description(x, y); };
-    return a.camera == b.camera && a.global_ambient == b.global_ambient && a.lights == b.lights &&
+    return a.about == b.about && a.camera == b.camera && a.global_ambient == b.global_ambient &&
+           a.lights == b.lights &&
            std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(), same) &&
            a.shading == b.shading && a.npr == b.npr && a.display == b.display;
 }

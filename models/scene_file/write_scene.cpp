@@ -27,7 +27,7 @@ namespace {
 /// Where an object's text breaks into lines.
 struct Layout {
     std::string_view open = "{", new_line = "", close = "}";
-    std::array<std::string_view, 6> break_before = {};  // keys that begin a line
+    std::array<std::string_view, 7> break_before = {};  // keys that begin a line
 };
 
 // A struct that is not named here is one line.
@@ -48,7 +48,7 @@ constexpr Layout layout_of(const Scene&) {
     return {"{\n  \"glint\": 1,\n  ",
             "\n  ",
             "\n}\n",
-            {"global_ambient", "lights", "objects", "shading", "npr", "display"}};
+            {"camera", "global_ambient", "lights", "objects", "shading", "npr", "display"}};
 }
 
 template <class T> std::string text_of(const T& value);
@@ -69,10 +69,12 @@ std::string text_of_value(const Homogeneous&, const glm::vec4& v) { return vecto
 template <class E> std::string text_of_value(const OneOf&, E value) { return json_string(name_of(value)); }
 template <class T> std::string text_of_value(const Group&, const T& value) { return text_of(value); }
 std::string text_of_value(const OneProjection&, const Projection& p) {
-    std::string text = text_of(p);
+    std::string text = std::visit([](const auto& one) { return text_of(one); }, p);
     return text.insert(1, fmt::format("\"type\": \"{}\", ", name_of(kind_of(p))));
 }
-std::string text_of_value(const OneMesh&, const MeshSource& m) { return text_of(m); }
+std::string text_of_value(const OneMesh&, const MeshSource& m) {
+    return std::visit([](const auto& one) { return text_of(one); }, m);
+}
 /// One element a line.
 template <class T> std::string text_of_value(const List&, const std::vector<T>& elements) {
     if (elements.empty()) return "[]";
@@ -81,22 +83,19 @@ template <class T> std::string text_of_value(const List&, const std::vector<T>& 
     return "[" + text + "\n  ]";
 }
 
-bool is_default(const Switch&, bool value) { return !value; }
-bool is_default(const Count&, int value) { return value == 0; }
-template <class Kind, class T> bool is_default(const Kind&, const T&) { return false; }
-
 template <class T> std::string text_of(const T& value) {
     const Layout layout = layout_of(value);
     std::string text;
     // A line begins where the layout says so, also when the key there is left out.
     bool breaks = false;
-    fields(value, [&](const Row& row, const auto& kind, const auto& member) {
-        for (const std::string_view key : layout.break_before) breaks |= key == row.key;
-        if (row.omit_default && is_default(kind, member)) return;
-        if (!text.empty()) text += breaks ? fmt::format(",{}", layout.new_line) : ", ";
-        text += fmt::format("\"{}\": {}", row.key, text_of_value(kind, member));
-        breaks = false;
-    });
+    fields_with_defaults(value,
+                         [&](const Row& row, const auto& kind, const auto& member, const auto& initial) {
+                             for (const std::string_view key : layout.break_before) breaks |= key == row.key;
+                             if (row.omit_default && member == initial) return;
+                             if (!text.empty()) text += breaks ? fmt::format(",{}", layout.new_line) : ", ";
+                             text += fmt::format("\"{}\": {}", row.key, text_of_value(kind, member));
+                             breaks = false;
+                         });
     return fmt::format("{}{}{}", layout.open, text, layout.close);
 }
 

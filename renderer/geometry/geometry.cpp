@@ -71,6 +71,7 @@ void transform_objects(Geometry& g, const Scene& scene) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         ObjectGeometry& o = g.objects[i];
         o.transform = scene.objects[i].transform;
+        o.visible = scene.objects[i].visible;
         o.view_from_object = view * world_from_object(o.transform);
         o.clip_from_object = g.clip_from_view * o.view_from_object;
         const glm::dmat3 linear(o.view_from_object);
@@ -87,7 +88,8 @@ bool same_inputs(const Geometry& kept, const Scene& scene, PictureSize size) {
         return false;
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         if (kept.objects[i].mesh != scene.objects[i].mesh ||
-            kept.objects[i].transform != scene.objects[i].transform)
+            kept.objects[i].transform != scene.objects[i].transform ||
+            kept.objects[i].visible != scene.objects[i].visible)
             return false;
     return true;
 }

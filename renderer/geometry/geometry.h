@@ -20,6 +20,7 @@ inline constexpr std::uint32_t no_triangle = 0xFFFFFFFFu;
 struct ObjectGeometry {
     MeshPtr mesh;
     Transform transform;
+    bool visible = true;    // false: none of its triangles is drawn; they keep their numbers
     bool mirrored = false;  // the transform turns the winding over; facets stay outward all the same
     std::uint32_t first_triangle = 0;  // its triangles have the global numbers first_triangle + 0, 1, 2, ...
     glm::dmat4 view_from_object{1.0}, clip_from_object{1.0};

@@ -16,13 +16,14 @@ namespace {
 
 constexpr glm::vec3 opengl_default_normal{0, 0, 1};  // what OpenGL takes while no normal was given
 
-/// From an object's normals to camera coordinates.
-Matrix3 camera_matrix(const ObjectGeometry& object, const NormalMistakes& mistakes) {
+/// From an object's normals to camera coordinates. `flip`: turned round as well.
+Matrix3 camera_matrix(const ObjectGeometry& object, bool flip, const NormalMistakes& mistakes) {
     const glm::dmat3 m =
         mistakes.by_model_matrix ? glm::dmat3(object.view_from_object) : object.normal_matrix;
+    const bool turned = flip != mistakes.flipped;
     Matrix3 out;
     for (int c = 0; c < 3; ++c)
-        for (int r = 0; r < 3; ++r) out.column[c][r] = mistakes.flipped ? -m[c][r] : m[c][r];
+        for (int r = 0; r < 3; ++r) out.column[c][r] = turned ? -m[c][r] : m[c][r];
     return out;
 }
 
@@ -67,7 +68,7 @@ void transform_mistaken_normals(ObjectNormals& normals, const Matrix3& matrix,
 void transform_normals(ObjectNormals& normals, const ObjectGeometry& object, const NormalMistakes& mistakes) {
     const std::vector<glm::vec3>& from = normals.of_mesh->normals;
     normals.normals.resize(from.size());
-    const Matrix3 matrix = camera_matrix(object, mistakes);
+    const Matrix3 matrix = camera_matrix(object, normals.options.flip, mistakes);
     if (mistakes.unnormalized || mistakes.none_given)
         return transform_mistaken_normals(normals, matrix, mistakes);
     if (from.empty()) return;
@@ -127,10 +128,10 @@ bool same_normals(const std::vector<ObjectNormals>& kept, const Scene& scene) {
     return true;
 }
 
-glm::vec3 camera_facet_normal(const ObjectGeometry& object, std::uint32_t face,
+glm::vec3 camera_facet_normal(const ObjectGeometry& object, const ObjectNormals& normals, std::uint32_t face,
                               const NormalMistakes& mistakes) {
     const Vec3<double> n = object_normal(facet_normal(*object.mesh, face), mistakes);
-    return to_glm(unit_or_zero(to_camera(camera_matrix(object, mistakes), n)));
+    return to_glm(unit_or_zero(to_camera(camera_matrix(object, normals.options.flip, mistakes), n)));
 }
 
 }  // namespace glint

@@ -60,8 +60,9 @@ void update_normals(std::vector<ObjectNormals>& kept, const Scene& scene, const 
 /// True when `kept` was made of the same meshes and options.
 [[nodiscard]] bool same_normals(const std::vector<ObjectNormals>& kept, const Scene& scene);
 
-/// The facet normal of a polygon in camera coordinates, unit; (0, 0, 0) when it has no area.
-[[nodiscard]] glm::vec3 camera_facet_normal(const ObjectGeometry& object, std::uint32_t face,
-                                            const NormalMistakes& mistakes);
+/// The facet normal of a polygon in camera coordinates, unit, flipped where the object's normals are;
+/// (0, 0, 0) when it has no area.
+[[nodiscard]] glm::vec3 camera_facet_normal(const ObjectGeometry& object, const ObjectNormals& normals,
+                                            std::uint32_t face, const NormalMistakes& mistakes);
 
 }  // namespace glint

@@ -155,6 +155,7 @@ std::vector<float> draw_strokes(Strokes& kept, const Geometry& g, const Visibili
     const double margin = 1 + 0.5 * static_cast<double>(kept.width_px);
     std::vector<StrokeLine> lines;
     for (std::uint32_t o = 0; o < g.objects.size(); ++o) {
+        if (!g.objects[o].visible) continue;
         const MeshEdges& mesh = edges_of(kept.meshes, g.objects[o].mesh);
         const auto edges = stroke_edges(mesh, edge_view(g.camera, g.objects[o]), kept.choice);
         const auto seen = visible_lines(g, visibility, o, mesh, edges, margin);

@@ -68,7 +68,9 @@ PositionNormal pixel_point(const SurfaceInputs& surface, const Geometry& g, cons
             n = surface.choice.mistakes.unnormalized_at_pixel ? sum : unit(sum);
     }
     // Opposite corner normals can cancel: then, too, the facet's own is the best there is.
-    if (dot(n, n) == 0) n = to_vec(camera_facet_normal(object, t.face, surface.choice.mistakes));
+    if (dot(n, n) == 0)
+        n = to_vec(
+            camera_facet_normal(object, surface.normals[face.object], t.face, surface.choice.mistakes));
     return {face.p, face.turned ? -to_glm(n) : to_glm(n)};
 }
 
@@ -82,7 +84,7 @@ PositionNormal lit_point(const SurfaceInputs& surface, const Geometry& g, const 
         glm::dvec3 sum(0);
         for (const std::uint32_t p : around) sum += glm::dvec3(object.position(p));
         at = {glm::vec3(sum / static_cast<double>(around.size())),
-              camera_facet_normal(object, source.item, surface.choice.mistakes)};
+              camera_facet_normal(object, normals, source.item, surface.choice.mistakes)};
     } else if (surface.choice.kind == SurfaceKind::Faces) {
         const std::uint32_t corner = mesh.triangles[source.item].corner[2];
         at = {object.position(mesh.corner_position[corner]), normals.at_corner(corner)};

@@ -39,6 +39,7 @@ void lay_out_chunks(TileLists& lists, const Geometry& g, const BinJob& like, Cul
     std::size_t count = 0;
     std::uint32_t room = 0;  // triangles that the last chunk has room for
     for (std::uint32_t o = 0; o < g.objects.size(); ++o) {
+        if (!g.objects[o].visible) continue;
         const auto triangles = static_cast<std::uint32_t>(g.objects[o].mesh->triangles.size());
         for (std::uint32_t begin = 0; begin < triangles;) {
             if (room == 0) {

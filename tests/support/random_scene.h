@@ -102,7 +102,8 @@ class RandomScene {
         else
             o.source = MeshFile{"meshes/a \"b\" ü.obj"};
         o.transform = {{number(), number(), number()}, vector(), {positive(), -positive(), positive()}};
-        o.normals = {one_of<NormalSource>(), one_of<NormalWeighting>(), between(0, 180)};
+        o.normals = {one_of<NormalSource>(), one_of<NormalWeighting>(), between(0, 180), flag()};
+        o.visible = below(4) != 0;
         o.material = {color(), color(), color(), color(), between(0, 10'000), between(0, 1), color()};
         return o;
     }
