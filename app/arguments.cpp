@@ -151,7 +151,11 @@ bool takes_png(const std::string& out) {
 
 SceneDocument open_scene(const SceneArguments& arguments) {
     require_file(arguments);
-    return take(open_document(arguments.file, arguments.assignments));
+    SceneDocument document = take(open_document(arguments.file, arguments.assignments));
+    // A command draws what the picture shows.
+    Projection& projection = document.scene.camera.projection;
+    if (document.fitted_to) projection = fitted(projection, *document.fitted_to);
+    return document;
 }
 
 }  // namespace glint

@@ -22,10 +22,10 @@
 namespace glint {
 namespace {
 
-/// One undo step when nothing has the scene in hand any more.
+/// One step when nothing has the scene in hand any more.
 void remember(UiState& state, bool in_hand) {
     if (in_hand || ImGui::IsAnyItemActive() || awaits_mesh(state)) return;
-    state.editor.history.commit(state.editor.scene(), state.viewport.wheel_goes_on);
+    remember_step(state.editor, state.viewport.wheel_goes_on);
 }
 
 UiRequests requests(UiState& state) {
@@ -51,7 +51,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     close_left_modal(state);
     ImGui::PushFont(fonts().body);
     begin_views(state);
-    const Layout layout = lay_out(ImGui::GetIO().DisplaySize, state.layout, px(1));
+    const Layout layout = window_layout(state);
     if (!state.layout.hides_all) toolbar(state, layout.top);
     const bool in_hand = picture_room(state, layout, input);
     state.left_shows_inspector |= state.viewport.asked;
@@ -62,7 +62,8 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     draw_picture(state, view);
     update_views(state);
     learn_pace(state);
-    picture_overlay(state, layout, picture_view(layout.centre, state));
+    picture_overlay(state, layout);
+    caption_line(state, layout);
     inspector_columns(state, layout, view);
     views_windows(state, layout);
     column_edges(state.layout, layout, px(1));
@@ -89,6 +90,7 @@ template <class Do> void for_each_job(UiState& state, Do action) {
     std::for_each(state.loading.left.begin(), state.loading.left.end(), with);
     with(state.exporting.job);
     with(state.animate.job);
+    with(state.examples.job);
     with(state.sensitivity.job);
     std::for_each(state.sensitivity.ending.begin(), state.sensitivity.ending.end(), with);
 }
@@ -109,6 +111,10 @@ UiRequests ui_frame(UiState& state, const UiInput& input) {
         redraw_within(0);
         return requests(state);
     }
+}
+
+std::array<PictureSheet*, 2> sheets_of(UiState& state) {
+    return {&state.views.grid.sheet, &state.examples.sheet};
 }
 
 bool end_jobs(UiState& state, double seconds) {

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -21,6 +22,7 @@
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/outside_view.h"
 #include "ui/inspector/sensitivity.h"
+#include "ui/lecture/examples.h"
 #include "ui/lecture/lecture.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/tool.h"
@@ -66,6 +68,7 @@ struct UiState {
     Persistence persistence;
     ExportState exporting;
     LectureState lecture;
+    ExamplesState examples;
     AnimateState animate;
     Pending pending;
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
@@ -100,6 +103,9 @@ struct UiRequests {
 /// Between ImGui::NewFrame() and ImGui::Render(). The caller fills the window with theme().panel, puts
 /// UiState::displayed where UiState::picture_rect says, and draws ImGui's data over both.
 [[nodiscard]] UiRequests ui_frame(UiState& state, const UiInput& input);
+
+/// The sheets of small pictures that the window keeps as textures; they stay where they are.
+[[nodiscard]] std::array<PictureSheet*, 2> sheets_of(UiState& state);
 
 /// Cancels every load, export and search at once and waits for them, at most `seconds`. False when one goes
 /// on: a thread in the middle of a mesh or a picture cannot be stopped. What is cancelled begins to write no

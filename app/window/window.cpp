@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 
 #include "app/failure.h"
 #include "app/window/texture.h"
@@ -114,12 +115,12 @@ class Window {
         ImGui::GetIO().IniFilename = nullptr;
         collect_input(window, input_);
         ready_ = ImGui_ImplGlfw_InitForOpenGL(window, true) && ImGui_ImplOpenGL3_Init("#version 130");
-        if (ready_) texture_ = std::make_unique<Texture>(), thumbnails_ = std::make_unique<Texture>();
+        if (ready_) texture_ = std::make_unique<Texture>();
         files_ = find_fonts();
     }
     ~Window() {
         texture_.reset();
-        thumbnails_.reset();
+        sheets_.clear();
         if (ready_) ImGui_ImplOpenGL3_Shutdown();
         ImGui_ImplGlfw_Shutdown();
         ImGui::DestroyContext();
@@ -128,7 +129,7 @@ class Window {
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    [[nodiscard]] bool ready() const { return ready_ && texture_->ready() && thumbnails_->ready(); }
+    [[nodiscard]] bool ready() const { return ready_ && texture_->ready(); }
 
     void run() {
         bool shown = false;
@@ -212,20 +213,32 @@ class Window {
         use_extent();
         if (feed_button(input_)) frames_due_ = frames_after_event;
         ImGui::NewFrame();
-        state_.views.grid.texture = thumbnails_->id();
+        name_sheets();
         UiRequests wants = ui_frame(state_, input_.ui);
         ImGui::Render();
         input_.ui = {};
         if (state_.picture_serial != uploaded_ && state_.displayed != nullptr)
             texture_->upload(*state_.displayed);
         uploaded_ = state_.picture_serial;
-        TermGridState& grid = state_.views.grid;
-        if (grid.sheet_serial != uploaded_thumbnails_) thumbnails_->upload(grid.sheet);
-        uploaded_thumbnails_ = grid.sheet_serial;
+        upload_sheets();
         draw();
         if (wants.title != title_) glfwSetWindowTitle(window_, wants.title.c_str());
         title_ = wants.title;
         return wants;
+    }
+
+    /// Gives every sheet of small pictures its texture.
+    void name_sheets() {
+        for (PictureSheet* sheet : sheets_of(state_)) {
+            if (!sheets_[sheet].texture) sheets_[sheet].texture = std::make_unique<Texture>();
+            sheet->texture = sheets_[sheet].texture->id();
+        }
+    }
+    void upload_sheets() {
+        for (auto& [sheet, shown] : sheets_) {
+            if (sheet->serial != shown.serial) shown.texture->upload(sheet->picture);
+            shown.serial = sheet->serial;
+        }
     }
 
     void draw() {
@@ -247,13 +260,18 @@ class Window {
     GLFWwindow* window_;
     UiState& state_;
     WindowInput input_;
-    std::unique_ptr<Texture> texture_, thumbnails_;
+    struct ShownSheet {
+        std::unique_ptr<Texture> texture;
+        std::uint64_t serial = 0;
+    };
+    std::unique_ptr<Texture> texture_;
+    std::map<PictureSheet*, ShownSheet> sheets_;
     FontFiles files_;
     std::string title_;
     WindowExtent extent_;
     DisplayScale display_;
     float scale_ = 0;  // of the design, as applied; 0 before the first frame
-    std::uint64_t uploaded_ = 0, uploaded_thumbnails_ = 0;
+    std::uint64_t uploaded_ = 0;
     int frames_due_ = frames_after_event;
     bool ready_ = false;
 };

@@ -37,6 +37,10 @@ Key key_of(int key, int scancode, int mods) {
         return Key::Up;
     case GLFW_KEY_DOWN:
         return Key::Down;
+    case GLFW_KEY_LEFT:
+        return Key::Left;
+    case GLFW_KEY_RIGHT:
+        return Key::Right;
     case GLFW_KEY_PAGE_UP:
         return Key::PageUp;
     case GLFW_KEY_PAGE_DOWN:

@@ -1,5 +1,6 @@
 #include "models/scene/camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -59,7 +60,23 @@ glm::dmat4 world_from_view(const Camera& camera) {
     return {{a.u, 0}, {a.v, 0}, {a.w, 0}, {glm::dvec3(camera.eye), 1}};
 }
 
-glm::dmat4 clip_from_view(const Projection& projection, PictureSize size) {
+Projection fitted(const Projection& projection, PictureSize size) {
+    constexpr double composed_for = 16.0 / 9, widest_deg = 179.9;
+    const double aspect = static_cast<double>(size.width) / size.height;
+    if (!is_widened(size)) return projection;
+    Projection shown = projection;
+    if (auto* p = std::get_if<Perspective>(&shown)) {
+        const double half = std::tan(p->fov_y_deg * std::numbers::pi / 360) * composed_for / aspect;
+        const double fov_y_deg = std::min(std::atan(half) * 360 / std::numbers::pi, widest_deg);
+        p->fov_y_deg = std::max(static_cast<float>(fov_y_deg), p->fov_y_deg);
+    } else if (auto* o = std::get_if<Orthographic>(&shown)) {
+        o->height = static_cast<float>(std::min(o->height * composed_for / aspect, 1e30));
+    }
+    return shown;
+}
+
+glm::dmat4 clip_from_view(const Projection& as_written, PictureSize size) {
+    const Projection projection = fitted(as_written, size);
     const double aspect = static_cast<double>(size.width) / size.height;
     if (const auto* p = std::get_if<Perspective>(&projection)) {
         const double top = p->near * std::tan(p->fov_y_deg * std::numbers::pi / 360);

@@ -37,6 +37,7 @@ inline constexpr int max_picture_side = 16384;
 /// Width and height of a picture in pixels, 1 to max_picture_side each.
 struct PictureSize {
     int width = 1280, height = 720;
+    bool keeps_width = false;  // narrower than 16:9 it shows as much from side to side: fitted()
     bool operator==(const PictureSize&) const = default;
 
     [[nodiscard]] std::size_t pixels() const {
@@ -58,8 +59,19 @@ struct PictureSize {
 /// precondition.
 [[nodiscard]] glm::dmat4 world_from_view(const Camera& camera);
 
-/// Clip coordinates from camera coordinates, OpenGL's: rows (E 0 A 0) (0 F B 0) (0 0 C D) (0 0 -1 0); visible
-/// is -w <= x, y, z <= w. Source: lecture, "Perspective Derivation"; OpenGL 2.1, section 2.11.
+/// Whether the field is wider there than the projection says.
+[[nodiscard]] constexpr bool is_widened(PictureSize size) {
+    return size.keeps_width && 9LL * size.width < 16LL * size.height;
+}
+
+/// What of a scene a picture of this size shows: `projection`, whose field is vertical. Where the size keeps
+/// its width and is narrower than 16:9, its field is as wide as at 16:9, and so higher. A frustum is
+/// stretched to its picture and stays.
+[[nodiscard]] Projection fitted(const Projection& projection, PictureSize size);
+
+/// Clip coordinates from camera coordinates, of fitted(projection, size), OpenGL's: rows (E 0 A 0) (0 F B 0)
+/// (0 0 C D) (0 0 -1 0); visible is -w <= x, y, z <= w. Source: lecture, "Perspective Derivation";
+/// OpenGL 2.1, section 2.11.
 [[nodiscard]] glm::dmat4 clip_from_view(const Projection& projection, PictureSize size);
 
 /// The clipping planes' distances from the eye along the line of sight, scene units.

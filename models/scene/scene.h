@@ -87,12 +87,14 @@ struct Scene {
     return a.name == b.name && a.visible == b.visible && a.source == b.source && a.transform == b.transform &&
            a.normals == b.normals && a.material == b.material;
 }
-[[nodiscard]] inline bool same_description(const Scene& a, const Scene& b) {
+[[nodiscard]] inline bool same_but_camera(const Scene& a, const Scene& b) {
     const auto same = [](const Object& x, const Object& y) { return same_description(x, y); };
-    return a.about == b.about && a.camera == b.camera && a.global_ambient == b.global_ambient &&
-           a.lights == b.lights &&
+    return a.about == b.about && a.global_ambient == b.global_ambient && a.lights == b.lights &&
            std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(), same) &&
            a.shading == b.shading && a.npr == b.npr && a.display == b.display;
+}
+[[nodiscard]] inline bool same_description(const Scene& a, const Scene& b) {
+    return a.camera == b.camera && same_but_camera(a, b);
 }
 
 }  // namespace glint

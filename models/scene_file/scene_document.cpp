@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -48,6 +49,23 @@ Result<SceneDocument> open_scene(const std::string& path, const std::vector<Assi
     return document_of(std::get<std::string>(text), path, assignments);
 }
 
+/// The size to which the picture's scene is fitted; nothing where it is not.
+std::optional<PictureSize> fitted_size(const std::string& png, const std::string& path) {
+    constexpr std::size_t longest = 16;
+    const Result<std::string> text = png_text(png, png_field_keyword, longest, path);
+    if (problem_of(text) != nullptr) return {};
+    const auto& words = std::get<std::string>(text);
+    PictureSize size{0, 0, true};
+    const char* end = words.data() + words.size();
+    const auto width = std::from_chars(words.data(), end, size.width);
+    if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return {};
+    const auto height = std::from_chars(width.ptr + 1, end, size.height);
+    const auto is_side = [](int side) { return side >= 1 && side <= max_picture_side; };
+    if (height.ec != std::errc() || height.ptr != end || !is_side(size.width) || !is_side(size.height))
+        return {};
+    return size;
+}
+
 Result<SceneDocument> open_picture(const std::string& path, const std::vector<Assignment>& assignments) {
     MemoryShare share;
     const auto check = [&share, &path](const FileBlock& block) -> std::optional<Problem> {
@@ -58,10 +76,12 @@ Result<SceneDocument> open_picture(const std::string& path, const std::vector<As
     };
     const Result<std::string> bytes = read_file(path, max_png_bytes, check);
     if (const Problem* problem = problem_of(bytes)) return *problem;
-    const Result<std::string> text =
-        png_text(std::get<std::string>(bytes), png_scene_keyword, max_json_bytes, path);
+    const auto& png = std::get<std::string>(bytes);
+    const Result<std::string> text = png_text(png, png_scene_keyword, max_json_bytes, path);
     if (const Problem* problem = problem_of(text)) return *problem;
-    return document_of(std::get<std::string>(text), path, assignments);
+    Result<SceneDocument> opened = document_of(std::get<std::string>(text), path, assignments);
+    if (auto* document = std::get_if<SceneDocument>(&opened)) document->fitted_to = fitted_size(png, path);
+    return opened;
 }
 
 Result<SceneDocument> open_mesh(const std::string& path, const std::vector<Assignment>& assignments) {

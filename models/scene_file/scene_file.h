@@ -1,6 +1,7 @@
 #pragma once
 // The scene file, version 1 (docs/interface.md): read, checked and written. What is written reads back equal.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,9 @@ namespace glint {
 
 /// The keyword of the PNG text chunk (iTXt) in which a picture carries its scene.
 inline constexpr std::string_view png_scene_keyword = "glint-scene";
+/// The keyword of the chunk that stands beside it where the picture shows the scene as fitted() to its size
+/// (PictureSize::keeps_width): that size, "640x716".
+inline constexpr std::string_view png_field_keyword = "glint-field";
 
 /// One `--set /pointer=JSON`.
 struct Assignment {
@@ -28,6 +32,7 @@ struct SceneDocument {
     std::string mesh_dir;  // what relative mesh paths are relative to
     Warnings warnings;
     FileStamp stamp = {};  // of the file at `path` when it was read or written; none for a new scene
+    std::optional<PictureSize> fitted_to = {};  // of a picture that shows the scene so
 };
 
 /// Splits "POINTER=JSON"; a problem (file "--set") when there is no '=' or the pointer does not begin with

@@ -164,7 +164,12 @@ std::string png_bytes(const Picture& picture, const std::string& scene_json) {
     std::string bytes;
     PngWriter png(bytes);
     png.header(picture.size);
-    if (!scene_json.empty()) png.text(std::string(png_scene_keyword).c_str(), scene_json);
+    if (!scene_json.empty()) {
+        png.text(std::string(png_scene_keyword).c_str(), scene_json);
+        if (is_widened(picture.size))
+            png.text(std::string(png_field_keyword).c_str(),
+                     fmt::format("{}x{}", picture.size.width, picture.size.height));
+    }
     png.rows(picture);
     return bytes;
 }

@@ -18,11 +18,12 @@ inline const ImGuiWindow* window_named(const std::string& part) {
     return nullptr;
 }
 
-/// Opens a tab and picks the pixel at this share of the picture.
+/// Opens a tab and picks what shows at this share of a picture of 1280 x 720.
 inline void ask(HeadlessWindow& bench, InspectorTab tab, glm::dvec2 share = {0.5, 0.5}) {
     bench.frames(2);
     bench.state.inspector.tab = tab;
     bench.state.viewport.probe = share;
+    bench.state.viewport.probe_size = {1280, 720};
     bench.frames(3);
 }
 

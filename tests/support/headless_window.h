@@ -10,6 +10,7 @@
 
 #include "tests/support/catch.h"
 #include "ui/commands/command.h"
+#include "ui/shell/columns.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/named_controls.h"
@@ -122,8 +123,7 @@ class HeadlessWindow {
     [[nodiscard]] Scene& scene() { return state.editor.scene(); }
     /// The picture's place in the window, as a pixel of it shows.
     [[nodiscard]] ImVec2 at_pixel(glm::dvec2 pixel) const {
-        const Layout layout = lay_out(ImGui::GetIO().DisplaySize, state.layout, 1);
-        const ImVec2 low = picture_area(layout.centre, 1).low;
+        const ImVec2 low = picture_area(window_layout(state).centre, 1).low;
         return {low.x + float(pixel.x), low.y + float(pixel.y)};
     }
     [[nodiscard]] glm::dvec2 handle_pixel(int light) {

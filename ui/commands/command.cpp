@@ -85,10 +85,10 @@ void run_keys(UiState& state, const UiInput& input) {
 namespace {
 
 std::string name_of(Key key) {
-    static constexpr const char* after_z[] = {"1",     "2",     "3",     "4",    "pad 0", "pad 1", "pad 3",
-                                              "pad 5", "pad 7", "pad .", "Del",  "Esc",   "Enter", "Tab",
-                                              "Up",    "Down",  "PgUp",  "PgDn", "F1",    "F8",    "F9",
-                                              "F10",   "F11",   "F12",   "?",    ""};
+    static constexpr const char* after_z[] = {"1",     "2",     "3",     "4",     "pad 0", "pad 1", "pad 3",
+                                              "pad 5", "pad 7", "pad .", "Del",   "Esc",   "Enter", "Tab",
+                                              "Up",    "Down",  "Left",  "Right", "PgUp",  "PgDn",  "F1",
+                                              "F8",    "F9",    "F10",   "F11",   "F12",   "?",     ""};
     static_assert(std::size(after_z) == static_cast<int>(Key::Other) - static_cast<int>(Key::Z));
     const int index = static_cast<int>(key);
     if (key <= Key::Z) return std::string(1, static_cast<char>('A' + index));

@@ -12,7 +12,7 @@ namespace glint {
 [[nodiscard]] std::vector<WindowCommand> lecture_commands();
 [[nodiscard]] std::vector<WindowCommand> shading_commands();
 
-constexpr bool ctrl = true, shift = true;  // of a KeyPress
+constexpr bool ctrl = true, shift = true, alt = true;  // of a KeyPress
 
 /// `reason` unless it is possible.
 [[nodiscard]] inline std::string unless(bool possible, const char* reason) { return possible ? "" : reason; }

@@ -1,6 +1,7 @@
 // The commands of the menus File and Edit.
 #include <imgui.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "ui/commands/command_rows.h"
@@ -11,6 +12,16 @@
 
 namespace glint {
 namespace {
+
+/// Starts where the open scene is; without one where there is something to open: here, or the examples.
+void ask_scene(UiState& state) {
+    const std::string& path = state.editor.document.path;
+    state.files.ask(FilePurpose::OpenScene, path);
+    const auto is_file = [](const FolderEntry& entry) { return !entry.folder; };
+    const bool fits = std::any_of(state.files.entries.begin(), state.files.entries.end(), is_file);
+    if (!fits && !state.shipped_scenes.empty())
+        state.files.ask(FilePurpose::OpenScene, state.shipped_scenes + "/");
+}
 
 void copy_command(UiState& state) {
     const std::string command =
@@ -71,8 +82,16 @@ std::vector<WindowCommand> file_commands() {
         {.name = "Open…",
          .keys = {{Key::O, ctrl}},
          .menu = Menu::File,
-         .run = [](UiState& s) { s.files.ask(FilePurpose::OpenScene, s.editor.document.path); },
+         .run = ask_scene,
          .id = CommandId::Open},
+        {.name = "Examples…",
+         .keys = {{Key::O, ctrl, shift}},
+         .menu = Menu::File,
+         .run = open_examples,
+         .why_disabled =
+             [](const UiState& s) {
+                 return unless(!s.shipped_scenes.empty(), "The scenes of Glint are not installed");
+             }},
         {.name = "Save",
          .keys = {{Key::S, ctrl}},
          .menu = Menu::File,

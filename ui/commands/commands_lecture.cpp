@@ -23,9 +23,16 @@ void open_other(UiState& state, int step) {
 
 void switch_projector(UiState& state) {
     LectureState& lecture = state.lecture;
+    LayoutState& layout = state.layout;
     lecture.projector = !lecture.projector;
-    if (lecture.projector) lecture.hid_columns_before = state.layout.hides_columns;
-    state.layout.hides_columns = lecture.projector || lecture.hid_columns_before;
+    if (lecture.projector) {
+        lecture.left_before = layout.left;
+        lecture.right_before = layout.right;
+    }
+    // The equation stays, larger, and has the room of the scene's list.
+    layout.left = !lecture.projector && lecture.left_before;
+    layout.right = lecture.projector || lecture.right_before;
+    state.left_shows_inspector |= lecture.projector;
 }
 
 void switch_frozen(UiState& state) {

@@ -24,6 +24,13 @@ void switch_projection(UiState& state) {
     if (state.rendered != nullptr) camera = other_projection(camera, state.rendered->size);
 }
 
+/// One view back or forward. That is a step within the views, so that none is left for it.
+void go_to_view(UiState& state, Camera (ViewHistory::*step)(const Camera&)) {
+    Editor& editor = state.editor;
+    editor.scene().camera = (editor.views.*step)(editor.scene().camera);
+    editor.history.look(editor.scene().camera);
+}
+
 void keep_this_view(UiState& state) {
     keep_view(state.kept_views, state.editor.scene().camera);
     state.notifications.add(Tone::Done,
@@ -82,6 +89,18 @@ std::vector<WindowCommand> camera_commands() {
                  return unless(s.editor.scene().camera != s.editor.saved.camera,
                                "The camera is the saved one already");
              }},
+        {.name = "View before",
+         .keys = {{Key::Left, !ctrl, !shift, alt}},
+         .menu = Menu::View,
+         .run = [](UiState& s) { go_to_view(s, &ViewHistory::back); },
+         .why_disabled =
+             [](const UiState& s) { return unless(s.editor.views.can_go_back(), "No view came before"); }},
+        {.name = "View after",
+         .keys = {{Key::Right, !ctrl, !shift, alt}},
+         .menu = Menu::View,
+         .run = [](UiState& s) { go_to_view(s, &ViewHistory::forward); },
+         .why_disabled =
+             [](const UiState& s) { return unless(s.editor.views.can_go_forward(), "No view comes after"); }},
         {.name = "Keep this view",
          .keys = {{Key::U, !ctrl, shift}},
          .menu = Menu::View,

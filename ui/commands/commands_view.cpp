@@ -4,6 +4,7 @@
 #include "ui/commands/command_rows.h"
 #include "ui/ui.h"
 #include "ui/views/views.h"
+#include "ui/widgets/theme.h"
 
 namespace glint {
 namespace {
@@ -131,22 +132,46 @@ std::vector<WindowCommand> comparing_commands() {
     };
 }
 
+bool is_narrow_now() { return is_narrow(ImGui::GetIO().DisplaySize, px(1)); }
+
+// In a narrow window both columns are tabs of one: to show one is to show its tab.
+
+bool shows_scene_column(const UiState& s) {
+    return s.layout.left && !s.layout.hides_columns && !(is_narrow_now() && s.left_shows_inspector);
+}
+bool shows_why_column(const UiState& s) {
+    return s.layout.right && !s.layout.hides_columns && (!is_narrow_now() || s.left_shows_inspector);
+}
+
+void switch_scene_column(UiState& s) {
+    s.layout.left = !shows_scene_column(s);
+    s.layout.hides_columns = false;
+    s.left_shows_inspector = !s.layout.left;
+}
+
+void switch_why_column(UiState& s) {
+    s.layout.right = !shows_why_column(s);
+    s.layout.hides_columns = false;
+    s.left_shows_inspector = s.layout.right;
+}
+
 std::vector<WindowCommand> layout_commands() {
     return {
         {.name = "Scene column",
          .menu = Menu::View,
-         .run = [](UiState& s) { s.layout.left = !s.layout.left, s.layout.hides_columns = false; },
-         .is_on = [](const UiState& s) { return s.layout.left && !s.layout.hides_columns; },
+         .run = switch_scene_column,
+         .is_on = shows_scene_column,
          .line_above = true},
-        {.name = "Why column",
-         .menu = Menu::View,
-         .run = [](UiState& s) { s.layout.right = !s.layout.right, s.layout.hides_columns = false; },
-         .is_on = [](const UiState& s) { return s.layout.right && !s.layout.hides_columns; }},
+        {.name = "Why column", .menu = Menu::View, .run = switch_why_column, .is_on = shows_why_column},
         {.name = "Picture alone",
          .keys = {{Key::F11}},
          .menu = Menu::View,
          .run = [](UiState& s) { s.layout.hides_columns ^= true; },
          .is_on = [](const UiState& s) { return s.layout.hides_columns; }},
+        {.name = "Caption of the scene",
+         .menu = Menu::View,
+         .run = [](UiState& s) { s.layout.caption ^= true; },
+         .is_on = [](const UiState& s) { return s.layout.caption; }},
         {.name = "Light theme",
          .menu = Menu::View,
          .run = [](UiState& s) { s.dark ^= true; },

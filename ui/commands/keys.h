@@ -21,6 +21,8 @@ enum class Key {
     Tab,
     Up,
     Down,
+    Left,
+    Right,
     PageUp,
     PageDown,
     F1,

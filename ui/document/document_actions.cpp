@@ -128,7 +128,27 @@ std::string offered_name(const UiState& state, const char* ending) {
     return std::filesystem::path(path).replace_extension(ending).string();
 }
 
+namespace {
+
+/// Whether the open scene is one of those that come with the program: they stay as they are.
+bool is_shipped(const UiState& state) {
+    std::error_code failed;
+    const std::filesystem::path folder = std::filesystem::path(state.editor.document.path).parent_path();
+    return !state.shipped_scenes.empty() && state.editor.has_scene_file() &&
+           std::filesystem::equivalent(folder.empty() ? "." : folder, state.shipped_scenes, failed);
+}
+
+}  // namespace
+
 bool save(UiState& state) {
+    if (is_shipped(state)) {
+        // Where the examples are nothing of the user's belongs: it is offered where the program was started.
+        const std::filesystem::path name = std::filesystem::path(state.editor.document.path).filename();
+        state.files.ask(FilePurpose::SaveScene, name.string());
+        state.notifications.add(Tone::Done,
+                                "This is an example of Glint: it is saved as a scene of your own");
+        return false;
+    }
     if (!state.editor.has_scene_file()) {
         state.files.ask(FilePurpose::SaveScene, offered_name(state, ".json"));
         return false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "models/io/file.h"
 #include "models/mesh/mesh_memory.h"
@@ -31,6 +32,7 @@ void take_document(Editor& editor, SceneDocument document) {
     editor.before = std::move(before);
     editor.document = std::move(document);
     editor.saved = editor.document.scene;
+    editor.saved_edited_camera = editor.saved.camera;
     editor.history.reset(editor.document.scene);
     editor.selection = {};
     if (!editor.scene().lights.empty()) editor.selection = {Selection::Kind::Light, 0};
@@ -44,6 +46,7 @@ std::optional<Problem> save_file(Editor& editor, std::string path) {
     editor.document.path = path;
     editor.document.stamp = std::get<SceneDocument>(written).stamp;
     editor.saved = editor.document.scene;
+    editor.saved_edited_camera = editor.history.edited_camera();
     return {};
 }
 
@@ -62,6 +65,15 @@ std::optional<Problem> settle(Editor& editor) {
     if (!problem) return {};
     take_step(editor, editor.history.present());
     return *problem;
+}
+
+void remember_step(Editor& editor, bool join) {
+    const Camera &now = editor.scene().camera, before = editor.history.present().camera;
+    if (!std::exchange(editor.edits_camera, false) && now != before) {
+        if (!join) editor.views.leave(before);
+        editor.history.look(now);
+    }
+    editor.history.commit(editor.scene());
 }
 
 bool undo(Editor& editor) {

@@ -24,11 +24,15 @@ class History {
     void reset(const Scene& scene);
 
     /// Adds a step from the present scene to `scene`, named by what changed, and drops what was undone.
-    /// Scenes of the same description add nothing. `join`: if the newest step has the same name it is widened
-    /// instead, so that ten clicks of the wheel are one step. True when the present scene changed.
-    bool commit(const Scene& scene, bool join = false);
+    /// Scenes of the same description add nothing. True when the present scene changed.
+    bool commit(const Scene& scene);
+    /// The present scene is seen from there now: no step. What is undone later is seen from there too, unless
+    /// the step that is taken back edited the camera.
+    void look(const Camera& camera) { steps_[at_].scene.camera = camera; }
 
     [[nodiscard]] const Scene& present() const { return steps_[at_].scene; }
+    /// As the file had it or an edit made it last, wherever one has looked from since.
+    [[nodiscard]] const Camera& edited_camera() const { return steps_[at_].edited_camera; }
     [[nodiscard]] bool can_undo() const { return at_ > 0; }
     [[nodiscard]] bool can_redo() const { return at_ + 1 < steps_.size(); }
     /// Names of the step that undo() takes back and of the one that redo() does again; empty when there is
@@ -44,6 +48,8 @@ class History {
     struct Step {
         std::string name;  // of the change that led here
         Scene scene;
+        Camera edited_camera;
+        bool edits_camera = false;
     };
     void forget_oldest();
     [[nodiscard]] bool is_too_large() const;
@@ -58,16 +64,37 @@ class History {
 /// Empty when their descriptions are equal.
 [[nodiscard]] std::string step_name(const Scene& before, const Scene& after);
 
+/// Where the scene was seen from: what is looked at can be gone back to, and forward, apart from undo.
+class ViewHistory {
+  public:
+    /// The view moves away from `camera`: one can come back to it.
+    void leave(const Camera& camera);
+    [[nodiscard]] bool can_go_back() const { return !before_.empty(); }
+    [[nodiscard]] bool can_go_forward() const { return !after_.empty(); }
+    /// The view before or after `now`. Preconditions: can_go_back() and can_go_forward().
+    [[nodiscard]] Camera back(const Camera& now);
+    [[nodiscard]] Camera forward(const Camera& now);
+
+  private:
+    std::vector<Camera> before_, after_;  // the nearest last
+};
+
 struct Editor {
-    SceneDocument document;  // `document.scene` is what panels edit
-    Scene saved;             // as it was opened or saved last
+    SceneDocument document;      // `document.scene` is what panels edit
+    Scene saved;                 // as it was opened or saved last
+    Camera saved_edited_camera;  // History::edited_camera() at that time
     History history;
+    ViewHistory views;
+    bool edits_camera = false;  // the camera's numbers are being edited: that is an edit, no look
     Selection selection;
     std::unique_ptr<Editor> before;  // what was in hand, until this document has been drawn; then null
 
     [[nodiscard]] Scene& scene() { return document.scene; }
     [[nodiscard]] const Scene& scene() const { return document.scene; }
-    [[nodiscard]] bool unsaved() const { return !same_description(document.scene, saved); }
+    /// Edits that are in no file. Where one looks from is no edit.
+    [[nodiscard]] bool unsaved() const {
+        return !same_but_camera(document.scene, saved) || history.edited_camera() != saved_edited_camera;
+    }
     /// File name for titles; "New scene" when there is none.
     [[nodiscard]] std::string title() const;
     /// True when saving needs no question: the document is a scene file already.
@@ -88,7 +115,11 @@ void take_document(Editor& editor, SceneDocument document);
 /// history.
 [[nodiscard]] std::optional<Problem> settle(Editor& editor);
 
-/// One step back or forward; false when there is none.
+/// Puts what was done since into the histories, as an edit or as a look. `join`: the look goes on.
+void remember_step(Editor& editor, bool join);
+
+/// One step back or forward; false when there is none. The view stays where it is, unless the step edited the
+/// camera.
 bool undo(Editor& editor);
 bool redo(Editor& editor);
 

@@ -99,19 +99,17 @@ Scene without_meshes(Scene scene) {
 }  // namespace
 
 void History::reset(const Scene& scene) {
-    steps_.assign(1, {"", scene});
+    steps_.assign(1, {"", scene, scene.camera});
     at_ = 0;
 }
 
-bool History::commit(const Scene& scene, bool join) {
+bool History::commit(const Scene& scene) {
     if (same_description(scene, present())) return false;
     std::string name = step_name(present(), scene);
+    const bool edits_camera = scene.camera != present().camera;
+    Camera edited_camera = edits_camera ? scene.camera : steps_[at_].edited_camera;
     steps_.resize(at_ + 1);
-    if (join && can_undo() && steps_[at_].name == name) {
-        steps_[at_].scene = scene;
-        return true;
-    }
-    steps_.push_back({std::move(name), scene});
+    steps_.push_back({std::move(name), scene, std::move(edited_camera), edits_camera});
     ++at_;
     forget_oldest();
     return true;
@@ -152,13 +150,41 @@ void History::forget_oldest() {
 
 const Scene& History::undo() {
     assert(can_undo());
-    return steps_[--at_].scene;
+    const Step& from = steps_[at_--];
+    if (!from.edits_camera) look(from.scene.camera);
+    return present();
 }
 
 const Scene& History::redo() {
     assert(can_redo());
-    return steps_[++at_].scene;
+    const Step& from = steps_[at_++];
+    if (!steps_[at_].edits_camera) look(from.scene.camera);
+    return present();
 }
+
+namespace {
+
+constexpr std::size_t max_views_back = 200;
+
+/// Leaves `now` for the nearest of `from`.
+Camera step_view(std::vector<Camera>& from, std::vector<Camera>& to, const Camera& now) {
+    assert(!from.empty());
+    Camera camera = from.back();
+    from.pop_back();
+    to.push_back(now);
+    return camera;
+}
+
+}  // namespace
+
+void ViewHistory::leave(const Camera& camera) {
+    after_.clear();
+    before_.push_back(camera);
+    if (before_.size() > max_views_back) before_.erase(before_.begin());
+}
+
+Camera ViewHistory::back(const Camera& now) { return step_view(before_, after_, now); }
+Camera ViewHistory::forward(const Camera& now) { return step_view(after_, before_, now); }
 
 std::string step_name(const Scene& scene_before, const Scene& scene_after) {
     const Scene before = without_meshes(scene_before), after = without_meshes(scene_after);

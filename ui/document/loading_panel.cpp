@@ -98,9 +98,19 @@ void loading_panel(UiState& state, const Rect& picture) {
     if (cancelled) cancel_loads(state);
 }
 
+namespace {
+
+/// Nothing comes up by itself then.
+bool is_shown_to_others(const UiState& state) {
+    return state.lecture.projector || state.lecture.frozen || state.lecture.pen.on ||
+           state.layout.hides_columns || state.layout.hides_all;
+}
+
+}  // namespace
+
 void recovery_panel(UiState& state, const Rect& picture) {
     auto& left = state.persistence.orphans;
-    if (left.empty() || state.pending.asking || state.loading.active()) return;
+    if (left.empty() || state.pending.asking || state.loading.active() || is_shown_to_others(state)) return;
     const float width = begin_over_picture("##recovery", px(470), picture);
     ImGui::PushTextWrapPos(width - px(14));
     ImGui::TextUnformatted(

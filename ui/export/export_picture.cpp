@@ -72,6 +72,12 @@ void begin_picture(UiState& state, const ExportOptions& options, const std::stri
 
 }  // namespace
 
+Scene as_shown(Scene scene, PictureSize size) {
+    size.keeps_width = true;
+    scene.camera.projection = fitted(scene.camera.projection, size);
+    return scene;
+}
+
 Result<std::string> picture_file(const SceneDocument& document, const ExportOptions& options,
                                  const std::string& path, int threads) {
     const Result<PictureFormat> known = picture_format(path);
@@ -79,8 +85,8 @@ Result<std::string> picture_file(const SceneDocument& document, const ExportOpti
     const auto format = std::get<PictureFormat>(known);
     const MemoryShare share(memory_need(MemoryUse::Output, file_memory(format, options.size)));
     Renderer renderer(threads);
-    const Picture& picture =
-        renderer.render(document.scene, options.size, is_linear(format), options.samples);
+    const PictureSize size{options.size.width, options.size.height, true};
+    const Picture& picture = renderer.render(document.scene, size, is_linear(format), options.samples);
     return picture_bytes(picture, format, document.scene.display.exposure,
                          carried_scene_text(document.scene, document.mesh_dir, path));
 }

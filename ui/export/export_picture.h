@@ -25,6 +25,10 @@ struct ExportState {
     std::unique_ptr<Job<std::string>> job;  // its result: what to say when it is done
 };
 
+/// The scene whose picture of that size shows what the window would: with the field that the window widens
+/// where the picture is narrow (fitted()) written out.
+[[nodiscard]] Scene as_shown(Scene scene, PictureSize size);
+
 /// The bytes of a picture file: PNG that carries its scene, PFM or EXR, by the extension of `path`; mesh
 /// paths in the carried scene lead to the meshes from there. Draws with a renderer of its own.
 [[nodiscard]] Result<std::string> picture_file(const SceneDocument& document, const ExportOptions& options,

@@ -36,7 +36,8 @@ std::optional<Problem> for_each_frame(const FrameJob& job, LoadProgress& progres
         const Result<Scene> scene = scene_at(job.document, job.animation, frame);
         if (const Problem* problem = problem_of(scene)) return *problem;
         const auto& shown = std::get<Scene>(scene);
-        if (auto problem = take(frame, shown, renderer.render(shown, job.size, false, job.samples)))
+        const PictureSize size{job.size.width, job.size.height, true};
+        if (auto problem = take(frame, shown, renderer.render(shown, size, false, job.samples)))
             return problem;
     }
     return {};

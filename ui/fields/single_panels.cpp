@@ -51,7 +51,10 @@ bool look_from(Camera& camera) {
 }  // namespace
 
 Projection as_projection(const Camera& camera, ProjectionKind kind, PictureSize size) {
-    const double half = half_height(camera), aspect = static_cast<double>(size.width) / size.height;
+    // A frustum is not widened for a narrow picture: it takes over what is seen.
+    Camera shown = camera;
+    if (kind == ProjectionKind::Frustum) shown.projection = fitted(camera.projection, size);
+    const double half = half_height(shown), aspect = static_cast<double>(size.width) / size.height;
     const float near = near_of(camera.projection), far = far_of(camera.projection);
     if (kind == ProjectionKind::Perspective)
         return Perspective{std::clamp(static_cast<float>(2 * std::atan(half) / degree), 0.1f, 179.0f), near,

@@ -84,9 +84,9 @@ void step_wedge(WedgeState& wedge);
 inline constexpr float projector_scale = 1.4f;
 
 struct LectureState {
-    bool projector = false;           // large type, strong contrast
-    bool hid_columns_before = false;  // the layout that it found
-    std::optional<Scene> frozen;      // shown whatever is edited
+    bool projector = false;                        // large type, strong contrast
+    bool left_before = true, right_before = true;  // the columns that it found
+    std::optional<Scene> frozen;                   // shown whatever is edited
     PenState pen;
     WedgeState wedge;
 };

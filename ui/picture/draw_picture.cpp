@@ -108,12 +108,12 @@ void picture_took(FramePace& pace, int divisor, double ms) {
 }
 
 PictureSize divided(PictureSize full, int divisor) {
-    return {std::max(full.width / divisor, 1), std::max(full.height / divisor, 1)};
+    return {std::max(full.width / divisor, 1), std::max(full.height / divisor, 1), full.keeps_width};
 }
 
 bool same_surfaces(const Scene& a, const Scene& b) {
     const auto same = [](const Object& one, const Object& other) {
-        return one.mesh == other.mesh && one.transform == other.transform;
+        return one.mesh == other.mesh && one.transform == other.transform && one.visible == other.visible;
     };
     return a.camera == b.camera &&
            std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(), same);

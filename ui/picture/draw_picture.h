@@ -86,6 +86,6 @@ void learn_pace(UiState& state);
 
 /// Draws handles, vectors, views, the pen, notifications. After the picture was drawn, so that they agree
 /// with it.
-void picture_overlay(UiState& state, const Layout& layout, const PictureView& view);
+void picture_overlay(UiState& state, const Layout& layout);
 
 }  // namespace glint

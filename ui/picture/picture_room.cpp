@@ -120,8 +120,9 @@ void draw_tools(ImDrawList& list, UiState& state, const PictureView& view) {
 
 }  // namespace
 
-PictureView picture_view(const Rect& centre, const UiState& state) {
-    const Scene& scene = state.editor.scene();
+namespace {
+
+PictureView view_of(const Scene& scene, const Rect& centre, const UiState& state) {
     const float dots = std::max(ImGui::GetIO().DisplayFramebufferScale.x, 0.1f);
     const Rect area = picture_area(centre, px(1));
     const ImVec2 room = area.size();
@@ -131,16 +132,23 @@ PictureView picture_view(const Rect& centre, const UiState& state) {
     PictureView view;
     view.origin = area.low;
     view.units_per_pixel = 1 / dots;
-    view.map = screen_map(scene.camera, {pixels(room.x), pixels(room.y)});
+    view.map = screen_map(scene.camera, {pixels(room.x), pixels(room.y), true});
     view.bounds = scene_bounds(scene);
     view.dome = sun_dome(scene.camera.target, view.bounds, view.map);
     magnify(view, area, state.views.magnifier);
     return view;
 }
 
+}  // namespace
+
+PictureView picture_view(const Rect& centre, const UiState& state) {
+    return view_of(state.editor.scene(), centre, state);
+}
+
 bool picture_room(UiState& state, const Layout& layout, const UiInput& input) {
     begin_area("##view", layout.centre);
     const PictureView view = picture_view(layout.centre, state);
+    follow_shape(state.viewport, state.editor.scene().camera.projection, view.map.size);
     const ImVec2 high = view.end();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(layout.centre.low, layout.centre.high);  // ImGui's own leaves out some of the border
@@ -160,7 +168,10 @@ bool picture_room(UiState& state, const Layout& layout, const UiInput& input) {
     return state.viewport.gesture != Gesture::None;
 }
 
-void picture_overlay(UiState& state, const Layout& layout, const PictureView& view) {
+void picture_overlay(UiState& state, const Layout& layout) {
+    // What is drawn over a frozen picture is frozen with it.
+    const Scene& scene = state.lecture.frozen ? *state.lecture.frozen : state.editor.scene();
+    const PictureView view = view_of(scene, layout.centre, state);
     resume_area("##view");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(view.origin, view.end(), true);

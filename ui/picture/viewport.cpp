@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/orbit.h"
@@ -201,7 +202,14 @@ bool hand_cancel(UiState& state) { return cancel_gesture(state.viewport, state.e
 std::string hand_hint(const UiState& state) { return gesture_hint(state.viewport, state.editor.scene()); }
 
 void hand_draw(ImDrawList& list, UiState& state, const PictureView& view) {
-    draw_overlay(list, state.viewport, viewport_frame(state, view));
+    ViewportFrame frame = viewport_frame(state, view);
+    if (!state.lecture.frozen) return draw_overlay(list, state.viewport, frame);
+    Scene& frozen = *state.lecture.frozen;
+    Selection selection = valid_selection(state.editor.selection, frozen);
+    const bool is_drawn = state.rendered_scene == frozen && state.rendered->size == view.map.size;
+    draw_overlay(
+        list, state.viewport,
+        {frozen, selection, is_drawn ? state.renderer.get() : nullptr, view, frame.gizmo, frame.pivot});
 }
 
 }  // namespace
@@ -215,8 +223,18 @@ bool cancel_gesture(ViewportState& state, Scene& scene) {
     return true;
 }
 
+void follow_shape(ViewportState& state, const Projection& projection, PictureSize size) {
+    const PictureSize before = std::exchange(state.probe_size, size);
+    if (!state.probe || before == size || before == PictureSize{0, 0}) return;
+    // From shares to the plane at depth 1 and back: there the point has one place, whatever the picture's
+    // shape.
+    const glm::dmat4 from = clip_from_view(projection, before), to = clip_from_view(projection, size);
+    const glm::dvec2 scale(to[0][0] / from[0][0], to[1][1] / from[1][1]);
+    *state.probe = (*state.probe - 0.5) * scale + 0.5;
+}
+
 std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size) {
-    if (!state.probe) return {};
+    if (!state.probe || !is_inside(size, *state.probe * glm::dvec2(size.width, size.height))) return {};
     return nearest_pixel(size, *state.probe * glm::dvec2(size.width, size.height));
 }
 

@@ -23,6 +23,7 @@ struct ViewportState {
         pivot;     // what GizmoMode::Rotate turns about, world coordinates; else the object's origin
     Scene before;  // as it was when the gesture began: Esc brings it back
     std::optional<glm::dvec2> probe;  // the pixel asked about, as a share of the picture's size
+    PictureSize probe_size{0, 0};     // of the picture in which it is that share
     bool hovered = false;             // the cursor is over the picture
     bool asked = false;               // a pixel was clicked in this frame
     bool touched = false;             // someone has used the picture: the hints go
@@ -33,7 +34,11 @@ struct ViewportState {
 /// Ends the gesture and puts the scene back to where it began. True when there was one.
 bool cancel_gesture(ViewportState& state, Scene& scene);
 
-/// The pixel asked about, in a picture of this size.
+/// Keeps the pixel asked about on its point when the picture gets another shape, and with it another field.
+/// It may come to lie outside; there it waits until the picture is wide enough again.
+void follow_shape(ViewportState& state, const Projection& projection, PictureSize size);
+
+/// The pixel asked about, in a picture of this size; none when it lies outside.
 [[nodiscard]] std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size);
 
 /// Draws handles, the probe, and the note at the hand.

@@ -173,6 +173,7 @@ template <class P, class Visit> void preference_fields(P& p, const Visit& visit)
     visit("scene_width", p.layout.left_width, column);
     visit("why_width", p.layout.right_width, column);
     visit("scope", p.layout.scope);
+    visit("caption", p.layout.caption);
     visit("scope_height", p.layout.scope_height, Limits{80, 1000});
     visit("width", p.width, window);
     visit("height", p.height, window);

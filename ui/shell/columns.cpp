@@ -31,7 +31,7 @@ void selected_panel(UiState& state, const PictureView& view) {
     requests.gizmo = state.viewport.gizmo;
     switch (selection.kind) {
     case Selection::Kind::Camera:
-        (void)camera_panel(scene.camera, view.map.size);
+        state.editor.edits_camera |= camera_panel(scene.camera, view.map.size);
         break;
     case Selection::Kind::Light:
         (void)light_panel(scene.lights[index], "/lights/" + number, scene.camera, view.dome, view.map);
@@ -109,6 +109,36 @@ void column_tab(const char* name, bool chosen, bool& wanted) {
 }
 
 }  // namespace
+
+namespace {
+
+constexpr float caption_margin = 12;  // logical pixels, on both sides
+
+std::string caption_of(const UiState& state) {
+    return state.layout.caption && !state.layout.hides_all ? state.editor.scene().about : std::string();
+}
+
+}  // namespace
+
+Layout window_layout(const UiState& state) {
+    Layout layout = lay_out(ImGui::GetIO().DisplaySize, state.layout, px(1));
+    const std::string caption = caption_of(state);
+    if (caption.empty()) return layout;
+    const float width = layout.centre.size().x - 2 * px(caption_margin);
+    const float lines = ImGui::CalcTextSize(caption.c_str(), nullptr, false, std::max(width, 1.0f)).y;
+    make_room_for_caption(layout, lines + px(8));
+    return layout;
+}
+
+void caption_line(const UiState& state, const Layout& layout) {
+    if (!layout.has_caption) return;
+    begin_area("##caption", layout.caption, ImGuiWindowFlags_NoNav);
+    ImGui::SetCursorPos({px(caption_margin), px(2)});
+    ImGui::PushTextWrapPos(layout.caption.size().x - px(caption_margin));
+    ImGui::TextUnformatted(caption_of(state).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::End();
+}
 
 void left_column(UiState& state, const Layout& layout, const PictureView& view) {
     if (!layout.has_left) return;

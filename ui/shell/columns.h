@@ -10,6 +10,13 @@ namespace glint {
 
 struct UiState;
 
+/// Where everything is in this frame: lay_out() of the window, with room for the open scene's caption.
+/// ImGui's current font is the one that the caption is written in.
+[[nodiscard]] Layout window_layout(const UiState& state);
+
+/// What the open scene says of itself, below the picture.
+void caption_line(const UiState& state, const Layout& layout);
+
 /// The list of the scene and the selected item's panel. Where the window is narrow, WHY is a tab of it.
 void left_column(UiState& state, const Layout& layout, const PictureView& view);
 

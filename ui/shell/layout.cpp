@@ -29,7 +29,7 @@ void share_centre(Layout& layout, const LayoutState& state, float scale) {
 Layout lay_out(ImVec2 window, const LayoutState& state, float scale) {
     const float width = std::max(window.x, 1.0f), height = std::max(window.y, 1.0f);
     Layout layout;
-    layout.inspector_in_left = width < three_column_width * scale;
+    layout.inspector_in_left = is_narrow(window, scale);
     const bool columns = !state.hides_columns && !state.hides_all;
     layout.has_left = columns && (state.left || (layout.inspector_in_left && state.right));
     layout.has_right = columns && state.right && !layout.inspector_in_left;
@@ -50,19 +50,28 @@ Layout lay_out(ImVec2 window, const LayoutState& state, float scale) {
     return layout;
 }
 
+void make_room_for_caption(Layout& layout, float height) {
+    Rect& centre = layout.centre;
+    if (height <= 0 || height > centre.size().y / 3) return;
+    layout.has_caption = true;
+    layout.caption = {{centre.low.x, std::round(centre.high.y - height)}, centre.high};
+    centre.high.y = layout.caption.low.y;
+}
+
 Rect picture_area(const Rect& centre, float scale) {
-    constexpr float margin_wanted = 10, narrowest = 4.0f / 3;
+    constexpr float margin_wanted = 10;
     const ImVec2 all = centre.size();
     const float margin = std::min({margin_wanted * scale, all.x / 4, all.y / 4});
     const float width = std::max(std::floor(all.x - 2 * margin), 1.0f);
-    const float height = std::max(std::floor(std::min(all.y - 2 * margin, width / narrowest)), 1.0f);
-    const ImVec2 low{std::round(centre.low.x + margin), std::round(centre.low.y + (all.y - height) / 2)};
+    const float height = std::max(std::floor(all.y - 2 * margin), 1.0f);
+    const ImVec2 low{std::round(centre.low.x + margin), std::round(centre.low.y + margin)};
     return {low, {low.x + width, low.y + height}};
 }
 
 namespace {
 
-/// An edge at `x`. `outwards`: 1 when a drag to the right makes its column wider, -1 when a drag to the left.
+/// An edge at `x`. Unlike the columns it comes to the front, where it takes the mouse. `outwards`: 1 when a
+/// drag to the right makes its column wider, -1 when a drag to the left.
 void edge(const char* id, float x, const Rect& column, float outwards, float initial, float& width,
           float scale) {
     const float reach = 3 * scale;
@@ -71,8 +80,7 @@ void edge(const char* id, float x, const Rect& column, float outwards, float ini
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::Begin(id, nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav);
     ImGui::PopStyleVar();
     hit_area("##edge", {2 * reach, column.size().y});
     const bool held = ImGui::IsItemActive();

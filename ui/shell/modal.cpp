@@ -105,6 +105,7 @@ Modal modal_of(const UiState& state) {
     if (state.asks_overwrite) return Modal::Changed;
     if (state.files.open) return Modal::Files;
     if (state.exporting.open) return Modal::Export;
+    if (state.examples.open) return Modal::Examples;
     return Modal::None;
 }
 
@@ -125,6 +126,9 @@ void leave_modal(UiState& state) {
         return;
     case Modal::Export:
         state.exporting.open = false;
+        return;
+    case Modal::Examples:
+        state.examples.open = false;
         return;
     }
 }
@@ -162,6 +166,9 @@ void dialogs(UiState& state, const UiInput& input) {
         break;
     case Modal::Export:
         export_dialog(state);
+        break;
+    case Modal::Examples:
+        examples_dialog(state);
         break;
     }
     if (modal_of(state) != modal) redraw_within(0);  // the next one, or what lay below

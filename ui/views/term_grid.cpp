@@ -26,10 +26,8 @@ bool is_among(const std::vector<GridCell>& cells, GridCell cell) {
 
 void begin_sheet(TermGridState& grid, const Scene& scene, PictureSize size) {
     const int height = std::clamp(cell_width * size.height / std::max(size.width, 1), 20, 2 * cell_width);
-    grid.cell = {cell_width, height};
     const int rows = std::min(static_cast<int>(scene.lights.size()) + 1, max_rows);
-    grid.sheet.size = {3 * cell_width, rows * height};
-    grid.sheet.rgba.assign(std::size_t{4} * 3 * cell_width * static_cast<std::size_t>(rows * height), 0);
+    grid.sheet.reset({cell_width, height, size.keeps_width}, 3, 3 * rows);
     grid.drawn_of = scene;
     grid.next = 0;
 }
@@ -37,13 +35,7 @@ void begin_sheet(TermGridState& grid, const Scene& scene, PictureSize size) {
 void draw_cell(TermGridState& grid, const Scene& scene, GridCell cell) {
     const int row = cell.light + 1;
     if (row >= max_rows) return;
-    const Picture& small = grid.renderer->render(with_cells(scene, {cell}), grid.cell);
-    for (int y = 0; y < grid.cell.height; ++y)
-        std::copy_n(small.rgba.begin() + static_cast<std::ptrdiff_t>(4 * small.pixel(0, y)),
-                    4 * grid.cell.width,
-                    grid.sheet.rgba.begin() +
-                        static_cast<std::ptrdiff_t>(
-                            4 * grid.sheet.pixel(cell.term * cell_width, row * grid.cell.height + y)));
+    grid.sheet.put(3 * row + cell.term, grid.renderer->render(with_cells(scene, {cell}), grid.sheet.cell));
 }
 
 const char* name_of(GridCell cell) {
@@ -64,18 +56,15 @@ void toggle_muted(TermGridState& grid, GridCell cell) {
 
 /// A small picture: click shows it alone, right click leaves it out. True while it is pointed at.
 bool cell_button(TermGridState& grid, GridCell cell, float width) {
-    const float height = width * float(grid.cell.height) / float(grid.cell.width);
+    const PictureSize size = grid.sheet.cell;
+    const float height = width * float(size.height) / float(size.width);
     ImGui::PushID(3 * (cell.light + 1) + cell.term);
     const bool clicked = hit_area("##cell", {width, height});
     const bool right = ImGui::IsItemClicked(ImGuiMouseButton_Right);
     const auto [low, high] = last_item();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const int row = cell.light + 1;
-    if (row < max_rows && grid.sheet.size.height > 0) {
-        const float v = float(grid.cell.height) / float(grid.sheet.size.height);
-        list.AddImage(grid.texture, low, high, {float(cell.term) / 3, v * float(row)},
-                      {float(cell.term + 1) / 3, v * float(row + 1)});
-    }
+    if (row < max_rows && grid.sheet.serial > 0) grid.sheet.draw(list, 3 * row + cell.term, low, high);
     const bool solo = grid.solo == cell, muted = is_among(grid.muted, cell);
     if (muted) list.AddRectFilled(low, high, to_u32(theme().panel, 0.75f));
     if (muted) list.AddLine(low, high, to_u32(theme().warning), px(2));
@@ -167,7 +156,6 @@ void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size)
         grid.next = cells.size();  // the others would go the same way
         throw;
     }
-    ++grid.sheet_serial;
     if (grid.next < cells.size()) redraw_within(0);
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "renderer/renderer.h"
+#include "ui/widgets/picture_sheet.h"
 
 namespace glint {
 
@@ -33,11 +34,7 @@ struct GridCell {
 struct TermGridState {
     std::optional<GridCell> solo;
     std::vector<GridCell> muted;
-    // Small pictures, three a row, in one sheet that is one texture; drawn while the hand rests.
-    Picture sheet;
-    std::uint64_t sheet_serial = 0;  // counts changes: the texture follows it
-    ImTextureID texture = nullptr;   // given by the window
-    PictureSize cell{84, 63};
+    PictureSheet sheet;  // three pictures a row, drawn while the hand rests
     std::optional<Scene> drawn_of;
     std::size_t next = 0;  // cell to draw; #cells: all are drawn
     std::unique_ptr<Renderer> renderer;

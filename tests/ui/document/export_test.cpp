@@ -179,6 +179,24 @@ TEST_CASE("what is exported is what the command line writes, byte for byte", "[u
     CHECK(problem_of(picture_file(opened(path), {{8, 8}, 1}, "a.gif", 1)) != nullptr);
 }
 
+TEST_CASE("a narrow picture of the window shows more, and opens again as the scene that it is of",
+          "[ui][export]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("s.json", scene_text(test::busy_scene()));
+    const auto bytes = picture_file(opened(path), {{60, 72}, 2}, folder.path("a.png"), 2);
+    REQUIRE(problem_of(bytes) == nullptr);
+    const std::string picture = folder.file("a.png", std::get<std::string>(bytes));
+    CHECK(opened(picture).scene.camera == opened(path).scene.camera);
+    REQUIRE(
+        run_glint({"render", picture, "-o", folder.path("again.png"), "--size", "60x72", "--samples", "2"})
+            .status == 0);
+    const auto first = read_png(picture), again = read_png(folder.path("again.png"));
+    CHECK(std::get<Picture>(first).rgba == std::get<Picture>(again).rgba);
+    REQUIRE(run_glint({"render", path, "-o", folder.path("cut.png"), "--size", "60x72", "--samples", "2"})
+                .status == 0);
+    CHECK(std::get<Picture>(first).rgba != std::get<Picture>(read_png(folder.path("cut.png"))).rgba);
+}
+
 TEST_CASE("a picture goes to the clipboard through the desktop's tool, or its lack is the reason",
           "[ui][export]") {
     const TemporaryDirectory folder;
@@ -192,8 +210,7 @@ TEST_CASE("a picture goes to the clipboard through the desktop's tool, or its la
     unsetenv("WAYLAND_DISPLAY");
     HeadlessWindow bench;
     bench.frames(2);
-    CHECK(why_disabled(bench.state, test::command_named("Copy picture")) ==
-          "Needs the program xclip");
+    CHECK(why_disabled(bench.state, test::command_named("Copy picture")) == "Needs the program xclip");
     const std::string script = folder.file("xclip", "#!/bin/sh\n/bin/cat >'" + folder.path("got.png") +
                                                         "'\necho \"$@\" >'" + folder.path("words") + "'\n");
     fs::permissions(script, fs::perms::owner_all);

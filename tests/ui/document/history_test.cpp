@@ -57,16 +57,46 @@ TEST_CASE("an edit after undo drops what was undone", "[ui]") {
     CHECK(history.undo() == two_lights());
 }
 
-TEST_CASE("joined steps of one name are one step", "[ui]") {
+TEST_CASE("what was looked at between two edits is no step, and undo leaves the view where it is", "[ui]") {
     History history;
     Scene scene = two_lights();
     history.reset(scene);
-    for (int i = 0; i < 5; ++i) {
-        scene.camera.eye.z += 1;
-        history.commit(scene, true);
-    }
-    CHECK(history.undo() == two_lights());
-    CHECK_FALSE(history.can_undo());
+    const auto look = [&](float z) {
+        scene.camera.eye.z = z;
+        history.look(scene.camera);
+        CHECK_FALSE(history.commit(scene));
+    };
+    look(7);
+    scene.lights[0].intensity = 2;
+    history.commit(scene);
+    look(9);
+    scene.lights[0].intensity = 3;
+    history.commit(scene);
+    CHECK(history.undo().lights[0].intensity == 2);
+    CHECK(history.present().camera.eye.z == 9);
+    CHECK(history.undo().lights[0].intensity == 1);
+    CHECK(history.present().camera.eye.z == 9);
+    history.look(two_lights().camera);
+    CHECK(history.redo().lights[0].intensity == 2);
+    CHECK(history.present().camera == two_lights().camera);
+    CHECK(history.edited_camera() == two_lights().camera);
+}
+
+TEST_CASE("an edit of the camera is a step, which undo takes back wherever one looks from", "[ui]") {
+    History history;
+    Scene scene = two_lights();
+    history.reset(scene);
+    scene.camera.eye.z = 7;
+    history.commit(scene);  // typed, not looked
+    CHECK(history.undo_name() == "Camera");
+    CHECK(history.edited_camera().eye.z == 7);
+    Camera elsewhere = scene.camera;
+    elsewhere.eye.x = 3;
+    history.look(elsewhere);
+    CHECK(history.edited_camera().eye.z == 7);
+    CHECK(history.undo().camera == two_lights().camera);
+    CHECK(history.edited_camera() == two_lights().camera);
+    CHECK(history.redo().camera.eye.z == 7);
 }
 
 TEST_CASE("the history of a large scene forgets its oldest steps, not its newest", "[ui]") {

@@ -66,7 +66,9 @@ TEST_CASE("the arrow n ends where a unit normal of its length shows", "[ui][wind
     const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
     // 92 logical pixels at the point's depth, by the field of view: independent of the pen.
     const double depth = -double(point.point.camera.z);
-    const double per_pixel = 2 * depth * std::tan(0.5 * 45 * 3.14159265358979 / 180) / map.size.height;
+    // In a picture narrower than 16:9 the width of the field is that of 16:9.
+    const double per_pixel =
+        2 * depth * std::tan(0.5 * 45 * 3.14159265358979 / 180) * 16 / 9 / map.size.width;
     const glm::dvec3 tip = glm::dvec3(point.point.world) + 92 * per_pixel * glm::dvec3(point.normal.world);
     const ImVec2 at = bench.at_pixel(project(map, tip).pixel);
     CHECK(draws_near(at, 1.5f));

@@ -40,14 +40,14 @@ TEST_CASE("grid: a click shows one term alone while the tab is open, and edits n
     const Scene before = bench.scene();
     TermGridState& grid = bench.state.views.grid;
     CHECK(grid.next == grid_cells(before).size());
-    CHECK(grid.sheet.size.width == 3 * grid.cell.width);
+    const PictureSize cell = grid.sheet.cell;
+    CHECK(grid.sheet.picture.size.width == 3 * cell.width);
     // The sheet holds what a small renderer draws.
     Renderer renderer(1);
-    const Picture& small = renderer.render(with_cells(before, {{0, 1}}), grid.cell);
-    const std::size_t middle = 4 * small.pixel(grid.cell.width / 2, grid.cell.height / 2);
-    const std::size_t there =
-        4 * grid.sheet.pixel(grid.cell.width * 3 / 2, grid.cell.height + grid.cell.height / 2);
-    CHECK(small.rgba[middle] == grid.sheet.rgba[there]);
+    const Picture& small = renderer.render(with_cells(before, {{0, 1}}), cell);
+    const std::size_t middle = 4 * small.pixel(cell.width / 2, cell.height / 2);
+    const std::size_t there = 4 * grid.sheet.picture.pixel(cell.width * 3 / 2, cell.height + cell.height / 2);
+    CHECK(small.rgba[middle] == grid.sheet.picture.rgba[there]);
     grid.solo = GridCell{0, 1};
     bench.frames(2);
     CHECK(bench.state.rendered_scene == with_cells(before, {{0, 1}}));

@@ -138,12 +138,3 @@ TEST_CASE("the step wedge says what is swallowed", "[ui][lecture]") {
     bench.key(Key::Escape);
     CHECK_FALSE(bench.state.lecture.wedge.open);
 }
-
-TEST_CASE("projector mode folds the columns and puts them back", "[ui][lecture]") {
-    HeadlessWindow bench;
-    bench.frame();
-    bench.key(Key::F9);
-    CHECK(bench.state.layout.hides_columns);
-    bench.key(Key::F9);
-    CHECK_FALSE(bench.state.layout.hides_columns);
-}

@@ -1,0 +1,124 @@
+// The examples: their order, their captions, and how they are opened.
+#include "ui/lecture/examples.h"
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "tests/support/asset_scenes.h"
+#include "tests/support/headless_window.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+const std::string scenes_folder = GLINT_SOURCE_DIR "/assets/scenes";
+
+std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+/// The scenes of the lecture map's rows, each where it comes first.
+std::vector<std::string> lecture_map_order() {
+    std::ifstream file(GLINT_SOURCE_DIR "/docs/lecture_map.md");
+    std::stringstream text;
+    text << file.rdbuf();
+    const std::string rows = text.str();
+    const std::regex row(R"(\n\| [0-9]+ \|[^|]*\| assets/scenes/([a-z-]+)\.json)");
+    std::vector<std::string> order;
+    for (std::sregex_iterator at(rows.begin(), rows.end(), row), end; at != end; ++at)
+        if (std::find(order.begin(), order.end(), (*at)[1]) == order.end()) order.push_back((*at)[1]);
+    return order;
+}
+
+}  // namespace
+
+TEST_CASE("the examples are all scenes that come with Glint, in the lecture's order", "[ui][lecture]") {
+    const std::vector<Example> examples = examples_in(scenes_folder);
+    std::set<std::string> listed, there;
+    for (const Example& example : examples) listed.insert(stem(example.path));
+    for (const std::string& path : asset_scenes()) there.insert(stem(path));
+    CHECK(listed == there);
+    CHECK(examples.size() == there.size());
+    const std::vector<std::string> map = lecture_map_order();
+    REQUIRE(map.size() > 30);
+    std::vector<std::string> of_map;  // the examples that the map names
+    for (const Example& example : examples)
+        if (std::find(map.begin(), map.end(), stem(example.path)) != map.end())
+            of_map.push_back(stem(example.path));
+    CHECK(of_map == map);
+    CHECK(examples.front().title == "Default");
+}
+
+TEST_CASE("every scene that comes with Glint says in one line what to look at", "[scenes]") {
+    std::set<std::string> all;
+    for (const std::string& path : asset_scenes()) {
+        CAPTURE(path);
+        const Result<SceneDocument> opened = open_document(path);
+        REQUIRE(problem_of(opened) == nullptr);
+        const std::string about = std::get<SceneDocument>(opened).scene.about;
+        CHECK(about.size() > 30);
+        CHECK(about.size() < 140);
+        CHECK(about.find('\n') == std::string::npos);
+        all.insert(about);
+    }
+    CHECK(all.size() == asset_scenes().size());
+}
+
+TEST_CASE("an example is opened by a click on its picture", "[ui]") {
+    HeadlessWindow bench;
+    bench.state.shipped_scenes = scenes_folder;
+    run_command(bench.state, command_named("Examples…"));
+    while (bench.state.examples.taken < 4) bench.frames(1);
+    bench.frames(2);
+    CHECK(bench.state.examples.list[1].about.find("camera") != std::string::npos);
+    // Two of the pictures differ, and neither is empty.
+    const PictureSheet& sheet = bench.state.examples.sheet;
+    const auto middle = [&sheet](int i) {
+        const std::size_t at =
+            sheet.picture.pixel(i * sheet.cell.width + sheet.cell.width / 2, sheet.cell.height / 2);
+        return std::array{sheet.picture.rgba[4 * at], sheet.picture.rgba[4 * at + 1],
+                          sheet.picture.rgba[4 * at + 3]};
+    };
+    CHECK(middle(0) != middle(2));
+    CHECK(middle(0)[2] == 255);
+    const std::string path = bench.state.examples.list[1].path;
+    bench.click(bench.control("Worked camera"));
+    bench.wait_for_loads();
+    CHECK_FALSE(bench.state.examples.open);
+    CHECK(bench.state.editor.document.path == path);
+}
+
+TEST_CASE("the caption of a scene stands below its picture, and can be put away", "[ui]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const float before = window_layout(bench.state).centre.high.y;
+    bench.scene().about = "Drag the sun.";
+    bench.frames(2);
+    const Layout with = window_layout(bench.state);
+    REQUIRE(with.has_caption);
+    CHECK(with.centre.high.y < before);
+    CHECK(with.caption.high.y == before);
+    bench.key(Key::F11);  // the picture alone keeps it
+    CHECK(window_layout(bench.state).has_caption);
+    run_command(bench.state, command_named("Caption of the scene"));
+    CHECK_FALSE(window_layout(bench.state).has_caption);
+}
+
+TEST_CASE("opening starts where there is something to open", "[ui]") {
+    const std::filesystem::path here = std::filesystem::current_path();
+    const std::filesystem::path empty = std::filesystem::temp_directory_path() / "glint-empty-test";
+    std::filesystem::create_directories(empty);
+    std::filesystem::current_path(empty);
+    HeadlessWindow bench;
+    bench.state.shipped_scenes = scenes_folder;
+    bench.frames(1);
+    run_command(bench.state, CommandId::Open);
+    CHECK(std::filesystem::equivalent(bench.state.files.folder, scenes_folder));
+    std::ofstream(empty / "mine.json") << "{}";
+    run_command(bench.state, CommandId::Open);
+    CHECK(std::filesystem::equivalent(bench.state.files.folder, empty));
+    std::filesystem::current_path(here);
+    std::filesystem::remove_all(empty);
+}

@@ -1,0 +1,166 @@
+#include "ui/lecture/examples.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <sstream>
+
+#include "models/io/file.h"
+#include "renderer/renderer.h"
+#include "ui/document/document_actions.h"
+#include "ui/lecture/lecture.h"
+#include "ui/shell/modal.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/named_controls.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+
+/// Shared with the job that draws: it adds at the end, the window takes from the front.
+struct DrawnExamples {
+    std::mutex mutex;
+    std::vector<DrawnExample> done;
+};
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr PictureSize thumbnail{208, 117};
+constexpr int sheet_columns = 8;
+constexpr std::size_t longest_order = 1 << 16;
+
+std::string title_of(const std::string& path) {
+    std::string title = fs::path(path).stem().string();
+    std::replace(title.begin(), title.end(), '-', ' ');
+    if (!title.empty() && title[0] >= 'a' && title[0] <= 'z')
+        title[0] = static_cast<char>(title[0] - 'a' + 'A');
+    return title;
+}
+
+/// One example after the other. What cannot be read stays empty: opening it says why.
+Result<int> draw_all(const std::vector<Example>& list, DrawnExamples& drawn, const LoadProgress& progress) {
+    Renderer renderer(1);
+    for (const Example& example : list) {
+        if (progress.cancelled) return 0;
+        DrawnExample one;
+        const Result<SceneDocument> opened = open_document(example.path);
+        if (const auto* document = std::get_if<SceneDocument>(&opened)) {
+            one.about = document->scene.about;
+            one.picture = renderer.render(document->scene, thumbnail, false, 4);
+        }
+        const std::lock_guard lock(drawn.mutex);
+        drawn.done.push_back(std::move(one));
+    }
+    return static_cast<int>(list.size());
+}
+
+/// Puts what has been drawn since onto the sheet.
+void take_drawn(ExamplesState& examples) {
+    if (!examples.drawn) return;
+    const std::lock_guard lock(examples.drawn->mutex);
+    const auto done = static_cast<int>(examples.drawn->done.size());
+    for (int& i = examples.taken; i < done; ++i) {
+        DrawnExample& one = examples.drawn->done[static_cast<std::size_t>(i)];
+        examples.list[static_cast<std::size_t>(i)].about = std::move(one.about);
+        if (!one.picture.rgba.empty()) examples.sheet.put(i, one.picture);
+        one.picture = {};
+    }
+    if (examples.job && examples.job->done()) examples.job.reset();
+    if (examples.job) redraw_within(0.05);
+}
+
+/// A picture with title and caption, `width` wide. True when it was clicked.
+bool card(const ExamplesState& examples, int index, float width, float height) {
+    const Example& example = examples.list[static_cast<std::size_t>(index)];
+    ImGui::PushID(index);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const bool clicked = hit_area("##example", {width, height});
+    const bool pointed = ImGui::IsItemHovered();
+    list_control(example.title.c_str(), "", last_item());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (pointed) list.AddRectFilled(low, low + ImVec2(width, height), to_u32(theme().field_hovered), px(4));
+    const float inset = px(6), wide = width - 2 * inset;
+    const ImVec2 corner = low + ImVec2(inset, inset);
+    const ImVec2 end = corner + ImVec2(wide, wide * float(thumbnail.height) / float(thumbnail.width));
+    list.AddRectFilled(corner, end, to_u32(theme().surround));
+    if (index < examples.taken) examples.sheet.draw(list, index, corner, end);
+    const ImVec2 words{corner.x, end.y + px(4)};
+    list.AddText(words, to_u32(theme().text), example.title.c_str());
+    const ImVec4 clip(low.x, low.y, low.x + width - inset, low.y + height - px(2));
+    list.AddText(fonts().small, fonts().small->FontSize,
+                 words + ImVec2(0, ImGui::GetTextLineHeight() + px(1)), to_u32(theme().dim_text),
+                 example.about.c_str(), nullptr, wide, &clip);
+    ImGui::PopID();
+    return clicked;
+}
+
+}  // namespace
+
+std::vector<Example> examples_in(const std::string& folder) {
+    std::vector<std::string> paths = folder_scenes(folder);
+    const Result<std::string> order =
+        read_file((fs::path(folder) / "lecture_order.txt").string(), longest_order);
+    std::vector<std::string> names;
+    if (const auto* text = std::get_if<std::string>(&order)) {
+        std::istringstream lines(*text);
+        for (std::string name; std::getline(lines, name);) names.push_back(name);
+    }
+    const auto place_of = [&names](const std::string& path) {
+        return std::find(names.begin(), names.end(), fs::path(path).stem().string()) - names.begin();
+    };
+    std::stable_sort(paths.begin(), paths.end(),
+                     [&](const std::string& a, const std::string& b) { return place_of(a) < place_of(b); });
+    std::vector<Example> list;
+    for (std::string& path : paths) {
+        std::string title = title_of(path);
+        list.push_back({std::move(path), std::move(title), {}});
+    }
+    return list;
+}
+
+void open_examples(UiState& state) {
+    ExamplesState& examples = state.examples;
+    examples.open = true;
+    if (!examples.list.empty()) return;
+    examples.list = examples_in(state.shipped_scenes);
+    examples.sheet.reset(thumbnail, sheet_columns, static_cast<int>(examples.list.size()));
+    examples.drawn = std::make_shared<DrawnExamples>();
+    examples.job = std::make_unique<Job<int>>(
+        "Examples", [list = examples.list, drawn = examples.drawn](const LoadProgress& progress) {
+            return draw_all(list, *drawn, progress);
+        });
+}
+
+void examples_dialog(UiState& state) {
+    ExamplesState& examples = state.examples;
+    take_drawn(examples);
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const ImVec2 size{std::min(px(980), window.x - px(40)), std::min(px(720), window.y - px(40))};
+    ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize(size);
+    if (!begin_modal("Examples, in the order of the lecture##examples", &examples.open,
+                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+        return;
+    ImGui::BeginChild("##cards");
+    const float room = ImGui::GetContentRegionAvail().x, gap = px(4);
+    const int columns = std::max(1, static_cast<int>(room / px(225)));
+    const float width = (room - gap * float(columns - 1)) / float(columns);
+    const float height = width * float(thumbnail.height) / float(thumbnail.width) + px(80);
+    std::optional<int> chosen;
+    for (int i = 0; i < static_cast<int>(examples.list.size()); ++i) {
+        if (i % columns != 0) ImGui::SameLine(0, gap);
+        if (card(examples, i, width, height)) chosen = i;
+    }
+    ImGui::EndChild();
+    if (chosen) examples.open = false;
+    if (!examples.open) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    if (chosen)
+        begin_pending(state, Pending::What::Open, examples.list[static_cast<std::size_t>(*chosen)].path);
+}
+
+}  // namespace glint

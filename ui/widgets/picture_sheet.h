@@ -1,0 +1,46 @@
+#pragma once
+// Small pictures of one size, laid out in one picture that the window keeps as one texture.
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "renderer/picture.h"
+
+namespace glint {
+
+struct PictureSheet {
+    PictureSize cell{1, 1};  // of each small picture
+    int columns = 1;
+    Picture picture;                // all of them
+    std::uint64_t serial = 0;       // counts changes: the texture follows it
+    ImTextureID texture = nullptr;  // given by the window
+
+    /// Begins anew with room for `count` pictures, all of them empty.
+    void reset(PictureSize cell_size, int column_count, int count) {
+        cell = cell_size;
+        columns = column_count;
+        picture.size = {columns * cell.width, (count + columns - 1) / columns * cell.height};
+        picture.rgba.assign(4 * picture.size.pixels(), 0);
+        ++serial;
+    }
+    /// Precondition: `index` has room, and `small` is of the cell's size.
+    void put(int index, const Picture& small) {
+        const int left = index % columns * cell.width, top = index / columns * cell.height;
+        for (int y = 0; y < cell.height; ++y)
+            std::copy_n(small.rgba.begin() + static_cast<std::ptrdiff_t>(4 * small.pixel(0, y)),
+                        4 * cell.width,
+                        picture.rgba.begin() + static_cast<std::ptrdiff_t>(4 * picture.pixel(left, top + y)));
+        ++serial;
+    }
+    void draw(ImDrawList& list, int index, ImVec2 low, ImVec2 high) const {
+        const float across = 1 / float(columns), down = float(cell.height) / float(picture.size.height);
+        const auto column = float(index % columns), row = float(index / columns);
+        list.AddImage(texture, low, high, {column * across, row * down},
+                      {(column + 1) * across, (row + 1) * down});
+    }
+};
+
+}  // namespace glint
