@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "models/scene/reflection.h"
 #include "models/primitives/primitives.h"
+#include "models/scene/reflection.h"
 #include "models/scene/scene.h"
 
 namespace glint {
@@ -99,7 +99,7 @@ constexpr Choice choice_of(FlatPoint point) {
     case FlatPoint::Centroid:
         return {"centroid", "Centroid", "Mean of the polygon's corners, facet normal"};
     case FlatPoint::Provoking:
-        return {"provoking", "Provoking", "OpenGL's: each triangle's last corner"};
+        return {"provoking", "Last corner", "Of each triangle: OpenGL's provoking vertex"};
     }
     return {};
 }
@@ -131,7 +131,7 @@ constexpr Choice choice_of(Rules rules) {
 constexpr Choice choice_of(Transfer transfer) {
     switch (transfer) {
     case Transfer::None:
-        return {"none", "None", "The numbers as they are, as the lecture and OpenGL do"};
+        return {"none", "Unchanged", "The numbers as they are, as the lecture and OpenGL do"};
     case Transfer::Srgb:
         return {"srgb", "sRGB", "Linear light encoded for the display"};
     }

@@ -172,7 +172,7 @@ template <class P, class Visit> void depth_fields(P& p, Visit&& visit) {
 }
 
 template <Of<Perspective> P, class Visit> void fields(P& p, Visit&& visit) {
-    visit(Row{"fov_y_deg", "Field", "Whole vertical angle of the view"},
+    visit(Row{"fov_y_deg", "View angle", "Whole vertical angle of the view"},
           Real{.range = {0, 180, "more than 0, less than 180", true, true},
                .unit = "°",
                .step = 0.2f,
@@ -229,7 +229,7 @@ template <Of<Shading> S, class Visit> void fields(S& s, Visit&& visit) {
           OneOf{}, s.reflection);
     visit(Row{"interpolation", "Interpolate", "How values between corners are found"}, OneOf{},
           s.interpolation);
-    visit(Row{"flat_point", "Flat point", "Which point of a polygon is lit under flat"}, OneOf{},
+    visit(Row{"flat_point", "Flat lit at", "Which point of a polygon is lit under flat"}, OneOf{},
           s.flat_point);
     visit(Row{"two_sided", "Two-sided", "Seen from behind, the normal is turned round"}, Switch{},
           s.two_sided);
@@ -239,7 +239,7 @@ template <Of<Shading> S, class Visit> void fields(S& s, Visit&& visit) {
           Switch{}, s.local_viewer);
     visit(Row{"cull", "Cull", "Which side is left out, by the triangles' winding on the screen"}, OneOf{},
           s.cull);
-    visit(Row{"rules", "Rules", "Whose rules"}, OneOf{}, s.rules);
+    visit(Row{"rules", "Rules of", "Whose rules the equation follows"}, OneOf{}, s.rules);
     visit(Row{"terms", "Terms of the equation", "Off: the term is left out of the sum"}.undone_as("Terms"),
           Group{}, s.terms);
     visit(Row{"power_table", "cosⁿ table",
@@ -254,7 +254,7 @@ template <Of<Shading> S, class Visit> void fields(S& s, Visit&& visit) {
 
 template <Of<Npr> N, class Visit> void fields(N& n, Visit&& visit) {
     const Real share{.step = 0.004f, .format = "%.2f", .usual_max = 1};
-    visit(Row{"cool_to_warm", "Tones",
+    visit(Row{"cool_to_warm", "Cool to warm",
               "k_w (warm + beta k_d) + (1 − k_w) (cool + alpha k_d), k_w = (1 + n·l)/2 of the first enabled "
               "light, in "
               "place of emission, ambient and diffuse"},
@@ -287,7 +287,7 @@ template <Of<Npr> N, class Visit> void fields(N& n, Visit&& visit) {
 
 template <Of<Display> D, class Visit> void fields(D& d, Visit&& visit) {
     visit(Row{"background", "Background", "Colour where no object shows"}, Colour{}, d.background);
-    visit(Row{"transfer", "Transfer", "How linear light becomes the numbers of the display"}, OneOf{},
+    visit(Row{"transfer", "Encoding", "How linear light becomes the numbers of the display"}, OneOf{},
           d.transfer);
     visit(Row{"exposure", "Exposure", "Multiplies the linear colour before it is shown"},
           Real{.range = above_zero, .logarithmic = true}, d.exposure);

@@ -9,9 +9,10 @@ constexpr std::array names{
     MistakeName{"unnormalized_light", &Mistakes::unnormalized_light,
                 "The vector to the light keeps its length: what is far from the light gets brighter, and "
                 "highlights grow into blots."},
-    MistakeName{"unnormalized_half", &Mistakes::unnormalized_half,
-                "h = (l + v)/2, as the slide first writes it, without making it unit: highlights shrink and "
-                "darken where l and v part."},
+    MistakeName{
+        "unnormalized_half", &Mistakes::unnormalized_half,
+        "h = (l + v)/2, as the lecture first writes it, without making it unit: highlights shrink and "
+        "darken where l and v part."},
     MistakeName{"specular_behind_surface", &Mistakes::specular_behind_surface,
                 "No test of n·l: a highlight shines on the side that the light cannot reach."},
     MistakeName{"no_clamp_of_cosine", &Mistakes::no_clamp_of_cosine,

@@ -44,7 +44,7 @@ inline constexpr double max_diffuse_factor = 1.5, max_specular_factor = 1.01;
 constexpr ReflectionInfo row_of(Reflection reflection) {
     switch (reflection) {
     case Reflection::None:
-        return {.choice = {"none", "None", "No lighting: the mesh's own corner colours"},
+        return {.choice = {"none", "Unlit", "No lighting: the mesh's own corner colours"},
                 .is_lit = false,
                 .has_highlight = false,
                 .is_bounded = false};

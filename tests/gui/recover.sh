@@ -23,7 +23,7 @@ grep -q flat "$work/scene.json" && fail "the file was written without being aske
 
 start_glint "$work/scene.json"
 sleep 0.5
-xdotool mousemove 430 136 click 1 # "Take it up"
+xdotool mousemove 430 136 click 1 # "Recover"
 sleep 0.5
 xdotool key ctrl+s
 saved() { grep -q '"mode": "flat"' "$work/scene.json"; }

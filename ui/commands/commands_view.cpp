@@ -177,7 +177,7 @@ std::vector<WindowCommand> layout_commands() {
          .run = [](UiState& s) { s.dark ^= true; },
          .is_on = [](const UiState& s) { return !s.dark; },
          .line_above = true},
-        {.name = "Window as on the first day", .menu = Menu::View, .run = reset_layout},
+        {.name = "Reset the window", .menu = Menu::View, .run = reset_layout},
     };
 }
 

@@ -62,7 +62,7 @@ void add_switches(Entries& entries, const UiState& state) {
                    [flag = mistake.flag](Scene& s) -> bool& { return s.shading.mistakes.*flag; });
     }
     for (const Transfer value : enumerators<Transfer>)
-        entries.push_back({fmt::format("Transfer: {}", choice_of(value).label), "Display", "", "",
+        entries.push_back({fmt::format("Encoding: {}", choice_of(value).label), "Display", "", "",
                            [value](UiState& s) { s.editor.scene().display.transfer = value; }});
 }
 
@@ -156,9 +156,9 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
     add_recent(entries, state);
     add_choices(entries, state, "Reflection", &Shading::reflection);
     add_choices(entries, state, "Interpolation", &Shading::interpolation);
-    add_choices(entries, state, "Flat point", &Shading::flat_point);
+    add_choices(entries, state, "Flat lit at", &Shading::flat_point);
     add_choices(entries, state, "Cull", &Shading::cull);
-    add_choices(entries, state, "Rules", &Shading::rules);
+    add_choices(entries, state, "Rules of", &Shading::rules);
     add_switches(entries, state);
     add_light_choices(entries, state);
     add_items(entries, state);

@@ -122,6 +122,22 @@ void folder_line(FileDialog& dialog) {
 }
 
 /// True when an entry was double-clicked.
+/// What stands in the place of an empty list.
+const char* nothing_words(FilePurpose purpose) {
+    switch (purpose) {
+    case FilePurpose::OpenScene:
+        return "No folder and no scene here";
+    case FilePurpose::OpenMesh:
+        return "No folder and no mesh file here";
+    case FilePurpose::SaveScene:
+    case FilePurpose::SavePicture:
+    case FilePurpose::ExportPicture:
+    case FilePurpose::SaveFrames:
+        return "No folder and no file of this kind here yet";
+    }
+    return "";  // not reached
+}
+
 bool entry_list(FileDialog& dialog) {
     bool decided = false;
     std::string enter_folder;
@@ -143,7 +159,7 @@ bool entry_list(FileDialog& dialog) {
         draw_icon(*ImGui::GetWindowDrawList(), entry.folder ? Icon::Folder : Icon::File,
                   {low.x + 0.6f * line, low.y + line / 2}, 0.8f * line, to_u32(theme().dim_text));
     }
-    if (dialog.entries.empty()) dim_text("Nothing here that fits");
+    if (dialog.entries.empty()) dim_text(nothing_words(dialog.purpose));
     ImGui::EndChild();
     if (!enter_folder.empty()) {
         dialog.name.clear();

@@ -17,6 +17,7 @@
 #include "ui/commands/fuzzy.h"
 #include "ui/document/document_actions.h"
 #include "ui/fields/field_panel.h"
+#include "ui/inspector/equation/words.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -26,11 +27,19 @@ namespace {
 constexpr int max_frames = 2000;
 constexpr int numbers_listed = 7;
 
+/// "Bulb: intensity"
+std::string words_for(const Scene& scene, const std::string& pointer) {
+    const NamedNumber named = named_number(pointer, scene);
+    return fmt::format("{}: {}", named.owner, named.what);
+}
+
 /// The numbers that match what was typed, best first.
-std::vector<SceneNumber> matching(const std::vector<SceneNumber>& numbers, const std::string& text) {
+std::vector<SceneNumber> matching(const Scene& scene, const std::string& text) {
+    const std::vector<SceneNumber> numbers = numbers_of(scene);
     std::vector<std::pair<int, std::size_t>> scored;
     for (std::size_t i = 0; i < numbers.size(); ++i)
-        if (const auto match = fuzzy_match(text, numbers[i].pointer)) scored.emplace_back(-match->score, i);
+        if (const auto match = fuzzy_match(text, words_for(scene, numbers[i].pointer)))
+            scored.emplace_back(-match->score, i);
     std::sort(scored.begin(), scored.end());
     std::vector<SceneNumber> found;
     for (const auto& [score, i] : scored) {
@@ -44,11 +53,14 @@ void choose_number(AnimateState& animate, const Scene& scene) {
     Animation& animation = animate.animation;
     ImGui::SetNextItemWidth(label_cell("Number"));
     ImGui::InputTextWithHint("##search", "type a part of its name: roughness, intensity …", &animate.search);
-    tooltip("Number", "What goes to and fro, by its key in the scene file");
-    const auto found = matching(numbers_of(scene), animate.search);
+    tooltip("Number", "What goes to and fro");
+    const auto found = matching(scene, animate.search);
     for (const SceneNumber& number : found) {
-        const std::string label = fmt::format("{}  =  {:.5g}", number.pointer, number.value);
-        if (!ImGui::Selectable(label.c_str(), number.pointer == animation.pointer)) continue;
+        const std::string words = words_for(scene, number.pointer);
+        const std::string label = fmt::format("{}  =  {:.5g}##{}", words, number.value, number.pointer);
+        const bool chosen = ImGui::Selectable(label.c_str(), number.pointer == animation.pointer);
+        tooltip(words.c_str(), number.help, "", number.pointer);
+        if (!chosen) continue;
         animation.pointer = number.pointer;
         animation.from = number.value;
         animation.to = number.value == 0 ? 1 : 2 * number.value;

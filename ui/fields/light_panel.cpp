@@ -11,7 +11,9 @@ bool cone_fields(SpotCone& spot, const std::string& pointer) {
     FieldPanel panel(spot, pointer);
     panel.draw({"direction"}).draw_as("cutoff_deg", [&](const Row& row, const Help& help, const auto& usual) {
         bool open = spot.cutoff_deg == open_deg;
-        bool edited = switch_field("No cone", open, {"180 degrees: shines all round", help.pointer});
+        bool edited =
+            switch_field("All round", open,
+                         {"Shines in all directions, like a bulb: a cutoff of 180 degrees", help.pointer});
         if (edited) spot.cutoff_deg = open ? open_deg : closed_deg;
         (void)row;
         return open ? edited : usual() || edited;

@@ -75,10 +75,16 @@ bool preset_field(Material& material) {
     return edited;
 }
 
+/// A primitive by its label, a file by its name.
+std::string mesh_label(const MeshSource& source) {
+    const auto* primitive = std::get_if<PrimitiveMesh>(&source);
+    return primitive != nullptr ? choice_of(primitive->primitive).label : short_name(source);
+}
+
 /// Drop-down of all primitives and, at its end, of files.
 bool source_field(Object& object, const std::string& pointer, ObjectRequests& requests) {
     ImGui::SetNextItemWidth(label_cell("Mesh"));
-    if (!ImGui::BeginCombo("##mesh", short_name(object.source).c_str(), ImGuiComboFlags_HeightLarge)) {
+    if (!ImGui::BeginCombo("##mesh", mesh_label(object.source).c_str(), ImGuiComboFlags_HeightLarge)) {
         tooltip("Mesh", "The shape: one that needs no file, or a file", "", pointer + "/mesh");
         return false;
     }
@@ -87,8 +93,7 @@ bool source_field(Object& object, const std::string& pointer, ObjectRequests& re
         const PrimitiveMesh fresh{primitive, info_of(primitive).default_detail};
         const auto* present = std::get_if<PrimitiveMesh>(&object.source);
         const bool chosen = present != nullptr && present->primitive == primitive;
-        const std::string name(name_of(primitive));
-        if (ImGui::Selectable(name.c_str(), chosen) && !chosen) {
+        if (ImGui::Selectable(choice_of(primitive).label, chosen) && !chosen) {
             object.source = fresh;
             object.mesh = nullptr;
             edited = true;
@@ -120,10 +125,11 @@ void mesh_facts(const Object& object) {
     label_cell("");
     // Where every face is a triangle one number says it all, and two need two lines.
     if (faces != triangles) {
-        dim_text(fmt::format("{} {}", faces, faces == 1 ? "face" : "faces").c_str());
+        dim_text(fmt::format("{} {}", with_thousands(faces), faces == 1 ? "face" : "faces").c_str());
         label_cell("");
     }
-    dim_text(fmt::format("{} {}", triangles, triangles == 1 ? "triangle" : "triangles").c_str());
+    dim_text(
+        fmt::format("{} {}", with_thousands(triangles), triangles == 1 ? "triangle" : "triangles").c_str());
     for (const std::string& warning : mesh.warnings) {
         label_cell("");
         ImGui::PushTextWrapPos(0);
@@ -142,9 +148,9 @@ void gizmo_field(GizmoMode& gizmo) {
                                              CommandId::RotateByHand),
                              scale = with_key("Boxes scale it along its own axes, the middle as a whole",
                                               CommandId::ScaleByHand);
-    const std::array modes{Choice{"", "–", "No gizmo in the picture"}, Choice{"", "Move", move.c_str()},
-                           Choice{"", "Turn", turn.c_str()}, Choice{"", "Scale", scale.c_str()}};
-    label_cell("By hand");
+    const std::array modes{Choice{"", "None", "No gizmo in the picture"}, Choice{"", "Move", move.c_str()},
+                           Choice{"", "Rotate", turn.c_str()}, Choice{"", "Scale", scale.c_str()}};
+    label_cell("Gizmo");
     gizmo = static_cast<GizmoMode>(
         segments("##gizmo", static_cast<int>(gizmo), modes, {"What drags in the picture do to it", ""}));
 }

@@ -127,8 +127,7 @@ bool add_object_menu(Scene& scene, Selection& selection, bool& browse_mesh) {
     if (ImGui::MenuItem("Mesh file…")) browse_mesh = true;
     ImGui::Separator();
     for (const Primitive primitive : enumerators<Primitive>) {
-        const std::string name(name_of(primitive));
-        if (!ImGui::MenuItem(name.c_str())) continue;
+        if (!ImGui::MenuItem(choice_of(primitive).label)) continue;
         if (const auto index =
                 add_object(scene, PrimitiveMesh{primitive, info_of(primitive).default_detail})) {
             selection = {Selection::Kind::Object, *index};

@@ -46,7 +46,7 @@ void camera_matrices(const Camera& camera, PictureSize size) {
         "##view", view,
         {"To the right of the camera, u; last: −u·eye", "Up, v; last: −v·eye",
          "Backwards, w = (eye − target) made unit; last: −w·eye", "Keeps w: 1 for places, 0 for directions"});
-    small_dim("Takes the eye to the origin. The slide writes M_V2W on this one.");
+    small_dim("Takes the eye to the origin. The lecture calls this one M_V2W.");
     section_heading("world_from_view: its inverse");
     matrix("##inverse", inverse,
            {"x of u, v, w and of the eye", "y of u, v, w and of the eye", "z of u, v, w and of the eye",

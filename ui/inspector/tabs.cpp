@@ -38,7 +38,7 @@ constexpr std::array tabs{
                      mistakes_tab},
     InspectorTabInfo{InspectorTab::Matrices, "Matrices", "View, its inverse, projection, and what they carry",
                      matrices_tab},
-    InspectorTabInfo{InspectorTab::Outside, "Outside",
+    InspectorTabInfo{InspectorTab::Outside, "From outside",
                      "The eye, its view volume and the lights, seen from outside", outside_tab},
 };
 
@@ -71,8 +71,8 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
             fmt::format("{} {} {}   #{:02x}{:02x}{:02x}", r, g, b, r, g, b));
     ImGui::SameLine(0, px(10));
     ImGui::BeginGroup();
-    mono_text(fmt::format("{} {}, {}   {} {} {}", ImGui::GetIO().KeyAlt ? "under" : "pixel", state.asked.x,
-                          state.asked.y, r, g, b));
+    mono_text(fmt::format("{} {}, {}   {} {} {}", ImGui::GetIO().KeyAlt ? "at the cursor" : "pixel",
+                          state.asked.x, state.asked.y, r, g, b));
     if (explanation.hit) {
         if (ImGui::Selectable(fmt::format("{}, face {}", explanation.object, explanation.face).c_str(), false,
                               0, {ImGui::GetContentRegionAvail().x - px(26), 0}))

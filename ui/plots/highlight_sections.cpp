@@ -37,7 +37,7 @@ std::vector<glm::dvec2> half_highlight(Reflection reflection, float shininess) {
 void draw_by_hand(HighlightSketch& sketch, const PlotArea& area) {
     ImGui::SetCursorScreenPos(area.rect.low);
     hit_area("##sketch", area.rect.size());
-    tooltip("Sketch", "Draw how the highlight shall fall off, from its middle outwards");
+    tooltip("Sketch", "Draw here how the highlight should fade, from its middle outwards");
     if (!ImGui::IsItemActive()) return sketch.last.reset();
     const glm::dvec2 hand = area.value(ImGui::GetIO().MousePos);
     const glm::dvec2 now{std::clamp(hand.x, 0.0, 90.0), std::clamp(hand.y, 0.0, 1.0)};
@@ -109,7 +109,7 @@ std::vector<glm::dvec2> points_of(const HighlightSketch& sketch) {
 }
 
 void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subject) {
-    section_heading("How might a highlight fall off?");
+    section_heading("How a highlight fades");
     const double n = double(subject.material.shininess);
     const Reflection model = fitted_model(subject.scene);
     const Symbol symbol = model == Reflection::Phong ? Symbol::R : Symbol::H;

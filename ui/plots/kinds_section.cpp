@@ -38,7 +38,7 @@ std::string moved_text(const char* term, float moved) {
     return moved > 0 ? fmt::format("{} {:.2g}", term, moved) : fmt::format("{} stays, to the last bit", term);
 }
 
-/// The slide has it that the viewer does not matter to a sun; its highlight knows better.
+/// The lecture has it that the viewer does not matter to a sun; its highlight knows better.
 bool slide_fails(LightKind kind, const Column& column, const LightSensitivity& sensitivity) {
     return kind == LightKind::Directional && column.moved == &Moved::viewer &&
            sensitivity.specular.viewer > 0;
@@ -110,7 +110,7 @@ void kinds_section(const PlotSubject& subject, const PictureView& view) {
     ImGui::EndTable();
     small_dim(
         "d diffuse, s specular: it moves; – it stays. The light as every kind, white, where it stands, "
-        "a lamp aimed at the point. * The slide says no: it means the diffuse term.");
+        "a lamp aimed at the point. * The lecture's table says that it stays: it means the diffuse term.");
 }
 
 }  // namespace glint

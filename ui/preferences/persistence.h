@@ -103,7 +103,7 @@ void end_persistence(UiState& state);
 /// True when there is a copy for the next window to offer.
 bool keep_unsaved_work(UiState& state);
 
-/// Columns, theme, sizes and views as on the first day; kept views stay.
+/// Columns, theme, sizes and views as in a first window; kept views stay.
 void reset_layout(UiState& state);
 
 /// The copy that a window left behind and that is in hand now becomes this window's own.

@@ -16,19 +16,12 @@ namespace {
 
 constexpr std::array<const char*, stage_count> stage_names{"geometry", "visibility", "surface", "lighting"};
 
-std::string with_thousands(std::uint64_t n) {
-    std::string digits = std::to_string(n);
-    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), 1, ' ');
-    return digits;
-}
-
 std::string redone_stages(const FrameStats& stats) {
     std::string text;
     for (std::size_t i = 0; i < stage_count; ++i)
-        if (stats.redone[i]) text.append(text.empty() ? "" : " ").append(stage_names[i]);
-    if (stats.strokes_redone) text.append(text.empty() ? "" : " ").append("strokes");
-    return text.empty() ? "all kept" : text;
+        if (stats.redone[i]) text.append(text.empty() ? "" : ", ").append(stage_names[i]);
+    if (stats.strokes_redone) text.append(text.empty() ? "" : ", ").append("strokes");
+    return text.empty() ? "nothing done again" : "for " + text;
 }
 
 std::string stats_text(const UiState& state, bool roomy) {
@@ -39,8 +32,7 @@ std::string stats_text(const UiState& state, bool roomy) {
     std::string text = fmt::format("{} {}  ·  {} {}  ·  {:5.1f} ms", with_thousands(stats.triangles),
                                    stats.triangles == 1 ? "triangle" : "triangles", lights,
                                    lights == 1 ? "light" : "lights", stats.total_ms + parts_ms);
-    if (roomy)
-        text += fmt::format(" ({})  ·  {} × {}", redone_stages(stats), stats.instruction_set, stats.threads);
+    if (roomy) text += " " + redone_stages(stats);
     return text;
 }
 

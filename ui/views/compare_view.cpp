@@ -164,7 +164,9 @@ std::string label_of(Variant variant) {
     if (variant.kind == Variant::Kind::Edited) return "As edited";
     if (variant.kind == Variant::Kind::Stored) return "B, stored";
     const NamedChoice named = choice_in(variant);
-    return std::string(named.choice->label) + " " + named.noun;
+    const std::string label = named.choice->label;
+    // "Unlit" says by itself what it is.
+    return variant == variant_of(Reflection::None) ? label : label + " " + named.noun;
 }
 
 Scene scene_under(Variant variant, const Scene& edited, const Scene* stored) {

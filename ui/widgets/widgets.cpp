@@ -197,6 +197,13 @@ void dim_text(const char* text) {
     ImGui::PopStyleColor();
 }
 
+std::string with_thousands(std::uint64_t n) {
+    std::string digits = std::to_string(n);
+    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), 1, ' ');
+    return digits;
+}
+
 void mono_text(const std::string& text) {
     ImGui::PushFont(fonts().figures);
     ImGui::TextUnformatted(text.c_str());

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <span>
@@ -64,6 +65,8 @@ bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags = 0);
 float label_cell(const char* label);
 void section_heading(const char* title);
 void dim_text(const char* text);
+/// A count as it is written everywhere: "12 946".
+[[nodiscard]] std::string with_thousands(std::uint64_t n);
 /// Text in figures of equal width.
 void mono_text(const std::string& text);
 

@@ -30,7 +30,7 @@ struct TermLine;
 void light_card(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
                 std::size_t which);
 
-/// "Teapot stands in the way: no shadow is cast, light here is local"; empty where the way is free, where the
+/// "“Teapot” stands in the way of this light, but …"; empty where the way is free, where the
 /// light is behind the surface anyway, and while the mouse drags something in a scene so large that asking
 /// would take time. `which`: index into `point.lights`.
 [[nodiscard]] std::string blocked_words(UiState& state, const Explanation& explanation,

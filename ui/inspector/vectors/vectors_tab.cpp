@@ -34,12 +34,12 @@ void frame_switch(InspectorState& inspector) {
 
 void switches(InspectorState& inspector) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-    (void)ImGui::Checkbox("draw them in the picture", &inspector.shows_vectors);
+    (void)ImGui::Checkbox("Draw in the picture", &inspector.shows_vectors);
     tooltip("Vectors in the picture", "n, l, v and r or h at the picked point, with their angles",
             "v, which points at the eye, is a circle there");
-    const float facet = ImGui::GetFrameHeight() + px(8) + ImGui::CalcTextSize("its facet").x;
+    const float facet = ImGui::GetFrameHeight() + px(8) + ImGui::CalcTextSize("Facet").x;
     same_line_if_fits(facet, px(16), right);
-    (void)ImGui::Checkbox("its facet", &inspector.shows_facet);
+    (void)ImGui::Checkbox("Facet", &inspector.shows_facet);
     tooltip("Facet in the picture", "Its corners in their order, two edges, and its normal");
 }
 
@@ -115,7 +115,7 @@ void light_buttons(UiState& state, const ExplainedPoint& point, const ExplainedL
 /// column shows; the picture draws the chosen step.
 void mirror_section(InspectorState& state, const ExplainedPoint& point, const ExplainedLight& light) {
     section_heading("r = 2 n (n·l) − l, step by step");
-    static const std::array options{Choice{"", "off", "r itself is drawn"},
+    static const std::array options{Choice{"", "Off", "r itself is drawn"},
                                     Choice{"", "N, L", "What is given"},
                                     Choice{"", "P", "P = N (N·L): the shadow of L on N"},
                                     Choice{"", "2P", "Twice as far"}, Choice{"", "R", "R = 2P − L"}};

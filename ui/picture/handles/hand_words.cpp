@@ -91,7 +91,8 @@ std::string motion_words(const Held& held) {
 HandNote shape_note(const Light& light, ShapePart part) {
     switch (part) {
     case ShapePart::Rim:
-        return {fmt::format("{}, axis to edge", light.name), fmt::format("{:5.1f}°", light.spot.cutoff_deg)};
+        return {fmt::format("{}: cutoff, from the axis to the edge", light.name),
+                fmt::format("{:5.1f}°", light.spot.cutoff_deg)};
     case ShapePart::Aim:
         if (light.kind == LightKind::Area) return {fmt::format("{} turned", light.name), ""};
         return {fmt::format("{} aimed", light.name), three_numbers(light.spot.direction)};
