@@ -16,6 +16,7 @@
 #include "ui/shell/modal.h"
 #include "ui/views/views.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -73,6 +74,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     animate_panel(state);
     step_wedge(state.lecture.wedge);
     dialogs(state, input);  // after every window: ui/shell/modal.h
+    if (const std::string said = take_said(); !said.empty()) state.notifications.add(Tone::Done, said);
     remember(state, in_hand);
     poll_persistence(state);
     poll_animation(state);

@@ -50,7 +50,8 @@ struct PlacedPicture {
 /// Everything that the window remembers from frame to frame, beside ImGui's own context and what ui/widgets
 /// keeps of the current one: the theme and scale applied last (theme.cpp), the fonts loaded last (fonts.cpp);
 /// the item on which the pointer rests, the earliest frame asked for, and the list in which tests find
-/// controls (tooltip.cpp).
+/// controls (tooltip.cpp); the number in hand and what it has to say (number_input.cpp); the field that was
+/// asked for (field_panel.cpp).
 struct UiState {
     explicit UiState(int threads) : renderer(std::make_unique<Renderer>(threads)) { views.threads = threads; }
 

@@ -44,6 +44,7 @@ struct Real {
     const char* format = "%.3f";
     float usual_max = 0;       // above 0: values rarely leave [low end of the range, usual_max]
     bool logarithmic = false;  // drags multiply
+    const char* zero = "";     // what a panel shows for 0 where that means more than a number; empty: "0"
 };
 /// Linear RGB, each from 0; 1 is full intensity.
 struct Colour {};
@@ -70,6 +71,7 @@ struct Count {
     int low, high;
     bool (*is_allowed)(int) = nullptr;  // null: every number from low to high
     std::string_view words = {};        // for "expected ..."; empty: said by low and high
+    const char* zero = "";              // as Real::zero
 
     /// Whole, within low and high, and allowed.
     [[nodiscard]] bool contains(double x) const {

@@ -246,7 +246,7 @@ template <Of<Shading> S, class Visit> void fields(S& s, Visit&& visit) {
               "Entries of a table, evenly from cosine 0 to 1, in which cosⁿ is looked up, the nearest one; "
               "0: computed"}
               .omitted_by_default(),
-          Count{0, 65536, is_table_size, "0, or 2 to 65536 entries"}, s.power_table);
+          Count{0, 65536, is_table_size, "0, or 2 to 65536 entries", "computed"}, s.power_table);
     visit(
         Row{"mistakes", "Mistakes", "Done wrong on purpose, to see what it looks like"}.undone_as("Mistakes"),
         Group{}, s.mistakes);
@@ -287,8 +287,8 @@ template <Of<Npr> N, class Visit> void fields(N& n, Visit&& visit) {
 
 template <Of<Display> D, class Visit> void fields(D& d, Visit&& visit) {
     visit(Row{"background", "Background", "Colour where no object shows"}, Colour{}, d.background);
-    visit(Row{"transfer", "Encoding", "How linear light becomes the numbers of the display"}, OneOf{},
-          d.transfer);
+    visit(Row{"transfer", "Encoding", "How linear light becomes the numbers of the display: its gamma"},
+          OneOf{}, d.transfer);
     visit(Row{"exposure", "Exposure", "Multiplies the linear colour before it is shown"},
           Real{.range = above_zero, .logarithmic = true}, d.exposure);
 }

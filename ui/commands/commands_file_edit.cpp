@@ -23,14 +23,6 @@ void ask_scene(UiState& state) {
         state.files.ask(FilePurpose::OpenScene, state.shipped_scenes + "/");
 }
 
-void copy_command(UiState& state) {
-    const std::string command =
-        render_command_text(state.editor.document, state.editor.saved, state.rendered->size, 1,
-                            std::filesystem::path(offered_name(state, ".png")).filename().string());
-    ImGui::SetClipboardText(command.c_str());
-    state.notifications.add(Tone::Done, "The command that draws this picture is on the clipboard");
-}
-
 std::string copy_disabled_reason(const UiState& state) {
     if (state.exporting.job) return unless_busy(true);
     return state.rendered == nullptr ? unless_drawn(nullptr) : clipboard_disabled_reason();
@@ -120,8 +112,9 @@ std::vector<WindowCommand> file_commands() {
         {.name = "Copy as command",
          .keys = {{Key::K, ctrl, shift}},
          .menu = Menu::File,
-         .run = copy_command,
-         .why_disabled = [](const UiState& s) { return unless_drawn(s.rendered); }},
+         .run = copy_last_command,
+         .why_disabled = [](const UiState& s) { return unless_drawn(s.rendered); },
+         .id = CommandId::CopyCommand},
         {.name = "Quit",
          .keys = {{Key::Q, ctrl}},
          .menu = Menu::File,

@@ -131,9 +131,9 @@ void animate_panel(UiState& state) {
         const Animation before = animate.animation;
         (void)segment_field("Motion", animate.animation.motion, {"What moves", ""});
         if (animate.animation.motion == Motion::PingPong) choose_number(animate, state.editor.scene());
-        (void)integer_field("Frames", animate.animation.frames, 1, max_frames, 48,
+        (void)integer_field("Frames", animate.animation.frames, Count{1, max_frames}, 48,
                             {"Frames of one period; then it begins again", ""});
-        (void)integer_field("Speed", animate.frames_a_second, 1, 50, 25, {"Frames a second", ""});
+        (void)integer_field("Speed", animate.frames_a_second, Count{1, 50}, 25, {"Frames a second", ""});
         if (!(animate.animation == before)) animate.refused.clear();
         if (!animate.refused.empty()) {
             ImGui::PushTextWrapPos();

@@ -100,6 +100,14 @@ void append_sets(std::string& command, const Json& a, const Json& b, const std::
     }
 }
 
+/// As one who stands in the working directory names a file: relative where it lies below it.
+std::string named_from_here(const std::string& path) {
+    std::error_code failed;
+    const fs::path whole = fs::absolute(path, failed);
+    const std::string below = whole.lexically_normal().lexically_relative(fs::current_path(failed)).string();
+    return failed || below.empty() || below.starts_with("..") ? whole.string() : below;
+}
+
 Scene with_absolute_meshes(Scene scene, const std::string& mesh_dir) {
     for (Object& object : scene.objects)
         if (auto* file = std::get_if<MeshFile>(&object.source)) {
@@ -154,7 +162,7 @@ std::string render_command_text(const SceneDocument& document, const Scene& in_f
     if (has_file) {
         base = in_file;
         shown = with_mesh_paths_from(document.scene, document.mesh_dir, directory_of(document.path));
-        command = "glint render " + shell_word(fs::absolute(document.path, failed).string());
+        command = "glint render " + shell_word(named_from_here(document.path));
     } else {
         shown = with_absolute_meshes(document.scene, document.mesh_dir);
         command = R"(echo '{"glint": 1}' | glint render -)";

@@ -23,9 +23,9 @@ namespace glint {
 /// The text as one word of a POSIX shell: as it is when that is safe, else in single quotes.
 [[nodiscard]] std::string shell_word(const std::string& text);
 
-/// `glint render FILE --set … --size WxH -o OUT` for a POSIX shell: what differs from the file stands in
-/// --set. `in_file`: the scene as the document's file has it. A document without a file, or whose file is
-/// gone, is set whole on an empty scene from standard input. `samples`: 1, 2, 4 or 8.
+/// `glint render FILE --set … --size WxH -o OUT` for a POSIX shell in the working directory: what differs
+/// from the file stands in --set. `in_file`: the scene as the document's file has it. A document without a
+/// file, or whose file is gone, is set whole on an empty scene from standard input. `samples`: 1, 2, 4 or 8.
 [[nodiscard]] std::string render_command_text(const SceneDocument& document, const Scene& in_file,
                                               PictureSize size, int samples, const std::string& out);
 

@@ -9,11 +9,14 @@
 #include <functional>
 
 #include "models/io/file.h"
+#include "models/scene_file/scene_file.h"
 #include "renderer/image/image_file.h"
+#include "ui/commands/command.h"
 #include "ui/document/document_actions.h"
 #include "ui/export/clipboard.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
+#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -33,26 +36,39 @@ constexpr std::array sizes{NamedSize{"HD", {1280, 720}}, NamedSize{"Full HD", {1
                            NamedSize{"4K", {3840, 2160}}, NamedSize{"Square", {1024, 1024}}};
 constexpr std::array<int, 4> samples{1, 2, 4, 8};
 
-bool size_button(const char* name, PictureSize size, ExportOptions& options) {
-    const bool pressed = chosen_button(name, options.size == size);
-    if (pressed) options.size = size;
-    return pressed;
+void size_rows(UiState& state, ExportOptions& options) {
+    const float room = label_cell("Size"), gap = px(3);
+    std::vector<NamedSize> offered(sizes.begin(), sizes.end());
+    if (state.rendered != nullptr) offered.insert(offered.begin(), {"As shown", state.rendered->size});
+    const auto count = static_cast<float>(offered.size());
+    const float width = (room - (count - 1) * gap) / count;
+    for (const NamedSize& named : offered) {
+        if (named.name != offered.front().name) ImGui::SameLine(0, gap);
+        if (chosen_button(named.name, options.size == named.size, width)) options.size = named.size;
+        list_control(named.name, "", last_item());
+    }
+    const Help help{"Size of the picture, in pixels", ""};
+    (void)integer_field("Width", options.size.width, Count{1, 16384}, 1920, help);
+    (void)integer_field("Height", options.size.height, Count{1, 16384}, 1080, help);
 }
 
-void size_rows(UiState& state, ExportOptions& options) {
-    label_cell("Size");
-    if (state.rendered != nullptr) {
-        size_button("As shown", state.rendered->size, options);
-        ImGui::SameLine(0, px(3));
-    }
-    for (const NamedSize& named : sizes) {
-        size_button(named.name, named.size, options);
-        ImGui::SameLine(0, px(3));
-    }
-    ImGui::NewLine();
-    const Help help{"Size of the picture, in pixels", ""};
-    (void)integer_field("Width", options.size.width, 1, 16384, 1920, help);
-    (void)integer_field("Height", options.size.height, 1, 16384, 1080, help);
+/// A new scene may have begun as the one that a first window shows, which has a file: what is shorter to say.
+std::string shortest_command(const UiState& state, const ExportOptions& options, const std::string& out) {
+    const SceneDocument& document = state.editor.document;
+    const auto command = [&](const SceneDocument& of, const Scene& in_file) {
+        return render_command_text(of, in_file, options.size, options.samples, out);
+    };
+    const std::string own = command(document, state.editor.saved);
+    if (!document.path.empty() || state.shipped_scenes.empty()) return own;
+    const std::string first = (fs::path(state.shipped_scenes) / "default.json").string();
+    const Result<std::string> text = read_file(first, std::size_t{1} << 20);
+    if (problem_of(text) != nullptr) return own;
+    const Result<Scene> scene = parse_scene(std::get<std::string>(text), first);
+    if (problem_of(scene) != nullptr) return own;
+    SceneDocument as_first = document;
+    as_first.path = first;
+    const std::string from_first = command(as_first, std::get<Scene>(scene));
+    return from_first.size() < own.size() ? from_first : own;
 }
 
 /// Draws the edited scene aside into a picture file for `path`, whose bytes `deliver` puts where they go.
@@ -93,6 +109,7 @@ Result<std::string> picture_file(const SceneDocument& document, const ExportOpti
 
 void begin_export(UiState& state, const ExportOptions& options, const std::string& path) {
     const std::string name = fs::path(path).filename().string();
+    state.exporting.last = {options, name, state.editor.document.path};
     begin_picture(state, options, path,
                   [path, name, options](const std::string& bytes) -> Result<std::string> {
                       const auto written = write_file(path, bytes);
@@ -110,6 +127,24 @@ void begin_copy(UiState& state) {
         if (const Problem* problem = problem_of(copied)) return *problem;
         return fmt::format("The picture is on the clipboard ({} × {})", size.width, size.height);
     });
+}
+
+void copy_render_command(UiState& state, const ExportOptions& options, const std::string& out) {
+    const std::string name = fs::path(out).filename().string();
+    const std::string command = shortest_command(state, options, name);
+    ImGui::SetClipboardText(command.c_str());
+    state.notifications.add(
+        Tone::Done,
+        fmt::format("The command that draws this picture is on the clipboard: {} × {}, {} {} a pixel, {}",
+                    options.size.width, options.size.height, options.samples,
+                    options.samples == 1 ? "sample" : "samples", name));
+}
+
+void copy_last_command(UiState& state) {
+    const std::optional<LastExport>& last = state.exporting.last;
+    if (last && last->document == state.editor.document.path)
+        return copy_render_command(state, last->options, last->file);
+    copy_render_command(state, {state.rendered->size, 1}, offered_name(state, ".png"));
 }
 
 void poll_export(UiState& state) { poll_job(state.exporting.job, state.notifications); }
@@ -146,6 +181,13 @@ void export_dialog(UiState& state) {
         exporting.open = false;
         state.files.ask(FilePurpose::ExportPicture, offered_name(state, ".png"));
     }
+    ImGui::SameLine();
+    const CommandId copy = CommandId::CopyCommand;
+    ImGui::BeginDisabled(!can_run(state, command(copy)));
+    if (ImGui::Button("Copy as command", {px(140), 0}))
+        copy_render_command(state, exporting.options, offered_name(state, ".png"));
+    ImGui::EndDisabled();
+    tooltip("Copy as command", "The command line that writes this picture", "", keys_of(copy));
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {px(90), 0})) exporting.open = false;
     if (!exporting.open) ImGui::CloseCurrentPopup();

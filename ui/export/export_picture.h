@@ -2,6 +2,7 @@
 // Pictures out of the window: at a chosen size and number of samples into a file, or onto the clipboard.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "models/scene_file/scene_file.h"
@@ -19,9 +20,17 @@ struct ExportOptions {
     int samples = 4;
 };
 
+/// What was written last: Copy as command gives it again, as long as the document is the same.
+struct LastExport {
+    ExportOptions options;
+    std::string file;      // its name
+    std::string document;  // the document's path
+};
+
 struct ExportState {
     bool open = false;
     ExportOptions options;
+    std::optional<LastExport> last;
     std::unique_ptr<Job<std::string>> job;  // its result: what to say when it is done
 };
 
@@ -38,6 +47,10 @@ struct ExportState {
 void begin_export(UiState& state, const ExportOptions& options, const std::string& path);
 /// The picture as it is shown, onto the clipboard, aside.
 void begin_copy(UiState& state);
+/// Puts the command line that draws the edited scene so, into the file `out`, onto the clipboard.
+void copy_render_command(UiState& state, const ExportOptions& options, const std::string& out);
+/// The same as the scene was exported last; as it is shown where it was not. Precondition: it is drawn.
+void copy_last_command(UiState& state);
 /// Once a frame: says what has come of it.
 void poll_export(UiState& state);
 /// The same for any job whose result is what to say when it is done.

@@ -2,7 +2,62 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
+#include "ui/widgets/area.h"
+#include "ui/widgets/theme.h"
+
 namespace glint {
+
+namespace {
+
+constexpr double marked_s = 1.5;  // how long a field that was asked for stays marked
+
+// Kept from frame to frame, as ui/ui.h says.
+struct AskedField {
+    std::string pointer;
+    int frames = 0;     // in which it was drawn since: first it is scrolled to, then it takes the keyboard
+    double until = -1;  // when its mark goes, in ImGui's time
+    int since = 0;      // the frame in which it was asked for: before it there is another window
+};
+AskedField asked;
+
+bool is_asked_now() { return ImGui::GetTime() < asked.until && ImGui::GetFrameCount() >= asked.since; }
+
+void mark_row(ImVec2 low) {
+    const float right = low.x + ImGui::GetContentRegionAvail().x;
+    const ImVec2 high{right, ImGui::GetItemRectMax().y};
+    ImGui::GetWindowDrawList()->AddRect(low - px(2) * ImVec2(-1, 1), high + px(2) * ImVec2(-1, 1),
+                                        to_u32(theme().accent), px(4), 0, px(1.5f));
+    redraw_within(std::max(asked.until - ImGui::GetTime(), 0.01));
+}
+
+}  // namespace
+
+void ask_for_field(const std::string& pointer) {
+    asked = {pointer, 0, ImGui::GetTime() + marked_s, ImGui::GetFrameCount()};
+}
+
+bool field_is_asked_below(const std::string& pointer) {
+    return is_asked_now() && asked.pointer.starts_with(pointer + "/");
+}
+
+bool draw_asked(const std::string& pointer, bool types, const std::function<bool()>& draw) {
+    if (pointer != asked.pointer || !is_asked_now()) return draw();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    if (asked.frames == 0) {
+        ImGui::SetScrollHereY(0.5f);
+        redraw_within(0);
+    }
+    if (asked.frames == 1 && types) {
+        ImGui::SetWindowFocus();
+        ImGui::SetKeyboardFocusHere();
+    }
+    ++asked.frames;
+    const bool edited = draw();
+    mark_row(low);
+    return edited;
+}
 
 bool dimmed_unless(bool applies, const std::function<bool()>& draw) {
     if (applies) return draw();
@@ -27,8 +82,7 @@ bool draw_field(const Row& row, const Homogeneous& kind, glm::vec4& value, const
 
 bool draw_field(const Row& row, const Count& kind, int& value, int initial, const Help& help) {
     int edited = value;
-    if (!integer_field(row.label, edited, kind.low, kind.high, initial, help) || edited == value)
-        return false;
+    if (!integer_field(row.label, edited, kind, initial, help) || edited == value) return false;
     // The nearest number that is allowed, in the direction of the edit.
     const int step = edited > value ? 1 : -1;
     while (edited >= kind.low && edited <= kind.high && !kind.contains(edited)) edited += step;

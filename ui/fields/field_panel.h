@@ -41,8 +41,23 @@ template <class E> bool draw_field(const Row& row, const OneOf&, E& value, E, co
     return choice_field(row.label, value, help);
 }
 
+/// Whether a kind's control is typed into.
+template <class Kind> constexpr bool is_typed(const Kind&) { return true; }
+constexpr bool is_typed(const Switch&) { return false; }
+constexpr bool is_typed(const OneOf&) { return false; }
+
 /// Draws dimmed what is without effect at the moment.
 [[nodiscard]] bool dimmed_unless(bool applies, const std::function<bool()>& draw);
+
+// A field that was asked for by its pointer (the palette finds fields).
+
+/// Its panel scrolls to it in the frames that follow, marks it for a moment and, where something can be typed
+/// into it, puts the keyboard there.
+void ask_for_field(const std::string& pointer);
+/// Whether a field is asked for that lies below `pointer` ("/npr"): a fold that holds it has to open.
+[[nodiscard]] bool field_is_asked_below(const std::string& pointer);
+/// Draws a field by `draw` and does that for it; `types`: the first control in it can be typed into.
+bool draw_asked(const std::string& pointer, bool types, const std::function<bool()>& draw);
 
 class FieldPanel {
   public:
@@ -61,8 +76,10 @@ class FieldPanel {
         Field* field = find(key);
         if (field == nullptr) return *this;
         field->drawn = true;
-        edited_ |=
-            dimmed_unless(field->row.applies, [&] { return control(field->row, field->help, field->draw); });
+        edited_ |= draw_asked(field->help.pointer, field->types, [&] {
+            return dimmed_unless(field->row.applies,
+                                 [&] { return control(field->row, field->help, field->draw); });
+        });
         return *this;
     }
     /// Draws a struct below a heading of its own, by draw_group(value, pointer), while it has an effect.
@@ -102,6 +119,7 @@ class FieldPanel {
         Help help;
         std::function<bool()> draw;
         bool drawn = false;
+        bool types = false;  // its control can be typed into
     };
 
     template <class T> void add(T& value, const std::string& pointer) {
@@ -111,6 +129,7 @@ class FieldPanel {
                 row, help, {}, true};  // what has no control of its own is left to group() or the panel
             if constexpr (requires { draw_field(row, kind, member, from, help); }) {
                 field.drawn = false;
+                field.types = is_typed(kind);
                 field.draw = [row, kind, &member, &from, help] {
                     return draw_field(row, kind, member, from, help);
                 };
@@ -125,7 +144,8 @@ class FieldPanel {
     }
     void draw(Field& field) {
         field.drawn = true;
-        edited_ |= dimmed_unless(field.row.applies, field.draw);
+        edited_ |= draw_asked(field.help.pointer, field.types,
+                              [&] { return dimmed_unless(field.row.applies, field.draw); });
     }
 
     std::vector<Field> fields_;

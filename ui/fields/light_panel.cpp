@@ -26,7 +26,7 @@ bool area_fields(AreaShape& area, const std::string& pointer) {
     panel.draw({"edge_u", "edge_v"}).draw_as("samples", [&](const Row&, const Help& help, const auto&) {
         int across = 1;
         while ((across + 1) * (across + 1) <= area.samples) ++across;
-        if (!integer_field("Samples n", across, 1, 8, 4, help)) return false;
+        if (!integer_field("Samples n", across, Count{1, 8}, 4, help)) return false;
         area.samples = across * across;
         return true;
     });

@@ -111,7 +111,8 @@ bool detail_field(Object& object, const std::string& pointer) {
     FieldPanel panel(*primitive, pointer + "/mesh");
     panel.skip("primitive").draw_as("detail", [&](const Row& row, const Help& help, const auto&) {
         const PrimitiveInfo info = info_of(primitive->primitive);
-        return integer_field(row.label, primitive->detail, 1, info.max_detail, info.default_detail, help);
+        return integer_field(row.label, primitive->detail, Count{1, info.max_detail}, info.default_detail,
+                             help);
     });
     if (!panel.rest().edited()) return false;
     object.mesh = nullptr;

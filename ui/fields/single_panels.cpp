@@ -88,8 +88,10 @@ bool shading_panel(Shading& shading, glm::vec3& global_ambient) {
     panel.group("terms", shading.terms, field_rows<Terms>);
     bool edited = panel.rest().edited();
     section_heading("Scene");
-    edited |= colour_field("Ambient", global_ambient, Scene{}.global_ambient,
-                           {"Light from everywhere, apart from all lights", "/global_ambient"});
+    const Help help{"Light from everywhere, apart from all lights", "/global_ambient"};
+    edited |= draw_asked(help.pointer, true, [&] {
+        return colour_field("Ambient", global_ambient, Scene{}.global_ambient, help);
+    });
     return edited;
 }
 

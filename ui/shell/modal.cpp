@@ -140,7 +140,10 @@ void close_left_modal(const UiState& state) {
 
 bool begin_modal(const char* id, bool* open, ImGuiWindowFlags flags) {
     if (!ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
-    return ImGui::BeginPopupModal(id, open, flags | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(8));
+    const bool drawn = ImGui::BeginPopupModal(id, open, flags | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PopStyleVar();
+    return drawn;
 }
 
 bool begin_question(const char* id) {

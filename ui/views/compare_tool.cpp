@@ -197,12 +197,14 @@ void presets_popup(CompareChoice& choice) {
     ImGui::EndPopup();
 }
 
-/// Whether the parts lie side by side; of no use to a difference.
-void stacked_button(CompareChoice& choice) {
-    if (ImGui::SmallButton(choice.stacked ? "Stacked###stacked" : "Side by side###stacked"))
-        choice.stacked = !choice.stacked;
-    tooltip(choice.stacked ? "Stacked" : "Side by side",
-            "Whether the parts follow from top to bottom or from left to right");
+/// Whether the parts lie side by side: the buttons show how the lines between them run. Of no use to a
+/// difference.
+void direction_buttons(CompareChoice& choice) {
+    if (small_chosen_button("| |##side by side", !choice.stacked)) choice.stacked = false;
+    tooltip("Side by side", "The parts follow from left to right");
+    ImGui::SameLine(0, px(1));
+    if (small_chosen_button("=##stacked", choice.stacked)) choice.stacked = true;
+    tooltip("Stacked", "The parts follow from top to bottom");
     ImGui::SameLine(0, px(4));
 }
 
@@ -233,7 +235,7 @@ void compare_controls(CompareState& state) {
     CompareChoice& choice = state.choice;
     if (!choice.on) return;
     presets_popup(choice);
-    if (!choice.difference) stacked_button(choice);
+    if (!choice.difference) direction_buttons(choice);
     if (small_chosen_button("Difference", choice.difference)) choice.difference = !choice.difference;
     tooltip("Difference",
             (label_of(choice.parts.front()) + " against " + label_of(choice.parts.back())).c_str(),

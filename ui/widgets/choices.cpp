@@ -39,7 +39,9 @@ bool segment(const Choice& option, const Segment& look) {
     const bool pressed = hit_area("##segment", {segment_width(option, padding), ImGui::GetFrameHeight()});
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const Theme& t = theme();
-    const ImVec4& fill = on ? t.accent : ImGui::IsItemHovered() ? t.field_hovered : t.field;
+    const bool pointed_at = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
+    const ImVec4 chosen = pointed_at ? accent_pointed_at(t, held) : t.accent;
+    const ImVec4 fill = on ? chosen : pointed_at ? t.field_hovered : t.field;
     const ImVec4& ink = on ? t.accent_text : t.text;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, high, to_u32(fill), ImGui::GetStyle().FrameRounding, corners);

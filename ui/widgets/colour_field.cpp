@@ -68,10 +68,9 @@ bool picker(const char* label, glm::vec3& value) {
     const float width = px(236);
     ImGui::SetNextItemWidth(width);
     ImGui::PushFont(fonts().figures);
-    bool changed =
-        ImGui::ColorPicker3("##picker", &value.x,
-                            as_numbers | ImGuiColorEditFlags_NoSidePreview |
-                                ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_DisplayRGB);
+    bool changed = ImGui::ColorPicker3("##picker", &value.x,
+                                       as_numbers | ImGuiColorEditFlags_NoSidePreview |
+                                           ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_NoInputs);
     ImGui::PopFont();
     section_heading("Presets");
     changed |= presets(value, width);

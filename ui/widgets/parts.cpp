@@ -12,10 +12,13 @@ namespace {
 
 /// Draws a button with the colours of a chosen one.
 template <class Button> bool with_choice(bool chosen, const Button& button) {
-    ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().accent : theme().field);
-    ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme().accent_text : theme().text);
+    const Theme& t = theme();
+    ImGui::PushStyleColor(ImGuiCol_Button, chosen ? t.accent : t.field);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, chosen ? accent_pointed_at(t, false) : t.field_hovered);
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, chosen ? accent_pointed_at(t, true) : t.field_active);
+    ImGui::PushStyleColor(ImGuiCol_Text, chosen ? t.accent_text : t.text);
     const bool clicked = button();
-    ImGui::PopStyleColor(2);
+    ImGui::PopStyleColor(4);
     return clicked;
 }
 
@@ -62,8 +65,8 @@ void small_dim(const std::string& text) {
     ImGui::PopFont();
 }
 
-bool chosen_button(const char* label, bool chosen) {
-    return with_choice(chosen, [label] { return ImGui::Button(label); });
+bool chosen_button(const char* label, bool chosen, float width) {
+    return with_choice(chosen, [=] { return ImGui::Button(label, {width, 0}); });
 }
 
 bool small_chosen_button(const char* label, bool chosen) {

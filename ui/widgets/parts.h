@@ -32,8 +32,9 @@ void small_dim(const std::string& text);
 
 // Choices.
 
-/// A button on the accent's ground while it is chosen. The small one is as high as a line of text.
-bool chosen_button(const char* label, bool chosen);
+/// A button on the accent's ground while it is chosen, `width` wide, or as wide as its label for 0. The small
+/// one is as high as a line of text.
+bool chosen_button(const char* label, bool chosen, float width = 0);
 bool small_chosen_button(const char* label, bool chosen);
 /// A drop-down of the lights' names, as wide as ImGui was told; `light` is brought into the range of
 /// `lights`, which are not empty. False while its list is open.

@@ -12,6 +12,7 @@ enum class CommandId {
     None,
     Open,
     Quit,
+    CopyCommand,
     Undo,
     Redo,
     Duplicate,

@@ -93,7 +93,7 @@ const Theme& dark_theme() {
         .field_active = rgb(0x454b55),
         .line = rgb(0x33383f),
         .text = rgb(0xe6e8eb),
-        .dim_text = rgb(0xa9afb8),
+        .dim_text = rgb(0xb6bcc5),
         .disabled_text = rgb(0x858c97),
         .accent = rgb(0x4c9be8),
         .accent_text = rgb(0x0d1218),
@@ -123,13 +123,20 @@ const Theme& light_theme() {
         .error = rgb(0xb3261e),
         .surround = rgb(0x777777),
         .symbols = {rgb(0x00704f), rgb(0x6f6700), rgb(0x0f6f9f), rgb(0x8a5f00), rgb(0xa04878), rgb(0x005f96),
-                    rgb(0xb04a00), rgb(0x222222), rgb(0x666666)}};
+                    rgb(0xa54400), rgb(0x222222), rgb(0x666666)}};
     return light;
 }
 
 const Theme& projector_theme(bool dark) {
     static const Theme of_dark = for_projector(dark_theme()), of_light = for_projector(light_theme());
     return dark ? of_dark : of_light;
+}
+
+ImVec4 accent_pointed_at(const Theme& theme, bool pressed) {
+    const bool light_ink = luminance(theme.accent_text) > luminance(theme.accent);
+    const float end = light_ink ? 0 : 1, share = pressed ? 0.28f : 0.16f;
+    const auto mix = [&](float v) { return v + (end - v) * share; };
+    return {mix(theme.accent.x), mix(theme.accent.y), mix(theme.accent.z), 1};
 }
 
 const Theme& theme() { return applied_theme != nullptr ? *applied_theme : dark_theme(); }

@@ -34,6 +34,10 @@ struct Theme {
 /// every ground that they stand on.
 [[nodiscard]] const Theme& projector_theme(bool dark);
 
+/// The ground of what is chosen, under the mouse (`pressed`: and pressed): a little away from accent_text, so
+/// that what stands upon it is read better, not worse.
+[[nodiscard]] ImVec4 accent_pointed_at(const Theme& theme, bool pressed);
+
 /// The theme applied last.
 [[nodiscard]] const Theme& theme();
 

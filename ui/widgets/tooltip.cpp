@@ -19,9 +19,49 @@ constexpr double rest_before_tooltip = 0.45;  // seconds
 
 // Kept from frame to frame, as ui/ui.h says.
 double earliest_redraw = std::numeric_limits<double>::infinity();
-ImVec2 resting_on;  // the item under the pointer
-double resting_since = 0;
+/// The item under the pointer.
+struct Resting {
+    ImGuiID item = 0;  // or 0: `at` tells it apart
+    ImVec2 at;
+    double since = 0;
+    int frame = -1;        // the last in which the pointer was on it
+    bool clicked = false;  // what it says is known: it stays silent until the pointer has left it
+};
+Resting resting;
 std::vector<NamedControl>* listed = nullptr;
+
+/// Follows the pointer on the item drawn last: whether it rested there long enough to be told what it is.
+bool is_due() {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return false;
+    const ImGuiID item = GImGui->LastItemData.ID;
+    const ImVec2 at = ImGui::GetItemRectMin();
+    const int frame = ImGui::GetFrameCount();
+    const bool same = item == resting.item && (item != 0 || (at.x == resting.at.x && at.y == resting.at.y));
+    if (!same || frame > resting.frame + 1 || frame < resting.frame)
+        resting = {item, at, ImGui::GetTime(), frame, false};
+    resting.frame = frame;
+    if (ImGui::IsAnyMouseDown()) resting.clicked = true;
+    if (resting.clicked) return false;
+    const double rested = ImGui::GetTime() - resting.since;
+    if (rested < rest_before_tooltip) redraw_within(rest_before_tooltip - rested + 0.01);
+    return rested >= rest_before_tooltip;
+}
+
+/// Where the next tooltip stands, and how wide its lines may be. In a column it stays within the column,
+/// below its item or above it, so that it does not cover the picture; elsewhere beside the pointer.
+float place_tooltip() {
+    constexpr float usual = 320, least = 180;
+    const ImGuiWindow& part = *ImGui::GetCurrentWindow()->RootWindow;
+    const float room = part.Size.x - 2 * px(8) - 2 * px(10);
+    const bool column =
+        part.Size.y > part.Size.x && room >= px(least) && part.Size.x < ImGui::GetIO().DisplaySize.x / 2;
+    if (!column) return px(usual);
+    const Rect item = last_item();
+    const bool above = item.high.y > 0.7f * ImGui::GetIO().DisplaySize.y;
+    ImGui::SetNextWindowPos({part.Pos.x + px(8), above ? item.low.y - px(6) : item.high.y + px(6)},
+                            ImGuiCond_Always, {0, above ? 1.0f : 0.0f});
+    return std::min(px(usual), room);
+}
 
 }  // namespace
 
@@ -31,18 +71,12 @@ double next_redraw() { return earliest_redraw; }
 
 void tooltip(const char* title, const char* what, const std::string& range, const std::string& key) {
     list_control(title, key, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
-    const ImVec2 item = ImGui::GetItemRectMin();
-    if (item.x != resting_on.x || item.y != resting_on.y) {
-        resting_on = item;
-        resting_since = ImGui::GetTime();
-    }
-    const double rested = ImGui::GetTime() - resting_since;
-    if (rested < rest_before_tooltip) return redraw_within(rest_before_tooltip - rested + 0.01);
+    if (!is_due()) return;
+    const float width = place_tooltip();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10), px(8)});
     ImGui::PushStyleColor(ImGuiCol_Text, theme().text);  // whatever colour the item's own text has
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(px(320));
+    ImGui::PushTextWrapPos(width);
     ImGui::PushFont(fonts().title);
     ImGui::TextUnformatted(title, ImGui::FindRenderedTextEnd(title));
     ImGui::PopFont();

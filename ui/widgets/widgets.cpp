@@ -11,20 +11,11 @@
 
 #include "models/saturate.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
 namespace {
-
-/// The ends of a range as floats that are in it.
-float lowest(const Range& range) {
-    const auto low = static_cast<float>(range.low);
-    return range.low_open ? std::nextafter(low, static_cast<float>(range.high)) : low;
-}
-float highest(const Range& range) {
-    const auto high = static_cast<float>(range.high);
-    return range.high_open ? std::nextafter(high, static_cast<float>(range.low)) : high;
-}
 
 std::string range_text(const Real& kind, float initial) {
     const Range& range = kind.range;
@@ -40,54 +31,10 @@ std::string range_text(const Real& kind, float initial) {
     return fmt::format("{}{}default {}", text, text.empty() ? "" : ", ", shown(initial));
 }
 
-/// The bar behind a number that says how much of its usual range it takes.
-void share_bar(float value, const Real& kind, ImVec2 low, float width) {
-    const float first = lowest(kind.range), range = kind.usual_max - first;
-    if (kind.usual_max <= 0 || range <= 0 || kind.range.low <= -max_number) return;
-    float share = (value - first) / range;
-    if (kind.logarithmic && kind.usual_max > 1) share = std::log1p(value - first) / std::log1p(range);
-    share = std::clamp(share, 0.0f, 1.0f);
-    if (share * width < 1) return;
-    const float height = ImGui::GetFrameHeight();
-    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + share * width, low.y + height},
-                                              to_u32(theme().accent, 0.32f), ImGui::GetStyle().FrameRounding);
-}
-
-/// The bare draggable number, `width` wide. Double-click and right-click return to the default.
-bool drag_number(const char* id, float& value, const Real& kind, float initial, float width) {
-    ImGuiIO& io = ImGui::GetIO();
-    const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + width, low.y + ImGui::GetFrameHeight()};
-    const bool inside = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high);
-    const bool reset = inside && (io.MouseDoubleClicked[0] || io.MouseClicked[1]) && !io.KeyCtrl &&
-                       !(GImGui->CurrentItemFlags & ImGuiItemFlags_Disabled);
-    const bool double_clicked = io.MouseDoubleClicked[0];
-    if (reset) io.MouseDoubleClicked[0] = false;  // ImGui would open its text entry
-    float edited = value;
-    const float scale = kind.logarithmic ? std::max(std::abs(value), kind.step * 10) : 1;
-    // ImGui makes drags with Shift ten times faster; here they are ten times finer.
-    const float speed = kind.step * scale * (io.KeyShift ? 0.01f : 1.0f);
-    const float least = lowest(kind.range), most = highest(kind.range);
-    ImGui::PushFont(fonts().figures);
-    ImGui::SetNextItemWidth(width);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(4), ImGui::GetStyle().FramePadding.y});
-    bool changed =
-        ImGui::DragFloat(id, &edited, speed, least, most, kind.format, ImGuiSliderFlags_AlwaysClamp);
-    ImGui::PopStyleVar();
-    ImGui::PopFont();
-    io.MouseDoubleClicked[0] = double_clicked;
-    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (reset) {
-        ImGui::ClearActiveID();
-        changed = value != initial;
-        edited = initial;
-    }
-    if (changed && std::isfinite(edited)) value = std::clamp(edited, least, most);
-    return changed;
-}
-
 void number_tooltip(const char* label, const Real& kind, float initial, const Help& help) {
     tooltip(label, help.what,
-            range_text(kind, initial) + "\nDrag · Shift: fine · Ctrl+click: type · double-click: default",
+            range_text(kind, initial) +
+                "\nDrag (Shift: fine, Ctrl: steps) · Click: type, 2*pi or +0.1 too · Right click: menu",
             help.pointer);
 }
 
@@ -111,9 +58,8 @@ float label_cell(const char* label) {
 bool number_field(const char* label, float& value, const Real& kind, float initial, const Help& help) {
     ImGui::PushID(label);
     const float width = label_cell(label);
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const bool changed = drag_number("##number", value, kind, initial, width);
-    share_bar(value, kind, low, width);
+    const bool changed =
+        number_input("##number", value, {kind, initial, help.pointer, width, has_slider(kind)});
     number_tooltip(label, kind, initial, help);
     ImGui::PopID();
     return changed;
@@ -122,19 +68,21 @@ bool number_field(const char* label, float& value, const Real& kind, float initi
 bool bare_number(const char* label, float& value, const Real& kind, float initial, const Help& help,
                  float width) {
     ImGui::PushID(label);
-    const bool changed = drag_number("##number", value, kind, initial, width);
+    const bool changed = number_input("##number", value, {kind, initial, help.pointer, width});
     number_tooltip(label, kind, initial, help);
     ImGui::PopID();
     return changed;
 }
 
-bool integer_field(const char* label, int& value, int low, int high, int initial, const Help& help) {
+bool integer_field(const char* label, int& value, const Count& count, int initial, const Help& help) {
+    const int low = count.low, high = count.high;
     const std::string words = fmt::format("{} to {}", low, high);
     // A drag over 300 pixels goes from the default to four times the default, whatever the limit is.
     const Real kind{.range = {double(low), double(high), words},
                     .step = std::max(0.03f, float(initial) / 100),
                     .format = "%.0f",
-                    .usual_max = high <= 64 ? float(high) : 0};
+                    .usual_max = high <= 64 ? float(high) : 0,
+                    .zero = count.zero};
     float real = float(value);
     if (!number_field(label, real, kind, float(initial), help)) return false;
     const int whole = std::clamp(saturated_int(std::round(real)), low, high);
@@ -151,10 +99,11 @@ bool vector_field(const char* label, glm::vec3& value, const Real& kind, glm::ve
     for (int i = 0; i < 3; ++i) {
         ImGui::PushID(i);
         if (i > 0) ImGui::SameLine(0, gap);
-        changed |= drag_number("##part", value[i], kind, initial[i], width);
+        const std::string pointer =
+            help.pointer.empty() ? std::string() : help.pointer + "/" + std::to_string(i);
+        changed |= number_input("##part", value[i], {kind, initial[i], pointer, width});
         const char* const names[] = {"x", "y", "z"};
-        number_tooltip(fmt::format("{} {}", label, names[i]).c_str(), kind, initial[i],
-                       {help.what, help.pointer + "/" + std::to_string(i)});
+        number_tooltip(fmt::format("{} {}", label, names[i]).c_str(), kind, initial[i], {help.what, pointer});
         ImGui::PopID();
     }
     ImGui::PopID();

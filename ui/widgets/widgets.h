@@ -23,13 +23,14 @@ struct Help {
 };
 
 /// Label and draggable number of that kind. Values never leave its range, however they are entered.
-/// Ctrl+click types, double-click or right-click returns to `initial`; Shift drags ten times finer.
+/// It is dragged, typed into after a click, and has a menu: ui/widgets/numbers/number_input.h.
 [[nodiscard]] bool number_field(const char* label, float& value, const Real& kind, float initial,
                                 const Help& help);
 /// The bare draggable number, `width` wide, for one that stands in a text; the same habits and tooltip.
 [[nodiscard]] bool bare_number(const char* label, float& value, const Real& kind, float initial,
                                const Help& help, float width);
-[[nodiscard]] bool integer_field(const char* label, int& value, int low, int high, int initial,
+/// Whole numbers of `count`; one that is not allowed is the caller's to refuse.
+[[nodiscard]] bool integer_field(const char* label, int& value, const Count& count, int initial,
                                  const Help& help);
 /// Three numbers of that kind.
 [[nodiscard]] bool vector_field(const char* label, glm::vec3& value, const Real& kind, glm::vec3 initial,

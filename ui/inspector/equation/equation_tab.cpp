@@ -16,6 +16,7 @@
 #include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
@@ -155,8 +156,11 @@ void copy_buttons(const Explanation& explanation, const Scene& scene) {
     ImGui::PushFont(fonts().small);
     for (const Format& format : formats) {
         if (&format != &formats.front()) ImGui::SameLine();
-        if (ImGui::Button(format.label))
+        if (ImGui::Button(format.label)) {
             ImGui::SetClipboardText(explained_as(format.as, explanation, scene).c_str());
+            say(fmt::format("The explanation of pixel {}, {} is on the clipboard as {}", explanation.x,
+                            explanation.y, format.label));
+        }
         tooltip(format.label, format.what);
     }
     ImGui::PopFont();

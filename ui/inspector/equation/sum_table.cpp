@@ -66,7 +66,7 @@ void term_row(UiState& state, Symbol symbol, const char* name, glm::vec3 value, 
     const Rect row{low, {ImGui::GetItemRectMax().x, low.y + ImGui::GetTextLineHeight()}};
     list_control(name, "", row);
     if (!on || !is_pointed_at(row)) return;
-    ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, to_u32(theme().field_hovered));
+    ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, to_u32(theme().field));
     show_instead(state, with_term_alone(state.editor.scene(), symbol), fmt::format("{} alone", name + 3));
 }
 

@@ -1,0 +1,119 @@
+// The command that draws what was exported.
+#include <filesystem>
+#include <string>
+
+#include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
+#include "tests/support/program.h"
+#include "ui/commands/command.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Bench : HeadlessWindow {
+    Bench() {
+        ImGuiIO& io = ImGui::GetIO();
+        io.ClipboardUserData = &clipboard;
+        io.SetClipboardTextFn = [](void* to, const char* text) { *static_cast<std::string*>(to) = text; };
+        frames(2);
+    }
+    [[nodiscard]] bool copied(const std::string& part) const {
+        return clipboard.find(part) != std::string::npos;
+    }
+    void copy() { run_command(state, CommandId::CopyCommand); }
+
+    std::string clipboard;
+};
+
+std::string scenes_folder() { return (fs::path(GLINT_SOURCE_DIR) / "assets" / "scenes").string(); }
+
+void open_scene(HeadlessWindow& bench, const std::string& name) {
+    auto document = open_document((fs::path(scenes_folder()) / name).string());
+    REQUIRE(problem_of(document) == nullptr);
+    take_document(bench.state.editor, std::get<SceneDocument>(std::move(document)));
+    bench.frames(2);
+}
+
+}  // namespace
+
+TEST_CASE("Copy as command gives the size and samples of the last export", "[ui][window][export]") {
+    Bench bench;
+    TemporaryDirectory folder;
+    begin_export(bench.state, {{80, 60}, 4}, folder.path("beside.png"));
+    while (bench.state.exporting.job) (void)bench.frame();
+    bench.copy();
+    CHECK(bench.copied("--size 80x60 --samples 4 -o beside.png"));
+    CHECK(bench.state.notifications.list.back().text.find("80 × 60") != std::string::npos);
+
+    open_scene(bench, "sun.json");  // of another document nothing was exported
+    bench.copy();
+    CHECK_FALSE(bench.copied("80x60"));
+}
+
+TEST_CASE("the export dialog copies the command of what it would write", "[ui][window][export]") {
+    Bench bench;
+    bench.state.exporting.options = {{333, 222}, 8};
+    bench.state.exporting.open = true;
+    bench.frames(3);
+    bench.click(bench.control("Copy as command"));
+    CHECK(bench.copied("--size 333x222 --samples 8"));
+    CHECK(bench.state.exporting.open);  // the picture can still be written
+}
+
+TEST_CASE("the sizes that an export offers are equally wide", "[ui][window][export]") {
+    Bench bench;
+    bench.state.exporting.open = true;
+    bench.frames(3);
+    const float width = bench.area_of("HD").size().x;
+    for (const char* name : {"As shown", "Full HD", "4K", "Square"}) {
+        INFO(name);
+        CHECK(bench.area_of(name).size().x == Approx(width).margin(1.0));
+    }
+}
+
+TEST_CASE("the command of a shipped scene is short, and relative to where one stands",
+          "[ui][window][export]") {
+    Bench bench;
+    const fs::path before = fs::current_path();
+    open_scene(bench, "sun.json");
+    fs::current_path(GLINT_SOURCE_DIR);
+    bench.copy();
+    fs::current_path(before);
+    CHECK(bench.clipboard.find("glint render assets/scenes/sun.json --size ") == 0);
+    CHECK(bench.clipboard.size() < 90);
+}
+
+TEST_CASE("the first scene, which has no file of its own, is named by the one it comes from",
+          "[ui][window][export]") {
+    Bench bench;
+    bench.state.shipped_scenes = scenes_folder();
+    auto document = open_document((fs::path(scenes_folder()) / "default.json").string());
+    REQUIRE(problem_of(document) == nullptr);
+    auto& first = std::get<SceneDocument>(document);
+    first.path.clear();
+    take_document(bench.state.editor, std::move(first));
+    bench.frames(2);
+    bench.scene().lights[0].intensity = 0.125f;
+    bench.copy();
+    CHECK(bench.copied("default.json --set /lights/0/intensity=0.125 --size "));
+    CHECK(bench.clipboard.size() < 200);
+}
+
+TEST_CASE("copying an explanation says so", "[ui][window]") {
+    Bench bench;
+    ImGui::GetIO().DisplaySize = {1280, 3000};  // all of the column
+    test::ask(bench, InspectorTab::Equation);
+    for (const char* format : {"text", "JSON", "LaTeX"}) {
+        bench.state.notifications.list.clear();
+        bench.click(test::in_column(bench, format));
+        bench.frames(1);
+        INFO(format);
+        REQUIRE_FALSE(bench.state.notifications.list.empty());
+        CHECK(bench.state.notifications.list.back().text.find(format) != std::string::npos);
+        CHECK_FALSE(bench.clipboard.empty());
+    }
+}

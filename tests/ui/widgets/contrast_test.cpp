@@ -1,0 +1,162 @@
+// Whether what a control says can be read: measured on what is drawn, in every state and theme.
+#include <imgui_internal.h>
+
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+/// Source: WCAG 2.1, success criterion 1.4.3, for text of ordinary size.
+constexpr double least_contrast = 4.5;
+
+ImVec4 over(const ImVec4& top, const ImVec4& below) {
+    const auto mix = [&](float t, float b) { return b + (t - b) * top.w; };
+    return {mix(top.x, below.x), mix(top.y, below.y), mix(top.z, below.z), 1};
+}
+
+bool holds(const ImDrawVert* const (&corner)[3], ImVec2 p) {
+    const auto side = [&](ImVec2 a, ImVec2 b) {
+        return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    };
+    const float a = side(corner[0]->pos, corner[1]->pos), b = side(corner[1]->pos, corner[2]->pos),
+                c = side(corner[2]->pos, corner[0]->pos);
+    return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+}
+
+/// A letter as it is drawn, and the colour that was there before.
+struct Ink {
+    ImVec2 at;
+    ImVec4 colour, ground;
+};
+
+/// All letters within `area` of the last frame, painted over theme().panel in ImGui's order.
+class Painter {
+  public:
+    explicit Painter(const Rect& area) : area_(area) {
+        for (const ImFont* font : ImGui::GetIO().Fonts->Fonts)
+            for (const ImFontGlyph& glyph : font->Glyphs) glyphs_.insert({glyph.U0, glyph.V0});
+        const ImDrawData& data = *ImGui::GetDrawData();
+        for (int i = 0; i < data.CmdListsCount; ++i)
+            for (const ImDrawCmd& command : data.CmdLists[i]->CmdBuffer) paint(*data.CmdLists[i], command);
+    }
+    [[nodiscard]] const std::vector<Ink>& inks() const { return inks_; }
+
+  private:
+    struct Fill {
+        const ImDrawVert* corner[3];
+        ImVec4 clip;
+    };
+
+    void paint(const ImDrawList& list, const ImDrawCmd& command) {
+        if (command.UserCallback != nullptr) return;
+        const ImVec2 white = ImGui::GetIO().Fonts->TexUvWhitePixel;
+        for (unsigned i = 0; i + 3 <= command.ElemCount; i += 3) {
+            Fill fill{{}, command.ClipRect};
+            for (unsigned k = 0; k < 3; ++k) {
+                const ImDrawIdx index = list.IdxBuffer[static_cast<int>(command.IdxOffset + i + k)];
+                fill.corner[k] = &list.VtxBuffer[static_cast<int>(command.VtxOffset + index)];
+            }
+            const auto& [a, b, c] = fill.corner;
+            const bool plain =
+                a->uv.x == white.x && a->uv.y == white.y && b->uv.x == white.x && c->uv.x == white.x;
+            if (plain && a->col == b->col && b->col == c->col)
+                fills_.push_back(fill);
+            else if (!plain && glyphs_.contains({a->uv.x, a->uv.y}) && a->pos.y == b->pos.y)
+                add_ink({(a->pos.x + c->pos.x) / 2, (a->pos.y + c->pos.y) / 2}, a->col, command.ClipRect);
+        }
+    }
+    void add_ink(ImVec2 at, ImU32 colour, const ImVec4& clip) {
+        const bool shown = at.x >= clip.x && at.x < clip.z && at.y >= clip.y && at.y < clip.w;
+        if (!area_.holds(at) || !shown) return;
+        ImVec4 ground = theme().panel;
+        for (const Fill& fill : fills_)
+            if (at.x >= fill.clip.x && at.x < fill.clip.z && at.y >= fill.clip.y && at.y < fill.clip.w &&
+                holds(fill.corner, at))
+                ground = over(ImGui::ColorConvertU32ToFloat4(fill.corner[0]->col), ground);
+        inks_.push_back({at, ImGui::ColorConvertU32ToFloat4(colour), ground});
+    }
+
+    Rect area_;
+    std::set<std::pair<float, float>> glyphs_;
+    std::vector<Fill> fills_;
+    std::vector<Ink> inks_;
+};
+
+/// What cannot be used at the moment may be faint.
+bool is_exempt(const Ink& ink) {
+    const ImVec4& off = theme().disabled_text;
+    return ink.colour.w < 0.98f ||
+           (std::abs(ink.colour.x - off.x) < 0.01f && std::abs(ink.colour.y - off.y) < 0.01f);
+}
+
+/// Checks the letters of a control; how many there were.
+std::size_t check_letters(const NamedControl& control, const char* how) {
+    const Painter painter(control.at);
+    double worst = 21;
+    for (const Ink& ink : painter.inks())
+        if (!is_exempt(ink)) worst = std::min(worst, contrast(over(ink.colour, ink.ground), ink.ground));
+    INFO((theme().dark ? "dark " : "light ") << how << " " << control.name << " " << control.key);
+    CHECK(worst >= least_contrast);
+    return painter.inks().size();
+}
+
+/// Each control outside the picture, left alone, pointed at, and held down.
+std::size_t check_controls(HeadlessWindow& bench) {
+    const Layout layout = lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1);
+    const std::vector<NamedControl> controls = bench.controls();
+    std::size_t letters = 0;
+    for (const NamedControl& control : controls) {
+        const ImVec2 at = HeadlessWindow::middle_of(control.at);
+        if (!control.in_sight || layout.centre.holds(at)) continue;
+        letters += check_letters(control, "left alone");
+        bench.move(at);
+        check_letters(control, "pointed at");
+        bench.button(true);
+        check_letters(control, "held down");
+        bench.move({5, 795});  // so that nothing is clicked
+        bench.button(false);
+        bench.frames(1);
+    }
+    return letters;
+}
+
+}  // namespace
+
+TEST_CASE("every control can be read in all its states, in all themes", "[ui][window][contrast]") {
+    const bool light = GENERATE(false, true), projector = GENERATE(false, true);
+    HeadlessWindow bench({1600, 1000});
+    apply_theme(projector ? projector_theme(!light) : light ? light_theme() : dark_theme(), 1);
+    bench.state.viewport.probe = glm::dvec2(0.5, 0.5);
+    bench.state.views.compare.choice.on = true;
+    using Kind = Selection::Kind;
+    std::size_t letters = 0;
+    for (const Kind kind : {Kind::Light, Kind::Object, Kind::Shading, Kind::Display, Kind::Camera}) {
+        bench.state.editor.selection = {kind, 0};
+        bench.frames(3);
+        letters += check_controls(bench);
+    }
+    CHECK(letters > 500);  // that letters were found at all
+}
+
+TEST_CASE("the figures on a slider can be read wherever its fill ends", "[ui][window][contrast]") {
+    const bool light = GENERATE(false, true), projector = GENERATE(false, true);
+    HeadlessWindow bench;
+    apply_theme(projector ? projector_theme(!light) : light ? light_theme() : dark_theme(), 1);
+    bench.state.editor.selection = {Selection::Kind::Light, 0};
+    for (const float intensity : {0.0f, 1.9f, 2.1f, 4.0f}) {
+        bench.scene().lights[0].intensity = intensity;
+        bench.frames(2);
+        for (const NamedControl& control : std::vector<NamedControl>(bench.controls()))
+            if (control.key == "/lights/0/intensity") CHECK(check_letters(control, "slider") >= 5);
+    }
+}

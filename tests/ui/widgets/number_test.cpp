@@ -1,0 +1,312 @@
+// Numbers by hand: dragged, typed, and their menu.
+#include <imgui_internal.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
+#include "ui/widgets/numbers/expression.h"
+#include "ui/widgets/numbers/number_input.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+/// Of ImGui's io.KeysDown, for this test.
+constexpr int enter_key = 1, escape_key = 2;
+
+/// A window whose selected light's intensity stands in the panel, with a clipboard of its own.
+struct Bench : HeadlessWindow {
+    Bench() {
+        ImGuiIO& io = ImGui::GetIO();
+        io.KeyMap[ImGuiKey_Enter] = enter_key;
+        io.KeyMap[ImGuiKey_Escape] = escape_key;
+        io.ClipboardUserData = &clipboard;
+        io.SetClipboardTextFn = [](void* to, const char* text) { *static_cast<std::string*>(to) = text; };
+        io.GetClipboardTextFn = [](void* from) { return static_cast<std::string*>(from)->c_str(); };
+        SceneDocument document = first_scene();
+        document.scene.lights[0].intensity = 0.5f;
+        take_document(state.editor, std::move(document));
+        state.editor.selection = {Selection::Kind::Light, 0};
+        frames(2);
+    }
+    float& intensity() { return scene().lights[0].intensity; }
+    ImVec2 field() { return control("/lights/0/intensity"); }
+    void tap(int which) {
+        ImGui::GetIO().KeysDown[which] = true;
+        (void)frame();
+        ImGui::GetIO().KeysDown[which] = false;
+        frames(2);
+    }
+    void type(const char* letters) {
+        for (; *letters != 0; ++letters) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(*letters));
+        frames(2);
+    }
+    void right_click(ImVec2 at) {
+        move(at);
+        button(true, 1);
+        button(false, 1);
+        frames(2);
+    }
+    [[nodiscard]] std::string last_note() const {
+        return state.notifications.list.empty() ? "" : state.notifications.list.back().text;
+    }
+
+    std::string clipboard;
+};
+
+double value_of(const char* text, double before = 10) {
+    const Calculated found = calculated(text, before);
+    INFO(text << ": " << found.problem);
+    CHECK(found.problem.empty());
+    return found.value;
+}
+
+}  // namespace
+
+TEST_CASE("what is typed into a number may be a calculation", "[ui][numbers]") {
+    CHECK(value_of("2*pi") == Approx(6.283185307));
+    CHECK(value_of("45/2") == 22.5);
+    CHECK(value_of("sqrt(2)/2") == Approx(0.7071067812));
+    CHECK(value_of(" 2 + 3 * 4 ") == 14);
+    CHECK(value_of("(2+3)*4") == 20);
+    CHECK(value_of("2^3^2") == 512);  // 2^(3^2)
+    CHECK(value_of("-2^2") == -4);
+    CHECK(value_of("2^-1") == 0.5);
+    CHECK(value_of("cos(60*deg)") == Approx(0.5));
+    CHECK(value_of("1e-3") == 0.001);
+    CHECK(value_of(".5") == 0.5);
+    CHECK(value_of("0,25") == 0.25);
+    CHECK(value_of("30°") == 30);
+    CHECK(value_of("−2 × 3") == -6);
+    CHECK(value_of("π") == Approx(3.141592654));
+}
+
+TEST_CASE("a calculation that begins with a sign goes on from the number that was there", "[ui][numbers]") {
+    CHECK(value_of("+0.1") == 10.1);
+    CHECK(value_of("*2") == 20);
+    CHECK(value_of("*2+1") == 21);
+    CHECK(value_of("/4") == 2.5);
+    CHECK(value_of("-=0.5") == 9.5);
+    CHECK(value_of("+=0.5") == 10.5);
+    CHECK(value_of("*=1+1") == 20);
+    CHECK(value_of("+1", -3) == -2);
+    CHECK(value_of("-0.5") == -0.5);  // a number below 0, not a difference
+}
+
+TEST_CASE("what is no number has one reason why", "[ui][numbers]") {
+    for (const char* text : {"", " ", "2*(3", "2+", "foo", "1 2", "sqrt 2", "sqrt(2", "1/0", "sqrt(-1)",
+                             "inf", "nan", "-=", "*", ")", "2**3"}) {
+        INFO(text);
+        CHECK_FALSE(calculated(text, 10).problem.empty());
+    }
+    CHECK_FALSE(calculated(std::string(100'000, '('), 0).problem.empty());  // and does not exhaust the stack
+}
+
+TEST_CASE("a plain click on a number types, and what is typed is one step of undo", "[ui][window][numbers]") {
+    Bench bench;
+    bench.click(bench.field());
+    bench.frames(1);
+    CHECK(ImGui::GetIO().WantTextInput);
+    bench.type("45/2/10");
+    CHECK(bench.intensity() == 2.25f);
+    bench.tap(enter_key);
+    CHECK(bench.intensity() == 2.25f);
+    CHECK_FALSE(number_in_hand());
+    undo(bench.state.editor);
+    CHECK(bench.intensity() == 0.5f);
+    CHECK_FALSE(bench.state.editor.history.can_undo());
+}
+
+TEST_CASE("a double click types too, and takes nothing back", "[ui][window][numbers]") {
+    Bench bench;
+    bench.click(bench.field());
+    bench.button(true);
+    bench.button(false);
+    CHECK(bench.intensity() == 0.5f);
+    bench.type("*2");
+    bench.tap(enter_key);
+    CHECK(bench.intensity() == 1.0f);
+}
+
+TEST_CASE("a click elsewhere ends the typing and keeps it", "[ui][window][numbers]") {
+    Bench bench;
+    bench.click(bench.field());
+    bench.type("0.75");
+    bench.click({5, 795});
+    bench.frames(2);
+    CHECK(bench.intensity() == 0.75f);
+    CHECK_FALSE(ImGui::GetIO().WantTextInput);
+}
+
+TEST_CASE("what is no number leaves the number alone and says so in one line", "[ui][window][numbers]") {
+    Bench bench;
+    bench.click(bench.field());
+    bench.type("3*(");
+    bench.tap(enter_key);
+    CHECK(bench.intensity() == 0.5f);
+    CHECK(bench.last_note().find("3*(") != std::string::npos);
+    CHECK(bench.last_note().find('\n') == std::string::npos);
+}
+
+TEST_CASE("what is typed out of range is the nearest in it, and that is said", "[ui][window][numbers]") {
+    Bench bench;
+    bench.click(bench.field());
+    bench.type("-3");
+    bench.tap(enter_key);
+    CHECK(bench.intensity() == 0);
+    CHECK(bench.last_note().find("out of range") != std::string::npos);
+}
+
+TEST_CASE("Escape puts back what was typed, and keeps the picked pixel", "[ui][window][numbers]") {
+    Bench bench;
+    bench.intensity() = 0.1f + 0.2f;  // its text must not come back in its place
+    const float before = bench.intensity();
+    test::ask(bench, InspectorTab::Equation);
+    bench.click(bench.field());
+    bench.type("7");
+    CHECK(bench.intensity() == 7);
+    ImGui::GetIO().KeysDown[escape_key] = true;
+    (void)bench.key(Key::Escape);
+    ImGui::GetIO().KeysDown[escape_key] = false;
+    bench.frames(2);
+    CHECK(bench.intensity() == before);
+    CHECK(bench.state.viewport.probe);
+}
+
+TEST_CASE("Escape puts back what was dragged", "[ui][window][numbers]") {
+    Bench bench;
+    const ImVec2 at = bench.field();
+    bench.move(at);
+    bench.button(true);
+    bench.move({at.x + 40, at.y});
+    CHECK(bench.intensity() != 0.5f);
+    ImGui::GetIO().KeysDown[escape_key] = true;
+    (void)bench.key(Key::Escape);
+    ImGui::GetIO().KeysDown[escape_key] = false;
+    bench.move({at.x + 60, at.y});
+    bench.button(false);
+    CHECK(bench.intensity() == 0.5f);
+    CHECK_FALSE(ImGui::GetIO().WantTextInput);
+}
+
+TEST_CASE("a slider's fill follows the hand pixel by pixel", "[ui][window][numbers]") {
+    Bench bench;
+    const Rect field = bench.area_of("/lights/0/intensity");
+    const ImVec2 at = bench.field();
+    const auto filled = [&] { return bench.intensity() / 4 * field.size().x; };  // its usual range is 0 to 4
+    const float before = filled();
+    bench.move(at);
+    bench.button(true);
+    for (const float moved : {10.0f, 33.0f, -7.0f}) {
+        bench.move({at.x + moved, at.y});
+        CHECK(filled() - before == Approx(moved).margin(0.1));
+    }
+    bench.button(false);
+    CHECK_FALSE(ImGui::GetIO().WantTextInput);  // that was no click
+}
+
+TEST_CASE("with Shift a drag is ten times finer, with Ctrl it goes by round steps", "[ui][window][numbers]") {
+    Bench bench;
+    const ImVec2 at = bench.control("/lights/0/diffuse/0");
+    float& red = bench.scene().lights[0].diffuse.x;
+    const auto dragged = [&](bool shift, bool ctrl) {
+        red = 0.5f;
+        ImGui::GetIO().KeyShift = shift, ImGui::GetIO().KeyCtrl = ctrl;
+        bench.drag(at, {at.x + 50, at.y});
+        ImGui::GetIO().KeyShift = ImGui::GetIO().KeyCtrl = false;
+        return red - 0.5f;
+    };
+    const float plain = dragged(false, false);
+    CHECK(plain == Approx(0.2).margin(0.011));  // 50 pixels by the row's 0.004
+    CHECK(dragged(true, false) == Approx(plain / 10).margin(0.011));
+    const float stepped = dragged(false, true) + 0.5f;
+    CHECK(std::abs(stepped / 0.05f - std::round(stepped / 0.05f)) < 1e-3f);
+    CHECK(drag_step({.step = 0.5f}, 0) == 5);  // degrees
+    CHECK(drag_step({.step = 0.01f}, 0) == Approx(0.1));
+}
+
+TEST_CASE("at the window's edge a drag goes on from the other side", "[ui][window][numbers]") {
+    Bench bench;
+    const ImVec2 at = bench.control("/lights/0/diffuse/0");
+    float& red = bench.scene().lights[0].diffuse.x;
+    red = 0.5f;
+    bench.move(at);
+    bench.button(true);
+    bench.move({at.x - 30, at.y});
+    bench.move({0, at.y});
+    CHECK(ImGui::GetIO().WantSetMousePos);
+    const ImVec2 put = ImGui::GetIO().MousePos;
+    CHECK(put.x > 1200);
+    const float there = red;
+    bench.move(put);
+    CHECK(red == there);  // the jump itself is no drag
+    bench.move({put.x - 5, at.y});
+    CHECK(red == Approx(std::max(there - 0.02f, 0.0f)).margin(0.0051));
+    bench.button(false);
+}
+
+TEST_CASE("where the cursor cannot be put elsewhere a drag ends at the edge", "[ui][window][numbers]") {
+    Bench bench;
+    const ImVec2 at = bench.control("/lights/0/specular/0");
+    float& red = bench.scene().lights[0].specular.x;
+    red = 2;
+    bench.move(at);
+    bench.button(true);
+    bench.move({at.x - 30, at.y});
+    bench.move({0, at.y});
+    const float there = red;
+    for (int i = 0; i < 3; ++i) bench.move({0, at.y});
+    CHECK(red == there);
+    bench.button(false);
+}
+
+TEST_CASE("the right button changes no number: it opens a menu that says what it would do",
+          "[ui][window][numbers]") {
+    Bench bench;
+    bench.right_click(bench.field());
+    CHECK(bench.intensity() == 0.5f);
+    bench.click(bench.control("Copy"));
+    CHECK(bench.clipboard == "0.5");
+    CHECK(bench.last_note().find("0.5") != std::string::npos);
+
+    bench.right_click(bench.field());
+    bench.click(bench.control("Copy pointer"));
+    CHECK(bench.clipboard == "/lights/0/intensity");
+
+    bench.clipboard = "3/4";
+    bench.right_click(bench.field());
+    bench.click(bench.control("Paste"));
+    CHECK(bench.intensity() == 0.75f);
+    bench.clipboard = "a word";
+    bench.right_click(bench.field());
+    bench.click(bench.control("Paste"));
+    CHECK(bench.intensity() == 0.75f);
+    CHECK(bench.last_note().find("no number") != std::string::npos);
+
+    bench.right_click(bench.field());
+    bench.click(bench.control("Reset to default"));
+    CHECK(bench.intensity() == Light{}.intensity);
+    bench.frames(2);
+    undo(bench.state.editor);
+    CHECK(bench.intensity() == 0.75f);
+}
+
+TEST_CASE("a number of the equation has the same habits as one of a panel", "[ui][window][numbers]") {
+    Bench bench;
+    test::ask(bench, InspectorTab::Equation);
+    const std::string pointer = "/objects/0/material/diffuse/0";
+    float& red = bench.scene().objects[0].material.diffuse.x;
+    red = 0.25f;
+    bench.frames(2);
+    bench.right_click(test::in_column(bench, pointer));
+    bench.click(bench.control("Copy pointer"));
+    CHECK(bench.clipboard == pointer);
+    CHECK(red == 0.25f);
+    bench.click(test::in_column(bench, pointer));
+    bench.type("*2");
+    bench.tap(enter_key);
+    CHECK(red == 0.5f);
+}

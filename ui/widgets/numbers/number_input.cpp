@@ -1,0 +1,263 @@
+#include "ui/widgets/numbers/number_input.h"
+
+#include <fmt/core.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/numbers/expression.h"
+
+namespace glint {
+namespace {
+
+constexpr float press_becomes_drag = 3;  // logical pixels that a press may move and still be a click
+constexpr std::size_t longest_text = 128;
+
+// The one number in hand, kept from frame to frame as ui/ui.h says.
+
+struct Scrub {
+    float before = 0;
+    double at = 0;     // the value, not rounded to what is shown
+    float last_x = 0;  // of the cursor
+    float pressed_x = 0;
+    float jumped = 0;    // by what the cursor was put to the other edge of the window, last
+    bool moved = false;  // far enough to be a drag
+};
+struct Typing {
+    float before = 0;
+    std::string began_with;
+    std::array<char, longest_text> text{};
+    std::string problem;  // of the text as it is
+};
+struct InHand {
+    ImGuiID id = 0;
+    int frame = -1;  // the last in which it was drawn
+    bool types = false;
+    Scrub scrub;
+    Typing typing;
+};
+InHand hand;
+std::string said;
+
+bool is_held(ImGuiID id) { return hand.id == id && hand.frame + 1 >= ImGui::GetFrameCount(); }
+
+/// As near to `wanted` as the range allows; true when it is another value than before.
+bool assign(float& value, double wanted, const Range& range) {
+    const float before = value;
+    const auto near = static_cast<float>(std::clamp(wanted, -max_number, max_number));
+    // contains(): also the one number beside the range.
+    value = range.contains(near) ? near : std::clamp(near, lowest(range), highest(range));
+    return value != before;
+}
+
+// Typing.
+
+/// `text` is what it begins with, all of it selected: the next letter takes its place.
+void begin_typing(ImGuiID id, float value) {
+    hand = {id, ImGui::GetFrameCount(), true, {}, {}};
+    hand.typing.before = value;
+    hand.typing.began_with = exact_text(value);
+    hand.typing.began_with.copy(hand.typing.text.data(), longest_text - 1);
+    // How ImGui's own drags ask their text field to begin.
+    GImGui->NavActivateId = GImGui->NavActivateInputId = id;
+    GImGui->NavActivateFlags = ImGuiActivateFlags_PreferInput;
+}
+
+bool take_typed(float& value, const Range& range) {
+    Typing& typing = hand.typing;
+    const std::string text = typing.text.data();
+    typing.problem.clear();
+    if (text == typing.began_with) return assign(value, double(typing.before), range);
+    const Calculated found = calculated(text, double(typing.before));
+    typing.problem = found.problem;
+    return found.problem.empty() && assign(value, found.value, range);
+}
+
+/// What is no number at the end leaves the value as it was before.
+bool end_typing(float& value, const Range& range) {
+    const Typing typing = hand.typing;
+    hand = {};
+    const std::string text = typing.text.data();
+    if (text.empty() || text == typing.began_with) return assign(value, double(typing.before), range);
+    const Calculated found = calculated(text, double(typing.before));
+    if (!found.problem.empty()) {
+        say(fmt::format("“{}” is no number: {}. The field keeps {}", text, found.problem,
+                        exact_text(typing.before)));
+        return assign(value, double(typing.before), range);
+    }
+    if (!range.contains(found.value) && value != static_cast<float>(found.value))
+        say(fmt::format("{:.6g} is out of range ({}): the field takes {}", found.value, range.words,
+                        exact_text(value)));
+    return false;
+}
+
+bool type_text(ImGuiID id, const ImRect& frame, const char* label, float& value, const Range& range) {
+    hand.frame = ImGui::GetFrameCount();
+    bool edited = false;
+    const bool wrong = !hand.typing.problem.empty();
+    if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, theme().error);
+    if (ImGui::TempInputText(frame, id, label, hand.typing.text.data(), int(longest_text),
+                             ImGuiInputTextFlags_AutoSelectAll))
+        edited = take_typed(value, range);
+    if (wrong) ImGui::PopStyleColor();
+    if (GImGui->ActiveId != id) edited |= end_typing(value, range);
+    return edited;
+}
+
+// Dragging.
+
+void begin_scrub(ImGuiID id, float value) {
+    const float x = ImGui::GetIO().MousePos.x;
+    hand = {id, ImGui::GetFrameCount(), false, {value, double(value), x, x, 0, false}, {}};
+}
+
+/// Pixels that the hand moved since the last frame, to the right.
+float hand_moved(Scrub& scrub) {
+    const ImGuiIO& io = ImGui::GetIO();
+    float moved = io.MousePos.x - scrub.last_x;
+    // The window could not put the cursor there, or a release came from where it was before.
+    if (scrub.jumped != 0 && std::abs(moved) > io.DisplaySize.x / 2) moved += scrub.jumped;
+    scrub.last_x = io.MousePos.x;
+    return moved;
+}
+
+/// At an edge of the window the cursor goes on from the other.
+void wrap_cursor(Scrub& scrub) {
+    ImGuiIO& io = ImGui::GetIO();
+    const float last = io.DisplaySize.x - 1, x = io.MousePos.x;
+    if (x > 0 && x < last) return;
+    const float to = x <= 0 ? last - 1 : 1;
+    scrub.jumped = to - x;
+    scrub.last_x = io.MousePos.x = to;
+    io.WantSetMousePos = true;
+}
+
+double scrubbed(double at, float pixels, const NumberInput& input) {
+    const Real& kind = input.kind;
+    if (input.slider)
+        return slider_value(slider_share(at, kind) + double(pixels) / double(input.width), kind);
+    const double size = kind.logarithmic ? std::max(std::abs(at), 10 * double(kind.step)) : 1;
+    return at + double(pixels) * double(kind.step) * size;
+}
+
+/// The number that is shown: a drag gives round ones.
+double as_shown(double value, const Real& kind) {
+    const float rounded = std::strtof(shown_text(static_cast<float>(value), kind).c_str(), nullptr);
+    return value == 0 || *kind.format != '%' ? value : double(rounded);
+}
+
+bool drag(float& value, const NumberInput& input) {
+    const ImGuiIO& io = ImGui::GetIO();
+    Scrub& scrub = hand.scrub;
+    if (!scrub.moved && std::abs(io.MousePos.x - scrub.pressed_x) <= px(press_becomes_drag)) return false;
+    scrub.moved = true;
+    const Range& range = input.kind.range;
+    const float pixels = hand_moved(scrub) * (io.KeyShift ? 0.1f : 1.0f);
+    wrap_cursor(scrub);
+    if (pixels == 0) return false;
+    scrub.at = std::clamp(scrubbed(scrub.at, pixels, input), double(lowest(range)), double(highest(range)));
+    double wanted = as_shown(scrub.at, input.kind);
+    if (io.KeyCtrl) {
+        const double step = drag_step(input.kind, scrub.at);
+        wanted = std::round(scrub.at / step) * step;
+    }
+    return assign(value, wanted, {range.low, range.high, range.words, range.low_open, range.high_open});
+}
+
+/// While the button is down, and when it is let go.
+bool hold(ImGuiID id, float& value, const NumberInput& input, bool hovered) {
+    hand.frame = ImGui::GetFrameCount();
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+        const bool edited = assign(value, double(hand.scrub.before), input.kind.range);
+        hand = {};
+        ImGui::ClearActiveID();
+        return edited;
+    }
+    const bool edited = drag(value, input);
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return edited;
+    const bool clicked = !hand.scrub.moved && hovered;
+    hand = {};
+    ImGui::ClearActiveID();
+    if (clicked) begin_typing(id, value);
+    return edited;
+}
+
+void draw_number(ImGuiID id, const ImRect& frame, float value, const NumberInput& input, bool hovered) {
+    const bool held = GImGui->ActiveId == id;
+    const ImVec4 ground = ImGui::GetStyleColorVec4(held      ? ImGuiCol_FrameBgActive
+                                                   : hovered ? ImGuiCol_FrameBgHovered
+                                                             : ImGuiCol_FrameBg);
+    const float rounding = ImGui::GetStyle().FrameRounding;
+    ImGui::RenderFrame(frame.Min, frame.Max, ImGui::GetColorU32(ground), true, rounding);
+    if (input.slider) {
+        const float share = std::clamp(float(slider_share(double(value), input.kind)), 0.0f, 1.0f);
+        const float end = frame.Min.x + share * frame.GetWidth();
+        if (end - frame.Min.x >= 1)
+            ImGui::GetWindowDrawList()->AddRectFilled(
+                frame.Min, {end, frame.Max.y}, ImGui::GetColorU32(slider_fill(theme(), ground)), rounding);
+    }
+    // On the ground of what is pointed at not every colour of a term can be read.
+    const bool plain = hovered || held;
+    ImGui::PushStyleColor(ImGuiCol_Text, plain ? theme().text : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+    const std::string text = shown_text(value, input.kind);
+    ImGui::RenderTextClipped(frame.Min, frame.Max, text.c_str(), nullptr, nullptr, {0.5f, 0.5f});
+    ImGui::PopStyleColor();
+}
+
+/// A press, or Tab, takes the number into the hand.
+void take_in_hand(ImGuiID id, float value, bool hovered) {
+    const bool tabbed = (GImGui->LastItemData.StatusFlags & ImGuiItemStatusFlags_FocusedByTabbing) != 0 ||
+                        GImGui->NavActivateInputId == id;
+    const bool pressed = hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    if (!tabbed && !pressed) return;
+    ImGui::SetActiveID(id, ImGui::GetCurrentWindow());
+    ImGui::SetFocusID(id, ImGui::GetCurrentWindow());
+    ImGui::FocusWindow(ImGui::GetCurrentWindow());
+    if (tabbed) return begin_typing(id, value);
+    begin_scrub(id, value);
+}
+
+}  // namespace
+
+bool number_input(const char* label, float& value, const NumberInput& input) {
+    ImGuiWindow* window = ImGui::GetCurrentWindow();
+    if (window->SkipItems) return false;
+    const ImGuiID id = window->GetID(label);
+    if (hand.frame > ImGui::GetFrameCount()) hand = {};  // of a window that was closed
+    ImGui::PushFont(fonts().figures);
+    const ImVec2 low = window->DC.CursorPos;
+    const ImRect frame(low, {low.x + input.width, low.y + ImGui::GetFrameHeight()});
+    ImGui::ItemSize(frame, ImGui::GetStyle().FramePadding.y);
+    if (!ImGui::ItemAdd(frame, id, &frame, ImGuiItemFlags_Inputable)) {
+        ImGui::PopFont();
+        return false;
+    }
+    const bool hovered = ImGui::ItemHoverable(frame, id);
+    bool edited = false;
+    if (is_held(id) && GImGui->ActiveId != id) {  // something else was clicked, or took the keys
+        if (hand.types) edited = end_typing(value, input.kind.range);
+        hand = {};
+    }
+    if (!is_held(id)) take_in_hand(id, value, hovered);
+    if (is_held(id) && !hand.types) edited |= hold(id, value, input, hovered);
+    if (is_held(id) && hand.types)
+        edited |= type_text(id, frame, label, value, input.kind.range);
+    else
+        draw_number(id, frame, value, input, hovered);
+    if ((hovered || is_held(id)) && !hand.types) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    ImGui::PopFont();
+    if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup(number_menu_id);
+    return number_menu(value, input) || edited;
+}
+
+bool number_in_hand() { return hand.id != 0 && GImGui->ActiveId == hand.id; }
+
+void say(const std::string& line) { said = line; }
+std::string take_said() { return std::exchange(said, {}); }
+
+}  // namespace glint

@@ -1,0 +1,64 @@
+#pragma once
+// The bare number of a field: dragged, typed, or chosen from its menu. Label, tooltip and row are those of
+// ui/widgets/widgets.h.
+
+#include <imgui.h>
+
+#include <string>
+
+#include "models/fields/field_kinds.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+
+/// The ends of a range as floats that are in it.
+[[nodiscard]] float lowest(const Range& range);
+[[nodiscard]] float highest(const Range& range);
+
+/// How far along its slider a value is, 0 at the low end of its range and 1 at Real::usual_max, more beyond;
+/// and the value there, within its range. Precondition: has_slider(kind).
+[[nodiscard]] double slider_share(double value, const Real& kind);
+[[nodiscard]] double slider_value(double share, const Real& kind);
+/// Whether the kind has a low end and a usual largest value, so that a bar can show how much of it there is.
+[[nodiscard]] bool has_slider(const Real& kind);
+
+/// The colour of a slider's bar on `ground`, opaque: text upon it can be read.
+[[nodiscard]] ImVec4 slider_fill(const Theme& theme, const ImVec4& ground);
+
+/// What Ctrl makes a drag go by: a round number (1, 2 or 5 times a power of ten), about that of ten pixels.
+[[nodiscard]] double drag_step(const Real& kind, double value);
+
+/// `value` as it is shown; as it is copied, and typed into: the shortest text that reads back as the same
+/// float.
+[[nodiscard]] std::string shown_text(float value, const Real& kind);
+[[nodiscard]] std::string exact_text(float value);
+
+struct NumberInput {
+    const Real& kind;
+    float initial = 0;    // its default
+    std::string pointer;  // JSON pointer of its value in the scene file; empty: it has none
+    float width = 0;      // in ImGui's units
+    bool slider =
+        false;  // has_slider(kind), and is drawn as one: a drag of all its width goes from end to end
+};
+
+/// Draws the number and lets it be edited; true when it was. It never leaves its range.
+///
+/// A drag scrubs: Shift ten times finer, Ctrl by drag_step(); the cursor comes in again at the other edge of
+/// the window where the window can put it there. A press without a drag, or Tab from the field before it,
+/// types, as calculated() reads it: what is typed counts at once, Escape puts back what there was before, and
+/// a text that is no number leaves it too and says so (take_said()). The right button opens a menu.
+[[nodiscard]] bool number_input(const char* id, float& value, const NumberInput& input);
+
+/// Whether a number is being typed or dragged: Escape is then about that number alone.
+[[nodiscard]] bool number_in_hand();
+
+/// One line that a control has to say since the last call, for a notification; empty when there is none.
+[[nodiscard]] std::string take_said();
+void say(const std::string& line);
+
+/// The menu of a number, while it is open: Copy, Paste, Reset, Copy pointer. True when it set the value.
+[[nodiscard]] bool number_menu(float& value, const NumberInput& input);
+inline constexpr const char* number_menu_id = "##number menu";
+
+}  // namespace glint

@@ -1,0 +1,66 @@
+// What the right button opens over a number.
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/named_controls.h"
+#include "ui/widgets/numbers/expression.h"
+#include "ui/widgets/numbers/number_input.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+bool item(const char* name, const std::string& about, bool possible = true) {
+    const bool chosen = ImGui::MenuItem(name, about.c_str(), false, possible);
+    list_control(name, "", last_item());
+    return chosen;
+}
+
+void copy(const std::string& text) {
+    ImGui::SetClipboardText(text.c_str());
+    say(fmt::format("{} is on the clipboard", text));
+}
+
+/// True when the clipboard held a number.
+bool paste(float& value, const Range& range) {
+    const char* text = ImGui::GetClipboardText();
+    const Calculated found = calculated(text != nullptr ? text : "", double(value));
+    if (!found.problem.empty()) {
+        say("The clipboard holds no number: " + found.problem);
+        return false;
+    }
+    value = std::clamp(static_cast<float>(found.value), lowest(range), highest(range));
+    return true;
+}
+
+}  // namespace
+
+bool number_menu(float& value, const NumberInput& input) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(6)});
+    const bool open = ImGui::BeginPopup(number_menu_id);
+    ImGui::PopStyleVar();
+    if (!open) return false;
+    ImGui::PushFont(fonts().body);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme().text);  // whatever colour the number itself has
+    const float before = value;
+    bool edited = false;
+    if (item("Copy", exact_text(value))) copy(exact_text(value));
+    if (item("Paste", "")) edited = paste(value, input.kind.range);
+    if (item("Reset to default", exact_text(input.initial), value != input.initial)) {
+        value = input.initial;
+        edited = true;
+    }
+    if (value == input.initial && !edited) tooltip("Reset to default", "It is the default already");
+    if (!input.pointer.empty()) {
+        ImGui::Separator();
+        if (item("Copy pointer", input.pointer)) copy(input.pointer);
+    }
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    ImGui::EndPopup();
+    return edited && value != before;
+}
+
+}  // namespace glint
