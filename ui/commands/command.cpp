@@ -9,10 +9,27 @@
 #include "ui/picture/tool.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
+#include "ui/widgets/numbers/number_input.h"
 
 namespace glint {
 
 namespace {
+
+/// A letter or a digit alone: easily pressed by mistake.
+bool is_one_letter(KeyPress press) {
+    return !press.ctrl && !press.alt && !press.shift && press.key <= Key::Digit4;
+}
+
+/// What a key did, or why it did nothing: "Specular: off (S)".
+void tell(UiState& state, const WindowCommand& command, KeyPress press) {
+    const std::string refused = why_disabled(state, command), key = " (" + text_of(press) + ")";
+    const std::string_view sets = command.sets;
+    std::string what = *command.noun != 0 ? command.noun : command.name;
+    // One of a closed set is chosen, not switched.
+    if (const auto on = is_on(state, command); on && sets.find('=') == std::string_view::npos)
+        what += *on ? ": on" : ": off";
+    state.notifications.tell(refused.empty() ? what + key : refused + key);
+}
 
 std::vector<WindowCommand> all_commands() {
     std::vector<WindowCommand> all;
@@ -69,7 +86,7 @@ void run_keys(UiState& state, const UiInput& input) {
     const bool busy =
         state.viewport.gesture != Gesture::None || (ImGui::IsAnyMouseDown() && ImGui::IsAnyItemActive());
     for (const KeyPress& press : input.presses) {
-        if (press.key == Key::Escape) escape(state);
+        if (press.key == Key::Escape && !number_in_hand()) escape(state);
         if (busy || state.palette.open || modal_of(state) != Modal::None) continue;
         // While text is typed its keys are text; Ctrl+S still saves.
         const bool typing = ImGui::GetIO().WantTextInput;
@@ -78,7 +95,9 @@ void run_keys(UiState& state, const UiInput& input) {
             return std::find(command.keys.begin(), command.keys.end(), press) != command.keys.end();
         };
         const auto found = std::find_if(commands().begin(), commands().end(), has_key);
-        if (found != commands().end()) run_command(state, *found);
+        if (found == commands().end()) continue;
+        run_command(state, *found);
+        if (is_one_letter(press)) tell(state, *found, press);
     }
 }
 

@@ -50,11 +50,13 @@ template <ShadingMode mode> WindowCommand mode_command(const char* name, Key key
             .sets = sets};
 }
 
-template <bool Terms::*term> WindowCommand term_command(const char* name, Key key, const char* sets) {
+template <bool Terms::*term>
+WindowCommand term_command(const char* name, const char* noun, Key key, const char* sets) {
     return {.name = name,
             .keys = {{key}},
             .run = [](UiState& s) { s.editor.scene().shading.terms.*term ^= true; },
             .is_on = [](const UiState& s) { return s.editor.scene().shading.terms.*term; },
+            .noun = noun,
             .sets = sets};
 }
 
@@ -150,10 +152,10 @@ std::vector<WindowCommand> shading_commands() {
         mode_command<ShadingMode::Facet>("Facet shading", Key::Digit2, "/shading/mode = \"facet\""),
         mode_command<ShadingMode::Gouraud>("Gouraud shading", Key::Digit3, "/shading/mode = \"gouraud\""),
         mode_command<ShadingMode::Phong>("Phong shading", Key::Digit4, "/shading/mode = \"phong\""),
-        term_command<&Terms::emission>("Emission on or off", Key::E, "/shading/terms/emission"),
-        term_command<&Terms::ambient>("Ambient on or off", Key::A, "/shading/terms/ambient"),
-        term_command<&Terms::diffuse>("Diffuse on or off", Key::D, "/shading/terms/diffuse"),
-        term_command<&Terms::specular>("Specular on or off", Key::S, "/shading/terms/specular"),
+        term_command<&Terms::emission>("Emission on or off", "Emission", Key::E, "/shading/terms/emission"),
+        term_command<&Terms::ambient>("Ambient on or off", "Ambient", Key::A, "/shading/terms/ambient"),
+        term_command<&Terms::diffuse>("Diffuse on or off", "Diffuse", Key::D, "/shading/terms/diffuse"),
+        term_command<&Terms::specular>("Specular on or off", "Specular", Key::S, "/shading/terms/specular"),
     };
 }
 

@@ -10,6 +10,7 @@
 #include "ui/document/document_actions.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -41,7 +42,11 @@ void menu_item(UiState& state, const WindowCommand& command) {
 
 void recent_menu(UiState& state) {
     const auto& recent = state.persistence.recent;
-    if (!ImGui::BeginMenu("Open recent", !recent.empty())) return;
+    const bool open = ImGui::BeginMenu("Open recent", !recent.empty());
+    if (!open) {
+        if (recent.empty()) tooltip("Open recent", "No scene was opened yet");
+        return;
+    }
     std::string chosen;
     for (const std::string& path : recent) {
         const std::filesystem::path file(path);
@@ -54,7 +59,9 @@ void recent_menu(UiState& state) {
 }
 
 void menu(UiState& state, Menu which, const char* name) {
-    if (!ImGui::BeginMenu(name)) return;
+    const bool open = ImGui::BeginMenu(name);
+    list_control(name, "", last_item());
+    if (!open) return;
     for (const WindowCommand& command : commands()) {
         if (command.menu != which) continue;
         if (command.line_above) ImGui::Separator();
@@ -85,7 +92,9 @@ void add_mouse_lines(Lines& lines) {
                       {"Open a cone, aim, size a panel", "Drag the marks of the selected light"},
                       {"Move, rotate, scale an object", "Select it, drag its gizmo (G R T)"},
                       {"… on a grid, cancel", "with Ctrl, Esc"},
-                      {"Number: finer, type, default", "Shift, Ctrl+click, double-click"}};
+                      {"Number: change, finer, by steps", "Drag, with Shift, with Ctrl"},
+                      {"Number: type (2*pi, 45/2, +0.1, *2)", "Click or double-click"},
+                      {"Number: copy, paste, default", "Right click"}};
     lines.insert(lines.end(), mouse.begin(), mouse.end());
 }
 

@@ -18,6 +18,7 @@ struct PaletteEntry {
     std::string keys;         // that do the same; or empty
     std::string refused;      // why it cannot be done now; empty when it can
     std::function<void(UiState&)> run;
+    std::string words = "";  // what it is about: found by whole words of it, after all names
 };
 
 struct PaletteState {
@@ -36,14 +37,17 @@ void shortcuts_sheet(UiState& state);
 
 // Ctrl+K: type a few letters of anything that the window can do.
 
-/// Everything there is to do in this state: the actions, one for each reflection model and the other
-/// switches of shading and display, mistakes, presets for the selected object, lights to switch and items to
-/// select, scenes to open.
+/// Everything there is to do in this state: the actions, the fields of the scene, the choices and switches of
+/// shading and display, mistakes, presets for the selected object, lights to switch and items to select,
+/// scenes to open.
 [[nodiscard]] std::vector<PaletteEntry> palette_entries(const UiState& state);
 
-/// Indices of the entries that match, best first; all of them, in their order, for an empty text.
+/// Indices of the entries that match, best first; all of them, in their order, for an empty text. By names,
+/// then by names with their groups, then by words that begin so.
 [[nodiscard]] std::vector<int> palette_matches(const std::vector<PaletteEntry>& entries,
                                                const std::string& text);
+/// Where nothing matches: the word of a name that is written most like the text.
+[[nodiscard]] std::string nearest_word(const std::vector<PaletteEntry>& entries, const std::string& text);
 
 void open_palette(UiState& state);
 void palette(UiState& state, const UiInput& input);

@@ -1,8 +1,13 @@
+#include <fmt/core.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string_view>
 #include <utility>
 
+#include "models/problem.h"
 #include "ui/commands/fuzzy.h"
 #include "ui/commands/menus.h"
 #include "ui/ui.h"
@@ -14,6 +19,31 @@ namespace glint {
 namespace {
 
 constexpr int rows_shown = 11;
+
+bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0; }
+
+std::vector<std::string_view> words_in(std::string_view text) {
+    std::vector<std::string_view> words;
+    while (true) {
+        const auto first = std::find_if(text.begin(), text.end(), is_of_word);
+        const auto end = std::find_if_not(first, text.end(), is_of_word);
+        if (first == end) return words;
+        words.emplace_back(&*first, static_cast<std::size_t>(end - first));
+        text.remove_prefix(static_cast<std::size_t>(end - text.begin()));
+    }
+}
+
+/// Whether a word of `text` begins with `start`, capitals or not.
+bool has_word(std::string_view text, std::string_view start) {
+    const auto same = [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    };
+    const auto begins = [&](std::string_view word) {
+        return word.size() >= start.size() && std::equal(start.begin(), start.end(), word.begin(), same);
+    };
+    const std::vector<std::string_view> words = words_in(text);
+    return std::any_of(words.begin(), words.end(), begins);
+}
 
 /// Draws `name` with the letters that matched in the accent's colour.
 void draw_matched(ImDrawList& list, ImVec2 at, const std::string& name, const std::string& text,
@@ -77,7 +107,13 @@ bool move_choice(PaletteState& state, const UiInput& input, int count) {
 
 /// The index of the entry that was decided upon, or -1.
 int entry_list(PaletteState& state, const UiInput& input) {
-    const std::vector<int> matches = palette_matches(state.entries, state.text);
+    std::vector<int> matches = palette_matches(state.entries, state.text);
+    std::string shown = state.text;  // whose letters are marked
+    if (matches.empty()) {
+        shown = nearest_word(state.entries, state.text);
+        matches = palette_matches(state.entries, shown);
+        dim_text(fmt::format("Nothing is called “{}”. Nearest is “{}”:", state.text, shown).c_str());
+    }
     const int before = state.chosen;
     int decided = -1;
     if (move_choice(state, input, static_cast<int>(matches.size())))
@@ -88,11 +124,10 @@ int entry_list(PaletteState& state, const UiInput& input) {
     for (std::size_t i = 0; i < matches.size(); ++i) {
         const bool chosen = static_cast<int>(i) == state.chosen;
         const PaletteEntry& entry = state.entries[static_cast<std::size_t>(matches[i])];
-        if (entry_row(entry, state.text, chosen, static_cast<int>(i))) decided = matches[i];
+        if (entry_row(entry, shown, chosen, static_cast<int>(i))) decided = matches[i];
         if (chosen && state.chosen != before) ImGui::SetScrollHereY(0.5f);
     }
     ImGui::PopStyleVar();
-    if (matches.empty()) dim_text("No match");
     ImGui::EndChild();
     return decided;
 }
@@ -104,21 +139,45 @@ void run_entry(UiState& state, int index) {
     entry.run(state);
 }
 
+/// Letters strewn over a long name fit by chance: a match that is meant begins words, or holds together.
+bool is_meant(const FuzzyMatch& match, std::string_view text) {
+    int best = 0;  // what the same letters score side by side from the beginning of a word
+    for (const std::string_view word : words_in(text)) best += fuzzy_match(word, word)->score;
+    return 3 * match.score >= 2 * best;
+}
+
+/// How well an entry fits what was typed; nothing where it does not. By its name, else with its group, else
+/// by a word about it.
+std::optional<int> fit(const PaletteEntry& entry, const std::string& text) {
+    if (const auto by_name = fuzzy_match(text, entry.name); by_name && is_meant(*by_name, text))
+        return by_name->score;
+    const auto with_group = fuzzy_match(text, entry.name + " " + entry.group);
+    if (with_group && is_meant(*with_group, text)) return with_group->score / 2;
+    if (has_word(entry.words, text)) return 0;
+    return {};
+}
+
 }  // namespace
 
 std::vector<int> palette_matches(const std::vector<PaletteEntry>& entries, const std::string& text) {
     std::vector<std::pair<int, int>> scored;  // score, index
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        const auto in_name = fuzzy_match(text, entries[i].name);
-        const auto match = in_name ? in_name : fuzzy_match(text, entries[i].name + " " + entries[i].group);
-        if (match) scored.emplace_back(match->score, static_cast<int>(i));
-    }
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        if (const auto score = fit(entries[i], text)) scored.emplace_back(*score, static_cast<int>(i));
     std::stable_sort(scored.begin(), scored.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<int> indices;
     indices.reserve(scored.size());
     for (const auto& [score, index] : scored) indices.push_back(index);
     return indices;
+}
+
+std::string nearest_word(const std::vector<PaletteEntry>& entries, const std::string& text) {
+    std::vector<std::string> words;
+    for (const PaletteEntry& entry : entries)
+        for (const std::string& said : {entry.name, entry.words})
+            for (const std::string_view word : words_in(said))
+                if (word.size() > 2) words.emplace_back(word);
+    return nearest(text, words);
 }
 
 void open_palette(UiState& state) {

@@ -6,6 +6,7 @@
 #include "models/scene/mistakes.h"
 #include "ui/commands/command.h"
 #include "ui/commands/menus.h"
+#include "ui/commands/palette_rows.h"
 #include "ui/document/document_actions.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
@@ -26,17 +27,6 @@ void add_commands(Entries& entries, const UiState& state) {
     }
 }
 
-/// One entry for each value of a closed set that is a member of Shading.
-template <class E>
-void add_choices(Entries& entries, const UiState& state, const char* what, E Shading::*member) {
-    const Shading& shading = state.editor.scene().shading;
-    for (const E value : enumerators<E>) {
-        entries.push_back({fmt::format("{}: {}", what, choice_of(value).label),
-                           shading.*member == value ? "Shading · chosen" : "Shading", "", "",
-                           [member, value](UiState& s) { s.editor.scene().shading.*member = value; }});
-    }
-}
-
 /// A bool, found again in the scene of the moment.
 template <class Find>
 void add_switch(Entries& entries, const UiState& state, std::string name, const char* group, Find find) {
@@ -45,15 +35,7 @@ void add_switch(Entries& entries, const UiState& state, std::string name, const 
                        [find](UiState& s) { find(s.editor.scene()) ^= true; }});
 }
 
-void add_switches(Entries& entries, const UiState& state) {
-    const auto add = [&](const char* name, const char* group, auto find) {
-        add_switch(entries, state, name, group, find);
-    };
-    add("Two-sided surfaces", "Shading", [](Scene& s) -> bool& { return s.shading.two_sided; });
-    add("Local viewer", "Shading", [](Scene& s) -> bool& { return s.shading.local_viewer; });
-    add("Cool to warm", "Tones", [](Scene& s) -> bool& { return s.npr.cool_to_warm; });
-    add("Silhouettes", "Strokes", [](Scene& s) -> bool& { return s.npr.silhouettes; });
-    add("Creases", "Strokes", [](Scene& s) -> bool& { return s.npr.creases; });
+void add_mistakes(Entries& entries, const UiState& state) {
     for (const MistakeName& mistake : mistake_names()) {
         std::string name = "Mistake: " + std::string(mistake.name);
         for (char& c : name)
@@ -61,9 +43,6 @@ void add_switches(Entries& entries, const UiState& state) {
         add_switch(entries, state, name, "Mistake",
                    [flag = mistake.flag](Scene& s) -> bool& { return s.shading.mistakes.*flag; });
     }
-    for (const Transfer value : enumerators<Transfer>)
-        entries.push_back({fmt::format("Encoding: {}", choice_of(value).label), "Display", "", "",
-                           [value](UiState& s) { s.editor.scene().display.transfer = value; }});
 }
 
 void add_presets(Entries& entries, const UiState& state) {
@@ -154,12 +133,9 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
     Entries entries;
     add_commands(entries, state);
     add_recent(entries, state);
-    add_choices(entries, state, "Reflection", &Shading::reflection);
-    add_choices(entries, state, "Interpolation", &Shading::interpolation);
-    add_choices(entries, state, "Flat lit at", &Shading::flat_point);
-    add_choices(entries, state, "Cull", &Shading::cull);
-    add_choices(entries, state, "Rules of", &Shading::rules);
-    add_switches(entries, state);
+    add_fields(entries, state);
+    add_settings(entries, state);
+    add_mistakes(entries, state);
     add_light_choices(entries, state);
     add_items(entries, state);
     add_presets(entries, state);

@@ -56,6 +56,12 @@ float draw_one(const Notification& note, int index, ImVec2 low_right, float widt
 
 }  // namespace
 
+void Notifications::tell(const std::string& text) {
+    std::erase_if(list, [](const Notification& note) { return note.of_key; });
+    add(Tone::Done, text);
+    list.back().of_key = true;
+}
+
 void Notifications::add(Tone tone, const std::string& text) {
     const double until = ImGui::GetTime() + seconds_shown(tone);
     const auto same = [&text](const Notification& note) { return note.text == text; };

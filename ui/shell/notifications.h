@@ -16,13 +16,16 @@ enum class Tone { Done, Warning, Error };
 struct Notification {
     Tone tone = Tone::Done;
     std::string text;
-    double until = 0;  // ImGui's time; infinity: until closed
+    double until = 0;     // ImGui's time; infinity: until closed
+    bool of_key = false;  // what a key did: the next key's takes its place
 };
 
 struct Notifications {
     std::vector<Notification> list;
 
     void add(Tone tone, const std::string& text);
+    /// What a key did, for a moment, in place of what the key before it did.
+    void tell(const std::string& text);
     void add(const Problem& problem) { add(Tone::Error, problem.text()); }
     void add(const Warnings& warnings);
 };

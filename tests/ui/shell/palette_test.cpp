@@ -1,0 +1,156 @@
+// Ctrl+K: what is found, in which order, and what it does.
+#include <algorithm>
+#include <string>
+
+#include "models/fields/scene_numbers.h"
+#include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
+#include "ui/commands/menus.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+std::vector<PaletteEntry> found(const UiState& state, const std::string& text) {
+    const std::vector<PaletteEntry> all = palette_entries(state);
+    std::vector<PaletteEntry> matching;
+    for (const int index : palette_matches(all, text))
+        matching.push_back(all[static_cast<std::size_t>(index)]);
+    return matching;
+}
+
+void type(HeadlessWindow& bench, const char* letters) {
+    for (; *letters != 0; ++letters) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(*letters));
+    bench.frames(2);
+}
+
+}  // namespace
+
+TEST_CASE("the palette finds a field of the scene first by the beginning of its name", "[ui][palette]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const std::string named[][2] = {
+        {"shin", "Shininess"}, {"expos", "Exposure"}, {"rough", "Roughness"}, {"cutoff", "Cutoff"}};
+    bench.scene().lights[0].kind = LightKind::Spot;
+    for (const auto& [text, name] : named) {
+        const auto entries = found(bench.state, text);
+        INFO(text);
+        REQUIRE_FALSE(entries.empty());
+        CHECK(entries[0].name == name);
+        CHECK(entries[0].group.find("Field") == 0);
+    }
+}
+
+TEST_CASE("the palette knows a field by another word for it", "[ui][palette]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const auto entries = found(bench.state, "gamma");
+    REQUIRE_FALSE(entries.empty());
+    CHECK(entries[0].name == "Encoding");
+}
+
+TEST_CASE("every number of a scene is in a field that the palette leads to", "[ui][palette]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const std::vector<PaletteEntry> entries = palette_entries(bench.state);
+    const auto fields = std::count_if(entries.begin(), entries.end(),
+                                      [](const PaletteEntry& e) { return e.group.find("Field") == 0; });
+    std::size_t rows = 0;  // of numbers without effect none is asked for
+    std::string last;
+    for (const SceneNumber& number : numbers_of(bench.scene())) {
+        std::string row = number.pointer;
+        if (std::isdigit(static_cast<unsigned char>(row.back()))) row.erase(row.rfind('/'));
+        if (row != last && number.applies) ++rows;
+        last = row;
+    }
+    CHECK(std::size_t(fields) >= rows);
+}
+
+TEST_CASE("a field that the palette finds stands in its panel and has the keyboard",
+          "[ui][palette][window]") {
+    HeadlessWindow bench;
+    bench.state.editor.selection = {Selection::Kind::Shading, 0};
+    bench.frames(2);
+    (void)bench.key(Key::K, true);
+    bench.frames(1);
+    type(bench, "shin");
+    (void)bench.key(Key::Enter);
+    bench.frames(6);
+    CHECK_FALSE(bench.state.palette.open);
+    CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, 0});
+    CHECK(ImGui::GetIO().WantTextInput);
+    CHECK(bench.area_of("/objects/0/material/shininess").high.y < 780);
+    type(bench, "77");
+    CHECK(bench.scene().objects[0].material.shininess == 77);
+}
+
+TEST_CASE("a field below the end of its panel is scrolled to", "[ui][palette][window]") {
+    HeadlessWindow bench({1280, 480});
+    bench.frames(2);
+    (void)bench.key(Key::K, true);
+    bench.frames(1);
+    type(bench, "crease");
+    const auto entries = found(bench.state, "crease");
+    const auto at = std::find_if(entries.begin(), entries.end(),
+                                 [](const PaletteEntry& e) { return e.name == "Crease"; });
+    REQUIRE(at != entries.end());
+    at->run(bench.state);
+    bench.state.palette.open = false;
+    bench.frames(6);
+    (void)bench.control("/objects/0/normals/crease_deg");  // in sight
+    CHECK(ImGui::GetIO().WantTextInput);
+}
+
+TEST_CASE("where nothing fits the palette offers what is nearest, and Enter takes it",
+          "[ui][palette][window]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const std::vector<PaletteEntry> entries = palette_entries(bench.state);
+    CHECK(palette_matches(entries, "exposrue").empty());
+    CHECK(nearest_word(entries, "exposrue") == "Exposure");
+    for (const int strewn : palette_matches(entries, "gama"))  // over a long name: no match
+        FAIL_CHECK(entries[static_cast<std::size_t>(strewn)].name);
+    (void)bench.key(Key::K, true);
+    bench.frames(1);
+    type(bench, "exposrue");
+    (void)bench.key(Key::Enter);
+    bench.frames(3);
+    CHECK_FALSE(bench.state.palette.open);
+    CHECK(bench.state.editor.selection.kind == Selection::Kind::Display);
+}
+
+TEST_CASE("a letter that acts at once says what it did", "[ui][window][commands]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const auto last = [&] {
+        return bench.state.notifications.list.empty() ? "" : bench.state.notifications.list.back().text;
+    };
+    (void)bench.key(Key::S);
+    CHECK(last() == "Specular: off (S)");
+    (void)bench.key(Key::S);
+    CHECK(last() == "Specular: on (S)");
+    CHECK(bench.state.notifications.list.size() == 1);  // in the place of the one before
+    (void)bench.key(Key::Digit1);
+    CHECK(last() == "Flat shading (1)");
+    bench.state.editor.selection = {Selection::Kind::Camera, 0};
+    (void)bench.key(Key::G);
+    CHECK(last().find("(G)") != std::string::npos);
+    CHECK(last().find("No object is selected") == 0);
+}
+
+TEST_CASE("each letter that is a command says something", "[ui][window][commands]") {
+    for (const WindowCommand& command : commands())
+        for (const KeyPress& press : command.keys) {
+            if (press.ctrl || press.shift || press.alt || press.key > Key::Digit4) continue;
+            HeadlessWindow bench;
+            bench.frames(2);
+            UiInput input;
+            input.presses.push_back(press);
+            (void)bench.frame(input);
+            INFO(command.name);
+            REQUIRE_FALSE(bench.state.notifications.list.empty());
+            CHECK(bench.state.notifications.list.back().text.find("(" + text_of(press) + ")") !=
+                  std::string::npos);
+        }
+}

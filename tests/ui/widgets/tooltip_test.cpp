@@ -1,0 +1,89 @@
+// When and where a control says what it is.
+#include <imgui_internal.h>
+
+#include <string>
+
+#include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+const ImGuiWindow* shown_tooltip() {
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+        if (window->Active && !window->Hidden && (window->Flags & ImGuiWindowFlags_Tooltip) != 0)
+            return window;
+    return nullptr;
+}
+
+/// Long enough for any tooltip, at 60 frames a second.
+void wait(HeadlessWindow& bench) { bench.frames(45); }
+
+}  // namespace
+
+TEST_CASE("a tooltip does not come back over what was clicked until the mouse has left it",
+          "[ui][window][tooltip]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const ImVec2 at = test::in_column(bench, "Vectors");
+    bench.move(at);
+    wait(bench);
+    CHECK(shown_tooltip() != nullptr);
+    bench.button(true);
+    bench.button(false);
+    wait(bench);
+    CHECK(shown_tooltip() == nullptr);
+    bench.move({at.x + 2, at.y});
+    wait(bench);
+    CHECK(shown_tooltip() == nullptr);
+    bench.move({at.x, 795});
+    bench.frames(2);
+    bench.move(at);
+    bench.frames(2);
+    CHECK(shown_tooltip() == nullptr);  // it rests anew
+    wait(bench);
+    CHECK(shown_tooltip() != nullptr);
+}
+
+TEST_CASE("a field's tooltip stays in its column and leaves the picture free", "[ui][window][tooltip]") {
+    HeadlessWindow bench;
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    bench.frames(2);
+    const Rect picture = lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).centre;
+    int seen = 0;
+    for (const NamedControl& control : std::vector<NamedControl>(bench.controls())) {
+        if (!control.in_sight || control.key.find('/') != 0 || control.at.low.y < 40) continue;
+        const Rect item = control.at;
+        if (picture.holds(item.middle())) continue;
+        bench.move({5, 795});
+        bench.frames(2);
+        bench.move(item.middle());
+        wait(bench);
+        const ImGuiWindow* tip = shown_tooltip();
+        if (tip == nullptr) continue;
+        ++seen;
+        INFO(control.name << " " << control.key);
+        CHECK((tip->Pos.x + tip->Size.x <= picture.low.x || tip->Pos.x >= picture.high.x));
+        CHECK((tip->Pos.y >= item.high.y || tip->Pos.y + tip->Size.y <= item.low.y));  // nor its own field
+        CHECK(tip->Pos.y >= 0);
+        CHECK(tip->Pos.y + tip->Size.y <= ImGui::GetIO().DisplaySize.y);
+    }
+    CHECK(seen > 10);
+}
+
+TEST_CASE("a menu says why an item is grey", "[ui][window][tooltip]") {
+    HeadlessWindow bench;
+    bench.state.editor.selection = {Selection::Kind::Camera, 0};
+    bench.frames(2);
+    bench.click(bench.control("Edit"));
+    bench.frames(2);
+    const ImVec2 at = bench.control("Duplicate");
+    bench.move(at);
+    wait(bench);
+    const ImGuiWindow* tip = shown_tooltip();
+    REQUIRE(tip != nullptr);
+    // Its words are not kept; that there is a line below the title is.
+    CHECK(tip->Size.y > 2 * ImGui::GetTextLineHeight());
+}

@@ -1,0 +1,14 @@
+#pragma once
+// What palette_entries() is put together from.
+
+#include "ui/commands/menus.h"
+
+namespace glint {
+
+/// An entry for each field of the scene: it shows the panel, and puts the keyboard into the field.
+void add_fields(std::vector<PaletteEntry>& entries, const UiState& state);
+
+/// An entry for each switch and each choice of shading, strokes and display that no command sets.
+void add_settings(std::vector<PaletteEntry>& entries, const UiState& state);
+
+}  // namespace glint
