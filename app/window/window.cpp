@@ -211,6 +211,7 @@ class Window {
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         use_extent();
+        if (feed_keys(window_, input_)) frames_due_ = frames_after_event;
         if (feed_button(input_)) frames_due_ = frames_after_event;
         ImGui::NewFrame();
         name_sheets();

@@ -87,12 +87,14 @@ WindowInput& input_of(GLFWwindow* window) {
 void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     if (action == GLFW_RELEASE) return;
     const Key ours = key_of(key, scancode, mods);
+    const bool ctrl = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
+    const bool shift = (mods & GLFW_MOD_SHIFT) != 0, alt = (mods & GLFW_MOD_ALT) != 0;
+    const bool modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+    if (key >= 0 && !modifier) input_of(window).taps.push_back({key, ctrl, shift, alt});
     // Undo goes on while its key is held, and so does the way through a list.
     const bool repeats = ours == Key::Z || ours == Key::Y || ours == Key::Up || ours == Key::Down;
     if (action == GLFW_REPEAT && !repeats) return;
-    const bool ctrl = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
-    input_of(window).ui.presses.push_back(
-        {ours, ctrl, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0});
+    input_of(window).ui.presses.push_back({ours, ctrl, shift, alt});
 }
 
 void on_button(GLFWwindow* window, int button, int action, int /*mods*/) {
@@ -134,6 +136,25 @@ void read_held_keys(GLFWwindow* window, UiInput& input) {
         input.b_held = input.b_held || letter == 'b';
         if (letter >= 'x' && letter <= 'z') input.axis_held[static_cast<std::size_t>(letter - 'x')] = true;
     }
+}
+
+bool feed_keys(GLFWwindow* window, WindowInput& input) {
+    ImGuiIO& io = ImGui::GetIO();
+    const auto held = [window](int key) { return glfwGetKey(window, key) == GLFW_PRESS; };
+    for (const int key : input.shown_down) io.KeysDown[key] = held(key);
+    if (!input.shown_down.empty()) {
+        io.KeyCtrl = held(GLFW_KEY_LEFT_CONTROL) || held(GLFW_KEY_RIGHT_CONTROL);
+        io.KeyShift = held(GLFW_KEY_LEFT_SHIFT) || held(GLFW_KEY_RIGHT_SHIFT);
+        io.KeyAlt = held(GLFW_KEY_LEFT_ALT) || held(GLFW_KEY_RIGHT_ALT);
+    }
+    input.shown_down.clear();
+    for (const KeyTap& tap : input.taps) {
+        io.KeysDown[tap.key] = true;
+        io.KeyCtrl = tap.ctrl, io.KeyShift = tap.shift, io.KeyAlt = tap.alt;
+        input.shown_down.push_back(tap.key);
+    }
+    input.taps.clear();
+    return !input.shown_down.empty();
 }
 
 bool feed_button(WindowInput& input) {
