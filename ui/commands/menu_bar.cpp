@@ -93,8 +93,7 @@ void add_mouse_lines(Lines& lines) {
                       {"Move, rotate, scale an object", "Select it, drag its gizmo (G R T)"},
                       {"… on a grid, cancel", "with Ctrl, Esc"},
                       {"Number: change, finer, by steps", "Drag, with Shift, with Ctrl"},
-                      {"Number: type (2*pi, 45/2, +0.1, *2)", "Click or double-click"},
-                      {"Number: copy, paste, default", "Right click"}};
+                      {"Number: type, copy or reset", "Click (2*pi, +0.1), right click"}};
     lines.insert(lines.end(), mouse.begin(), mouse.end());
 }
 

@@ -13,6 +13,9 @@ namespace {
 
 constexpr double marked_s = 1.5;  // how long a field that was asked for stays marked
 
+// Of ImGui, from the one that asks for the keyboard to the one that shows the text cursor.
+constexpr int frames_until_typed = 5;
+
 // Kept from frame to frame, as ui/ui.h says.
 struct AskedField {
     std::string pointer;
@@ -45,10 +48,8 @@ bool field_is_asked_below(const std::string& pointer) {
 bool draw_asked(const std::string& pointer, bool types, const std::function<bool()>& draw) {
     if (pointer != asked.pointer || !is_asked_now()) return draw();
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    if (asked.frames == 0) {
-        ImGui::SetScrollHereY(0.5f);
-        redraw_within(0);
-    }
+    if (asked.frames == 0) ImGui::SetScrollHereY(0.5f);
+    if (asked.frames < frames_until_typed) redraw_within(0);
     if (asked.frames == 1 && types) {
         ImGui::SetWindowFocus();
         ImGui::SetKeyboardFocusHere();

@@ -176,8 +176,9 @@ TEST_CASE("Escape puts back what was typed, and keeps the picked pixel", "[ui][w
     CHECK(bench.state.viewport.probe);
 }
 
-TEST_CASE("Escape puts back what was dragged", "[ui][window][numbers]") {
+TEST_CASE("Escape puts back what was dragged, and keeps the picked pixel", "[ui][window][numbers]") {
     Bench bench;
+    test::ask(bench, InspectorTab::Equation);
     const ImVec2 at = bench.field();
     bench.move(at);
     bench.button(true);
@@ -190,6 +191,7 @@ TEST_CASE("Escape puts back what was dragged", "[ui][window][numbers]") {
     bench.button(false);
     CHECK(bench.intensity() == 0.5f);
     CHECK_FALSE(ImGui::GetIO().WantTextInput);
+    CHECK(bench.state.viewport.probe);
 }
 
 TEST_CASE("a slider's fill follows the hand pixel by pixel", "[ui][window][numbers]") {
