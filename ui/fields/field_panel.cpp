@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ui/widgets/area.h"
+#include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
@@ -45,12 +46,14 @@ bool field_is_asked_below(const std::string& pointer) {
     return is_asked_now() && asked.pointer.starts_with(pointer + "/");
 }
 
-bool draw_asked(const std::string& pointer, bool types, const std::function<bool()>& draw) {
+bool draw_asked(const std::string& pointer, Typed typed, const std::function<bool()>& draw) {
     if (pointer != asked.pointer || !is_asked_now()) return draw();
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    if (asked.frames == 0) ImGui::SetScrollHereY(0.5f);
-    if (asked.frames < frames_until_typed) redraw_within(0);
-    if (asked.frames == 1 && types) {
+    if (asked.frames < 2) ImGui::SetScrollHereY(0.5f);  // in its first a panel does not know its length
+    const bool settles = asked.frames < frames_until_typed;
+    if (settles) redraw_within(0);
+    if (settles && typed == Typed::Number && !number_in_hand()) type_into(pointer);
+    if (asked.frames == 1 && typed == Typed::Text) {
         ImGui::SetWindowFocus();
         ImGui::SetKeyboardFocusHere();
     }

@@ -41,10 +41,12 @@ template <class E> bool draw_field(const Row& row, const OneOf&, E& value, E, co
     return choice_field(row.label, value, help);
 }
 
-/// Whether a kind's control is typed into.
-template <class Kind> constexpr bool is_typed(const Kind&) { return true; }
-constexpr bool is_typed(const Switch&) { return false; }
-constexpr bool is_typed(const OneOf&) { return false; }
+/// What is typed into the control of a kind.
+enum class Typed { Nothing, Number, Text };
+template <class Kind> constexpr Typed typed_into(const Kind&) { return Typed::Number; }
+constexpr Typed typed_into(const Switch&) { return Typed::Nothing; }
+constexpr Typed typed_into(const OneOf&) { return Typed::Nothing; }
+constexpr Typed typed_into(const Text&) { return Typed::Text; }
 
 /// Draws dimmed what is without effect at the moment.
 [[nodiscard]] bool dimmed_unless(bool applies, const std::function<bool()>& draw);
@@ -56,8 +58,8 @@ constexpr bool is_typed(const OneOf&) { return false; }
 void ask_for_field(const std::string& pointer);
 /// Whether a field is asked for that lies below `pointer` ("/npr"): a fold that holds it has to open.
 [[nodiscard]] bool field_is_asked_below(const std::string& pointer);
-/// Draws a field by `draw` and does that for it; `types`: the first control in it can be typed into.
-bool draw_asked(const std::string& pointer, bool types, const std::function<bool()>& draw);
+/// Draws a field by `draw` and does that for it; `typed`: what can be typed into it.
+bool draw_asked(const std::string& pointer, Typed typed, const std::function<bool()>& draw);
 
 class FieldPanel {
   public:
@@ -76,7 +78,7 @@ class FieldPanel {
         Field* field = find(key);
         if (field == nullptr) return *this;
         field->drawn = true;
-        edited_ |= draw_asked(field->help.pointer, field->types, [&] {
+        edited_ |= draw_asked(field->help.pointer, field->typed, [&] {
             return dimmed_unless(field->row.applies,
                                  [&] { return control(field->row, field->help, field->draw); });
         });
@@ -119,7 +121,7 @@ class FieldPanel {
         Help help;
         std::function<bool()> draw;
         bool drawn = false;
-        bool types = false;  // its control can be typed into
+        Typed typed = Typed::Nothing;
     };
 
     template <class T> void add(T& value, const std::string& pointer) {
@@ -129,7 +131,7 @@ class FieldPanel {
                 row, help, {}, true};  // what has no control of its own is left to group() or the panel
             if constexpr (requires { draw_field(row, kind, member, from, help); }) {
                 field.drawn = false;
-                field.types = is_typed(kind);
+                field.typed = typed_into(kind);
                 field.draw = [row, kind, &member, &from, help] {
                     return draw_field(row, kind, member, from, help);
                 };
@@ -144,7 +146,7 @@ class FieldPanel {
     }
     void draw(Field& field) {
         field.drawn = true;
-        edited_ |= draw_asked(field.help.pointer, field.types,
+        edited_ |= draw_asked(field.help.pointer, field.typed,
                               [&] { return dimmed_unless(field.row.applies, field.draw); });
     }
 

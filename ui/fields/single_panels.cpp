@@ -89,7 +89,7 @@ bool shading_panel(Shading& shading, glm::vec3& global_ambient) {
     bool edited = panel.rest().edited();
     section_heading("Scene");
     const Help help{"Light from everywhere, apart from all lights", "/global_ambient"};
-    edited |= draw_asked(help.pointer, true, [&] {
+    edited |= draw_asked(help.pointer, Typed::Number, [&] {
         return colour_field("Ambient", global_ambient, Scene{}.global_ambient, help);
     });
     return edited;

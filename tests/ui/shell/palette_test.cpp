@@ -100,6 +100,15 @@ TEST_CASE("a field below the end of its panel is scrolled to", "[ui][palette][wi
     run("crease", "Crease");
     (void)bench.control("/objects/0/normals/crease_deg");  // in sight
     CHECK(ImGui::GetIO().WantTextInput);
+    bench.scene().lights[0].kind = LightKind::Spot;
+    bench.scene().lights[0].position.w = 1;
+    bench.frames(2);
+    run("cutoff", "Cutoff");  // after the switch in its row
+    type(bench, "45/2");
+    CHECK(bench.scene().lights[0].spot.cutoff_deg == 22.5f);
+    run("nam", "Name");
+    type(bench, "Key light");
+    CHECK(bench.scene().lights[0].name == "Key light");
     run("silh", "Silhouettes");  // a switch, which takes no keyboard
     (void)bench.control("/npr/silhouettes");
 }

@@ -15,7 +15,7 @@ using test::HeadlessWindow;
 namespace {
 
 /// Of ImGui's io.KeysDown, for this test.
-constexpr int enter_key = 1, escape_key = 2;
+constexpr int enter_key = 1, escape_key = 2, tab_key = 3;
 
 /// A window whose selected light's intensity stands in the panel, with a clipboard of its own.
 struct Bench : HeadlessWindow {
@@ -23,6 +23,7 @@ struct Bench : HeadlessWindow {
         ImGuiIO& io = ImGui::GetIO();
         io.KeyMap[ImGuiKey_Enter] = enter_key;
         io.KeyMap[ImGuiKey_Escape] = escape_key;
+        io.KeyMap[ImGuiKey_Tab] = tab_key;
         io.ClipboardUserData = &clipboard;
         io.SetClipboardTextFn = [](void* to, const char* text) { *static_cast<std::string*>(to) = text; };
         io.GetClipboardTextFn = [](void* from) { return static_cast<std::string*>(from)->c_str(); };
@@ -139,6 +140,17 @@ TEST_CASE("a click elsewhere ends the typing and keeps it", "[ui][window][number
     bench.frames(2);
     CHECK(bench.intensity() == 0.75f);
     CHECK_FALSE(ImGui::GetIO().WantTextInput);
+}
+
+TEST_CASE("Tab ends the typing and goes on with the next number", "[ui][window][numbers]") {
+    Bench bench;
+    bench.click(bench.field());
+    bench.type("0.75");
+    bench.tap(tab_key);
+    bench.type("1/4");
+    bench.tap(enter_key);
+    CHECK(bench.intensity() == 0.75f);
+    CHECK(bench.scene().lights[0].diffuse.x == 0.25f);
 }
 
 TEST_CASE("what is no number leaves the number alone and says so in one line", "[ui][window][numbers]") {

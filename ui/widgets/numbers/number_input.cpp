@@ -42,6 +42,12 @@ struct InHand {
     Typing typing;
 };
 InHand hand;
+/// The number that is to take the keyboard.
+struct Awaited {
+    std::string pointer;
+    int frame = -1;
+};
+Awaited awaited;
 std::string said;
 
 bool is_held(ImGuiID id) { return hand.id == id && hand.frame + 1 >= ImGui::GetFrameCount(); }
@@ -209,10 +215,18 @@ void draw_number(ImGuiID id, const ImRect& frame, float value, const NumberInput
     ImGui::PopStyleColor();
 }
 
+/// Whether type_into() asked for it; it is asked once.
+bool is_awaited(const std::string& pointer) {
+    if (awaited.frame != ImGui::GetFrameCount() || pointer.empty()) return false;
+    if (pointer != awaited.pointer && !pointer.starts_with(awaited.pointer + "/")) return false;
+    awaited = {};
+    return true;
+}
+
 /// A press, or Tab, takes the number into the hand.
-void take_in_hand(ImGuiID id, float value, bool hovered) {
+void take_in_hand(ImGuiID id, float value, const NumberInput& input, bool hovered) {
     const bool tabbed = (GImGui->LastItemData.StatusFlags & ImGuiItemStatusFlags_FocusedByTabbing) != 0 ||
-                        GImGui->NavActivateInputId == id;
+                        GImGui->NavActivateInputId == id || is_awaited(input.pointer);
     const bool pressed = hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (!tabbed && !pressed) return;
     ImGui::SetActiveID(id, ImGui::GetCurrentWindow());
@@ -243,7 +257,7 @@ bool number_input(const char* label, float& value, const NumberInput& input) {
         if (hand.types) edited = end_typing(value, input.kind.range);
         hand = {};
     }
-    if (!is_held(id)) take_in_hand(id, value, hovered);
+    if (!is_held(id)) take_in_hand(id, value, input, hovered);
     if (is_held(id) && !hand.types) edited |= hold(id, value, input, hovered);
     if (is_held(id) && hand.types)
         edited |= type_text(id, frame, label, value, input.kind.range);
@@ -254,6 +268,8 @@ bool number_input(const char* label, float& value, const NumberInput& input) {
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup(number_menu_id);
     return number_menu(value, input) || edited;
 }
+
+void type_into(const std::string& pointer) { awaited = {pointer, ImGui::GetFrameCount()}; }
 
 bool number_in_hand() { return hand.id != 0 && GImGui->ActiveId == hand.id; }
 

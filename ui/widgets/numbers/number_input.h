@@ -50,6 +50,9 @@ struct NumberInput {
 /// a text that is no number leaves it too and says so (take_said()). The right button opens a menu.
 [[nodiscard]] bool number_input(const char* id, float& value, const NumberInput& input);
 
+/// The number at `pointer`, or the first below it, takes the keyboard if it is drawn in this frame.
+void type_into(const std::string& pointer);
+
 /// Whether a number is being typed or dragged: Escape is then about that number alone.
 [[nodiscard]] bool number_in_hand();
 
