@@ -72,9 +72,9 @@ int run_tool(const std::vector<std::string>& command, int input) {
 
 using Json = JsonValue;
 
-bool same_keys(const Json& a, const Json& b) {
-    return a.members().size() == b.members().size() &&
-           std::all_of(a.members().begin(), a.members().end(),
+/// A key that `a` has and `b` has not stands for its default there, which nothing here knows.
+bool has_keys_of(const Json& b, const Json& a) {
+    return std::all_of(a.members().begin(), a.members().end(),
                        [&b](const auto& member) { return b.find(member.first) != nullptr; });
 }
 
@@ -86,12 +86,12 @@ bool is_one_value(const std::string& pointer) {
 /// Appends " --set POINTER=JSON" for each smallest part in which `b` differs from `a`.
 void append_sets(std::string& command, const Json& a, const Json& b, const std::string& pointer) {
     if (a == b) return;
-    const bool members = a.is_object() && b.is_object() && same_keys(a, b) && !is_one_value(pointer);
+    const bool members = a.is_object() && b.is_object() && has_keys_of(b, a) && !is_one_value(pointer);
     const bool items =
         !b.elements().empty() && a.elements().size() == b.elements().size() && b.elements()[0].is_object();
     if (members) {
         for (const auto& [name, value] : b.members())
-            append_sets(command, *a.find(name), value, pointer + "/" + name);
+            append_sets(command, a.find(name) != nullptr ? *a.find(name) : Json(), value, pointer + "/" + name);
     } else if (items) {
         for (std::size_t i = 0; i < b.elements().size(); ++i)
             append_sets(command, a.elements()[i], b.elements()[i], fmt::format("{}/{}", pointer, i));
@@ -167,6 +167,10 @@ std::string render_command_text(const SceneDocument& document, const Scene& in_f
         shown = with_absolute_meshes(document.scene, document.mesh_dir);
         command = R"(echo '{"glint": 1}' | glint render -)";
     }
+    // What is written about a scene draws nothing. What the window shows, and a picture that it wrote, is fitted.
+    base.about = shown.about = {};
+    shown.camera.projection = fitted(shown.camera.projection, {size.width, size.height, true});
+    if (document.fitted_to) base.camera.projection = fitted(base.camera.projection, *document.fitted_to);
     append_sets(command, *Json::parse(scene_text(base)), *Json::parse(scene_text(shown)), "");
     command += fmt::format(" --size {}x{}", size.width, size.height);
     if (samples > 1) command += fmt::format(" --samples {}", samples);
