@@ -58,7 +58,7 @@ std::string shortest_command(const UiState& state, const ExportOptions& options,
     const auto command = [&](const SceneDocument& of, const Scene& in_file) {
         return render_command_text(of, in_file, options.size, options.samples, out);
     };
-    const std::string own = command(document, state.editor.saved);
+    std::string own = command(document, state.editor.saved);
     if (!document.path.empty() || state.shipped_scenes.empty()) return own;
     const std::string first = (fs::path(state.shipped_scenes) / "default.json").string();
     const Result<std::string> text = read_file(first, std::size_t{1} << 20);
@@ -67,7 +67,7 @@ std::string shortest_command(const UiState& state, const ExportOptions& options,
     if (problem_of(scene) != nullptr) return own;
     SceneDocument as_first = document;
     as_first.path = first;
-    const std::string from_first = command(as_first, std::get<Scene>(scene));
+    std::string from_first = command(as_first, std::get<Scene>(scene));
     return from_first.size() < own.size() ? from_first : own;
 }
 
