@@ -175,12 +175,13 @@ int Renderer::object_at(int x, int y) const {
 
 std::optional<SeenPoint> Renderer::seen_at(int x, int y) const {
     const KeptStages& s = kept_->stages;
-    const std::uint32_t triangle = s.visibility.triangle_at(s.lighting.picture.pixel(x, y));
+    const std::size_t pixel = s.lighting.picture.pixel(x, y);
+    const std::uint32_t triangle = s.visibility.triangle_at(pixel);
     if (triangle == no_triangle) return std::nullopt;
     const SampleFace face = sample_face(s.surface.choice, s.geometry, s.visibility, x, y);
     const PositionNormal at = pixel_point(s.surface, s.geometry, face);
     return SeenPoint{static_cast<int>(face.object), s.geometry.triangle(face.object, triangle).face, at.p,
-                     at.n};
+                     at.n, !s.visibility.back_at(pixel)};
 }
 
 float Renderer::depth_at(int x, int y) const {

@@ -38,6 +38,7 @@ struct SeenPoint {
     std::uint32_t face = 0;  // polygon, in the file's order from 0
     glm::vec3 position{0};
     glm::vec3 normal{0};  // unit; the facet's under the mode `facet`, else the interpolated one
+    bool front = true;    // counter-clockwise on the screen, the other way round for a mirrored object
 };
 
 class Renderer {

@@ -24,7 +24,7 @@ struct RenderArguments {
     bool no_scene = false;
 };
 
-/// So many pixels have ten buffers in less than 2 GiB of memory.
+/// So many pixels have eleven buffers in about 2 GiB of memory.
 constexpr int max_buffer_pixels = 4096 * 4096;
 
 /// By the extension. "-", and a device or pipe whose name has none, take PNG.

@@ -23,6 +23,10 @@ void step_debug_view(UiState& state, int steps) {
     show_quantity(state.views, debug_view_after(state.views.debug_view.set.choice.view, steps));
 }
 
+bool shows_orientation(const UiState& state) {
+    return state.views.debug_view.set.choice.view == DebugView::Orientation;
+}
+
 void switch_over_range(UiState& state) {
     DebugViewSet& set = state.views.debug_view.set;
     set.over_range = !set.over_range;
@@ -70,6 +74,15 @@ std::vector<WindowCommand> looking_commands() {
          .menu = Menu::View,
          .run = [](UiState& s) { step_debug_view(s, -1); },
          .id = CommandId::PreviousDebugView,
+         .changes_picture = true},
+        {.name = "Front and back of faces",
+         .keys = {{Key::N, !ctrl, shift}},
+         .menu = Menu::View,
+         .run =
+             [](UiState& s) {
+                 show_quantity(s.views, shows_orientation(s) ? DebugView::Picture : DebugView::Orientation);
+             },
+         .is_on = shows_orientation,
          .changes_picture = true},
         {.name = "Stripes over what is too bright",
          .keys = {{Key::O}},

@@ -17,7 +17,11 @@ namespace {
 
 constexpr std::array<DebugViewInfo, debug_view_count> infos{{
     {DebugView::Picture, "Picture", "The picture itself"},
-    {DebugView::Normal, "Normals", "Red, green, blue are x, y, z in camera coordinates, from −1 to 1"},
+    {DebugView::Normal, "Normals",
+     "Red, green, blue are x, y, z in camera coordinates, from −1 to 1; striped where n·v < 0, away from the "
+     "viewer"},
+    {DebugView::Orientation, "Front and back",
+     "Which side of a face shows, by the order of its corners on the screen: blue the front, red the back"},
     {DebugView::NDotL, "n·l",
      "The cosine between the normal and one light, before it is clamped: blue is turned away"},
     {DebugView::Depth, "Depth", "Distance in front of the camera, in scene units: near is light"},
@@ -34,19 +38,55 @@ constexpr std::array<DebugViewInfo, debug_view_count> infos{{
 
 ImU32 packed_bytes(std::array<std::uint8_t, 3> c) { return IM_COL32(c[0], c[1], c[2], 255); }
 
-/// A ball of normals: which colour stands for which direction.
-void draw_normal_ball(ImDrawList& list, ImVec2 centre, float radius) {
+/// A ball of normals seen from the camera, its near half or its far half: which colour stands for which
+/// direction, in the very colours of the picture.
+void draw_normal_ball(ImDrawList& list, ImVec2 centre, float radius, bool away) {
     constexpr int cells = 24;
     const float cell = 2 * radius / cells;
     for (int j = 0; j < cells; ++j)
         for (int i = 0; i < cells; ++i) {
             const float x = (float(i) + 0.5f) * 2 / cells - 1, y = 1 - (float(j) + 0.5f) * 2 / cells;
-            const float z = 1 - x * x - y * y;
-            if (z < 0) continue;
+            const float squared = 1 - x * x - y * y;
+            if (squared < 0) continue;
+            const float z = (away ? -1.0f : 1.0f) * std::sqrt(squared);
+            const auto colour = normal_color({x, y, z});
             const ImVec2 low = centre - radius * ImVec2(1, 1) + cell * ImVec2(float(i), float(j));
             list.AddRectFilled(low, low + (cell + 0.5f) * ImVec2(1, 1),
-                               packed_bytes(normal_color({x, y, std::sqrt(z)})));
+                               packed_bytes(away ? turned_away_color(colour, i, j) : colour));
         }
+}
+
+/// What the colours stand for where no bar says it, with words beside each sample.
+struct Sample {
+    const char* words;
+    void (*draw)(ImDrawList& list, ImVec2 centre, float radius);
+};
+std::span<const Sample> samples_of(DebugView view) {
+    static constexpr Sample normals[] = {
+        {"towards you", [](ImDrawList& l, ImVec2 at, float r) { draw_normal_ball(l, at, r, false); }},
+        {"away, n·v < 0", [](ImDrawList& l, ImVec2 at, float r) { draw_normal_ball(l, at, r, true); }}};
+    static constexpr Sample sides[] = {
+        {"front", [](ImDrawList& l, ImVec2 at,
+                     float r) { l.AddCircleFilled(at, r, packed_bytes(side_color(true, 1))); }},
+        {"back", [](ImDrawList& l, ImVec2 at, float r) {
+             l.AddCircleFilled(at, r, packed_bytes(side_color(false, 1)));
+         }}};
+    if (view == DebugView::Normal) return normals;
+    if (view == DebugView::Orientation) return sides;
+    return {};
+}
+
+/// Half the height of the row.
+float sample_radius(DebugView view) { return px(view == DebugView::Normal ? 16 : 6); }
+
+void draw_samples(ImDrawList& list, DebugView view, ImVec2 low) {
+    const float radius = sample_radius(view);
+    for (const Sample& sample : samples_of(view)) {
+        sample.draw(list, low + ImVec2(radius, radius), radius);
+        const ImVec2 words = low + ImVec2(2 * radius + px(5), radius - small_text_height() / 2);
+        plot_text(list, words, theme().text, sample.words);
+        low.x += px(122);
+    }
 }
 
 struct Reading {
@@ -158,16 +198,19 @@ void draw_debug_view_legend(ImDrawList& list, const DebugViewState& state, const
                             const PictureView& view, std::optional<glm::ivec2> picked) {
     const DebugView shown = state.set.choice.view;
     if (shown == DebugView::Picture || !state.painter) return;
-    const bool has_bar = state.painter->scale().has_bar, ball = shown == DebugView::Normal;
+    const bool has_bar = state.painter->scale().has_bar;
+    const float samples = samples_of(shown).empty() ? 0 : 2 * sample_radius(shown) + px(6);
     const std::vector<Reading> readings = readings_of(state, view, picked);
     const float line = small_text_height() + px(3);
-    const ImVec2 size{px(236), px(14) + line * float(1 + readings.size()) + (has_bar ? px(32) : 0)};
+    const ImVec2 size{px(samples > 0 ? 256 : 236),
+                      px(14) + line * float(1 + readings.size()) + (has_bar ? px(32) : 0) + samples};
     const ImVec2 low{view.origin.x + px(8), view.end().y - px(8) - size.y};
     badge_ground(list, {low, low + size});
     ImVec2 at = low + px(1) * ImVec2(10, 6);
     plot_text(list, at, theme().text, title_of(state, scene));
     at.y += line;
-    if (ball) draw_normal_ball(list, low + ImVec2(size.x - px(24), size.y / 2), px(16));
+    draw_samples(list, shown, at + ImVec2(0, px(2)));
+    at.y += samples;
     if (has_bar) {
         draw_bar(list, state, {at + px(1) * ImVec2(6, 5), {low.x + size.x - px(16), at.y + px(13)}},
                  readings);

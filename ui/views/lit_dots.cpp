@@ -77,14 +77,26 @@ std::string evaluations_text(const Renderer& renderer, const Scene& scene) {
 
 namespace {
 
+/// An arrow; where it points along the line of sight, a disc towards the viewer and a ring away.
 void draw_needle(ImDrawList& list, const PictureView& view, const LitDot& dot, const OnScreen& foot) {
     // Across the line of sight it is this many pixels long, near or far.
     const glm::dvec2 beside = foot.pixel + glm::dvec2(24, 0);
     const double length =
         glm::length(unproject(view.map, beside, foot.depth) - unproject(view.map, foot.pixel, foot.depth));
     const OnScreen tip = project(view.map, glm::dvec3(dot.place) + length * glm::dvec3(dot.normal));
-    if (tip.in_front)
-        cased_line(list, view.to_window(foot.pixel), view.to_window(tip.pixel), to_u32(theme()[Symbol::N]));
+    if (!tip.in_front) return;
+    const ImU32 colour = to_u32(theme()[Symbol::N]);
+    const ImVec2 from = view.to_window(foot.pixel), to = view.to_window(tip.pixel), way = to - from;
+    const float across = length_of(way);
+    constexpr float head = 7;  // logical pixels
+    if (across < px(head)) {
+        if (tip.depth < foot.depth) return rimmed_disc(list, from, 2.4f, colour);
+        return cased_circle(list, from, 2.4f, colour, 1.2f);
+    }
+    const ImVec2 along = way / across;
+    cased_line(list, from, to - px(head - 1) * along, colour);
+    arrow_head(list, to + px(1.5f) * along, along, head + 2.5f, 4.2f, rim_colour());
+    arrow_head(list, to, along, head, 2.8f, colour);
 }
 
 }  // namespace

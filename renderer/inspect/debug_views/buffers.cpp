@@ -7,10 +7,10 @@
 namespace glint {
 namespace {
 
-constexpr std::array names{"position",       "normal",  "depth",   "face",     "emission",
+constexpr std::array names{"position",       "normal",  "depth",   "face",     "side", "emission",
                            "global_ambient", "ambient", "diffuse", "specular", "sum"};
 using PixelValues = std::array<glm::vec3, names.size()>;
-constexpr std::size_t first_term = 4, last = names.size() - 1;
+constexpr std::size_t first_term = 5, last = names.size() - 1;
 
 void add_terms(PixelValues& values, const ExplainedPoint& at, float weight) {
     std::array<glm::vec3, 5> terms{at.emission, at.global_ambient, glm::vec3(0), glm::vec3(0), glm::vec3(0)};
@@ -31,6 +31,7 @@ PixelValues values_at(const Renderer& renderer, int x, int y) {
     values[1] = e.at.normal.camera;
     values[2] = glm::vec3(-e.at.point.camera.z);
     values[3] = glm::vec3(1, static_cast<float>(e.object_index), static_cast<float>(e.face));
+    values[4] = glm::vec3(e.front_facing ? 1 : -1);
     if (!e.lit_per_corner) add_terms(values, e.at, 1);
     for (const ExplainedCorner& corner : e.corners) add_terms(values, corner.at, corner.weight);
     return values;

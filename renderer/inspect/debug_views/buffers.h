@@ -19,6 +19,7 @@ struct PixelBuffer {
 ///   position, normal          x, y, z; under flat and gouraud of the pixel's own point, which is not lit
 ///   depth                     distance in front of the camera, in all three
 ///   face                      1 where a surface shows, its object's number, its face's number (from 0)
+///   side                      1 front, -1 back, by the winding on the screen, in all three
 ///   emission, global_ambient  terms of the sum; under gouraud and flat blended as the colours are
 ///   ambient, diffuse, specular  the same, of all lights together
 ///   sum                       the pixel's linear colour before exposure, background too

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
@@ -17,42 +16,15 @@ constexpr float none = std::numeric_limits<float>::quiet_NaN();
 using Rgb = std::array<std::uint8_t, 3>;
 constexpr Rgb background{38, 38, 40};
 
-Rgb bytes(glm::dvec3 color) {
-    const glm::dvec3 c = glm::clamp(color, 0.0, 1.0) * 255.0 + 0.5;
-    return {static_cast<std::uint8_t>(c.x), static_cast<std::uint8_t>(c.y), static_cast<std::uint8_t>(c.z)};
-}
-
-/// Along evenly spaced colours, `at` from 0 to 1.
-template <std::size_t N> glm::dvec3 between(const std::array<glm::dvec3, N>& stops, double at) {
-    const double scaled = std::clamp(at, 0.0, 1.0) * (N - 1);
-    const std::size_t i = std::min(static_cast<std::size_t>(scaled), N - 2);
-    return glm::mix(stops[i], stops[i + 1], scaled - static_cast<double>(i));
-}
-
-/// Lightness rises evenly, so that it reads in grey too.
-const std::array<glm::dvec3, 5> dark_to_light{glm::dvec3(0.06, 0.04, 0.26), glm::dvec3(0.16, 0.26, 0.58),
-                                              glm::dvec3(0.12, 0.53, 0.60), glm::dvec3(0.53, 0.78, 0.37),
-                                              glm::dvec3(1.00, 0.95, 0.60)};
-/// Lit: black, orange, white. Turned away: blues, so that the break at 0 is the terminator.
-const std::array<glm::dvec3, 3> lit{glm::dvec3(0.07, 0.04, 0.02), glm::dvec3(0.88, 0.47, 0.10),
-                                    glm::dvec3(1, 1, 0.92)};
-const std::array<glm::dvec3, 2> unlit{glm::dvec3(0.10, 0.15, 0.32), glm::dvec3(0.35, 0.62, 1)};
-
-/// A hue for a number, so that numbers near one another lie far apart.
-Rgb hue_color(std::uint64_t number) {
-    const double hue = 6 * std::fmod(static_cast<double>(number) * std::numbers::phi, 1.0);
-    const double light = number % 2 == 0 ? 0.92 : 0.66;
-    const auto channel = [&](double shift) {
-        const double away = std::abs(std::fmod(hue + shift, 6.0) - 3);
-        return light * (0.35 + 0.65 * std::clamp(away - 1, 0.0, 1.0));
-    };
-    return bytes({channel(0), channel(4), channel(2)});
-}
-
 template <class PixelWork> void for_pixels(PictureSize size, const PixelWork& work) {
     tbb::parallel_for(0, size.height, [&](int y) {
         for (int x = 0; x < size.width; ++x) work(size.index(x, y), x, y);
     });
+}
+
+/// Unit, camera coordinates.
+glm::vec3 towards_eye(const SeenPoint& seen, bool parallel) {
+    return parallel ? glm::vec3(0, 0, 1) : -glm::normalize(seen.position);
 }
 
 void put(Picture& picture, std::size_t pixel, Rgb color) {
@@ -62,25 +34,33 @@ void put(Picture& picture, std::size_t pixel, Rgb color) {
 
 }  // namespace
 
-Rgb debug_view_color(DebugView view, const DebugViewScale& scale, double value) {
-    if (view == DebugView::NDotL) return bytes(value < 0 ? between(unlit, -value) : between(lit, value));
-    const double share = (value - scale.low) / (scale.high - scale.low);
-    // What is near is light.
-    return bytes(between(dark_to_light, view == DebugView::Depth ? 1 - share : share));
-}
-
-Rgb normal_color(glm::vec3 normal) { return bytes(glm::dvec3(normal) * 0.5 + 0.5); }
-
 DebugViewPainter::DebugViewPainter(int threads)
     : renderer_(std::make_unique<Renderer>(threads)), facets_(std::make_unique<Renderer>(threads)) {}
 
 void DebugViewPainter::measure_normals(const Scene& scene, PictureSize size) {
     const Picture& drawn = renderer_->render(normal_scene(scene, false), size, true);
     normals_.resize(size.pixels());
+    facing_.resize(size.pixels());
+    const bool parallel = is_orthographic(scene.camera.projection);
     for_pixels(size, [&](std::size_t i, int x, int y) {
-        const bool hit = renderer_->object_at(x, y) >= 0;
-        normals_[i] = hit ? drawn.linear_at(x, y) : glm::vec3(none);
-        put(picture_, i, hit ? normal_color(normals_[i]) : background);
+        const auto seen = renderer_->seen_at(x, y);
+        normals_[i] = seen ? drawn.linear_at(x, y) : glm::vec3(none);
+        facing_[i] = seen ? glm::dot(normals_[i], towards_eye(*seen, parallel)) : none;
+        if (!seen) return put(picture_, i, background);
+        const Rgb color = normal_color(normals_[i]);
+        put(picture_, i, facing_[i] < 0 ? turned_away_color(color, x, y) : color);
+    });
+}
+
+void DebugViewPainter::paint_sides(const Scene& scene, const Renderer& drawn_by, PictureSize size) {
+    sides_.assign(size.pixels(), Side::None);
+    const bool parallel = is_orthographic(scene.camera.projection);
+    for_pixels(size, [&](std::size_t i, int x, int y) {
+        const auto seen = drawn_by.seen_at(x, y);
+        if (!seen) return put(picture_, i, background);
+        sides_[i] = seen->front ? Side::Front : Side::Back;
+        put(picture_, i,
+            side_color(seen->front, double(glm::dot(seen->normal, towards_eye(*seen, parallel)))));
     });
 }
 
@@ -121,7 +101,7 @@ void DebugViewPainter::paint_faces(const Scene& scene, const Renderer& drawn_by,
         const auto seen = drawn_by.seen_at(x, y);
         if (seen) faces_[i] = (static_cast<std::uint64_t>(seen->object) << 32) | seen->face;
         put(picture_, i,
-            seen ? hue_color(seen->face + 7919u * static_cast<unsigned>(seen->object)) : background);
+            seen ? face_color(seen->face + 7919u * static_cast<unsigned>(seen->object)) : background);
     });
 }
 
@@ -154,6 +134,9 @@ const Picture& DebugViewPainter::paint(DebugViewChoice choice, const Scene& scen
     switch (choice.view) {
     case DebugView::Normal:
         measure_normals(scene, size);
+        return picture_;
+    case DebugView::Orientation:
+        paint_sides(scene, drawn_by, size);
         return picture_;
     case DebugView::Face:
         paint_faces(scene, drawn_by, size);
@@ -196,8 +179,11 @@ std::string DebugViewPainter::value_text(int x, int y) const {
     }
     if (view_ == DebugView::Normal) {
         const glm::vec3 n = normals_[i];
-        return std::isnan(n.x) ? "background" : fmt::format("{:+.3f} {:+.3f} {:+.3f}", n.x, n.y, n.z);
+        if (std::isnan(n.x)) return "background";
+        return fmt::format("{:+.3f} {:+.3f} {:+.3f}{}", n.x, n.y, n.z, facing_[i] < 0 ? " away" : "");
     }
+    if (view_ == DebugView::Orientation)
+        return sides_[i] == Side::None ? "background" : sides_[i] == Side::Front ? "front" : "back";
     if (view_ == DebugView::Face) {
         const std::size_t object = faces_[i] >> 32;
         if (object >= names_.size()) return "background";

@@ -18,18 +18,19 @@ namespace glint {
 
 enum class DebugView {
     Picture,
-    Normal,      // interpolated, camera coordinates; red, green, blue: x, y, z from -1 to 1
-    NDotL,       // of one light, not clamped, under the scene's own shading mode
-    Depth,       // in front of the camera, scene units
-    Face,        // which polygon: neighbours in different colours
-    FacetAngle,  // between the facet's and the interpolated normal, degrees
-    Silhouette,  // the picture with its outline marked: polygons stay, whatever the shading
-    Emission,    // single terms of the sum, as the picture shows them
+    Normal,       // interpolated, camera coordinates; red, green, blue: x, y, z from -1 to 1
+    Orientation,  // whether a triangle's front shows or its back, by its winding on the screen
+    NDotL,        // of one light, not clamped, under the scene's own shading mode
+    Depth,        // in front of the camera, scene units
+    Face,         // which polygon: neighbours in different colours
+    FacetAngle,   // between the facet's and the interpolated normal, degrees
+    Silhouette,   // the picture with its outline marked: polygons stay, whatever the shading
+    Emission,     // single terms of the sum, as the picture shows them
     Ambient,
     Diffuse,
     Specular
 };
-inline constexpr int debug_view_count = 11;
+inline constexpr int debug_view_count = 12;
 
 struct DebugViewChoice {
     DebugView view = DebugView::Picture;
@@ -62,6 +63,12 @@ struct DebugViewScale {
                                                            double value);
 /// The colour of a normal: (n + 1) / 2.
 [[nodiscard]] std::array<std::uint8_t, 3> normal_color(glm::vec3 normal);
+/// The colour of a face: neighbours in the file lie far apart.
+[[nodiscard]] std::array<std::uint8_t, 3> face_color(std::uint64_t number);
+/// Blue in front, red behind; darker where the surface is seen from the side.
+[[nodiscard]] std::array<std::uint8_t, 3> side_color(bool front, double n_dot_v);
+/// `color` in the stripes that mark a normal that points away from the viewer, n.v < 0, at pixel (x, y).
+[[nodiscard]] std::array<std::uint8_t, 3> turned_away_color(std::array<std::uint8_t, 3> color, int x, int y);
 
 class DebugViewPainter {
   public:
@@ -84,13 +91,17 @@ class DebugViewPainter {
     void measure_angles(const Scene& scene, PictureSize size);
     void measure_n_dot_l(const Scene& scene, int light, PictureSize size);
     void measure_depths(const Renderer& drawn_by, PictureSize size);
+    void paint_sides(const Scene& scene, const Renderer& drawn_by, PictureSize size);
     void paint_faces(const Scene& scene, const Renderer& drawn_by, PictureSize size);
     void color_values();
 
     DebugView view_ = DebugView::Picture;
     std::unique_ptr<Renderer> renderer_, facets_;
     std::vector<float> values_;       // NaN: background
-    std::vector<glm::vec3> normals_;  // of Normal
+    std::vector<glm::vec3> normals_;  // of Normal, with
+    std::vector<float> facing_;       // n.v; NaN: background
+    enum class Side : std::uint8_t { None, Front, Back };
+    std::vector<Side> sides_;         // of Orientation
     std::vector<std::string> names_;  // of Face: the objects'
     std::vector<std::uint64_t> faces_;
     const Picture* terms_ = nullptr;

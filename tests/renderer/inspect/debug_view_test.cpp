@@ -198,3 +198,73 @@ TEST_CASE("debug view: a scale's colours rise in lightness and break where light
     CHECK(facing[0] > facing[2]);
     CHECK(normal_color({0, 0, 1}) == std::array<std::uint8_t, 3>{128, 128, 255});
 }
+
+TEST_CASE("debug view: front and back follow the winding on the screen, mirrored or not", "[debug_view]") {
+    // The same triangle four times: counter-clockwise, clockwise, and both mirrored by a scale below 0.
+    const std::vector<glm::vec3> corners{{-0.4f, -0.4f, 0}, {0.4f, -0.4f, 0}, {0, 0.5f, 0}};
+    Scene scene;
+    scene.camera.eye = {0, 0, 5};
+    for (int i = 0; i < 4; ++i) {
+        Object object =
+            object_of(i % 2 == 0 ? polygon_mesh(corners, {{0, 1, 2}}) : polygon_mesh(corners, {{0, 2, 1}}));
+        object.transform.translate = {i % 2 == 0 ? -0.8f : 0.8f, i < 2 ? 0.8f : -0.8f, 0};
+        if (i >= 2) object.transform.scale.x = -1;
+        scene.objects.push_back(object);
+    }
+    const PictureSize square{80, 80};
+    Renderer renderer(1);
+    (void)renderer.render(scene, square);
+    DebugViewPainter painter(1);
+    const Picture& sides = painter.paint({DebugView::Orientation, 0}, scene, renderer, square);
+    int seen[2] = {0, 0};
+    for (int y = 0; y < square.height; ++y)
+        for (int x = 0; x < square.width; ++x) {
+            const int object = renderer.object_at(x, y);
+            const std::size_t i = 4 * sides.pixel(x, y);
+            if (object < 0) {
+                CHECK(painter.value_text(x, y) == "background");
+                continue;
+            }
+            const bool front = object % 2 == 0;
+            ++seen[front];
+            CHECK(painter.value_text(x, y) == (front ? "front" : "back"));
+            CHECK((sides.rgba[i + 2] > sides.rgba[i]) == front);  // blue, else red
+        }
+    CHECK(seen[0] > 100);
+    CHECK(seen[1] > 100);
+}
+
+TEST_CASE("debug view: normals that point away from the viewer are striped, others are not", "[debug_view]") {
+    Scene scene;
+    scene.camera.eye = {0, 0, 3};
+    scene.objects = {object_of(primitive(Primitive::Sphere, 48))};
+    for (const bool flip : {false, true})
+        for (const bool parallel : {false, true}) {
+            scene.objects[0].normals.flip = flip;
+            if (parallel) scene.camera.projection = Orthographic{3};
+            Renderer renderer(1);
+            (void)renderer.render(scene, size);
+            DebugViewPainter painter(1);
+            const Picture& shown = painter.paint({DebugView::Normal, 0}, scene, renderer, size);
+            int striped = 0, plain = 0, inside = 0;
+            for (int y = 0; y < size.height; ++y)
+                for (int x = 0; x < size.width; ++x) {
+                    const auto seen = renderer.seen_at(x, y);
+                    if (!seen) continue;
+                    const glm::vec3 v = parallel ? glm::vec3(0, 0, 1) : -glm::normalize(seen->position);
+                    if (std::abs(glm::dot(seen->normal, v)) < 0.05f)
+                        continue;  // the outline of a coarse ball
+                    ++inside;
+                    const auto color = normal_color(seen->normal);
+                    const std::uint8_t* there = &shown.rgba[4 * shown.pixel(x, y)];
+                    int off = 0;
+                    for (std::size_t c = 0; c < 3; ++c)
+                        off = std::max(off, std::abs(int(there[c]) - int(color[c])));
+                    ++(off <= 1 ? plain : striped);
+                    CHECK(painter.value_text(x, y).ends_with(" away") == flip);
+                }
+            REQUIRE(inside > 200);
+            CHECK((striped == 0) == !flip);
+            if (flip) CHECK(striped == Approx(inside * 3 / 8.0).epsilon(0.1));
+        }
+}

@@ -151,6 +151,7 @@ TEST_CASE("buffers: their terms add up to the picture under every mode", "[buffe
                 const auto seen = renderer.seen_at(x, y);
                 REQUIRE(buffer("face").linear_at(x, y) ==
                         (seen ? glm::vec3(1, seen->object, seen->face) : glm::vec3(0)));
+                REQUIRE(buffer("side").linear_at(x, y) == glm::vec3(seen ? (seen->front ? 1 : -1) : 0));
                 if (!seen) continue;
                 REQUIRE(buffer("position").linear_at(x, y) == seen->position);
                 REQUIRE(buffer("normal").linear_at(x, y) == seen->normal);

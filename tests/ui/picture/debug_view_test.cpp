@@ -85,3 +85,36 @@ TEST_CASE("over-range stripes lie over the picture that is shown and leave the d
     bench.frames(1);
     CHECK(bench.state.displayed->rgba == bytes);
 }
+
+TEST_CASE("a key shows front and back of faces and takes them away again", "[ui][window][debug_view]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.key(Key::N, false, true);
+    bench.frames(2);
+    CHECK(bench.state.views.debug_view.set.choice.view == DebugView::Orientation);
+    CHECK(bench.state.displayed != bench.state.rendered);
+    bench.key(Key::N, false, true);
+    bench.frames(2);
+    CHECK(bench.state.displayed == bench.state.rendered);
+}
+
+TEST_CASE("the legend of the normals has the picture's colours, turned away ones too",
+          "[ui][window][debug_view]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    show_quantity(bench.state.views, DebugView::Normal);
+    bench.frames(2);
+    const auto drawn = [](std::array<std::uint8_t, 3> c) {
+        const ImDrawData* data = ImGui::GetDrawData();
+        for (int i = 0; i < data->CmdListsCount; ++i)
+            for (const ImDrawVert& v : data->CmdLists[i]->VtxBuffer)
+                if (v.col == IM_COL32(c[0], c[1], c[2], 255)) return true;
+        return false;
+    };
+    // The middle cells of the balls: as good as towards the camera and away from it.
+    const float near = 0.5f * 2 / 24, z = std::sqrt(1 - 2 * near * near);
+    CHECK(drawn(normal_color({near, near, z})));
+    int away = 0;
+    for (int i = 0; i < 8; ++i) away += drawn(turned_away_color(normal_color({near, near, -z}), i, 0));
+    CHECK(away > 0);
+}
