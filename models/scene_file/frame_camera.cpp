@@ -22,12 +22,12 @@ struct Sphere {
     double radius = 0;
 };
 
-/// f(place in the world) of every corner of the objects, or of one.
+/// f(place in the world) of every corner of the objects that are shown, or of one.
 template <class F> void each_corner(const Scene& scene, int object, F f) {
     const bool all = object < 0 || static_cast<std::size_t>(object) >= scene.objects.size();
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& o = scene.objects[i];
-        if (!o.mesh || (!all && i != static_cast<std::size_t>(object))) continue;
+        if (!o.mesh || (all ? !o.visible : i != static_cast<std::size_t>(object))) continue;
         const glm::dmat4 m = world_from_object(o.transform);
         for (const std::uint32_t p : o.mesh->corner_position)
             f(glm::dvec3(m * glm::dvec4(o.mesh->positions[p], 1)));

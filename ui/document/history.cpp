@@ -68,11 +68,13 @@ std::string object_step(const Object& a, const Object& b) {
     const std::vector<Row> changed = changed_rows(a, b);
     if (changed.size() != 1) return fmt::format("Edit {}", b.name);
     if (changed.front().key == "name") return fmt::format("Rename {}", a.name);
+    if (changed.front().key == "visible") return fmt::format("{} {}", b.visible ? "Show" : "Hide", b.name);
     if (changed.front().key != "transform") return common_name(changed, b.name, "Edit {}");
     const std::vector<Row> moved = changed_rows(a.transform, b.transform);
-    // Turned about a point that is not the object's origin, it moves too.
-    if (a.transform.rotate_deg != b.transform.rotate_deg && a.transform.scale == b.transform.scale)
-        return fmt::format("Rotate {}", b.name);
+    // Turned or scaled about a point that is not the object's origin, it moves too.
+    const bool turned = a.transform.rotate_deg != b.transform.rotate_deg;
+    const bool scaled = a.transform.scale != b.transform.scale;
+    if (turned != scaled) return fmt::format("{} {}", turned ? "Rotate" : "Scale", b.name);
     return common_name(moved, b.name, changed.front().undo);
 }
 

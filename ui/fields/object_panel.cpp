@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <string>
 
 #include "ui/fields/field_panel.h"
@@ -139,6 +140,18 @@ void mesh_facts(const Object& object) {
     }
 }
 
+/// One number for all three scales: they keep their ratio, and their signs. It is the largest of them.
+bool uniform_scale_field(glm::vec3& scale, const std::string& pointer) {
+    const glm::vec3 size = glm::abs(scale);
+    const float largest = std::max({size.x, size.y, size.z});
+    float wanted = largest;
+    const Real kind{.range = above_zero, .step = 0.01f, .format = "%.2f", .logarithmic = true};
+    const Help help{"Multiplies the three scales, which keep their ratio: the largest of them", pointer};
+    if (!number_field("Scale all", wanted, kind, 1, help)) return false;
+    scale *= wanted / largest;
+    return true;
+}
+
 /// Which gizmo stands on the object in the picture.
 void gizmo_field(GizmoMode& gizmo) {
     const auto with_key = [](const char* what, CommandId id) {
@@ -178,7 +191,7 @@ bool object_panel(Object& object, const std::string& pointer, Reflection reflect
                   ObjectRequests& requests) {
     const Object before = object;
     FieldPanel panel(object, pointer);
-    panel.draw({"name"});
+    panel.draw({"name", "visible"});
     bool edited = source_field(object, pointer, requests);
     edited |= detail_field(object, pointer);
     mesh_facts(object);
@@ -187,7 +200,8 @@ bool object_panel(Object& object, const std::string& pointer, Reflection reflect
     });
     panel.group("transform", object.transform, [&](Transform& transform, const std::string& at) {
         gizmo_field(requests.gizmo);
-        return field_rows(transform, at);
+        const bool moved = field_rows(transform, at);
+        return uniform_scale_field(transform.scale, at + "/scale") || moved;
     });
     panel.group("normals", object.normals, field_rows<NormalOptions>);
     edited |= panel.rest().edited();

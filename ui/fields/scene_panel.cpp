@@ -56,6 +56,15 @@ bool row_menu(Scene& scene, Selection& selection, Selection row) {
     return edited;
 }
 
+/// The eye at the right end of a row: open while what the row stands for is seen in the picture.
+bool eye_button(bool& open, const char* state, const char* what, const std::string& pointer) {
+    ImGui::SameLine(0, 0);
+    const bool pressed = icon_button("##eye", open ? Icon::Eye : Icon::EyeOff);
+    tooltip(state, what, "", pointer);
+    if (pressed) open = !open;
+    return pressed;
+}
+
 bool space_button(Light& light, const Camera& camera) {
     const bool world = light.space == LightSpace::World;
     const float size = ImGui::GetFrameHeight();
@@ -92,13 +101,8 @@ bool light_row(Scene& scene, int index, Selection& selection) {
     if (!structural) {
         ImGui::SameLine(0, 0);
         edited |= space_button(light, scene.camera);
-        ImGui::SameLine(0, 0);
-        if (icon_button("##on", light.enabled ? Icon::Eye : Icon::EyeOff)) {
-            light.enabled = !light.enabled;
-            edited = true;
-        }
-        tooltip(light.enabled ? "On" : "Off", "Whether this light shines", "",
-                "/lights/" + std::to_string(index) + "/enabled");
+        edited |= eye_button(light.enabled, light.enabled ? "On" : "Off", "Whether this light shines",
+                             "/lights/" + std::to_string(index) + "/enabled");
     }
     ImGui::PopID();
     return edited || structural;
@@ -152,11 +156,15 @@ void list_heading(const char* title, const char* popup, bool full) {
 
 bool object_row(Scene& scene, int index, Selection& selection) {
     const Selection row{Selection::Kind::Object, index};
-    const std::string& name = scene.objects[static_cast<std::size_t>(index)].name;
+    Object& object = scene.objects[static_cast<std::size_t>(index)];
     ImGui::PushID(static_cast<int>(max_lights) + index);
-    if (item_row(Icon::Object, to_u32(theme().dim_text), name.c_str(), selection == row, px(8), 0))
+    if (item_row(Icon::Object, to_u32(theme().dim_text, object.visible ? 1 : 0.4f), object.name.c_str(),
+                 selection == row, px(8), ImGui::GetFrameHeight()))
         selection = row;
-    const bool edited = row_menu(scene, selection, row);
+    bool edited = row_menu(scene, selection, row);
+    if (!edited)
+        edited = eye_button(object.visible, object.visible ? "Shown" : "Hidden",
+                            "Whether this object is drawn", "/objects/" + std::to_string(index) + "/visible");
     ImGui::PopID();
     return edited;
 }

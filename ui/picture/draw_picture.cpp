@@ -113,7 +113,8 @@ PictureSize divided(PictureSize full, int divisor) {
 
 bool same_surfaces(const Scene& a, const Scene& b) {
     const auto same = [](const Object& one, const Object& other) {
-        return one.mesh == other.mesh && one.transform == other.transform && one.visible == other.visible;
+        return one.mesh == other.mesh && one.transform == other.transform && one.visible == other.visible &&
+               one.normals == other.normals;
     };
     return a.camera == b.camera &&
            std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(), same);

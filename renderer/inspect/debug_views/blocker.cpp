@@ -70,7 +70,7 @@ std::optional<int> blocker(const Scene& scene, glm::dvec3 point, glm::dvec3 to_l
     const glm::dvec3 way = glm::normalize(to_light);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
-        if (!object.mesh) continue;
+        if (!object.mesh || !object.visible) continue;
         const glm::dmat4 world = glm::dmat4(world_from_object(object.transform));
         const double volume = glm::determinant(glm::dmat3(world));
         if (!std::isfinite(volume) || volume == 0) continue;  // squashed flat: no way back to its own

@@ -44,7 +44,7 @@ Bounds scene_bounds(const Scene& scene) {
     constexpr float huge = 3e38f;
     Bounds bounds{glm::vec3(huge), glm::vec3(-huge)};
     for (const Object& object : scene.objects)
-        if (object.mesh) widen(bounds, object);
+        if (object.mesh && object.visible) widen(bounds, object);
     if (bounds.min.x > bounds.max.x) return {scene.camera.target - 1.0f, scene.camera.target + 1.0f};
     return bounds;
 }

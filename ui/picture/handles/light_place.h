@@ -9,7 +9,8 @@
 
 namespace glint {
 
-/// A box round all objects, in world coordinates; a cube of edge 2 at the target when there are none.
+/// A box round all objects that are shown, in world coordinates; a cube of edge 2 at the target when there
+/// are none.
 [[nodiscard]] Bounds scene_bounds(const Scene& scene);
 
 /// A dome round what the camera looks at, sized to stay inside the view, so that every directional light has
