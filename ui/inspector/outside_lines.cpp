@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <string>
+#include <vector>
 
 #include "ui/inspector/label_room.h"
 #include "ui/inspector/outside_view.h"
@@ -10,6 +12,7 @@
 #include "ui/picture/screen.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 
 namespace glint {
@@ -18,31 +21,54 @@ namespace {
 constexpr std::size_t max_lines = 6000;  // of all meshes together
 const ImVec4 ink{0.06f, 0.06f, 0.07f, 1};
 
-/// A pen that also writes, so that no word covers another.
+/// A word at a mark. It would like to stand on that side of it, `way` (0, or unit).
+struct Label {
+    ImVec2 mark, way;
+    std::string words;
+    ImU32 colour;
+};
+
+/// A pen that also writes, when all lines are drawn: so that no word covers another, nor a line a word.
 struct LabelledPen : WorldPen {
     LabelRoom& room;
+    std::vector<Label>& labels;
 
-    /// Beside a place of the window; pushed away where something is written, and then tied to it by a line.
-    void text(ImVec2 place, const char* words, ImU32 colour) const {
-        ImGui::PushFont(fonts().small);
-        const ImVec2 size = ImGui::CalcTextSize(words), more{px(2), 0};
-        const ImVec2 wanted = place + ImVec2(px(5) + size.x / 2, 0);
-        const ImVec2 middle = room.place_anyhow(wanted, size + more, px(56));
+    /// Beside a place of the window, on the right; or on the side of `way`.
+    void text(ImVec2 mark, const std::string& words, ImU32 colour, ImVec2 way = {1, 0}) const {
+        labels.push_back({mark, way, words, colour});
+    }
+    /// Lets no word stand over a mark.
+    void keep_free(ImVec2 mark, float radius) const {
+        const ImVec2 half = px(radius) * ImVec2(1, 1);
+        room.keep_free({mark - half, mark + half});
+    }
+    /// Writes a label; pushed away where something is written, it is tied to its mark by a line.
+    void write(const Label& label) const {
+        const ImVec2 size = ImGui::CalcTextSize(label.words.c_str()), more{px(2), 0};
+        const ImVec2 away{px(5) + size.x / 2, px(2) + size.y / 2};
+        const ImVec2 wanted = label.mark + ImVec2(label.way.x * away.x, label.way.y * away.y);
+        const ImVec2 middle = room.place_anyhow(wanted, size + 2 * more, px(72));
         const ImVec2 low = middle - size / 2, high = middle + size / 2;
         if (length_of(middle - wanted) > size.y)
-            list.AddLine(place, {std::clamp(place.x, low.x, high.x), middle.y}, colour, px(1));
-        list.AddRectFilled(low - more, high + more, to_u32(theme().surround, 0.75f), px(3));
-        list.AddText(low, colour, words);
-        ImGui::PopFont();
-    }
-    void text(glm::dvec3 place, const char* words, ImU32 colour) const {
-        const OnScreen at = project(view.map, place);
-        if (at.in_front) text(view.to_window(at.pixel), words, colour);
+            list.AddLine(label.mark, {std::clamp(label.mark.x, low.x, high.x), middle.y}, label.colour,
+                         px(1));
+        list.AddRectFilled(low - more, high + more, to_u32(theme().surround, 0.85f), px(3));
+        list.AddText(low, label.colour, label.words.c_str());
+        list_control("Label of the outside view", label.words, {low, high});
     }
 };
 
-void draw_mesh(const WorldPen& pen, const Object& object, std::size_t lines) {
-    if (!object.mesh || object.mesh->triangles.empty()) return;
+/// Lines of an object that is large beside what the camera looks at, a floor, are fainter: what stands on it
+/// is meant.
+float mesh_opacity(const Object& object, double reach) {
+    const glm::dmat3 world(world_from_object(object.transform));
+    const glm::dvec3 edges = glm::dvec3(object.mesh->bounds.max) - glm::dvec3(object.mesh->bounds.min);
+    const double size = glm::length(world * edges);
+    return 0.34f * float(std::clamp(reach / std::max(size, 1e-9), 0.15, 1.0));
+}
+
+void draw_mesh(const WorldPen& pen, const Object& object, std::size_t lines, double reach) {
+    if (!object.mesh || !object.visible || object.mesh->triangles.empty()) return;
     const Mesh& mesh = *object.mesh;
     const glm::dmat4 world = world_from_object(object.transform);
     const std::size_t step =
@@ -50,7 +76,7 @@ void draw_mesh(const WorldPen& pen, const Object& object, std::size_t lines) {
     const auto place = [&](std::uint32_t corner) {
         return glm::dvec3(world * glm::dvec4(glm::dvec3(mesh.positions[mesh.corner_position[corner]]), 1));
     };
-    const ImU32 colour = to_u32(ink, 0.35f);
+    const ImU32 colour = to_u32(ink, mesh_opacity(object, reach));
     for (std::size_t i = 0; i < mesh.triangles.size(); i += step) {
         const auto& corner = mesh.triangles[i].corner;
         pen.line(place(corner[0]), place(corner[1]), colour, px(1));
@@ -67,7 +93,11 @@ void draw_axes(const LabelledPen& pen, const glm::dmat4& frame, double length,
         const glm::dvec3 end = origin + length * glm::dvec3(frame[i]);
         const ImU32 colour = to_u32(colours[std::size_t(i)]);
         pen.line(origin, end, colour, px(2));
-        pen.text(end, names[i], colour);
+        const OnScreen from = project(pen.view.map, origin), to = project(pen.view.map, end);
+        if (!from.in_front || !to.in_front) continue;
+        const ImVec2 tip = pen.view.to_window(to.pixel), way = tip - pen.view.to_window(from.pixel);
+        const float length_px = length_of(way);
+        pen.text(tip, names[i], colour, length_px > 1 ? way / length_px : ImVec2(1, 0));
     }
 }
 
@@ -91,7 +121,8 @@ void draw_camera(const LabelledPen& pen, const OutsideScene& what, double size) 
                  px(1.2f));
     pen.line(eye, glm::dvec3(camera.target), to_u32(ink, 0.3f), px(1));
     pen.mark(eye, to_u32({1, 1, 1, 1}), 1, false);
-    pen.text(eye - 0.25 * size * glm::dvec3(map.world_from_view[1]), "eye", strong);
+    if (const OnScreen at = project(pen.view.map, eye); at.in_front)
+        pen.text(pen.view.to_window(at.pixel) + ImVec2(0, px(5)), "eye", strong, {0, 1});
     draw_axes(pen, map.world_from_view, size, {"x", "y", "z"});
 }
 
@@ -100,9 +131,7 @@ void keep_light_free(const LabelledPen& pen, const OutsideScene& what, std::size
     const OnScreen at =
         project(pen.view.map, handle_of(what.scene.lights[index], what.main.dome, what.main.map));
     if (!at.in_front) return;
-    const ImVec2 p = pen.view.to_window(at.pixel);
-    const ImVec2 half = px(6) * ImVec2(1, 1);
-    pen.room.keep_free({p - half, p + half});
+    pen.keep_free(pen.view.to_window(at.pixel), 8);
 }
 
 void draw_light(const LabelledPen& pen, const OutsideScene& what, int index) {
@@ -136,15 +165,23 @@ void draw_outside(ImDrawList& list, const PictureView& view, const OutsideScene&
     constexpr std::size_t max_items = 300;  // lights, and objects
     const PictureSize size_px = view.map.size;
     LabelRoom room({view.to_window({3, 2}), view.to_window({size_px.width - 3, size_px.height - 2})});
-    const LabelledPen pen{{list, view}, room};
+    std::vector<Label> labels;
+    const LabelledPen pen{{list, view}, room, labels};
     const auto lights = std::min(what.scene.lights.size(), max_items);
     for (std::size_t i = 0; i < lights; ++i) keep_light_free(pen, what, i);
     const auto objects = std::min(what.scene.objects.size(), max_items);
-    for (std::size_t i = 0; i < objects; ++i) draw_mesh(pen, what.scene.objects[i], max_lines / objects);
+    if (const OnScreen eye = project(view.map, glm::dvec3(what.scene.camera.eye)); eye.in_front)
+        pen.keep_free(view.to_window(eye.pixel), 6);
+    const double reach = target_depth(what.scene.camera);
+    for (std::size_t i = 0; i < objects; ++i)
+        draw_mesh(pen, what.scene.objects[i], max_lines / objects, reach);
     const double size = axis_length(what.scene.camera);
     for (std::size_t i = 0; i < lights; ++i) draw_light(pen, what, static_cast<int>(i));
     draw_camera(pen, what, size);
     draw_axes(pen, glm::dmat4(1), size, {"X", "Y", "Z"});
+    ImGui::PushFont(fonts().small);
+    for (const Label& label : labels) pen.write(label);
+    ImGui::PopFont();
 }
 
 }  // namespace glint

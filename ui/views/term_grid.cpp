@@ -29,13 +29,19 @@ void begin_sheet(TermGridState& grid, const Scene& scene, PictureSize size) {
     const int rows = std::min(static_cast<int>(scene.lights.size()) + 1, max_rows);
     grid.sheet.reset({cell_width, height, size.keeps_width}, 3, 3 * rows);
     grid.drawn_of = scene;
+    grid.gains.clear();
     grid.next = 0;
 }
 
 void draw_cell(TermGridState& grid, const Scene& scene, GridCell cell) {
     const int row = cell.light + 1;
     if (row >= max_rows) return;
-    grid.sheet.put(3 * row + cell.term, grid.renderer->render(with_cells(scene, {cell}), grid.sheet.cell));
+    const PictureSize size = grid.sheet.cell;
+    const Scene alone = with_cells(scene, {cell});
+    const int gain =
+        gain_of(*grid.renderer, grid.renderer->render(alone, size, true), scene.display.exposure);
+    grid.gains.push_back(gain);
+    grid.sheet.put(3 * row + cell.term, grid.renderer->render(brightened(alone, gain), size));
 }
 
 const char* name_of(GridCell cell) {
@@ -54,6 +60,21 @@ void toggle_muted(TermGridState& grid, GridCell cell) {
     grid.solo.reset();
 }
 
+/// The gain of a cell that is drawn; else 1.
+int gain_shown(const TermGridState& grid, GridCell cell) {
+    const std::vector<GridCell> cells = grid_cells(*grid.drawn_of);
+    const auto at = static_cast<std::size_t>(std::find(cells.begin(), cells.end(), cell) - cells.begin());
+    return at < grid.gains.size() ? grid.gains[at] : 1;
+}
+
+/// A word in a corner of a small picture, its lower left corner at `at`.
+void small_note(ImDrawList& list, ImVec2 at, const std::string& text) {
+    ImGui::PushFont(fonts().small);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    rimmed_text(list, {at.x + size.x / 2, at.y - size.y / 2}, {1, 1, 1, 1}, text);
+    ImGui::PopFont();
+}
+
 /// A small picture: click shows it alone, right click leaves it out. True while it is pointed at.
 bool cell_button(TermGridState& grid, GridCell cell, float width) {
     const PictureSize size = grid.sheet.cell;
@@ -65,6 +86,9 @@ bool cell_button(TermGridState& grid, GridCell cell, float width) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const int row = cell.light + 1;
     if (row < max_rows && grid.sheet.serial > 0) grid.sheet.draw(list, 3 * row + cell.term, low, high);
+    const int gain = gain_shown(grid, cell);
+    if (gain != 1)
+        small_note(list, {low.x + px(4), high.y - px(3)}, gain == 0 ? "0" : fmt::format("× {}", gain));
     const bool solo = grid.solo == cell, muted = is_among(grid.muted, cell);
     if (muted) list.AddRectFilled(low, high, to_u32(theme().panel, 0.75f));
     if (muted) list.AddLine(low, high, to_u32(theme().warning), px(2));
@@ -75,9 +99,11 @@ bool cell_button(TermGridState& grid, GridCell cell, float width) {
                                   : theme().line),
                  0, 0, px(solo ? 2.5f : 1));
     tooltip(name_of(cell), "Click: alone · Right click: left out · both end when this tab is left",
-            solo    ? "shown alone"
-            : muted ? "left out"
-                    : "");
+            solo        ? "shown alone"
+            : muted     ? "left out"
+            : gain > 1  ? fmt::format("here {} times as bright as in the picture", gain)
+            : gain == 0 ? "adds nothing anywhere"
+                        : "");
     if (clicked) grid.solo = solo ? std::nullopt : std::optional(cell), grid.muted.clear();
     if (right) toggle_muted(grid, cell);
     ImGui::PopID();
@@ -135,6 +161,29 @@ Scene with_cells(const Scene& scene, const std::vector<GridCell>& shown) {
         if (!is_among(shown, {i, 2})) light.specular = glm::vec3(0);
     }
     return s;
+}
+
+int gain_of(const Renderer& drawn_by, const Picture& drawn, float exposure) {
+    std::vector<float> lit;
+    for (int y = 0; y < drawn.size.height; ++y)
+        for (int x = 0; x < drawn.size.width; ++x) {
+            if (drawn_by.object_at(x, y) < 0) continue;
+            const glm::vec3 c = exposure * drawn.linear_at(x, y);
+            if (const float most = std::max({c.x, c.y, c.z}); most > 0) lit.push_back(most);
+        }
+    if (lit.empty()) return 0;
+    const auto bright = lit.begin() + static_cast<std::ptrdiff_t>((lit.size() - 1) * 19 / 20);
+    std::nth_element(lit.begin(), bright, lit.end());
+    int gain = 1;
+    while (gain < 16 && 2 * float(gain) * *bright <= 1) gain *= 2;
+    return gain;
+}
+
+Scene brightened(Scene scene, int gain) {
+    const auto times = static_cast<float>(std::max(gain, 1));
+    scene.display.exposure *= times;
+    scene.display.background /= times;
+    return scene;
 }
 
 void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size) {

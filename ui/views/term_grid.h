@@ -31,10 +31,18 @@ struct GridCell {
 /// and without cool-to-warm shading or a clamp of each light.
 [[nodiscard]] Scene with_cells(const Scene& scene, const std::vector<GridCell>& shown);
 
+/// How often brighter a term is shown so that it can be seen: a power of 2, at most 16, with which the
+/// brightest twentieth of its lit pixels may exceed 1 but no others do. 0 where it adds nothing anywhere.
+/// `drawn` is its picture, with Picture::linear; background does not count.
+[[nodiscard]] int gain_of(const Renderer& drawn_by, const Picture& drawn, float exposure);
+/// The scene with its surfaces so often brighter, the background as it is.
+[[nodiscard]] Scene brightened(Scene scene, int gain);
+
 struct TermGridState {
     std::optional<GridCell> solo;
     std::vector<GridCell> muted;
-    PictureSheet sheet;  // three pictures a row, drawn while the hand rests
+    PictureSheet sheet;      // three pictures a row, drawn while the hand rests
+    std::vector<int> gains;  // of the cells that are drawn: how often brighter than it is each is shown
     std::optional<Scene> drawn_of;
     std::size_t next = 0;  // cell to draw; #cells: all are drawn
     std::unique_ptr<Renderer> renderer;

@@ -131,3 +131,36 @@ TEST_CASE("a Gouraud pixel's corners are drawn where they are", "[ui][window][wh
         CHECK(draws_near(at, 6));
     }
 }
+
+TEST_CASE("the letters of nearly collinear vectors stand apart, and off the arrows", "[ui][window][why]") {
+    HeadlessWindow bench;
+    bench.scene().shading.reflection = Reflection::BlinnPhong;
+    // The light stands almost at the eye: l, h and v are within a few degrees of one another.
+    bench.scene().lights.resize(1);
+    bench.scene().lights[0] = {};
+    bench.scene().lights[0].position = {0.3f, 0.9f, 4, 1};
+    test::ask(bench, InspectorTab::Vectors, {0.38, 0.4});
+    bench.frames(1);
+    std::vector<Rect> letters;
+    for (const NamedControl& control : bench.controls())
+        if (control.name == "Letter of a vector") letters.push_back(control.at);
+    REQUIRE(letters.size() == 4);  // h, l, v, n
+    for (std::size_t i = 0; i < letters.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) {
+            const Rect &a = letters[i], &b = letters[k];
+            const bool apart =
+                a.high.x <= b.low.x || b.high.x <= a.low.x || a.high.y <= b.low.y || b.high.y <= a.low.y;
+            CHECK(apart);
+        }
+    const ExplainedPoint& point = bench.state.explanation->at;
+    const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
+    const double depth = -double(point.point.camera.z);
+    const double reach = 92 * 2 * depth * std::tan(0.5 * 45 * 3.14159265358979 / 180) / map.size.height;
+    const glm::dvec3 foot(point.point.world);
+    for (const glm::vec3 v :
+         {point.lights[0].l.world, point.lights[0].h.world, point.view.world, point.normal.world})
+        for (double share = 0.2; share < 0.95; share += 0.05) {
+            const glm::dvec2 at = project(map, foot + share * reach * glm::dvec3(v)).pixel;
+            for (const Rect& letter : letters) CHECK_FALSE(letter.holds(bench.at_pixel(at)));
+        }
+}

@@ -32,6 +32,39 @@ TEST_CASE("grid: the cells' linear pictures add up to the picture", "[ui][grid]"
     CHECK(with_cells(scene, grid_cells(scene)) == scene);
 }
 
+TEST_CASE("grid: a faint term is shown brighter by a power of 2, one that adds nothing says 0",
+          "[ui][grid]") {
+    Scene scene;
+    scene.camera.eye = {0, 0, 4};
+    scene.objects = {test::object_of(test::primitive(Primitive::Sphere, 24))};
+    scene.objects[0].material.diffuse = glm::vec3(0.5f);
+    scene.lights.resize(1);
+    scene.lights[0].space = LightSpace::Camera;
+    scene.lights[0].position = {0, 0, 1, 0};
+    scene.lights[0].kind = LightKind::Directional;
+    constexpr PictureSize size{60, 60};
+    Renderer renderer(1);
+    const auto gain = [&](GridCell cell) {
+        return gain_of(renderer, renderer.render(with_cells(scene, {cell}), size, true),
+                       scene.display.exposure);
+    };
+    // n·l is nearly 1 in the middle: 0.5 I. Of it the brightest twentieth may exceed 1 after the gain.
+    for (const auto& [intensity, wanted] :
+         {std::pair{2.0f, 1}, {0.9f, 2}, {0.45f, 4}, {0.2f, 8}, {0.1f, 16}, {1e-4f, 16}}) {
+        scene.lights[0].intensity = intensity;
+        CAPTURE(intensity);
+        CHECK(gain({0, 1}) == wanted);
+    }
+    CHECK(gain({0, 0}) == 0);
+    const Scene alone = with_cells(scene, {{0, 1}});
+    const glm::vec3 middle = renderer.render(alone, size, true).linear_at(30, 30);
+    const Picture& brighter = renderer.render(brightened(alone, 16), size);
+    const std::size_t pixel = 4 * brighter.pixel(30, 30);
+    CHECK(int(brighter.rgba[pixel]) == int(std::lround(255 * 16 * middle.x)));
+    const glm::vec3 background = scene.display.background;
+    CHECK(int(brighter.rgba[2]) == int(std::lround(255 * background.z)));
+}
+
 TEST_CASE("grid: a click shows one term alone while the tab is open, and edits nothing",
           "[ui][window][grid]") {
     HeadlessWindow bench;
@@ -44,7 +77,9 @@ TEST_CASE("grid: a click shows one term alone while the tab is open, and edits n
     CHECK(grid.sheet.picture.size.width == 3 * cell.width);
     // The sheet holds what a small renderer draws.
     Renderer renderer(1);
-    const Picture& small = renderer.render(with_cells(before, {{0, 1}}), cell);
+    REQUIRE(grid.gains.size() == grid_cells(before).size());
+    const int gain = grid.gains[3];  // of the first light's diffuse term
+    const Picture& small = renderer.render(brightened(with_cells(before, {{0, 1}}), gain), cell);
     const std::size_t middle = 4 * small.pixel(cell.width / 2, cell.height / 2);
     const std::size_t there = 4 * grid.sheet.picture.pixel(cell.width * 3 / 2, cell.height + cell.height / 2);
     CHECK(small.rgba[middle] == grid.sheet.picture.rgba[there]);

@@ -179,6 +179,30 @@ TEST_CASE("from outside the eye, what it sees, all axes and every light are in s
     }
 }
 
+TEST_CASE("the words of the outside view stand apart", "[ui][window]") {
+    for (const char* name : {"default", "every-term", "sun-and-headlight", "still-life"}) {
+        HeadlessWindow bench;
+        take_document(bench.state.editor,
+                      std::get<SceneDocument>(open_document(
+                          std::string(GLINT_SOURCE_DIR) + "/assets/scenes/" + name + ".json", {})));
+        bench.state.inspector.tab = InspectorTab::Outside;
+        bench.frames(3);
+        std::vector<Rect> words;
+        for (const NamedControl& control : bench.controls())
+            if (control.name == "Label of the outside view") words.push_back(control.at);
+        CAPTURE(name);
+        REQUIRE(words.size() >= 7 + bench.scene().lights.size());  // six axes, the eye, the lights
+        int overlaps = 0;
+        for (std::size_t i = 0; i < words.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k) {
+                const Rect &a = words[i], &b = words[k];
+                overlaps +=
+                    a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+            }
+        CHECK(overlaps == 0);
+    }
+}
+
 TEST_CASE("a hand in the outside view turns that alone, and a click there selects a light",
           "[ui][hands][window]") {
     HeadlessWindow bench;

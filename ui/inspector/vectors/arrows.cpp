@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 
 namespace glint {
@@ -42,24 +43,45 @@ PointPen pen_at(ImDrawList& list, const PictureView& view, glm::dvec3 origin, fl
     return {list, view, origin, view.pixels(length) * scene_units_per_pixel};
 }
 
+void Words::keep_off(ImVec2 from, ImVec2 to) {
+    const ImVec2 half = px(2.5f) * ImVec2(1, 1);
+    const int boxes = std::max(1, static_cast<int>(length_of(to - from) / px(5)));
+    for (int i = 0; i <= boxes; ++i) {
+        const ImVec2 at = from + float(i) / float(boxes) * (to - from);
+        lines_.keep_free({at - half, at + half});
+    }
+}
+
 void Words::letter(ImVec2 centre, const ImVec4& colour, const std::string& text) {
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    words_.push_back({room_.place_anyhow(centre, size, px(label_reach)), colour, text});
+    letters_.push_back({centre, colour, text});
 }
 
 void Words::degrees(ImVec2 centre, const ImVec4& colour, const std::string& text) {
-    if (const auto free = room_.place(centre, ImGui::CalcTextSize(text.c_str()), px(label_reach)))
-        words_.push_back({*free, colour, text});
+    angles_.push_back({centre, colour, text});
 }
 
 void Words::draw(ImDrawList& list) const {
-    for (const Word& word : words_) rimmed_text(list, word.centre, word.colour, word.text);
+    LabelRoom room = lines_;
+    for (const Word& word : letters_) {
+        const ImVec2 size = ImGui::CalcTextSize(word.text.c_str());
+        const ImVec2 at = room.place_anyhow(word.wanted, size, px(label_reach));
+        const ImVec2 way = word.wanted - at;
+        if (length_of(way) > size.y)
+            cased_line(list, at + 0.5f * size.y / length_of(way) * way, word.wanted, to_u32(word.colour), 1);
+        rimmed_text(list, at, word.colour, word.text);
+        list_control("Letter of a vector", word.text, {at - size / 2, at + size / 2});
+    }
+    for (const Word& word : angles_)
+        if (const auto free =
+                room.place(word.wanted, ImGui::CalcTextSize(word.text.c_str()), px(label_reach)))
+            rimmed_text(list, *free, word.colour, word.text);
 }
 
 void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look) {
     const ImVec2 way = to - from;
     const float length = length_of(way);
     if (length < px(9)) return draw_end_on(list, from, look);
+    if (look.words != nullptr) look.words->keep_off(from, to);
     const ImVec2 along = way / length;
     const float head = std::min(px(4.5f + 1.5f * look.width), length / 2) / px(1);
     cased_line(list, from, to - px(head) * along, to_u32(look.colour), look.width);

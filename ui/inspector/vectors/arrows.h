@@ -27,10 +27,13 @@ struct PointPen {
 /// A pen at `origin` whose unit vectors are `length` logical pixels long when seen from the side.
 [[nodiscard]] PointPen pen_at(ImDrawList& list, const PictureView& view, glm::dvec3 origin, float length);
 
-/// Words to be written over all arrows, none over another. Those that come first have the first choice.
+/// Words to be written once all arrows are known: none over another, nor over an arrow. Letters choose
+/// before angles, and among them those that come first.
 class Words {
   public:
-    /// Writes a letter with its middle near `centre`.
+    /// Nothing is written over a line from `from` to `to`.
+    void keep_off(ImVec2 from, ImVec2 to);
+    /// Writes the letter of an arrow with its middle near `centre`; pushed away, it is tied to there.
     void letter(ImVec2 centre, const ImVec4& colour, const std::string& text);
     /// Writes an angle with its middle near `centre`; left out where there is no room.
     void degrees(ImVec2 centre, const ImVec4& colour, const std::string& text);
@@ -38,12 +41,12 @@ class Words {
 
   private:
     struct Word {
-        ImVec2 centre;
+        ImVec2 wanted;
         ImVec4 colour;
         std::string text;
     };
-    LabelRoom room_;
-    std::vector<Word> words_;
+    LabelRoom lines_;
+    std::vector<Word> letters_, angles_;
 };
 
 struct ArrowLook {
