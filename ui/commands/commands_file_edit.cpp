@@ -33,6 +33,20 @@ void add_bulb(UiState& state) {
         state.editor.selection = {Selection::Kind::Light, *index};
 }
 
+template <LightEffect effect> void follow_by_effect(UiState& state) {
+    begin_effect(state.viewport, state.editor.scene(), state.editor.selection, effect);
+}
+
+std::string unless_light(const UiState& state) {
+    return unless(!state.editor.scene().lights.empty(), "The scene has no light");
+}
+
+/// Under the cursor, else at the picked point.
+std::optional<MainLight> light_that_matters(const UiState& state) {
+    if (state.viewport.main_light) return state.viewport.main_light;
+    return is_explained(state) ? main_light(*state.explanation) : std::nullopt;
+}
+
 std::string unless_item(const UiState& state) {
     const Selection::Kind kind = state.editor.selection.kind;
     return unless(kind == Selection::Kind::Light || kind == Selection::Kind::Object,
@@ -158,6 +172,30 @@ std::vector<WindowCommand> edit_commands() {
          .menu = Menu::Edit,
          .run = add_bulb,
          .id = CommandId::AddLight},
+        {.name = "Brightest here: the light follows the cursor",
+         .keys = {{Key::H}},
+         .menu = Menu::Edit,
+         .run = follow_by_effect<LightEffect::Brightest>,
+         .why_disabled = unless_light,
+         .line_above = true},
+        {.name = "Rim light here: it comes from behind the cursor",
+         .keys = {{Key::H, !ctrl, shift}},
+         .menu = Menu::Edit,
+         .run = follow_by_effect<LightEffect::Rim>,
+         .why_disabled = unless_light},
+        {.name = "Select the light that matters most here",
+         .keys = {{Key::K}},
+         .menu = Menu::Edit,
+         .run =
+             [](UiState& s) {
+                 s.editor.selection = {Selection::Kind::Light, light_that_matters(s)->light};
+             },
+         .why_disabled =
+             [](const UiState& s) {
+                 return unless(light_that_matters(s).has_value(),
+                               "No light adds anything under the cursor, nor at a picked point");
+             },
+         .id = CommandId::SelectMainLight},
         {.name = "Move the object by hand",
          .keys = {{Key::G}},
          .menu = Menu::Edit,

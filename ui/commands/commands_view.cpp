@@ -63,6 +63,14 @@ std::vector<WindowCommand> looking_commands() {
          .menu = Menu::View,
          .run = [](UiState& s) { s.inspector.shows_vectors ^= true; },
          .is_on = [](const UiState& s) { return s.inspector.shows_vectors; }},
+        {.name = "Back to the point picked before",
+         .keys = {{Key::V, !ctrl, shift}},
+         .menu = Menu::View,
+         .run = [](UiState& s) { ask_as_before(s.viewport); },
+         .why_disabled =
+             [](const UiState& s) {
+                 return unless(s.viewport.probe_before.has_value(), "No other point was picked before");
+             }},
         {.name = "Next quantity in place of the picture",
          .keys = {{Key::I}},
          .menu = Menu::View,

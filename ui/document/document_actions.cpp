@@ -102,6 +102,7 @@ void take_scene(UiState& state, SceneDocument document) {
     (void)cancel_gesture(state.viewport, state.editor.scene());
     take_document(state.editor, std::move(document));
     state.viewport.probe.reset();
+    state.viewport.probe_before.reset();
     state.viewport.pivot.reset();
     state.viewport.hovered_grip = {};
     state.explanation.reset();

@@ -84,7 +84,7 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
     ImGui::EndGroup();
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::GetFrameHeight());
     ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, square.low.y});
-    if (icon_button("##forget", Icon::Close)) state.viewport.probe.reset();
+    if (icon_button("##forget", Icon::Close)) ask_about(state.viewport, {});
     tooltip("Forget this pixel", "Click the picture to pick another");
 }
 

@@ -80,7 +80,7 @@ bool show_panels(UiState& state) { return std::exchange(state.layout.hides_all, 
 
 bool forget_probe(UiState& state) {
     if (!state.viewport.probe || ImGui::GetIO().WantTextInput) return false;
-    state.viewport.probe.reset();
+    ask_about(state.viewport, {});
     return true;
 }
 

@@ -82,6 +82,7 @@ void move(ViewportState& state, ViewportFrame& frame, const UiInput& input) {
     switch (state.gesture) {
     case Gesture::None:
     case Gesture::Press:
+    case Gesture::Effect:
         return;
     case Gesture::Hand:
         drag_held(state.held, frame, cursor, state.last_px, hand_keys(input));
@@ -106,7 +107,7 @@ void click(ViewportState& state, PictureSize size) {
     state.touched = true;
     if (state.pressed_grip.is_mark()) return;  // it was selected when pressed
     state.asked = true;
-    state.probe = glm::dvec2(state.pressed_px.x / size.width, state.pressed_px.y / size.height);
+    ask_about(state, glm::dvec2(state.pressed_px.x / size.width, state.pressed_px.y / size.height));
 }
 
 void end_gesture(ViewportState& state) {
@@ -148,6 +149,18 @@ void wheel(ViewportState& state, ViewportFrame& frame) {
     state.touched = true;
 }
 
+/// Of several lights the one that does most at the pixel under a cursor that holds nothing.
+void find_main_light(ViewportState& state, const ViewportFrame& frame) {
+    constexpr std::size_t most = 300;  // more than an eye tells apart, and they take their time
+    state.main_light.reset();
+    const glm::dvec2 pixel = cursor_px(frame);
+    const std::size_t lights = frame.scene.lights.size();
+    if (!state.hovered || state.gesture != Gesture::None || frame.renderer == nullptr || lights < 2 ||
+        lights > most || !is_inside(frame.view.map.size, pixel))
+        return;
+    state.main_light = main_light(frame.renderer->explain(int(pixel.x), int(pixel.y)));
+}
+
 void set_cursor(const ViewportState& state) {
     if (state.gesture == Gesture::Orbit || state.gesture == Gesture::Pan || state.gesture == Gesture::Dolly)
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
@@ -160,14 +173,33 @@ ViewportFrame viewport_frame(UiState& state, const PictureView& view) {
             state.viewport.gizmo, state.viewport.pivot};
 }
 
+/// The mouse belongs to the light that follows it, wherever it is.
+bool hover_with_effect(ViewportState& state, const ViewportFrame& frame) {
+    state.hovered = ImGui::IsItemHovered();
+    state.hovered_grip = {};
+    state.wheel_goes_on = false;
+    state.main_light.reset();
+    if (state.hovered) follow_effect(state, frame, cursor_px(frame));
+    if (state.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    return true;
+}
+
+/// A click keeps what the light does, the right button puts it back.
+void end_effect(ViewportState& state, Scene& scene) {
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) (void)cancel_gesture(state, scene);
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) end_gesture(state);
+}
+
 bool hand_hover(ToolFrame& tool) {
     ViewportState& state = tool.state.viewport;
     ViewportFrame frame = viewport_frame(tool.state, tool.view);
     state.asked = false;
+    if (state.gesture == Gesture::Effect) return hover_with_effect(state, frame);
     state.hovered = tool.over;
     // With Alt nothing but the camera is taken hold of.
     state.hovered_grip =
         state.hovered && !ImGui::GetIO().KeyAlt ? grip_under(frame, cursor_px(frame)) : Grip{};
+    find_main_light(state, frame);
     wheel(state, frame);
     set_cursor(state);
     return tool.over;
@@ -176,6 +208,10 @@ bool hand_hover(ToolFrame& tool) {
 int hand_press(ToolFrame& tool) {
     ViewportState& state = tool.state.viewport;
     ViewportFrame frame = viewport_frame(tool.state, tool.view);
+    if (state.gesture == Gesture::Effect) {
+        end_effect(state, frame.scene);
+        return not_taken;
+    }
     const int button = press(state, frame);
     if (!state.hovered_grip.is_mark() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         select_object_under(frame, cursor_px(frame));
@@ -225,12 +261,23 @@ bool cancel_gesture(ViewportState& state, Scene& scene) {
 
 void follow_shape(ViewportState& state, const Projection& projection, PictureSize size) {
     const PictureSize before = std::exchange(state.probe_size, size);
-    if (!state.probe || before == size || before == PictureSize{0, 0}) return;
+    if (before == size || before == PictureSize{0, 0}) return;
     // From shares to the plane at depth 1 and back: there the point has one place, whatever the picture's
     // shape.
     const glm::dmat4 from = clip_from_view(projection, before), to = clip_from_view(projection, size);
     const glm::dvec2 scale(to[0][0] / from[0][0], to[1][1] / from[1][1]);
-    *state.probe = (*state.probe - 0.5) * scale + 0.5;
+    for (auto* probe : {&state.probe, &state.probe_before})
+        if (*probe) **probe = (**probe - 0.5) * scale + 0.5;
+}
+
+void ask_about(ViewportState& state, std::optional<glm::dvec2> probe) {
+    if (state.probe) state.probe_before = state.probe;
+    state.probe = probe;
+}
+
+void ask_as_before(ViewportState& state) {
+    const std::optional<glm::dvec2> before = state.probe_before;
+    if (before) ask_about(state, before);
 }
 
 std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size) {

@@ -10,32 +10,55 @@
 
 namespace glint {
 
-enum class Gesture { None, Press, Orbit, Pan, Dolly, Hand };
+enum class Gesture { None, Press, Orbit, Pan, Dolly, Hand, Effect };
+
+/// A light that follows the cursor by its effect.
+struct HeldEffect {
+    LightEffect effect = LightEffect::Brightest;
+    int light = 0;  // in Scene::lights
+    Light start;
+    bool no_solution = false;  // no light can do that under the cursor: it waits as it is
+};
 
 struct ViewportState {
     Gesture gesture = Gesture::None;
     glm::dvec2 pressed_px{0}, last_px{0};
-    double grip_depth = 1;            // of what the camera gesture holds on to
-    Grip hovered_grip, pressed_grip;  // under the cursor now, and when the button went down
-    Held held;                        // under Gesture::Hand
+    double grip_depth = 1;                // of what the camera gesture holds on to
+    Grip hovered_grip, pressed_grip;      // under the cursor now, and when the button went down
+    Held held;                            // under Gesture::Hand
+    HeldEffect effect;                    // under Gesture::Effect
+    std::optional<MainLight> main_light;  // of several, at the pixel under a cursor that holds nothing
     GizmoMode gizmo = GizmoMode::Move;
     std::optional<glm::dvec3>
-        pivot;     // what GizmoMode::Rotate turns about, world coordinates; else the object's origin
+        pivot;     // what GizmoMode::Rotate turns about, world coordinates; else where the gizmo stands
     Scene before;  // as it was when the gesture began: Esc brings it back
-    std::optional<glm::dvec2> probe;  // the pixel asked about, as a share of the picture's size
-    PictureSize probe_size{0, 0};     // of the picture in which it is that share
-    bool hovered = false;             // the cursor is over the picture
-    bool asked = false;               // a pixel was clicked in this frame
-    bool touched = false;             // someone has used the picture: the hints go
-    double last_wheel = -1e9;         // time
-    bool wheel_goes_on = false;       // this frame's notch belongs to the one before: one undo step
+    std::optional<glm::dvec2> probe;         // the pixel asked about, as a share of the picture's size
+    std::optional<glm::dvec2> probe_before;  // the one that was asked about before, likewise
+    PictureSize probe_size{0, 0};            // of the picture in which they are these shares
+    bool hovered = false;                    // the cursor is over the picture
+    bool asked = false;                      // a pixel was clicked in this frame
+    bool touched = false;                    // someone has used the picture: the hints go
+    double last_wheel = -1e9;                // time
+    bool wheel_goes_on = false;              // this frame's notch belongs to the one before: one view
 };
 
 /// Ends the gesture and puts the scene back to where it began. True when there was one.
 bool cancel_gesture(ViewportState& state, Scene& scene);
 
-/// Keeps the pixel asked about on its point when the picture gets another shape, and with it another field.
-/// It may come to lie outside; there it waits until the picture is wide enough again.
+/// Asks about another pixel (a share of the picture's size), or about none.
+void ask_about(ViewportState& state, std::optional<glm::dvec2> probe);
+/// Asks again about the pixel before; a second time, about this one again.
+void ask_as_before(ViewportState& state);
+
+/// From now on the selected light (where none is, the one that matters most under the cursor) follows the
+/// cursor by its effect, until a click keeps it or cancel_gesture() puts it back. Nothing without a light.
+void begin_effect(ViewportState& state, Scene& scene, Selection& selection, LightEffect effect);
+void follow_effect(ViewportState& state, const ViewportFrame& frame, glm::dvec2 cursor_px);
+[[nodiscard]] HandNote note_of(const HeldEffect& held, const Scene& scene);
+[[nodiscard]] std::string hint_of(const HeldEffect& held);
+
+/// Keeps the pixels asked about on their points when the picture gets another shape, and with it another
+/// field. One may come to lie outside; there it waits until the picture is wide enough again.
 void follow_shape(ViewportState& state, const Projection& projection, PictureSize size);
 
 /// The pixel asked about, in a picture of this size; none when it lies outside.

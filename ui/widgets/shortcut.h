@@ -18,6 +18,7 @@ enum class CommandId {
     Duplicate,
     Delete,
     AddLight,
+    SelectMainLight,
     MoveByHand,
     RotateByHand,
     ScaleByHand,

@@ -16,10 +16,23 @@ namespace {
 
 using Vec = Vec3<float>;
 
-Material mirror_like(const Scene& scene, int object) {
-    Material material = scene.objects[static_cast<std::size_t>(object)].material;
+Material mirror_like(Material material) {
     material.specular = glm::vec3(1);
     return material;
+}
+Material mirror_like(const Scene& scene, int object) {
+    return mirror_like(scene.objects[static_cast<std::size_t>(object)].material);
+}
+
+/// The sum over all samples and channels.
+double highlight_of(const LightAlone& lit, const SeenPoint& point) {
+    const PointAt<float> at = lit.seen(point.position, point.normal);
+    double sum = 0;
+    for (const LightSource& source : lit.sources()) {
+        const Vec term = lit.terms(source, at).specular;
+        sum += static_cast<double>(term.x) + static_cast<double>(term.y) + static_cast<double>(term.z);
+    }
+    return sum;
 }
 
 }  // namespace
@@ -32,14 +45,17 @@ std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Lig
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!lit || points[i].object != points[i - 1].object)
             lit.emplace(scene, size, light, mirror_like(scene, points[i].object));
-        const PointAt<float> at = lit->seen(points[i].position, points[i].normal);
-        double sum = 0;
-        for (const LightSource& source : lit->sources()) {
-            const Vec term = lit->terms(source, at).specular;
-            sum += static_cast<double>(term.x) + static_cast<double>(term.y) + static_cast<double>(term.z);
-        }
-        highlights.push_back(sum);
+        highlights.push_back(highlight_of(*lit, points[i]));
     }
+    return highlights;
+}
+
+std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
+                                 std::span<const SeenPoint> points, const Material& material) {
+    const LightAlone lit(scene, size, light, mirror_like(material));
+    std::vector<double> highlights;
+    highlights.reserve(points.size());
+    for (const SeenPoint& point : points) highlights.push_back(highlight_of(lit, point));
     return highlights;
 }
 

@@ -22,6 +22,10 @@ namespace glint {
 [[nodiscard]] std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
                                                std::span<const SeenPoint> points);
 
+/// The same on `material`, whatever the points' objects have.
+[[nodiscard]] std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
+                                               std::span<const SeenPoint> points, const Material& material);
+
 /// n.l of a light at a point, not clamped; of an area light, of its middle sample (of four, the third).
 [[nodiscard]] double cosine_at(const Scene& scene, PictureSize size, const Light& light,
                                const SeenPoint& point);

@@ -118,3 +118,30 @@ TEST_CASE("the legend of the normals has the picture's colours, turned away ones
     for (int i = 0; i < 8; ++i) away += drawn(turned_away_color(normal_color({near, near, -z}), i, 0));
     CHECK(away > 0);
 }
+
+TEST_CASE("the point picked before comes back after Escape, and after another pick", "[ui][window][probe]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const PictureSize size = bench.state.rendered->size;
+    const glm::dvec2 middle{size.width / 2.0, size.height / 2.0};
+    bench.click(bench.at_pixel(middle));
+    bench.frames(2);
+    REQUIRE(bench.state.explanation);
+    const glm::ivec2 first{bench.state.explanation->x, bench.state.explanation->y};
+    const auto asked = [&] {
+        bench.frames(2);
+        return bench.state.explanation ? glm::ivec2(bench.state.explanation->x, bench.state.explanation->y)
+                                       : glm::ivec2(-1);
+    };
+    bench.key(Key::Escape);
+    CHECK(asked() == glm::ivec2(-1));
+    bench.key(Key::V, false, true);
+    CHECK(asked() == first);
+    bench.click(bench.at_pixel(middle + glm::dvec2(-60, 30)));
+    const glm::ivec2 second = asked();
+    CHECK_FALSE(second == first);
+    bench.key(Key::V, false, true);
+    CHECK(asked() == first);
+    bench.key(Key::V, false, true);
+    CHECK(asked() == second);
+}

@@ -281,11 +281,34 @@ TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[
         return glm::dvec2(0);
     };
     for (const ShapePart part : {ShapePart::Rim, ShapePart::Aim}) {
-        // Inwards: past the rim of the sphere on which the aim moves no place is under the cursor.
+        // Inwards: past the rim of the sphere on which the free aim moves no place is under the cursor.
         const glm::dvec2 from = place(part), to = from + glm::round(0.2 * (bench.handle_pixel(0) - from));
+        ImGui::GetIO().KeyShift = part == ShapePart::Aim;
         bench.drag(bench.at_pixel(from), bench.at_pixel(to));
+        ImGui::GetIO().KeyShift = false;
         CHECK(bench.state.editor.history.undo_name() == "Cone of Lamp");
         if (part == ShapePart::Aim) CHECK(glm::length(place(part) - to) < 0.5);
+        bench.key(Key::Z, true);
+        CHECK(bench.scene() == before);
+    }
+    // The axis goes through what is under the cursor: the surface, and off it a place that shows there.
+    const glm::dvec2 from = place(ShapePart::Aim);
+    const ScreenMap map = screen_map(before.camera, bench.state.rendered->size);
+    const glm::dvec2 on_ball = project(map, {0.1, 0.2, 0.95}).pixel, off = {30, 40};
+    for (const glm::dvec2 to : {on_ball, off}) {
+        bench.drag(bench.at_pixel(from), bench.at_pixel(to));
+        const Light& light = bench.scene().lights[0];
+        CHECK(light.position == before.lights[0].position);
+        const glm::dvec3 start(light.position), axis = glm::normalize(glm::dvec3(light.spot.direction));
+        double nearest = 1e9;
+        for (double along = 0; along < 20; along += 1e-3)
+            if (const OnScreen at = project(map, start + along * axis); at.in_front)
+                nearest = std::min(nearest, glm::length(at.pixel - (glm::floor(to))));
+        CHECK(nearest < 1.5);
+        if (to == on_ball) {
+            const Explanation e = bench.state.renderer->explain(int(to.x), int(to.y));
+            CHECK(e.at.lights.at(0).spot_angle_deg < 0.2f);
+        }
         bench.key(Key::Z, true);
         CHECK(bench.scene() == before);
     }

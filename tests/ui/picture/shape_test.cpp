@@ -200,10 +200,11 @@ TEST_CASE("an object turned about a point keeps that point of it in its place", 
     const Transform start = busy_transform();
     const glm::dvec3 pivot(0.6, 0.1, 0.2);
     const glm::dvec4 in_object = glm::inverse(glm::dmat4(world_from_object(start))) * glm::dvec4(pivot, 1);
-    const auto gizmo = gizmo_of(start, GizmoMode::Rotate, stage.picture, pivot);
+    const auto gizmo = gizmo_of(start, GizmoMode::Rotate, stage.picture, {.pivot = pivot});
     REQUIRE(gizmo);
     CHECK(gizmo->origin == pivot);
-    CHECK(gizmo_of(start, GizmoMode::Move, stage.picture, pivot)->origin == glm::dvec3(start.translate));
+    CHECK(gizmo_of(start, GizmoMode::Move, stage.picture, {.pivot = pivot})->origin ==
+          glm::dvec3(start.translate));
     for (const GizmoPart part : {GizmoPart::X, GizmoPart::Y, GizmoPart::Z, GizmoPart::Free}) {
         const glm::dvec2 at = stage.pixel(pivot) + glm::dvec2(60, 20);
         const ObjectDrag drag{start, *gizmo, GizmoMode::Rotate, part, at};

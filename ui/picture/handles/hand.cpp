@@ -7,7 +7,7 @@
 namespace glint {
 namespace {
 
-constexpr float terminator_reach = 4;  // logical pixels
+constexpr float line_reach = 4;  // of a terminator, of a highlight's rim: logical pixels
 
 /// The surfaces of the last picture, which must be there.
 SurfaceView surface_of(const ViewportFrame& frame) {
@@ -29,7 +29,7 @@ bool has_terminator_under(const ViewportFrame& frame, int light, glm::dvec2 curs
     if (light < 0 || !frame.scene.shading.terms.diffuse) return false;
     const Light& selected = frame.scene.lights[static_cast<std::size_t>(light)];
     return selected.enabled &&
-           terminator_under(surface_of(frame), selected, cursor_px, frame.view.pixels(terminator_reach));
+           terminator_under(surface_of(frame), selected, cursor_px, frame.view.pixels(line_reach));
 }
 
 void drag_light(LightDrag& drag, const Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px,
@@ -40,13 +40,67 @@ void drag_light(LightDrag& drag, const Held& held, const ViewportFrame& frame, g
     light = dragged(drag, held.view, cursor_px, keys.ctrl);
 }
 
-/// With Shift the aim goes to what shows under the cursor.
-Light dragged_or_aimed(const ShapeDrag& drag, const Held& held, const ViewportFrame& frame,
-                       glm::dvec2 cursor_px, const HandKeys& keys) {
-    if (keys.shift && drag.grip.part == ShapePart::Aim && frame.renderer != nullptr)
-        if (const auto point = seen_at(*frame.renderer, frame.view.map.size, cursor_px))
-            return aimed_at(drag.start, in_world(held.view.map, point->position, 1), held.view);
-    return dragged_shape(drag, held.view, cursor_px, keys.ctrl);
+/// Aims at the point of the surface under the cursor; off any surface, at what lies as deep there as what was
+/// aimed at last.
+Light aimed(ShapeDrag& drag, const Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px, bool snap) {
+    const ScreenMap& map = held.view.map;
+    if (frame.renderer != nullptr)
+        if (const auto point = seen_at(*frame.renderer, map.size, cursor_px))
+            drag.depth = -double(point->position.z);
+    if (drag.depth <= 0) drag.depth = project(map, drag.grip.place).depth;
+    drag.aimed = unproject(map, cursor_px, drag.depth);
+    return aimed_at(drag.start, *drag.aimed, held.view, snap);
+}
+
+void drag_shape(ShapeDrag& drag, const Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px,
+                glm::dvec2 last_px, const HandKeys& keys) {
+    Light& light = light_of(frame, held.grip);
+    const bool is_aim = drag.grip.part == ShapePart::Aim;
+    if (is_aim && keys.shift != drag.free) {  // another key: go on from here, so that nothing jumps
+        drag.start = light;
+        drag.grip.place = place_of(drag.grip, light, held.view.dome, held.view.map);
+        drag.grabbed_px = last_px;
+        drag.free = keys.shift;
+    }
+    drag.aimed.reset();
+    light = is_aim && !drag.free ? aimed(drag, held, frame, cursor_px, keys.ctrl)
+                                 : dragged_shape(drag, held.view, cursor_px, keys.ctrl);
+}
+
+/// Brighter upwards. The light stays where it is, and so does a highlight: the drag goes on from here.
+void dim_light(Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec2 last_px) {
+    Light& light = light_of(frame, held.grip);
+    light.intensity = dimmed(light.intensity, last_px.y - cursor_px.y, held.view.map.size.height);
+    if (auto* by_handle = std::get_if<LightDrag>(&held.drag))
+        *by_handle = {light, by_handle->along, cursor_px};
+    if (auto* line = std::get_if<TerminatorDrag>(&held.drag)) line->start = light;
+    if (auto* by_highlight = std::get_if<HighlightDrag>(&held.drag)) {
+        by_highlight->start.intensity = light.intensity;
+        if (!by_highlight->stays_at) by_highlight->beside -= cursor_px - last_px;
+    }
+}
+
+bool can_dim(GripKind kind) {
+    return kind == GripKind::Light || kind == GripKind::Highlight || kind == GripKind::Terminator;
+}
+
+/// The highlight's size is the material's.
+void drag_size(const SizeDrag& drag, Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px) {
+    const auto material = sized_highlight(drag, surface_of(frame), cursor_px);
+    held.no_solution = !material;
+    if (material) frame.scene.objects[static_cast<std::size_t>(drag.object)].material = *material;
+}
+
+/// The light that is moved by what shows at the cursor.
+void drag_on_surface(Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec2 last_px,
+                     bool in_depth) {
+    std::optional<Light> light;
+    if (auto* drag = std::get_if<HighlightDrag>(&held.drag))
+        light = moved_highlight(*drag, surface_of(frame), cursor_px, last_px, in_depth);
+    else if (const auto* line = std::get_if<TerminatorDrag>(&held.drag))
+        light = dragged_terminator(*line, surface_of(frame), cursor_px);
+    held.no_solution = !light;
+    if (light) light_of(frame, held.grip) = *light;
 }
 
 /// A held axis key takes the place of the part that was grabbed.
@@ -76,11 +130,14 @@ std::optional<Grip> shape_grip_under(const ViewportFrame& frame, int light, glm:
 
 }  // namespace
 
-std::optional<ObjectGizmo> selected_gizmo(const ViewportFrame& frame) {
+std::optional<ObjectGizmo> selected_gizmo(const ViewportFrame& frame, const Held* held) {
     if (frame.selection.kind != Selection::Kind::Object) return {};
     const auto index = static_cast<std::size_t>(frame.selection.index);
-    if (index >= frame.scene.objects.size()) return {};
-    return gizmo_of(frame.scene.objects[index].transform, frame.gizmo, frame.view, frame.pivot);
+    if (index >= frame.scene.objects.size() || !frame.scene.objects[index].visible) return {};
+    const Object& object = frame.scene.objects[index];
+    const auto* drag = held != nullptr ? std::get_if<ObjectDrag>(&held->drag) : nullptr;
+    const glm::dvec3 anchor = drag != nullptr ? drag->gizmo.anchor : gizmo_anchor(object, frame.view);
+    return gizmo_of(object.transform, frame.gizmo, frame.view, {anchor, frame.pivot});
 }
 
 bool exists(const Grip& grip, const Scene& scene) {
@@ -98,13 +155,17 @@ Grip grip_under(const ViewportFrame& frame, glm::dvec2 cursor_px) {
     if (frame.renderer == nullptr) return {};
     if (has_terminator_under(frame, selected, cursor_px))
         return {.kind = GripKind::Terminator, .item = selected};
+    if (const auto rim = highlight_rim_under(surface_of(frame), cursor_px, frame.view.pixels(line_reach)))
+        return {.kind = GripKind::HighlightRim, .item = *rim};
     if (const auto highlight = highlight_under(surface_of(frame), cursor_px))
         return {.kind = GripKind::Highlight, .item = highlight->light};
     return {};
 }
 
 Held take_hold(const ViewportFrame& frame, Grip grip, glm::dvec2 cursor_px, const HandKeys& keys) {
-    Held held{grip, {frame.view.map, frame.view.dome, snap_step_for(frame.view.bounds)}, {}, false};
+    Held held{.grip = grip,
+              .view = {frame.view.map, frame.view.dome, snap_step_for(frame.view.bounds)},
+              .drag = {}};
     switch (grip.kind) {
     case GripKind::None:
         break;
@@ -116,7 +177,7 @@ Held take_hold(const ViewportFrame& frame, Grip grip, glm::dvec2 cursor_px, cons
         break;
     case GripKind::Object: {
         const Transform& start = frame.scene.objects[static_cast<std::size_t>(grip.item)].transform;
-        if (const auto gizmo = gizmo_of(start, frame.gizmo, frame.view, frame.pivot))
+        if (const auto gizmo = selected_gizmo(frame))
             held.drag = ObjectDrag{start, *gizmo, frame.gizmo, grip.part, cursor_px};
         break;
     }
@@ -124,6 +185,12 @@ Held take_hold(const ViewportFrame& frame, Grip grip, glm::dvec2 cursor_px, cons
         if (frame.renderer == nullptr) break;
         if (const auto drag = grab_highlight(surface_of(frame), light_of(frame, grip), cursor_px))
             held.drag = *drag;
+        break;
+    case GripKind::HighlightRim:
+        if (frame.renderer == nullptr) break;
+        if (const auto point = seen_at(*frame.renderer, frame.view.map.size, cursor_px))
+            held.drag = SizeDrag{light_of(frame, grip), point->object,
+                                 frame.scene.objects[static_cast<std::size_t>(point->object)].material};
         break;
     case GripKind::Terminator:
         held.drag = TerminatorDrag{light_of(frame, grip)};
@@ -134,22 +201,17 @@ Held take_hold(const ViewportFrame& frame, Grip grip, glm::dvec2 cursor_px, cons
 
 void drag_held(Held& held, ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec2 last_px,
                const HandKeys& keys) {
+    held.dims = keys.shift && keys.ctrl && can_dim(held.grip.kind);
+    if (held.dims) return dim_light(held, frame, cursor_px, last_px);
     if (auto* drag = std::get_if<LightDrag>(&held.drag))
         return drag_light(*drag, held, frame, cursor_px, last_px, keys);
     if (const auto* drag = std::get_if<ObjectDrag>(&held.drag))
         return drag_object(*drag, held, frame, cursor_px, keys);
-    if (const auto* drag = std::get_if<ShapeDrag>(&held.drag)) {
-        light_of(frame, held.grip) = dragged_or_aimed(*drag, held, frame, cursor_px, keys);
-        return;
-    }
+    if (auto* drag = std::get_if<ShapeDrag>(&held.drag))
+        return drag_shape(*drag, held, frame, cursor_px, last_px, keys);
     if (frame.renderer == nullptr) return;
-    std::optional<Light> light;
-    if (auto* drag = std::get_if<HighlightDrag>(&held.drag))
-        light = moved_highlight(*drag, surface_of(frame), cursor_px, last_px, keys.shift);
-    else if (const auto* line = std::get_if<TerminatorDrag>(&held.drag))
-        light = dragged_terminator(*line, surface_of(frame), cursor_px);
-    held.no_solution = !light;
-    if (light) light_of(frame, held.grip) = *light;
+    if (const auto* drag = std::get_if<SizeDrag>(&held.drag)) return drag_size(*drag, held, frame, cursor_px);
+    drag_on_surface(held, frame, cursor_px, last_px, keys.shift);
 }
 
 }  // namespace glint

@@ -9,6 +9,8 @@
 #include "renderer/renderer.h"
 #include "ui/document/scene_edit.h"
 #include "ui/picture/handles/highlight_drag.h"
+#include "ui/picture/handles/highlight_size.h"
+#include "ui/picture/handles/light_effects.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/picture/handles/object_drag.h"
 
@@ -21,7 +23,7 @@ struct ViewportFrame {
     const Renderer* renderer = nullptr;  // of the last picture; null before the first
     PictureView view;
     GizmoMode gizmo = GizmoMode::Move;  // of the selected object
-    std::optional<glm::dvec3> pivot{};  // what Rotate turns it about, world coordinates; else its origin
+    std::optional<glm::dvec3> pivot{};  // what Rotate turns it about, world coordinates; else its anchor
 };
 
 /// The keys that the other hand holds.
@@ -30,15 +32,12 @@ struct HandKeys {
     std::array<bool, 3> axis{};  // X, Y, Z
 };
 
-/// The gizmo of the selected object; nothing while no object is.
-[[nodiscard]] std::optional<ObjectGizmo> selected_gizmo(const ViewportFrame& frame);
-
-enum class GripKind { None, Light, Shape, Object, Highlight, Terminator };
+enum class GripKind { None, Light, Shape, Object, Highlight, HighlightRim, Terminator };
 
 /// Something that can be dragged.
 struct Grip {
     GripKind kind = GripKind::None;
-    int item = -1;                     // number of the light, or of the object
+    int item = -1;                     // number of the light, or (Object) of the object
     bool in_picture = true;            // else its place is outside and an arrow at the border points to it
     ShapeGrip shape = {};              // under Shape: a light's cone or rectangle
     GizmoPart part = GizmoPart::Free;  // under Object, with
@@ -56,16 +55,23 @@ struct Grip {
 [[nodiscard]] bool exists(const Grip& grip, const Scene& scene);
 
 /// The grip that the cursor (pixels of the picture) is over: marks first, then the selected light's
-/// terminator, then highlights.
+/// terminator, then highlights, their rims before their middles.
 [[nodiscard]] Grip grip_under(const ViewportFrame& frame, glm::dvec2 cursor_px);
 
 /// A grip in hand. `view` must not change while it is held.
 struct Held {
     Grip grip;
     DragView view;
-    std::variant<std::monostate, LightDrag, ShapeDrag, ObjectDrag, HighlightDrag, TerminatorDrag> drag;
+    std::variant<std::monostate, LightDrag, ShapeDrag, ObjectDrag, HighlightDrag, TerminatorDrag, SizeDrag>
+        drag;
     bool no_solution = false;  // the cursor is where the drag has no answer: the scene waits as it is
+    bool dims = false;         // the hand changes how bright the light is, and it stays where it is
 };
+
+/// The gizmo of the selected object; nothing while none that is shown is selected. It stays on the place of
+/// the object on which it was when it was taken hold of, if `held` is it.
+[[nodiscard]] std::optional<ObjectGizmo> selected_gizmo(const ViewportFrame& frame,
+                                                        const Held* held = nullptr);
 
 /// Takes hold of `grip` at a place of the cursor. Precondition: the grip exists in the scene.
 [[nodiscard]] Held take_hold(const ViewportFrame& frame, Grip grip, glm::dvec2 cursor_px,
@@ -79,11 +85,10 @@ void drag_held(Held& held, ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec
 [[nodiscard]] std::string hint_of(const Grip& grip, const Scene& scene);
 [[nodiscard]] std::string hint_of(const Held& held);
 
-/// Two lines for the note at the hand.
-struct HandNote {
-    std::string title, numbers;
-};
+/// For the note at the hand.
 [[nodiscard]] HandNote note_of(const Grip& grip, const Scene& scene);
 [[nodiscard]] HandNote note_of(const Held& held, const Scene& scene);
+/// "Bulb DONE, world coordinates", and where it is.
+[[nodiscard]] HandNote note_of(const Light& light, const std::string& done);
 
 }  // namespace glint

@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "models/scene/reflection.h"
 #include "ui/picture/handles/hand.h"
 
 namespace glint {
@@ -82,6 +83,8 @@ std::string motion_words(const Held& held) {
     }
     case GripKind::Highlight:
         return held.no_solution ? "cannot shine there" : "by its highlight";
+    case GripKind::HighlightRim:
+        return {};
     case GripKind::Terminator:
         return held.no_solution ? "cannot end there" : "by its terminator, n·l = 0";
     }
@@ -105,6 +108,20 @@ HandNote shape_note(const Light& light, ShapePart part) {
     return {};  // not reached
 }
 
+/// The number of the material that says how wide a highlight is.
+const char* width_words(Reflection reflection) {
+    return info_of(reflection).uses_shininess() ? "the shininess" : "the roughness";
+}
+
+HandNote size_note(const SizeDrag& drag, const Scene& scene) {
+    if (static_cast<std::size_t>(drag.object) >= scene.objects.size()) return {};
+    const Object& object = scene.objects[static_cast<std::size_t>(drag.object)];
+    const bool power = info_of(scene.shading.reflection).uses_shininess();
+    return {fmt::format("{} of {}", power ? "Shininess" : "Roughness", object.name),
+            power ? fmt::format("{:.1f}", object.material.shininess)
+                  : fmt::format("{:.3f}", object.material.roughness)};
+}
+
 HandNote object_note(const ObjectDrag& drag, const Transform& t, const std::string& title) {
     switch (drag.mode) {
     case GizmoMode::None:
@@ -126,40 +143,55 @@ std::string hint_of(const Grip& grip, const Scene& scene) {
     case GripKind::None:
         return {};
     case GripKind::Light:
-        return fmt::format("{}: drag in the view plane · Shift: in depth · X Y Z: axis · Ctrl: snap",
-                           light_of(grip, scene).name);
+        return fmt::format(
+            "{}: drag in the view plane · Shift: in depth · X Y Z: axis · Ctrl: snap · Ctrl+Shift: "
+            "brightness",
+            light_of(grip, scene).name);
     case GripKind::Shape:
-        return fmt::format("{}: {} · Ctrl: snap{}", light_of(grip, scene).name, shape_words(grip.shape.part),
-                           grip.shape.part == ShapePart::Aim ? " · Shift: at what is under the cursor" : "");
+        if (grip.shape.part == ShapePart::Aim)
+            return fmt::format("{}: aim at what is under the cursor · Ctrl: snap · Shift: turn freely",
+                               light_of(grip, scene).name);
+        return fmt::format("{}: {} · Ctrl: snap", light_of(grip, scene).name, shape_words(grip.shape.part));
     case GripKind::Object:
         return fmt::format("{} · X Y Z: axis · Ctrl: snap · G R T: move, rotate, scale",
                            action_text(grip.mode, grip.part));
     case GripKind::Highlight:
         return fmt::format(
-            "Drag the highlight of {} · Shift: in depth · Click: why this colour · Alt+drag: orbit",
+            "Drag the highlight of {} · Shift: in depth · Ctrl+Shift: brightness · Click: why · Alt+drag: "
+            "orbit",
             light_of(grip, scene).name);
+    case GripKind::HighlightRim:
+        return fmt::format(
+            "Drag the rim of {}'s highlight, where it is half: {} follows · Click: why · Alt+drag: orbit",
+            light_of(grip, scene).name, width_words(scene.shading.reflection));
     case GripKind::Terminator:
-        return fmt::format("Drag the terminator of {}, where n·l = 0 · Alt+drag: orbit",
-                           light_of(grip, scene).name);
+        return fmt::format(
+            "Drag the terminator of {}, where n·l = 0 · Ctrl+Shift: brightness · Alt+drag: orbit",
+            light_of(grip, scene).name);
     }
     return {};  // not reached
 }
 
 std::string hint_of(const Held& held) {
+    if (held.dims) return "Up: brighter, down: darker; a third of the picture is a factor e · Esc: cancel";
     switch (held.grip.kind) {
     case GripKind::None:
         return {};
     case GripKind::Light:
-        return "Shift: in depth · X Y Z: along an axis · Ctrl: snap · Esc: cancel";
+        return "Shift: in depth · X Y Z: along an axis · Ctrl: snap · Ctrl+Shift: brightness · Esc: cancel";
     case GripKind::Shape:
         return held.grip.shape.part == ShapePart::Aim
-                   ? "Shift: at what is under the cursor · Ctrl: snap · Esc: cancel"
+                   ? "It shines at what is under the cursor · Ctrl: snap · Shift: turn freely · Esc: cancel"
                    : "Ctrl: snap · Esc: cancel";
     case GripKind::Object:
         return "X Y Z: along or round an axis · Ctrl: snap · Esc: cancel";
     case GripKind::Highlight:
         return held.no_solution ? "No light could shine there: the light waits · Esc: cancel"
-                                : "The light stands where v is mirrored at n · Shift: in depth · Esc: cancel";
+                                : "The light stands where v is mirrored at n · Shift: in depth · Ctrl+Shift: "
+                                  "brightness · Esc: cancel";
+    case GripKind::HighlightRim:
+        return held.no_solution ? "No highlight there: the material waits · Esc: cancel"
+                                : "The highlight is half of its peak under the cursor · Esc: cancel";
     case GripKind::Terminator:
         return held.no_solution ? "No surface there: the light waits · Esc: cancel"
                                 : "The light lies in the plane that touches the surface here · Esc: cancel";
@@ -183,6 +215,8 @@ HandNote note_of(const Grip& grip, const Scene& scene) {
         return {action_text(grip.mode, grip.part), name};
     case GripKind::Highlight:
         return {"Drag the highlight", name};
+    case GripKind::HighlightRim:
+        return {"Size of the highlight", name};
     case GripKind::Terminator:
         return {"Drag the terminator", name};
     }
@@ -195,10 +229,15 @@ HandNote note_of(const Held& held, const Scene& scene) {
         return object_note(*drag, object_of(held.grip, scene).transform,
                            action_text(held.grip.mode, held.grip.part));
     const Light& light = light_of(held.grip, scene);
+    if (held.dims) return {fmt::format("{}, intensity", light.name), fmt::format("{:.3f}", light.intensity)};
     if (held.grip.kind == GripKind::Shape) return shape_note(light, held.grip.shape.part);
+    if (const auto* drag = std::get_if<SizeDrag>(&held.drag)) return size_note(*drag, scene);
+    return note_of(light, motion_words(held));
+}
+
+HandNote note_of(const Light& light, const std::string& done) {
     const char* space = light.space == LightSpace::World ? "world" : "camera";
-    return {fmt::format("{} {}, {} coordinates", light.name, motion_words(held), space),
-            three_numbers(light.position)};
+    return {fmt::format("{} {}, {} coordinates", light.name, done, space), three_numbers(light.position)};
 }
 
 }  // namespace glint

@@ -14,9 +14,7 @@
 namespace glint {
 namespace {
 
-constexpr double enough_share = 0.5;   // of the peak: what may be taken hold of
-constexpr double enough_light = 0.15;  // a fainter one is hardly seen, and turning the camera is meant
-constexpr int patch_radius = 3;        // pixels
+constexpr int patch_radius = 3;  // pixels
 // Where a hollow surface brings the light's own mirror image near, its term hardly changes in one direction
 // and the falloff's slope leaves no peak at all: then the light stands a little nearer or farther, by as
 // little as needed.
@@ -160,39 +158,16 @@ HighlightDrag aimed_at_grabbed(const HighlightDrag& drag, const SurfaceView& vie
 
 }  // namespace
 
-std::optional<HoveredHighlight> highlight_under(const SurfaceView& view, glm::dvec2 pixel) {
-    const Scene& scene = view.scene;
-    const auto point = seen_at(view.renderer, view.map.size, pixel);
-    if (!point || !scene.shading.terms.specular) return {};
-    const Material& material = scene.objects[static_cast<std::size_t>(point->object)].material;
-    std::optional<HoveredHighlight> best;
-    double brightest = enough_light;
-    const std::vector<SeenPoint> points{*point};
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        const Light& light = scene.lights[i];
-        if (!light.enabled) continue;
-        const double highlight = highlight_at(scene, view.map.size, light, points)[0];
-        const glm::vec3 colour = material.specular * light.specular * light.intensity;
-        const double seen = highlight / 3 * double(std::max({colour.x, colour.y, colour.z}));
-        if (!(seen > brightest)) continue;
-        const auto drag = grab_highlight(view, light, pixel);
-        const glm::vec3 mirror = peak_direction(scene, view.map.size, *point);
-        if (!drag || mirror == glm::vec3(0)) continue;
-        const Light at_peak = carried(*drag, view, drag->grabbed, in_world(view.map, mirror, 0));
-        const double most = highlight_at(scene, view.map.size, at_peak, points)[0];
-        if (highlight < enough_share * most) continue;
-        brightest = seen;
-        best = {static_cast<int>(i), most > 0 ? std::min(highlight / most, 1.0) : 0};
-    }
-    return best;
-}
-
 std::optional<HighlightDrag> grab_highlight(const SurfaceView& view, const Light& light, glm::dvec2 pixel) {
     const auto point = seen_at(view.renderer, view.map.size, pixel);
     if (!point) return {};
+    return grab_highlight(view, light, *point);
+}
+
+HighlightDrag grab_highlight(const SurfaceView& view, const Light& light, const SeenPoint& point) {
     HighlightDrag drag;
     drag.start = light;
-    drag.grabbed = in_world(view.map, point->position, 1);
+    drag.grabbed = in_world(view.map, point.position, 1);
     if (light.kind != LightKind::Directional)
         drag.distance = std::max(glm::length(handle_of(light, view.dome, view.map) - drag.grabbed), 1e-4);
     aim_at(drag.start, drag.grabbed, view);

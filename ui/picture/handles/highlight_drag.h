@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "models/scene/light.h"
-#include "ui/picture/handles/surface_patch.h"
+#include "ui/picture/surface_patch.h"
 
 namespace glint {
 
@@ -26,17 +26,9 @@ struct HighlightDrag {
     glm::dvec2 beside{0};
 };
 
-/// A light whose highlight shows at a pixel.
-struct HoveredHighlight {
-    int light = -1;
-    double share = 0;  // of the most that the highlight could be there, above 0
-};
-
-/// The light whose highlight covers the pixel: it must be seen (three twentieths of full brightness) and near
-/// its peak there (half of it). The brightest wins. Nothing on the background, without the specular term, and
-/// under models that have no highlight.
-[[nodiscard]] std::optional<HoveredHighlight> highlight_under(const SurfaceView& view, glm::dvec2 pixel);
-
+/// Takes hold of a light by what it does at a point.
+[[nodiscard]] HighlightDrag grab_highlight(const SurfaceView& view, const Light& light,
+                                           const SeenPoint& point);
 /// Takes hold of a light by what it does at a pixel; nothing on the background.
 [[nodiscard]] std::optional<HighlightDrag> grab_highlight(const SurfaceView& view, const Light& light,
                                                           glm::dvec2 pixel);

@@ -7,7 +7,7 @@
 
 #include "renderer/inspect/reflectance/highlight.h"
 #include "ui/picture/handles/light_handles.h"
-#include "ui/picture/handles/surface_patch.h"
+#include "ui/picture/surface_patch.h"
 
 namespace glint {
 namespace {

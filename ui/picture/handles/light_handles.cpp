@@ -1,5 +1,7 @@
 #include "ui/picture/handles/light_handles.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -8,6 +10,7 @@
 
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 
 namespace glint {
@@ -107,6 +110,7 @@ void draw_grip(ImDrawList& list, ImVec2 at, const Light& light, HandleLook look,
     if (light.enabled && light.space == LightSpace::Camera)
         list.AddCircleFilled(at, r * 0.38f, rim_colour(opacity));
     if (look.selected) list.AddCircle(at, r + px(4), to_u32(theme().accent, opacity), 0, px(2));
+    if (look.matters) cased_circle(list, at, radius + 7.5f, to_u32(colour_of(light), opacity), 1.2f);
     if (look.hovered) list.AddCircle(at, r + px(1.5f), to_u32({1, 1, 1, 1}, opacity), 0, px(1.5f));
 }
 
@@ -172,21 +176,51 @@ void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, 
     if (!handle.in_picture) draw_way_out(list, view, handle.at.pixel, colour);
 }
 
-void draw_note(ImDrawList& list, const PictureView& view, ImVec2 at, const std::string& title,
-               const std::string& numbers) {
+namespace {
+
+bool overlap(const Rect& a, const Rect& b) {
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+/// The upper left corner of a note of `size` for a hand at `at`: beside what is to stay clear, where one of
+/// its four sides has room; else beside the hand.
+ImVec2 note_corner(const PictureView& view, ImVec2 at, ImVec2 size, const std::optional<Rect>& clear) {
+    const ImVec2 away = px(1) * ImVec2(20, 18), end = view.end(), edge = px(4) * ImVec2(1, 1);
+    ImVec2 beside = at + away;
+    if (beside.x + size.x > end.x - edge.x) beside.x = at.x - away.x - size.x;
+    if (beside.y + size.y > end.y - edge.y) beside.y = at.y - away.y - size.y;
+    if (!clear || !overlap(*clear, {beside, beside + size})) return beside;
+    const ImVec2 low = view.origin + edge, high = end - edge - size;
+    const ImVec2 middle = ImClamp(at - size / 2, low, high);
+    const float gap = px(8);
+    const ImVec2 sides[] = {{clear->high.x + gap, middle.y},
+                            {clear->low.x - gap - size.x, middle.y},
+                            {middle.x, clear->low.y - gap - size.y},
+                            {middle.x, clear->high.y + gap}};
+    std::optional<ImVec2> best;
+    for (const ImVec2 side : sides) {
+        if (side.x < low.x || side.y < low.y || side.x > high.x || side.y > high.y) continue;
+        if (!best || length_of(side + size / 2 - at) < length_of(*best + size / 2 - at)) best = side;
+    }
+    return best.value_or(beside);
+}
+
+}  // namespace
+
+void draw_note(ImDrawList& list, const PictureView& view, ImVec2 at, const HandNote& note,
+               const std::optional<Rect>& clear) {
     ImGui::PushFont(fonts().small);
-    const ImVec2 head = ImGui::CalcTextSize(title.c_str());
+    const ImVec2 head = ImGui::CalcTextSize(note.title.c_str());
     ImGui::PushFont(fonts().figures);
-    const ImVec2 body = ImGui::CalcTextSize(numbers.c_str());
-    const ImVec2 pad = px(1) * ImVec2(8, 5), away = px(1) * ImVec2(20, 18), end = view.end();
+    const ImVec2 body = ImGui::CalcTextSize(note.numbers.c_str());
+    const ImVec2 pad = px(1) * ImVec2(8, 5);
     const ImVec2 size = ImVec2(std::max(head.x, body.x), head.y + body.y) + 2 * pad;
-    ImVec2 low = at + away;
-    if (low.x + size.x > end.x - px(4)) low.x = at.x - away.x - size.x;
-    if (low.y + size.y > end.y - px(4)) low.y = at.y - away.y - size.y;
+    const ImVec2 low = note_corner(view, at, size, clear);
     badge_ground(list, {low, low + size});
-    list.AddText(low + pad + ImVec2(0, head.y), to_u32(theme().text), numbers.c_str());
+    list_control("Note at the hand", "", {low, low + size});
+    list.AddText(low + pad + ImVec2(0, head.y), to_u32(theme().text), note.numbers.c_str());
     ImGui::PopFont();
-    list.AddText(low + pad, to_u32(theme().dim_text), title.c_str());
+    list.AddText(low + pad, to_u32(theme().dim_text), note.title.c_str());
     ImGui::PopFont();
 }
 

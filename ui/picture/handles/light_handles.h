@@ -12,10 +12,16 @@
 #include "ui/picture/handles/drag_math.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/picture/screen.h"
+#include "ui/widgets/area.h"
 
 namespace glint {
 
 struct SurfaceView;
+
+/// Two lines for the note at the hand.
+struct HandNote {
+    std::string title, numbers;
+};
 
 struct Handle {
     int light = 0;
@@ -35,8 +41,9 @@ struct Handle {
 /// The state in which a handle is drawn.
 struct HandleLook {
     bool selected = false, hovered = false;
-    bool hidden = false;  // behind an object
-    bool stem = true;     // down to the ground; among many lights only the one in hand has it
+    bool hidden = false;   // behind an object
+    bool stem = true;      // down to the ground; among many lights only the one in hand has it
+    bool matters = false;  // it gives most of the light under the cursor
     std::optional<glm::dvec3> shape_in_hand;  // the part of its shape under the hand, world
 };
 void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, const Handle& handle,
@@ -46,9 +53,10 @@ void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, 
 void draw_light_disc(ImDrawList& list, ImVec2 at, float radius, const Light& light, ImU32 colour,
                      float opacity);
 
-/// A note beside the cursor: a title and lines of figures, kept inside the picture.
-void draw_note(ImDrawList& list, const PictureView& view, ImVec2 at, const std::string& title,
-               const std::string& numbers);
+/// A note beside the cursor: a title and lines of figures, kept inside the picture and, where there is room,
+/// off `clear`, the part of the window in which the hand sees what it does.
+void draw_note(ImDrawList& list, const PictureView& view, ImVec2 at, const HandNote& note,
+               const std::optional<Rect>& clear);
 
 // A light's shape beside its place: a spot's cone, a panel's rectangle. These pure functions say where it is
 // in the world, what of it can be dragged, and what a drag makes of it.
@@ -104,6 +112,11 @@ struct ShapeDrag {
     Light start;
     ShapeGrip grip;
     glm::dvec2 grabbed_px{0};
+    // Of an aim: turned freely on its sphere, or aimed at a place, which has this depth in front of the
+    // camera (0: that of the grip).
+    bool free = false;
+    std::optional<glm::dvec3> aimed = {};  // world
+    double depth = 0;
 };
 
 /// The light after the cursor went to `cursor_px`. The aim stays under the cursor; the rim opens and closes
@@ -112,8 +125,9 @@ struct ShapeDrag {
 [[nodiscard]] Light dragged_shape(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_px,
                                   bool snap);
 
-/// The light turned so that it shines at a place in the world; as it was where it stands there.
-[[nodiscard]] Light aimed_at(const Light& light, glm::dvec3 place, const DragView& view);
+/// The light turned so that it shines at a place in the world; as it was where it stands there. `snap`: at
+/// the nearest direction that a directional light snaps to.
+[[nodiscard]] Light aimed_at(const Light& light, glm::dvec3 place, const DragView& view, bool snap = false);
 
 // A light is dragged by its handle, which stays under the cursor as exactly as float can hold the position.
 // Pure functions.

@@ -165,9 +165,11 @@ Light dragged_shape(const ShapeDrag& drag, const DragView& view, glm::dvec2 curs
     return drag.start;  // not reached
 }
 
-Light aimed_at(const Light& light, glm::dvec3 place, const DragView& view) {
+Light aimed_at(const Light& light, glm::dvec3 place, const DragView& view, bool snap) {
     const glm::dvec3 way = place - handle_of(light, view.dome, view.map);
-    return glm::length(way) > 1e-9 ? turned_towards(light, glm::normalize(way), view) : light;
+    if (!(glm::length(way) > 1e-9)) return light;
+    const glm::dvec3 aim = glm::normalize(way);
+    return turned_towards(light, snap ? snapped_direction(aim) : aim, view);
 }
 
 }  // namespace glint

@@ -4,20 +4,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
 #include <numbers>
 
 namespace glint {
 namespace {
 
 constexpr double pi = std::numbers::pi, degree = pi / 180;
-constexpr float axis_units = 84;  // of the design
 constexpr double least_scale = 0.01;
-
-glm::dmat3 rotation_of(const Transform& transform) {
-    Transform turn;
-    turn.rotate_deg = transform.rotate_deg;
-    return glm::dmat3(world_from_object(turn));
-}
 
 std::size_t axis_of(GizmoPart part) { return static_cast<std::size_t>(part) % 3; }
 
@@ -74,6 +68,16 @@ Transform turned(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor
     return t;
 }
 
+/// Moves a scaled object so that the gizmo's place stays where it is.
+void keep_place(Transform& t, const ObjectDrag& drag) {
+    const glm::dvec3 arm = glm::dvec3(drag.start.translate) - drag.gizmo.origin;
+    if (arm == glm::dvec3(0)) return;
+    const glm::dmat3 own = rotation_of(drag.start);
+    const glm::dvec3 stretched =
+        glm::transpose(own) * arm * glm::dvec3(t.scale) / glm::dvec3(drag.start.scale);
+    t.translate = glm::vec3(drag.gizmo.origin + own * stretched);
+}
+
 float scaled(float scale, double factor, bool snap) {
     const double size = std::max(std::abs(double(scale)) * std::max(factor, 0.0), least_scale);
     const double rounded = snap ? std::max(std::round(size * 10), 1.0) / 10 : size;
@@ -88,6 +92,7 @@ Transform resized(const ObjectDrag& drag, const DragView& view, glm::dvec2 curso
         const glm::dvec2 way = cursor_px - drag.grabbed_px;
         const double factor = std::exp(3 * (way.x - way.y) / view.map.size.height);
         for (int i = 0; i < 3; ++i) t.scale[i] = scaled(t.scale[i], factor, snap);
+        keep_place(t, drag);
         return t;
     }
     const glm::dvec3 axis = g.axes[axis_of(drag.part)];
@@ -95,6 +100,7 @@ Transform resized(const ObjectDrag& drag, const DragView& view, glm::dvec2 curso
                  to = along_line(view.map, g.origin, axis, cursor_px);
     float& scale = t.scale[static_cast<int>(axis_of(drag.part))];
     if (std::abs(from) > 1e-3 * g.length) scale = scaled(scale, to / from, snap);
+    keep_place(t, drag);
     return t;
 }
 
@@ -156,19 +162,10 @@ std::optional<GizmoPart> plane_under(const ObjectGizmo& gizmo, const PictureView
 
 }  // namespace
 
-std::optional<ObjectGizmo> gizmo_of(const Transform& transform, GizmoMode mode, const PictureView& view,
-                                    const std::optional<glm::dvec3>& pivot) {
-    if (mode == GizmoMode::None) return {};
-    ObjectGizmo gizmo;
-    gizmo.origin = pivot && mode == GizmoMode::Rotate ? *pivot : glm::dvec3(transform.translate);
-    const OnScreen at = project(view.map, gizmo.origin);
-    if (!at.in_front || at.depth <= 0) return {};
-    const glm::dvec2 end = at.pixel + glm::dvec2(view.pixels(axis_units), 0);
-    gizmo.length = glm::length(unproject(view.map, end, at.depth) - gizmo.origin);
-    gizmo.to_eye = -ray_through(view.map, at.pixel).direction;
-    const glm::dmat3 own = mode == GizmoMode::Scale ? rotation_of(transform) : glm::dmat3(1);
-    for (int i = 0; i < 3; ++i) gizmo.axes[static_cast<std::size_t>(i)] = own[i];
-    return gizmo;
+glm::dmat3 rotation_of(const Transform& transform) {
+    Transform turn;
+    turn.rotate_deg = transform.rotate_deg;
+    return glm::dmat3(world_from_object(turn));
 }
 
 std::optional<GizmoPart> gizmo_under(const ObjectGizmo& gizmo, GizmoMode mode, const PictureView& view,

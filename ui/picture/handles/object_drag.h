@@ -8,7 +8,7 @@
 #include <glm/mat3x3.hpp>
 #include <optional>
 
-#include "models/scene/transform.h"
+#include "models/scene/scene.h"
 #include "ui/picture/handles/drag_math.h"
 #include "ui/picture/screen.h"
 
@@ -22,17 +22,28 @@ enum class GizmoPart { X, Y, Z, PlaneX, PlaneY, PlaneZ, Free };
 
 /// Where the gizmo stands, world coordinates.
 struct ObjectGizmo {
-    glm::dvec3 origin{0};              // of the object, or what it is turned about
+    glm::dvec3 origin{0};              // where it stands: what it turns and scales the object about
+    glm::dvec3 anchor{0};              // the same as a place of the object, object coordinates
     std::array<glm::dvec3, 3> axes{};  // unit: the world's, or (Scale) the object's own
     double length = 1;                 // of an axis: the same on the screen wherever the object is
     glm::dvec3 to_eye{0, 0, 1};        // unit, from the origin
 };
 
-/// `pivot`: what Rotate turns about, world coordinates, in place of the object's origin; other modes have no
-/// use for it. Nothing under None and where the gizmo's origin is not in front of the eye.
+/// Its rotation alone.
+[[nodiscard]] glm::dmat3 rotation_of(const Transform& transform);
+
+/// The place of an object on which its gizmo stands, object coordinates: its origin, or the middle of its
+/// bounds where the origin lies outside of them, or outside of the picture while the middle is in it.
+[[nodiscard]] glm::dvec3 gizmo_anchor(const Object& object, const PictureView& view);
+
+/// `pivot`: what Rotate turns about, world coordinates, in place of the anchor; other modes have no use for
+/// it. Nothing under None and where the gizmo would not stand in front of the eye.
+struct GizmoPlace {
+    glm::dvec3 anchor{0};  // object coordinates
+    std::optional<glm::dvec3> pivot = {};
+};
 [[nodiscard]] std::optional<ObjectGizmo> gizmo_of(const Transform& transform, GizmoMode mode,
-                                                  const PictureView& view,
-                                                  const std::optional<glm::dvec3>& pivot = {});
+                                                  const PictureView& view, const GizmoPlace& place = {});
 
 /// The part under the cursor (pixels of the picture), axes before planes before Free.
 [[nodiscard]] std::optional<GizmoPart> gizmo_under(const ObjectGizmo& gizmo, GizmoMode mode,
@@ -48,7 +59,8 @@ struct ObjectDrag {
 
 /// The transform after the cursor went to `cursor_px`. `snap`: places to multiples of the view's step,
 /// turns to multiples of 15 degrees, scales to tenths. Where the motion has no answer (an axis seen end on,
-/// a plane edge on) it is what the drag began with. Scales stay away from 0.
+/// a plane edge on) it is what the drag began with. Scales stay away from 0. A turned or scaled object keeps
+/// the gizmo's place where it is: where that is not its origin, it is moved along.
 [[nodiscard]] Transform dragged_object(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor_px,
                                        bool snap);
 

@@ -1,7 +1,9 @@
-// Draws the gizmo of the selected object.
+// Says where the gizmo of an object stands, and draws it.
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+#include <glm/vector_relational.hpp>
 #include <numbers>
 
 #include "ui/picture/handles/object_drag.h"
@@ -15,6 +17,7 @@ const std::array axis_colours{ImVec4{0.93f, 0.42f, 0.35f, 1}, ImVec4{0.52f, 0.78
                               ImVec4{0.42f, 0.65f, 1.0f, 1}};
 constexpr const char* letters[] = {"X", "Y", "Z"};
 const ImVec4 white{1, 1, 1, 1};
+constexpr float axis_units = 84;                    // of the design
 constexpr float line_width = 2.2f, held_width = 3;  // logical pixels
 
 struct GizmoPen {
@@ -83,6 +86,39 @@ struct GizmoPen {
 };
 
 }  // namespace
+
+glm::dvec3 gizmo_anchor(const Object& object, const PictureView& view) {
+    if (!object.mesh) return glm::dvec3(0);
+    const Bounds& box = object.mesh->bounds;
+    const bool in_bounds = glm::all(glm::lessThanEqual(box.min, glm::vec3(0))) &&
+                           glm::all(glm::lessThanEqual(glm::vec3(0), box.max));
+    const glm::dvec3 middle = (glm::dvec3(box.min) + glm::dvec3(box.max)) / 2.0;
+    const glm::dmat4 world = world_from_object(object.transform);
+    const auto is_seen = [&](glm::dvec3 place) {
+        const OnScreen at = project(view.map, glm::dvec3(world * glm::dvec4(place, 1)));
+        return at.in_front && is_inside(view.map.size, at.pixel);
+    };
+    const bool stays = in_bounds && (is_seen(glm::dvec3(0)) || !is_seen(middle));
+    return stays ? glm::dvec3(0) : middle;
+}
+
+std::optional<ObjectGizmo> gizmo_of(const Transform& transform, GizmoMode mode, const PictureView& view,
+                                    const GizmoPlace& place) {
+    if (mode == GizmoMode::None) return {};
+    ObjectGizmo gizmo;
+    gizmo.anchor = place.anchor;
+    gizmo.origin = place.pivot && mode == GizmoMode::Rotate
+                       ? *place.pivot
+                       : glm::dvec3(world_from_object(transform) * glm::dvec4(place.anchor, 1));
+    const OnScreen at = project(view.map, gizmo.origin);
+    if (!at.in_front || at.depth <= 0) return {};
+    const glm::dvec2 end = at.pixel + glm::dvec2(view.pixels(axis_units), 0);
+    gizmo.length = glm::length(unproject(view.map, end, at.depth) - gizmo.origin);
+    gizmo.to_eye = -ray_through(view.map, at.pixel).direction;
+    const glm::dmat3 own = mode == GizmoMode::Scale ? rotation_of(transform) : glm::dmat3(1);
+    for (int i = 0; i < 3; ++i) gizmo.axes[static_cast<std::size_t>(i)] = own[i];
+    return gizmo;
+}
 
 void draw_object_gizmo(ImDrawList& list, const PictureView& view, const ObjectGizmo& gizmo, GizmoMode mode,
                        std::optional<GizmoPart> in_hand) {

@@ -1,4 +1,4 @@
-#include "ui/picture/handles/surface_patch.h"
+#include "ui/picture/surface_patch.h"
 
 #include <algorithm>
 #include <cmath>
