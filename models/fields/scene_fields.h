@@ -25,9 +25,9 @@ concept Of = std::same_as<std::remove_const_t<T>, Struct>;
 
 template <Of<Falloff> F, class Visit> void fields(F& f, Visit&& visit) {
     const Real share{.range = at_least_zero, .step = 0.004f, .usual_max = 2};
-    visit(Row{"constant", "Constant", "c: the same at every distance"}, share, f.constant);
-    visit(Row{"linear", "Linear", "l: with the distance r, per scene unit"}, share, f.linear);
-    visit(Row{"quadratic", "Quadratic", "q: with its square, as light spreads"}, share, f.quadratic);
+    visit(Row{"constant", "Constant", "c₀: the same at every distance"}, share, f.constant);
+    visit(Row{"linear", "Linear", "c₁: with the distance, per scene unit"}, share, f.linear);
+    visit(Row{"quadratic", "Quadratic", "c₂: with its square, as light spreads"}, share, f.quadratic);
 }
 
 template <Of<SpotCone> C, class Visit> void fields(C& c, Visit&& visit) {
@@ -78,11 +78,11 @@ template <Of<Light> L, class Visit> void fields(L& l, Visit&& visit) {
           l.diffuse);
     visit(Row{"specular", "Specular", "Colour for the highlight"}.undone_as("Colour of {}"), Colour{},
           l.specular);
-    visit(Row{"intensity", "Intensity", "I: multiplies the light's three colours"}.undone_as(
+    visit(Row{"intensity", "Intensity", "Multiplies the light's three colours"}.undone_as(
               "Brightness of {}"),
           Real{.range = at_least_zero, .step = 0.005f, .usual_max = 4}, l.intensity);
     visit(Row{"enabled", "On", "Whether it shines"}, Switch{}, l.enabled);
-    visit(Row{"falloff", "Falloff  1 / (c + l·r + q·r²)", "Divides what arrives at the distance r"}
+    visit(Row{"falloff", "Falloff  1 / (c₀ + c₁ dist + c₂ dist²)", "Divides what arrives at the distance dist"}
               .undone_as("Falloff of {}")
               .when(l.kind == LightKind::Point || l.kind == LightKind::Spot),
           Group{}, l.falloff);

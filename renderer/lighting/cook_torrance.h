@@ -34,17 +34,31 @@ template <Number F> F f_schlick(F f0, F c) {
     return f0 + (F(1) - f0) * (squared * squared * grazing);
 }
 
+/// What the highlight is made of: S = pi D G F / (4 n.v) where light and eye are both in front of the
+/// surface.
+template <Number F> struct FacetTerms {
+    F d{}, g{}, cos_v{};
+    Vec3<F> f;
+};
 template <Number F>
-Response<F> cook_torrance(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
+FacetTerms<F> facet_terms(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
     const F a = ggx_alpha(m.roughness);
     const F n_dot_v = dot(at.n, at.v), v_dot_h = max0(dot(at.v, d.h));
     const auto lit = mask_and(d.n_dot_l > F(0), n_dot_v > F(0));
     const F cos_l = select(lit, d.n_dot_l, F(1)), cos_v = select(lit, n_dot_v, F(1));
     const F g = F(1) / (F(1) + lambda_ggx(cos_l, a) + lambda_ggx(cos_v, a));
-    const F dg = F(3.14159265f) * d_ggx(at.n, d.h, a) * g / (F(4) * cos_v);
-    const F shared = select(lit, dg, F(0));
-    const Vec3<F> f{f_schlick(m.f0.x, v_dot_h), f_schlick(m.f0.y, v_dot_h), f_schlick(m.f0.z, v_dot_h)};
-    return {lambert_cosine(d), shared * f};
+    return {d_ggx(at.n, d.h, a),
+            g,
+            cos_v,
+            {f_schlick(m.f0.x, v_dot_h), f_schlick(m.f0.y, v_dot_h), f_schlick(m.f0.z, v_dot_h)}};
+}
+
+template <Number F>
+Response<F> cook_torrance(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
+    const FacetTerms<F> t = facet_terms(d, m, at);
+    const auto lit = mask_and(d.n_dot_l > F(0), dot(at.n, at.v) > F(0));
+    const F shared = select(lit, F(3.14159265f) * t.d * t.g / (F(4) * t.cos_v), F(0));
+    return {lambert_cosine(d), shared * t.f};
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -434,8 +434,8 @@ TEST_CASE("an explanation in words says why a light gives nothing", "[cli][expla
     const Ended ended = must({"explain", scene, "--pixel", "50,50", "--size", "101x101"});
     CHECK(ended.out.rfind("Pixel 50, 50: Wall, face 0, front side; phong shading, phong reflection\n", 0) ==
           0);
-    CHECK(ended.out.find("Behind, point light: behind the surface\n") != std::string::npos);
-    CHECK(ended.out.find("Lamp, spot light: outside the cone by 15.0°\n") != std::string::npos);
+    CHECK(ended.out.find("Behind, point light (behind the surface: n·l < 0)\n") != std::string::npos);
+    CHECK(ended.out.find("Lamp, spot light (outside the cone by 15.0°)\n") != std::string::npos);
     CHECK(ended.out.find("red clips: ") != std::string::npos);
     CHECK(must({"explain", scene, "--pixel", "0,0"}).out.rfind("Pixel 0, 0: background\n", 0) == 0);
 }

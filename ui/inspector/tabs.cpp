@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "renderer/inspect/explain/explain_words.h"
 #include "ui/inspector/equation/equation_tab.h"
 #include "ui/inspector/outside_view.h"
 #include "ui/inspector/vectors/vectors_tab.h"
@@ -74,10 +75,16 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
     mono_text(fmt::format("{} {}, {}   {} {} {}", ImGui::GetIO().KeyAlt ? "at the cursor" : "pixel",
                           state.asked.x, state.asked.y, r, g, b));
     if (explanation.hit) {
+        const char* const side = explanation.front_facing ? "front side" : "back side";
+        const float for_side = ImGui::CalcTextSize(side).x + px(6);
         if (ImGui::Selectable(fmt::format("{}, face {}", explanation.object, explanation.face).c_str(), false,
-                              0, {ImGui::GetContentRegionAvail().x - px(26), 0}))
+                              0, {ImGui::GetContentRegionAvail().x - px(26) - for_side, 0}))
             state.editor.selection = {Selection::Kind::Object, explanation.object_index};
         tooltip("Object", "Click to show its panel");
+        ImGui::SameLine(0, px(6));
+        coloured(is_plain_front(explanation) ? theme().dim_text : theme().warning, side);
+        tooltip("Side", "Front: its corners run counter-clockwise on the screen",
+                "Here: " + side_words(explanation));
     } else {
         dim_text("background");
     }

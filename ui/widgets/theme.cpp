@@ -101,7 +101,7 @@ const Theme& dark_theme() {
         .error = rgb(0xff7b6b),
         .surround = rgb(0x777777),
         .symbols = {rgb(0x1fbf8f), rgb(0xf0e442), rgb(0x56b4e9), rgb(0xe69f00), rgb(0xd68ab2), rgb(0x4a9fd8),
-                    rgb(0xf0742a), rgb(0xf2f2f2), rgb(0xa0a0a0)}};
+                    rgb(0xf0742a), rgb(0xf2f2f2), rgb(0xa0a0a0), rgb(0xb5a2f0)}};
     return dark;
 }
 
@@ -123,7 +123,7 @@ const Theme& light_theme() {
         .error = rgb(0xb3261e),
         .surround = rgb(0x777777),
         .symbols = {rgb(0x00704f), rgb(0x6f6700), rgb(0x0f6f9f), rgb(0x8a5f00), rgb(0xa04878), rgb(0x005f96),
-                    rgb(0xa54400), rgb(0x222222), rgb(0x666666)}};
+                    rgb(0xa54400), rgb(0x222222), rgb(0x666666), rgb(0x6a48b5)}};
     return light;
 }
 

@@ -8,11 +8,13 @@
 
 namespace glint {
 
-enum class Symbol { N, L, V, R, H, Ambient, Diffuse, Specular, Emission };
-inline constexpr int symbol_count = 9;
-/// The letter that stands beside the colour: n, l, v, r, h, a, d, s, e.
+/// Construction: what is drawn or computed on the way to the others.
+enum class Symbol { N, L, V, R, H, Ambient, Diffuse, Specular, Emission, Construction };
+inline constexpr int symbol_count = 10;
+/// The letter that stands beside the colour: n, l, v, r, h, a, d, s, e; f is the first of what is only
+/// constructed.
 [[nodiscard]] constexpr const char* letter_of(Symbol symbol) {
-    constexpr const char* letters[symbol_count] = {"n", "l", "v", "r", "h", "a", "d", "s", "e"};
+    constexpr const char* letters[symbol_count] = {"n", "l", "v", "r", "h", "a", "d", "s", "e", "f"};
     return letters[static_cast<int>(symbol)];
 }
 

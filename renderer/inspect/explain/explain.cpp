@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <glm/trigonometric.hpp>
 
+#include "models/fields/choices.h"
 #include "renderer/geometry/clip.h"
 #include "renderer/geometry/interpolate.h"
+#include "renderer/inspect/explain/explain_point.h"
 #include "renderer/lighting/display.h"
-#include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"
 #include "renderer/simd/glm_vec3.h"
 #include "renderer/strokes/strokes.h"
@@ -29,111 +28,44 @@ struct ExplainedStages {
     const Lighting& lighting;
 };
 
-/// Camera and world coordinates of the same vector or place.
-class Frames {
-  public:
-    explicit Frames(const Camera& camera) : world_from_view_(world_from_view(camera)) {}
-    [[nodiscard]] InBothFrames direction(Vec v) const { return both_frames(to_glm(v), 0); }
-    [[nodiscard]] InBothFrames position(Vec v) const { return both_frames(to_glm(v), 1); }
-
-  private:
-    [[nodiscard]] InBothFrames both_frames(glm::vec3 v, double w) const {
-        return {v, glm::vec3(world_from_view_ * glm::dvec4(glm::dvec3(v), w))};
+/// What makes the colour of a pixel of `face`, with weights by surface.choice.
+std::vector<ExplainedCorner> lit_corners(const ExplainedStages& stages, const SurfaceInputs& surface,
+                                         const SampleFace& face, const LightJob& job, const Frames& frames) {
+    const BlendedPoints sample = blended_points(surface, stages.geometry, face);
+    const bool lit = stages.lighting.shading.reflection != Reflection::None;
+    std::vector<ExplainedCorner> corners(static_cast<std::size_t>(sample.count));
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        corners[i].weight = sample.weight[i];
+        const PositionNormal place = lit_point(surface, stages.geometry, sample.point[i]);
+        corners[i].at = explain_point(stages.lighting, job, place, frames, lit);
+        if (!lit) corners[i].at.sum = vertex_color(surface, stages.geometry, sample.point[i]);
     }
-    glm::dmat4 world_from_view_;
-};
-
-ExplainedLight explain_light(const LightTerms<float>& t, const LightSource& source, const Frames& frames) {
-    ExplainedLight e;
-    e.index = source.light;
-    e.l = frames.direction(t.directions.l);
-    e.r = frames.direction(t.directions.r);
-    e.h = frames.direction(t.directions.h);
-    e.n_dot_l = t.directions.n_dot_l;
-    e.r_dot_v = t.directions.r_dot_v;
-    e.n_dot_h = t.directions.n_dot_h;
-    e.distance = source.w > 0 ? t.distance * source.distance_scale : 0;
-    e.falloff = t.falloff;
-    e.spot = t.spot;
-    if (source.has_cone) {
-        const float cosine = along_axis(light_at<float>(source), t.directions.l);
-        e.spot_angle_deg = glm::degrees(std::acos(std::clamp(cosine, -1.0f, 1.0f)));
-    }
-    e.diffuse_factor = t.response.diffuse;
-    e.specular_factor = to_glm(t.response.specular);
-    e.ambient = to_glm(t.ambient);
-    e.diffuse = to_glm(t.diffuse);
-    e.specular = to_glm(t.specular);
-    return e;
+    return corners;
 }
 
-/// Puts the samples of an area light under one entry that holds their sums.
-void join_samples(ExplainedLight& joined, const ExplainedLight& sample) {
-    if (joined.samples.empty()) {
-        joined.name = sample.name;
-        joined.index = sample.index;
-        joined.falloff = 0;
-    }
-    joined.samples.push_back(sample);
-    joined.falloff += sample.falloff;
-    joined.ambient += sample.ambient;
-    joined.diffuse += sample.diffuse;
-    joined.specular += sample.specular;
-}
-
-ExplainedTone explain_tone(const LightJob& job, const PointAt<float>& at) {
-    const CoolToWarmTerms<float> t = cool_to_warm(job.tone, broadcast<float>(job.material.k_d), at);
-    return {true, t.n_dot_l, t.k_w, to_glm(t.cool), to_glm(t.warm), to_glm(t.color)};
-}
-
-/// The equation at one point, step by step; the sum is added in the picture's own order.
-ExplainedPoint explain_point(const ExplainedStages& stages, const LightJob& job, const PositionNormal& place,
-                             const Frames& frames, bool lit) {
-    const PointAt<float> at = seen_from_eye(job, to_vec(place.p), to_vec(place.n));
-    ExplainedPoint e;
-    e.point = frames.position(at.p);
-    e.normal = frames.direction(at.n);
-    e.view = frames.direction(at.v);
-    if (!lit) return e;
-    if (job.terms.emission) e.emission = to_glm(broadcast<float>(job.material.emission));
-    if (job.terms.ambient) e.global_ambient = to_glm(broadcast<float>(job.material.global_ambient));
-    if (job.tone.on) e.cool_to_warm = explain_tone(job, at);
-    e.base = to_glm(begin_sum(job, at));
-    e.sum = to_glm(shade_point(job, at, [&](std::size_t i, const LightTerms<float>& t, const Vec& share) {
-        const LightSource& source = job.lights[i];
-        ExplainedLight light = explain_light(t, source, frames);
-        light.share = to_glm(share);
-        light.name = stages.lighting.lights[static_cast<std::size_t>(source.light)].name;
-        if (!source.is_patch) {
-            e.lights.push_back(light);
-            return;
-        }
-        if (e.lights.empty() || e.lights.back().index != source.light || e.lights.back().samples.empty())
-            e.lights.emplace_back();
-        join_samples(e.lights.back(), light);
-    }));
-    return e;
+glm::vec3 blended(const std::vector<ExplainedCorner>& corners) {
+    Vec sum;
+    for (const ExplainedCorner& corner : corners)
+        sum = add_weighted(sum, corner.weight, to_vec(corner.at.sum));
+    return to_glm(sum);
 }
 
 void explain_corners(Explanation& e, const ExplainedStages& stages, const SampleFace& face,
                      const LightJob& job, const Frames& frames) {
-    const SurfaceInputs& surface = stages.surface;
-    const BlendedPoints sample = blended_points(surface, stages.geometry, face);
-    const bool lit = stages.lighting.shading.reflection != Reflection::None;
-    Vec sum;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(sample.count); ++i) {
-        ExplainedCorner corner;
-        corner.weight = sample.weight[i];
-        const PositionNormal place = lit_point(surface, stages.geometry, sample.point[i]);
-        corner.at = explain_point(stages, job, place, frames, lit);
-        if (!lit) corner.at.sum = vertex_color(surface, stages.geometry, sample.point[i]);
-        sum = surface.choice.kind == SurfaceKind::Faces
-                  ? to_vec(corner.at.sum)
-                  : add_weighted(sum, corner.weight, to_vec(corner.at.sum));
-        e.corners.push_back(corner);
-    }
+    SurfaceChoice choice = stages.surface.choice;
+    e.corners = lit_corners(stages, stages.surface, face, job, frames);
     e.lit_per_corner = true;
-    e.sum = to_glm(sum);
+    e.interpolation = choice.interpolation;
+    if (choice.kind == SurfaceKind::Faces) {
+        if (!e.corners.empty()) e.sum = e.corners.back().at.sum;
+        return;
+    }
+    e.sum = blended(e.corners);
+    for (const Interpolation each : enumerators<Interpolation>) {
+        choice.interpolation = each;
+        const SurfaceInputs surface(choice, stages.surface.normals);
+        e.interpolations.push_back({each, blended(lit_corners(stages, surface, face, job, frames))});
+    }
 }
 
 void explain_stroke(Explanation& e, const ExplainedStages& stages, std::size_t pixel) {
@@ -218,7 +150,7 @@ Explanation explain_stages(const ExplainedStages& stages, int x, int y) {
     const Frames frames(stages.scene.camera);
     const PositionNormal place = pixel_point(stages.surface, g, face);
     const bool lit_here = stages.surface.choice.kind == SurfaceKind::Pixels;
-    e.at = explain_point(stages, job, place, frames, lit_here);
+    e.at = explain_point(stages.lighting, job, place, frames, lit_here);
     e.sum = e.at.sum;
     if (!lit_here) explain_corners(e, stages, face, job, frames);
     explain_display(e, stages, pixel);

@@ -4,7 +4,10 @@
 
 #include "models/fields/choices.h"
 #include "models/problem.h"
+#include "renderer/inspect/explain/equation_text.h"
 #include "renderer/inspect/explain/explain_format.h"
+#include "renderer/inspect/explain/explain_words.h"
+#include "renderer/inspect/explain/printed_number.h"
 
 namespace glint {
 namespace {
@@ -49,70 +52,101 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-/// Four significant digits; an exponent as a power of ten.
-std::string number(float x) {
-    std::string text = fmt::format("{:.4g}", x);
+/// An exponent as a power of ten.
+std::string with_power(const std::string& text) {
     const std::size_t e = text.find('e');
     if (e == std::string::npos) return text;
     return fmt::format("{} \\cdot 10^{{{}}}", text.substr(0, e), std::stoi(text.substr(e + 1)));
 }
+/// Four significant digits.
+std::string plain_number(double x) { return fmt::format("{:.4g}", static_cast<float>(x)); }
+std::string number(float x) { return with_power(plain_number(double(x))); }
 
+/// Three channels below each other, or one where all are written alike.
+template <class Text> std::string column(glm::dvec3 v, const Text& text) {
+    const std::string red = text(v.x), green = text(v.y), blue = text(v.z);
+    if (red == green && green == blue) return red;
+    return fmt::format("\\begin{{pmatrix}} {} \\\\ {} \\\\ {} \\end{{pmatrix}}", red, green, blue);
+}
 std::string column(glm::vec3 v) {
-    if (v.x == v.y && v.y == v.z) return number(v.x);
-    return fmt::format("\\begin{{pmatrix}} {} \\\\ {} \\\\ {} \\end{{pmatrix}}", number(v.x), number(v.y),
-                       number(v.z));
+    return column(glm::dvec3(v), [](double x) { return number(static_cast<float>(x)); });
 }
 
 std::string row(std::string_view left, std::string_view right) {
     return fmt::format("{} &= {} \\\\\n", left, right);
 }
 
-/// The specular factor S as its model writes it.
-std::string highlight(const Explanation& e, const ExplainedLight& light) {
-    const ReflectionInfo info = info_of(e.reflection);
-    if (!info.uses_shininess()) return "S";
-    const std::string power = fmt::format("^{{{}}}", number(e.material.shininess));
-    std::string formula = fmt::format("({}){}", info.highlight_latex, power);
-    if (info.cosine == HighlightCosine::LV) return formula;
-    const float cosine = info.cosine == HighlightCosine::RV ? light.r_dot_v : light.n_dot_h;
-    return fmt::format("{} = ({}){}", formula, number(cosine), power);
+std::string symbol_of(const EquationFactor& f, const std::string& index) {
+    std::string text = row_of(f.quantity).latex;
+    if (f.quantity == Quantity::Share) text += "_{" + index + "}";
+    if (f.is_mean) text = fmt::format("\\overline{{{}}}", text);
+    if (f.power) return fmt::format("({})^n", text);
+    return is_cosine(f.quantity) ? fmt::format("\\langle {} \\rangle", text) : text;
 }
 
-std::string light_rows(const Explanation& e, const ExplainedLight& light, const Light& source,
-                       std::size_t i) {
-    const std::string index = "_{" + std::to_string(i + 1) + "}";
-    std::string text = fmt::format("&\\text{{{}, {}}} \\\\\n", escaped(light.name), name_of(source.kind));
-    if (light.samples.empty()) {
-        text += row("n \\cdot l" + index, number(light.n_dot_l));
-        if (light.falloff != 1 || light.spot != 1 || source.intensity != 1)
-            text += row("f" + index, fmt::format("{} \\cdot {} \\cdot {}", number(light.falloff),
-                                                 number(light.spot), number(source.intensity)));
-        if (info_of(e.reflection).has_highlight)
-            text += row("S" + index, highlight(e, light) + " = " + column(light.specular_factor));
+std::string value_of(const EquationFactor& f, int decimals, int exponent_decimals) {
+    if (f.quantity == Quantity::QuarterPi) return row_of(f.quantity).latex;
+    const std::string value = column(f.value, [&](double x) { return with_power(short_text(x, decimals)); });
+    if (!f.power) return value;
+    return fmt::format("({})^{{{}}}", value, with_power(short_text(f.power->exponent, exponent_decimals)));
+}
+
+/// Why, with the dot as a letter of text.
+std::string left_out(const EquationLine& line) {
+    std::string text = escaped(line.left_out);
+    const std::string dot = "·";
+    const std::size_t at = text.find(dot);
+    return at == std::string::npos
+               ? text
+               : text.substr(0, at) + "\\textperiodcentered{}" + text.substr(at + dot.size());
+}
+
+/// "letters &= numbers = result": what is left out says why in place of the result.
+std::string row(const EquationLine& line, const std::string& index) {
+    const LineDecimals decimals = written_decimals(line, std::nullopt, plain_number);
+    std::string letters, numbers;
+    for (std::size_t i = 0; i < line.factors.size(); ++i) {
+        const EquationFactor& f = line.factors[i];
+        letters += (i == 0 ? "" : f.divides ? " / " : " \\, ") + symbol_of(f, index);
+        numbers += (i == 0      ? ""
+                    : f.divides ? " / "
+                                : " \\cdot ") +
+                   value_of(f, decimals.value[i], decimals.exponent[i]);
     }
-    text += row(fmt::format("f{0} \\, k_a A{0}", index), column(light.ambient));
-    text +=
-        row(fmt::format("f{0} \\, k_d D{0} \\langle n \\cdot l{0} \\rangle", index), column(light.diffuse));
-    return text + row(fmt::format("f{0} \\, k_s S{0}", index), column(light.specular));
+    const glm::vec3 product(line.product(0), line.product(1), line.product(2));
+    const bool counts = line.left_out.empty();
+    const std::string end = counts ? "" : fmt::format(" \\quad \\text{{{}}}", left_out(line));
+    const std::string result = column(counts ? glm::vec3(line.result) : product);
+    return row(letters, (numbers == result ? numbers : numbers + " = " + result) + end);
+}
+
+std::string light_rows(const Explanation& e, const ExplainedLight& light, const Scene& scene, std::size_t i) {
+    const Light& source = scene.lights[static_cast<std::size_t>(light.index)];
+    const std::string index = std::to_string(i + 1);
+    std::string text = fmt::format("&\\text{{{}, {}}} \\\\\n", escaped(light.name), name_of(source.kind));
+    const LightOfEquation in{scene, e, light};
+    const EquationLine share = share_line(in);
+    text += fmt::format("f_{{{}}} = ", index) + row(share, index);
+    for (const EquationLine& line : light_lines(in)) text += row(line, index);
+    return text;
 }
 
 std::string equation(const Explanation& e, const ExplainedPoint& at, const Scene& scene) {
     std::string text = "\\begin{align*}\n";
     if (at.cool_to_warm.used) {
-        text +=
-            row("k_w", fmt::format("\\tfrac{{1}}{{2}} (1 + n \\cdot l) = {}", number(at.cool_to_warm.k_w)));
-        text += row("c", "k_w c_w + (1 - k_w) c_c = " + column(at.cool_to_warm.color));
+        text += row("k_w", fmt::format("\\tfrac{{1}}{{2}} (1 + \\mathbf{{n}} \\cdot \\mathbf{{l}}) = {}",
+                                       number(at.cool_to_warm.k_w)));
+        text += row("k_w \\, \\text{warm} + (1 - k_w) \\, \\text{cool}", column(at.cool_to_warm.color));
     } else {
-        text += row("k_e", column(at.emission)) + row("k_a I_a", column(at.global_ambient));
+        for (const EquationLine& line : unlit_lines(scene, e, at)) text += row(line, "");
     }
-    for (std::size_t i = 0; i < at.lights.size(); ++i)
-        text += light_rows(e, at.lights[i], scene.lights[static_cast<std::size_t>(at.lights[i].index)], i);
+    for (std::size_t i = 0; i < at.lights.size(); ++i) text += light_rows(e, at.lights[i], scene, i);
     return text + fmt::format("I &= {}\n\\end{{align*}}\n", column(at.sum));
 }
 
 std::string place(const ExplainedPoint& at) {
-    return fmt::format("\\[ p = {}, \\quad n = {}, \\quad v = {} \\]\n", column(at.point.camera),
-                       column(at.normal.camera), column(at.view.camera));
+    return fmt::format("\\[ \\mathbf{{p}} = {}, \\quad \\mathbf{{n}} = {}, \\quad \\mathbf{{v}} = {} \\]\n",
+                       column(at.point.camera), column(at.normal.camera), column(at.view.camera));
 }
 
 std::string lit_points(const Explanation& e, const Scene& scene) {
@@ -134,8 +168,8 @@ std::string explain_latex(const Explanation& e, const Scene& scene) {
     std::string text = fmt::format("% glint explain, pixel {}, {}; needs amsmath\n", e.x, e.y);
     if (e.hit) {
         text += fmt::format(
-            "\\paragraph{{Pixel {}, {}: {}, face {}; {} shading, {} reflection}} Camera coordinates.\n", e.x,
-            e.y, escaped(e.object), e.face, name_of(e.mode), name_of(e.reflection));
+            "\\paragraph{{Pixel {}, {}: {}, face {}, {}; {} shading, {} reflection}} Camera coordinates.\n",
+            e.x, e.y, escaped(e.object), e.face, side_words(e), name_of(e.mode), name_of(e.reflection));
         text += lit_points(e, scene);
     } else {
         text += fmt::format("\\paragraph{{Pixel {}, {}: background}}\n", e.x, e.y);

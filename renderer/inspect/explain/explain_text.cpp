@@ -5,7 +5,9 @@
 
 #include "models/fields/choices.h"
 #include "models/problem.h"
+#include "renderer/inspect/explain/equation_text.h"
 #include "renderer/inspect/explain/explain_format.h"
+#include "renderer/inspect/explain/explain_words.h"
 
 namespace glint {
 namespace {
@@ -40,24 +42,21 @@ std::string vector(std::string_view symbol, const InBothFrames& v, std::string_v
     return fmt::format("  {:<3}{}   {}    {}\n", symbol, numbers(v.camera), numbers(v.world), meaning);
 }
 
-/// What the highlight is made of, as the equation writes it.
-std::string highlight(Reflection reflection, const Material& material, glm::vec3 factor) {
-    const ReflectionInfo info = info_of(reflection);
-    if (!info.uses_shininess()) return "S = " + brief(factor);
-    return fmt::format("{}^{} = {}", info.highlight, brief(material.shininess), brief(factor));
+/// A result in its column, without the spaces before it.
+std::string result_text(double x) {
+    const std::string text = number(static_cast<float>(x));
+    return text.substr(text.find_first_not_of(' '));
 }
 
-/// One light (or one sample of an area light) in words, where its numbers alone would not say why.
-std::string remark(const ExplainedLight& e, const Light& light) {
-    if (light.kind == LightKind::Spot && e.spot == 0 && e.spot_angle_deg > light.spot.cutoff_deg) {
-        return fmt::format("outside the cone by {:.1f}°", e.spot_angle_deg - light.spot.cutoff_deg);
-    }
-    if (e.n_dot_l < 0) return "behind the surface";
-    if (e.n_dot_l == 0) return "along the surface";
-    return {};
+/// A term of the equation: the product of its factors, and what it comes to.
+std::string term(const EquationLine& line) {
+    std::string_view name = "f";
+    if (line.term == Quantity::EmissionTerm) name = "emission";
+    if (line.term == Quantity::AmbientTerm) name = "ambient";
+    if (line.term == Quantity::DiffuseTerm) name = "diffuse";
+    if (line.term == Quantity::SpecularTerm) name = "specular";
+    return term(name, written_product(line, std::nullopt, result_text), glm::vec3(line.result));
 }
-
-std::string_view off_or(bool on, std::string_view product) { return on ? product : "switched off"; }
 
 class Writer {
   public:
@@ -71,12 +70,13 @@ class Writer {
 
   private:
     [[nodiscard]] std::string hit() const {
-        std::string text = fmt::format("{}, face {}, {} side; {} shading, {} reflection\n\n",
-                                       on_one_line(e_.object), e_.face, e_.front_facing ? "front" : "back",
-                                       name_of(e_.mode), name_of(e_.reflection));
+        std::string text =
+            fmt::format("{}, face {}, {}; {} shading, {} reflection\n\n", on_one_line(e_.object), e_.face,
+                        side_words(e_), name_of(e_.mode), name_of(e_.reflection));
         text += spaces() + "\n";
         text += "     camera coordinates               world coordinates\n" + place(e_.at) + "\n";
         if (!e_.lit_per_corner) return text + equation(e_.at);
+        text += weights();
         for (std::size_t i = 0; i < e_.corners.size(); ++i) {
             const ExplainedCorner& corner = e_.corners[i];
             text += e_.mode == ShadingMode::Flat ? "Lit at one point for the whole polygon\n"
@@ -86,6 +86,17 @@ class Writer {
             text += term("sum", "of this point", corner.at.sum) + "\n";
         }
         return text;
+    }
+
+    /// Whose weights the corners have, and what the others would give.
+    [[nodiscard]] std::string weights() const {
+        std::string text;
+        for (const ExplainedInterpolation& each : e_.interpolations) {
+            const bool chosen = each.interpolation == e_.interpolation;
+            text +=
+                term(name_of(each.interpolation), chosen ? "weights: these" : "weights would give", each.sum);
+        }
+        return text.empty() ? text : text + "\n";
     }
 
     /// The point on its way from the mesh to the screen.
@@ -117,11 +128,9 @@ class Writer {
 
     /// What there is without a light.
     [[nodiscard]] std::string unlit(const ExplainedPoint& at) const {
-        const Terms& on = scene_.shading.terms;
-        const std::string global =
-            fmt::format("k_a {} · global {}", brief(e_.material.ambient), brief(scene_.global_ambient));
-        return term("emission", off_or(on.emission, "of the material"), at.emission) +
-               term("ambient", off_or(on.ambient, global), at.global_ambient) + "\n";
+        std::string text;
+        for (const EquationLine& line : unlit_lines(scene_, e_, at)) text += term(line);
+        return text + "\n";
     }
 
     /// Cool-to-warm shading, which stands in place of emission, ambient and diffuse terms.
@@ -135,61 +144,36 @@ class Writer {
     [[nodiscard]] std::string one_light(const ExplainedLight& e) const {
         const Light& light = scene_.lights[static_cast<std::size_t>(e.index)];
         std::string text = fmt::format("{}, {} light", on_one_line(e.name), name_of(light.kind));
-        if (!e.samples.empty()) return text + samples(e, light);
-        const std::string reason = remark(e, light);
-        text += (reason.empty() ? "" : ": " + reason) + "\n";
+        if (!e.samples.empty()) return text + samples(e) + terms(e);
+        const std::string reason = dark_reason(e, light);
+        text += reason.empty() ? "\n" : fmt::format(" ({})\n", reason);
         text += vector("l", e.l, "to the light") + vector("r", e.r, "l mirrored at n") +
                 vector("h", e.h, "halfway from l to v");
         text +=
             fmt::format("  n·l {}   r·v {}   n·h {}", brief(e.n_dot_l), brief(e.r_dot_v), brief(e.n_dot_h));
         if (light.kind != LightKind::Directional) text += "   distance " + brief(e.distance);
         if (light.kind == LightKind::Spot) text += fmt::format("   angle {:.4g}°", e.spot_angle_deg);
-        return text + "\n" + terms(e, light);
+        return text + "\n" + terms(e);
     }
 
-    /// What all three terms of a light are multiplied by; empty when that is 1.
-    static std::string share(const ExplainedLight& e, const Light& light) {
-        std::string text;
-        const auto add = [&text](std::string_view name, float factor) {
-            if (factor != 1) text += fmt::format("{}{} {}", text.empty() ? "" : " · ", name, brief(factor));
-        };
-        add("falloff", e.falloff);
-        add("spot", e.spot);
-        add("intensity", light.intensity);
+    [[nodiscard]] std::string terms(const ExplainedLight& e) const {
+        const LightOfEquation in{scene_, e_, e};
+        const EquationLine share = share_line(in);
+        std::string text = fmt::format("  f = {} = {}\n", written_product(share, 0, result_text),
+                                       result_text(share.result.x));
+        for (const EquationLine& line : light_lines(in)) text += term(line);
         return text;
     }
 
-    [[nodiscard]] std::string terms(const ExplainedLight& e, const Light& light) const {
-        const Material& m = e_.material;
-        const Terms& on = scene_.shading.terms;
-        const std::string factors = share(e, light);
-        const std::string times = factors.empty() ? "" : " · f";
-        const std::string ambient =
-            fmt::format("k_a {} · {}{}", brief(m.ambient), brief(light.ambient), times);
-        const std::string diffuse = fmt::format("k_d {} · {} · {}{}", brief(m.diffuse), brief(light.diffuse),
-                                                brief(e.diffuse_factor), times);
-        const std::string specular =
-            fmt::format("k_s {} · {} · {}{}", brief(m.specular), brief(light.specular),
-                        highlight(e_.reflection, m, e.specular_factor), times);
-        const float f = e.falloff * e.spot * light.intensity;
-        const std::string meaning = factors.empty() ? "" : fmt::format("  f = {} = {}\n", factors, brief(f));
-        const std::string last = term("specular", off_or(on.specular, specular), e.specular);
-        if (scene_.npr.cool_to_warm) return meaning + last;
-        return meaning + term("ambient", off_or(on.ambient, ambient), e.ambient) +
-               term("diffuse", off_or(on.diffuse, diffuse), e.diffuse) + last;
-    }
-
-    static std::string samples(const ExplainedLight& e, const Light& light) {
+    static std::string samples(const ExplainedLight& e) {
         std::string text = fmt::format(", {} samples\n", e.samples.size());
         for (std::size_t i = 0; i < e.samples.size(); ++i) {
             const ExplainedLight& s = e.samples[i];
-            const std::string reason = remark(s, light);
-            const std::string line =
-                fmt::format("n·l {:>8}   falloff {:>9}   {}", brief(s.n_dot_l), brief(s.falloff), reason);
+            const std::string line = fmt::format("n·l {:>8}   form {:>9}   {}", brief(s.n_dot_l),
+                                                 brief(s.falloff), s.n_dot_l < 0 ? "behind the surface" : "");
             text += term(fmt::format("{:>9}", i + 1), line, s.ambient + s.diffuse + s.specular);
         }
-        return text + term("ambient", "of all samples", e.ambient) +
-               term("diffuse", "of all samples", e.diffuse) + term("specular", "of all samples", e.specular);
+        return text;
     }
 
     [[nodiscard]] std::string result() const {

@@ -19,18 +19,25 @@ struct InBothFrames {
     glm::vec3 camera{0}, world{0};
 };
 
+/// What a microfacet highlight is made of: S = π/4 D G F / n·v, where the light is in front of the surface.
+struct ExplainedFacets {
+    float d = 0, g = 0, n_dot_v = 0;
+    glm::vec3 f{0};
+};
+
 /// What one light (or one sample of an area light) does at one point, as it enters the sum.
 struct ExplainedLight {
     std::string name;
     int index = 0;         // in Scene::lights
     InBothFrames l, r, h;  // unit: towards the light; l mirrored at n; halfway between l and v
     float n_dot_l = 0;     // not clamped: negative means the light is behind the surface
-    float r_dot_v = 0, n_dot_h = 0;
+    float r_dot_v = 0, n_dot_h = 0, l_dot_v = 0;
     float distance = 0;  // scene units; 0 for a directional light
     float falloff = 1, spot = 1;
     float spot_angle_deg = 0;      // between the cone's axis and the direction to the point; 0 without a cone
     float diffuse_factor = 0;      // what multiplies light.diffuse * k_d: <n.l> for Lambert
     glm::vec3 specular_factor{0};  // S of docs/interface.md, per channel; 0 where n.l <= 0
+    ExplainedFacets facets;        // under Cook-Torrance
     glm::vec3 ambient{0}, diffuse{0}, specular{0};  // what reaches the eye
     glm::vec3 share{0};  // what is added to the sum: the three terms together, rounded as the picture rounds
                          // them; of an area light each sample has one, and this is 0
@@ -79,6 +86,12 @@ struct ExplainedStroke {
     glm::vec3 shaded{0};  // the sum before
 };
 
+/// What the pixel would be under a way of weighing the corners.
+struct ExplainedInterpolation {
+    Interpolation interpolation = Interpolation::Perspective;
+    glm::vec3 sum{0};  // before strokes
+};
+
 struct Explanation {
     int x = 0, y = 0;
     bool hit = false;  // false: background
@@ -95,10 +108,12 @@ struct Explanation {
     ExplainedSpaces spaces;
     ExplainedPoint at;  // phong and facet: the pixel's own point, lit. Others: its place and normal, unlit
     std::vector<ExplainedCorner> corners;  // gouraud and flat: what was lit, and its weight
-    bool lit_per_corner = false;           // true when `corners` makes the sum
-    ExplainedStroke stroke;                // over surface or background
-    glm::vec3 sum{0};                      // linear, before exposure: the pixel of the PFM / exposure
-    glm::vec3 displayed{0};                // after exposure, transfer and clamp, 0 to 1
+    Interpolation interpolation = Interpolation::Perspective;  // gouraud: whose weights the corners have
+    std::vector<ExplainedInterpolation> interpolations;  // gouraud: each of them, in the enumerators' order
+    bool lit_per_corner = false;                         // true when `corners` makes the sum
+    ExplainedStroke stroke;                              // over surface or background
+    glm::vec3 sum{0};        // linear, before exposure: the pixel of the PFM / exposure
+    glm::vec3 displayed{0};  // after exposure, transfer and clamp, 0 to 1
     std::array<int, 3> byte{};
 };
 

@@ -1,24 +1,21 @@
 // The equation with its numbers: what is written is what was lit, what is dragged is the scene.
+#include <algorithm>
+#include <glm/geometric.hpp>
 #include <random>
 #include <set>
 
+#include "models/scene_file/scene_file.h"
 #include "renderer/inspect/explain/explain_format.h"
+#include "renderer/inspect/explain/explain_words.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "ui/inspector/equation/equation_tab.h"
-#include "ui/inspector/equation/factors.h"
+#include "ui/inspector/equation/words.h"
 
 using namespace glint;
 using test::HeadlessWindow;
 
 namespace {
-
-float product(const TermLine& line) {
-    float p = 1;
-    for (const Factor& f : line.factors)
-        p *= f.exponent ? std::pow(f.value, *f.exponent->number.place) : f.value;
-    return p;
-}
 
 /// What the picture's own renderer says of the probe, asked apart from the window.
 Explanation asked_apart(HeadlessWindow& bench) {
@@ -35,35 +32,87 @@ int lights_on(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("the factors written out multiply to the term that was lit, under every model", "[ui][why]") {
-    HeadlessWindow bench;
-    Light lamp;
-    lamp.name = "Lamp";
-    lamp.kind = LightKind::Spot;
-    lamp.position = {0.5f, 1, 3, 1};
-    lamp.spot = {{-0.5f, -1, -3}, 35, 5};
-    lamp.falloff = {0.5f, 0.1f, 0.2f};
-    lamp.intensity = 2;
-    lamp.ambient = {0.1f, 0.2f, 0};
-    bench.scene().lights.push_back(lamp);
-    for (const Reflection model :
-         {Reflection::Lambert, Reflection::Phong, Reflection::BlinnPhong, Reflection::OrenNayar}) {
-        bench.frames(1);
-        bench.scene().shading.reflection = model;
-        for (const glm::dvec2 share : {glm::dvec2(0.5, 0.5), glm::dvec2(0.4, 0.3), glm::dvec2(0.6, 0.7)}) {
-            test::ask(bench, InspectorTab::Equation, share);
-            REQUIRE(bench.state.explanation->hit);
-            const Explanation why = *bench.state.explanation;
-            REQUIRE(why.at.lights.size() == 3);
-            CHECK(why.at.lights.back().spot > 0);
-            for (const ExplainedLight& light : why.at.lights)
-                for (int channel = 0; channel < 3; ++channel)
-                    for (const TermLine& line : term_lines({bench.scene(), why, light, channel}))
-                        CHECK(product(line) == Approx(line.result).epsilon(1e-4).margin(2e-6));
-            for (const TermLine& line : unlit_lines(bench.scene(), why, why.at, 1))
-                CHECK(product(line) == Approx(line.result));
-        }
+TEST_CASE("a right click on a number that is only read copies it, or its whole line", "[ui][window][why]") {
+    HeadlessWindow bench({1280, 1400});
+    test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
+    const Rect angle = bench.area_of("angle n·l", test::right_column(bench));
+    const ImVec2 number{angle.high.x - 10, angle.middle().y};  // to the right of the letters
+    const auto choose = [&](const char* item) {
+        ImGui::SetClipboardText("nothing");
+        bench.move(number);
+        bench.button(true, 1);
+        bench.button(false, 1);
+        bench.frames(2);
+        bench.click(bench.control(item));
+        bench.frames(2);
+        return std::string(ImGui::GetClipboardText());
+    };
+    const Scene start = bench.scene();
+    const float n_dot_l = bench.state.explanation->at.lights.front().n_dot_l;
+    CHECK(std::stof(choose("Copy")) == Approx(n_dot_l).margin(0.0005));
+    CHECK(choose("Copy line").starts_with("n·l 0."));
+    CHECK(bench.scene() == start);
+}
+
+TEST_CASE("the distance in the equation moves its light towards the point, in its direction",
+          "[ui][window][why]") {
+    for (const LightSpace space : {LightSpace::World, LightSpace::Camera}) {
+        HeadlessWindow bench({1280, 1400});
+        bench.scene().lights[1].space = space;
+        bench.scene().lights[1].falloff.quadratic = 0.5f;
+        if (space == LightSpace::Camera) bench.scene().lights[1].position = {0.5f, 1, 1, 1};
+        test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
+        const ExplainedLight before = bench.state.explanation->at.lights[1];
+        REQUIRE(before.distance > 0.5f);
+        const ImVec2 at = test::in_column(bench, "Distance of Bulb");
+        bench.drag(at, {at.x + 40, at.y});
+        bench.frames(2);
+        const ExplainedLight& after = bench.state.explanation->at.lights[1];
+        CHECK(after.distance > before.distance * 1.05f);
+        CHECK(glm::dot(after.l.world, before.l.world) == Approx(1).margin(1e-5));
+        CHECK(after.falloff != before.falloff);
+        bench.key(Key::Z, true);
+        bench.frames(2);
+        CHECK(bench.state.explanation->at.lights[1].distance == before.distance);
     }
+}
+
+TEST_CASE("an object seen from behind says so, in amber above the equation", "[ui][window][why]") {
+    HeadlessWindow bench;
+    bench.scene().objects[0].source = PrimitiveMesh{Primitive::Plane, 1};
+    bench.scene().objects[0].mesh = nullptr;
+    (void)load_meshes(bench.scene(), "", "");
+    bench.scene().camera.eye = {0, 4, 1};
+    test::ask(bench, InspectorTab::Equation);
+    REQUIRE(bench.state.explanation->hit);
+    CHECK(side_words(*bench.state.explanation) == "front side");
+    bench.scene().shading.mistakes.normals_flipped = true;
+    bench.frames(3);
+    CHECK(side_words(*bench.state.explanation) == "front side, n points away from the eye");
+    bench.scene().shading.mistakes.normals_flipped = false;
+    bench.scene().camera.eye = {0, -4, 1};
+    bench.frames(3);
+    CHECK(side_words(*bench.state.explanation) == "back side");
+    bench.scene().shading.two_sided = true;
+    bench.frames(3);
+    CHECK(side_words(*bench.state.explanation) == "back side, n turned to the eye");
+}
+
+TEST_CASE("an area light's samples unfold below its terms", "[ui][window][why]") {
+    HeadlessWindow bench({1280, 1400});
+    bench.scene().lights[1].kind = LightKind::Area;
+    bench.scene().lights[1].area.samples = 9;
+    test::ask(bench, InspectorTab::Equation, {0.45, 0.4});
+    const ExplainedLight& area = bench.state.explanation->at.lights[1];
+    REQUIRE(area.samples.size() == 9);
+    const auto rows = [&] {
+        return std::count_if(bench.controls().begin(), bench.controls().end(),
+                             [](const NamedControl& control) { return control.name == "form"; });
+    };
+    const auto before = rows();
+    bench.click(test::in_column(bench, sample_words(area)));
+    bench.frames(1);
+    CHECK(rows() == before + 9);
 }
 
 TEST_CASE("every number in the equation is dragged where it stands: one number changes, one step undoes it",
@@ -131,7 +180,7 @@ TEST_CASE("pointing at n·h lights up the arrow h of that light", "[ui][window][
     HeadlessWindow bench;
     bench.scene().shading.reflection = Reflection::BlinnPhong;
     test::ask(bench, InspectorTab::Equation);
-    (void)test::rest_on(bench, "n·h");
+    (void)test::rest_on(bench, "angle n·h");
     CHECK(bench.state.inspector.pointed_vector == Symbol::H);
     CHECK(bench.state.inspector.pointed_light == 0);
 }

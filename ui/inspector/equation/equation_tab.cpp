@@ -8,8 +8,9 @@
 
 #include "models/scene/reflection.h"
 #include "renderer/inspect/explain/explain_format.h"
+#include "renderer/inspect/explain/explain_words.h"
 #include "ui/fields/field_panel.h"
-#include "ui/inspector/equation/factors.h"
+#include "ui/inspector/equation/formula.h"
 #include "ui/inspector/equation/text_line.h"
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/inspector.h"
@@ -22,66 +23,6 @@
 
 namespace glint {
 namespace {
-
-/// Pieces of a formula on one line; `low` pieces are subscripts.
-class Formula {
-  public:
-    Formula& plain(const char* text) { return piece(text, theme().dim_text, false); }
-    Formula& term(Symbol symbol, const char* letter, const char* index = "") {
-        piece(letter, theme()[symbol], false);
-        return *index != 0 ? piece(index, theme()[symbol], true) : *this;
-    }
-    /// "(a·b)", each letter in its colour.
-    Formula& dot(Symbol a, const char* name_a, Symbol b, const char* name_b) {
-        return plain("(").term(a, name_a).plain("·").term(b, name_b).plain(")");
-    }
-
-  private:
-    Formula& piece(const char* text, const ImVec4& colour, bool low) {
-        if (!first_) ImGui::SameLine(0, 0);
-        first_ = false;
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        if (low) ImGui::PushFont(fonts().small);
-        const ImVec2 size = ImGui::CalcTextSize(text);
-        ImGui::GetWindowDrawList()->AddText({at.x, at.y + (low ? px(4) : 0)}, to_u32(colour), text);
-        if (low) ImGui::PopFont();
-        ImGui::Dummy({size.x, ImGui::GetTextLineHeight()});
-        return *this;
-    }
-    bool first_ = true;
-};
-
-void highlight_formula(Formula& f, Reflection reflection) {
-    const ReflectionInfo info = info_of(reflection);
-    if (!info.has_highlight) return;
-    f.plain(" + ").term(Symbol::Specular, "k", "s");
-    switch (info.cosine) {
-    case HighlightCosine::RV:
-        f.dot(Symbol::R, "r", Symbol::V, "v").plain("ⁿ");
-        return;
-    case HighlightCosine::NH:
-        f.dot(Symbol::N, "n", Symbol::H, "h").plain("ⁿ");
-        return;
-    case HighlightCosine::LV:
-        f.dot(Symbol::L, "l", Symbol::V, "v").plain("ⁿ");
-        return;
-    case HighlightCosine::None:
-        f.plain(" ").plain(info.highlight);
-        return;
-    }
-}
-
-/// The equation in letters on one line, each in its symbol's colour.
-void formula(Reflection reflection) {
-    if (!info_of(reflection).is_lit) return dim_text("No lighting: the mesh's own colours.");
-    Formula f;
-    f.plain("I = ").term(Symbol::Emission, "e").plain(" + ").term(Symbol::Ambient, "k", "a");
-    f.term(Symbol::Ambient, "I", "a").plain(" + Σ F (").term(Symbol::Diffuse, "k", "d");
-    f.dot(Symbol::N, "n", Symbol::L, "l");
-    if (info_of(reflection).rough_diffuse) f.plain(" (A + B…)");
-    highlight_formula(f, reflection);
-    f.plain(")");
-}
 
 /// Buttons for the corners, with their weights, which sum to 1.
 void corner_buttons(InspectorState& state, const Explanation& explanation) {
@@ -101,27 +42,52 @@ void lit_at(InspectorState& state, const Explanation& explanation) {
     if (!explanation.lit_per_corner || explanation.corners.empty()) return;
     if (explanation.corners.size() == 1) return wrapped_dim("Lit once for the whole polygon:");
     state.corner = std::clamp(state.corner, 0, static_cast<int>(explanation.corners.size()) - 1);
-    wrapped_dim("Lit at the corners, the colours mixed by their weights:");
+    wrapped_dim(fmt::format("Lit at the corners, the colours mixed by {} weights:",
+                            explanation.corners.empty() ? "" : choice_of(explanation.interpolation).word));
     corner_buttons(state, explanation);
+}
+
+/// What the pixel would be under each way of weighing the corners: resting shows the picture so, a click
+/// takes it.
+void interpolations(UiState& state, const Explanation& explanation) {
+    Interpolation& chosen = state.editor.scene().shading.interpolation;
+    for (const ExplainedInterpolation& each : explanation.interpolations) {
+        const Choice choice = choice_of(each.interpolation);
+        const bool is_chosen = each.interpolation == explanation.interpolation;
+        ImGui::PushID(choice.label);
+        if (ImGui::Selectable(choice.label, is_chosen, 0, {px(92), 0})) chosen = each.interpolation;
+        const bool pointed = is_pointed_at();
+        tooltip(choice.label, choice.meaning, "Rest here: the picture under it. Click: take it",
+                "/shading/interpolation");
+        ImGui::SameLine(0, px(6));
+        mono_text(shown_vector(each.sum));
+        ImGui::PopID();
+        if (!pointed || is_chosen) continue;
+        Scene other = state.editor.scene();
+        other.shading.interpolation = each.interpolation;
+        show_instead(state, other, fmt::format("{} weights", choice.label));
+    }
 }
 
 /// The tone, which under cool to warm takes the place of emission, ambient and diffuse.
 void tone_line(const ExplainedTone& tone, int channel) {
     TextLine line;
-    line.plain("k_w = (1 + n·l)/2 = ").number(shown_number(tone.k_w), theme().text);
+    line.symbol(Quantity::K_w).plain(" = (1 + ").symbol(Quantity::NL).plain(")/2 = ");
+    line.number(shown_number(tone.k_w), theme().text);
     TextLine mix;
-    mix.gap(14).plain("warm ").number(shown_number(tone.warm[channel]), theme().text);
-    mix.plain(" · k_w + cool ").number(shown_number(tone.cool[channel]), theme().text);
-    mix.plain(" (1 − k_w)");
+    mix.gap(14).symbol(Quantity::Warm).number(shown_number(tone.warm[channel]), theme().text);
+    mix.times().symbol(Quantity::K_w).plain(" + ").symbol(Quantity::Cool);
+    mix.number(shown_number(tone.cool[channel]), theme().text);
+    mix.times().plain("(1 − ").symbol(Quantity::K_w).plain(")");
     mix.result(shown_number(tone.color[channel]), theme().text);
 }
 
 void unlit(UiState& state, const Explanation& explanation, const ExplainedPoint& point) {
     const int channel = state.inspector.channel;
     if (point.cool_to_warm.used) return tone_line(point.cool_to_warm, channel);
-    for (const TermLine& line : unlit_lines(state.editor.scene(), explanation, point, channel)) {
-        ImGui::PushID(line.letter);
-        (void)draw_term_line(line);
+    for (const EquationLine& line : unlit_lines(state.editor.scene(), explanation, point)) {
+        ImGui::PushID(static_cast<int>(line.term));
+        (void)draw_line(line, state.editor.scene(), channel);
         ImGui::PopID();
     }
 }
@@ -190,12 +156,14 @@ void equation_tab(UiState& state, const PictureView&) {
     if (!explanation.hit) return wrapped_dim("No object shows here: the pixel has the background's colour.");
     if (static_cast<std::size_t>(explanation.object_index) >= state.editor.scene().objects.size()) return;
     formula(explanation.reflection);
+    if (!is_plain_front(explanation)) warning_text("The surface is seen from its " + side_words(explanation));
     sum_table(state, explanation);
     display_lines(state, explanation);
     if (explanation.reflection != Reflection::None) {
         section_heading(section_title(state.inspector, explanation).c_str());
         mistakes_note(state.editor.scene());
         lit_at(state.inspector, explanation);
+        interpolations(state, explanation);
         const ExplainedPoint& point = asked_point(state.inspector, explanation);
         unlit(state, explanation, point);
         for (std::size_t i = 0; i < point.lights.size(); ++i) light_card(state, explanation, point, i);

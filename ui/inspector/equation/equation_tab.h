@@ -5,6 +5,7 @@
 #include <string>
 
 #include "models/scene/scene.h"
+#include "renderer/inspect/explain/equation_line.h"
 #include "renderer/inspect/explain/explanation.h"
 
 namespace glint {
@@ -21,8 +22,6 @@ void sum_table(UiState& state, const Explanation& explanation);
 /// Says what becomes of the sum on its way to the screen: stroke, exposure, transfer, clipping.
 void display_lines(const UiState& state, const Explanation& explanation);
 
-struct TermLine;
-
 /// Draws one light's part of the equation at the picked point: name, angles, what all terms are multiplied
 /// by, and the three terms as products of the chosen channel. `which`: of point.lights. Numbers of the scene
 /// can be dragged; pointing at the name shows the light alone, at a term that term of this light alone, at a
@@ -36,8 +35,9 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
 [[nodiscard]] std::string blocked_words(UiState& state, const Explanation& explanation,
                                         const ExplainedPoint& point, std::size_t which);
 
-/// letter = factor × factor … = result. True when a number was edited.
-bool draw_term_line(const TermLine& line);
+/// letter = factor × factor … = result, in one channel (0 red, 1 green, 2 blue), with as many digits as the
+/// result needs. Numbers of the scene can be dragged, the others copied. True when a number was edited.
+bool draw_line(const EquationLine& line, Scene& scene, int channel);
 
 enum class CopyAs { Text, Json, Latex };
 

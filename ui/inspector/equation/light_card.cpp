@@ -3,17 +3,24 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
-#include "renderer/inspect/debug_views/blocker.h"
+#include "models/scene/reflection.h"
+#include "renderer/inspect/explain/equation_line.h"
+#include "renderer/inspect/explain/explain_words.h"
+#include "renderer/inspect/explain/printed_number.h"
 #include "ui/fields/field_panel.h"
 #include "ui/inspector/equation/equation_tab.h"
-#include "ui/inspector/equation/factors.h"
+#include "ui/inspector/equation/number_handle.h"
+#include "ui/inspector/equation/quantity_look.h"
 #include "ui/inspector/equation/text_line.h"
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/inspector.h"
 #include "ui/ui.h"
+#include "ui/widgets/fold.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
@@ -23,64 +30,126 @@ namespace glint {
 namespace {
 
 /// "n·l 0.713 44.5°": a cosine with its angle. Pointing at it lights up the arrow `to` in the picture.
-void angle(TextLine& line, UiState& state, Symbol to, Symbol from, float cosine) {
-    line.dot(from, to);
+void angle(TextLine& line, UiState& state, Quantity cosine, Symbol to, float value) {
+    line.symbol(cosine);
     const ImVec2 low = last_item().low - ImVec2(px(14), 0);
-    line.gap(4).number(fmt::format("{} {:5.1f}°", shown_number(cosine), angle_deg(cosine)), theme().text);
+    line.gap(4).number(fmt::format("{} {:5.1f}°", shown_number(value), angle_deg(value)), theme().text);
     const Rect area{low, last_item().high};
     line.gap(8);
-    list_control(to == Symbol::H ? "n·h" : to == Symbol::R ? "r·v" : "n·l", "", area);
+    list_control(fmt::format("angle {}", row_of(cosine).letter).c_str(), "", area);
     if (is_pointed_at(area)) state.inspector.pointed_vector = to;
 }
 
 void angles(UiState& state, const Explanation& explanation, const ExplainedLight& light) {
     TextLine line(0);
-    angle(line, state, Symbol::L, Symbol::N, light.n_dot_l);
-    if (explanation.reflection == Reflection::Phong) angle(line, state, Symbol::R, Symbol::V, light.r_dot_v);
-    if (explanation.reflection == Reflection::BlinnPhong)
-        angle(line, state, Symbol::H, Symbol::N, light.n_dot_h);
+    line.copied_as(fmt::format("n·l {}, r·v {}, n·h {}", short_text(light.n_dot_l, 4),
+                               short_text(light.r_dot_v, 4), short_text(light.n_dot_h, 4)));
+    angle(line, state, Quantity::NL, Symbol::L, light.n_dot_l);
+    const ReflectionInfo info = info_of(explanation.reflection);
+    if (info.cosine == HighlightCosine::LV) angle(line, state, Quantity::LV, Symbol::L, light.l_dot_v);
+    if (info.uses_r()) angle(line, state, Quantity::RV, Symbol::R, light.r_dot_v);
+    if (info.uses_h) angle(line, state, Quantity::NH, Symbol::H, light.n_dot_h);
 }
 
-/// "F = intensity × falloff × spot", with what falloff and spot are made of.
-bool share_lines(UiState& state, const ExplainedLight& explained) {
-    Scene& scene = state.editor.scene();
-    const int index = explained.index;
-    const Light& light = scene.lights[static_cast<std::size_t>(index)];
-    const bool falls_off = light.kind == LightKind::Point || light.kind == LightKind::Spot;
-    const bool cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
-    const auto number = [&](const char* key, const char* format) {
-        NumberHandle handle = number_handle(scene, fmt::format("/lights/{}/{}", index, key));
-        handle.number.kind.format = format;
-        return handle;
-    };
-    bool edited = false;
+/// A number of the light, with so many decimals.
+NumberHandle light_number(Scene& scene, int light, const char* key, int decimals) {
+    NumberHandle handle = number_handle(scene, fmt::format("/lights/{}/{}", light, key));
+    handle.number.kind.format = decimal_format(handle.number.value, decimals);
+    return handle;
+}
+
+/// "dist" and the number that moves the light towards the point and away from it, where l stays.
+bool distance_handle(TextLine& line, Scene& scene, const ExplainedLight& explained, int decimals) {
+    Light& light = scene.lights[static_cast<std::size_t>(explained.index)];
+    float distance = explained.distance;
+    NumberHandle handle = light_number(scene, explained.index, "position/0", decimals);
+    handle.name = "Distance of " + light.name;
+    handle.number.help = "To the light: it moves along l, towards the point or away from it";
+    handle.number.pointer = fmt::format("/lights/{}/position", explained.index);
+    handle.number.initial = double(distance);
+    handle.number.kind = {.range = above_zero,
+                          .unit = "scene units",
+                          .format = decimal_format(distance, decimals),
+                          .logarithmic = true};
+    handle.number.place = &distance;
+    if (!line.symbol(Quantity::Distance).gap(2).handle(handle, theme().text)) return false;
+    const glm::vec3 l = light.space == LightSpace::World ? explained.l.world : explained.l.camera;
+    const glm::vec3 place = glm::vec3(light.position) / light.position.w;
+    light.position = glm::vec4(place + (distance - explained.distance) * l, 1);
+    return true;
+}
+
+/// "falloff = 1 / (constant + linear dist + quadratic dist²), dist": its numbers.
+bool falloff_line(Scene& scene, const ExplainedLight& explained) {
+    const Falloff& f = scene.lights[static_cast<std::size_t>(explained.index)].falloff;
+    const std::array<double, 4> values{f.constant, f.linear, f.quadratic, explained.distance};
+    constexpr std::array least{2, 2, 2, 2};
+    const double last_digit = last_digit_of(shown_number(explained.falloff));
+    const std::vector<int> decimals = decimals_for(
+        values, least,
+        [](std::span<const double> v) { return 1 / (v[0] + v[1] * v[3] + v[2] * v[3] * v[3]); },
+        0.45 * last_digit);
     TextLine line;
-    line.plain("F = I");
-    edited |= line.handle(number("intensity", "%.2f"), theme().text);
-    if (falls_off) line.times().plain("falloff").number(shown_number(explained.falloff), theme().text);
-    if (cone) line.times().plain("spot").number(shown_number(explained.spot), theme().text);
-    if (light.kind != LightKind::Area) line.result(shown_number(share_of(explained, light)), theme().text);
-    if (falls_off) {
-        TextLine below;
-        below.gap(14).plain("falloff 1/(");
-        edited |= below.handle(number("falloff/constant", "%.2f"), theme().text);
-        below.plain("+");
-        edited |= below.handle(number("falloff/linear", "%.2f"), theme().text);
-        below.plain("r +");
-        edited |= below.handle(number("falloff/quadratic", "%.2f"), theme().text);
-        below.plain("r²),  r").number(fmt::format(" {:.2f}", explained.distance), theme().text);
-    }
-    if (cone) {
-        TextLine below;
-        below.gap(14)
-            .plain("spot (cos ")
-            .number(fmt::format("{:.1f}°", explained.spot_angle_deg), theme().text);
-        below.plain(")");
-        edited |= below.exponent(number("spot/exponent", "%.3g"), theme().text);
-        below.plain(" within");
-        edited |= below.handle(number("spot/cutoff_deg", "%.1f°"), theme().text);
-    }
+    line.gap(14).symbol(Quantity::Falloff).plain(" = 1/(");
+    bool edited =
+        line.handle(light_number(scene, explained.index, "falloff/constant", decimals[0]), theme().text);
+    line.plain("+");
+    edited |= line.handle(light_number(scene, explained.index, "falloff/linear", decimals[1]), theme().text);
+    line.symbol(Quantity::Distance).plain(" +");
+    edited |=
+        line.handle(light_number(scene, explained.index, "falloff/quadratic", decimals[2]), theme().text);
+    line.symbol(Quantity::Distance).plain("²),  ");
+    return distance_handle(line, scene, explained, decimals[3]) || edited;
+}
+
+/// "spot = (cos angle)^exponent within cutoff": its numbers.
+bool cone_line(Scene& scene, const ExplainedLight& explained) {
+    const SpotCone& cone = scene.lights[static_cast<std::size_t>(explained.index)].spot;
+    const std::array<double, 2> values{explained.spot_angle_deg, cone.exponent};
+    constexpr std::array least{1, 0};
+    const double last_digit = last_digit_of(shown_number(explained.spot));
+    const std::vector<int> decimals = decimals_for(
+        values, least,
+        [](std::span<const double> v) { return std::pow(std::cos(v[0] * std::numbers::pi / 180), v[1]); },
+        explained.spot > 0 ? 0.45 * last_digit : 1);
+    TextLine line;
+    line.gap(14).symbol(Quantity::Spot).plain(" = (cos ");
+    line.number(decimal_text(values[0], decimals[0]) + "°", theme().text).plain(")");
+    bool edited =
+        line.exponent(light_number(scene, explained.index, "spot/exponent", decimals[1]), theme().text);
+    line.plain(" within");
+    NumberHandle cutoff = light_number(scene, explained.index, "spot/cutoff_deg", 1);
+    cutoff.number.kind.format = "%.1f°";
+    edited |= line.handle(cutoff, theme().text);
+    if (explained.spot == 0) line.plain(", else 0");
     return edited;
+}
+
+/// f, and what falloff and spot are made of.
+bool share_lines(Scene& scene, const LightOfEquation& in) {
+    const Light& light = scene.lights[static_cast<std::size_t>(in.light.index)];
+    const bool has_cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
+    const bool falls_off = light.kind == LightKind::Point || light.kind == LightKind::Spot;
+    bool edited = draw_line(share_line(in), scene, 0);
+    if (falls_off) edited |= falloff_line(scene, in.light);
+    if (has_cone) edited |= cone_line(scene, in.light);
+    return edited;
+}
+
+/// The samples of an area light below a row that folds them away.
+void sample_rows(const ExplainedLight& area, int channel) {
+    if (!fold(sample_words(area).c_str(), false)) return;
+    const std::vector<double> weights = sample_weights(area);
+    for (std::size_t i = 0; i < area.samples.size(); ++i) {
+        const ExplainedLight& s = area.samples[i];
+        TextLine line;
+        line.gap(14).plain(fmt::format("{}  ", i + 1)).symbol(Quantity::NL);
+        line.number(shown_number(s.n_dot_l), s.n_dot_l > 0 ? theme().text : theme().warning).gap(6);
+        line.symbol(Quantity::Form).number(decimal_text(s.falloff, 5), theme().text).gap(6);
+        line.symbol(Quantity::Highlight).number(shown_number(s.specular_factor[channel]), theme().text);
+        line.result(fmt::format("{:.1f} %", 100 * weights[i]), theme().dim_text);
+    }
+    small_dim("The mean counts each sample by its share of form, in per cent.");
 }
 
 /// The light's icon and name; true while pointed at.
@@ -99,96 +168,27 @@ const char* name_of_term(Symbol term) {
 }
 
 /// A term's line; pointed at, the picture shows this term of this light alone.
-bool light_term(UiState& state, const TermLine& term, int light) {
-    const Scene& scene = state.editor.scene();
-    ImGui::PushID(term.letter);
+bool light_term(UiState& state, const EquationLine& term, int light) {
+    Scene& scene = state.editor.scene();
+    ImGui::PushID(static_cast<int>(term.term));
     ImGui::BeginGroup();
-    const bool edited = draw_term_line(term);
+    const bool edited = draw_line(term, scene, state.inspector.channel);
     ImGui::EndGroup();
     ImGui::PopID();
     const auto [low, high] = last_item();
     // Only its letter and its result: the numbers in between can be dragged themselves.
     const bool ends =
         is_pointed_at({low, {low.x + px(14), high.y}}) || is_pointed_at({{high.x - px(52), low.y}, high});
-    if (ends && term.on)
-        show_instead(state, with_term_alone(with_light_alone(scene, light), term.symbol),
-                     fmt::format("{} of {} alone", name_of_term(term.symbol),
+    if (ends && term.left_out != switched_off) {
+        const Symbol symbol = colour_of(term.term);
+        show_instead(state, with_term_alone(with_light_alone(scene, light), symbol),
+                     fmt::format("{} of {} alone", name_of_term(symbol),
                                  scene.lights[static_cast<std::size_t>(light)].name));
-    return edited;
-}
-
-void factor(TextLine& line, const Factor& f, bool& edited) {
-    const ImVec4& colour = f.dot ? theme().text : theme()[f.symbol];
-    if (f.dot) line.dot(f.dot->first, f.dot->second);
-    if (*f.letter != 0) line.symbol(f.symbol, f.letter, f.index);
-    if (f.number) {
-        edited |= line.handle(*f.number, colour);
-    } else if (f.clamped_from < 0) {
-        line.number(fmt::format(" {} → 0", shown_number(f.clamped_from)), theme().warning);
-    } else if (*f.letter != 'F') {  // F has its own line
-        line.number(shown_number(f.value), colour);
     }
-    if (f.exponent) edited |= line.exponent(*f.exponent, theme()[Symbol::Specular]);
-}
-
-/// Triangles times lights that are asked within a millisecond or two.
-constexpr std::size_t at_once = 250'000;
-
-std::size_t triangle_count(const Scene& scene) {
-    std::size_t count = 0;
-    for (const Object& object : scene.objects) count += object.mesh ? object.mesh->triangles.size() : 0;
-    return count;
-}
-
-/// The object between the point and the light, or -1.
-int blocker_index(const Scene& scene, const ExplainedPoint& point, const ExplainedLight& light) {
-    const bool area = scene.lights[static_cast<std::size_t>(light.index)].kind == LightKind::Area;
-    // The middle sample of an area light speaks for all: a point light in the middle of the panel.
-    const ExplainedLight& asked =
-        area && !light.samples.empty() ? light.samples[light.samples.size() / 2] : light;
-    if (!(asked.n_dot_l > 0)) return -1;
-    return blocker(scene, point.point.world, asked.l.world, double(asked.distance)).value_or(-1);
-}
-
-/// Per light of the point.
-std::vector<int> blocker_indices(const Scene& scene, const ExplainedPoint& point) {
-    std::vector<int> all;
-    for (const ExplainedLight& light : point.lights) all.push_back(blocker_index(scene, point, light));
-    return all;
+    return edited;
 }
 
 }  // namespace
-
-bool draw_term_line(const TermLine& term) {
-    bool edited = false;
-    TextLine line(28);
-    line.symbol(term.symbol, term.letter).gap(4).plain("=").gap(4);
-    for (std::size_t i = 0; i < term.factors.size(); ++i) {
-        if (i > 0) line.times();
-        factor(line, term.factors[i], edited);
-    }
-    if (!term.on) line.plain("  switched off", theme().warning);
-    line.result(shown_number(term.result), term.result == 0 ? theme().disabled_text : theme()[term.symbol]);
-    return edited;
-}
-
-std::string blocked_words(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
-                          std::size_t which) {
-    const Scene& scene = state.editor.scene();
-    const BlockedKey key{state.picture_serial, {explanation.x, explanation.y}, state.inspector.corner};
-    auto& blocked = state.inspector.blocked;
-    const bool slow = triangle_count(scene) * point.lights.size() > at_once;
-    if (slow && ImGui::IsAnyMouseDown() && !blocked.is_of(key)) return "";
-    const std::vector<int>& by = blocked.of(key, [&] { return blocker_indices(scene, point); });
-    if (which >= by.size() || by[which] < 0) return "";
-    const auto object = static_cast<std::size_t>(by[which]);
-    if (object >= scene.objects.size()) return "";
-    const std::string name = by[which] == explanation.object_index
-                                 ? "Its own surface"
-                                 : fmt::format("“{}”", scene.objects[object].name);
-    return fmt::format(
-        "{} stands in the way of this light, but Glint casts no shadows: each point is lit for itself", name);
-}
 
 void light_card(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
                 std::size_t which) {
@@ -202,13 +202,12 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
     ImGui::BeginGroup();
     if (name_row(state, explained, before))
         show_instead(state, with_light_alone(scene, explained.index), before.name + " alone");
-    if (before.kind == LightKind::Area)
-        small_dim(sample_words(explained));  // each has angles of its own
-    else
-        angles(state, explanation, explained);
-    edited |= share_lines(state, explained);
-    for (const TermLine& term : term_lines({scene, explanation, explained, state.inspector.channel}))
-        edited |= light_term(state, term, explained.index);
+    const LightOfEquation in{scene, explanation, explained};
+    const bool is_area = before.kind == LightKind::Area;
+    if (!is_area) angles(state, explanation, explained);  // each sample has its own
+    edited |= share_lines(scene, in);
+    for (const EquationLine& term : light_lines(in)) edited |= light_term(state, term, explained.index);
+    if (is_area) sample_rows(explained, state.inspector.channel);
     if (const std::string reason = dark_reason(explained, before); !reason.empty()) warning_text(reason);
     if (const std::string words = blocked_words(state, explanation, point, which); !words.empty())
         wrapped_dim(words);

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "models/saturate.h"
+#include "ui/inspector/equation/copy_menu.h"
+#include "ui/inspector/equation/quantity_look.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/widgets.h"
 
@@ -75,18 +78,51 @@ TextLine& TextLine::plain(const std::string& text, const ImVec4& colour) {
     return piece(text, colour, fonts().body, 0);
 }
 TextLine& TextLine::number(const std::string& text, const ImVec4& colour) {
-    return piece(text, colour, fonts().figures, 0);
+    piece(text, colour, fonts().figures, 0);
+    menu_of(text);
+    return *this;
 }
-TextLine& TextLine::symbol(Symbol symbol, const char* letter, const char* index) {
-    piece(letter, theme()[symbol], fonts().body, 0);
-    return *index != 0 ? piece(index, theme()[symbol], fonts().small, px(3)) : *this;
+TextLine& TextLine::raised(const std::string& text, const ImVec4& colour) {
+    piece(text, colour, fonts().small, -px(4));
+    menu_of(text);
+    return *this;
 }
 
-TextLine& TextLine::dot(Symbol a, Symbol b) {
-    return symbol(a, letter_of(a)).plain("·").symbol(b, letter_of(b));
+void TextLine::menu_of(const std::string& number) {
+    // Lines begin at places of their own.
+    ImGui::PushID(saturated_int(left_));
+    ImGui::PushID(saturated_int(y_ - ImGui::GetWindowPos().y + ImGui::GetScrollY()));
+    copy_menu(numbers_++, number, line_);
+    ImGui::PopID();
+    ImGui::PopID();
+}
+TextLine& TextLine::copied_as(std::string line) {
+    line_ = std::move(line);
+    return *this;
 }
 
-TextLine& TextLine::times() { return gap(3).plain("×").gap(3); }
+TextLine& TextLine::symbol(Quantity quantity) {
+    const QuantityRow& row = row_of(quantity);
+    const auto letter = [&](Quantity q) {
+        piece(row_of(q).letter, theme()[colour_of(q)], fonts().body, 0);
+        tooltip(text_of(q).c_str(), row_of(q).meaning);
+    };
+    if (is_cosine(quantity)) {
+        const auto vectors = vectors_of(quantity);
+        letter(vectors.first);
+        plain("·");
+        tooltip(row.letter, row.meaning);
+        letter(vectors.second);
+        return *this;
+    }
+    letter(quantity);
+    if (*row.index == 0) return *this;
+    piece(row.index, theme()[colour_of(quantity)], fonts().small, px(3));
+    tooltip(text_of(quantity).c_str(), row.meaning);
+    return *this;
+}
+
+TextLine& TextLine::times() { return gap(2).plain("×").gap(2); }
 
 TextLine& TextLine::gap(float width) {
     x_ += px(width);
@@ -123,7 +159,7 @@ void TextLine::result(const std::string& text, const ImVec4& colour) {
         x_ = right_ - width;
         y_ += height();
     }
-    piece(text, colour, fonts().figures, 0);
+    number(text, colour);
 }
 
 }  // namespace glint

@@ -6,7 +6,8 @@
 
 #include <string>
 
-#include "ui/inspector/equation/factors.h"
+#include "renderer/inspect/explain/quantity.h"
+#include "ui/inspector/equation/number_handle.h"
 #include "ui/widgets/area.h"
 #include "ui/widgets/theme.h"
 
@@ -19,16 +20,18 @@ class TextLine {
 
     TextLine& plain(const std::string& text);
     TextLine& plain(const std::string& text, const ImVec4& colour);
-    /// Figures of equal width.
+    /// Figures of equal width; a right click copies them.
     TextLine& number(const std::string& text, const ImVec4& colour);
-    TextLine& symbol(Symbol symbol, const char* letter, const char* index = "");
-    /// "a·b", each letter in its colour.
-    TextLine& dot(Symbol a, Symbol b);
+    /// Its letter; of a cosine each in its vector's colour. Resting on it tells what it stands for.
+    TextLine& symbol(Quantity quantity);
     TextLine& times();
     /// A number to drag, dotted below. True when it was edited.
     bool handle(const NumberHandle& number, const ImVec4& colour);
-    /// A handle raised like an exponent.
+    /// A handle raised like an exponent; a plain number so.
     bool exponent(const NumberHandle& number, const ImVec4& colour);
+    TextLine& raised(const std::string& text, const ImVec4& colour);
+    /// What "Copy line" in the menu of the numbers to come copies.
+    TextLine& copied_as(std::string line);
     /// At the right edge of the column.
     void result(const std::string& text, const ImVec4& colour);
     TextLine& gap(float width);
@@ -40,7 +43,11 @@ class TextLine {
     TextLine& piece(const std::string& text, const ImVec4& colour, ImFont* font, float down);
     bool edit(const NumberHandle& number, const ImVec4& colour, float down);
 
+    void menu_of(const std::string& number);
+
     float x_, y_, left_, right_, indent_;
+    std::string line_;
+    int numbers_ = 0;
 };
 
 }  // namespace glint

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "models/fields/scene_numbers.h"
+#include "ui/inspector/equation/number_handle.h"
 
 namespace glint {
 
@@ -27,25 +28,6 @@ TermSums sums_at(const ExplainedPoint& at) {
 }
 
 }  // namespace
-
-std::string dark_reason(const ExplainedLight& explained, const Light& light) {
-    if (light.kind == LightKind::Area) {
-        const auto in_front = std::count_if(explained.samples.begin(), explained.samples.end(),
-                                            [](const ExplainedLight& sample) { return sample.n_dot_l > 0; });
-        const auto all = static_cast<std::ptrdiff_t>(explained.samples.size());
-        if (in_front == 0) return "behind the surface: n·l < 0 for all samples";
-        return in_front < all ? fmt::format("{} of {} samples are behind the surface", all - in_front, all)
-                              : "";
-    }
-    const bool cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
-    if (cone && explained.spot_angle_deg > light.spot.cutoff_deg)
-        return fmt::format("outside the cone by {:.1f}°", explained.spot_angle_deg - light.spot.cutoff_deg);
-    if (explained.n_dot_l < 0) return "behind the surface: n·l < 0";
-    if (explained.n_dot_l == 0) return "grazes the surface: n·l = 0";
-    if (explained.falloff < 0.01f) return fmt::format("hardly reaches: falloff {:.2g}", explained.falloff);
-    if (explained.spot < 0.01f) return fmt::format("at the faint edge of its cone: {:.2g}", explained.spot);
-    return {};
-}
 
 std::string sample_words(const ExplainedLight& area) {
     const auto less = [](const ExplainedLight& a, const ExplainedLight& b) { return a.n_dot_l < b.n_dot_l; };
@@ -135,6 +117,12 @@ NamedNumber named_number(const std::string& pointer, const Scene& scene) {
     if (section == "display") return named("Display", 1, Selection::Kind::Display);
     if (section == "npr") return named("Strokes and tones", 1, Selection::Kind::Shading);
     return named("Scene", 0, Selection::Kind::Shading);
+}
+
+NumberHandle number_handle(Scene& scene, const std::string& pointer) {
+    const NamedNumber named = named_number(pointer, scene);
+    return {number_at(scene, pointer).value(),
+            named.owner == "Scene" ? named.what : fmt::format("{} of {}", named.what, named.owner)};
 }
 
 }  // namespace glint

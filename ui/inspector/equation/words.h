@@ -3,15 +3,10 @@
 
 #include <string>
 
-#include "models/scene/light.h"
 #include "renderer/inspect/explain/explanation.h"
 #include "ui/document/scene_edit.h"
 
 namespace glint {
-
-/// The first reason why this light adds little or nothing at the point: "behind the surface", "outside the
-/// cone by 4.2°", "hardly reaches: falloff 0.003"; empty when it shines.
-[[nodiscard]] std::string dark_reason(const ExplainedLight& explained, const Light& light);
 
 /// Describes an area light's samples: "36 samples, n·l −0.12 to 0.71".
 [[nodiscard]] std::string sample_words(const ExplainedLight& area);

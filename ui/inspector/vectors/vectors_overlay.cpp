@@ -70,7 +70,7 @@ class PointDrawing {
             draw_arrow(pen_.list, pen_.at(glm::dvec3(0)), pen_.at(glm::dvec3(sample.l.world)),
                        {theme_colour(Symbol::L), 1, ""});
     }
-    /// Draws P, 2 P and r as they come about from a normal of the chosen length.
+    /// Draws q, 2 q and r as they come about from a normal of the chosen length.
     void mirror(const ExplainedLight& light) {
         const InspectorState& inspector = state_.inspector;
         const glm::vec3 n = inspector.normal_length * point_.normal.world, l = light.l.world;
@@ -79,14 +79,14 @@ class PointDrawing {
             draw_arrow(pen_.list, pen_.at(glm::dvec3(from)), pen_.at(glm::dvec3(to)),
                        {colour, width, letter, &words_});
         };
-        draw({}, l, theme_colour(Symbol::L), "L", 2);
-        draw({}, n, theme_colour(Symbol::N), "N", 2);
-        if (inspector.mirror_step >= 2) draw(l, steps.p, theme_colour(Symbol::Emission), "", 1);
-        if (inspector.mirror_step == 2) draw({}, steps.p, theme_colour(Symbol::Diffuse), "P", 3);
-        if (inspector.mirror_step >= 3) draw({}, steps.twice_p, theme_colour(Symbol::Diffuse), "2P", 3);
+        draw({}, l, theme_colour(Symbol::L), "l", 2);
+        draw({}, n, theme_colour(Symbol::N), "n", 2);
+        if (inspector.mirror_step >= 2) draw(l, steps.p, theme_colour(Symbol::Construction), "", 1);
+        if (inspector.mirror_step == 2) draw({}, steps.p, theme_colour(Symbol::Construction), "q", 3);
+        if (inspector.mirror_step >= 3) draw({}, steps.twice_p, theme_colour(Symbol::Construction), "2q", 3);
         if (inspector.mirror_step < 4) return;
-        draw(steps.twice_p, steps.r, theme_colour(Symbol::Emission), "−L", 1);
-        draw({}, steps.r, theme_colour(Symbol::R), "R", 3);
+        draw(steps.twice_p, steps.r, theme_colour(Symbol::Construction), "−l", 1);
+        draw({}, steps.r, theme_colour(Symbol::R), "r", 3);
     }
 
     const UiState& state_;

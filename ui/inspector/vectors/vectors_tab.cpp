@@ -76,7 +76,7 @@ void vector_table(InspectorState& inspector, const ExplainedPoint& point, const 
     for (const char* part : {"x", "y", "z"})
         ImGui::TableSetupColumn(part, ImGuiTableColumnFlags_WidthFixed, px(part_width));
     if (roomy) ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
-    vector_row(inspector, Symbol::Emission, "p", point.point, "the point");
+    vector_row(inspector, Symbol::Construction, "p", point.point, "the point");
     vector_row(inspector, Symbol::N, "n", point.normal, "normal");
     vector_row(inspector, Symbol::V, "v", point.view, "to the eye");
     if (light != nullptr && light->samples.empty()) {
@@ -116,26 +116,26 @@ void light_buttons(UiState& state, const ExplainedPoint& point, const ExplainedL
 void mirror_section(InspectorState& state, const ExplainedPoint& point, const ExplainedLight& light) {
     section_heading("r = 2 n (n·l) − l, step by step");
     static const std::array options{Choice{"", "Off", "r itself is drawn"},
-                                    Choice{"", "N, L", "What is given"},
-                                    Choice{"", "P", "P = N (N·L): the shadow of L on N"},
-                                    Choice{"", "2P", "Twice as far"}, Choice{"", "R", "R = 2P − L"}};
+                                    Choice{"", "n, l", "What is given"},
+                                    Choice{"", "q", "q = n (n·l): the shadow of l on n"},
+                                    Choice{"", "2q", "Twice as far"}, Choice{"", "r", "r = 2q − l"}};
     state.mirror_step = segments("##step", state.mirror_step, options, {"", ""});
     if (state.mirror_step == 0) return;
-    (void)number_field("|N|", state.normal_length,
+    (void)number_field("|n|", state.normal_length,
                        {.range = {0.25, 2, "0.25 to 2"}, .step = 0.005f, .format = "%.2f", .usual_max = 2}, 1,
                        {"Length of the normal here; a normal is to be unit. Not part of the scene", ""});
     const bool world = state.world_frame;
     const glm::vec3 n = state.normal_length * (world ? point.normal.world : point.normal.camera);
     const glm::vec3 l = world ? light.l.world : light.l.camera;
     const MirrorSteps steps = mirror_steps(n, l);
-    vector_line(Symbol::N, "N", n);
-    vector_line(Symbol::L, "L", l);
-    if (state.mirror_step >= 2) vector_line(Symbol::Diffuse, "P = N (N·L)", steps.p);
-    if (state.mirror_step >= 3) vector_line(Symbol::Diffuse, "2P", steps.twice_p);
-    if (state.mirror_step >= 4) vector_line(Symbol::R, "R = 2P − L", steps.r);
+    vector_line(Symbol::N, "n", n);
+    vector_line(Symbol::L, "l", l);
+    if (state.mirror_step >= 2) vector_line(Symbol::Construction, "q = n (n·l)", steps.p);
+    if (state.mirror_step >= 3) vector_line(Symbol::Construction, "2q", steps.twice_p);
+    if (state.mirror_step >= 4) vector_line(Symbol::R, "r = 2q − l", steps.r);
     const float length = state.normal_length;
     if (std::abs(length - 1) > 0.005f)
-        warning_text(fmt::format("|N| = {:.2f}: P is {:.2f} times as long as it should be, |R| = {:.2f}",
+        warning_text(fmt::format("|n| = {:.2f}: q is {:.2f} times as long as it should be, |r| = {:.2f}",
                                  length, length * length, glm::length(steps.r)));
 }
 

@@ -1,0 +1,225 @@
+#include "renderer/inspect/explain/equation_line.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "models/scene/reflection.h"
+#include "renderer/shade/light_sources.h"
+
+namespace glint {
+namespace {
+
+const Light& light_of(const LightOfEquation& in) {
+    return in.scene.lights[static_cast<std::size_t>(in.light.index)];
+}
+std::string material_pointer(const Explanation& explanation, const char* key) {
+    return fmt::format("/objects/{}/material/{}", explanation.object_index, key);
+}
+EquationFactor colour(Quantity quantity, glm::vec3 value, const std::string& pointer) {
+    return {.quantity = quantity, .value = value, .pointer = pointer, .is_colour = true};
+}
+EquationFactor plain(Quantity quantity, double value) {
+    return {.quantity = quantity, .value = glm::dvec3(value)};
+}
+
+/// f and the two colours: what every term of a light begins with. `key`: of both colours.
+std::vector<EquationFactor> common_factors(const LightOfEquation& in, Quantity of_light, Quantity of_material,
+                                           glm::vec3 Light::*light, glm::vec3 Material::*material,
+                                           const char* key) {
+    return {plain(Quantity::Share, share_line(in).result.x),
+            colour(of_light, light_of(in).*light, fmt::format("/lights/{}/{}", in.light.index, key)),
+            colour(of_material, in.explanation.material.*material, material_pointer(in.explanation, key))};
+}
+
+/// The factor of the diffuse term: max(n·l, 0), and what roughness makes of it.
+void add_cosine(EquationLine& line, const LightOfEquation& in) {
+    EquationFactor cosine = plain(Quantity::NL, in.light.diffuse_factor);
+    cosine.is_mean = !in.light.samples.empty();
+    if (cosine.is_mean) {
+        const std::vector<double> weights = sample_weights(in.light);
+        cosine.value = glm::dvec3(0);
+        for (std::size_t i = 0; i < weights.size(); ++i)
+            cosine.value += weights[i] * double(in.light.samples[i].diffuse_factor);
+    } else if (in.light.diffuse_factor == 0) {
+        cosine.clamped_from = std::min(in.light.n_dot_l, 0.0f);
+    }
+    const bool rough = info_of(in.explanation.reflection).rough_diffuse;
+    if (rough) line.made_by.push_back(material_pointer(in.explanation, "roughness"));
+    if (!rough || cosine.is_mean || in.light.n_dot_l <= 0) return line.factors.push_back(cosine);
+    cosine.value = glm::dvec3(in.light.n_dot_l);
+    line.factors.push_back(cosine);
+    line.factors.push_back(
+        plain(Quantity::Rough, double(in.light.diffuse_factor) / double(in.light.n_dot_l)));
+}
+
+/// The shininess as the picture uses it: OpenGL's fixed function knows none above 128.
+EquationPower power_of(const LightOfEquation& in) {
+    const double n = in.explanation.material.shininess;
+    if (in.scene.shading.rules == Rules::OpenGL2 && n > opengl_max_shininess)
+        return {opengl_max_shininess, ""};
+    return {n, material_pointer(in.explanation, "shininess")};
+}
+
+bool is_close(glm::dvec3 a, glm::dvec3 b) {
+    const auto close = [](double x, double y) {
+        return std::abs(x - y) <= 1e-2 * std::max(std::abs(x), std::abs(y)) + 1e-9;
+    };
+    return close(a.x, b.x) && close(a.y, b.y) && close(a.z, b.z);
+}
+
+/// The cosine that the model raises to the shininess.
+std::pair<Quantity, float> highlight_cosine(const ReflectionInfo& info, const ExplainedLight& light) {
+    switch (info.cosine) {
+    case HighlightCosine::None:
+        break;
+    case HighlightCosine::RV:
+        return {Quantity::RV, light.r_dot_v};
+    case HighlightCosine::NH:
+        return {Quantity::NH, light.n_dot_h};
+    case HighlightCosine::LV:
+        return {Quantity::LV, light.l_dot_v};
+    }
+    return {Quantity::Highlight, 0};
+}
+
+/// What the highlight's factor is made of, whether it is dropped or not.
+std::vector<EquationFactor> highlight_factors(const LightOfEquation& in) {
+    const ReflectionInfo info = info_of(in.explanation.reflection);
+    const bool dropped = in.light.n_dot_l <= 0;
+    const glm::dvec3 s = in.light.specular_factor;
+    if (info.uses_shininess()) {
+        const auto [quantity, cosine] = highlight_cosine(info, in.light);
+        EquationFactor base = plain(quantity, std::max(cosine, 0.0f));
+        base.clamped_from = std::min(cosine, 0.0f);
+        base.power = power_of(in);
+        const double power = std::pow(base.value.x, base.power->exponent);
+        if (dropped) return {base};
+        // A float of a cosine near 1 is too short for a large exponent: the power has its remaining digits.
+        if (s.x > 0 && base.power->exponent > 0 && is_close(glm::dvec3(power), s))
+            base.value = glm::dvec3(std::pow(s.x, 1 / base.power->exponent));
+        if (is_close(glm::dvec3(power), s)) return {base};
+    }
+    const ExplainedFacets& facets = in.light.facets;
+    const bool faces_eye = facets.n_dot_v > 0;
+    if (in.explanation.reflection == Reflection::CookTorrance && faces_eye) {
+        EquationFactor n_dot_v = plain(Quantity::NV, facets.n_dot_v);
+        n_dot_v.divides = true;
+        const std::vector<EquationFactor> product{plain(Quantity::QuarterPi, std::numbers::pi / 4),
+                                                  plain(Quantity::Facets, facets.d),
+                                                  plain(Quantity::Masking, facets.g),
+                                                  {.quantity = Quantity::Fresnel, .value = facets.f},
+                                                  n_dot_v};
+        const double shared = std::numbers::pi / 4 * double(facets.d) * double(facets.g) / facets.n_dot_v;
+        if (dropped || is_close(shared * glm::dvec3(facets.f), s)) return product;
+    }
+    return {{.quantity = Quantity::Highlight, .value = s}};  // a mistake, a table: no formula makes it
+}
+
+void add_highlight(EquationLine& line, const LightOfEquation& in) {
+    const ReflectionInfo info = info_of(in.explanation.reflection);
+    if (info.has_highlight && info.uses_roughness)
+        line.made_by.push_back(material_pointer(in.explanation, "roughness"));
+    if (in.light.samples.empty()) {
+        for (const EquationFactor& factor : highlight_factors(in)) line.factors.push_back(factor);
+        return;
+    }
+    EquationFactor mean{.quantity = Quantity::Highlight, .value = glm::dvec3(0), .is_mean = true};
+    const std::vector<double> weights = sample_weights(in.light);
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        mean.value += weights[i] * glm::dvec3(in.light.samples[i].specular_factor);
+    line.factors.push_back(mean);
+}
+
+/// Why a highlight that the model would give is none here; empty where there is no such reason.
+std::string drop_reason(const LightOfEquation& in) {
+    const bool is_area = !in.light.samples.empty();
+    if (is_area || !info_of(in.explanation.reflection).has_highlight) return {};
+    if (in.light.specular_factor != glm::vec3(0)) return {};  // the mistake that keeps it
+    if (in.light.n_dot_l < 0) return "dropped: n·l < 0";
+    if (in.light.n_dot_l == 0) return "dropped: n·l = 0";
+    if (in.explanation.reflection == Reflection::CookTorrance && in.light.facets.n_dot_v <= 0)
+        return "dropped: n·v < 0";
+    return {};
+}
+
+EquationLine specular_line(const LightOfEquation& in, std::vector<EquationFactor> common) {
+    EquationLine line{Quantity::SpecularTerm, std::move(common), in.light.specular};
+    line.left_out = drop_reason(in);
+    if (!line.left_out.empty()) line.factors.clear();  // the highlight alone, lest it read as a product of 0
+    add_highlight(line, in);
+    return line;
+}
+
+}  // namespace
+
+double EquationLine::product(int channel) const {
+    double p = 1;
+    for (const EquationFactor& f : factors) {
+        const double x = f.power ? std::pow(f.value[channel], f.power->exponent) : f.value[channel];
+        p = f.divides ? p / x : p * x;
+    }
+    return p;
+}
+
+std::vector<double> sample_weights(const ExplainedLight& area) {
+    double sum = 0;
+    for (const ExplainedLight& sample : area.samples) sum += double(sample.falloff);
+    std::vector<double> weights;
+    for (const ExplainedLight& sample : area.samples)
+        weights.push_back(sum > 0 ? double(sample.falloff) / sum : 0);
+    return weights;
+}
+
+EquationLine share_line(const LightOfEquation& in) {
+    const Light& light = light_of(in);
+    EquationFactor intensity = plain(Quantity::Intensity, light.intensity);
+    intensity.pointer = fmt::format("/lights/{}/intensity", in.light.index);
+    EquationLine line{Quantity::Share, {intensity}};
+    const bool is_area = light.kind == LightKind::Area;
+    if (is_area || light.kind != LightKind::Directional || in.light.falloff != 1)
+        line.factors.push_back(plain(is_area ? Quantity::Form : Quantity::Falloff, in.light.falloff));
+    if (light.kind == LightKind::Spot) line.factors.push_back(plain(Quantity::Spot, in.light.spot));
+    line.result = glm::dvec3(line.product(0));
+    return line;
+}
+
+std::vector<EquationLine> light_lines(const LightOfEquation& in) {
+    const Terms& on = in.scene.shading.terms;
+    EquationLine specular = specular_line(
+        in,
+        common_factors(in, Quantity::L_s, Quantity::K_s, &Light::specular, &Material::specular, "specular"));
+    if (!on.specular) specular.left_out = switched_off;
+    if (in.scene.npr.cool_to_warm) return {specular};
+    EquationLine ambient{
+        Quantity::AmbientTerm,
+        common_factors(in, Quantity::L_a, Quantity::K_a, &Light::ambient, &Material::ambient, "ambient"),
+        in.light.ambient};
+    EquationLine diffuse{
+        Quantity::DiffuseTerm,
+        common_factors(in, Quantity::L_d, Quantity::K_d, &Light::diffuse, &Material::diffuse, "diffuse"),
+        in.light.diffuse};
+    add_cosine(diffuse, in);
+    if (!on.ambient) ambient.left_out = switched_off;
+    if (!on.diffuse) diffuse.left_out = switched_off;
+    return {ambient, diffuse, specular};
+}
+
+std::vector<EquationLine> unlit_lines(const Scene& scene, const Explanation& explanation,
+                                      const ExplainedPoint& point) {
+    const Material& m = explanation.material;
+    EquationLine emission{Quantity::EmissionTerm,
+                          {colour(Quantity::K_e, m.emission, material_pointer(explanation, "emission"))},
+                          point.emission};
+    EquationLine ambient{Quantity::AmbientTerm,
+                         {colour(Quantity::L_g, scene.global_ambient, "/global_ambient"),
+                          colour(Quantity::K_a, m.ambient, material_pointer(explanation, "ambient"))},
+                         point.global_ambient};
+    if (!scene.shading.terms.emission) emission.left_out = switched_off;
+    if (!scene.shading.terms.ambient) ambient.left_out = switched_off;
+    return {emission, ambient};
+}
+
+}  // namespace glint

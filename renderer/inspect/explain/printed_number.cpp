@@ -1,0 +1,76 @@
+#include "renderer/inspect/explain/printed_number.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace glint {
+
+const char* decimal_format(double x, int decimals) {
+    static constexpr std::array plain{"%.0f", "%.1f", "%.2f", "%.3f", "%.4f",
+                                      "%.5f", "%.6f", "%.7f", "%.8f", "%.9f"};
+    static constexpr std::array powers{"%.0e", "%.1e", "%.2e", "%.3e", "%.4e",
+                                       "%.5e", "%.6e", "%.7e", "%.8e", "%.9e"};
+    const double size = std::abs(x);
+    const bool is_plain = size == 0 || (size >= 1e-4 && size < 1e6);
+    return (is_plain ? plain : powers)[static_cast<std::size_t>(std::clamp(decimals, 0, most_decimals))];
+}
+
+std::string decimal_text(double x, int decimals) {
+    char text[64];
+    std::snprintf(text, sizeof text, decimal_format(x, decimals), x);
+    return text;
+}
+
+std::string short_text(double x, int decimals) {
+    std::string text = decimal_text(x, decimals);
+    const std::size_t end = std::min(text.find('e'), text.size());
+    if (text.find('.') >= end) return text;
+    std::size_t kept = end;
+    while (text[kept - 1] == '0') --kept;
+    if (text[kept - 1] == '.') --kept;
+    return text.substr(0, kept) + text.substr(end);
+}
+
+double last_digit_of(std::string_view number) {
+    const std::size_t e = std::min(number.find('e'), number.size());
+    const std::size_t point = number.find('.');
+    const auto decimals = point < e ? static_cast<int>(e - point) - 1 : 0;
+    int exponent = 0;
+    if (e < number.size()) {
+        const std::size_t digits = number[e + 1] == '+' ? e + 2 : e + 1;  // from_chars knows no plus
+        std::from_chars(number.data() + digits, number.data() + number.size(), exponent);
+    }
+    return std::pow(10.0, exponent - decimals);
+}
+
+std::vector<int> decimals_for(std::span<const double> values, std::span<const int> least,
+                              const std::function<double(std::span<const double>)>& formula,
+                              double tolerance) {
+    std::vector<int> decimals(least.begin(), least.end());
+    std::vector<double> numbers(values.begin(), values.end()), error(values.size());
+    const double exact = formula(numbers);
+    const auto measure = [&](std::size_t i) {
+        numbers[i] = std::strtod(decimal_text(values[i], decimals[i]).c_str(), nullptr);
+        error[i] = std::abs(formula(numbers) - exact);
+        numbers[i] = values[i];
+    };
+    for (std::size_t i = 0; i < values.size(); ++i) measure(i);
+    for (;;) {
+        // The errors of single numbers add up at worst; what they make together beyond that is far smaller.
+        double sum = 0;
+        std::size_t worst = values.size();
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            sum += error[i];
+            if (decimals[i] < most_decimals && (worst == values.size() || error[i] > error[worst])) worst = i;
+        }
+        if (sum <= tolerance || worst == values.size()) return decimals;
+        ++decimals[worst];
+        measure(worst);
+    }
+}
+
+}  // namespace glint

@@ -1,0 +1,57 @@
+// What stands between the picked point and a light.
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include "renderer/inspect/debug_views/blocker.h"
+#include "ui/inspector/equation/equation_tab.h"
+#include "ui/inspector/inspector.h"
+#include "ui/ui.h"
+
+namespace glint {
+namespace {
+
+/// Triangles times lights that are asked within a millisecond or two.
+constexpr std::size_t at_once = 250'000;
+
+std::size_t triangle_count(const Scene& scene) {
+    std::size_t count = 0;
+    for (const Object& object : scene.objects) count += object.mesh ? object.mesh->triangles.size() : 0;
+    return count;
+}
+
+/// The object between the point and the light, or -1.
+int blocker_index(const Scene& scene, const ExplainedPoint& point, const ExplainedLight& light) {
+    const bool area = scene.lights[static_cast<std::size_t>(light.index)].kind == LightKind::Area;
+    // The middle sample of an area light speaks for all: a point light in the middle of the panel.
+    const ExplainedLight& asked =
+        area && !light.samples.empty() ? light.samples[light.samples.size() / 2] : light;
+    if (!(asked.n_dot_l > 0)) return -1;
+    return blocker(scene, point.point.world, asked.l.world, double(asked.distance)).value_or(-1);
+}
+
+/// Per light of the point.
+std::vector<int> blocker_indices(const Scene& scene, const ExplainedPoint& point) {
+    std::vector<int> all;
+    for (const ExplainedLight& light : point.lights) all.push_back(blocker_index(scene, point, light));
+    return all;
+}
+
+}  // namespace
+
+std::string blocked_words(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
+                          std::size_t which) {
+    const Scene& scene = state.editor.scene();
+    const BlockedKey key{state.picture_serial, {explanation.x, explanation.y}, state.inspector.corner};
+    auto& blocked = state.inspector.blocked;
+    const bool slow = triangle_count(scene) * point.lights.size() > at_once;
+    if (slow && ImGui::IsAnyMouseDown() && !blocked.is_of(key)) return "";
+    const std::vector<int>& by = blocked.of(key, [&] { return blocker_indices(scene, point); });
+    if (which >= by.size() || by[which] < 0) return "";
+    const auto object = static_cast<std::size_t>(by[which]);
+    if (object >= scene.objects.size()) return "";
+    const std::string name =
+        by[which] == explanation.object_index ? "Its own surface" : scene.objects[object].name;
+    return fmt::format("{} stands in the way: no shadow, light here is local", name);
+}
+
+}  // namespace glint

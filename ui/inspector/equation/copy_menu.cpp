@@ -1,0 +1,42 @@
+#include "ui/inspector/equation/copy_menu.h"
+
+#include <imgui.h>
+
+#include <string_view>
+
+#include "ui/widgets/named_controls.h"
+#include "ui/widgets/parts.h"
+
+namespace glint {
+namespace {
+
+/// As a program reads it: no spaces around, and a minus of the keyboard.
+std::string plain(std::string_view number) {
+    constexpr std::string_view minus = "−";
+    std::string text;
+    while (!number.empty()) {
+        const bool is_minus = number.starts_with(minus);
+        if (is_minus || number.front() != ' ' || !text.empty()) text += is_minus ? '-' : number.front();
+        number.remove_prefix(is_minus ? minus.size() : 1);
+    }
+    return text;
+}
+
+void copy_item(const char* label, const std::string& text) {
+    if (ImGui::MenuItem(label)) ImGui::SetClipboardText(text.c_str());
+    list_control(label, "", last_item());
+}
+
+}  // namespace
+
+void copy_menu(int id, const std::string& number, const std::string& line) {
+    ImGui::PushID(id);
+    if (ImGui::BeginPopupContextItem("##copy")) {
+        copy_item("Copy", plain(number));
+        if (!line.empty()) copy_item("Copy line", line);
+        ImGui::EndPopup();
+    }
+    ImGui::PopID();
+}
+
+}  // namespace glint

@@ -1,0 +1,45 @@
+#include "ui/inspector/equation/formula.h"
+
+#include "ui/inspector/equation/text_line.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+void power(TextLine& f, Quantity cosine) { f.plain("(").symbol(cosine).plain(")").symbol(Quantity::Power); }
+
+void highlight(TextLine& f, Reflection reflection) {
+    const ReflectionInfo info = info_of(reflection);
+    if (!info.has_highlight) return;
+    f.plain("+").symbol(Quantity::K_s).symbol(Quantity::L_s);
+    switch (info.cosine) {
+    case HighlightCosine::RV:
+        return power(f, Quantity::RV);
+    case HighlightCosine::NH:
+        return power(f, Quantity::NH);
+    case HighlightCosine::LV:
+        return power(f, Quantity::LV);
+    case HighlightCosine::None:
+        break;
+    }
+    if (reflection != Reflection::CookTorrance) return (void)f.symbol(Quantity::Highlight);
+    f.plain(" ").symbol(Quantity::QuarterPi).symbol(Quantity::Facets).symbol(Quantity::Masking);
+    f.symbol(Quantity::Fresnel).plain("/").symbol(Quantity::NV);
+}
+
+}  // namespace
+
+void formula(Reflection reflection) {
+    if (!info_of(reflection).is_lit) return dim_text("No lighting: the mesh's own colours.");
+    TextLine f(20);
+    f.symbol(Quantity::Result).plain(" = ").symbol(Quantity::K_e).plain("+").symbol(Quantity::K_a);
+    f.symbol(Quantity::L_g).plain("+ Σ").symbol(Quantity::Share).plain("(").symbol(Quantity::K_a);
+    f.symbol(Quantity::L_a).plain("+").symbol(Quantity::K_d).symbol(Quantity::L_d);
+    f.symbol(Quantity::NL);
+    if (info_of(reflection).rough_diffuse) f.symbol(Quantity::Rough);
+    highlight(f, reflection);
+    f.plain(")");
+}
+
+}  // namespace glint
