@@ -49,9 +49,11 @@ std::string blocked_words(UiState& state, const Explanation& explanation, const 
     if (which >= by.size() || by[which] < 0) return "";
     const auto object = static_cast<std::size_t>(by[which]);
     if (object >= scene.objects.size()) return "";
-    const std::string name =
-        by[which] == explanation.object_index ? "Its own surface" : scene.objects[object].name;
-    return fmt::format("{} stands in the way: no shadow, light here is local", name);
+    const std::string name = by[which] == explanation.object_index
+                                 ? "Its own surface"
+                                 : fmt::format("“{}”", scene.objects[object].name);
+    return fmt::format(
+        "{} stands in the way of this light, but Glint casts no shadows: each point is lit for itself", name);
 }
 
 }  // namespace glint
