@@ -158,7 +158,8 @@ void fall_back_to_facets(const Mesh& mesh, const Averages& averages, CornerNorma
     }
 }
 
-/// Groups of corners joined across edges below the crease; none (by position) when no crease parts a vertex.
+/// Groups of corners joined across edges below the crease. Empty when no crease splits a vertex: then all
+/// corners at one position share one normal.
 Averages averages_below(const Mesh& mesh, float crease_deg) {
     CreaseGroups creased = crease_groups(mesh, make_topology(mesh), crease_deg);
     std::vector<char> used(mesh.positions.size(), 0);

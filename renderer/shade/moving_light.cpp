@@ -52,7 +52,7 @@ void bound_group(BoundsBlock& bounds, std::size_t i, const PointBlock& points, u
     bounds.spread[i] = normals.radius;
 }
 
-/// Bounding sphere and normal cone of each pixel group; empty for per-vertex and per-face shading, which have
+/// A sphere round the positions and one round the normals of each pixel group; empty for per-vertex and per-face shading, which have
 /// few points to light.
 void bound_groups(const Surface& s, std::vector<BoundsBlock>& bounds) {
     const std::size_t groups = s.choice.kind == SurfaceKind::Pixels ? s.groups.size() : 0;
@@ -70,7 +70,7 @@ void give_lights(LightJob& job, const std::vector<LightSource>& lights) {
 
 float max_product(const Float3& a, const Float3& b) { return std::max({a.x * b.x, a.y * b.y, a.z * b.z}); }
 
-/// An upper bound of one light's share anywhere; infinite where the light has none.
+/// An upper bound of what one light adds anywhere; infinity for an area light, of which none is known.
 double max_share(const LightJob& job, const LightSource& light) {
     if (light.is_patch) return HUGE_VAL;
     const SurfaceMaterial& m = job.material;

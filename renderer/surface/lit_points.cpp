@@ -1,3 +1,6 @@
+// The points that several pixels share: under flat shading one a face (SurfaceKind::Faces), under Gouraud the
+// corners (SurfaceKind::Corners). renderer/shade/color_pixels.cpp blends their colours. Phong and facet light
+// each pixel.
 #include <tbb/parallel_for.h>
 
 #include <algorithm>

@@ -135,10 +135,10 @@ TEST_CASE("a Gouraud pixel's corners are drawn where they are", "[ui][window][wh
 TEST_CASE("the letters of nearly collinear vectors stand apart, and off the arrows", "[ui][window][why]") {
     HeadlessWindow bench;
     bench.scene().shading.reflection = Reflection::BlinnPhong;
-    // The light stands almost at the eye: l, h and v are within a few degrees of one another.
+    // v is seen end on, and h lies between l and v: on the screen its letter would stand on the arrow of l.
     bench.scene().lights.resize(1);
-    bench.scene().lights[0] = {};
-    bench.scene().lights[0].position = {0.3f, 0.9f, 4, 1};
+    bench.scene().lights[0].kind = LightKind::Directional;
+    bench.scene().lights[0].position = {-1, 0.3f, 0.1f, 0};
     test::ask(bench, InspectorTab::Vectors, {0.38, 0.4});
     bench.frames(1);
     std::vector<Rect> letters;
