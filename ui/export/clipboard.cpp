@@ -78,20 +78,17 @@ bool has_keys_of(const Json& b, const Json& a) {
                        [&b](const auto& member) { return b.find(member.first) != nullptr; });
 }
 
-/// Of a mesh or a projection some keys only go with others: it is set whole.
-bool is_one_value(const std::string& pointer) {
-    return pointer.ends_with("/mesh") || pointer.ends_with("/projection") || pointer.ends_with("/mistakes");
-}
-
 /// Appends " --set POINTER=JSON" for each smallest part in which `b` differs from `a`.
 void append_sets(std::string& command, const Json& a, const Json& b, const std::string& pointer) {
     if (a == b) return;
-    const bool members = a.is_object() && b.is_object() && has_keys_of(b, a) && !is_one_value(pointer);
+    // A mesh or a projection of another kind has other keys, and is set whole.
+    const bool members = a.is_object() && b.is_object() && has_keys_of(b, a);
     const bool items =
         !b.elements().empty() && a.elements().size() == b.elements().size() && b.elements()[0].is_object();
     if (members) {
         for (const auto& [name, value] : b.members())
-            append_sets(command, a.find(name) != nullptr ? *a.find(name) : Json(), value, pointer + "/" + name);
+            append_sets(command, a.find(name) != nullptr ? *a.find(name) : Json(), value,
+                        pointer + "/" + name);
     } else if (items) {
         for (std::size_t i = 0; i < b.elements().size(); ++i)
             append_sets(command, a.elements()[i], b.elements()[i], fmt::format("{}/{}", pointer, i));
@@ -167,7 +164,8 @@ std::string render_command_text(const SceneDocument& document, const Scene& in_f
         shown = with_absolute_meshes(document.scene, document.mesh_dir);
         command = R"(echo '{"glint": 1}' | glint render -)";
     }
-    // What is written about a scene draws nothing. What the window shows, and a picture that it wrote, is fitted.
+    // What is written about a scene draws nothing. What the window shows, and a picture that it wrote, is
+    // fitted.
     base.about = shown.about = {};
     shown.camera.projection = fitted(shown.camera.projection, {size.width, size.height, true});
     if (document.fitted_to) base.camera.projection = fitted(base.camera.projection, *document.fitted_to);

@@ -80,11 +80,22 @@ TEST_CASE("the command of a shipped scene is short, and relative to where one st
     Bench bench;
     const fs::path before = fs::current_path();
     open_scene(bench, "sun.json");
+    ImGui::GetIO().DisplaySize = {2400, 800};  // its picture is wider than 16:9: nothing is to be widened
+    bench.frames(2);
     fs::current_path(GLINT_SOURCE_DIR);
     bench.copy();
     fs::current_path(before);
     CHECK(bench.clipboard.find("glint render assets/scenes/sun.json --size ") == 0);
     CHECK(bench.clipboard.size() < 90);
+}
+
+TEST_CASE("in a narrow picture the command sets the field that the window shows, and nothing else",
+          "[ui][window][export]") {
+    Bench bench;
+    open_scene(bench, "sun.json");
+    bench.copy();
+    CHECK(bench.copied("sun.json --set /camera/projection/fov_y_deg="));
+    CHECK(bench.clipboard.find("--set") == bench.clipboard.rfind("--set"));
 }
 
 TEST_CASE("the first scene, which has no file of its own, is named by the one it comes from",
@@ -96,6 +107,7 @@ TEST_CASE("the first scene, which has no file of its own, is named by the one it
     auto& first = std::get<SceneDocument>(document);
     first.path.clear();
     take_document(bench.state.editor, std::move(first));
+    ImGui::GetIO().DisplaySize = {2400, 800};
     bench.frames(2);
     bench.scene().lights[0].intensity = 0.125f;
     bench.copy();

@@ -97,7 +97,7 @@ TEST_CASE("the copied command draws exactly the picture on the screen", "[ui][ex
         SceneDocument document = whole;
         edit(document.scene, random);
         const int samples = i % 2 == 0 ? 1 : 4;
-        const PictureSize size{90 + i, 61};
+        const PictureSize size{90 + i, 61, true};  // as the window shows it
         const auto here = drawn_here(document.scene, size, samples);
         CHECK(drawn_by(render_command_text(document, whole.scene, size, samples, "out.png"), folder) == here);
         document.path.clear();  // never saved: set whole on an empty scene
@@ -110,13 +110,13 @@ TEST_CASE("an unchanged scene's command is short, one change is one --set", "[ui
     const std::string path = folder.file("s.json", scene_text(test::busy_scene()));
     SceneDocument document = opened(path);
     const Scene in_file = document.scene;
-    CHECK(render_command_text(document, in_file, {64, 48}, 1, "out.png") ==
-          "glint render " + path + " --size 64x48 -o out.png");
+    CHECK(render_command_text(document, in_file, {64, 36}, 1, "out.png") ==
+          "glint render " + path + " --size 64x36 -o out.png");
     document.scene.shading.mode = ShadingMode::Flat;
     document.scene.display.exposure = 0.1f;
-    CHECK(render_command_text(document, in_file, {64, 48}, 8, "out.png") ==
+    CHECK(render_command_text(document, in_file, {64, 36}, 8, "out.png") ==
           "glint render " + path +
-              " --set '/shading/mode=\"flat\"' --set /display/exposure=0.1 --size 64x48 --samples 8 -o "
+              " --set '/shading/mode=\"flat\"' --set /display/exposure=0.1 --size 64x36 --samples 8 -o "
               "out.png");
 }
 
@@ -125,17 +125,17 @@ TEST_CASE("a command finds mesh files from where it is run", "[ui][export]") {
     fs::create_directories(folder.path("deep"));
     (void)folder.file("deep/t.obj", triangle_obj);
     const SceneDocument mesh = opened(folder.path("deep/t.obj"));
-    const auto here = drawn_here(mesh.scene, {80, 60}, 1);
-    CHECK(drawn_by(render_command_text(mesh, mesh.scene, {80, 60}, 1, "out.png"), folder) == here);
+    const auto here = drawn_here(mesh.scene, {80, 45}, 1);
+    CHECK(drawn_by(render_command_text(mesh, mesh.scene, {80, 45}, 1, "out.png"), folder) == here);
     SceneDocument unnamed = mesh;
     unnamed.path.clear();
-    CHECK(drawn_by(render_command_text(unnamed, mesh.scene, {80, 60}, 1, "out.png"), folder) == here);
+    CHECK(drawn_by(render_command_text(unnamed, mesh.scene, {80, 45}, 1, "out.png"), folder) == here);
     SceneDocument added = opened(folder.file("s.json", R"({"glint": 1, "objects": [{}]})"));
     const Scene in_file = added.scene;
     added.scene.objects[0].source = MeshFile{folder.path("deep/t.obj")};
     added.scene.objects[0].mesh = mesh.scene.objects[0].mesh;
-    CHECK(drawn_by(render_command_text(added, in_file, {80, 60}, 1, "out.png"), folder) ==
-          drawn_here(added.scene, {80, 60}, 1));
+    CHECK(drawn_by(render_command_text(added, in_file, {80, 45}, 1, "out.png"), folder) ==
+          drawn_here(added.scene, {80, 45}, 1));
 }
 
 TEST_CASE("a picture saved or exported elsewhere reopens with its meshes", "[ui][export]") {
@@ -150,7 +150,7 @@ TEST_CASE("a picture saved or exported elsewhere reopens with its meshes", "[ui]
     HeadlessWindow bench;
     take_document(bench.state.editor, opened(path));
     bench.frames(2);
-    begin_export(bench.state, {{64, 48}, 4}, exported);
+    begin_export(bench.state, {{64, 36}, 4}, exported);
     while (bench.state.exporting.job) bench.frame();
     CHECK(bench.state.notifications.list.back().text == "Saved exported.png (64 × 48, 4 samples a pixel)");
     bench.key(Key::F12);
