@@ -37,8 +37,9 @@ struct SeenPoint {
     int object = 0;          // in Scene::objects
     std::uint32_t face = 0;  // polygon, in the file's order from 0
     glm::vec3 position{0};
-    glm::vec3 normal{0};  // unit; the facet's under the mode `facet`, else the interpolated one
-    bool front = true;    // counter-clockwise on the screen, the other way round for a mirrored object
+    glm::vec3 normal{0};         // unit; the facet's under the mode `facet`, else the interpolated one
+    bool front = true;           // counter-clockwise on the screen, the other way round for a mirrored object
+    std::uint32_t triangle = 0;  // of all triangles that are drawn: which of them shows
 };
 
 class Renderer {

@@ -8,6 +8,7 @@
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/orbit.h"
+#include "ui/widgets/fold.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 
@@ -82,17 +83,24 @@ bool camera_panel(Camera& camera, PictureSize size) {
 }
 
 bool shading_panel(Shading& shading, glm::vec3& global_ambient) {
+    static const Shading usual;
     FieldPanel panel(shading, "/shading");
-    panel.draw({"mode", "reflection", "interpolation", "flat_point", "rules"});
-    panel.heading("Sides and viewer").draw({"cull", "two_sided", "local_viewer"});
+    panel.draw({"mode", "reflection", "interpolation"});
     panel.group("terms", shading.terms, field_rows<Terms>);
-    bool edited = panel.rest().edited();
-    section_heading("Scene");
-    const Help help{"Light from everywhere, apart from all lights", "/global_ambient"};
-    edited |= draw_asked(help.pointer, Typed::Number, [&] {
-        return colour_field("Ambient", global_ambient, Scene{}.global_ambient, help);
+    const Help help{"Ambient light from everywhere, apart from all lights", "/global_ambient"};
+    const bool edited = draw_asked(help.pointer, Typed::Number, [&] {
+        return colour_field("Global", global_ambient, Scene{}.global_ambient, help);
     });
-    return edited;
+    const bool asked = field_is_asked_below("/shading");
+    const bool other_sides = shading.cull != usual.cull || shading.two_sided || !shading.local_viewer;
+    if (fold("Sides and viewer", other_sides, asked))
+        panel.draw({"cull", "two_sided", "local_viewer"});
+    else
+        panel.skip("cull").skip("two_sided").skip("local_viewer");
+    const bool other_rules = shading.rules != usual.rules || shading.flat_point != usual.flat_point ||
+                             shading.power_table != usual.power_table;
+    if (fold("Rules and tables", other_rules, asked)) panel.rest();
+    return panel.edited() || edited;
 }
 
 bool display_panel(Display& display) {
@@ -101,8 +109,13 @@ bool display_panel(Display& display) {
 
 bool npr_panel(Npr& npr) {
     FieldPanel panel(npr, "/npr");
-    panel.heading("Cool to warm").draw({"cool_to_warm", "cool", "warm", "alpha", "beta"});
-    return panel.heading("Strokes").rest().edited();
+    const bool asked = field_is_asked_below("/npr");
+    if (fold("Cool to warm", npr.cool_to_warm, asked))
+        panel.draw({"cool_to_warm", "cool", "warm", "alpha", "beta"});
+    else
+        panel.skip("cool_to_warm").skip("cool").skip("warm").skip("alpha").skip("beta");
+    if (fold("Strokes", npr.silhouettes || npr.creases, asked)) panel.rest();
+    return panel.edited();
 }
 
 }  // namespace glint

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "renderer/inspect/reflectance/highlight.h"
 #include "ui/fields/field_panel.h"
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/inspector.h"
@@ -50,7 +51,8 @@ void how(const Explanation& explanation, FlatPoint flat_point, Rules rules) {
     case ShadingMode::Facet:
         return small_dim("lit here, with the facet's normal");
     case ShadingMode::Gouraud:
-        small_dim("lit at the corners; weight × colour, added:");
+        small_dim(fmt::format("lit at the corners; {} weights × colours, added:",
+                              choice_of(explanation.interpolation).word));
         return corner_lines(explanation);
     case ShadingMode::Phong:
         return small_dim("lit here, with the corners' normals mixed and made unit:");
@@ -96,6 +98,29 @@ void mode_block(UiState& state, const Explanation& explanation, ShadingMode mode
     show_instead(state, other, fmt::format("{} shading", choice.label));
 }
 
+/// The shininess with which the other of Phong's and Blinn's highlights looks most like this one; a click
+/// takes model and shininess.
+void like_line(UiState& state, const Explanation& explanation) {
+    Scene& scene = state.editor.scene();
+    const auto object = static_cast<std::size_t>(explanation.object_index);
+    const float n = explanation.material.shininess;
+    if (explanation.reflection != Reflection::Phong || object >= scene.objects.size() || n <= 0) return;
+    const double like = state.views.plots.blinn_like.of(n, [n] { return blinn_shininess_like(n); });
+    section_heading("Blinn against Phong");
+    wrapped_dim(fmt::format(
+        "Blinn's (n·h)ⁿ comes nearest to this Phong highlight of shininess {:.4g} with {:.4g}.", n, like));
+    if (ImGui::Button("Take it")) {
+        scene.shading.reflection = Reflection::BlinnPhong;
+        scene.objects[object].material.shininess = static_cast<float>(like);
+    }
+    tooltip("Take it", "Blinn's model with that shininess; undo brings Phong's back");
+    if (!is_pointed_at()) return;
+    Scene other = scene;
+    other.shading.reflection = Reflection::BlinnPhong;
+    other.objects[object].material.shininess = static_cast<float>(like);
+    show_instead(state, other, fmt::format("Blinn, shininess {:.4g}", like));
+}
+
 /// Whether the scenes agree in all that decides what shows at a pixel.
 bool same_faces(const Scene& a, const Scene& b) {
     const auto same_place = [](const Object& x, const Object& y) {
@@ -126,12 +151,13 @@ void models_tab(UiState& state, const PictureView&) {
     if (!same_faces(state.rendered_scene, state.editor.scene()))
         return wrapped_dim("Another scene is on the screen; the models are those of the edited one.");
     const std::array<Explanation, 4> all = under_each_mode(state, explanation);
-    small_dim(fmt::format("Sums of the same pixel, red green blue; {} triangle of face {}, at the weights {}",
-                          explanation.front_facing ? "front" : "back", explanation.face,
-                          shown_vector(explanation.weights)));
+    small_dim(fmt::format(
+        "Sums of the same pixel, red green blue; {} triangle of face {}, perspective weights {}",
+        explanation.front_facing ? "front" : "back", explanation.face, shown_vector(explanation.weights)));
     ImGui::Dummy({0, px(2)});
     for (std::size_t i = 0; i < all.size(); ++i)
         mode_block(state, all[i], static_cast<ShadingMode>(i), all.back());
+    like_line(state, explanation);
 }
 
 }  // namespace glint

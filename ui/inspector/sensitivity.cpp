@@ -12,6 +12,7 @@
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/tabs.h"
 #include "ui/ui.h"
+#include "ui/widgets/fold.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
@@ -46,6 +47,41 @@ void SensitivityJob::work() {
     count_ = run.count();
     while (!cancelled_ && run.step()) measured_ = run.measured();
     if (!cancelled_) result_ = run.result();
+}
+
+namespace {
+
+double largest(glm::dvec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+}  // namespace
+
+double usual_move(const SceneNumber& number) {
+    constexpr double drag_px = 100, tenth = 0.1;
+    const Real& kind = number.kind;
+    const double step = double(kind.step);
+    if (kind.logarithmic) return drag_px * step * std::max(std::abs(number.value), 10 * step);
+    if (kind.usual_max > 0)
+        return tenth * (double(kind.usual_max) - std::max(kind.range.low, -double(kind.usual_max)));
+    if (kind.range.high < max_number && kind.range.low > -max_number)
+        return tenth * (kind.range.high - kind.range.low);
+    return drag_px * step;
+}
+
+std::vector<RankedNumber> ranked(const Sensitivities& sensitivities, const Scene& scene) {
+    std::vector<RankedNumber> rank;
+    const std::vector<SceneNumber> all = numbers_of(scene);
+    for (const Sensitivity& number : sensitivities.numbers) {
+        if (number.pointer.ends_with("/position/3")) continue;  // nobody moves a light by its w
+        const auto found = std::find_if(all.begin(), all.end(),
+                                        [&](const SceneNumber& n) { return n.pointer == number.pointer; });
+        if (found == all.end()) continue;
+        const double move = usual_move(*found);
+        rank.push_back({number, move, move * number.change});
+    }
+    std::stable_sort(rank.begin(), rank.end(), [](const RankedNumber& a, const RankedNumber& b) {
+        return largest(a.effect) > largest(b.effect);
+    });
+    return rank;
 }
 
 float SensitivityJob::progress() const {
@@ -85,14 +121,13 @@ void poll_sensitivity(SensitivityState& state, const SceneDocument& document, Pi
     if (state.job && state.job->done()) {
         const auto* found = std::get_if<Sensitivities>(&state.job->result());
         state.shown = found != nullptr ? std::optional(*found) : std::nullopt;
+        state.rank = found != nullptr ? ranked(*found, document.scene) : std::vector<RankedNumber>();
         state.current = true;
         state.job.reset();
         return;
     }
     redraw_within(look_again);
 }
-
-double largest(glm::dvec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// The channel that moves most: 0 red, 1 green, 2 blue.
 int strongest(glm::dvec3 v) {
@@ -101,18 +136,23 @@ int strongest(glm::dvec3 v) {
     return size.y >= size.z ? 1 : 2;
 }
 
-void number_tooltip(const NamedNumber& named, const Sensitivity& number) {
-    const auto part = [](double v) { return shown_number(static_cast<float>(v)); };
+void number_tooltip(const NamedNumber& named, const RankedNumber& ranked) {
+    const Sensitivity& number = ranked.number;
+    const auto parts = [](glm::dvec3 v) {
+        const auto part = [](double x) { return shown_number(static_cast<float>(x)); };
+        return fmt::format("red {}, green {}, blue {}", part(v.x), part(v.y), part(v.z));
+    };
     tooltip(fmt::format("{}: {}", named.owner, named.what).c_str(),
-            "How the pixel changes for each unit of this number. Click: its panel",
-            fmt::format("now {:.4g}{}\nred {}, green {}, blue {}", number.value,
-                        number.one_sided ? ", can move one way only" : "", part(number.change.x),
-                        part(number.change.y), part(number.change.z)),
+            "How far the pixel moves with this number. Click: its panel",
+            fmt::format("now {:.4g}{}\nmoved by {:.3g}: {}\nfor each unit: {}", number.value,
+                        number.one_sided ? ", can move one way only" : "", ranked.move, parts(ranked.effect),
+                        parts(number.change)),
             number.pointer);
 }
 
 /// A line: how much, as a bar and in figures, and of what. A click selects it.
-void number_row(UiState& state, const Sensitivity& number, double most) {
+void number_row(UiState& state, const RankedNumber& ranked, double most) {
+    const Sensitivity& number = ranked.number;
     const NamedNumber named = named_number(number.pointer, state.editor.scene());
     const float line = ImGui::GetTextLineHeight();
     ImGui::PushID(number.pointer.c_str());
@@ -120,27 +160,26 @@ void number_row(UiState& state, const Sensitivity& number, double most) {
         state.editor.selection = named.selection;
     const auto [low, high] = last_item();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto share = static_cast<float>(largest(number.change) / std::max(most, 1e-30));
+    const auto share = static_cast<float>(largest(ranked.effect) / std::max(most, 1e-30));
     const ImVec2 text = low + px(1) * ImVec2(4, 1);
     list.AddRectFilled({text.x, high.y - px(3)}, {text.x + share * (high.x - low.x - px(8)), high.y - px(1)},
                        to_u32(theme().accent));
     list.AddText(text, to_u32(theme().text), fmt::format("{}  {}", named.owner, named.what).c_str());
-    const int channel = strongest(number.change);
+    const int channel = strongest(ranked.effect);
     const std::string figure =
-        fmt::format("{} {}", shown_number(static_cast<float>(number.change[channel])), "RGB"[channel]);
+        fmt::format("{} {}", shown_number(static_cast<float>(ranked.effect[channel])), "RGB"[channel]);
     ImGui::PushFont(fonts().figures);
     const float width = ImGui::CalcTextSize(figure.c_str()).x + px(6);
     list.AddRectFilled({high.x - width, low.y}, {high.x, high.y - px(4)}, to_u32(theme().panel));
     list.AddText({high.x - width + px(2), text.y}, to_u32(theme().text), figure.c_str());
     ImGui::PopFont();
-    number_tooltip(named, number);
+    number_tooltip(named, ranked);
     ImGui::PopID();
 }
 
 /// Numbers without effect, an owner a line.
 void owners(UiState& state, const char* title, const std::vector<std::string>& pointers) {
-    if (pointers.empty()) return;
-    section_heading(title);
+    if (pointers.empty() || !fold(title, false)) return;
     std::vector<std::pair<NamedNumber, std::string>> lines;
     for (const std::string& pointer : pointers) {
         const NamedNumber named = named_number(pointer, state.editor.scene());
@@ -183,11 +222,19 @@ void sensitivity_tab(UiState& state, const PictureView& view) {
             warning_text(fmt::format("More than {} lights take too long.", max_sensitivity_lights));
         return;
     }
-    small_dim("Change of the pixel for each unit of a number, before clipping: the channel that moves most.");
-    const auto& numbers = job.shown->numbers;
-    const double most = numbers.empty() ? 1 : largest(numbers.front().change);
-    if (numbers.empty()) wrapped_dim("No number of the scene moves this pixel.");
-    for (const Sensitivity& number : numbers) number_row(state, number, most);
+    small_dim(
+        "How far the pixel moves, in the channel that moves most, when a number moves by a tenth of its "
+        "usual "
+        "range, or by a drag of 100 pixels where it has none.");
+    constexpr std::size_t first_few = 12;
+    const double most = job.rank.empty() ? 1 : largest(job.rank.front().effect);
+    if (job.rank.empty()) wrapped_dim("No number of the scene moves this pixel.");
+    for (std::size_t i = 0; i < job.rank.size(); ++i) {
+        if (i == first_few &&
+            !fold(fmt::format("{} more that matter less", job.rank.size() - i).c_str(), false))
+            break;
+        number_row(state, job.rank[i], most);
+    }
     owners(state, "Does not matter here", job.shown->no_effect);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -23,20 +24,20 @@ namespace {
 
 constexpr std::array tabs{
     InspectorTabInfo{InspectorTab::Equation, "Equation",
-                     "The lighting equation at the picked pixel, with its numbers", equation_tab},
+                     "The lighting equation at the picked pixel, with its numbers", equation_tab, true},
     InspectorTabInfo{InspectorTab::Vectors, "Vectors",
-                     "n, l, v, r and h at the picked point, and the facet's own normal", vectors_tab},
+                     "n, l, v, r and h at the picked point, and the facet's own normal", vectors_tab, true},
+    InspectorTabInfo{InspectorTab::Models, "Models",
+                     "The same pixel under flat, facet, Gouraud and Phong shading", models_tab, true},
+    InspectorTabInfo{InspectorTab::Mistakes, "Mistakes", "Mistakes that are really made, each a switch",
+                     mistakes_tab, true},
     InspectorTabInfo{InspectorTab::Plots, "Plots",
                      "Falloff, highlight, cone, lobes and microfacets as curves", plots_tab},
     InspectorTabInfo{InspectorTab::Grid, "Light × term",
                      "Every term of every light as a small picture: alone, or left out", term_grid_tab},
-    InspectorTabInfo{InspectorTab::Models, "Models",
-                     "The same pixel under flat, facet, Gouraud and Phong shading", models_tab},
     InspectorTabInfo{InspectorTab::Sensitivity, "Sensitivity",
                      "What matters here: every number, sorted by how much the pixel moves with it",
                      sensitivity_tab},
-    InspectorTabInfo{InspectorTab::Mistakes, "Mistakes", "Mistakes that are really made, each a switch",
-                     mistakes_tab},
     InspectorTabInfo{InspectorTab::Matrices, "Matrices", "View, its inverse, projection, and what they carry",
                      matrices_tab},
     InspectorTabInfo{InspectorTab::Outside, "From outside",
@@ -107,19 +108,41 @@ void heading(UiState& state) {
     ImGui::SetCursorScreenPos({square.low.x, square.high().y + px(8)});
 }
 
-/// A tab's button; the chosen one stands on a bar of the accent.
-bool tab_button(const InspectorTabInfo& info, bool chosen) {
+/// A button of the bar; the chosen one stands on a bar of the accent.
+bool tab_button(const char* label, const char* what, bool chosen) {
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().field_active : theme().panel);
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme().text : theme().dim_text);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), px(3)});
-    const bool clicked = ImGui::Button(info.label);
+    const bool clicked = ImGui::Button(label);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);
     const auto [low, high] = last_item();
     if (chosen)
         ImGui::GetWindowDrawList()->AddRectFilled({low.x, high.y - px(2)}, high, to_u32(theme().accent));
-    tooltip(info.label, info.what);
+    tooltip(label, what);
     return clicked;
+}
+
+/// The tabs that only few ask for, behind a button that says which of them is shown.
+void more_tabs(InspectorState& inspector, float right) {
+    const auto shown = std::find_if(tabs.begin(), tabs.end(), [&](const InspectorTabInfo& info) {
+        return info.tab == inspector.tab && !info.is_first;
+    });
+    const bool is_one = shown != tabs.end();
+    const std::string label = fmt::format("{} ▾", is_one ? shown->label : "More");
+    same_line_if_fits(ImGui::CalcTextSize(label.c_str()).x + px(12), px(1), right);
+    if (tab_button(label.c_str(),
+                   is_one ? shown->what : "Curves, every light's terms, what matters, matrices", is_one))
+        ImGui::OpenPopup("##more");
+    if (!ImGui::BeginPopup("##more")) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(6), px(5)});
+    for (const InspectorTabInfo& info : tabs) {
+        if (info.is_first) continue;
+        if (ImGui::Selectable(info.label, info.tab == inspector.tab)) inspector.tab = info.tab;
+        tooltip(info.label, info.what);
+    }
+    ImGui::PopStyleVar();
+    ImGui::EndPopup();
 }
 
 /// The buttons in as many rows as they need.
@@ -128,10 +151,12 @@ void tab_bar(InspectorState& inspector) {
     ImGui::PushFont(fonts().small);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(1), px(1)});
     for (const InspectorTabInfo& info : tabs) {
+        if (!info.is_first) continue;
         if (&info != &tabs.front())
             same_line_if_fits(ImGui::CalcTextSize(info.label).x + px(12), px(1), right);
-        if (tab_button(info, inspector.tab == info.tab)) inspector.tab = info.tab;
+        if (tab_button(info.label, info.what, inspector.tab == info.tab)) inspector.tab = info.tab;
     }
+    more_tabs(inspector, right);
     ImGui::PopStyleVar();
     ImGui::PopFont();
     const ImVec2 low = ImGui::GetCursorScreenPos();

@@ -23,9 +23,11 @@ struct InspectorTabInfo {
     const char* label;
     const char* what;
     void (*draw)(UiState&, const PictureView&);
+    bool is_first = false;  // it stands in the bar, not behind More
 };
 
-/// All tabs, from left to right. To add one: a name in InspectorTab, its line here in tabs.cpp, its own file.
+/// All tabs: first those of the bar from left to right, then those behind More. To add one: a name in
+/// InspectorTab, its line here in tabs.cpp, its own file.
 [[nodiscard]] std::span<const InspectorTabInfo> inspector_tabs();
 
 /// Draws heading, tab bar and the chosen tab into the current window. After the picture, so that numbers are

@@ -11,6 +11,7 @@
 #include "renderer/inspect/reflectance/lobes.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/plots_tab.h"
+#include "ui/widgets/fold.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
@@ -86,6 +87,7 @@ void cosine_curve(double deg) {
     draw_upright(list, area, 90, theme().dim_text);
     draw_curve(list, area, curve, theme()[Symbol::Diffuse]);
     draw_mark(list, area, {deg, diffuse_at(deg)}, theme()[Symbol::Diffuse]);
+    draw_reading(list, area, {{curve, theme()[Symbol::Diffuse]}});
 }
 
 constexpr int steps = 240;
@@ -93,13 +95,21 @@ constexpr int steps = 240;
 /// Says how far a falloff's plot reaches: past the point, to where little is left.
 double farthest_of(const PlotSubject& subject) {
     const double there = subject.point.light != nullptr ? double(subject.point.light->distance) : 0;
-    return std::max(1.5 * there, 5.0);
+    return std::max(2.2 * there, 5.0);  // twice as far is on it
 }
 
 }  // namespace
 
+std::vector<glm::dvec2> inverse_square(const std::vector<glm::dvec2>& falloff, const PlotPoint& point) {
+    const glm::dvec2 through = point.light != nullptr ? falloff_mark(point) : glm::dvec2(1);
+    std::vector<glm::dvec2> law;
+    for (const glm::dvec2 p : falloff)
+        if (p.x > 0) law.emplace_back(p.x, through.y * through.x * through.x / (p.x * p.x));
+    return law;
+}
+
 void cosine_section(PlotsState& plots, const PlotSubject& subject) {
-    section_heading("Lambert's cosine: a slanting beam spreads");
+    if (!fold("Lambert's cosine: a slanting beam spreads", false)) return;
     const bool picked = subject.point.light != nullptr;
     if (picked) plots.beam_deg = static_cast<float>(local_directions(subject.point).light_deg);
     ImGui::BeginDisabled(picked);
@@ -116,7 +126,7 @@ void cosine_section(PlotsState& plots, const PlotSubject& subject) {
 }
 
 void falloff_section(const PlotSubject& subject) {
-    section_heading("Falloff over the distance to the light");
+    if (!fold("Falloff over the distance to the light", true)) return;
     const auto curve = falloff_curve(subject.scene, subject.light, farthest_of(subject), steps);
     if (curve.empty()) {
         const bool area =
@@ -130,17 +140,23 @@ void falloff_section(const PlotSubject& subject) {
     if (subject.point.light != nullptr)
         most = std::min(most, 4 * std::max(falloff_mark(subject.point).y, 0.25));
     const PlotArea area = draw_axes(list, plot_room(curve_height), {0, curve.back().x}, {0, 1.1 * most},
-                                    {"r", "scene units"}, {"falloff", ""});
+                                    {"dist", "scene units"}, {"falloff", ""});
+    const std::vector<glm::dvec2> law = inverse_square(curve, subject.point);
+    draw_curve(list, area, law, theme().dim_text, 1);
     draw_curve(list, area, curve, theme()[Symbol::L]);
     draw_y_name(list, area, {"falloff", ""});
     if (subject.point.light != nullptr)
         draw_mark(list, area, falloff_mark(subject.point), theme()[Symbol::L]);
+    draw_reading(list, area, {{curve, theme()[Symbol::L]}, {law, theme().dim_text}});
+    coloured(Symbol::L, "this light");
+    ImGui::SameLine(0, px(10));
+    dim_text(subject.point.light != nullptr ? "1 / dist², through the point" : "1 / dist²");
 }
 
 void spot_section(const PlotSubject& subject) {
     const auto curve = spot_curve(subject.scene, subject.light, steps);
     if (curve.empty()) return;
-    section_heading("Cone: how much goes into which direction");
+    if (!fold("Cone: how much goes into which direction", false)) return;
     const Light& light = subject.scene.lights[static_cast<std::size_t>(subject.light)];
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const PlotArea area = draw_axes(list, plot_room(curve_height), {-90, 90}, {0, 1.1},
@@ -150,6 +166,7 @@ void spot_section(const PlotSubject& subject) {
     draw_curve(list, area, curve, theme()[Symbol::L]);
     draw_y_name(list, area, {"spot", ""});
     if (subject.point.light != nullptr) draw_mark(list, area, spot_mark(subject.point), theme()[Symbol::L]);
+    draw_reading(list, area, {{curve, theme()[Symbol::L]}});
 }
 
 }  // namespace glint

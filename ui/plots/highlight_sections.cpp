@@ -13,6 +13,7 @@
 #include "ui/plots/plot.h"
 #include "ui/plots/plots_tab.h"
 #include "ui/ui.h"
+#include "ui/widgets/fold.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
@@ -68,7 +69,7 @@ bool raises_a_cosine(Reflection reflection) {
 }  // namespace
 
 void highlight_section(PlotsState& plots, const PlotSubject& subject) {
-    section_heading("Highlight: a cosine to the power n");
+    if (!fold("Highlight: a power of a cosine", true)) return;
     const float n = subject.material.shininess;
     const double like = plots.blinn_like.of(n, [n] { return blinn_shininess_like(n); });
     const auto phong = highlight_curve(Reflection::Phong, n, curve_steps);
@@ -85,9 +86,11 @@ void highlight_section(PlotsState& plots, const PlotSubject& subject) {
     if (subject.point.light != nullptr && raises_a_cosine(reflection))
         draw_mark(list, area, highlight_mark(subject.point, reflection),
                   theme()[reflection == Reflection::Phong ? Symbol::R : Symbol::H]);
+    draw_reading(list, area,
+                 {{phong, theme()[Symbol::R]}, {blinn, theme()[Symbol::H]}, {close, theme().text}});
     legend({{Symbol::R, fmt::format("(r·v)^{:.4g} Phong", n)},
             {Symbol::H, fmt::format("(n·h)^{:.4g} Blinn", n)}});
-    small_dim(fmt::format("thin: Blinn's with n′ = {:.1f}, which comes nearest to Phong's", like));
+    small_dim(fmt::format("thin: Blinn's with shininess {:.1f}, which comes nearest to Phong's", like));
 }
 
 void add_to_sketch(HighlightSketch& sketch, glm::dvec2 from, glm::dvec2 to) {
@@ -109,7 +112,7 @@ std::vector<glm::dvec2> points_of(const HighlightSketch& sketch) {
 }
 
 void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subject) {
-    section_heading("How a highlight fades");
+    if (!fold("Draw a highlight of your own", false)) return;
     const double n = double(subject.material.shininess);
     const Reflection model = fitted_model(subject.scene);
     const Symbol symbol = model == Reflection::Phong ? Symbol::R : Symbol::H;

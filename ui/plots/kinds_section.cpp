@@ -9,6 +9,7 @@
 #include "ui/fields/field_panel.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/plots/plots_tab.h"
+#include "ui/widgets/fold.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
@@ -38,19 +39,21 @@ std::string moved_text(const char* term, float moved) {
     return moved > 0 ? fmt::format("{} {:.2g}", term, moved) : fmt::format("{} stays, to the last bit", term);
 }
 
-/// The lecture has it that the viewer does not matter to a sun; its highlight knows better.
-bool slide_fails(LightKind kind, const Column& column, const LightSensitivity& sensitivity) {
+/// The lecture's table has it that the viewer does not matter to a sun; its highlight knows better.
+bool table_fails(LightKind kind, const Column& column, const LightSensitivity& sensitivity) {
     return kind == LightKind::Directional && column.moved == &Moved::viewer &&
            sensitivity.specular.viewer > 0;
 }
 
-void cell(LightKind kind, const Column& column, const LightSensitivity& sensitivity) {
+/// True where the cell has a star.
+bool cell(LightKind kind, const Column& column, const LightSensitivity& sensitivity) {
     ImGui::TableNextColumn();
     ImGui::BeginGroup();
     letter(Symbol::Diffuse, sensitivity.diffuse.*column.moved);
     ImGui::SameLine(0, px(6));
     letter(Symbol::Specular, sensitivity.specular.*column.moved);
-    if (slide_fails(kind, column, sensitivity)) {
+    const bool starred = table_fails(kind, column, sensitivity);
+    if (starred) {
         ImGui::SameLine(0, px(4));
         ImGui::TextUnformatted("*");
     }
@@ -58,6 +61,7 @@ void cell(LightKind kind, const Column& column, const LightSensitivity& sensitiv
     tooltip(column.title, column.what,
             moved_text("diffuse", sensitivity.diffuse.*column.moved) + "\n" +
                 moved_text("specular", sensitivity.specular.*column.moved));
+    return starred;
 }
 
 void figure_cell(float value) {
@@ -88,7 +92,7 @@ Light of_kind_at(const Light& light, LightKind kind, const ExplainedPoint& at, c
 }
 
 void kinds_section(const PlotSubject& subject, const PictureView& view) {
-    section_heading("What matters to which kind of light");
+    if (!fold("What matters to which kind of light", false)) return;
     if (subject.point.at == nullptr || subject.point.material == nullptr)
         return small_dim(
             "Pick a pixel: what happens to its terms when the light, the viewer, the surface move.");
@@ -96,6 +100,7 @@ void kinds_section(const PlotSubject& subject, const PictureView& view) {
     if (!ImGui::BeginTable("##kinds", 6, ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_SizingStretchProp))
         return;
     header();
+    bool starred = false;
     for (const LightKind kind : enumerators<LightKind>) {
         const LightSensitivity sensitivity = light_sensitivity(
             subject.scene, view.map.size, of_kind_at(light, kind, *subject.point.at, view),
@@ -103,14 +108,19 @@ void kinds_section(const PlotSubject& subject, const PictureView& view) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         coloured(kind == light.kind ? theme().text : theme().dim_text, choice_of(kind).label);
-        for (const Column& column : columns) cell(kind, column, sensitivity);
+        for (const Column& column : columns) starred |= cell(kind, column, sensitivity);
         figure_cell(sensitivity.falloff);
         figure_cell(sensitivity.spot);
     }
     ImGui::EndTable();
     small_dim(
-        "d diffuse, s specular: it moves; – it stays. The light as every kind, white, where it stands, "
-        "a lamp aimed at the point. * The lecture's table says that it stays: it means the diffuse term.");
+        "Does the diffuse term (d), the specular term (s) move when this does? – stays as it is. The light "
+        "is "
+        "tried as every kind, white, where it stands, a lamp aimed at the point.");
+    if (starred)
+        small_dim(
+            "* The lecture's table says that a sun's light does not depend on the viewer: that is true of "
+            "its diffuse term.");
 }
 
 }  // namespace glint

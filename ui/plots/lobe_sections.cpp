@@ -12,6 +12,7 @@
 #include "renderer/inspect/reflectance/lobes.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/plots_tab.h"
+#include "ui/widgets/fold.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
@@ -105,7 +106,7 @@ void verdict(const PlotsState& plots) {
 }  // namespace
 
 void intensities_section(const PlotSubject& subject) {
-    section_heading("Intensity by direction, light at 60°, 25° and 0°");
+    if (!fold("Intensity by direction, light at 60°, 25° and 0°", false)) return;
     const Rect room = plot_room(72);
     const float width = room.size().x / 3;
     const Reflector reflector = reflector_of(subject);
@@ -128,7 +129,7 @@ void intensities_section(const PlotSubject& subject) {
 }
 
 void lobe_section(PlotsState& plots, const PlotSubject& subject) {
-    section_heading("The lobe at the picked point");
+    if (!fold("The lobe at the picked point", false)) return;
     if (subject.point.light == nullptr)
         return small_dim("Pick a pixel, with this light on, to see what its surface sends where.");
     const LocalDirections local = local_directions(subject.point);
@@ -169,14 +170,14 @@ BrdfCurves brdf_curves(const Reflector& reflector, double light_deg) {
 }
 
 void brdf_section(PlotsState& plots, const PlotSubject& subject) {
-    section_heading("BRDF f(l, v), a slice");
+    if (!fold("The BRDF f_r(l, v), a slice", false)) return;
     const Reflector reflector = reflector_of(subject);
     const bool picked = subject.point.light != nullptr;
     const double light_deg = picked ? local_directions(subject.point).light_deg : usual_deg;
-    if (!(light_deg <= steepest)) return small_dim("The light stands behind the surface: f is 0.");
+    if (!(light_deg <= steepest)) return small_dim("The light stands behind the surface: f_r is 0.");
     const BrdfCurves curves = brdf_curves(reflector, light_deg);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const AxisText up{"f", "1/sr"};
+    const AxisText up{"f_r", "1/sr"};
     const PlotArea area = draw_axes(list, plot_room(132), {-90, 90}, {0, 1.25 * max_of(curves.forwards)},
                                     {"v from n", "degrees", true, 30}, up);
     draw_upright(list, area, -light_deg, theme()[Symbol::L], 0.7f);
@@ -184,13 +185,14 @@ void brdf_section(PlotsState& plots, const PlotSubject& subject) {
     draw_curve(list, area, curves.backwards, theme()[Symbol::L], 1.2f);
     draw_curve(list, area, curves.forwards, theme()[Symbol::V], 2.2f);
     draw_y_name(list, area, up);
+    draw_reading(list, area, {{curves.forwards, theme()[Symbol::V]}, {curves.backwards, theme()[Symbol::L]}});
     if (picked) {
         const LocalDirections local = local_directions(subject.point);
         const double f = intensity_of(brdf(reflector, local.l, local.v));
         if (local.v.z > 0) draw_mark(list, area, {local.view_deg, f}, theme()[Symbol::V]);
     }
-    legend({{Symbol::V, "f(l, v)"}, {Symbol::L, "f(v, l): read backwards"}});
-    small_dim(fmt::format("l at {:.1f}° from n (line); f = (d + s) / (π n·l)", light_deg));
+    legend({{Symbol::V, "f_r(l, v)"}, {Symbol::L, "f_r(v, l): read backwards"}});
+    small_dim(fmt::format("l at {:.1f}° from n (line); f_r = (d + s) / (π n·l)", light_deg));
     update_at_rest(plots.reciprocity, reflector, [&] { return reciprocity_error(reflector); });
     verdict(plots);
 }

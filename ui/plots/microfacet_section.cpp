@@ -8,6 +8,7 @@
 #include "models/saturate.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/plots_tab.h"
+#include "ui/widgets/fold.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
@@ -134,7 +135,7 @@ void fields(PlotsState& plots, const PlotSubject& subject) {
 }  // namespace
 
 void microfacet_section(PlotsState& plots, const PlotSubject& subject) {
-    section_heading("Microfacets: a rough surface is many mirrors");
+    if (!fold("Microfacets: a rough surface is many mirrors", false)) return;
     fields(plots, subject);
     const MicrofacetPicture& p =
         plots.profile.of(plots.microfacets, [&] { return microfacet_picture(plots.microfacets); });

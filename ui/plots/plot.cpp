@@ -68,14 +68,17 @@ void draw_x_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
 }
 
 void draw_y_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
-    const int most = std::max(3, static_cast<int>(area.rect.size().y / px(22)));
+    const int most = std::max(2, static_cast<int>(area.rect.size().y / px(24)));
+    const float line = small_text_height();
     for (const double v : ticks(area.y, most)) {
         const float y = area.at({area.x.low, v}).y;
         list.AddLine({area.rect.low.x, y}, {area.rect.high.x, y}, to_u32(theme().line));
         if (!text.numbers) continue;
         const std::string number = tick_text(v, tick_step(area.y, most));
-        plot_text(list, {area.rect.low.x - px(4) - text_size(number).x, y - small_text_height() / 2},
-                  theme().dim_text, number);
+        // Within its own plot's height: the plot above has numbers too.
+        const float top = std::clamp(y - line / 2, area.rect.low.y - px(1),
+                                     std::max(area.rect.high.y - line + px(1), area.rect.low.y));
+        plot_text(list, {area.rect.low.x - px(4) - text_size(number).x, top}, theme().dim_text, number);
     }
 }
 
@@ -160,7 +163,7 @@ void draw_y_name(ImDrawList& list, const PlotArea& area, const AxisText& text) {
 
 PlotArea area_within(const Rect& all, Interval x, Interval y, const AxisText& x_text,
                      const AxisText& y_text) {
-    const float left = y_text.numbers ? px(44) : px(4);
+    const float left = y_text.numbers ? px(56) : px(4);  // "−0.00025" and its distance to the axis
     const float below = (x_text.numbers ? small_text_height() + px(3) : 0) +
                         (*x_text.name != 0 ? small_text_height() + px(2) : px(2));
     PlotArea area{

@@ -4,6 +4,8 @@
 #include <imgui.h>
 
 #include <glm/vec2.hpp>
+#include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -65,6 +67,16 @@ void draw_curve(ImDrawList& list, const PlotArea& area, std::span<const glm::dve
 /// Marks the current point, with its y beside it in figures or without.
 void draw_mark(ImDrawList& list, const PlotArea& area, glm::dvec2 at, const ImVec4& colour,
                bool figures = true);
+
+/// A curve that can be read off under the mouse.
+struct ReadCurve {
+    std::span<const glm::dvec2> points;  // sorted by x
+    ImVec4 colour;
+};
+/// While the mouse is over the area: a line at its x, the curves' points there, and the numbers beside them.
+void draw_reading(ImDrawList& list, const PlotArea& area, std::initializer_list<ReadCurve> curves);
+/// The curve's y at an x, between its points; nothing outside them.
+[[nodiscard]] std::optional<double> value_at(std::span<const glm::dvec2> points, double x);
 
 /// A point of a plot: a disc on a ring of the ground's colour.
 void draw_point(ImDrawList& list, ImVec2 at, const ImVec4& colour);

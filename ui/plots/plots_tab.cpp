@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "ui/inspector/inspector.h"
 #include "ui/ui.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
@@ -71,27 +72,46 @@ Rect plot_room(float height) {
     return {low, low + size};
 }
 
+int plotted_light(const UiState& state) {
+    const std::vector<Light>& lights = state.editor.scene().lights;
+    const auto exists = [&](int light) {
+        return light >= 0 && static_cast<std::size_t>(light) < lights.size();
+    };
+    const Selection& selection = state.editor.selection;
+    if (selection.kind == Selection::Kind::Light && exists(selection.index)) return selection.index;
+    if (state.explanation && state.explanation->hit)
+        if (const ExplainedLight* light =
+                asked_light(state, asked_point(state.inspector, *state.explanation));
+            light != nullptr && exists(light->index))
+            return light->index;
+    return 0;
+}
+
 void plots_tab(UiState& state, const PictureView& view) {
     const Scene& scene = state.editor.scene();
     PlotsState& plots = state.views.plots;
     if (scene.lights.empty()) return wrapped_dim("The curves are those of a light: add one (L).");
+    const int light = plotted_light(state);
+    int chosen = light;
     ImGui::SetNextItemWidth(label_cell("Light"));
-    if (light_combo("##plot_light", plots.light, scene.lights)) tooltip("Light", "Whose curves are drawn");
-    PlotSubject subject{scene, plots.light, plot_point(state.explanation, plots.light), {}};
+    if (light_combo("##plot_light", chosen, scene.lights))
+        tooltip("Light", "Whose curves are drawn: the selected light's");
+    if (chosen != light) state.editor.selection = {Selection::Kind::Light, chosen};
+    PlotSubject subject{scene, light, plot_point(state.explanation, light), {}};
     if (subject.point.material != nullptr)
         subject.material = *subject.point.material;
     else if (!scene.objects.empty())
         subject.material = scene.objects.front().material;
     if (subject.point.at == nullptr) small_dim("Pick a pixel to see where it lies on each curve.");
     if (subject.point.at != nullptr && subject.point.light == nullptr) small_dim("This light is off.");
-    cosine_section(plots, subject);
     falloff_section(subject);
-    spot_section(subject);
-    kinds_section(subject, view);
     highlight_section(plots, subject);
-    sketch_section(state, plots, subject);
-    intensities_section(subject);
+    cosine_section(plots, subject);
+    spot_section(subject);
     lobe_section(plots, subject);
+    intensities_section(subject);
+    kinds_section(subject, view);
+    sketch_section(state, plots, subject);
     brdf_section(plots, subject);
     microfacet_section(plots, subject);
 }

@@ -41,7 +41,6 @@ struct LobeEnergy {
 };
 
 struct PlotsState {
-    int light = 0;        // whose curves are shown: in Scene::lights
     float beam_deg = 50;  // of the slanting beam, where no point is picked
     HighlightSketch sketch;
     MicrofacetOptions microfacets{.rays = 3000, .facets = 1000};  // of the profile
@@ -98,6 +97,15 @@ struct PlotSubject {
     PlotPoint point;
     Material material;  // of the picked object, else of the first; defaults without objects
 };
+
+/// 1 / dist² at the distances of a falloff's curve, times what brings it through the point; 1 at a distance
+/// of 1 where there is none.
+[[nodiscard]] std::vector<glm::dvec2> inverse_square(const std::vector<glm::dvec2>& falloff,
+                                                     const PlotPoint& point);
+
+/// The light whose curves are shown, in Scene::lights: the one whose vectors are (ui/inspector), or the
+/// selected one where no pixel is picked, else the first.
+[[nodiscard]] int plotted_light(const UiState& state);
 
 /// Room for a plot: as wide as the window, `height` logical pixels high; moves the cursor below it.
 [[nodiscard]] Rect plot_room(float height);

@@ -227,16 +227,28 @@ std::string profile_command_line(const ScopeState& scope, const std::string& pat
                        from.y, to.x, to.y);
 }
 
-std::vector<double> face_boundaries(const std::vector<ProfileSample>& samples) {
-    std::vector<double> found;
-    const auto face = [](const ProfileSample& s) {
-        return s.seen ? std::pair(s.seen->object, std::int64_t{s.seen->face})
-                      : std::pair(-1, std::int64_t{-1});
-    };
-    for (std::size_t i = 1; i < samples.size(); ++i)
-        if (face(samples[i]) != face(samples[i - 1]))
-            found.push_back((samples[i].position + samples[i - 1].position) / 2);
+std::vector<ScopeEdge> edges_along(const std::vector<ProfileSample>& samples) {
+    std::vector<ScopeEdge> found;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        const std::optional<SeenPoint>&a = samples[i - 1].seen, &b = samples[i].seen;
+        if (!a && !b) continue;
+        const bool same_face = a && b && a->object == b->object && a->face == b->face;
+        if (same_face && a->triangle == b->triangle) continue;
+        found.push_back({(samples[i].position + samples[i - 1].position) / 2, same_face});
+    }
     return found;
+}
+
+std::string edge_words(const std::vector<ProfileSample>& samples) {
+    const std::vector<ScopeEdge> edges = edges_along(samples);
+    const auto diagonals = static_cast<std::size_t>(
+        std::count_if(edges.begin(), edges.end(), [](const ScopeEdge& edge) { return edge.is_diagonal; }));
+    const auto counted = [](std::size_t count, const char* what) {
+        return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+    };
+    const std::string all =
+        counted(samples.size(), "pixel") + ", " + counted(edges.size() - diagonals, "edge");
+    return diagonals == 0 ? all : all + ", " + counted(diagonals, "diagonal");
 }
 
 std::string sample_text(const ProfileSample& s) {

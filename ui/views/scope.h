@@ -56,8 +56,16 @@ void place_card(ScopeState& scope, PictureSize size);
 [[nodiscard]] std::string profile_command_line(const ScopeState& scope, const std::string& path,
                                                PictureSize size);
 
-/// The positions along the line, between two samples, at which the face seen changes.
-[[nodiscard]] std::vector<double> face_boundaries(const std::vector<ProfileSample>& samples);
+/// Where along the line, between two samples, another triangle is seen.
+struct ScopeEdge {
+    double position = 0;       // as ProfileSample::position
+    bool is_diagonal = false;  // within a polygon: the edge of triangles that it is drawn as
+    bool operator==(const ScopeEdge&) const = default;
+};
+[[nodiscard]] std::vector<ScopeEdge> edges_along(const std::vector<ProfileSample>& samples);
+
+/// "384 pixels, 1 edge, 2 diagonals".
+[[nodiscard]] std::string edge_words(const std::vector<ProfileSample>& samples);
 
 /// The panel's words for a sample: its pixel, values, differences and face.
 [[nodiscard]] std::string sample_text(const ProfileSample& sample);

@@ -48,9 +48,21 @@ struct Strip {
 
 PlotArea begin_strip(ImDrawList& list, const Strip& strip, Interval y, const ScopeState& scope) {
     const PlotArea area = draw_axes(list, strip.rect, strip.x, y, {"", "", strip.last}, strip.y);
-    for (const double at : face_boundaries(scope.samples))
-        draw_upright(list, area, at, theme().dim_text, 0.45f);
+    const std::vector<ScopeEdge> edges = edges_along(scope.samples);
+    // Closer together they would be grey hatching, and the curve would drown in them.
+    const bool roomy = static_cast<float>(edges.size()) * px(7) <= area.rect.size().x;
+    for (const ScopeEdge& edge : edges)
+        if (roomy) draw_upright(list, area, edge.position, theme().dim_text, edge.is_diagonal ? 0.22f : 0.5f);
     return area;
+}
+
+/// Room for the strips' names, to the right of all curves: none lies over one.
+float name_room() { return px(96); }
+
+void strip_name(ImDrawList& list, const PlotArea& area, const AxisText& y) {
+    const ImVec2 at{area.rect.high.x + px(6), area.rect.middle().y - small_text_height()};
+    plot_text(list, at, theme().text, y.name);
+    plot_text(list, at + ImVec2(0, small_text_height()), theme().dim_text, y.unit);
 }
 
 /// The curve, with its point at the sample pointed at.
@@ -77,7 +89,7 @@ void intensity_strip(ImDrawList& list, const Strip& strip, const ScopeState& sco
     for (int c = 0; c < 3; ++c)
         strip_curve(list, area, channel[static_cast<std::size_t>(c)], scope, channel_colour(c));
     strip_curve(list, area, eye, scope, theme().warning);
-    draw_y_name(list, area, strip.y);
+    strip_name(list, area, strip.y);
 }
 
 /// A curve about zero, in a strip of its own: a difference, or (asked for) what the eye adds.
@@ -98,7 +110,7 @@ std::vector<ZeroCurve> zero_curves(const ScopeState& scope) {
          curve(samples, [&](std::size_t i) { return or_nan(samples[i].second_difference); }),
          colour}};
     if (scope.eye && scope.seen.size() == samples.size())
-        curves.push_back({{"bands: seen − I", ""},
+        curves.push_back({{"seen − I", "the bands"},
                           curve(samples, [&](std::size_t i) { return scope.seen[i] - samples[i].intensity; }),
                           theme().warning});
     return curves;
@@ -125,16 +137,17 @@ void strips(ScopeState& scope, const Rect& area) {
     const float unit = (area.size().y - axis) / (2 + static_cast<float>(curves.size()));
     ImGui::SetCursorScreenPos(area.low);
     hit_area("##strips", area.size());
-    scope.hovered = sample_under(scope, area, x);
+    const Rect plots{area.low, {area.high.x - name_room(), area.high.y}};
+    scope.hovered = sample_under(scope, plots, x);
     float y = area.low.y + 2 * unit;
-    intensity_strip(list, {{area.low, {area.high.x, y}}, x, false, {"I", ""}}, scope);
+    intensity_strip(list, {{plots.low, {plots.high.x, y}}, x, false, {"I", ""}}, scope);
     for (const ZeroCurve& each : curves) {
         const bool last = &each == &curves.back();
         const float high = last ? area.high.y : y + unit;
-        const Strip strip{{{area.low.x, y}, {area.high.x, high}}, x, last, each.y};
+        const Strip strip{{{plots.low.x, y}, {plots.high.x, high}}, x, last, each.y};
         const PlotArea room = begin_strip(list, strip, range_of_curves({&each.points}, true), scope);
         strip_curve(list, room, each.points, scope, each.colour);
-        draw_y_name(list, room, each.y);
+        strip_name(list, room, each.y);
         y += unit;
     }
     plot_text(list, {area.low.x, area.high.y - axis + px(3)}, theme().dim_text, "pixel");
@@ -174,10 +187,9 @@ bool buttons(ScopeState& scope, PictureSize size) {
 bool scope_panel(ScopeState& scope, const Rect& area, PictureSize size) {
     ImGui::PushFont(fonts().small);
     const bool copy = buttons(scope, size);
-    const std::string text =
-        scope.hovered >= 0
-            ? sample_text(scope.samples[static_cast<std::size_t>(scope.hovered)])
-            : fmt::format("{} pixels, {} edges", scope.samples.size(), face_boundaries(scope.samples).size());
+    const std::string text = scope.hovered >= 0
+                                 ? sample_text(scope.samples[static_cast<std::size_t>(scope.hovered)])
+                                 : edge_words(scope.samples);
     ImGui::SameLine(0, px(10));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec4 room{at.x, area.low.y, area.high.x - px(34), area.high.y};

@@ -10,9 +10,10 @@
 
 namespace glint {
 
-bool fold(const char* title, bool open_at_first) {
+bool fold(const char* title, bool open_at_first, bool opens) {
     ImGui::PushID(title);
     bool* const open = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("##open"), open_at_first);
+    *open |= opens;
     const float height = ImGui::GetTextLineHeight() + px(6);
     if (hit_area("##fold", {ImGui::GetContentRegionAvail().x, height})) *open = !*open;
     const Rect row = last_item();

@@ -2,12 +2,12 @@
 #include <filesystem>
 #include <fstream>
 
+#include "renderer/inspect/explain/explain_words.h"
 #include "tests/support/catch.h"
 #include "ui/document/file_dialog.h"
 #include "ui/document/scene_edit.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
-#include "renderer/inspect/explain/explain_words.h"
 #include "ui/inspector/equation/words.h"
 #include "ui/picture/orbit.h"
 #include "ui/picture/screen.h"

@@ -1,4 +1,5 @@
 // The plots: a mark is what the explanation says, and lies on its curve.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <glm/trigonometric.hpp>
@@ -8,6 +9,8 @@
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/scenes.h"
+#include "ui/inspector/inspector.h"
+#include "ui/plots/plot.h"
 #include "ui/plots/plots_tab.h"
 
 using namespace glint;
@@ -180,6 +183,63 @@ TEST_CASE("plots: under Gouraud shading the corner that counts most is marked", 
     }
 }
 
+TEST_CASE("plots: the curves are those of the selected light", "[ui][window][plots]") {
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Plots, {0.5, 0.5});
+    bench.state.editor.selection = {Selection::Kind::Light, 1};
+    CHECK(plotted_light(bench.state) == 1);
+    bench.state.editor.selection = {Selection::Kind::Light, 0};
+    CHECK(plotted_light(bench.state) == 0);
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    const ExplainedLight* brightest = asked_light(bench.state, bench.state.explanation->at);
+    REQUIRE(brightest != nullptr);
+    CHECK(plotted_light(bench.state) == brightest->index);
+    bench.state.viewport.probe.reset();
+    bench.frames(2);
+    CHECK(plotted_light(bench.state) == 0);
+}
+
+TEST_CASE("plots: the law beside a falloff goes through the point, a quarter at twice the distance",
+          "[ui][plots]") {
+    const Scene scene = scene_for_plots();
+    Renderer renderer(1);
+    const std::optional<Explanation> why = lit_pixel(renderer, scene);
+    const PlotPoint point = plot_point(why, 1);
+    const glm::dvec2 mark = falloff_mark(point);
+    const auto law = inverse_square({{0, 1}, mark, {2 * mark.x, 0}}, point);
+    REQUIRE(law.size() == 2);
+    CHECK(law[0].y == Approx(mark.y));
+    CHECK(law[1].y == Approx(mark.y / 4));
+    CHECK(inverse_square({{2, 0}}, {})[0].y == Approx(0.25));
+}
+
+TEST_CASE("plots: a value is read between the points of a curve, and nowhere beside it", "[ui][plots]") {
+    const std::vector<glm::dvec2> curve{{0, 1}, {2, 3}, {4, -1}};
+    CHECK(value_at(curve, 0) == 1.0);
+    CHECK(value_at(curve, 1) == 2.0);
+    CHECK(value_at(curve, 3) == 1.0);
+    CHECK(value_at(curve, 4) == -1.0);
+    CHECK_FALSE(value_at(curve, -0.1));
+    CHECK_FALSE(value_at(curve, 4.1));
+    CHECK_FALSE(value_at({}, 0));
+}
+
+TEST_CASE("plots: a fold's picture is drawn while it is open", "[ui][window][plots]") {
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Plots, {0.5, 0.5});
+    const auto has_beam = [&] {
+        return std::any_of(bench.controls().begin(), bench.controls().end(),
+                           [](const NamedControl& control) { return control.name == "Sketch"; });
+    };
+    CHECK_FALSE(has_beam());
+    bench.click(test::in_column(bench, "Falloff over the distance to the light"));
+    bench.click(test::in_column(bench, "Highlight: a power of a cosine"));
+    bench.frames(1);
+    bench.click(test::in_column(bench, "Draw a highlight of your own"));
+    bench.frames(2);
+    CHECK(has_beam());
+}
+
 TEST_CASE("plots: the tab draws for every scene that is shipped, and without lights", "[ui][window][plots]") {
     namespace fs = std::filesystem;
     HeadlessWindow bench({1024, 640});
@@ -192,7 +252,7 @@ TEST_CASE("plots: the tab draws for every scene that is shipped, and without lig
         bench.state.left_shows_inspector = true;
         test::ask(bench, InspectorTab::Plots);
         for (int light = 0; light < int(bench.scene().lights.size()); ++light) {
-            bench.state.views.plots.light = light;
+            bench.state.editor.selection = {Selection::Kind::Light, light};
             bench.frames(1);
         }
     }

@@ -1,4 +1,6 @@
 // The four shadings of one pixel side by side.
+#include <algorithm>
+
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "ui/fields/field_panel.h"
@@ -55,4 +57,37 @@ TEST_CASE("while a scene with other objects is on the screen the models wait", "
     CHECK(bench.state.rendered_scene.objects.size() == 2);
     bench.frames(2);
     CHECK(bench.state.rendered_scene == bench.scene());
+}
+
+TEST_CASE("the models say which shininess makes Blinn's highlight like Phong's, and a click takes it",
+          "[ui][window][why]") {
+    HeadlessWindow bench({1280, 1200});
+    bench.scene().shading.reflection = Reflection::Phong;
+    bench.scene().objects[0].material.shininess = 10;
+    test::ask(bench, InspectorTab::Models);
+    bench.click(test::in_column(bench, "Take it"));
+    bench.frames(1);
+    CHECK(bench.scene().shading.reflection == Reflection::BlinnPhong);
+    CHECK(bench.scene().objects[0].material.shininess == Approx(41.3).margin(0.1));
+}
+
+TEST_CASE("the first tabs stand in the bar, the others open from behind More, which then has their name",
+          "[ui][window][why]") {
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Equation);
+    for (const char* first : {"Equation", "Vectors", "Models", "Mistakes"})
+        (void)test::in_column(bench, first);
+    const auto lists = [&](std::string_view name) {
+        return std::any_of(
+            bench.controls().begin(), bench.controls().end(), [&](const NamedControl& control) {
+                return control.name == name && control.at.low.x > test::right_column(bench).low.x;
+            });
+    };
+    CHECK_FALSE(lists("Plots"));
+    bench.click(test::in_column(bench, "More ▾"));
+    bench.frames(2);
+    bench.click(bench.control("Sensitivity"));
+    bench.frames(2);
+    CHECK(bench.state.inspector.tab == InspectorTab::Sensitivity);
+    CHECK(lists("Sensitivity ▾"));
 }

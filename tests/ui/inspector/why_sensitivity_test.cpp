@@ -8,6 +8,7 @@
 #include "tests/support/headless_inspector.h"
 #include "ui/fields/panels.h"
 #include "ui/inspector/equation/words.h"
+#include "ui/inspector/sensitivity.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -66,6 +67,27 @@ TEST_CASE("the sensitivity shown is that of glint explain --sensitivity", "[ui][
     CHECK(bench.state.sensitivity.shown->numbers.front().change != expected.numbers.front().change);
 }
 
+TEST_CASE("numbers are ranked by what a usual move of each does, not by their units", "[ui][why]") {
+    Scene scene = first_scene().scene;
+    scene.lights[1].falloff = {1, 0, 0.25f};
+    Sensitivities measured;
+    // Per unit shininess counts least; but a hand moves it by about as much as it is, a colour by a tenth.
+    measured.numbers = {{"/lights/0/position/3", 0, glm::dvec3(9)},
+                        {"/lights/0/intensity", 1, glm::dvec3(0.5)},
+                        {"/objects/0/material/shininess", 32, glm::dvec3(-0.02)}};
+    const auto rank = ranked(measured, scene);
+    REQUIRE(rank.size() == 2);
+    CHECK(rank[0].number.pointer == "/objects/0/material/shininess");
+    CHECK(rank[0].move == Approx(double(scene.objects[0].material.shininess)));
+    CHECK(rank[0].effect.x == Approx(-0.02 * rank[0].move));
+    CHECK(rank[1].move == Approx(0.4));  // a tenth of 0 to 4
+    CHECK(rank[1].effect.y == Approx(0.2));
+    const auto move_of = [&](const char* pointer) { return usual_move(*number_at(scene, pointer)); };
+    CHECK(move_of("/objects/0/material/roughness") == Approx(0.1));
+    CHECK(move_of("/lights/1/position/0") == Approx(1));
+    CHECK(move_of("/objects/0/normals/crease_deg") == Approx(18));
+}
+
 TEST_CASE("pointers of numbers are named in words, with the panel they stand in", "[ui][why]") {
     const Scene scene = first_scene().scene;
     const NamedNumber bulb = named_number("/lights/1/position/1", scene);
@@ -85,6 +107,8 @@ TEST_CASE("the panel of strokes and tones sets each of its keys, one step each",
     bench.frames(2);
     bench.state.editor.selection = {Selection::Kind::Shading, 0};
     bench.frames(2);
+    for (const char* folded : {"Cool to warm", "Strokes"}) bench.click(bench.control(folded));
+    bench.frames(1);
     const Scene start = bench.scene();
     for (const char* key :
          {"/npr/cool_to_warm", "/npr/cool/0", "/npr/warm/0", "/npr/alpha", "/npr/beta", "/npr/silhouettes",

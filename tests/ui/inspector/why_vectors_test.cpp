@@ -164,3 +164,28 @@ TEST_CASE("the letters of nearly collinear vectors stand apart, and off the arro
             for (const Rect& letter : letters) CHECK_FALSE(letter.holds(bench.at_pixel(at)));
         }
 }
+
+TEST_CASE("the diagram of a light behind the surface keeps clear of what stands below it",
+          "[ui][window][why]") {
+    HeadlessWindow bench({1280, 1200});
+    test::ask(bench, InspectorTab::Vectors, {0.5, 0.5});
+    const ExplainedPoint& point = bench.state.explanation->at;
+    const glm::vec3 behind = -point.normal.world;
+    bench.scene().lights[0].kind = LightKind::Directional;
+    bench.scene().lights[0].position = glm::vec4(behind, 0);
+    bench.state.editor.selection = {Selection::Kind::Light, 0};
+    bench.frames(3);
+    const Rect column = test::right_column(bench);
+    const float below = bench.area_of("Off", column).low.y;  // the first step of r
+    // The tip of l hangs straight below the foot; the caption, the heading, then the steps follow it.
+    const float middle = (column.low.x + column.high.x) / 2;
+    const ImU32 ink = to_u32(dark_theme()[Symbol::L]);
+    float lowest = 0;
+    const ImDrawData* data = ImGui::GetDrawData();
+    for (int i = 0; i < data->CmdListsCount; ++i)
+        for (const ImDrawVert& v : data->CmdLists[i]->VtxBuffer)
+            if (v.col == ink && std::abs(v.pos.x - middle) < 20 && v.pos.y < below + 30)
+                lowest = std::max(lowest, v.pos.y);
+    CHECK(lowest > below - 260);
+    CHECK(lowest < below - 40);
+}

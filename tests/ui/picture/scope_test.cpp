@@ -118,7 +118,7 @@ TEST_CASE("pointing at the scope's panel takes the sample under the cursor", "[u
     with_line(bench);
     const Layout layout = lay_out({1280, 800}, bench.state.layout, 1);
     REQUIRE(layout.has_scope);
-    const float left = layout.scope.low.x + 4 + 44, right = layout.scope.high.x - 4 - 6;
+    const float left = layout.scope.low.x + 4 + 56, right = layout.scope.high.x - 4 - 96 - 6;
     bench.move({left + 0.25f * (right - left), layout.scope.high.y - 90});
     bench.frames(1);
     const ScopeState& scope = bench.state.views.scope;
@@ -181,4 +181,20 @@ TEST_CASE("a plot's way to the window and back gives the same value", "[ui][plot
     const glm::dvec2 back = area.value(area.at({0.5, 7}));
     CHECK(back.x == Approx(0.5));
     CHECK(back.y == Approx(7));
+}
+
+TEST_CASE("the scope counts the edges of polygons and the diagonals within them", "[ui][scope]") {
+    const auto seen = [](std::uint32_t face, std::uint32_t triangle) {
+        SeenPoint point;
+        point.face = face, point.triangle = triangle;
+        return point;
+    };
+    std::vector<ProfileSample> samples(7);
+    for (std::size_t i = 0; i < samples.size(); ++i) samples[i].position = double(i);
+    samples[1].seen = seen(0, 0), samples[2].seen = seen(0, 1), samples[3].seen = seen(0, 1);
+    samples[4].seen = seen(1, 2), samples[5].seen = seen(1, 2);
+    const std::vector<ScopeEdge> expected{{0.5, false}, {1.5, true}, {3.5, false}, {5.5, false}};
+    CHECK(edges_along(samples) == expected);
+    CHECK(edge_words(samples) == "7 pixels, 3 edges, 1 diagonal");
+    CHECK(edge_words({samples.begin() + 4, samples.begin() + 6}) == "2 pixels, 0 edges");
 }

@@ -37,12 +37,14 @@ IncidencePlane plane_of(const ExplainedPoint& point, const ExplainedLight& light
 
 class Diagram {
   public:
-    Diagram() {
+    /// `lowest`: how far below the ground an arrow reaches, as a share of a unit vector.
+    explicit Diagram(float lowest) {
         const float width = ImGui::GetContentRegionAvail().x;
         reach_ = std::min(0.36f * width, px(110));
         const ImVec2 low = ImGui::GetCursorScreenPos();
-        const float height = reach_ + px(50);
-        foot_ = {low.x + width / 2, low.y + height - px(16)};
+        const float below = std::max(lowest * reach_ + px(20), px(16));
+        const float height = reach_ + px(34) + below;
+        foot_ = {low.x + width / 2, low.y + height - below};
         left_ = low.x, right_ = low.x + width;
         ImGui::Dummy({width, height});
     }
@@ -111,7 +113,9 @@ std::vector<glm::vec2> lobe_outline(const UiState& state, double light_deg) {
 void lobe_diagram(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light) {
     const auto pointed = state.inspector.pointed_vector;
     const IncidencePlane plane = plane_of(point, light);
-    const Diagram diagram;
+    const float lowest = -std::min({plane.of(light.l.camera).y, plane.of(light.r.camera).y,
+                                    plane.of(light.h.camera).y, plane.of(point.view.camera).y, 0.0f});
+    const Diagram diagram(lowest);
     ImGui::PushFont(fonts().small);
     diagram.ground();
     const double light_deg = angle_deg(light.n_dot_l);
