@@ -180,8 +180,12 @@ std::optional<SeenPoint> Renderer::seen_at(int x, int y) const {
     if (triangle == no_triangle) return std::nullopt;
     const SampleFace face = sample_face(s.surface.choice, s.geometry, s.visibility, x, y);
     const PositionNormal at = pixel_point(s.surface, s.geometry, face);
-    return SeenPoint{static_cast<int>(face.object), s.geometry.triangle(face.object, triangle).face, at.p,
-                     at.n, !s.visibility.back_at(pixel), triangle};
+    return SeenPoint{static_cast<int>(face.object),
+                     s.geometry.triangle(face.object, triangle).face,
+                     at.p,
+                     at.n,
+                     !s.visibility.back_at(pixel),
+                     triangle};
 }
 
 float Renderer::depth_at(int x, int y) const {

@@ -171,7 +171,6 @@ float DebugViewPainter::value_at(int x, int y) const {
     return values_.empty() ? none : values_[picture_.pixel(x, y)];
 }
 
-
 std::string DebugViewPainter::value_text(int x, int y) const {
     const std::size_t i = picture_.pixel(x, y);
     if (terms_ != nullptr) {
