@@ -129,7 +129,7 @@ template <Of<NormalOptions> N, class Visit> void fields(N& n, Visit&& visit) {
     visit(Row{"crease_deg", "Crease",
               "Facets that meet at more are not averaged across their edge; 180 averages all"},
           angle_field, n.crease_deg);
-    visit(Row{"flip", "Flip", "Every normal is turned round: for a mesh whose faces run the wrong way"}
+    visit(Row{"flip", "Flip normals", "Every normal is turned round: for a mesh whose faces run the wrong way"}
               .omitted_by_default(),
           Switch{}, n.flip);
 }
