@@ -9,6 +9,16 @@
 
 namespace glint {
 
+void find_main_light(ViewportState& state, const ViewportFrame& frame, glm::dvec2 cursor_px) {
+    constexpr std::size_t most = 300;  // more than an eye tells apart, and they take their time
+    state.main_light.reset();
+    const std::size_t lights = frame.scene.lights.size();
+    if (!state.hovered || state.gesture != Gesture::None || frame.renderer == nullptr || lights < 2 ||
+        lights > most || !is_inside(frame.view.map.size, cursor_px))
+        return;
+    state.main_light = main_light(frame.renderer->explain(int(cursor_px.x), int(cursor_px.y)));
+}
+
 void begin_effect(ViewportState& state, Scene& scene, Selection& selection, LightEffect effect) {
     if (scene.lights.empty()) return;
     if (selection.kind != Selection::Kind::Light)

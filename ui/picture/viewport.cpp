@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <utility>
 
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/orbit.h"
@@ -149,18 +148,6 @@ void wheel(ViewportState& state, ViewportFrame& frame) {
     state.touched = true;
 }
 
-/// Of several lights the one that does most at the pixel under a cursor that holds nothing.
-void find_main_light(ViewportState& state, const ViewportFrame& frame) {
-    constexpr std::size_t most = 300;  // more than an eye tells apart, and they take their time
-    state.main_light.reset();
-    const glm::dvec2 pixel = cursor_px(frame);
-    const std::size_t lights = frame.scene.lights.size();
-    if (!state.hovered || state.gesture != Gesture::None || frame.renderer == nullptr || lights < 2 ||
-        lights > most || !is_inside(frame.view.map.size, pixel))
-        return;
-    state.main_light = main_light(frame.renderer->explain(int(pixel.x), int(pixel.y)));
-}
-
 void set_cursor(const ViewportState& state) {
     if (state.gesture == Gesture::Orbit || state.gesture == Gesture::Pan || state.gesture == Gesture::Dolly)
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
@@ -199,7 +186,7 @@ bool hand_hover(ToolFrame& tool) {
     // With Alt nothing but the camera is taken hold of.
     state.hovered_grip =
         state.hovered && !ImGui::GetIO().KeyAlt ? grip_under(frame, cursor_px(frame)) : Grip{};
-    find_main_light(state, frame);
+    find_main_light(state, frame, cursor_px(frame));
     wheel(state, frame);
     set_cursor(state);
     return tool.over;
@@ -257,32 +244,6 @@ bool cancel_gesture(ViewportState& state, Scene& scene) {
     scene = state.before;
     end_gesture(state);
     return true;
-}
-
-void follow_shape(ViewportState& state, const Projection& projection, PictureSize size) {
-    const PictureSize before = std::exchange(state.probe_size, size);
-    if (before == size || before == PictureSize{0, 0}) return;
-    // From shares to the plane at depth 1 and back: there the point has one place, whatever the picture's
-    // shape.
-    const glm::dmat4 from = clip_from_view(projection, before), to = clip_from_view(projection, size);
-    const glm::dvec2 scale(to[0][0] / from[0][0], to[1][1] / from[1][1]);
-    for (auto* probe : {&state.probe, &state.probe_before})
-        if (*probe) **probe = (**probe - 0.5) * scale + 0.5;
-}
-
-void ask_about(ViewportState& state, std::optional<glm::dvec2> probe) {
-    if (state.probe) state.probe_before = state.probe;
-    state.probe = probe;
-}
-
-void ask_as_before(ViewportState& state) {
-    const std::optional<glm::dvec2> before = state.probe_before;
-    if (before) ask_about(state, before);
-}
-
-std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size) {
-    if (!state.probe || !is_inside(size, *state.probe * glm::dvec2(size.width, size.height))) return {};
-    return nearest_pixel(size, *state.probe * glm::dvec2(size.width, size.height));
 }
 
 }  // namespace glint

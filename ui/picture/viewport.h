@@ -50,6 +50,10 @@ void ask_about(ViewportState& state, std::optional<glm::dvec2> probe);
 /// Asks again about the pixel before; a second time, about this one again.
 void ask_as_before(ViewportState& state);
 
+/// Finds the light that matters most at the pixel under a cursor that holds nothing: of several, on the
+/// surfaces of the open scene.
+void find_main_light(ViewportState& state, const ViewportFrame& frame, glm::dvec2 cursor_px);
+
 /// From now on the selected light (where none is, the one that matters most under the cursor) follows the
 /// cursor by its effect, until a click keeps it or cancel_gesture() puts it back. Nothing without a light.
 void begin_effect(ViewportState& state, Scene& scene, Selection& selection, LightEffect effect);

@@ -66,7 +66,6 @@ TEST_CASE("the eye of an object's row hides it from picture, picking, framing an
     bench.key(Key::F, false, true);
     // What is framed is the pea alone.
     CHECK(glm::length(bench.scene().camera.target - glm::vec3(1.4f, 0, 0)) < 0.01f);
-    run_command(bench.state, test::command_named("View before"));
     bench.click(bench.control("/objects/0/visible"));
     bench.frames(2);
     CHECK(bench.scene().objects[0].visible);
