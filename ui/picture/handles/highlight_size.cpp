@@ -16,7 +16,7 @@ constexpr double enough_light = 0.15;  // a fainter one is hardly seen, and turn
 constexpr double half = 0.5;           // of the most, at the rim
 constexpr double sharpest = 10'000, dullest = 0.1;  // exponents
 constexpr double smoothest = 0.02, roughest = 1;    // roughness
-constexpr double radius_share = 0.3;                // of a small highlight, that its rim takes
+constexpr double radius_share = 0.3;                // of a small highlight's inside, that its rim takes
 
 /// The number of the material that makes a highlight large or small, from the smallest to the largest one.
 struct Width {
@@ -100,12 +100,13 @@ std::optional<int> highlight_rim_under(const SurfaceView& view, glm::dvec2 pixel
         const Light& light = scene.lights[i];
         if (!light.enabled || !(seen_brightness(view, light, patch->middle()) > enough_light)) continue;
         const double share = highlight_share(view, light, patch->middle(), material);
-        if (std::abs(share - half) > 0.3) continue;
+        if (share < 0.1 || share > 0.8) continue;
         const double steep = steepness(view, light, *patch, material);
         if (!(steep > 1e-6)) continue;
         // A bell 2^-(d/R)² has the slope ln 2 / R at its rim.
         const double radius = std::log(2.0) / steep, away = std::abs(share - half) / steep;
-        if (away > std::min(nearest, radius_share * radius)) continue;
+        const double most = share > half ? std::min(nearest, radius_share * radius) : nearest;
+        if (away > most) continue;
         nearest = away;
         best = static_cast<int>(i);
     }

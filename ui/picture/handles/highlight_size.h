@@ -28,9 +28,9 @@ struct HoveredHighlight {
 /// under models that have no highlight.
 [[nodiscard]] std::optional<HoveredHighlight> highlight_under(const SurfaceView& view, glm::dvec2 pixel);
 
-/// The light whose highlight has its rim within `reach` pixels of a pixel: of a small highlight less, so that
-/// its middle is left to itself. Nothing on the background, without the specular term, and under models that
-/// have no highlight.
+/// The light whose highlight has its rim within `reach` pixels of a pixel: inside of a small highlight less,
+/// so that its middle is left to itself. Nothing on the background, without the specular term, and under
+/// models that have no highlight.
 [[nodiscard]] std::optional<int> highlight_rim_under(const SurfaceView& view, glm::dvec2 pixel, double reach);
 
 struct SizeDrag {
