@@ -55,30 +55,12 @@ double largest(glm::dvec3 v) { return std::max({std::abs(v.x), std::abs(v.y), st
 
 }  // namespace
 
-double usual_move(const SceneNumber& number) {
-    constexpr double drag_px = 100, tenth = 0.1;
-    const Real& kind = number.kind;
-    const double step = double(kind.step);
-    if (kind.logarithmic) return drag_px * step * std::max(std::abs(number.value), 10 * step);
-    if (kind.usual_max > 0)
-        return tenth * (double(kind.usual_max) - std::max(kind.range.low, -double(kind.usual_max)));
-    if (kind.range.high < max_number && kind.range.low > -max_number)
-        return tenth * (kind.range.high - kind.range.low);
-    return drag_px * step;
-}
-
-std::vector<RankedNumber> ranked(const Sensitivities& sensitivities, const Scene& scene) {
-    std::vector<RankedNumber> rank;
-    const std::vector<SceneNumber> all = numbers_of(scene);
-    for (const Sensitivity& number : sensitivities.numbers) {
-        if (number.pointer.ends_with("/position/3")) continue;  // nobody moves a light by its w
-        const auto found = std::find_if(all.begin(), all.end(),
-                                        [&](const SceneNumber& n) { return n.pointer == number.pointer; });
-        if (found == all.end()) continue;
-        const double move = usual_move(*found);
-        rank.push_back({number, move, move * number.change});
-    }
-    std::stable_sort(rank.begin(), rank.end(), [](const RankedNumber& a, const RankedNumber& b) {
+std::vector<Sensitivity> ranked(const Sensitivities& sensitivities) {
+    std::vector<Sensitivity> rank;
+    for (const Sensitivity& number : sensitivities.numbers)
+        if (!number.pointer.ends_with("/position/3"))  // nobody moves a light by its w
+            rank.push_back(number);
+    std::stable_sort(rank.begin(), rank.end(), [](const Sensitivity& a, const Sensitivity& b) {
         return largest(a.effect) > largest(b.effect);
     });
     return rank;
@@ -121,7 +103,7 @@ void poll_sensitivity(SensitivityState& state, const SceneDocument& document, Pi
     if (state.job && state.job->done()) {
         const auto* found = std::get_if<Sensitivities>(&state.job->result());
         state.shown = found != nullptr ? std::optional(*found) : std::nullopt;
-        state.rank = found != nullptr ? ranked(*found, document.scene) : std::vector<RankedNumber>();
+        state.rank = found != nullptr ? ranked(*found) : std::vector<Sensitivity>();
         state.current = true;
         state.job.reset();
         return;
@@ -136,23 +118,21 @@ int strongest(glm::dvec3 v) {
     return size.y >= size.z ? 1 : 2;
 }
 
-void number_tooltip(const NamedNumber& named, const RankedNumber& ranked) {
-    const Sensitivity& number = ranked.number;
+void number_tooltip(const NamedNumber& named, const Sensitivity& number) {
     const auto parts = [](glm::dvec3 v) {
         const auto part = [](double x) { return shown_number(static_cast<float>(x)); };
         return fmt::format("red {}, green {}, blue {}", part(v.x), part(v.y), part(v.z));
     };
     tooltip(fmt::format("{}: {}", named.owner, named.what).c_str(),
             "How far the pixel moves with this number. Click: its panel",
-            fmt::format("now {:.4g}{}\nmoved by {:.3g}: {}\nfor each unit: {}", number.value,
-                        number.one_sided ? ", can move one way only" : "", ranked.move, parts(ranked.effect),
+            fmt::format("now {:.4g}{}\nmoved by {:+.3g}: {}\nfor each unit: {}", number.value,
+                        number.one_sided ? ", can move one way only" : "", number.move, parts(number.effect),
                         parts(number.change)),
             number.pointer);
 }
 
 /// A line: how much, as a bar and in figures, and of what. A click selects it.
-void number_row(UiState& state, const RankedNumber& ranked, double most) {
-    const Sensitivity& number = ranked.number;
+void number_row(UiState& state, const Sensitivity& number, double most) {
     const NamedNumber named = named_number(number.pointer, state.editor.scene());
     const float line = ImGui::GetTextLineHeight();
     ImGui::PushID(number.pointer.c_str());
@@ -160,20 +140,20 @@ void number_row(UiState& state, const RankedNumber& ranked, double most) {
         state.editor.selection = named.selection;
     const auto [low, high] = last_item();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto share = static_cast<float>(largest(ranked.effect) / std::max(most, 1e-30));
+    const auto share = static_cast<float>(largest(number.effect) / std::max(most, 1e-30));
     const ImVec2 text = low + px(1) * ImVec2(4, 1);
     list.AddRectFilled({text.x, high.y - px(3)}, {text.x + share * (high.x - low.x - px(8)), high.y - px(1)},
                        to_u32(theme().accent));
     list.AddText(text, to_u32(theme().text), fmt::format("{}  {}", named.owner, named.what).c_str());
-    const int channel = strongest(ranked.effect);
+    const int channel = strongest(number.effect);
     const std::string figure =
-        fmt::format("{} {}", shown_number(static_cast<float>(ranked.effect[channel])), "RGB"[channel]);
+        fmt::format("{} {}", shown_number(static_cast<float>(number.effect[channel])), "RGB"[channel]);
     ImGui::PushFont(fonts().figures);
     const float width = ImGui::CalcTextSize(figure.c_str()).x + px(6);
     list.AddRectFilled({high.x - width, low.y}, {high.x, high.y - px(4)}, to_u32(theme().panel));
     list.AddText({high.x - width + px(2), text.y}, to_u32(theme().text), figure.c_str());
     ImGui::PopFont();
-    number_tooltip(named, ranked);
+    number_tooltip(named, number);
     ImGui::PopID();
 }
 

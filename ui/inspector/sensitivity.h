@@ -9,7 +9,6 @@
 #include <thread>
 #include <vector>
 
-#include "models/fields/scene_numbers.h"
 #include "renderer/inspect/debug_views/sensitivity.h"
 
 namespace glint {
@@ -43,19 +42,8 @@ class SensitivityJob {
     std::thread thread_;  // last: it uses the others
 };
 
-/// A number with what it does when it is moved as far as a hand usually would.
-struct RankedNumber {
-    Sensitivity number;
-    double move = 0;       // in the number's unit
-    glm::dvec3 effect{0};  // of the pixel, linear RGB times exposure: change × move
-};
-
-/// How far a number is usually moved: a tenth of its usual range; where it has none, what a drag over 100
-/// pixels adds.
-[[nodiscard]] double usual_move(const SceneNumber& number);
-
 /// The numbers that count, the largest effect of a channel first; without the w of positions.
-[[nodiscard]] std::vector<RankedNumber> ranked(const Sensitivities& sensitivities, const Scene& scene);
+[[nodiscard]] std::vector<Sensitivity> ranked(const Sensitivities& sensitivities);
 
 /// The job that is wanted now, the results shown until it is done, and jobs that are coming to their end.
 struct SensitivityState {
@@ -66,7 +54,7 @@ struct SensitivityState {
     glm::ivec2 asked_pixel{-1, -1};
     PictureSize asked_size;
     std::optional<Sensitivities> shown;
-    std::vector<RankedNumber> rank;  // of `shown`
+    std::vector<Sensitivity> rank;  // of `shown`
     bool current = false;            // `shown` is of the scene and pixel as they are
 };
 

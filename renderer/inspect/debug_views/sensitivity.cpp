@@ -72,10 +72,18 @@ void measure(Sensitivities& s, PixelProbe& probe, const PinnedScene& pinned, con
     }
     number.change = (more.value_or(now) - less.value_or(now)) / (number.one_sided ? h : 2 * h);
     const bool same = less.value_or(now) == now && more.value_or(now) == now;
-    if (same)
+    if (same) {
         s.no_effect.push_back(number.pointer);
-    else
-        s.numbers.push_back(number);
+        return;
+    }
+    number.move = usual_move(moved);
+    auto there = probe.color_with(moved, moved.value + number.move);
+    if (!there) {
+        number.move = -number.move;
+        there = probe.color_with(moved, moved.value + number.move);
+    }
+    number.effect = there.value_or(now) - now;
+    s.numbers.push_back(number);
 }
 
 PinnedScene pinned_scene(const SceneDocument& document, PictureSize size, int x, int y, int threads) {
@@ -90,6 +98,17 @@ PinnedScene pinned_scene(const SceneDocument& document, PictureSize size, int x,
 }
 
 }  // namespace
+
+double usual_move(const SceneNumber& number) {
+    constexpr double drag_px = 100, tenth = 0.1;
+    const Real& kind = number.kind;
+    const double step = double(kind.step);
+    if (kind.logarithmic) return drag_px * step * std::max(std::abs(number.value), 10 * step);
+    if (kind.usual_max > 0) return tenth * (double(kind.usual_max) - std::max(kind.range.low, 0.0));
+    if (kind.range.high < max_number && kind.range.low > -max_number)
+        return tenth * (kind.range.high - kind.range.low);
+    return drag_px * step;
+}
 
 struct SensitivityRun::State {
     State(const SceneDocument& document, PictureSize size, int x, int y, int threads)

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "models/fields/scene_numbers.h"
 #include "models/scene_file/scene_file.h"
 #include "renderer/picture.h"
 
@@ -19,7 +20,13 @@ struct Sensitivity {
     double value = 0;        // what it is now
     glm::dvec3 change{0};    // of the pixel (linear RGB times exposure) for each unit of the number
     bool one_sided = false;  // the number can move in one direction only (it is at the end of its range)
+    double move = 0;         // usual_move(), below 0 where the number can only become less
+    glm::dvec3 effect{0};    // what the pixel gains when the number moves so far
 };
+
+/// How far a number is usually moved, in its unit: a tenth of its usual range; where it has none, what a drag
+/// over 100 pixels adds.
+[[nodiscard]] double usual_move(const SceneNumber& number);
 
 struct Sensitivities {
     std::vector<Sensitivity> numbers;    // those that count, the largest change of a channel first

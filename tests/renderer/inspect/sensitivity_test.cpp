@@ -164,3 +164,33 @@ TEST_CASE("buffers: their terms add up to the picture under every mode", "[buffe
             }
     }
 }
+
+TEST_CASE("an effect is what the pixel gains when its number moves by a tenth of its usual range",
+          "[sensitivity]") {
+    SceneDocument document;
+    document.scene = test::busy_scene();
+    const PictureSize size{64, 48};
+    Renderer still(1), moved(1);
+    (void)still.render(document.scene, size);
+    REQUIRE(still.object_at(24, 24) == 0);
+    const glm::dvec3 now = still.explain(24, 24).sum;
+    const auto made = sensitivities(document, size, 24, 24, 1);
+    int compared = 0;
+    for (const Sensitivity& s : std::get<Sensitivities>(made).numbers) {
+        if (!s.pointer.starts_with("/lights/") && !s.pointer.starts_with("/objects/0/material/")) continue;
+        INFO(s.pointer);
+        CHECK(std::abs(s.move) == Approx(usual_move(*number_at(document.scene, s.pointer))));
+        Scene other = document.scene;
+        REQUIRE_FALSE(set_number(other, s.pointer, s.value + s.move));
+        (void)moved.render(other, size);
+        const glm::dvec3 gain = glm::dvec3(moved.explain(24, 24).sum) - now;
+        for (int c = 0; c < 3; ++c) CHECK(s.effect[c] == Approx(gain[c]).margin(1e-6));
+        ++compared;
+    }
+    CHECK(compared > 20);
+    const auto move_of = [&](const char* pointer) { return usual_move(*number_at(document.scene, pointer)); };
+    CHECK(move_of("/lights/0/intensity") == Approx(0.4));
+    CHECK(move_of("/objects/0/material/roughness") == Approx(0.1));
+    CHECK(move_of("/objects/0/material/shininess") == Approx(document.scene.objects[0].material.shininess));
+    CHECK(move_of("/camera/eye/0") == Approx(2));
+}

@@ -81,11 +81,11 @@ bool draw_line(const EquationLine& term, Scene& scene, int channel) {
         if (i > 0 && !term.factors[i].divides) line.times();
         pieces.factor(term.factors[i], decimals.value[i], decimals.exponent[i]);
     }
-    for (const std::string& pointer : term.made_by) pieces.made_by(pointer);
     if (!term.left_out.empty()) {
         line.gap(4).plain("=").number(shown(term.product(channel)), theme().dim_text);
-        line.plain(", " + term.left_out, theme().warning);
+        line.plain(", ").plain(term.left_out, theme().warning);
     }
+    for (const std::string& pointer : term.made_by) pieces.made_by(pointer);
     line.result(result, term.result[channel] == 0 ? theme().disabled_text : theme()[colour_of(term.term)]);
     return pieces.edited();
 }

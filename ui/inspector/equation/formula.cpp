@@ -24,7 +24,7 @@ void highlight(TextLine& f, Reflection reflection) {
         break;
     }
     if (reflection != Reflection::CookTorrance) return (void)f.symbol(Quantity::Highlight);
-    f.plain(" ").symbol(Quantity::QuarterPi).symbol(Quantity::Facets).symbol(Quantity::Masking);
+    f.gap(2).symbol(Quantity::QuarterPi).gap(2).symbol(Quantity::Facets).symbol(Quantity::Masking);
     f.symbol(Quantity::Fresnel).plain("/").symbol(Quantity::NV);
 }
 
@@ -34,7 +34,7 @@ void formula(Reflection reflection) {
     if (!info_of(reflection).is_lit) return dim_text("No lighting: the mesh's own colours.");
     TextLine f(20);
     f.symbol(Quantity::Result).plain(" = ").symbol(Quantity::K_e).plain("+").symbol(Quantity::K_a);
-    f.symbol(Quantity::L_g).plain("+ Σ").symbol(Quantity::Share).plain("(").symbol(Quantity::K_a);
+    f.symbol(Quantity::L_g).plain("+Σ").symbol(Quantity::Share).plain("(").symbol(Quantity::K_a);
     f.symbol(Quantity::L_a).plain("+").symbol(Quantity::K_d).symbol(Quantity::L_d);
     f.symbol(Quantity::NL);
     if (info_of(reflection).rough_diffuse) f.symbol(Quantity::Rough);

@@ -37,17 +37,17 @@ void facet_section(const UiState& state, const Explanation& explanation) {
     const auto facet = picked_facet(explanation, state.editor.scene());
     if (!facet) return;
     section_heading("The facet's own normal, object coordinates");
-    const Symbol edge = Symbol::Diffuse;
-    vector_line(edge, "a = 2 − 1", facet->edge_a);
-    vector_line(edge, "b = 3 − 1", facet->edge_b);
-    vector_line(Symbol::N, "a × b", facet->cross);
+    const Symbol edge = Symbol::Construction;
+    vector_line(edge, "1→2", facet->edge_a);
+    vector_line(edge, "1→3", facet->edge_b);
+    vector_line(Symbol::N, "1→2 × 1→3", facet->cross);
     vector_line(Symbol::N, "made unit", facet->of_edges);
     vector_line(Symbol::N, "Newell", facet->newell);
     const float length = glm::length(facet->cross);
-    small_dim(
-        fmt::format("|a × b| = {:.4g}: twice the area of the triangle 1 2 3. {} corners, counter-clockwise "
-                    "seen from outside; seen from here {}.",
-                    length, facet->corners.size(), explanation.front_facing ? "too" : "clockwise"));
+    small_dim(fmt::format(
+        "The product is {:.4g} long: twice the area of the triangle 1 2 3. {} corners, counter-clockwise "
+        "seen from outside; seen from here {}.",
+        length, facet->corners.size(), explanation.front_facing ? "too" : "clockwise"));
     if (glm::dot(facet->of_edges, facet->newell) < 0.9999f && length > 0)
         warning_text("The corners are not in one plane, or not convex: Newell's takes all of them.");
 }
@@ -66,9 +66,9 @@ void draw_facet(ImDrawList& list, const UiState& state, const PictureView& view)
         outline.push_back(view.shown(place(corner)));
     }
     cased_outline(list, outline, to_u32({1, 1, 1, 1}), 1.2f, true);
-    const ImVec4& edge = dark_theme()[Symbol::Diffuse];
-    draw_arrow(list, outline[0], outline[1], {edge, 2.5f, "a"});
-    draw_arrow(list, outline[0], outline[2], {edge, 2.5f, "b"});
+    const ImVec4& edge = dark_theme()[Symbol::Construction];
+    draw_arrow(list, outline[0], outline[1], {edge, 2.5f, ""});
+    draw_arrow(list, outline[0], outline[2], {edge, 2.5f, ""});
     constexpr std::size_t max_numbered = 24;  // corners; more numbers than this hide one another
     for (std::size_t i = 0; i < std::min(outline.size(), max_numbered); ++i)
         rimmed_text(list, outline[i] + ImVec2(0, px(12)), {1, 1, 1, 1}, std::to_string(i + 1));
@@ -77,8 +77,7 @@ void draw_facet(ImDrawList& list, const UiState& state, const PictureView& view)
     const glm::dvec3 n = normal_matrix * glm::dvec3(facet->newell);
     if (glm::length(n) == 0) return;
     const PointPen pen = pen_at(list, view, middle, 70);
-    draw_arrow(list, pen.at(glm::dvec3(0)), pen.at(glm::normalize(n)),
-               {dark_theme()[Symbol::N], 2.5f, "a×b"});
+    draw_arrow(list, pen.at(glm::dvec3(0)), pen.at(glm::normalize(n)), {dark_theme()[Symbol::N], 2.5f, "n"});
 }
 
 }  // namespace glint
