@@ -78,14 +78,14 @@ template <Of<Light> L, class Visit> void fields(L& l, Visit&& visit) {
           l.diffuse);
     visit(Row{"specular", "Specular", "Colour for the highlight"}.undone_as("Colour of {}"), Colour{},
           l.specular);
-    visit(Row{"intensity", "Intensity", "Multiplies the light's three colours"}.undone_as(
-              "Brightness of {}"),
+    visit(Row{"intensity", "Intensity", "Multiplies the light's three colours"}.undone_as("Brightness of {}"),
           Real{.range = at_least_zero, .step = 0.005f, .usual_max = 4}, l.intensity);
     visit(Row{"enabled", "On", "Whether it shines"}, Switch{}, l.enabled);
-    visit(Row{"falloff", "Falloff  1 / (c₀ + c₁ dist + c₂ dist²)", "Divides what arrives at the distance dist"}
-              .undone_as("Falloff of {}")
-              .when(l.kind == LightKind::Point || l.kind == LightKind::Spot),
-          Group{}, l.falloff);
+    visit(
+        Row{"falloff", "Falloff  1 / (c₀ + c₁ dist + c₂ dist²)", "Divides what arrives at the distance dist"}
+            .undone_as("Falloff of {}")
+            .when(l.kind == LightKind::Point || l.kind == LightKind::Spot),
+        Group{}, l.falloff);
     visit(Row{"spot", "Cone", "Inside the cutoff cos(angle from the axis)^exponent, outside 0"}
               .undone_as("Cone of {}")
               .when(l.kind == LightKind::Spot),
@@ -129,9 +129,10 @@ template <Of<NormalOptions> N, class Visit> void fields(N& n, Visit&& visit) {
     visit(Row{"crease_deg", "Crease",
               "Facets that meet at more are not averaged across their edge; 180 averages all"},
           angle_field, n.crease_deg);
-    visit(Row{"flip", "Flip normals", "Every normal is turned round: for a mesh whose faces run the wrong way"}
-              .omitted_by_default(),
-          Switch{}, n.flip);
+    visit(
+        Row{"flip", "Flip normals", "Every normal is turned round: for a mesh whose faces run the wrong way"}
+            .omitted_by_default(),
+        Switch{}, n.flip);
 }
 
 template <Of<Material> M, class Visit> void fields(M& m, Visit&& visit) {

@@ -55,7 +55,7 @@ struct SensitivityState {
     PictureSize asked_size;
     std::optional<Sensitivities> shown;
     std::vector<Sensitivity> rank;  // of `shown`
-    bool current = false;            // `shown` is of the scene and pixel as they are
+    bool current = false;           // `shown` is of the scene and pixel as they are
 };
 
 }  // namespace glint
