@@ -8,7 +8,7 @@
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/orbit.h"
-#include "ui/widgets/fold.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 

@@ -12,7 +12,6 @@
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/tabs.h"
 #include "ui/ui.h"
-#include "ui/widgets/fold.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"

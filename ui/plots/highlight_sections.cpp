@@ -13,7 +13,6 @@
 #include "ui/plots/plot.h"
 #include "ui/plots/plots_tab.h"
 #include "ui/ui.h"
-#include "ui/widgets/fold.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 

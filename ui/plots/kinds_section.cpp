@@ -9,7 +9,6 @@
 #include "ui/fields/field_panel.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/plots/plots_tab.h"
-#include "ui/widgets/fold.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"

@@ -12,7 +12,6 @@
 #include "renderer/inspect/reflectance/lobes.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/plots_tab.h"
-#include "ui/widgets/fold.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 

@@ -8,7 +8,6 @@
 #include "models/saturate.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/plots_tab.h"
-#include "ui/widgets/fold.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 

@@ -20,7 +20,6 @@
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/inspector.h"
 #include "ui/ui.h"
-#include "ui/widgets/fold.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
