@@ -1,5 +1,7 @@
 #include "ui/widgets/parts.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 
