@@ -53,12 +53,15 @@ float TextLine::height() {
 
 /// Puts the cursor where the next `width` go, in a new line when they do not fit into this one.
 void TextLine::place(float width) {
-    if (x_ + width > right_ && x_ > left_ + indent_) {
-        x_ = left_ + indent_;
-        y_ += height();
-    }
+    keep_together(width);
     ImGui::SetCursorScreenPos({x_, y_});
     x_ += width;
+}
+
+void TextLine::keep_together(float width) {
+    if (x_ + width <= right_ || x_ <= left_ + indent_) return;
+    x_ = left_ + indent_;
+    y_ += height();
 }
 
 TextLine& TextLine::piece(const std::string& text, const ImVec4& colour, ImFont* font, float down) {
@@ -109,6 +112,9 @@ TextLine& TextLine::symbol(Quantity quantity) {
     };
     if (is_cosine(quantity)) {
         const auto vectors = vectors_of(quantity);
+        ImGui::PushFont(fonts().body);
+        keep_together(ImGui::CalcTextSize(row.letter).x);
+        ImGui::PopFont();
         letter(vectors.first);
         plain("·");
         tooltip(row.letter, row.meaning);

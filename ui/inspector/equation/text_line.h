@@ -40,6 +40,8 @@ class TextLine {
 
   private:
     void place(float width);
+    /// Goes on in a new line where the next `width` do not fit into this one.
+    void keep_together(float width);
     TextLine& piece(const std::string& text, const ImVec4& colour, ImFont* font, float down);
     bool edit(const NumberHandle& number, const ImVec4& colour, float down);
 
