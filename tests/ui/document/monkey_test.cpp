@@ -219,7 +219,8 @@ TEMPLATE_TEST_CASE_SIG(
         if (!bench.state.editor.document.path.empty() || same_description(bench.scene(), first_scene().scene))
             continue;
         INFO("event " << event << ": " << step_name(small_document().scene, bench.scene()));
-        CHECK(same_description(bench.scene(), small_document().scene));
+        CHECK(same_but_camera(bench.scene(), small_document().scene));
+        CHECK(bench.state.editor.history.edited_camera() == small_document().scene.camera);
         ++compared;
         bench.frames(2);
     }
