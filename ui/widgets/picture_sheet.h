@@ -37,7 +37,8 @@ struct PictureSheet {
     }
     void draw(ImDrawList& list, int index, ImVec2 low, ImVec2 high) const {
         const float across = 1 / float(columns), down = float(cell.height) / float(picture.size.height);
-        const auto column = float(index % columns), row = float(index / columns);
+        const int whole_rows = index / columns;
+        const auto column = float(index % columns), row = float(whole_rows);
         list.AddImage(texture, low, high, {column * across, row * down},
                       {(column + 1) * across, (row + 1) * down});
     }

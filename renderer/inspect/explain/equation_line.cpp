@@ -108,13 +108,13 @@ std::vector<EquationFactor> highlight_factors(const LightOfEquation& in) {
     if (in.explanation.reflection == Reflection::CookTorrance && faces_eye) {
         EquationFactor n_dot_v = plain(Quantity::NV, facets.n_dot_v);
         n_dot_v.divides = true;
-        const std::vector<EquationFactor> product{plain(Quantity::QuarterPi, std::numbers::pi / 4),
-                                                  plain(Quantity::Facets, facets.d),
-                                                  plain(Quantity::Masking, facets.g),
-                                                  {.quantity = Quantity::Fresnel, .value = facets.f},
-                                                  n_dot_v};
         const double shared = std::numbers::pi / 4 * double(facets.d) * double(facets.g) / facets.n_dot_v;
-        if (dropped || is_close(shared * glm::dvec3(facets.f), s)) return product;
+        if (dropped || is_close(shared * glm::dvec3(facets.f), s))
+            return {plain(Quantity::QuarterPi, std::numbers::pi / 4),
+                    plain(Quantity::Facets, facets.d),
+                    plain(Quantity::Masking, facets.g),
+                    {.quantity = Quantity::Fresnel, .value = facets.f},
+                    n_dot_v};
     }
     return {{.quantity = Quantity::Highlight, .value = s}};  // a mistake, a table: no formula makes it
 }
@@ -189,19 +189,19 @@ EquationLine share_line(const LightOfEquation& in) {
 
 std::vector<EquationLine> light_lines(const LightOfEquation& in) {
     const Terms& on = in.scene.shading.terms;
-    EquationLine specular = specular_line(
-        in,
-        common_factors(in, Quantity::L_s, Quantity::K_s, &Light::specular, &Material::specular, "specular"));
+    EquationLine specular =
+        specular_line(in, common_factors(in, Quantity::LightSpecular, Quantity::MaterialSpecular,
+                                         &Light::specular, &Material::specular, "specular"));
     if (!on.specular) specular.left_out = switched_off;
     if (in.scene.npr.cool_to_warm) return {specular};
-    EquationLine ambient{
-        Quantity::AmbientTerm,
-        common_factors(in, Quantity::L_a, Quantity::K_a, &Light::ambient, &Material::ambient, "ambient"),
-        in.light.ambient};
-    EquationLine diffuse{
-        Quantity::DiffuseTerm,
-        common_factors(in, Quantity::L_d, Quantity::K_d, &Light::diffuse, &Material::diffuse, "diffuse"),
-        in.light.diffuse};
+    EquationLine ambient{Quantity::AmbientTerm,
+                         common_factors(in, Quantity::LightAmbient, Quantity::MaterialAmbient,
+                                        &Light::ambient, &Material::ambient, "ambient"),
+                         in.light.ambient};
+    EquationLine diffuse{Quantity::DiffuseTerm,
+                         common_factors(in, Quantity::LightDiffuse, Quantity::MaterialDiffuse,
+                                        &Light::diffuse, &Material::diffuse, "diffuse"),
+                         in.light.diffuse};
     add_cosine(diffuse, in);
     if (!on.ambient) ambient.left_out = switched_off;
     if (!on.diffuse) diffuse.left_out = switched_off;
@@ -211,13 +211,15 @@ std::vector<EquationLine> light_lines(const LightOfEquation& in) {
 std::vector<EquationLine> unlit_lines(const Scene& scene, const Explanation& explanation,
                                       const ExplainedPoint& point) {
     const Material& m = explanation.material;
-    EquationLine emission{Quantity::EmissionTerm,
-                          {colour(Quantity::K_e, m.emission, material_pointer(explanation, "emission"))},
-                          point.emission};
-    EquationLine ambient{Quantity::AmbientTerm,
-                         {colour(Quantity::L_g, scene.global_ambient, "/global_ambient"),
-                          colour(Quantity::K_a, m.ambient, material_pointer(explanation, "ambient"))},
-                         point.global_ambient};
+    EquationLine emission{
+        Quantity::EmissionTerm,
+        {colour(Quantity::MaterialEmission, m.emission, material_pointer(explanation, "emission"))},
+        point.emission};
+    EquationLine ambient{
+        Quantity::AmbientTerm,
+        {colour(Quantity::GlobalAmbient, scene.global_ambient, "/global_ambient"),
+         colour(Quantity::MaterialAmbient, m.ambient, material_pointer(explanation, "ambient"))},
+        point.global_ambient};
     if (!scene.shading.terms.emission) emission.left_out = switched_off;
     if (!scene.shading.terms.ambient) ambient.left_out = switched_off;
     return {emission, ambient};

@@ -23,7 +23,7 @@ struct EquationPower {
 
 /// One factor of a term, in red, green and blue.
 struct EquationFactor {
-    Quantity quantity = Quantity::K_d;
+    Quantity quantity = Quantity::MaterialDiffuse;
     glm::dvec3 value{1};
     std::string pointer{};  // of the scene's number, or of its colour; empty: the value follows from others
     bool is_colour = false;

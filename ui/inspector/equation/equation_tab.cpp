@@ -72,13 +72,13 @@ void interpolations(UiState& state, const Explanation& explanation) {
 /// The tone, which under cool to warm takes the place of emission, ambient and diffuse.
 void tone_line(const ExplainedTone& tone, int channel) {
     TextLine line;
-    line.symbol(Quantity::K_w).plain(" = (1 + ").symbol(Quantity::NL).plain(")/2 = ");
+    line.symbol(Quantity::WarmShare).plain(" = (1 + ").symbol(Quantity::NL).plain(")/2 = ");
     line.number(shown_number(tone.k_w), theme().text);
     TextLine mix;
     mix.gap(14).symbol(Quantity::Warm).number(shown_number(tone.warm[channel]), theme().text);
-    mix.times().symbol(Quantity::K_w).plain(" + ").symbol(Quantity::Cool);
+    mix.times().symbol(Quantity::WarmShare).plain(" + ").symbol(Quantity::Cool);
     mix.number(shown_number(tone.cool[channel]), theme().text);
-    mix.times().plain("(1 − ").symbol(Quantity::K_w).plain(")");
+    mix.times().plain("(1 − ").symbol(Quantity::WarmShare).plain(")");
     mix.result(shown_number(tone.color[channel]), theme().text);
 }
 

@@ -12,7 +12,7 @@ void power(TextLine& f, Quantity cosine) { f.plain("(").symbol(cosine).plain(")"
 void highlight(TextLine& f, Reflection reflection) {
     const ReflectionInfo info = info_of(reflection);
     if (!info.has_highlight) return;
-    f.plain("+").symbol(Quantity::K_s).symbol(Quantity::L_s);
+    f.plain("+").symbol(Quantity::MaterialSpecular).symbol(Quantity::LightSpecular);
     switch (info.cosine) {
     case HighlightCosine::RV:
         return power(f, Quantity::RV);
@@ -33,9 +33,11 @@ void highlight(TextLine& f, Reflection reflection) {
 void formula(Reflection reflection) {
     if (!info_of(reflection).is_lit) return dim_text("No lighting: the mesh's own colours.");
     TextLine f(20);
-    f.symbol(Quantity::Result).plain(" = ").symbol(Quantity::K_e).plain("+").symbol(Quantity::K_a);
-    f.symbol(Quantity::L_g).plain("+Σ").symbol(Quantity::Share).plain("(").symbol(Quantity::K_a);
-    f.symbol(Quantity::L_a).plain("+").symbol(Quantity::K_d).symbol(Quantity::L_d);
+    f.symbol(Quantity::Result).plain(" = ").symbol(Quantity::MaterialEmission);
+    f.plain("+").symbol(Quantity::MaterialAmbient).symbol(Quantity::GlobalAmbient);
+    f.plain("+Σ").symbol(Quantity::Share);
+    f.plain("(").symbol(Quantity::MaterialAmbient).symbol(Quantity::LightAmbient);
+    f.plain("+").symbol(Quantity::MaterialDiffuse).symbol(Quantity::LightDiffuse);
     f.symbol(Quantity::NL);
     if (info_of(reflection).rough_diffuse) f.symbol(Quantity::Rough);
     highlight(f, reflection);

@@ -5,21 +5,21 @@ namespace glint {
 Symbol colour_of(Quantity quantity) {
     switch (quantity) {
     case Quantity::EmissionTerm:
-    case Quantity::K_e:
+    case Quantity::MaterialEmission:
         return Symbol::Emission;
     case Quantity::AmbientTerm:
-    case Quantity::K_a:
-    case Quantity::L_g:
-    case Quantity::L_a:
+    case Quantity::MaterialAmbient:
+    case Quantity::GlobalAmbient:
+    case Quantity::LightAmbient:
         return Symbol::Ambient;
     case Quantity::DiffuseTerm:
-    case Quantity::K_d:
-    case Quantity::L_d:
+    case Quantity::MaterialDiffuse:
+    case Quantity::LightDiffuse:
     case Quantity::Rough:
         return Symbol::Diffuse;
     case Quantity::SpecularTerm:
-    case Quantity::K_s:
-    case Quantity::L_s:
+    case Quantity::MaterialSpecular:
+    case Quantity::LightSpecular:
     case Quantity::Power:
     case Quantity::Highlight:
     case Quantity::QuarterPi:
