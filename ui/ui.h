@@ -45,6 +45,7 @@ struct Pending {
 /// Where the picture goes, in the window: to all of `picture`, cut off at `room`.
 struct PlacedPicture {
     Rect picture, room;
+    bool operator==(const PlacedPicture&) const = default;
 };
 
 /// Everything that the window remembers from frame to frame, beside ImGui's own context and what ui/widgets

@@ -1,5 +1,5 @@
 #pragma once
-// The picture on the graphics card: one texture, shown pixel for pixel.
+// A picture on the graphics card.
 
 #include <bit>
 #include <cstdint>
@@ -8,12 +8,19 @@
 
 namespace glint {
 
-/// Pixels of the window, from its upper left corner; right and bottom are the first ones outside.
+/// Pixels of the window or of a picture, from its upper left corner; right and bottom are the first ones
+/// outside.
 struct PixelRect {
     int left = 0, top = 0, right = 0, bottom = 0;
+    [[nodiscard]] int width() const { return right - left; }
+    [[nodiscard]] int height() const { return bottom - top; }
+    [[nodiscard]] bool is_empty() const { return right <= left || bottom <= top; }
 };
 
-/// A GL texture of the current context. GL is loaded through GLFW: the program links none.
+/// What lies in both; empty where nothing does.
+[[nodiscard]] PixelRect intersection(const PixelRect& a, const PixelRect& b);
+
+/// A GL texture of the current context, its first row the picture's top.
 class Texture {
   public:
     /// Precondition: a GL context is current. `ready()` is false when it lacks a function.
@@ -23,22 +30,21 @@ class Texture {
     Texture& operator=(const Texture&) = delete;
 
     [[nodiscard]] bool ready() const { return name_ != 0; }
+    [[nodiscard]] PictureSize size() const { return size_; }
+    /// Room for a picture of this size; what is in it is undefined where the size is another than before.
+    void allocate(PictureSize size);
     void upload(const Picture& picture);
+    /// Puts `part` of a picture to where the picture begins at `left`, `top`. All of it lies in the texture.
+    void upload(const Picture& picture, const PixelRect& part, int left, int top);
     /// The name by which ImGui's backend draws it.
     [[nodiscard]] void* id() const { return std::bit_cast<void*>(std::uintptr_t{name_}); }
-
-    /// Copies all of it to `to` in the window's framebuffer of this height, the nearest pixel where the sizes
-    /// differ, and changes nothing outside `clip`. Software that stands in for a graphics card does this
-    /// several times as fast as it draws a textured rectangle.
-    void copy_to_window(const PixelRect& to, const PixelRect& clip, int height);
+    /// A framebuffer that is this texture, to copy from and to draw in.
+    [[nodiscard]] unsigned framebuffer();
 
   private:
-    unsigned frame_ = 0;  // reads from the texture; made when first needed
+    unsigned framebuffer_ = 0;  // made when first needed
     unsigned name_ = 0;
     PictureSize size_{0, 0};
 };
-
-/// Fills the current framebuffer of `width` x `height` pixels with one colour.
-void clear_framebuffer(int width, int height, float red, float green, float blue);
 
 }  // namespace glint

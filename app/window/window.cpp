@@ -12,12 +12,17 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "app/failure.h"
+#include "app/window/canvas.h"
+#include "app/window/gl.h"
 #include "app/window/texture.h"
 #include "app/window/window_input.h"
 #include "app/window/x_errors.h"
 #include "ui/preferences/persistence.h"
+#include "ui/shell/frame_changes.h"
 #include "ui/ui.h"
 #include "ui/widgets/display_scale.h"
 #include "ui/widgets/fonts.h"
@@ -115,11 +120,11 @@ class Window {
         ImGui::GetIO().IniFilename = nullptr;
         collect_input(window, input_);
         ready_ = ImGui_ImplGlfw_InitForOpenGL(window, true) && ImGui_ImplOpenGL3_Init("#version 130");
-        if (ready_) texture_ = std::make_unique<Texture>();
+        if (ready_ && gl().complete) canvas_ = std::make_unique<Canvas>();
         files_ = find_fonts();
     }
     ~Window() {
-        texture_.reset();
+        canvas_.reset();
         sheets_.clear();
         if (ready_) ImGui_ImplOpenGL3_Shutdown();
         ImGui_ImplGlfw_Shutdown();
@@ -129,7 +134,7 @@ class Window {
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    [[nodiscard]] bool ready() const { return ready_ && texture_->ready(); }
+    [[nodiscard]] bool ready() const { return canvas_ && canvas_->ready(); }
 
     void run() {
         bool shown = false;
@@ -145,6 +150,8 @@ class Window {
   private:
     /// ImGui needs a frame or two after an event until all that follows from it is drawn.
     static constexpr int frames_after_event = 3;
+    /// Seconds from a frame that shows nothing new, and so did not wait for the display, to the next.
+    static constexpr double quiet_frame = 1 / 120.0;
 
     void wait(double seconds) {
         handle_x_errors(end_without_display);
@@ -156,7 +163,7 @@ class Window {
         if (std::isinf(seconds))
             glfwWaitEvents();
         else
-            glfwWaitEventsTimeout(std::max(seconds, 0.001));
+            glfwWaitEventsTimeout(std::max(seconds, shows_ ? 0.001 : quiet_frame));
         // A tooltip is measured in its first frame and seen in its second.
         frames_due_ = glfwGetTime() - start < seconds ? frames_after_event - 1 : 1;
     }
@@ -184,7 +191,9 @@ class Window {
             ImGui_ImplOpenGL3_DestroyFontsTexture();
             ImGui_ImplOpenGL3_CreateFontsTexture();
         }
-        if (scaled || &wanted != &theme()) apply_theme(wanted, scale);
+        if (!scaled && &wanted == &theme()) return;
+        apply_theme(wanted, scale);
+        draws_all_ = true;
         scale_ = scale;
         display_ = display;
     }
@@ -196,10 +205,14 @@ class Window {
         io.DisplayFramebufferScale = {display_.dots_per_unit, display_.dots_per_unit};
     }
 
+    /// Asked only when something changed: the display takes its time to answer.
     void note_size() {
+        if (extent_.size == noted_ && !input_.maximize_changed) return;
+        noted_ = extent_.size;
+        input_.maximize_changed = false;
         Preferences& settings = state_.persistence.preferences;
         settings.maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
-        if (!settings.maximized) glfwGetWindowSize(window_, &settings.width, &settings.height);
+        if (!settings.maximized) settings.width = noted_.x, settings.height = noted_.y;
     }
 
     UiRequests frame() {
@@ -218,11 +231,10 @@ class Window {
         UiRequests wants = ui_frame(state_, input_.ui);
         ImGui::Render();
         input_.ui = {};
-        if (state_.picture_serial != uploaded_ && state_.displayed != nullptr)
-            texture_->upload(*state_.displayed);
-        uploaded_ = state_.picture_serial;
+        draws_all_ = draws_all_ || std::exchange(input_.refresh_asked, false);
         upload_sheets();
-        draw();
+        const std::vector<Rect> changed = changes_.update(*ImGui::GetDrawData());
+        shows_ = draw(changed);
         if (wants.title != title_) glfwSetWindowTitle(window_, wants.title.c_str());
         title_ = wants.title;
         return wants;
@@ -237,25 +249,55 @@ class Window {
     }
     void upload_sheets() {
         for (auto& [sheet, shown] : sheets_) {
-            if (sheet->serial != shown.serial) shown.texture->upload(sheet->picture);
+            if (sheet->serial == shown.serial) continue;
+            shown.texture->upload(sheet->picture);
             shown.serial = sheet->serial;
+            draws_all_ = true;  // wherever it is shown
         }
     }
 
-    void draw() {
-        int width = 0, height = 0;
-        glfwGetFramebufferSize(window_, &width, &height);
-        const ImVec4& back = theme().panel;
-        clear_framebuffer(width, height, back.x, back.y, back.z);
-        const ImVec2 dots = ImGui::GetIO().DisplayFramebufferScale;
-        const auto in_pixels = [dots](const Rect& rect) {
-            return PixelRect{int(std::lround(rect.low.x * dots.x)), int(std::lround(rect.low.y * dots.y)),
-                             int(std::lround(rect.high.x * dots.x)), int(std::lround(rect.high.y * dots.y))};
-        };
-        texture_->copy_to_window(in_pixels(state_.picture_rect.picture), in_pixels(state_.picture_rect.room),
-                                 height);
-        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    [[nodiscard]] PixelRect pixels_of(const Rect& rect) const {
+        const float dots = display_.dots_per_unit;
+        return {int(std::lround(rect.low.x * dots)), int(std::lround(rect.low.y * dots)),
+                int(std::lround(rect.high.x * dots)), int(std::lround(rect.high.y * dots))};
+    }
+    [[nodiscard]] PixelRect pixels_around(const Rect& rect) const {
+        const float dots = display_.dots_per_unit;
+        return {int(std::floor(rect.low.x * dots)), int(std::floor(rect.low.y * dots)),
+                int(std::ceil(rect.high.x * dots)), int(std::ceil(rect.high.y * dots))};
+    }
+
+    /// Draws what is not there yet and shows it. False when all of it is: nothing is done then.
+    bool draw(std::vector<Rect> changed) {
+        const PlacedPicture& placed = state_.picture_rect;
+        if (state_.picture_serial != shown_ || placed != placed_) {
+            add_rect(changed, placed.room);
+            add_rect(changed, placed_.room);
+        }
+        placed_ = placed;
+        shown_ = state_.picture_serial;
+        const PictureSize size{extent_.dots.x, extent_.dots.y};
+        if (size.width <= 0 || size.height <= 0) return false;  // iconified
+        const PixelRect whole{0, 0, size.width, size.height};
+        if (canvas_->resize(size) || draws_all_) {
+            draw_within(whole);
+        } else {
+            if (changed.empty()) return false;
+            for (const Rect& rect : changed) {
+                const PixelRect part = intersection(pixels_around(rect), whole);
+                if (!part.is_empty()) draw_within(part);
+            }
+        }
+        draws_all_ = false;
+        canvas_->show();
         glfwSwapBuffers(window_);
+        return true;
+    }
+
+    void draw_within(const PixelRect& part) {
+        canvas_->draw_picture(state_.displayed, pixels_of(placed_.picture), pixels_of(placed_.room), part,
+                              theme().panel);
+        canvas_->draw(*ImGui::GetDrawData(), part, display_.dots_per_unit);
     }
 
     GLFWwindow* window_;
@@ -265,16 +307,21 @@ class Window {
         std::unique_ptr<Texture> texture;
         std::uint64_t serial = 0;
     };
-    std::unique_ptr<Texture> texture_;
+    std::unique_ptr<Canvas> canvas_;
+    FrameChanges changes_;
+    PlacedPicture placed_;  // as drawn last
     std::map<PictureSheet*, ShownSheet> sheets_;
     FontFiles files_;
     std::string title_;
     WindowExtent extent_;
+    glm::ivec2 noted_{0};  // the size that the settings know
     DisplayScale display_;
-    float scale_ = 0;  // of the design, as applied; 0 before the first frame
-    std::uint64_t uploaded_ = 0;
+    float scale_ = 0;          // of the design, as applied; 0 before the first frame
+    std::uint64_t shown_ = 0;  // the picture drawn last
     int frames_due_ = frames_after_event;
     bool ready_ = false;
+    bool draws_all_ = true;  // what is on the canvas is not what it was, or the display lost it
+    bool shows_ = true;      // the last frame showed something new
 };
 
 }  // namespace

@@ -110,6 +110,10 @@ void on_drop(GLFWwindow* window, int count, const char** paths) {
     for (int i = 0; i < count; ++i) input_of(window).ui.dropped.emplace_back(paths[i]);
 }
 
+void on_refresh(GLFWwindow* window) { input_of(window).refresh_asked = true; }
+
+void on_maximize(GLFWwindow* window, int /*maximized*/) { input_of(window).maximize_changed = true; }
+
 void on_close(GLFWwindow* window) {
     glfwSetWindowShouldClose(window, GLFW_FALSE);  // the question about unsaved changes comes first
     input_of(window).ui.close_asked = true;
@@ -123,6 +127,8 @@ void collect_input(GLFWwindow* window, WindowInput& input) {
     glfwSetCursorPosCallback(window, on_cursor);
     glfwSetMouseButtonCallback(window, on_button);
     glfwSetDropCallback(window, on_drop);
+    glfwSetWindowRefreshCallback(window, on_refresh);
+    glfwSetWindowMaximizeCallback(window, on_maximize);
     glfwSetWindowCloseCallback(window, on_close);
 }
 

@@ -34,6 +34,8 @@ struct WindowInput {
     std::deque<ButtonEvent> buttons;  // not yet seen by ImGui
     std::array<bool, 3> down{};       // as ImGui has seen them: left, right, middle
     std::vector<KeyTap> taps;         // keys that went down since the last frame
+    bool refresh_asked = false;       // the display lost what was shown
+    bool maximize_changed = true;     // or it is not known yet whether the window is maximized
     std::vector<int> shown_down;      // keys of the last frame's taps: up again unless they are held
 };
 

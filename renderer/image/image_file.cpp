@@ -1,5 +1,6 @@
 #include "renderer/image/image_file.h"
 
+#include <fmt/core.h>
 #include <png.h>
 
 #include <algorithm>
@@ -110,11 +111,11 @@ std::optional<Problem> check_first_block(const FileBlock& block, const std::stri
 
 // Strings that grow have up to twice the room that they need.
 std::uint64_t png_memory(PictureSize size) {
-    return std::uint64_t{2 * 3} * size.pixels() + bytes_beside_pixels;
+    return std::uint64_t{2} * 3 * size.pixels() + bytes_beside_pixels;
 }
 std::uint64_t pfm_memory(PictureSize size) { return std::uint64_t{12} * size.pixels() + bytes_beside_pixels; }
 std::uint64_t exr_memory(PictureSize size) {
-    return std::uint64_t{3 * 12} * size.pixels() + bytes_beside_pixels;
+    return std::uint64_t{3} * 12 * size.pixels() + bytes_beside_pixels;
 }
 
 const char* extension_of(PictureFormat format) {

@@ -121,9 +121,10 @@ TEST_CASE("fifty objects of one mesh take what depends on their places, and one 
     const Mesh& mesh = *one.objects.front().mesh;
     const double first = memory_of(one, size, false, 1).taken, all = memory_of(many, size, false, 1).taken;
     // Vertices and normals, and the lists of triangles, of which less than half are so large here that they
-    // come into some tile's. The list of corners and the normals in object coordinates are the mesh's.
-    const double placed = static_cast<double>(mesh.positions.size() * (32 + 16 + 16) +
-                                              mesh.triangles.size() * (8 + 4 + 16 / 2));
+    // come into some tile's, 16 bytes each. The list of corners and the normals in object coordinates are the
+    // mesh's.
+    const double placed =
+        static_cast<double>(mesh.positions.size() * (32 + 16 + 16) + mesh.triangles.size() * (8 + 4 + 8));
     CAPTURE(first, all, placed, mesh.triangles.size(), mesh.positions.size());
     CHECK(all - first < 49 * placed);
 }

@@ -33,8 +33,8 @@ void tell(UiState& state, const WindowCommand& command, KeyPress press) {
 
 std::vector<WindowCommand> all_commands() {
     std::vector<WindowCommand> all;
-    for (const auto rows :
-         {file_commands, edit_commands, camera_commands, view_commands, lecture_commands, shading_commands})
+    for (const auto rows : {file_commands, edit_commands, hand_commands, camera_commands, view_commands,
+                            lecture_commands, shading_commands})
         for (WindowCommand& row : rows()) all.push_back(std::move(row));
     return all;
 }

@@ -7,6 +7,8 @@ namespace glint {
 
 [[nodiscard]] std::vector<WindowCommand> file_commands();
 [[nodiscard]] std::vector<WindowCommand> edit_commands();
+/// What a hand on the picture does to the selected object, and what goes on in the edit menu below it.
+[[nodiscard]] std::vector<WindowCommand> hand_commands();
 [[nodiscard]] std::vector<WindowCommand> camera_commands();
 [[nodiscard]] std::vector<WindowCommand> view_commands();
 [[nodiscard]] std::vector<WindowCommand> lecture_commands();

@@ -196,6 +196,11 @@ std::vector<WindowCommand> edit_commands() {
                                "No light adds anything under the cursor, nor at a picked point");
              },
          .id = CommandId::SelectMainLight},
+    };
+}
+
+std::vector<WindowCommand> hand_commands() {
+    return {
         {.name = "Move the object by hand",
          .keys = {{Key::G}},
          .menu = Menu::Edit,

@@ -109,9 +109,9 @@ bool History::commit(const Scene& scene) {
     if (same_description(scene, present())) return false;
     std::string name = step_name(present(), scene);
     const bool edits_camera = scene.camera != present().camera;
-    Camera edited_camera = edits_camera ? scene.camera : steps_[at_].edited_camera;
+    const Camera edited_camera = edits_camera ? scene.camera : steps_[at_].edited_camera;
     steps_.resize(at_ + 1);
-    steps_.push_back({std::move(name), scene, std::move(edited_camera), edits_camera});
+    steps_.push_back({std::move(name), scene, edited_camera, edits_camera});
     ++at_;
     forget_oldest();
     return true;

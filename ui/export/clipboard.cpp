@@ -88,7 +88,7 @@ void append_sets(std::string& command, const Json& a, const Json& b, const std::
     if (members) {
         for (const auto& [name, value] : b.members())
             append_sets(command, a.find(name) != nullptr ? *a.find(name) : Json(), value,
-                        pointer + "/" + name);
+                        fmt::format("{}/{}", pointer, name));
     } else if (items) {
         for (std::size_t i = 0; i < b.elements().size(); ++i)
             append_sets(command, a.elements()[i], b.elements()[i], fmt::format("{}/{}", pointer, i));

@@ -19,6 +19,9 @@ namespace glint {
 /// A rectangle of the window.
 struct Rect {
     ImVec2 low, high;
+    bool operator==(const Rect& o) const {
+        return low.x == o.low.x && low.y == o.low.y && high.x == o.high.x && high.y == o.high.y;
+    }
     [[nodiscard]] ImVec2 size() const { return high - low; }
     [[nodiscard]] ImVec2 middle() const { return (low + high) / 2; }
     /// The edges low and left are part of it, those high and right are not.

@@ -64,7 +64,8 @@ std::string number(float x) { return with_power(plain_number(double(x))); }
 
 /// Three channels below each other, or one where all are written alike.
 template <class Text> std::string column(glm::dvec3 v, const Text& text) {
-    const std::string red = text(v.x), green = text(v.y), blue = text(v.z);
+    std::string red = text(v.x);
+    const std::string green = text(v.y), blue = text(v.z);
     if (red == green && green == blue) return red;
     return fmt::format("\\begin{{pmatrix}} {} \\\\ {} \\\\ {} \\end{{pmatrix}}", red, green, blue);
 }
@@ -86,7 +87,7 @@ std::string symbol_of(const EquationFactor& f, const std::string& index) {
 
 std::string value_of(const EquationFactor& f, int decimals, int exponent_decimals) {
     if (f.quantity == Quantity::QuarterPi) return row_of(f.quantity).latex;
-    const std::string value = column(f.value, [&](double x) { return with_power(short_text(x, decimals)); });
+    std::string value = column(f.value, [&](double x) { return with_power(short_text(x, decimals)); });
     if (!f.power) return value;
     return fmt::format("({})^{{{}}}", value, with_power(short_text(f.power->exponent, exponent_decimals)));
 }

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# The window draws only what changes. What it shows after much has changed is what it shows when it draws all of it.
+set -u
+# shellcheck disable=SC2034  # display.sh uses it
+program=$1
+# shellcheck source=tests/gui/display.sh
+. "$(dirname "$0")/display.sh"
+
+start_display 1100x760
+start_glint "$(dirname "$0")/../../assets/scenes/default.json"
+# The display forgets a window that it does not show, and asks for all of it when it does again.
+same_when_drawn_anew() { # after $1
+    sleep 0.7 # tooltips and full pictures come when the hand rests
+    import -window root "$work/kept.png"
+    xdotool windowunmap --sync "$window" windowmap --sync "$window" windowfocus "$window"
+    sleep 0.7
+    import -window root "$work/anew.png"
+    local different
+    different=$(difference kept anew)
+    [ "$different" = 0 ] || fail "after $1 $different pixels are not as they are when all is drawn"
+}
+drag_with_mouse 400 300 90 40
+same_when_drawn_anew "an orbit"
+xdotool mousemove 20 160 click 1 mousemove 700 30
+same_when_drawn_anew "a click into the list"
+xdotool key c
+xdotool mousemove 640 420
+same_when_drawn_anew "a comparison"
+xdotool key c key F9
+same_when_drawn_anew "large type"
+xdotool key F9 mousemove 25 20 click 1
+sleep 0.3
+xdotool key Escape mousemove 500 400 click 1
+same_when_drawn_anew "a menu and a click into the picture"
+echo "passed"
