@@ -32,7 +32,12 @@ GLINT_FLATTEN static void place(const InterpolateJob& job, const PixelGroup* gro
     interpolate_groups<Wide>(job, groups, count, out, on_fast_path);
 }
 
+GLINT_FLATTEN static void weigh(const InterpolateJob& job, const PixelGroup* groups, std::size_t count,
+                                float* out, std::uint8_t* on_fast_path) {
+    weigh_groups<Wide>(job, groups, count, out, on_fast_path);
+}
+
 extern const DrawingKernels drawing;
-const DrawingKernels drawing{{vertices, normals}, {sort, draw, rows}, {place}};
+const DrawingKernels drawing{{vertices, normals}, {sort, draw, rows}, {place, weigh}};
 
 }  // namespace glint::inline GLINT_ISA

@@ -111,6 +111,12 @@ template <Number F> FacesOfLanes<F> faces_of_lanes(const InterpolateJob& job, In
     return faces;
 }
 
+/// Where the pixels from k on are, of a group that begins at (x, y).
+template <Number F> ScreenPoint<F> centers_of_lanes(const InterpolateJob& job, std::size_t k, int x, int y) {
+    const F at_x = to_number(load_ints<IntOf<F>>(iota + k) + x) + F(0.5f), at_y = to_number(y) + 0.5f;
+    return to_ndc(at_x, at_y, F(job.width), F(job.height));
+}
+
 /// Interpolates position and normal (not yet unit) of the pixels from k on, of a group that begins at (x, y)
 /// and shows `seen`. False when some lane shows a clipped triangle.
 template <Number F>
@@ -120,9 +126,8 @@ bool blend_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size
     const I code = load_ints<I>(seen + k);
     const FacesOfLanes<F> face =
         faces_of_lanes<F>(job, triangle_of_code(code) - static_cast<int>(job.first_triangle));
-    const F at_x = to_number(load_ints<I>(iota + k) + x) + F(0.5f), at_y = to_number(y) + 0.5f;
-    const ScreenPoint<F> at = to_ndc(at_x, at_y, F(job.width), F(job.height));
-    const Vec3<F> w = perspective_weights(face.a.clip, face.b.clip, face.c.clip, at);
+    const Vec3<F> w =
+        perspective_weights(face.a.clip, face.b.clip, face.c.clip, centers_of_lanes<F>(job, k, x, y));
     const Vec3<F> p = blend(w, face.a.p, face.b.p, face.c.p), sum = blend(w, face.a.n, face.b.n, face.c.n);
     const F facing = job.two_sided ? F(1) - to_number(back_of_code(code) << 1) : F(1);
     const Vec3<F> n = facing * sum;
@@ -132,6 +137,20 @@ bool blend_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size
     store(out.nx + k, n.x);
     store(out.ny + k, n.y);
     store(out.nz + k, n.z);
+    return !face.clipped;
+}
+
+/// The weights of the corners there, `out` those of lane k's first. False as above.
+template <Number F>
+bool weigh_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size_t k, int x, int y,
+                 float* out) {
+    const auto triangles = triangle_of_code(load_ints<IntOf<F>>(seen + k));
+    const FacesOfLanes<F> face = faces_of_lanes<F>(job, triangles - static_cast<int>(job.first_triangle));
+    const Vec3<F> w =
+        perspective_weights(face.a.clip, face.b.clip, face.c.clip, centers_of_lanes<F>(job, k, x, y));
+    store(out, w.x);
+    store(out + block_size, w.y);
+    store(out + 2 * block_size, w.z);
     return !face.clipped;
 }
 
@@ -159,18 +178,40 @@ inline const std::uint32_t* seen_in_group(const InterpolateJob& job, const Pixel
     return filled;
 }
 
+/// Where a group begins.
+struct GroupPlace {
+    int x, y;
+};
+inline GroupPlace place_of(const InterpolateJob& job, const PixelGroup& group) {
+    const auto row = static_cast<std::uint32_t>(job.width);
+    return {static_cast<int>(group.first_pixel % row), static_cast<int>(group.first_pixel / row)};
+}
+
+/// As SurfaceKernels::weigh.
+template <Number F>
+void weigh_groups(const InterpolateJob& job, const PixelGroup* groups, std::size_t count, float* out,
+                  std::uint8_t* on_fast_path) {
+    for (std::size_t i = 0; i < count; ++i, out += 3 * block_size) {
+        std::uint32_t filled[block_size];
+        const std::uint32_t* seen = seen_in_group(job, groups[i], filled);
+        const GroupPlace at = place_of(job, groups[i]);
+        bool all = true;
+        for (std::size_t k = 0; k < block_size; k += NumberTraits<F>::width)
+            all &= weigh_lanes<F>(job, seen, k, at.x, at.y, out + k);
+        on_fast_path[i] = all;
+    }
+}
+
 template <Number F>
 void interpolate_groups(const InterpolateJob& job, const PixelGroup* groups, std::size_t count,
                         PointBlock* out, std::uint8_t* on_fast_path) {
-    const auto row = static_cast<std::uint32_t>(job.width);
     for (std::size_t i = 0; i < count; ++i) {
         std::uint32_t filled[block_size];
         const std::uint32_t* seen = seen_in_group(job, groups[i], filled);
-        const auto x = static_cast<int>(groups[i].first_pixel % row);
-        const auto y = static_cast<int>(groups[i].first_pixel / row);
+        const GroupPlace at = place_of(job, groups[i]);
         bool all = true;
         for (std::size_t k = 0; k < block_size; k += NumberTraits<F>::width)
-            all &= blend_lanes<F>(job, seen, k, x, y, out[i]);
+            all &= blend_lanes<F>(job, seen, k, at.x, at.y, out[i]);
         on_fast_path[i] = all;
         // Software pipelining, depth 1: hides the latency of the square root and the division.
         if (i > 0) on_fast_path[i - 1] &= make_normals_unit<F>(out[i - 1]);

@@ -51,8 +51,6 @@ void place_one_by_one(const Surface& s, const Geometry& g, const Visibility& vis
     }
 }
 
-constexpr std::size_t max_together = 64;  // groups
-
 /// Groups first .. first + count - 1, all of one object.
 void place_together(Surface& s, const Geometry& g, const Visibility& visibility, std::size_t first,
                     std::size_t count) {
@@ -65,6 +63,14 @@ void place_together(Surface& s, const Geometry& g, const Visibility& visibility,
 
 }  // namespace
 
+void prepare_interpolation(std::vector<InterpolateJob>& jobs, const Surface& s, const Geometry& g,
+                           const Visibility& visibility) {
+    jobs.clear();
+    for (std::size_t o = 0; o < g.objects.size(); ++o)
+        jobs.push_back(g.objects[o].mesh->triangles.empty() ? InterpolateJob{}
+                                                            : interpolate_job(s, g, visibility, o));
+}
+
 void interpolate_pixels(Surface& s, const Geometry& g, const Visibility& visibility) {
     s.points.resize(s.groups.size());
     s.point_object.resize(s.groups.size());
@@ -76,11 +82,7 @@ void interpolate_pixels(Surface& s, const Geometry& g, const Visibility& visibil
     const bool on_fast_path = s.group_samples.empty() && !s.choice.facet_normals &&
                               s.choice.interpolation == Interpolation::Perspective &&
                               !s.choice.mistakes.unnormalized_at_pixel;
-    std::vector<InterpolateJob>& jobs = s.as<PerPixel>().jobs;
-    jobs.clear();
-    for (std::size_t o = 0; o < g.objects.size(); ++o)
-        jobs.push_back(g.objects[o].mesh->triangles.empty() ? InterpolateJob{}
-                                                            : interpolate_job(s, g, visibility, o));
+    prepare_interpolation(s.as<PerPixel>().jobs, s, g, visibility);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.groups.size(), 256), [&](const auto& range) {
         for (std::size_t r = range.begin(); r != range.end(); ++r) s.point_object[r] = s.groups[r].object;
         for (std::size_t r = range.begin(); r != range.end();) {

@@ -1,9 +1,11 @@
 // The points that several pixels share: under flat shading one a face (SurfaceKind::Faces), under Gouraud the
 // corners (SurfaceKind::Corners). renderer/shade/color_pixels.cpp blends their colours. Phong and facet light
 // each pixel.
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 
 #include "models/memory_limit.h"
@@ -25,19 +27,32 @@ void number_items(LitPoints& lit, const Surface& s, const Geometry& g) {
     lit.point.assign(lit.first.back(), no_index);
 }
 
-/// Calls visit(group number, lane, blended points) for every pixel that shows a surface. `weighted`: with the
-/// points' weights, for which the pixel has to be located on its face.
+/// Calls visit(lane, end, face) for the pixels of a group: for each run of neighbours that show the same side
+/// of the same triangle, lanes `lane` to before `end`, with the face of the first.
 template <class Visit>
-void visit_pixels(const Surface& s, const Geometry& g, const Visibility& visibility, bool weighted,
-                  const Visit& visit) {
-    tbb::parallel_for(std::size_t{0}, s.groups.size(), [&](std::size_t r) {
-        for (unsigned i = 0; i < block_size; ++i) {
-            if (!(s.groups[r].mask >> i & 1u)) continue;
-            SampleFace face = face_of_lane(s, g, visibility, r, i);
-            if (weighted) locate_on_face(face, g);
-            visit(r, i, blended_points(s, g, face));
-        }
-    });
+void visit_runs(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t group,
+                const Visit& visit) {
+    const std::uint32_t mask = s.groups[group].mask;
+    const std::uint32_t* seen = &visibility.seen[s.groups[group].first_pixel];
+    for (unsigned lane = 0, end = 0; lane < block_size; lane = end) {
+        end = lane + 1;
+        if (!(mask >> lane & 1u)) continue;
+        if (s.group_samples.empty())
+            while (end < block_size && (mask >> end & 1u) && seen[end] == seen[lane]) ++end;
+        visit(lane, end, face_of_lane(s, g, visibility, group, lane));
+    }
+}
+
+/// Calls visit(lane, face) for each pixel of a group, located on its face.
+template <class Visit>
+void visit_lanes(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t group,
+                 const Visit& visit) {
+    for (unsigned lane = 0; lane < block_size; ++lane) {
+        if (!(s.groups[group].mask >> lane & 1u)) continue;
+        SampleFace face = face_of_lane(s, g, visibility, group, lane);
+        locate_on_face(face, g);
+        visit(lane, face);
+    }
 }
 
 /// Gives the seen items of each object consecutive numbers, each object beginning a new block.
@@ -78,43 +93,115 @@ void find_lit_points(LitPoints& lit, Surface& s, const Geometry& g, const Visibi
     // Perspective blends the three corners of a triangle wherever the pixel is.
     const bool weighted =
         s.choice.kind == SurfaceKind::Corners && s.choice.interpolation != Interpolation::Perspective;
-    visit_pixels(s, g, visibility, weighted, [&lit](std::size_t, unsigned, const BlendedPoints& sample) {
+    const auto mark = [&](const SampleFace& face) {
+        const BlendedPoints sample = blended_points(s, g, face);
         for (std::size_t k = 0; k < static_cast<std::size_t>(sample.count); ++k)
             // Several threads may write the same 1.
             std::atomic_ref(lit.seen[lit.number(sample.point[k])]).store(1, std::memory_order_relaxed);
+    };
+    tbb::parallel_for(std::size_t{0}, s.groups.size(), [&](std::size_t r) {
+        if (weighted)
+            return visit_lanes(s, g, visibility, r, [&](unsigned, const SampleFace& at) { mark(at); });
+        visit_runs(s, g, visibility, r, [&](unsigned, unsigned, const SampleFace& face) { mark(face); });
     });
     number_seen(lit, s);
     place_points(lit, s, g);
 }
 
+/// What each pixel of a group shows.
+void refer_to_faces(PerFace& faces, const Surface& s, const Geometry& g, const Visibility& visibility,
+                    std::size_t group) {
+    FaceRefs refs{};
+    visit_runs(s, g, visibility, group, [&](unsigned lane, unsigned end, const SampleFace& face) {
+        const ShadingPoint shown = blended_points(s, g, face).point[0];
+        std::fill(refs.point + lane, refs.point + end, faces.lit.point[faces.lit.number(shown)]);
+    });
+    faces.refs[group] = refs;
+}
+
+/// What each pixel of a group blends, pixel by pixel.
+void blend_one_by_one(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility,
+                      std::size_t group) {
+    const std::size_t first = s.corner_ref(group, 0), end = s.corner_ref(group + 1, 0);
+    std::fill(&vertices.ref_point[first], vertices.ref_point.data() + end, 0u);
+    std::fill(&vertices.ref_weight[first], vertices.ref_weight.data() + end, 0.0f);
+    visit_lanes(s, g, visibility, group, [&](unsigned lane, const SampleFace& face) {
+        const BlendedPoints sample = blended_points(s, g, face);
+        for (int k = 0; k < std::min(sample.count, max_blended(s.choice)); ++k) {
+            const auto which = static_cast<std::size_t>(k);
+            const std::size_t at = s.corner_ref(group, k) + lane;
+            vertices.ref_point[at] = vertices.lit.point[vertices.lit.number(sample.point[which])];
+            vertices.ref_weight[at] = sample.weight[which];
+        }
+    });
+}
+
+/// What each pixel of a group blends, by the weights that the kernel has found.
+void blend_weighed(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility,
+                   std::size_t group) {
+    std::uint32_t* point = &vertices.ref_point[s.corner_ref(group, 0)];
+    std::fill_n(point, 3 * block_size, 0u);
+    visit_runs(s, g, visibility, group, [&](unsigned lane, unsigned end, const SampleFace& face) {
+        const BlendedPoints corners = blended_points(s, g, face);
+        for (std::size_t k = 0; k < 3; ++k)
+            std::fill(point + k * block_size + lane, point + k * block_size + end,
+                      vertices.lit.point[vertices.lit.number(corners.point[k])]);
+    });
+    const std::uint32_t mask = s.groups[group].mask;
+    float* weight = &vertices.ref_weight[s.corner_ref(group, 0)];
+    for (std::size_t i = 0; mask != 0xFFFF && i < 3 * block_size; ++i)
+        if (!(mask >> i % block_size & 1u)) weight[i] = 0;
+}
+
+/// Groups first .. first + count - 1, all of one object, of a picture with one sample a pixel whose corners
+/// are blended in perspective.
+void blend_together(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility,
+                    std::size_t first, std::size_t count) {
+    std::array<std::uint8_t, max_together> on_fast_path;
+    surface_kernels().weigh(vertices.jobs[s.groups[first].object], &s.groups[first], count,
+                            &vertices.ref_weight[s.corner_ref(first, 0)], on_fast_path.data());
+    for (std::size_t i = 0; i < count; ++i)
+        (on_fast_path[i] ? blend_weighed : blend_one_by_one)(vertices, s, g, visibility, first + i);
+}
+
+/// Counts the groups from `first` on, and before `end`, that show the same object.
+std::size_t groups_of_one_object(const Surface& s, std::size_t first, std::size_t end) {
+    std::size_t next = first + 1;
+    while (next < end && s.groups[next].object == s.groups[first].object) ++next;
+    return next - first;
+}
+
+void blend_corners(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility) {
+    vertices.ref_point.resize(s.corner_ref(s.groups.size(), 0));
+    vertices.ref_weight.resize(vertices.ref_point.size());
+    const bool together = s.group_samples.empty() && s.choice.interpolation == Interpolation::Perspective;
+    prepare_interpolation(vertices.jobs, s, g, visibility);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.groups.size(), 256), [&](const auto& range) {
+        for (std::size_t r = range.begin(); r != range.end();) {
+            const std::size_t end = std::min(range.end(), r + max_together);
+            const std::size_t count = together ? groups_of_one_object(s, r, end) : 1;
+            if (together)
+                blend_together(vertices, s, g, visibility, r, count);
+            else
+                blend_one_by_one(vertices, s, g, visibility, r);
+            r += count;
+        }
+    });
+}
+
 }  // namespace
 
 void collect_lit_points(Surface& s, const Geometry& g, const Visibility& visibility) {
-    if (s.choice.kind == SurfaceKind::Faces) {
-        PerFace& faces = s.as<PerFace>();
-        LitPoints& lit = faces.lit;
-        std::vector<FaceRefs>& refs = faces.refs;
-        find_lit_points(lit, s, g, visibility);
-        refs.assign(s.groups.size(), FaceRefs{});
-        return visit_pixels(s, g, visibility, false,
-                            [&](std::size_t r, unsigned i, const BlendedPoints& sample) {
-                                refs[r].point[i] = lit.point[lit.number(sample.point[0])];
-                            });
+    if (s.choice.kind == SurfaceKind::Corners) {
+        PerVertex& vertices = s.as<PerVertex>();
+        find_lit_points(vertices.lit, s, g, visibility);
+        return blend_corners(vertices, s, g, visibility);
     }
-    PerVertex& vertices = s.as<PerVertex>();
-    LitPoints& lit = vertices.lit;
-    std::vector<std::uint32_t>& ref_point = vertices.ref_point;
-    std::vector<float>& ref_weight = vertices.ref_weight;
-    find_lit_points(lit, s, g, visibility);
-    ref_point.assign(s.corner_ref(s.groups.size(), 0), 0);
-    ref_weight.assign(ref_point.size(), 0);
-    visit_pixels(s, g, visibility, true, [&](std::size_t r, unsigned i, const BlendedPoints& sample) {
-        for (int k = 0; k < std::min(sample.count, max_blended(s.choice)); ++k) {
-            const auto which = static_cast<std::size_t>(k);
-            ref_point[s.corner_ref(r, k) + i] = lit.point[lit.number(sample.point[which])];
-            ref_weight[s.corner_ref(r, k) + i] = sample.weight[which];
-        }
-    });
+    PerFace& faces = s.as<PerFace>();
+    find_lit_points(faces.lit, s, g, visibility);
+    faces.refs.resize(s.groups.size());
+    tbb::parallel_for(std::size_t{0}, s.groups.size(),
+                      [&](std::size_t r) { refer_to_faces(faces, s, g, visibility, r); });
 }
 
 }  // namespace glint

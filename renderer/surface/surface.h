@@ -13,6 +13,7 @@
 #include "models/memory_limit.h"
 #include "renderer/geometry/object_normals.h"
 #include "renderer/lighting/light_job.h"
+#include "renderer/simd/pixel_vector.h"
 #include "renderer/surface/surface_kernels.h"
 #include "renderer/visibility/visibility.h"
 
@@ -136,12 +137,13 @@ struct PerPixel {
 struct PerVertex {
     LitPoints lit;
     // What each pixel blends; entry k of lane i of a group is at Surface::corner_ref(group, k) + i.
-    std::vector<std::uint32_t> ref_point;  // numbers of lit points
-    std::vector<float> ref_weight;         // 0: nothing to blend
+    PixelVector<std::uint32_t> ref_point;  // numbers of lit points
+    PixelVector<float> ref_weight;         // 0: nothing to blend
+    std::vector<InterpolateJob> jobs;      // one an object
 };
 struct PerFace {
     LitPoints lit;
-    std::vector<FaceRefs> refs;  // one a group
+    PixelVector<FaceRefs> refs;  // one a group
 };
 
 struct Surface {
@@ -151,7 +153,7 @@ struct Surface {
     std::vector<GroupSamples> group_samples;          // one a group; empty with one sample a pixel
     std::vector<RowGroups> row_groups;                // #rows + 1, with one sample a pixel
     std::vector<SampledRow> sampled_rows;             // #rows, with several
-    std::vector<PointBlock> points;                   // lit points; Pixels: points[i] belongs to groups[i]
+    PixelVector<PointBlock> points;                   // lit points; Pixels: points[i] belongs to groups[i]
     std::vector<std::uint32_t> point_object;          // #points: the object whose material each block has
     std::variant<PerPixel, PerVertex, PerFace> kept;  // as choice.kind says
     std::uint64_t pixel_count = 0;                    // that show a surface
@@ -243,6 +245,13 @@ struct BlendedPoints {
 /// With several samples a pixel: fills groups, group_samples and pixel_count from all planes of the
 /// visibility, in reading order (multisample.cpp).
 void find_sampled_groups(Surface& surface, const Geometry& geometry, const Visibility& visibility);
+
+/// What the kernels read of each object to interpolate over its faces. Fills `jobs`: one an object.
+void prepare_interpolation(std::vector<InterpolateJob>& jobs, const Surface& surface,
+                           const Geometry& geometry, const Visibility& visibility);
+
+/// Groups that a kernel takes in one call.
+inline constexpr std::size_t max_together = 64;
 
 /// Phong and facet shading: fills points, point_object and point_count with the position and normal of every
 /// visible pixel (interpolate_pixels.cpp). Precondition: the groups are found.

@@ -39,6 +39,11 @@ struct SurfaceKernels {
     /// undefined, and the caller finds it by doubles. Else 1.
     void (*interpolate)(const InterpolateJob& job, const PixelGroup* groups, std::size_t count,
                         PointBlock* out, std::uint8_t* on_fast_path);
+    /// Perspective-correct weights of the three corners of the triangle that each pixel shows: 16 of the
+    /// first corner, 16 of the second, 16 of the third, then the next group's. on_fast_path[i] = 0 if group i
+    /// shows a clipped triangle, as above.
+    void (*weigh)(const InterpolateJob& job, const PixelGroup* groups, std::size_t count, float* out,
+                  std::uint8_t* on_fast_path);
 };
 
 /// The kernels of the instruction set that is in use (instruction_set.h).

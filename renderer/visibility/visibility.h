@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "renderer/simd/pixel_vector.h"
 #include "renderer/visibility/binning.h"
 
 namespace glint {
@@ -16,7 +17,7 @@ struct Visibility {
     TileLists tiles;
     std::vector<DrawnObject> objects;
     std::size_t plane = 0;            // width x height
-    std::vector<std::uint32_t> seen;  // samples planes: seen_code of the nearest triangle; 0: none
+    PixelVector<std::uint32_t> seen;  // samples planes: seen_code of the nearest triangle; 0: none
     // With one sample a pixel: which pixels of each group of 16 in a row show a triangle, groups_a_row a row.
     std::vector<std::uint16_t> covered;
     std::size_t groups_a_row = 0;

@@ -3,6 +3,7 @@
 // the renderer's *_isa.cpp); the lines of all sets must be equal. Needs nothing but the C library's
 // headers, so that a cross compiler can build it.
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -224,6 +225,10 @@ void place_all(Numbers& number) {
         if (!told) continue;
         for (const auto& numbers : {&out.x, &out.y, &out.z, &out.nx, &out.ny, &out.nz})
             for (const float a : *numbers) hash.add(a);
+        std::array<float, 3 * block_size> weights{};
+        GLINT_ISA::drawing.surface.weigh(job, &group, 1, weights.data(), &told);
+        hash.add(std::uint32_t{told});
+        for (const float a : weights) hash.add(a);
     }
     hash.print("place", 200);
 }
