@@ -142,6 +142,13 @@ std::array<Explanation, 4> under_each_mode(const UiState& state, const Explanati
     return all;
 }
 
+std::optional<Explanation> under_phong(const UiState& state, const Explanation& explanation) {
+    Scene other = state.editor.scene();
+    if (explanation.mode != other.shading.mode || !same_faces(state.rendered_scene, other)) return {};
+    other.shading.mode = ShadingMode::Phong;
+    return state.renderer->explain_as(other, explanation.x, explanation.y);
+}
+
 void models_tab(UiState& state, const PictureView&) {
     if (!state.explanation)
         return inspector_empty_state(

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -77,12 +78,15 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
                           state.asked.x, state.asked.y, r, g, b));
     if (explanation.hit) {
         const char* const side = explanation.front_facing ? "front side" : "back side";
-        const float for_side = ImGui::CalcTextSize(side).x + px(6);
-        if (ImGui::Selectable(fmt::format("{}, face {}", explanation.object, explanation.face).c_str(), false,
-                              0, {ImGui::GetContentRegionAvail().x - px(26) - for_side, 0}))
+        const float room = ImGui::GetContentRegionAvail().x - px(26) - ImGui::CalcTextSize(side).x - px(12);
+        const std::string what = fmt::format("{}, face {}", explanation.object, explanation.face);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        if (ImGui::Selectable("##object", false, 0, {room, 0}))
             state.editor.selection = {Selection::Kind::Object, explanation.object_index};
-        tooltip("Object", "Click to show its panel");
-        ImGui::SameLine(0, px(6));
+        tooltip("Object", "Click to show its panel", what);
+        ImGui::RenderTextEllipsis(&list, at, {at.x + room, at.y + ImGui::GetTextLineHeight()}, at.x + room,
+                                  at.x + room, what.data(), what.data() + what.size(), nullptr);
+        ImGui::SameLine(0, px(12));
         coloured(is_plain_front(explanation) ? theme().dim_text : theme().warning, side);
         tooltip("Side", "Front: its corners run counter-clockwise on the screen",
                 "Here: " + side_words(explanation));

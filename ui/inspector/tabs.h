@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 
 #include "models/scene/camera.h"
@@ -47,6 +48,8 @@ void models_tab(UiState& state, const PictureView& view);
 /// Precondition: the picture is of the edited scene, or of one with other lights, materials or shading.
 [[nodiscard]] std::array<Explanation, 4> under_each_mode(const UiState& state,
                                                          const Explanation& explanation);
+/// The same pixel lit at its own point. Nothing where the explanation is not of the edited scene.
+[[nodiscard]] std::optional<Explanation> under_phong(const UiState& state, const Explanation& explanation);
 
 // The mistakes that students really make are switches: on, one sees how each is recognised; pointed at, one
 // sees it for as long as the mouse rests there.

@@ -217,7 +217,8 @@ bool hand_drag(ToolFrame& tool) {
 
 void hand_release(ToolFrame& tool) {
     ViewportState& state = tool.state.viewport;
-    if (state.gesture == Gesture::Press) click(state, tool.view.map.size);
+    const bool frozen = tool.state.lecture.frozen.has_value();  // with what was asked about it
+    if (state.gesture == Gesture::Press && !frozen) click(state, tool.view.map.size);
     end_gesture(state);
 }
 

@@ -87,7 +87,7 @@ void tooltip(const char* title, const char* what, const std::string& range, cons
         ImGui::TextUnformatted(what);
     ImGui::PushFont(fonts().small);
     if (!range.empty()) dim_text(range.c_str());
-    if (!key.empty()) dim_text(key.c_str());
+    if (!key.empty() && ImGui::GetIO().KeyAlt) dim_text(key.c_str());  // for those who write files
     ImGui::PopFont();
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();

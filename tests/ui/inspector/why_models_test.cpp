@@ -27,6 +27,23 @@ TEST_CASE("the models' values are those of the pixel drawn under each mode", "[u
     CHECK(all[0].sum != all[3].sum);
 }
 
+TEST_CASE("what Gouraud loses of a pixel is held to Phong's own picture", "[ui][window][why]") {
+    HeadlessWindow bench;
+    bench.scene().shading.mode = ShadingMode::Gouraud;
+    test::ask(bench, InspectorTab::Equation, {0.42, 0.38});
+    const Explanation gouraud = *bench.state.explanation;
+    const auto phong = under_phong(bench.state, gouraud);
+    REQUIRE(phong);
+    Renderer renderer(1);
+    Scene scene = bench.scene();
+    scene.shading.mode = ShadingMode::Phong;
+    (void)renderer.render(scene, bench.state.rendered->size);
+    CHECK(phong->sum == renderer.explain(gouraud.x, gouraud.y).sum);
+    Explanation other_part = gouraud;  // of a comparison, drawn by another renderer
+    other_part.mode = ShadingMode::Flat;
+    CHECK_FALSE(under_phong(bench.state, other_part));
+}
+
 TEST_CASE("pointing at a model shows the picture under it, a click takes it, undo goes back",
           "[ui][window][why]") {
     HeadlessWindow bench;

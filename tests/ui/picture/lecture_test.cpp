@@ -95,9 +95,13 @@ TEST_CASE("a frozen picture stays whatever is edited", "[ui][lecture]") {
     bench.frames(3);
     CHECK(bench.state.rendered->rgba == pixels);
     CHECK(bench.state.editor.unsaved());
+    bench.click(bench.at_pixel({200, 200}));
+    CHECK_FALSE(bench.state.viewport.probe);  // nor does anything move that is drawn over it
     bench.key(Key::F8);
     bench.frames(2);
     CHECK_FALSE(bench.state.rendered->rgba == pixels);
+    bench.click(bench.at_pixel({200, 200}));
+    CHECK(bench.state.viewport.probe);
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 

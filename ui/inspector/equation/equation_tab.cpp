@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/common.hpp>
+#include <optional>
 
 #include "models/scene/reflection.h"
 #include "renderer/inspect/explain/explain_format.h"
@@ -67,6 +69,20 @@ void interpolations(UiState& state, const Explanation& explanation) {
         other.shading.interpolation = each.interpolation;
         show_instead(state, other, fmt::format("{} weights", choice.label));
     }
+}
+
+/// Whether a highlight between the corners is lost here, or enough of them bring it back.
+void against_phong(const UiState& state, const Explanation& explanation) {
+    if (!explanation.lit_per_corner) return;
+    const std::optional<Explanation> phong = under_phong(state, explanation);
+    if (!phong) return;
+    if (phong->byte == explanation.byte)
+        return wrapped_dim(
+            "Lit at the pixel itself (Phong shading) it has the same colour: nothing is lost.");
+    const glm::vec3 lost = phong->sum - explanation.sum;
+    wrapped_dim(fmt::format("Lit at the pixel itself (Phong shading) it is {}: {} is {}.",
+                            shown_vector(phong->sum), shown_vector(glm::abs(lost)),
+                            lost.x + lost.y + lost.z > 0 ? "lost" : "too much"));
 }
 
 /// The tone, which under cool to warm takes the place of emission, ambient and diffuse.
@@ -164,6 +180,7 @@ void equation_tab(UiState& state, const PictureView&) {
         mistakes_note(state.editor.scene());
         lit_at(state.inspector, explanation);
         interpolations(state, explanation);
+        against_phong(state, explanation);
         const ExplainedPoint& point = asked_point(state.inspector, explanation);
         unlit(state, explanation, point);
         for (std::size_t i = 0; i < point.lights.size(); ++i) light_card(state, explanation, point, i);
