@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/common.hpp>
 #include <optional>
 
 #include "models/scene/reflection.h"
@@ -77,12 +76,20 @@ void against_phong(const UiState& state, const Explanation& explanation) {
     const std::optional<Explanation> phong = under_phong(state, explanation);
     if (!phong) return;
     if (phong->byte == explanation.byte)
-        return wrapped_dim(
-            "Lit at the pixel itself (Phong shading) it has the same colour: nothing is lost.");
+        return wrapped_dim("Phong shading gives the same colour here: nothing is lost between the corners.");
     const glm::vec3 lost = phong->sum - explanation.sum;
-    wrapped_dim(fmt::format("Lit at the pixel itself (Phong shading) it is {}: {} is {}.",
-                            shown_vector(phong->sum), shown_vector(glm::abs(lost)),
-                            lost.x + lost.y + lost.z > 0 ? "lost" : "too much"));
+    const auto row = [](const char* label, const char* what, glm::vec3 value) {
+        const float left = ImGui::GetCursorPosX();
+        dim_text(label);
+        tooltip(label, what);
+        ImGui::SameLine(left + px(98));
+        mono_text(shown_vector(value));
+    };
+    row("Phong", "The pixel lit at its own point, not at the corners", phong->sum);
+    if (lost.x + lost.y + lost.z > 0)
+        row("lost", "What lies between the corners, and so in none of their colours", lost);
+    else
+        row("too much", "What the corners bring here, though it does not reach this point", -lost);
 }
 
 /// The tone, which under cool to warm takes the place of emission, ambient and diffuse.
