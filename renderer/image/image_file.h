@@ -48,6 +48,12 @@ enum class PictureFormat { Png, Pfm, Exr };
 /// values are taken as sRGB, as Glint writes them, whatever the depth. "-" is standard input.
 [[nodiscard]] Result<Picture> read_png(const std::string& path);
 
+/// Reads a PFM (colour or grey, either order of bytes) or an OpenEXR (R, G, B or Y, 16 or 32 bits), as any
+/// program writes them, up to 16384x16384: linear numbers as they stand in the file, not bounded, perhaps
+/// NaN; `rgba` stays empty. "-" is standard input.
+[[nodiscard]] Result<Picture> read_pfm(const std::string& path);
+[[nodiscard]] Result<Picture> read_exr(const std::string& path);
+
 // Moving pictures as GIF, for slides that show nothing else. A frame has at most 256 colours: steps that are
 // not in the picture appear in its gradients. Where it can be, a row of PNG files is the better choice.
 

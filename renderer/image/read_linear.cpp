@@ -1,0 +1,171 @@
+// Pictures of linear float numbers, as other programs write them: PFM and OpenEXR.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <stdexcept>
+
+#include "models/io/file.h"
+#include "models/memory_limit.h"
+#include "renderer/image/image_file.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t max_linear_bytes = std::size_t{17} * max_picture_side * max_picture_side;
+
+Problem unreadable(const std::string& path, const std::string& what, const char* format) {
+    return {path, {}, what, std::string(format) + " picture of 1x1 to 16384x16384"};
+}
+
+bool fits(long long width, long long height) {
+    return width >= 1 && height >= 1 && width <= max_picture_side && height <= max_picture_side;
+}
+
+/// A picture of that size with room for its linear numbers. Throws Refused.
+Picture empty_linear(long long width, long long height) {
+    Picture picture{{static_cast<int>(width), static_cast<int>(height)}, {}, {}};
+    require_memory(memory_need(MemoryUse::Pixels, 3 * sizeof(float) * picture.size.pixels()));
+    picture.linear.resize(3 * picture.size.pixels());
+    return picture;
+}
+
+/// The words of a PFM's heading and where its numbers begin.
+struct PfmHeading {
+    int channels = 0;
+    long long width = 0, height = 0;
+    float scale = 0;  // below 0: little-endian
+    std::size_t end = 0;
+};
+
+template <class Number> bool read_number(std::string_view word, Number& number) {
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    return error == std::errc{} && end == word.data() + word.size();
+}
+
+std::optional<PfmHeading> pfm_heading(std::string_view bytes) {
+    constexpr std::string_view spaces = " \t\r\n";
+    std::array<std::string_view, 4> words;
+    std::size_t at = 0;
+    for (std::string_view& word : words) {
+        at = bytes.find_first_not_of(spaces, at);
+        const std::size_t end = bytes.find_first_of(spaces, at);
+        if (at == bytes.npos || end == bytes.npos) return std::nullopt;
+        word = bytes.substr(at, end - at);
+        at = end;
+    }
+    PfmHeading heading;
+    heading.end = at + 1;  // one space alone follows the last word
+    heading.channels = words[0] == "PF" ? 3 : words[0] == "Pf" ? 1 : 0;
+    const bool numbers = read_number(words[1], heading.width) && read_number(words[2], heading.height) &&
+                         read_number(words[3], heading.scale);
+    if (!numbers || heading.channels == 0 || heading.scale == 0) return std::nullopt;
+    return heading;
+}
+
+float pfm_number(const char* at, bool little) {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, at, sizeof bits);
+    if (!little) bits = bits >> 24 | (bits >> 8 & 0xFF00u) | (bits << 8 & 0xFF0000u) | bits << 24;
+    return std::bit_cast<float>(bits);
+}
+
+/// A file in memory.
+class Bytes : public Imf::IStream {
+  public:
+    explicit Bytes(const std::string& bytes) : IStream("picture"), bytes_(bytes) {}
+    bool read(char c[], int n) override {
+        const auto size = static_cast<std::size_t>(n);
+        if (size > bytes_.size() - std::min(at_, bytes_.size())) throw std::runtime_error("ends too early");
+        std::memcpy(c, bytes_.data() + at_, size);
+        at_ += size;
+        return at_ < bytes_.size();
+    }
+    std::uint64_t tellg() override { return at_; }
+    void seekg(std::uint64_t position) override { at_ = position; }
+
+  private:
+    const std::string& bytes_;
+    std::size_t at_ = 0;
+};
+
+/// Throws what the library throws for a file that is not whole.
+Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path) {
+    Bytes source(bytes);
+    Imf::InputFile file(source, 0);
+    const auto window = file.header().dataWindow();
+    const long long width = 1LL + window.max.x - window.min.x, height = 1LL + window.max.y - window.min.y;
+    if (!fits(width, height)) return unreadable(path, "has a size out of range", "an OpenEXR");
+    const Imf::ChannelList& channels = file.header().channels();
+    const bool grey = channels.findChannel("R") == nullptr;
+    if (grey && channels.findChannel("Y") == nullptr)
+        return unreadable(path, "has neither the channels R, G, B nor Y", "an OpenEXR");
+    Picture picture = empty_linear(width, height);
+    const std::size_t pixel = 3 * sizeof(float), row = pixel * static_cast<std::size_t>(width);
+    const auto before =
+        static_cast<std::ptrdiff_t>(pixel) * window.min.x + static_cast<std::ptrdiff_t>(row) * window.min.y;
+    Imf::FrameBuffer frame;
+    const char* names[] = {grey ? "Y" : "R", "G", "B"};
+    for (std::size_t c = 0; c < (grey ? 1U : 3U); ++c) {
+        char* const at = reinterpret_cast<char*>(picture.linear.data() + c) - before;
+        frame.insert(names[c], Imf::Slice(Imf::FLOAT, at, pixel, row));
+    }
+    file.setFrameBuffer(frame);
+    file.readPixels(window.min.y, window.max.y);
+    if (grey)
+        for (std::size_t i = 0; i < picture.linear.size(); i += 3)
+            picture.linear[i + 1] = picture.linear[i + 2] = picture.linear[i];
+    return picture;
+}
+
+}  // namespace
+
+Result<Picture> read_pfm(const std::string& path) {
+    const auto file = read_file(path, max_linear_bytes);
+    if (const Problem* problem = problem_of(file)) return *problem;
+    const std::string& bytes = std::get<std::string>(file);
+    const auto heading = pfm_heading(std::string_view(bytes).substr(0, 256));
+    if (!heading) return unreadable(path, "does not begin as a PFM does", "a PFM");
+    if (!fits(heading->width, heading->height)) return unreadable(path, "has a size out of range", "a PFM");
+    const auto channels = static_cast<std::size_t>(heading->channels);
+    const auto width = static_cast<std::size_t>(heading->width);
+    const auto height = static_cast<std::size_t>(heading->height);
+    if (bytes.size() - heading->end < 4 * channels * width * height)
+        return unreadable(path, "ends too early", "a PFM");
+    try {
+        Picture picture = empty_linear(heading->width, heading->height);
+        const bool little = heading->scale < 0;
+        for (std::size_t i = 0; i < 3 * width * height; ++i) {
+            const std::size_t pixel = i / 3, row = height - 1 - pixel / width;
+            const std::size_t from = channels * (row * width + pixel % width) + (channels == 3 ? i % 3 : 0);
+            picture.linear[i] = pfm_number(&bytes[heading->end + 4 * from], little);
+        }
+        return picture;
+    } catch (const Refused& refused) {
+        return memory_problem(refused, path);
+    }
+}
+
+Result<Picture> read_exr(const std::string& path) {
+    const auto file = read_file(path, max_linear_bytes);
+    if (const Problem* problem = problem_of(file)) return *problem;
+    try {
+        return read_exr_bytes(std::get<std::string>(file), path);
+    } catch (const std::bad_alloc& error) {
+        return memory_problem(error, path);
+    } catch (const std::exception& error) {
+        return unreadable(path, std::string("cannot be read as an OpenEXR (") + error.what() + ")",
+                          "an OpenEXR");
+    }
+}
+
+}  // namespace glint
