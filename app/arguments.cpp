@@ -149,6 +149,12 @@ bool takes_png(const std::string& out) {
     return is_channel && !path.has_extension();
 }
 
+void require_png_file(const std::string& out) {
+    if (out == "-") throw wrong_usage("-o", "standard output is the answer's", "a name that ends in .png");
+    if (out.empty() || takes_png(out)) return;
+    throw wrong_usage("-o", out + " cannot be written", "a name that ends in .png");
+}
+
 SceneDocument open_scene(const SceneArguments& arguments) {
     require_file(arguments);
     SceneDocument document = take(open_document(arguments.file, arguments.assignments));

@@ -40,6 +40,7 @@ struct Command {
 [[nodiscard]] Command info_command();
 [[nodiscard]] Command schema_command();
 [[nodiscard]] Command compare_command();
+[[nodiscard]] Command diagnose_command();
 [[nodiscard]] Command bench_command();
 
 /// Those that have a name, in the order of --help.

@@ -35,12 +35,6 @@ std::string json_of(const Comparison& c, int gain) {
     return json_text(json);
 }
 
-void require_png_file(const std::string& out) {
-    if (out == "-") throw wrong_usage("-o", "standard output is the answer's", "a name that ends in .png");
-    if (out.empty() || takes_png(out)) return;
-    throw wrong_usage("-o", out + " cannot be written", "a name that ends in .png");
-}
-
 Outcome compare(const CompareArguments& arguments) {
     require_given(arguments.a, "A.png", "two pictures to compare");
     require_given(arguments.b, "B.png", "a second picture to compare with");

@@ -42,6 +42,8 @@ TEST_CASE("a room of the renderer that includes a later one is reported", "[arch
     CHECK(reported("renderer/shade/lighting.h", "renderer/renderer.h"));
     CHECK(reported("renderer/inspect/explain/explain.h", "renderer/renderer.h"));
     CHECK(reported("renderer/renderer.h", "renderer/inspect/reflectance/lobes.h"));
+    CHECK(reported("renderer/inspect/debug_views/sheet.h", "renderer/diagnose/diagnose.h"));
+    CHECK(reported("renderer/diagnose/search/score.h", "renderer/diagnose/diagnose.h"));
     CHECK(reported("renderer/renderer.h", "renderer/new_room/file.h"));
     CHECK(reported("renderer/new_room/file.h", "renderer/renderer.h"));
     CHECK_FALSE(reported("renderer/shade/lighting.h", "renderer/picture.h"));

@@ -1,0 +1,92 @@
+#pragma once
+// What is wrong in a picture that another program drew of a scene: the scene is drawn right and under every
+// mistake of models/scene/mistakes.h, and the explanation that shows the same picture is named. It does not
+// guess: a picture that none of them shows is said to be in no catalogue.
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/scene_file/scene_file.h"
+#include "renderer/diagnose/search/display_change.h"
+#include "renderer/diagnose/search/hypotheses.h"
+#include "renderer/diagnose/search/score.h"
+
+namespace glint {
+
+enum class Verdict { NoMistake, Mistake, NotInCatalogue, NotComparable };
+
+/// What was taken away before mistakes were looked for.
+struct DisplayFinding {
+    DisplayChange change;
+    std::optional<Rgb> background;  // where it is another than the scene's, as the picture shows it
+    bool smooth_edges = false;      // silhouettes are anti-aliased
+    glm::vec2 shift{0};  // pixels to the right and down by which it is displaced; 0 where it is not
+};
+
+struct Candidate {
+    MistakeSet mistakes;
+    std::vector<MistakeSet> also;  // whose pictures are the same within one level in this scene
+    DisplayChange change;          // under which it explains the picture
+    double residual = 0;           // RMS in levels of 0 to 255, over what can be compared
+    double explained = 0;          // share of the wrong pixels that it explains, 0 to 1
+    bool fits = false;             // explains the whole picture
+    // The pixel of the scene's picture that tells it best from the right one, as the wrong picture has it,
+    // and as the right and the mistaken picture would show it at this display.
+    glm::ivec2 pixel{0};
+    Rgb mine{}, reference{}, as_mistaken{};
+};
+
+/// Where an unexplained difference lives.
+struct DifferenceRegion {
+    int object = 0;                // in Scene::objects
+    std::uint64_t pixels = 0;      // comparable ones that are wrong
+    double share = 0;              // of its comparable pixels that are wrong, 0 to 1
+    glm::ivec2 low{0}, high{0};    // the box around them, both inside
+    std::array<double, 3> mean{};  // picture - right, levels
+};
+/// A term of the equation to which the difference is proportional.
+struct DifferenceTerm {
+    std::string term;      // emission, global_ambient, ambient, diffuse, specular; all: of a light
+    int light = -1;        // in Scene::lights; -1 for the terms without one
+    double factor = 1;     // what the term seems to be multiplied by
+    double explained = 0;  // share of the difference's energy that this explains, 0 to 1
+};
+
+/// The change of the scene under which the candidates look most different.
+struct Experiment {
+    std::vector<Assignment> set;
+    glm::ivec2 pixel{0};
+    std::vector<MistakeSet> mistakes;
+    std::vector<Rgb> shows;  // at the pixel, by each of them
+};
+
+struct Diagnosis {
+    PictureSize size;
+    Verdict verdict = Verdict::NotComparable;
+    std::string why;  // of NotComparable
+    DisplayFinding display;
+    std::vector<Candidate> candidates;  // best first
+    double unlike = 0;                  // share of the comparable pixels that differ from the right picture
+    std::vector<DifferenceRegion> regions;
+    std::vector<DifferenceTerm> terms;
+    std::optional<Experiment> experiment;
+};
+
+struct DiagnosisOptions {
+    bool pairs = false;
+    int threads = 0;  // 0: all cores; the answer is the same for every number
+    DiagnosisProgress progress;
+};
+
+/// `wrong` has its bytes (see as_shown()). Mistakes that the scene itself makes are left out. Throws Refused.
+[[nodiscard]] Diagnosis diagnose(const SceneDocument& document, const Picture& wrong,
+                                 const DiagnosisOptions& options);
+
+/// The picture with the bytes that the scene's display makes of its linear numbers, which hold its exposure
+/// already; NaN is black. A picture of bytes stays as it is.
+[[nodiscard]] Picture as_shown(Picture picture, const Display& display);
+
+}  // namespace glint

@@ -1,0 +1,92 @@
+#include "models/json/json_value.h"
+#include "renderer/diagnose/diagnosis_format.h"
+
+namespace glint {
+namespace {
+
+JsonValue pixel_json(glm::ivec2 pixel) { return {pixel.x, pixel.y}; }
+
+JsonValue rgb_json(Rgb c) { return {int{c[0]}, int{c[1]}, int{c[2]}}; }
+
+JsonValue names_json(const std::vector<MistakeSet>& sets) {
+    JsonValue names = JsonValue::array();
+    for (const MistakeSet& set : sets) names.push_back(name_of(set));
+    return names;
+}
+
+JsonValue display_json(const DisplayFinding& display) {
+    const DisplayChange& c = display.change;
+    JsonValue json = JsonValue::object();
+    if (c.upside_down) json["upside_down"] = true;
+    if (c.mirrored) json["mirrored"] = true;
+    if (c.red_blue) json["red_blue_exchanged"] = true;
+    if (c.encodings() != 0) json["srgb"] = c.encodings() > 0 ? "encoded" : "decoded";
+    if (c.gain != 1) json["gain"] = c.gain;
+    if (display.background) json["background"] = rgb_json(*display.background);
+    if (display.shift != glm::vec2(0)) json["shift"] = JsonValue{display.shift.x, display.shift.y};
+    if (display.smooth_edges) json["smooth_edges"] = true;
+    if (c.soft) json["smoothed"] = true;
+    return json;
+}
+
+JsonValue candidate_json(const Candidate& c) {
+    JsonValue json;
+    json["name"] = name_of(c.mistakes);
+    json["also"] = names_json(c.also);
+    json["residual"] = c.residual;
+    json["explained"] = c.explained;
+    json["pixel"] = pixel_json(c.pixel);
+    json["mine"] = rgb_json(c.mine);
+    json["reference"] = rgb_json(c.reference);
+    json["as_mistaken"] = rgb_json(c.as_mistaken);
+    return json;
+}
+
+JsonValue experiment_json(const Experiment& e) {
+    JsonValue json;
+    JsonValue& set = json["set"] = JsonValue::array();
+    for (const Assignment& a : e.set) set.push_back(a.pointer + "=" + a.json);
+    json["pixel"] = pixel_json(e.pixel);
+    JsonValue& shows = json["shows"] = JsonValue::array();
+    for (std::size_t i = 0; i < e.shows.size(); ++i)
+        shows.push_back({{"name", name_of(e.mistakes[i])}, {"color", rgb_json(e.shows[i])}});
+    return json;
+}
+
+JsonValue difference_json(const Diagnosis& d, const Scene& scene) {
+    JsonValue json;
+    json["wrong"] = d.unlike;
+    JsonValue& regions = json["regions"] = JsonValue::array();
+    for (const DifferenceRegion& r : d.regions)
+        regions.push_back({{"object", scene.objects[static_cast<std::size_t>(r.object)].name},
+                           {"pixels", r.pixels},
+                           {"share", r.share},
+                           {"from", pixel_json(r.low)},
+                           {"to", pixel_json(r.high)},
+                           {"mean", r.mean}});
+    JsonValue& terms = json["terms"] = JsonValue::array();
+    for (const DifferenceTerm& t : d.terms) {
+        JsonValue term{{"term", t.term}, {"factor", t.factor}, {"explained", t.explained}};
+        if (t.light >= 0) term["light"] = scene.lights[static_cast<std::size_t>(t.light)].name;
+        terms.push_back(std::move(term));
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string diagnosis_json(const Diagnosis& d, const Scene& scene) {
+    JsonValue json;
+    json["verdict"] = verdict_text(d.verdict);
+    if (d.verdict == Verdict::NotComparable) json["why"] = d.why;
+    json["width"] = d.size.width;
+    json["height"] = d.size.height;
+    json["display"] = display_json(d.display);
+    JsonValue& candidates = json["candidates"] = JsonValue::array();
+    for (const Candidate& c : d.candidates) candidates.push_back(candidate_json(c));
+    if (d.verdict == Verdict::NotInCatalogue) json["difference"] = difference_json(d, scene);
+    json["experiment"] = d.experiment ? experiment_json(*d.experiment) : JsonValue();
+    return json_text(json);
+}
+
+}  // namespace glint

@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "models/scene/mistakes.h"
+#include "renderer/diagnose/diagnosis_format.h"
+
+namespace glint {
+namespace {
+
+std::string text_of(Rgb c) { return fmt::format("({}, {}, {})", c[0], c[1], c[2]); }
+
+std::string names_of(const std::vector<MistakeSet>& sets) {
+    std::vector<std::string> names;
+    for (const MistakeSet& set : sets) names.push_back(name_of(set));
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// What the program that drew the picture does.
+std::string what_is_done(const MistakeSet& set) {
+    std::vector<std::string_view> words;
+    for (const std::size_t i : set) words.push_back(mistake_names()[i].what);
+    return fmt::format("{}", fmt::join(words, " And: "));
+}
+
+std::string verdict_line(const Diagnosis& d) {
+    switch (d.verdict) {
+    case Verdict::NoMistake:
+        return "No mistake: the picture shows the scene as Glint does.";
+    case Verdict::NotComparable:
+        return "Not comparable: " + d.why + ".";
+    case Verdict::NotInCatalogue:
+        return fmt::format(
+            "Not in the catalogue: {:.0f} % of the pixels are wrong, and no mistake explains them.",
+            100 * d.unlike);
+    case Verdict::Mistake:
+        break;
+    }
+    const Candidate& best = d.candidates.front();
+    return fmt::format("Mistake: {}. {}", name_of(best.mistakes), what_is_done(best.mistakes));
+}
+
+std::string candidate_lines(const Candidate& c) {
+    std::string text = fmt::format(
+        "It explains {:.0f} % of the wrong pixels and leaves {:.2f} levels. At {},{} your picture has {}; "
+        "right is "
+        "{}, with the mistake {}.\n",
+        100 * c.explained, c.residual, c.pixel.x, c.pixel.y, text_of(c.mine), text_of(c.reference),
+        text_of(c.as_mistaken));
+    if (!c.also.empty()) text += "In this scene these look the same: " + names_of(c.also) + ".\n";
+    return text;
+}
+
+std::string experiment_line(const Experiment& e) {
+    std::vector<std::string> options, shows;
+    for (const Assignment& a : e.set) options.push_back(fmt::format("--set {}={}", a.pointer, a.json));
+    for (std::size_t i = 0; i < e.shows.size(); ++i)
+        shows.push_back(fmt::format("{} {}", name_of(e.mistakes[i]), text_of(e.shows[i])));
+    return fmt::format("To be sure, draw it with {}: pixel {},{} is then {}.\n", fmt::join(options, " "),
+                       e.pixel.x, e.pixel.y, fmt::join(shows, ", with "));
+}
+
+std::string difference_lines(const Diagnosis& d, const Scene& scene) {
+    std::string text;
+    if (!d.regions.empty()) {
+        const DifferenceRegion& r = d.regions.front();
+        text += fmt::format(
+            "Most of it is on {}, wrong in {:.0f} % of its pixels, from {},{} to {},{}, on average {} "
+            "levels.\n",
+            on_one_line(scene.objects[static_cast<std::size_t>(r.object)].name), 100 * r.share, r.low.x,
+            r.low.y, r.high.x, r.high.y,
+            fmt::format("({:+.0f}, {:+.0f}, {:+.0f})", r.mean[0], r.mean[1], r.mean[2]));
+    }
+    if (!d.terms.empty()) {
+        const DifferenceTerm& t = d.terms.front();
+        const std::string light =
+            t.light < 0 ? "" : " of " + on_one_line(scene.lights[static_cast<std::size_t>(t.light)].name);
+        text += fmt::format("It goes with {}{}, as if that were multiplied by {:.2f} ({:.0f} % of it).\n",
+                            t.term == "all" ? "all light" : "the " + t.term + " term", light, t.factor,
+                            100 * t.explained);
+    }
+    if (!d.candidates.empty())
+        text += fmt::format("Nearest is {}, which explains {:.0f} % of the wrong pixels: too few.\n",
+                            name_of(d.candidates.front().mistakes), 100 * d.candidates.front().explained);
+    return text;
+}
+
+}  // namespace
+
+std::string_view verdict_text(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::NoMistake:
+        return "no mistake";
+    case Verdict::Mistake:
+        return "mistake";
+    case Verdict::NotInCatalogue:
+        return "not in the catalogue";
+    case Verdict::NotComparable:
+        return "not comparable";
+    }
+    return "";  // not reached
+}
+
+std::string display_text(const DisplayFinding& display) {
+    const DisplayChange& c = display.change;
+    std::vector<std::string> words;
+    if (c.upside_down && c.mirrored) {
+        words.emplace_back("turned by 180 degrees");
+    } else if (c.upside_down || c.mirrored) {
+        words.emplace_back(c.upside_down ? "upside down" : "mirrored");
+    }
+    if (c.red_blue) words.emplace_back("red and blue exchanged");
+    if (c.encodings() != 0)
+        words.emplace_back(c.encodings() > 0 ? "sRGB-encoded once too often"
+                                             : "sRGB-encoded once too seldom");
+    if (c.gain != 1) words.push_back(fmt::format("all brightness times {:.3g}", c.gain));
+    if (display.background) words.push_back("another background, " + text_of(*display.background));
+    if (display.shift != glm::vec2(0))
+        words.push_back(fmt::format("shifted by {:.2f} pixels to the right and {:.2f} down", display.shift.x,
+                                    display.shift.y));
+    if (display.smooth_edges)
+        words.emplace_back("smooth edges");
+    else if (c.soft && display.shift == glm::vec2(0))
+        words.emplace_back("smoothed");
+    return fmt::format("{}", fmt::join(words, "; "));
+}
+
+std::string diagnosis_text(const Diagnosis& d, const Scene& scene) {
+    std::string text = verdict_line(d) + "\n";
+    if (d.verdict == Verdict::NotComparable) return text;
+    if (const std::string display = display_text(d.display); !display.empty())
+        text += "Taken away first, as no mistake of lighting: " + display + ".\n";
+    if (d.verdict == Verdict::Mistake) text += candidate_lines(d.candidates.front());
+    if (d.experiment) text += experiment_line(*d.experiment);
+    if (d.verdict == Verdict::NotInCatalogue) text += difference_lines(d, scene);
+    return text;
+}
+
+}  // namespace glint

@@ -1,0 +1,154 @@
+#include "renderer/diagnose/difference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace glint {
+namespace {
+
+/// What the picture shows more than it should, levels.
+using Difference = std::array<double, 3>;
+
+struct WrongPixel {
+    glm::ivec2 at{0};
+    Difference difference{};
+};
+
+/// The pixels that differ by more than may be, and of each object its region.
+std::vector<WrongPixel> wrong_pixels(const Exhibit& e, const Renderer& renderer, const DisplayChange& change,
+                                     std::map<int, DifferenceRegion>& regions) {
+    const ByteRanges ranges = byte_ranges(change);
+    std::vector<WrongPixel> wrong;
+    std::map<int, std::size_t> compared;
+    const PictureSize size = e.right.size;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            if (e.kinds[size.index(x, y)] != PixelKind::Surface) continue;
+            const int object = renderer.object_at(x, y);
+            ++compared[object];
+            const Rgb right = rgb_at(e.right, size.index(x, y)), mine = mine_at(e.wrong, change, x, y);
+            WrongPixel pixel{{x, y}, {}};
+            float most = 0;
+            for (std::size_t c = 0; c < 3; ++c) {
+                most = std::max(most, ranges[right[c]].distance(mine[c]));
+                pixel.difference[c] = double(mine[c]) - double(ranges[right[c]].middle);
+            }
+            if (most <= visible_levels) continue;
+            wrong.push_back(pixel);
+            DifferenceRegion& region = regions[object];
+            const bool first = region.pixels++ == 0;
+            region.object = object;
+            region.low = first ? pixel.at : glm::min(region.low, pixel.at);
+            region.high = first ? pixel.at : glm::max(region.high, pixel.at);
+            for (std::size_t c = 0; c < 3; ++c) region.mean[c] += pixel.difference[c];
+        }
+    for (auto& [object, region] : regions) {
+        const auto pixels = static_cast<double>(region.pixels);
+        region.share = pixels / static_cast<double>(compared[object]);
+        for (double& mean : region.mean) mean /= pixels;
+    }
+    return wrong;
+}
+
+/// The terms of the sum at one pixel, linear times exposure.
+using TermValues = std::map<std::pair<std::string, int>, glm::dvec3>;
+
+void add_terms(TermValues& terms, const ExplainedPoint& at, double weight) {
+    const auto add = [&](const char* name, int light, glm::vec3 value) {
+        terms[{name, light}] += weight * glm::dvec3(value);
+    };
+    add("emission", -1, at.emission);
+    add("global_ambient", -1, at.global_ambient);
+    for (const ExplainedLight& light : at.lights) {
+        add("ambient", light.index, light.ambient);
+        add("diffuse", light.index, light.diffuse);
+        add("specular", light.index, light.specular);
+        add("all", light.index, light.ambient + light.diffuse + light.specular);
+    }
+}
+
+TermValues terms_at(const Renderer& renderer, glm::ivec2 pixel) {
+    TermValues terms;
+    const Explanation e = renderer.explain(pixel.x, pixel.y);
+    if (!e.lit_per_corner) add_terms(terms, e.at, 1);
+    for (const ExplainedCorner& corner : e.corners) add_terms(terms, corner.at, double(corner.weight));
+    return terms;
+}
+
+/// Sums of a least-squares fit of the difference by each term alone.
+struct Fits {
+    struct Sums {
+        double product = 0, square = 0;
+    };
+    std::map<std::pair<std::string, int>, Sums> of;
+    double energy = 0;  // of the difference
+
+    void add(double difference, const TermValues& terms, int channel) {
+        energy += difference * difference;
+        for (const auto& [name, value] : terms) {
+            of[name].product += difference * value[channel];
+            of[name].square += value[channel] * value[channel];
+        }
+    }
+};
+
+/// Terms add up in linear light: levels are brought back there. What is clamped is left out.
+void add_pixel(Fits& fits, const WrongPixel& pixel, Rgb right, const TermValues& terms,
+               const Display& display) {
+    constexpr double white = 254.5;
+    const Code code = display.transfer == Transfer::Srgb ? Code::Decoded : Code::Same;
+    const auto linear = [&](double level) {
+        return double(coded(code, static_cast<float>(std::clamp(level / 255, 0.0, 1.0))));
+    };
+    for (int c = 0; c < 3; ++c) {
+        const auto k = static_cast<std::size_t>(c);
+        const double mine = double(right[k]) + pixel.difference[k];
+        if (mine <= 0 || mine > white || double(right[k]) > white) continue;
+        fits.add((linear(mine) - linear(double(right[k]))) / double(display.exposure), terms, c);
+    }
+}
+
+std::vector<DifferenceTerm> likely_terms(const Fits& fits) {
+    constexpr std::size_t most = 3;
+    constexpr double least_explained = 0.5;
+    std::vector<DifferenceTerm> terms;
+    for (const auto& [name, sums] : fits.of) {
+        if (sums.square <= 0 || fits.energy <= 0) continue;
+        const double gain = sums.product / sums.square, explained = gain * sums.product / fits.energy;
+        if (explained >= least_explained) terms.push_back({name.first, name.second, 1 + gain, explained});
+    }
+    std::stable_sort(terms.begin(), terms.end(),
+                     [](const auto& a, const auto& b) { return a.explained > b.explained; });
+    if (terms.size() > most) terms.resize(most);
+    return terms;
+}
+
+}  // namespace
+
+void describe_difference(Diagnosis& d, const Renderer& renderer, const Exhibit& exhibit,
+                         const DisplayChange& change, const Display& display) {
+    constexpr std::size_t samples = 300;
+    std::map<int, DifferenceRegion> regions;
+    const std::vector<WrongPixel> wrong = wrong_pixels(exhibit, renderer, change, regions);
+    d.regions.clear();
+    for (const auto& [object, region] : regions) d.regions.push_back(region);
+    const auto weight = [](const DifferenceRegion& r) {
+        return static_cast<double>(r.pixels) *
+               (std::abs(r.mean[0]) + std::abs(r.mean[1]) + std::abs(r.mean[2]));
+    };
+    std::stable_sort(d.regions.begin(), d.regions.end(),
+                     [&](const auto& a, const auto& b) { return weight(a) > weight(b); });
+    Fits fits;
+    const std::size_t step = std::max<std::size_t>(1, wrong.size() / samples);
+    for (std::size_t i = step / 2; i < wrong.size(); i += step) {
+        const glm::ivec2 at = wrong[i].at;
+        add_pixel(fits, wrong[i], rgb_at(exhibit.right, exhibit.right.pixel(at.x, at.y)),
+                  terms_at(renderer, at), display);
+    }
+    d.terms = likely_terms(fits);
+}
+
+}  // namespace glint

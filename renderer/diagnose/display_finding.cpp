@@ -1,0 +1,171 @@
+#include "renderer/diagnose/display_finding.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace glint {
+namespace {
+
+int distance(Rgb a, Rgb b) {
+    int most = 0;
+    for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int{a[c]} - int{b[c]}));
+    return most;
+}
+
+/// The background of the wrong picture where it is neither the scene's nor what the display makes of that.
+std::optional<Rgb> other_background(const Exhibit& e, const ByteRanges& ranges, const DisplayChange& change) {
+    std::optional<Rgb> ground = e.grounds[way_turned(change)];
+    const auto pixel = std::find(e.kinds.begin(), e.kinds.end(), PixelKind::Background);
+    if (!ground || pixel == e.kinds.end()) return std::nullopt;
+    if (change.red_blue) std::swap((*ground)[0], (*ground)[2]);
+    const Rgb right = rgb_at(e.right, static_cast<std::size_t>(pixel - e.kinds.begin()));
+    constexpr int near = 2;
+    if (distance(*ground, right) <= near) return std::nullopt;
+    bool as_displayed = true;
+    for (std::size_t c = 0; c < 3; ++c)
+        as_displayed &= ranges[right[c]].distance((*ground)[c]) <= static_cast<float>(near);
+    if (as_displayed) return std::nullopt;
+    return ground;
+}
+
+/// Crossings of silhouettes and creases along rows.
+struct Crossings {
+    std::size_t clear = 0;    // with colours far apart on their two sides
+    std::size_t between = 0;  // of these, those with a pixel that is a mixture of both
+};
+
+/// Whether `c` lies on the way from one colour to another, near neither.
+bool is_mixture(Rgb c, Rgb from, Rgb to) {
+    constexpr double near_end = 0.2, near_line = 10;
+    double along = 0, length = 0, off = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double way = double(to[i]) - double(from[i]);
+        along += (double(c[i]) - double(from[i])) * way;
+        length += way * way;
+    }
+    const double t = along / length;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double d = double(c[i]) - double(from[i]) - t * (double(to[i]) - double(from[i]));
+        off += d * d;
+    }
+    return t > near_end && t < 1 - near_end && off < near_line * near_line;
+}
+
+/// Looks along each row for background, some edge, surface, or the other way round. `colour` gives the
+/// colours of a picture's pixels.
+template <class Colour> Crossings crossings(const Exhibit& e, const Colour& colour) {
+    constexpr int far = 48, widest = 8;
+    Crossings found;
+    const PictureSize size = e.right.size;
+    for (int y = 0; y < size.height; ++y) {
+        const auto kind = [&](int x) { return e.kinds[size.index(x, y)]; };
+        for (int x = 1; x < size.width; ++x) {
+            if (kind(x) != PixelKind::Edge || kind(x - 1) == PixelKind::Edge) continue;
+            int end = x;
+            while (end < size.width && end - x <= widest && kind(end) == PixelKind::Edge) ++end;
+            if (end == size.width || kind(end) == PixelKind::Edge) continue;
+            const Rgb from = colour(x - 1, y), to = colour(end, y);
+            if (distance(from, to) < far) continue;
+            bool between = false;
+            for (int u = x; u < end; ++u) between |= is_mixture(colour(u, y), from, to);
+            ++found.clear;
+            found.between += between ? 1 : 0;
+        }
+    }
+    return found;
+}
+
+/// Whether far more silhouettes are mixed in the picture than in one with hard edges.
+bool smooth_edges(const Exhibit& e, const Picture& drawn, const DisplayChange& change) {
+    constexpr std::size_t enough = 20;
+    constexpr double more = 0.25;
+    const auto share = [](const Crossings& c) {
+        return static_cast<double>(c.between) / static_cast<double>(std::max<std::size_t>(1, c.clear));
+    };
+    const Crossings mine = crossings(e, [&](int x, int y) { return mine_at(e.wrong, change, x, y); });
+    const Crossings hard = crossings(e, [&](int x, int y) { return rgb_at(drawn, drawn.pixel(x, y)); });
+    return mine.clear >= enough && share(mine) > share(hard) + more;
+}
+
+/// Least squares of picture(x) = drawn(x - shift) over all surfaces, in pixels.
+glm::vec2 fitted_shift(const Exhibit& e, const Picture& drawn, const ByteRanges& ranges,
+                       const DisplayChange& change) {
+    double xx = 0, xy = 0, yy = 0, xd = 0, yd = 0;
+    const PictureSize size = drawn.size;
+    const auto level = [&](int x, int y, std::size_t c) {
+        return double(ranges[drawn.rgba[4 * size.index(x, y) + c]].middle);
+    };
+    for (int y = 1; y + 1 < size.height; ++y)
+        for (int x = 1; x + 1 < size.width; ++x) {
+            if (e.kinds[size.index(x, y)] != PixelKind::Surface) continue;
+            const Rgb mine = mine_at(e.wrong, change, x, y);
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double gx = (level(x + 1, y, c) - level(x - 1, y, c)) / 2;
+                const double gy = (level(x, y + 1, c) - level(x, y - 1, c)) / 2;
+                const double d = level(x, y, c) - double(mine[c]);
+                xx += gx * gx, xy += gx * gy, yy += gy * gy;
+                xd += gx * d, yd += gy * d;
+            }
+        }
+    const double determinant = xx * yy - xy * xy;
+    if (determinant <= 1e-6 * xx * yy) return glm::vec2(0);
+    return {static_cast<float>((yy * xd - xy * yd) / determinant),
+            static_cast<float>((xx * yd - xy * xd) / determinant)};
+}
+
+}  // namespace
+
+DisplayFinding display_finding(const Exhibit& e, const Picture& drawn, const DisplayChange& change) {
+    const ByteRanges ranges = byte_ranges(change);
+    DisplayFinding finding;
+    finding.change = change;
+    finding.background = other_background(e, ranges, change);
+    finding.smooth_edges = smooth_edges(e, drawn, change);
+    if (!change.soft) return finding;
+    constexpr float least = 0.2f;  // of a pixel; what is left is the smoothing itself
+    glm::vec2 shift = fitted_shift(e, drawn, ranges, change);
+    for (int i = 0; i < 2; ++i)
+        if (std::abs(shift[i]) < least) shift[i] = 0;
+    finding.shift = shift;
+    return finding;
+}
+
+std::optional<std::string> other_outline(const Exhibit& e) {
+    constexpr int near = 3, dark = 8;
+    constexpr double most_outside = 0.02, most_inside = 0.2;
+    double least_outside = 1, inside = 0;
+    const PictureSize size = e.right.size;
+    for (const DisplayChange& turned : ways_of_turning()) {
+        const std::optional<Rgb> ground = e.grounds[way_turned(turned)];
+        std::size_t outside = 0, background = 0, bare = 0, surface = 0;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                const PixelKind kind = e.kinds[size.index(x, y)];
+                if (kind == PixelKind::Edge) continue;
+                const Rgb mine = rgb_at(e.wrong, changed_index(turned, size, x, y));
+                const bool is_ground = ground && distance(mine, *ground) <= near;
+                ++(kind == PixelKind::Background ? background : surface);
+                outside += kind == PixelKind::Background && !is_ground ? 1 : 0;
+                bare += kind == PixelKind::Surface && is_ground ? 1 : 0;
+            }
+        if (background == 0) return std::nullopt;
+        const double share = static_cast<double>(outside) / static_cast<double>(background);
+        if (share >= least_outside) continue;
+        least_outside = share;
+        const bool black = ground && distance(*ground, Rgb{}) <= dark;
+        inside = black || surface == 0 ? 0 : static_cast<double>(bare) / static_cast<double>(surface);
+    }
+    const char* const reason = "it has another aspect or camera, or is another scene's";
+    if (least_outside > most_outside)
+        return fmt::format("{:.0f} % of what is background in the scene shows something in the picture: {}",
+                           100 * least_outside, reason);
+    if (inside > most_inside)
+        return fmt::format("{:.0f} % of what is surface in the scene is background in the picture: {}",
+                           100 * inside, reason);
+    return std::nullopt;
+}
+
+}  // namespace glint

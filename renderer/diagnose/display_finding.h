@@ -1,0 +1,15 @@
+#pragma once
+// What happened to a picture at its edges and around the objects.
+
+#include "renderer/diagnose/diagnose.h"
+
+namespace glint {
+
+/// `drawn`: what explains the picture under `change`.
+[[nodiscard]] DisplayFinding display_finding(const Exhibit& exhibit, const Picture& drawn,
+                                             const DisplayChange& change);
+
+/// Why the picture cannot be of this scene; nothing where its outline is the scene's, or cannot be told.
+[[nodiscard]] std::optional<std::string> other_outline(const Exhibit& exhibit);
+
+}  // namespace glint

@@ -1,0 +1,17 @@
+#pragma once
+// The change of a scene that tells mistakes apart which look alike in it.
+
+#include <optional>
+#include <vector>
+
+#include "renderer/diagnose/diagnose.h"
+
+namespace glint {
+
+/// The small change of the camera, of a light or of a material under which the pictures of the given mistakes
+/// differ most from each other; nothing for fewer than two, or where no change that is tried parts them by
+/// more than a few levels.
+[[nodiscard]] std::optional<Experiment> find_experiment(const SceneDocument& document, PictureSize size,
+                                                        const std::vector<MistakeSet>& mistakes, int threads);
+
+}  // namespace glint

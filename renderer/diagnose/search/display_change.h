@@ -1,0 +1,62 @@
+#pragma once
+// What can have happened to a picture that is no mistake in its lighting: it was turned over, its colours
+// were exchanged, brightened or encoded. A diagnosis finds this and takes it away before it looks for
+// mistakes.
+
+#include <array>
+#include <cstdint>
+
+#include "renderer/picture.h"
+
+namespace glint {
+
+/// sRGB's curve, applied to what is shown (IEC 61966-2-1): not at all, from linear to encoded, or back.
+enum class Code { Same, Encoded, Decoded };
+
+struct DisplayChange {
+    bool upside_down = false, mirrored = false, red_blue = false;
+    // A channel c of 0 to 1 became after(gain * before(c)), clamped.
+    Code before = Code::Same, after = Code::Same;
+    float gain = 1;
+    /// Pixels may show anything between their neighbours: edges are smoothed, or all is shifted by up to a
+    /// pixel.
+    bool soft = false;
+    bool operator==(const DisplayChange&) const = default;
+
+    /// How many sRGB encodings the picture has too many: -1, 0 or 1.
+    [[nodiscard]] int encodings() const;
+    /// How many things happened.
+    [[nodiscard]] int count() const;
+};
+
+/// Number of the way in which a picture is turned over, 0 to 3, and one change for each.
+[[nodiscard]] inline std::size_t way_turned(const DisplayChange& change) {
+    return (change.upside_down ? 2U : 0U) + (change.mirrored ? 1U : 0U);
+}
+[[nodiscard]] std::array<DisplayChange, 4> ways_of_turning();
+/// Where a pixel of the scene's picture went: its index in the changed picture of that size.
+[[nodiscard]] std::size_t changed_index(const DisplayChange& change, PictureSize size, int x, int y);
+/// The channel of the changed picture to which a channel went.
+[[nodiscard]] inline std::size_t changed_channel(const DisplayChange& change, std::size_t channel) {
+    return change.red_blue ? 2 - channel : channel;
+}
+
+/// What a byte of the scene's picture may have become, in levels of 0 to 255 with fractions: rounding and
+/// clamping leave a range.
+struct ByteRange {
+    float low = 0, middle = 0, high = 0;
+
+    /// Levels by which `byte` lies outside.
+    [[nodiscard]] float distance(std::uint8_t byte) const {
+        const auto b = static_cast<float>(byte);
+        const float below = low - b, above = b - high;
+        return below > above ? (below > 0 ? below : 0) : (above > 0 ? above : 0);
+    }
+};
+using ByteRanges = std::array<ByteRange, 256>;
+[[nodiscard]] ByteRanges byte_ranges(const DisplayChange& change);
+
+/// The curve of one code on 0 to 1.
+[[nodiscard]] float coded(Code code, float x);
+
+}  // namespace glint

@@ -1,0 +1,233 @@
+#include "renderer/diagnose/search/hypotheses.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+
+#include "models/scene/mistakes.h"
+#include "renderer/diagnose/search/resample.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t even_probes = 1200, probes_a_mistake = 24, changes_kept = 3;
+constexpr double probe_noise = 8;
+
+/// Every n-th of some pixels, so that there are about `count`.
+void add_every(std::vector<Probe>& probes, const std::vector<std::size_t>& pixels, PictureSize size,
+               std::size_t count) {
+    const std::size_t step = std::max<std::size_t>(1, pixels.size() / std::max<std::size_t>(1, count));
+    const auto width = static_cast<std::size_t>(size.width);
+    for (std::size_t i = step / 2; i < pixels.size(); i += step)
+        probes.push_back({static_cast<int>(pixels[i] % width), static_cast<int>(pixels[i] / width)});
+}
+
+/// Probes from everywhere first, so that what is hopeless is seen soon.
+std::vector<Probe> shuffled(const std::vector<Probe>& probes) {
+    constexpr std::size_t stride = 7919;  // a prime
+    if (probes.size() % stride == 0) return probes;
+    std::vector<Probe> mixed;
+    for (std::size_t i = 0; i < probes.size(); ++i) mixed.push_back(probes[i * stride % probes.size()]);
+    return mixed;
+}
+
+int difference(const Picture& a, const Picture& b, std::size_t pixel) {
+    int most = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+        most = std::max(most, std::abs(int{a.rgba[4 * pixel + c]} - int{b.rgba[4 * pixel + c]}));
+    return most;
+}
+
+/// The pictures of a scene under each mistake alone, of those that change any.
+struct Singles {
+    std::vector<Picture> picture;  // that of no mistake first
+    std::vector<BareMask> bare;    // of each
+    std::vector<MistakeSet> mistakes;
+    std::vector<PixelKind> kinds;
+    std::vector<Probe> probes;
+    std::vector<DrawnProbes> drawn;
+};
+
+/// Probes everywhere, and where each mistake shows.
+std::vector<Probe> choose_probes(const Singles& s, PictureSize size) {
+    std::vector<std::size_t> surface;
+    for (std::size_t i = 0; i < s.kinds.size(); ++i)
+        if (s.kinds[i] == PixelKind::Surface) surface.push_back(i);
+    std::vector<Probe> probes;
+    add_every(probes, surface, size, even_probes);
+    for (std::size_t m = 1; m < s.picture.size(); ++m) {
+        std::vector<std::size_t> shows;
+        int most = 0;
+        for (const std::size_t i : surface) most = std::max(most, difference(s.picture[m], s.picture[0], i));
+        for (const std::size_t i : surface)
+            if (const int d = difference(s.picture[m], s.picture[0], i); d > 0 && 2 * d >= most)
+                shows.push_back(i);
+        add_every(probes, shows, size, probes_a_mistake);
+    }
+    return shuffled(probes);
+}
+
+Singles draw_singles(Renderer& renderer, const Scene& scene, PictureSize size) {
+    Singles s;
+    s.picture.push_back(renderer.render(under_mistakes(scene, {}), size));
+    s.bare.emplace_back();
+    s.mistakes.emplace_back();
+    s.kinds = pixel_kinds(renderer, size);
+    for (std::size_t m = 0; m < mistake_names().size(); ++m) {
+        const Picture& picture = renderer.render(under_mistakes(scene, {m}), size);
+        if (picture.rgba == s.picture[0].rgba) continue;  // inert in this scene
+        s.picture.push_back(picture);
+        s.bare.push_back(bare_mask(renderer, size));
+        s.mistakes.push_back({m});
+    }
+    return s;
+}
+
+/// Every curve that a display may have put its numbers through, with its gain to be found.
+std::vector<DisplayChange> curves() {
+    std::vector<DisplayChange> all;
+    for (const auto& [before, after] : {std::pair{Code::Same, Code::Same},
+                                        {Code::Encoded, Code::Same},
+                                        {Code::Decoded, Code::Same},
+                                        {Code::Same, Code::Encoded},
+                                        {Code::Decoded, Code::Encoded}}) {
+        DisplayChange change;
+        change.before = before;
+        change.after = after;
+        all.push_back(change);
+    }
+    return all;
+}
+
+/// Every way in which colours may have got lost, with its gain to be found.
+std::vector<DisplayChange> all_changes() {
+    std::vector<DisplayChange> all;
+    for (DisplayChange change : curves())
+        for (int ways = 0; ways < 8; ++ways) {
+            change.upside_down = (ways & 1) != 0;
+            change.mirrored = (ways & 2) != 0;
+            change.red_blue = (ways & 4) != 0;
+            all.push_back(change);
+        }
+    return all;
+}
+
+IsBare is_bare(const BareMask& mask, PictureSize size) {
+    if (mask.empty()) return {};
+    return [&mask, size](int x, int y) { return mask[size.index(x, y)] != 0; };
+}
+
+struct CostedChange {
+    DisplayChange change;
+    double cost = 0;
+};
+
+/// The cheapest few of the changes that are tried.
+class CheapestChanges {
+  public:
+    CheapestChanges(const MistakeSet& mistakes, const DrawnProbes& drawn, const WrongProbes& wrong)
+        : mistakes_(mistakes.size()), drawn_(drawn), wrong_(wrong) {}
+
+    void attempt(DisplayChange change) {
+        for (const bool soft : {false, true}) {
+            change.soft = soft;
+            const double excess = excess_at(drawn_, wrong_, change, most_excess(change));
+            const double cost = explanation_cost(excess, probe_noise, mistakes_, change);
+            const auto after = std::find_if(kept_.begin(), kept_.end(),
+                                            [cost](const CostedChange& c) { return cost < c.cost; });
+            kept_.insert(after, {change, cost});
+            if (kept_.size() > changes_kept) kept_.pop_back();
+        }
+    }
+    [[nodiscard]] const std::vector<CostedChange>& kept() const { return kept_; }
+
+  private:
+    /// With more excess the change would not be kept.
+    [[nodiscard]] double most_excess(const DisplayChange& change) const {
+        if (kept_.size() < changes_kept) return std::numeric_limits<double>::infinity();
+        const double others = explanation_cost(1, 0, mistakes_, change);
+        return std::exp2(kept_.back().cost - others) - probe_noise;
+    }
+
+    std::size_t mistakes_;
+    const DrawnProbes& drawn_;
+    const WrongProbes& wrong_;
+    std::vector<CostedChange> kept_;
+};
+
+/// The likeliest things that happened at the display if the picture was drawn as `drawn`.
+Hypothesis judged(const MistakeSet& mistakes, const DrawnProbes& drawn, const WrongProbes& wrong) {
+    static const std::vector<DisplayChange> changes = all_changes();
+    constexpr float no_gain = 0.004f;
+    CheapestChanges cheapest(mistakes, drawn, wrong);
+    for (DisplayChange change : changes) {
+        if (change.after == Code::Same) cheapest.attempt(change);  // without a gain the others say the same
+        const auto gain = fitted_gain(drawn, wrong, change);
+        if (!gain || std::abs(*gain - 1) < no_gain) continue;
+        change.gain = *gain;
+        cheapest.attempt(change);
+    }
+    Hypothesis hypothesis{mistakes, {}, cheapest.kept().front().cost};
+    for (const CostedChange& c : cheapest.kept()) hypothesis.changes.push_back(c.change);
+    return hypothesis;
+}
+
+/// The hypotheses of all twos of mistakes that show alone and change something together.
+std::vector<Hypothesis> judge_pairs(Renderer& renderer, const Scene& scene, PictureSize size,
+                                    const Singles& s, const WrongProbes& wrong,
+                                    const DiagnosisProgress& progress) {
+    std::vector<Hypothesis> found;
+    std::vector<DrawnProbes> drawn;
+    const std::size_t n = s.mistakes.size() - 1, all = n * (n - 1) / 2;
+    std::size_t done = 0;
+    for (std::size_t a = 1; a <= n; ++a)
+        for (std::size_t b = a + 1; b <= n; ++b) {
+            if (progress) progress(++done, all);
+            const MistakeSet both{s.mistakes[a][0], s.mistakes[b][0]};
+            const Picture& picture = renderer.render(under_mistakes(scene, both), size);
+            DrawnProbes at =
+                drawn_at(s.probes, picture, [&](int x, int y) { return renderer.object_at(x, y) < 0; });
+            if (at == s.drawn[a] || at == s.drawn[b]) continue;  // one hides the other
+            found.push_back({both, {}, 0});
+            drawn.push_back(std::move(at));
+        }
+    tbb::parallel_for(std::size_t{0}, found.size(),
+                      [&](std::size_t i) { found[i] = judged(found[i].mistakes, drawn[i], wrong); });
+    return found;
+}
+
+}  // namespace
+
+double explanation_cost(double excess, double noise, std::size_t mistakes, const DisplayChange& change) {
+    // Of equal explanations the one with one mistake is preferred to a change at the display, and that to
+    // two.
+    constexpr double nearly = 0.01;
+    const double preference = mistakes == 1 ? 0 : nearly;
+    return std::log2(excess + noise) + static_cast<double>(mistakes) + change.count() + preference;
+}
+
+std::vector<Hypothesis> likely_hypotheses(const Scene& scene, const Picture& wrong, PictureSize at,
+                                          bool pairs, int threads, const DiagnosisProgress& progress) {
+    Renderer renderer(threads);
+    Singles s = draw_singles(renderer, scene, at);
+    s.probes = choose_probes(s, at);
+    for (std::size_t m = 0; m < s.mistakes.size(); ++m)
+        s.drawn.push_back(drawn_at(s.probes, s.picture[m], is_bare(s.bare[m], at)));
+    const WrongProbes mine(s.probes, resampled(wrong, at), s.kinds);
+    std::vector<Hypothesis> all(s.mistakes.size());
+    tbb::parallel_for(std::size_t{0}, all.size(),
+                      [&](std::size_t i) { all[i] = judged(s.mistakes[i], s.drawn[i], mine); });
+    if (pairs) {
+        std::vector<Hypothesis> twos = judge_pairs(renderer, scene, at, s, mine, progress);
+        std::move(twos.begin(), twos.end(), std::back_inserter(all));
+    }
+    std::stable_sort(all.begin() + 1, all.end(),
+                     [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    return all;
+}
+
+}  // namespace glint

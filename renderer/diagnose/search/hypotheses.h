@@ -1,0 +1,35 @@
+#pragma once
+// Tries every mistake, alone or in twos, with everything that may have happened at the display, on probes of
+// a small picture, and keeps the likeliest to be judged on the whole one.
+
+#include <functional>
+#include <vector>
+
+#include "models/scene/scene.h"
+#include "renderer/diagnose/search/mistake_set.h"
+#include "renderer/diagnose/search/probes.h"
+
+namespace glint {
+
+/// An explanation of a picture, and what may have happened to it at the display: the likeliest changes first.
+struct Hypothesis {
+    MistakeSet mistakes;
+    std::vector<DisplayChange> changes;
+    double cost = 0;  // of the first
+};
+
+/// How much a wrong picture speaks against an explanation: `excess` is the sum of excess_of(). One thing more
+/// that is supposed to have happened must take away more than half of the excess, and more than `noise`.
+[[nodiscard]] double explanation_cost(double excess, double noise, std::size_t mistakes,
+                                      const DisplayChange& change);
+
+/// Told how many of how many explanations are tried.
+using DiagnosisProgress = std::function<void(std::size_t done, std::size_t all)>;
+
+/// The explanations, likeliest first, without mistakes that change no byte. The first holds no mistake.
+/// `wrong` has any size of the picture's aspect; `at` is the size to draw at.
+[[nodiscard]] std::vector<Hypothesis> likely_hypotheses(const Scene& scene, const Picture& wrong,
+                                                        PictureSize at, bool pairs, int threads,
+                                                        const DiagnosisProgress& progress);
+
+}  // namespace glint

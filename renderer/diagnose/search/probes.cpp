@@ -1,0 +1,145 @@
+#include "renderer/diagnose/search/probes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+
+DrawnProbes drawn_at(const std::vector<Probe>& probes, const Picture& picture, const IsBare& is_bare) {
+    DrawnProbes drawn;
+    for (const Probe& p : probes) {
+        Rgb low{255, 255, 255}, high{};
+        for (int y = std::max(p.y - 1, 0); y <= std::min(p.y + 1, picture.size.height - 1); ++y)
+            for (int x = std::max(p.x - 1, 0); x <= std::min(p.x + 1, picture.size.width - 1); ++x) {
+                const Rgb near = rgb_at(picture, picture.pixel(x, y));
+                for (std::size_t c = 0; c < 3; ++c) {
+                    low[c] = std::min(low[c], near[c]);
+                    high[c] = std::max(high[c], near[c]);
+                }
+            }
+        drawn.at.push_back(rgb_at(picture, picture.pixel(p.x, p.y)));
+        drawn.low.push_back(low);
+        drawn.high.push_back(high);
+        drawn.bare.push_back(is_bare && is_bare(p.x, p.y) ? 1 : 0);
+    }
+    return drawn;
+}
+
+std::optional<Rgb> background_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
+                                 const DisplayChange& change) {
+    const PictureSize size = wrong.size;
+    const auto for_each = [&](const auto& take) {
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                if (kinds[size.index(x, y)] == PixelKind::Background)
+                    take(rgb_at(wrong, changed_index(change, size, x, y)));
+    };
+    Rgb colour{};  // Boyer and Moore's vote: what more than half have is left over
+    std::int64_t votes = 0, all = 0, agree = 0;
+    for_each([&](const Rgb& one) {
+        if (votes == 0) colour = one;
+        votes += one == colour ? 1 : -1;
+        ++all;
+    });
+    for_each([&](const Rgb& one) { agree += one == colour ? 1 : 0; });
+    if (2 * agree <= all) return std::nullopt;
+    return colour;
+}
+
+WrongProbes::WrongProbes(const std::vector<Probe>& probes, const Picture& wrong,
+                         const std::vector<PixelKind>& kinds) {
+    for (const DisplayChange& turned : ways_of_turning()) {
+        const std::size_t way = way_turned(turned);
+        for (const Probe& p : probes)
+            at_[way].push_back(rgb_at(wrong, changed_index(turned, wrong.size, p.x, p.y)));
+        ground_[way] = background_of(wrong, kinds, turned).value_or(Rgb{});
+    }
+}
+
+double excess_at(const DrawnProbes& drawn, const WrongProbes& wrong, const DisplayChange& change,
+                 double enough) {
+    const ByteRanges ranges = byte_ranges(change);
+    const std::vector<Rgb>& mine = wrong.at(change);
+    const Rgb ground = wrong.ground(change);
+    const std::vector<Rgb>& lows = change.soft ? drawn.low : drawn.at;
+    const std::vector<Rgb>& highs = change.soft ? drawn.high : drawn.at;
+    double sum = 0;
+    for (std::size_t i = 0; i < mine.size() && sum <= enough; ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::size_t k = changed_channel(change, c);
+            const auto bare = static_cast<float>(ground[k]);
+            const ByteRange range = drawn.bare[i] != 0
+                                        ? ByteRange{bare, bare, bare}
+                                        : ByteRange{ranges[lows[i][c]].low, 0, ranges[highs[i][c]].high};
+            sum += double(excess_of(range.distance(mine[i][k])));
+        }
+    return sum;
+}
+
+namespace {
+
+/// What a channel was before and after the gain, both far enough from black and from being clamped.
+struct Pair {
+    float drawn = 0, mine = 0;
+};
+
+Code inverse(Code code) {
+    return code == Code::Encoded ? Code::Decoded : code == Code::Decoded ? Code::Encoded : Code::Same;
+}
+
+std::array<float, 256> code_table(Code code) {
+    std::array<float, 256> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = coded(code, static_cast<float>(i) / 255);
+    return table;
+}
+
+std::vector<Pair> gain_pairs(const DrawnProbes& drawn, const WrongProbes& wrong,
+                             const DisplayChange& change) {
+    constexpr std::uint8_t least = 4, most = 250;
+    constexpr std::size_t enough = 200;
+    const auto before = code_table(change.before), after = code_table(inverse(change.after));
+    const std::vector<Rgb>& mine = wrong.at(change);
+    const std::size_t step = std::max<std::size_t>(1, mine.size() / enough);
+    std::vector<Pair> pairs;
+    pairs.reserve(3 * (enough + enough));
+    for (std::size_t i = 0; i < mine.size(); i += step)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint8_t from = drawn.at[i][c], to = mine[i][changed_channel(change, c)];
+            if (drawn.bare[i] != 0 || from < least || to < least || from > most || to > most) continue;
+            pairs.push_back({before[from], after[to]});
+        }
+    return pairs;
+}
+
+/// The ratio that half of the light lies below: what is bright counts more, as rounding spoils it less.
+float median_ratio(std::vector<Pair>& pairs) {
+    std::sort(pairs.begin(), pairs.end(),
+              [](const Pair& a, const Pair& b) { return a.mine * b.drawn < b.mine * a.drawn; });
+    float all = 0, below = 0;
+    for (const Pair& p : pairs) all += p.drawn;
+    for (const Pair& p : pairs) {
+        below += p.drawn;
+        if (2 * below >= all) return p.mine / p.drawn;
+    }
+    return 1;  // not reached
+}
+
+}  // namespace
+
+std::optional<float> fitted_gain(const DrawnProbes& drawn, const WrongProbes& wrong,
+                                 const DisplayChange& change) {
+    constexpr std::size_t enough = 12;
+    constexpr float near = 0.02f, rounding = 1.5f / 255;
+    std::vector<Pair> pairs = gain_pairs(drawn, wrong, change);
+    if (pairs.size() < enough) return std::nullopt;
+    const float median = median_ratio(pairs);
+    float product = 0, square = 0;  // least squares among those that agree with the median
+    for (const Pair& p : pairs) {
+        if (std::abs(p.mine - median * p.drawn) > near * p.mine + rounding) continue;
+        product += p.mine * p.drawn;
+        square += p.drawn * p.drawn;
+    }
+    return square > 0 ? product / square : median;
+}
+
+}  // namespace glint

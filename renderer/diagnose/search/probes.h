@@ -1,0 +1,72 @@
+#pragma once
+// What pictures show at a few chosen pixels: enough to try very many explanations of a wrong picture on.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "renderer/diagnose/search/comparable.h"
+#include "renderer/diagnose/search/display_change.h"
+#include "renderer/picture.h"
+
+namespace glint {
+
+using Rgb = std::array<std::uint8_t, 3>;
+[[nodiscard]] inline Rgb rgb_at(const Picture& picture, std::size_t pixel) {
+    return {picture.rgba[4 * pixel], picture.rgba[4 * pixel + 1], picture.rgba[4 * pixel + 2]};
+}
+
+struct Probe {
+    int x = 0, y = 0;
+};
+
+/// A drawn picture at the probes.
+struct DrawnProbes {
+    std::vector<Rgb> at, low, high;  // low, high: each channel's least and largest among the nine around
+    std::vector<std::uint8_t> bare;  // 1: no surface shows there
+    bool operator==(const DrawnProbes&) const = default;
+};
+/// Whether a pixel of a drawn picture shows no surface; empty where all probes show one.
+using IsBare = std::function<bool(int x, int y)>;
+[[nodiscard]] DrawnProbes drawn_at(const std::vector<Probe>& probes, const Picture& picture,
+                                   const IsBare& is_bare);
+
+/// The picture under diagnosis at the probes, for each of the four ways of turning it over.
+class WrongProbes {
+  public:
+    WrongProbes(const std::vector<Probe>& probes, const Picture& wrong, const std::vector<PixelKind>& kinds);
+    /// In the order of the scene's channels only when nothing exchanged them.
+    [[nodiscard]] const std::vector<Rgb>& at(const DisplayChange& change) const {
+        return at_[way_turned(change)];
+    }
+    /// Its background: the colour that most of what shows no surface has.
+    [[nodiscard]] Rgb ground(const DisplayChange& change) const { return ground_[way_turned(change)]; }
+
+  private:
+    std::array<std::vector<Rgb>, 4> at_;
+    std::array<Rgb, 4> ground_{};
+};
+
+/// The colour of more than half of the pixels that show no surface in the scene; nothing where there is none.
+[[nodiscard]] std::optional<Rgb> background_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
+                                               const DisplayChange& change);
+
+/// A difference up to this is a matter of rounding: it counts nothing.
+inline constexpr float free_levels = 1;
+/// What a difference of so many levels counts: its square beyond what is free, at most 16.
+[[nodiscard]] inline float excess_of(float levels) {
+    const float beyond = levels > free_levels ? levels - free_levels : 0;
+    return beyond > 4 ? 16 : beyond * beyond;
+}
+
+/// Sum of excess_of() over all channels of all probes; only as far as it is above `enough`.
+[[nodiscard]] double excess_at(const DrawnProbes& drawn, const WrongProbes& wrong,
+                               const DisplayChange& change, double enough);
+
+/// The gain under which `change` explains most channels; nothing where there is too little to tell it from.
+[[nodiscard]] std::optional<float> fitted_gain(const DrawnProbes& drawn, const WrongProbes& wrong,
+                                               const DisplayChange& change);
+
+}  // namespace glint

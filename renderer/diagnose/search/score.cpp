@@ -1,0 +1,177 @@
+#include "renderer/diagnose/search/score.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+/// The colours that a picture may show at one pixel, channels in the scene's order.
+class Expected {
+  public:
+    Expected(const Picture& drawn, const BareMask* bare, const ByteRanges& ranges, bool soft, Rgb ground)
+        : drawn_(drawn), bare_(bare), ranges_(ranges), soft_(soft), ground_(ground) {}
+
+    [[nodiscard]] std::array<ByteRange, 3> at(int x, int y) const {
+        const std::size_t pixel = drawn_.pixel(x, y);
+        std::array<ByteRange, 3> expected;
+        if (bare_ != nullptr && !bare_->empty() && (*bare_)[pixel] != 0) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                const auto level = static_cast<float>(ground_[c]);
+                expected[c] = {level, level, level};
+            }
+            return expected;
+        }
+        for (std::size_t c = 0; c < 3; ++c) expected[c] = ranges_[drawn_.rgba[4 * pixel + c]];
+        if (soft_) widen(expected, x, y);
+        return expected;
+    }
+
+  private:
+    void widen(std::array<ByteRange, 3>& expected, int x, int y) const {
+        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, drawn_.size.height - 1); ++v)
+            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, drawn_.size.width - 1); ++u)
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const ByteRange near = ranges_[drawn_.rgba[4 * drawn_.pixel(u, v) + c]];
+                    expected[c].low = std::min(expected[c].low, near.low);
+                    expected[c].high = std::max(expected[c].high, near.high);
+                }
+    }
+
+    const Picture& drawn_;
+    const BareMask* bare_;
+    const ByteRanges& ranges_;
+    bool soft_;
+    Rgb ground_;
+};
+
+void add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std::array<ByteRange, 3>& right,
+               Rgb mine, glm::ivec2 at) {
+    float off = 0, off_right = 0, told = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const float d = explained[c].distance(mine[c]), d_right = right[c].distance(mine[c]);
+        off = std::max(off, d);
+        off_right = std::max(off_right, d_right);
+        told += d_right - 2 * d;
+        row.excess += double(excess_of(d));
+        row.squares += double(d) * double(d);
+    }
+    const bool is_wrong = off_right > visible_levels;
+    ++row.compared;
+    row.unlike += off > visible_levels ? 1 : 0;
+    row.wrong += is_wrong ? 1 : 0;
+    row.explained += is_wrong && off <= visible_levels ? 1 : 0;
+    if (told <= static_cast<float>(row.told_best)) return;
+    row.told_best = static_cast<int>(told);
+    row.pixel = at;
+}
+
+void add(Score& all, const Score& row) {
+    all.compared += row.compared;
+    all.unlike += row.unlike;
+    all.wrong += row.wrong;
+    all.explained += row.explained;
+    all.excess += row.excess;
+    all.squares += row.squares;
+    if (row.told_best <= all.told_best) return;
+    all.told_best = row.told_best;
+    all.pixel = row.pixel;
+}
+
+}  // namespace
+
+double Score::residual() const {
+    return compared == 0 ? 0 : std::sqrt(squares / (3.0 * static_cast<double>(compared)));
+}
+
+double Score::share_explained() const {
+    return wrong == 0 ? 1 : static_cast<double>(explained) / static_cast<double>(wrong);
+}
+
+bool Score::fits() const {
+    constexpr double most_residual = 3;
+    constexpr std::uint64_t per_solid = 2000, few = 4;  // a spot's edge may be elsewhere by a pixel, no area
+    return few_unlike() && residual() <= most_residual && solid <= few + compared / per_solid;
+}
+
+bool Score::few_unlike() const {
+    constexpr std::uint64_t per_unlike = 100;
+    return compared > 0 && unlike * per_unlike <= compared;
+}
+
+Exhibit::Exhibit(const Picture& wrong_picture, const Picture& right_picture,
+                 const std::vector<PixelKind>& of_pixels)
+    : wrong(wrong_picture), right(right_picture), kinds(of_pixels) {
+    for (const DisplayChange& turned : ways_of_turning())
+        grounds[way_turned(turned)] = background_of(wrong, kinds, turned);
+}
+
+namespace {
+
+/// One explanation of one picture, asked pixel by pixel.
+struct Judgement {
+    const Exhibit& exhibit;
+    const Expected& explained;
+    const DisplayChange& change;
+
+    [[nodiscard]] bool is_unlike(int x, int y) const {
+        if (exhibit.kinds[exhibit.right.pixel(x, y)] != PixelKind::Surface) return false;
+        const Rgb mine = mine_at(exhibit.wrong, change, x, y);
+        const std::array<ByteRange, 3> expected = explained.at(x, y);
+        float most = 0;
+        for (std::size_t c = 0; c < 3; ++c) most = std::max(most, expected[c].distance(mine[c]));
+        return most > visible_levels;
+    }
+
+    /// Pixels amid others that are unlike, the picture's border left out.
+    [[nodiscard]] std::uint64_t solid() const {
+        std::uint64_t count = 0;
+        for (int y = 1; y + 1 < exhibit.right.size.height; ++y)
+            for (int x = 1; x + 1 < exhibit.right.size.width; ++x)
+                if (is_unlike(x, y) && is_unlike(x - 1, y) && is_unlike(x + 1, y) && is_unlike(x, y - 1) &&
+                    is_unlike(x, y + 1))
+                    ++count;
+        return count;
+    }
+};
+
+}  // namespace
+
+Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change, int step) {
+    const ByteRanges ranges = byte_ranges(change);
+    Rgb ground = e.grounds[way_turned(change)].value_or(Rgb{});
+    if (change.red_blue) std::swap(ground[0], ground[2]);
+    const Expected explained(drawn.picture, &drawn.bare, ranges, change.soft, ground);
+    const Expected right(e.right, nullptr, ranges, change.soft, ground);
+    const PictureSize size = e.right.size;
+    std::vector<Score> rows(static_cast<std::size_t>(size.height / step));
+    tbb::parallel_for(0, size.height / step, [&](int row) {
+        const int y = row * step + step / 2;
+        for (int x = 0; x < size.width; ++x)
+            if (e.kinds[size.index(x, y)] == PixelKind::Surface)
+                add_pixel(rows[static_cast<std::size_t>(row)], explained.at(x, y), right.at(x, y),
+                          mine_at(e.wrong, change, x, y), {x, y});
+    });
+    Score all;
+    for (const Score& row : rows) add(all, row);  // in order, so that threads do not matter
+    if (step == 1 && all.few_unlike() && all.unlike > 0) all.solid = Judgement{e, explained, change}.solid();
+    return all;
+}
+
+Rgb shown(const ByteRanges& ranges, Rgb drawn) {
+    Rgb colour{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const long level = std::lround(ranges[drawn[c]].middle);
+        colour[c] = static_cast<std::uint8_t>(std::clamp(level, 0L, 255L));
+    }
+    return colour;
+}
+
+Rgb mine_at(const Picture& wrong, const DisplayChange& change, int x, int y) {
+    const Rgb stored = rgb_at(wrong, changed_index(change, wrong.size, x, y));
+    return change.red_blue ? Rgb{stored[2], stored[1], stored[0]} : stored;
+}
+
+}  // namespace glint

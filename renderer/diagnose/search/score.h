@@ -1,0 +1,65 @@
+#pragma once
+// Judges one explanation of a wrong picture on every pixel that can be compared.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <vector>
+
+#include "renderer/diagnose/search/comparable.h"
+#include "renderer/diagnose/search/display_change.h"
+#include "renderer/diagnose/search/probes.h"
+
+namespace glint {
+
+/// A picture that was drawn, and where it shows no surface.
+struct Drawing {
+    Picture picture;
+    BareMask bare;  // empty: as the right one
+};
+
+/// The picture under diagnosis, the right one, and what may be compared. All have one size.
+struct Exhibit {
+    const Picture& wrong;
+    const Picture& right;
+    const std::vector<PixelKind>& kinds;
+    std::array<std::optional<Rgb>, 4> grounds;  // background_of() the wrong picture, by way_turned()
+
+    Exhibit(const Picture& wrong_picture, const Picture& right_picture,
+            const std::vector<PixelKind>& of_pixels);
+};
+
+struct Score {
+    std::uint64_t compared = 0;   // pixels
+    std::uint64_t unlike = 0;     // that differ by more than visible_levels in some channel
+    std::uint64_t solid = 0;      // of those that are unlike, those whose four neighbours are so too
+    std::uint64_t wrong = 0;      // that differ so from the right picture
+    std::uint64_t explained = 0;  // of these, those that the explanation shows
+    double excess = 0;            // sum of excess_of()
+    double squares = 0;           // sum of the squares of the differences in levels, channel by channel
+    int told_best = 0;            // levels by which `pixel` speaks for the explanation
+    glm::ivec2 pixel{0};  // of the scene's picture: where the explanation is told best from the right one
+
+    [[nodiscard]] double residual() const;  // RMS in levels
+    [[nodiscard]] double share_explained() const;
+    /// Whether the explanation shows the whole picture, but for what rounding and edges leave.
+    [[nodiscard]] bool fits() const;
+    /// Whether at most one pixel in a hundred is unlike.
+    [[nodiscard]] bool few_unlike() const;
+};
+
+/// Another program may differ by so many levels.
+inline constexpr float visible_levels = 2;
+
+/// `step`: only every so many rows are looked at. `solid` is filled in when all are and few pixels are
+/// unlike.
+[[nodiscard]] Score score(const Exhibit& exhibit, const Drawing& drawn, const DisplayChange& change,
+                          int step = 1);
+
+/// What the changed picture would show of a byte of the scene's, in whole levels.
+[[nodiscard]] Rgb shown(const ByteRanges& ranges, Rgb drawn);
+/// The wrong picture's colour at a pixel of the scene's picture, channels in the scene's order.
+[[nodiscard]] Rgb mine_at(const Picture& wrong, const DisplayChange& change, int x, int y);
+
+}  // namespace glint

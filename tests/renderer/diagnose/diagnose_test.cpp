@@ -1,0 +1,164 @@
+// Wrong pictures that the engine itself makes are named, whatever happened to them at the display; right ones
+// and those of other scenes are not.
+#include "renderer/diagnose/diagnose.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include "models/scene/mistakes.h"
+#include "tests/renderer/diagnose/wrong_pictures.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+/// How many pictures of how many were named: by the first name, and by one of the first three.
+struct Named {
+    int all = 0, first = 0, among_three = 0;
+    std::string missed;  // those that the first name does not name
+};
+
+bool names(const Candidate& c, const MistakeSet& mistakes) {
+    return c.mistakes == mistakes || std::find(c.also.begin(), c.also.end(), mistakes) != c.also.end();
+}
+
+void diagnose_one(Named& named, const SceneDocument& document, const MistakeSet& mistakes, unsigned seed) {
+    const WrongPicture wrong = wrong_picture(document.scene, mistakes, seed);
+    if (!wrong.differs) return;
+    const Diagnosis d = diagnose(document, wrong.picture, {mistakes.size() > 1, 1, {}});
+    const bool is_mistake = d.verdict == Verdict::Mistake;
+    const bool first = is_mistake && names(d.candidates.front(), mistakes);
+    ++named.all;
+    named.first += first ? 1 : 0;
+    named.among_three += is_mistake && std::any_of(d.candidates.begin(), d.candidates.end(),
+                                                   [&](const Candidate& c) { return names(c, mistakes); })
+                             ? 1
+                             : 0;
+    if (!first) named.missed += name_of(mistakes) + " (" + wrong.what + ", " + std::to_string(seed) + "); ";
+}
+
+/// GLINT_DIAGNOSED_SCENES asks for more scenes than the tests take time for.
+unsigned scenes(unsigned usual) {
+    const char* const asked = std::getenv("GLINT_DIAGNOSED_SCENES");
+    return asked != nullptr ? static_cast<unsigned>(std::atoi(asked)) : usual;
+}
+
+}  // namespace
+
+TEST_CASE("the mistake in a wrong picture is the first that is named", "[diagnose][long][release]") {
+    Named named;
+    for (unsigned seed = 1; seed <= scenes(8); ++seed) {
+        const SceneDocument document = diagnosed_scene(seed);
+        for (std::size_t m = 0; m < mistake_names().size(); ++m)
+            diagnose_one(named, document, {m}, 100 * seed + static_cast<unsigned>(m));
+    }
+    INFO(named.first << " first and " << named.among_three << " among three of " << named.all
+                     << "; missed: " << named.missed);
+    CHECK(named.all > 90);
+    CHECK(100 * named.first >= 95 * named.all);
+    CHECK(100 * named.among_three >= 99 * named.all);
+}
+
+TEST_CASE("two mistakes at once are named together", "[diagnose][long][release]") {
+    Named named;
+    for (unsigned seed = 1; seed <= scenes(6); ++seed) {
+        const SceneDocument document = diagnosed_scene(100 + seed);
+        const std::size_t n = mistake_names().size();
+        for (unsigned k = 0; k < 5; ++k) {
+            const std::size_t a = (7 * k + 3 * seed) % n, b = (a + 1 + (5 * k + seed) % (n - 1)) % n;
+            const Scene& scene = document.scene;
+            // One that hides the other, or shows nowhere, is not two.
+            const Picture both = picture_under(scene, {a, b});
+            if (!differ(both, picture_under(scene, {a})) || !differ(both, picture_under(scene, {b})))
+                continue;
+            diagnose_one(named, document, {std::min(a, b), std::max(a, b)}, 100 * seed + k);
+        }
+    }
+    INFO(named.first << " of " << named.all << "; missed: " << named.missed);
+    CHECK(named.all >= 10);
+    CHECK(100 * named.first >= 80 * named.all);
+}
+
+TEST_CASE("a right picture has no mistake, whatever happened to it at the display", "[diagnose]") {
+    int all = 0, right = 0;
+    for (unsigned seed = 1; seed <= scenes(12); ++seed)
+        for (unsigned change = 0; change < 2; ++change) {
+            const SceneDocument document = diagnosed_scene(200 + seed);
+            const WrongPicture picture = wrong_picture(document.scene, {}, 2 * seed + change);
+            const Diagnosis d = diagnose(document, picture.picture, {false, 1, {}});
+            // One encoding too many is a mistake that has a name, where the catalogue lists it.
+            const bool encoded = picture.what == "sRGB" && d.verdict == Verdict::Mistake &&
+                                 name_of(d.candidates[0].mistakes) == "encoded_twice";
+            ++all;
+            right += d.verdict == Verdict::NoMistake || encoded ? 1 : 0;
+        }
+    CHECK(100 * right >= 99 * all);
+}
+
+TEST_CASE("a picture of another scene is in no catalogue, or not comparable", "[diagnose]") {
+    int all = 0, refused = 0;
+    for (unsigned seed = 1; seed <= scenes(20); ++seed) {
+        const SceneDocument document = diagnosed_scene(300 + seed);
+        Scene other = document.scene;
+        for (Object& o : other.objects) o.material.diffuse = {0.9f - o.material.diffuse.x, 0.4f, 0.1f};
+        for (const Scene& drawn : {diagnosed_scene(900 + seed).scene, other}) {
+            const Picture picture = picture_under(drawn, {});
+            if (!differ(picture, picture_under(document.scene, {})))
+                continue;  // lit by nothing but highlights
+            const Diagnosis d = diagnose(document, picture, {false, 1, {}});
+            ++all;
+            refused += d.verdict == Verdict::NotInCatalogue || d.verdict == Verdict::NotComparable ? 1 : 0;
+        }
+    }
+    CHECK(100 * refused >= 95 * all);
+}
+
+TEST_CASE("the answer is the same on one thread and on many", "[diagnose]") {
+    const SceneDocument document = diagnosed_scene(3);
+    const Picture wrong = picture_under(document.scene, {2, 10});
+    for (const bool pairs : {false, true}) {
+        const Diagnosis one = diagnose(document, wrong, {pairs, 1, {}});
+        const Diagnosis many = diagnose(document, wrong, {pairs, 4, {}});
+        REQUIRE(one.candidates.size() == many.candidates.size());
+        for (std::size_t i = 0; i < one.candidates.size(); ++i) {
+            CHECK(one.candidates[i].mistakes == many.candidates[i].mistakes);
+            CHECK(one.candidates[i].residual == many.candidates[i].residual);
+            CHECK(one.candidates[i].pixel == many.candidates[i].pixel);
+        }
+    }
+}
+
+TEST_CASE("the deciding pixel has the colours that the pictures have there", "[diagnose]") {
+    const SceneDocument document = diagnosed_scene(4);
+    const std::size_t flipped = 18;
+    REQUIRE(mistake_names()[flipped].name == "normals_flipped");
+    const Picture right = picture_under(document.scene, {}), wrong = picture_under(document.scene, {flipped});
+    const Diagnosis d = diagnose(document, wrong, {false, 1, {}});
+    REQUIRE(d.verdict == Verdict::Mistake);
+    const Candidate& c = d.candidates.front();
+    CHECK(c.mistakes == MistakeSet{flipped});
+    CHECK(c.residual == 0);
+    CHECK(c.explained == 1);
+    CHECK(c.mine == rgb_at(wrong, wrong.pixel(c.pixel.x, c.pixel.y)));
+    CHECK(c.as_mistaken == c.mine);
+    CHECK(c.reference == rgb_at(right, right.pixel(c.pixel.x, c.pixel.y)));
+    CHECK(c.reference != c.mine);
+}
+
+TEST_CASE("an experiment shows what it says, and parts the mistakes", "[diagnose]") {
+    const SceneDocument document = diagnosed_scene(5);
+    const Diagnosis d = diagnose(document, picture_under(document.scene, {18}), {false, 1, {}});
+    REQUIRE(d.experiment);
+    const Experiment& e = *d.experiment;
+    const auto varied = scene_variant(document, e.set);
+    REQUIRE(problem_of(varied) == nullptr);
+    REQUIRE(e.mistakes.size() >= 2);
+    for (std::size_t i = 0; i < e.mistakes.size(); ++i) {
+        const Picture picture = picture_under(std::get<Scene>(varied), e.mistakes[i]);
+        CHECK(rgb_at(picture, picture.pixel(e.pixel.x, e.pixel.y)) == e.shows[i]);
+    }
+    CHECK(e.shows[0] != e.shows[1]);
+}

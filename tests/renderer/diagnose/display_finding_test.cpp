@@ -1,0 +1,135 @@
+// What is no mistake of lighting is found and named: turned over, exchanged, brightened, encoded, shifted.
+#include <cmath>
+
+#include "renderer/diagnose/diagnose.h"
+#include "renderer/diagnose/diagnosis_format.h"
+#include "tests/renderer/diagnose/wrong_pictures.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+SceneDocument bright_scene() {
+    SceneDocument document = diagnosed_scene(2);
+    document.scene.display.background = {0.3f, 0.1f, 0.5f};
+    return document;
+}
+
+DisplayFinding finding_of(const SceneDocument& document, const Picture& picture) {
+    const Diagnosis d = diagnose(document, picture, {false, 1, {}});
+    CHECK(d.verdict == Verdict::NoMistake);
+    return d.display;
+}
+
+Picture exchanged(Picture picture) {
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) std::swap(picture.rgba[i], picture.rgba[i + 2]);
+    return picture;
+}
+
+/// The mean of each pixel and those above, at the left, and above that: half a pixel further down and right.
+Picture shifted(const Picture& picture) {
+    Picture moved = picture;
+    for (int y = 1; y < picture.size.height; ++y)
+        for (int x = 1; x < picture.size.width; ++x)
+            for (std::size_t c = 0; c < 3; ++c) {
+                int sum = 2;
+                for (const auto& [u, v] : {std::pair{x, y}, {x - 1, y}, {x, y - 1}, {x - 1, y - 1}})
+                    sum += int{picture.rgba[4 * picture.pixel(u, v) + c]};
+                moved.rgba[4 * picture.pixel(x, y) + c] = static_cast<std::uint8_t>(sum / 4);
+            }
+    return moved;
+}
+
+}  // namespace
+
+TEST_CASE("turning over and exchanging colours is found", "[diagnose]") {
+    const SceneDocument document = bright_scene();
+    const Picture right = picture_under(document.scene, {});
+    CHECK(finding_of(document, right).change == DisplayChange{});
+    DisplayChange expected;
+    expected.upside_down = true;
+    CHECK(finding_of(document, turned_over(right, true, false)).change == expected);
+    expected.mirrored = true;
+    CHECK(finding_of(document, turned_over(right, true, true)).change == expected);
+    expected = {};
+    expected.red_blue = true;
+    CHECK(finding_of(document, exchanged(right)).change == expected);
+}
+
+TEST_CASE("a gain and an encoding are found together", "[diagnose]") {
+    const SceneDocument document = bright_scene();
+    const Picture right = picture_under(document.scene, {});
+    CHECK(finding_of(document, through(right, [](double x) { return 0.7 * x; })).change.gain ==
+          Approx(0.7).epsilon(0.01));
+    const DisplayChange both =
+        finding_of(document, through(right, [](double x) { return srgb_of_linear(0.6 * x); })).change;
+    CHECK(both.encodings() == 1);
+    CHECK(std::pow(both.gain, both.after == Code::Same ? 2.4f : 1.0f) == Approx(0.6).epsilon(0.1));
+    Scene encoded = document.scene;
+    encoded.display.transfer = Transfer::Srgb;
+    SceneDocument srgb;
+    srgb.scene = encoded;
+    CHECK(finding_of(srgb, right).change.encodings() == -1);
+}
+
+TEST_CASE("another background, smooth edges and half a pixel's shift are found", "[diagnose]") {
+    const SceneDocument document = bright_scene();
+    const Picture right = picture_under(document.scene, {});
+    CHECK_FALSE(finding_of(document, right).background);
+    CHECK_FALSE(finding_of(document, right).smooth_edges);
+    Scene green = document.scene;
+    green.display.background = {0, 1, 0};
+    CHECK(finding_of(document, picture_under(green, {})).background == Rgb{0, 255, 0});
+    Renderer renderer(1);
+    CHECK(finding_of(document, renderer.render(document.scene, diagnosed_size, false, 8)).smooth_edges);
+    const DisplayFinding moved = finding_of(document, shifted(right));
+    CHECK(moved.shift.x == Approx(0.5).margin(0.15));
+    CHECK(moved.shift.y == Approx(0.5).margin(0.15));
+}
+
+TEST_CASE("a picture at another aspect is not comparable, and which aspect is said", "[diagnose]") {
+    SceneDocument document = bright_scene();
+    Renderer renderer(1);
+    const Picture wide = renderer.render(document.scene, {320, 180});
+    Picture squeezed{diagnosed_size, std::vector<std::uint8_t>(4 * diagnosed_size.pixels(), 255), {}};
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 160; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                squeezed.rgba[4 * squeezed.pixel(x, y) + c] = wide.rgba[4 * wide.pixel(2 * x, y * 3 / 2) + c];
+    const Diagnosis d = diagnose(document, squeezed, {false, 1, {}});
+    CHECK(d.verdict == Verdict::NotComparable);
+    INFO(d.why);
+    CHECK(d.why.find("16:9") != std::string::npos);
+    CHECK(d.candidates.empty());
+}
+
+TEST_CASE("a byte may have become what the display's steps make of it", "[diagnose]") {
+    DisplayChange encoded;
+    encoded.before = Code::Encoded;
+    // Linear 0.5 is 0.7354 encoded, level 187.5; its neighbours half a level away give 187.4 and 187.6.
+    CHECK(byte_ranges(encoded)[128].middle == Approx(188.0).margin(0.6));
+    CHECK(byte_ranges(encoded)[0].low <= 0);
+    CHECK(byte_ranges(DisplayChange{})[77].distance(80) == 3);
+    DisplayChange dimmed;
+    dimmed.gain = 0.5f;
+    CHECK(byte_ranges(dimmed)[100].distance(50) == 0);
+    CHECK(byte_ranges(dimmed)[100].distance(53) > 2);
+    CHECK(byte_ranges(dimmed)[255].distance(200) == 0);  // what was clamped may have been brighter
+}
+
+TEST_CASE("a term that is wrong and in no catalogue is found where it lives", "[diagnose]") {
+    SceneDocument document = bright_scene();
+    document.scene.lights = {assorted_lights()[0]};
+    document.scene.global_ambient = glm::vec3(0.05f);
+    Scene wrong = document.scene;
+    wrong.lights[0].diffuse *= 0.5f;
+    const Diagnosis d = diagnose(document, picture_under(wrong, {}), {false, 1, {}});
+    CHECK(d.verdict == Verdict::NotInCatalogue);
+    REQUIRE_FALSE(d.terms.empty());
+    CHECK(d.terms[0].term == "diffuse");
+    CHECK(d.terms[0].light == 0);
+    CHECK(d.terms[0].factor == Approx(0.5).margin(0.03));
+    CHECK(diagnosis_text(d, document.scene).find("the diffuse term of Sun") != std::string::npos);
+}
