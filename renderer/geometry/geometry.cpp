@@ -1,3 +1,5 @@
+// Stage 1, from object to clip coordinates. Points go by the matrices of model, camera and projection,
+// normals by the inverse transpose of the first two (transform_objects).
 #include "renderer/geometry/geometry.h"
 
 #include <fmt/core.h>

@@ -46,7 +46,8 @@ Vec3<F> perspective_weights(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, S
 
 /// Weights that are linear on the screen, from the perspective-correct ones. All w > 0; where their products
 /// leave the range of floats, the perspective-correct ones.
-/// Source: a = sum(b_i a_i / w_i) / sum(b_i / w_i), solved for b.
+/// Source: perspective-correct interpolation, a = sum(b_i a_i / w_i) / sum(b_i / w_i) with weights b on the
+/// screen, as in Heckbert and Moreton 1991, solved for b.
 template <Number F> Vec3<F> screen_weights(Vec3<F> perspective, F wa, F wb, F wc) {
     const Vec3<F> e{perspective.x * wa, perspective.y * wb, perspective.z * wc};
     const F inverse = inverse_or_zero(e.x + e.y + e.z);

@@ -1,3 +1,5 @@
+// From lit points to pixels: Phong and facet shading have a point a pixel, Gouraud blends corners, flat shows
+// the face's; then strokes, exposure and bytes.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 

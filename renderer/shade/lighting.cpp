@@ -1,3 +1,5 @@
+// Stage 4: which part of the lighting has to be done again, and in which of the ways: each point, with one
+// light added to what is kept, or with colours blended from corners.
 #include "renderer/shade/lighting.h"
 
 #include <tbb/blocked_range.h>

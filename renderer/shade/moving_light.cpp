@@ -1,3 +1,5 @@
+// One light moves and nothing else: the sum of all the others is kept, and each frame adds the moving one to
+// it.
 #include "renderer/shade/moving_light.h"
 
 #include <tbb/blocked_range.h>
@@ -52,8 +54,8 @@ void bound_group(BoundsBlock& bounds, std::size_t i, const PointBlock& points, u
     bounds.spread[i] = normals.radius;
 }
 
-/// A sphere round the positions and one round the normals of each pixel group; empty for per-vertex and per-face shading, which have
-/// few points to light.
+/// A sphere round the positions and one round the normals of each pixel group; empty for per-vertex and
+/// per-face shading, which have few points to light.
 void bound_groups(const Surface& s, std::vector<BoundsBlock>& bounds) {
     const std::size_t groups = s.choice.kind == SurfaceKind::Pixels ? s.groups.size() : 0;
     bounds.resize((groups + block_size - 1) / block_size);

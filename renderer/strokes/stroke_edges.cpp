@@ -1,3 +1,5 @@
+// Which edges are drawn as strokes: silhouettes, where a facet seen from the front meets one that is not, and
+// creases, where two facets meet at a sharp angle.
 #include "renderer/strokes/stroke_edges.h"
 
 #include <tbb/parallel_for.h>
@@ -65,8 +67,8 @@ class Selector {
 
     /// 1 where the facet is seen from the front, -1 from behind, 0 from its side.
     static int side(const glm::dvec3& e, const glm::dvec3& n) {
-        const double cosine = glm::dot(e, n), limit = edge_on * std::sqrt(glm::dot(e, e));
-        return cosine > limit ? 1 : cosine < -limit ? -1 : 0;
+        const double towards_eye = glm::dot(e, n), limit = edge_on * std::sqrt(glm::dot(e, e));
+        return towards_eye > limit ? 1 : towards_eye < -limit ? -1 : 0;
     }
 
     [[nodiscard]] bool is_crease(std::span<const EdgeUse> uses) const {

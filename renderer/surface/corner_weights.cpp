@@ -1,3 +1,6 @@
+// How much each corner of a face has in the colour or the normal of a pixel: perspective-correct, linear on
+// the screen, or along edges and then along scanlines. Lecture: "Gouraud Shading", "Shading Artifacts:
+// Orientation".
 #include <algorithm>
 #include <cmath>
 

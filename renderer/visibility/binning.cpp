@@ -1,3 +1,5 @@
+// Sorts triangles into the tiles of the picture that they touch, after clipping and culling: each tile is
+// then drawn by one thread.
 #include "renderer/visibility/binning.h"
 
 #include <fmt/core.h>

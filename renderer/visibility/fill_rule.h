@@ -9,9 +9,10 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// -1 where a < 0, else 0; and the other way round.
+/// -1 (all bits set) where a < 0, else 0.
 template <class I> I negative(I a) { return a >> 31; }
 inline long long negative(long long a) { return a >> 63; }
+/// 0 where a is -1, and -1 where it is 0.
 template <class I> I inverted(I a) { return -1 - a; }
 
 /// Twice the area of the triangle (0, 0), b, c: positive when it runs clockwise as seen.
@@ -25,7 +26,8 @@ template <class I> struct EdgeFunction {
 };
 
 /// The edge from a to b of a triangle that runs clockwise as seen. A sample exactly on the edge is inside
-/// when the edge is a top or a left one.
+/// when the edge is a top or a left one; for the others the function is 1/256 smaller, so that it is negative
+/// there.
 template <class I> EdgeFunction<I> edge_function(I ax, I ay, I bx, I by) {
     const I dx = bx - ax, dy = by - ay;
     const I top_or_left = negative(dy) | (negative(0 - dx) & inverted(negative(0 - dy)));

@@ -1,3 +1,5 @@
+// The lighting equation at one point, with every number that went into it: the same functions as the
+// picture's, on one lane.
 #include "renderer/inspect/explain/explain_point.h"
 
 #include <algorithm>
