@@ -29,8 +29,8 @@ class Canvas {
     void fill(const PixelRect& rect, const ImVec4& color);
     void scale(const Picture& picture, const PixelRect& to, const PixelRect& part);
 
-    Texture texture_;
-    Texture small_;  // a picture that is shown in another size
+    Texture texture_{Texture::Use::Copied};
+    Texture small_{Texture::Use::Copied};  // a picture that is shown in another size
 };
 
 }  // namespace glint

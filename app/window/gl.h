@@ -5,8 +5,8 @@
 namespace glint {
 
 namespace gl_value {
-inline constexpr unsigned texture_2d = 0x0DE1, rgba = 0x1908, bgra = 0x80E1, unsigned_byte = 0x1401,
-                          nearest = 0x2600, mag_filter = 0x2800, min_filter = 0x2801,
+inline constexpr unsigned texture_2d = 0x0DE1, rgba = 0x1908, rgba8 = 0x8058, bgra = 0x80E1,
+                          unsigned_byte = 0x1401, nearest = 0x2600, mag_filter = 0x2800, min_filter = 0x2801,
                           color_buffer_bit = 0x4000, unpack_row_length = 0x0CF2, unpack_skip_rows = 0x0CF3,
                           unpack_skip_pixels = 0x0CF4, scissor_test = 0x0C11, read_framebuffer = 0x8CA8,
                           draw_framebuffer = 0x8CA9, color_attachment0 = 0x8CE0;

@@ -13,7 +13,7 @@ PixelRect intersection(const PixelRect& a, const PixelRect& b) {
             std::min(a.bottom, b.bottom)};
 }
 
-Texture::Texture() {
+Texture::Texture(Use use) : use_(use) {
     if (!gl().complete) return;
     gl().gen_textures(1, &name_);
     gl().bind_texture(texture_2d, name_);
@@ -29,9 +29,10 @@ Texture::~Texture() {
 void Texture::allocate(PictureSize size) {
     if (size_ == size) return;
     gl().bind_texture(texture_2d, name_);
-    // The order of channels in which windows keep their pixels: where software stands in for a graphics card,
-    // copying between two textures of the same order is a copy of memory, and takes a quarter of the time.
-    gl().tex_image(texture_2d, 0, int(rgba), size.width, size.height, 0, bgra, unsigned_byte, nullptr);
+    // GL chooses how it keeps the channels of unsized RGBA, and follows the order of what is uploaded.
+    const bool for_copies = use_ == Use::Copied;
+    gl().tex_image(texture_2d, 0, int(for_copies ? rgba : rgba8), size.width, size.height, 0,
+                   for_copies ? bgra : rgba, unsigned_byte, nullptr);
     size_ = size;
 }
 

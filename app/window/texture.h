@@ -23,8 +23,14 @@ struct PixelRect {
 /// A GL texture of the current context, its first row the picture's top.
 class Texture {
   public:
+    /// Copied: to and from framebuffers alone. Its channels have the order of the window's: in software,
+    /// copying is then a copy of memory and takes a quarter of the time. Where a shader samples such a
+    /// texture, llvmpipe (Mesa 22.3) leaves out the tiles that a rectangle covers whole; what ImGui draws is
+    /// Sampled.
+    enum class Use { Sampled, Copied };
+
     /// Precondition: a GL context is current. `ready()` is false when it lacks a function.
-    Texture();
+    explicit Texture(Use use);
     ~Texture();
     Texture(const Texture&) = delete;
     Texture& operator=(const Texture&) = delete;
@@ -42,6 +48,7 @@ class Texture {
     [[nodiscard]] unsigned framebuffer();
 
   private:
+    Use use_;
     unsigned framebuffer_ = 0;  // made when first needed
     unsigned name_ = 0;
     PictureSize size_{0, 0};

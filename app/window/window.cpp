@@ -243,7 +243,8 @@ class Window {
     /// Gives every sheet of small pictures its texture.
     void name_sheets() {
         for (PictureSheet* sheet : sheets_of(state_)) {
-            if (!sheets_[sheet].texture) sheets_[sheet].texture = std::make_unique<Texture>();
+            if (!sheets_[sheet].texture)
+                sheets_[sheet].texture = std::make_unique<Texture>(Texture::Use::Sampled);
             sheet->texture = sheets_[sheet].texture->id();
         }
     }

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# The examples' pictures come one after the other, each of them whole: nothing stays in the colour of what has none yet.
+set -u
+# shellcheck disable=SC2034  # display.sh uses it
+program=$1
+# shellcheck source=tests/gui/display.sh
+. "$(dirname "$0")/display.sh"
+
+start_display 1280x800
+start_glint "$(dirname "$0")/../../assets/scenes/default.json"
+xdotool key ctrl+shift+o
+sleep 0.5
+# What is left of the grey around pictures, in what the dialog covers; one scene has a plate of about that grey.
+all_drawn() {
+    import -window root -crop 940x640+170+75 +repage "$work/examples.png"
+    grey=$(convert "$work/examples.png" -fill black +opaque '#777777' -fill white -opaque '#777777' -format '%[fx:int(mean*w*h)]' info:)
+    [ "$grey" -lt 500 ]
+}
+within 30 all_drawn || fail "$grey pixels of the examples have no picture"
+echo "passed"
