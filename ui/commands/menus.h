@@ -46,7 +46,8 @@ void shortcuts_sheet(UiState& state);
 /// then by names with their groups, then by words that begin so.
 [[nodiscard]] std::vector<int> palette_matches(const std::vector<PaletteEntry>& entries,
                                                const std::string& text);
-/// Where nothing matches: the word of a name that is written most like the text.
+/// Where nothing matches: the word of a name that is written most like the text; empty where not even half of
+/// the letters agree.
 [[nodiscard]] std::string nearest_word(const std::vector<PaletteEntry>& entries, const std::string& text);
 
 void open_palette(UiState& state);

@@ -3,6 +3,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
 #include <string_view>
@@ -20,6 +21,15 @@ namespace glint {
 namespace {
 
 constexpr int rows_shown = 11;
+
+/// How many letters both have, capitals or not, wherever they stand.
+std::size_t shared_letters(const std::string& a, const std::string& b) {
+    std::array<int, 256> left{};
+    for (const unsigned char c : b) ++left[static_cast<unsigned char>(std::tolower(c))];
+    return static_cast<std::size_t>(std::count_if(a.begin(), a.end(), [&](unsigned char c) {
+        return left[static_cast<unsigned char>(std::tolower(c))]-- > 0;
+    }));
+}
 
 bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0; }
 
@@ -112,8 +122,11 @@ int entry_list(PaletteState& state, const UiInput& input) {
     std::string shown = state.text;  // whose letters are marked
     if (matches.empty()) {
         shown = nearest_word(state.entries, state.text);
-        matches = palette_matches(state.entries, shown);
-        dim_text(fmt::format("Nothing is called “{}”. Nearest is “{}”:", state.text, shown).c_str());
+        if (!shown.empty()) matches = palette_matches(state.entries, shown);
+        const std::string nothing = fmt::format("Nothing is called “{}”", state.text);
+        dim_text((shown.empty() ? nothing + ": commands, fields and scenes are found here"
+                                : fmt::format("{}. Nearest is “{}”:", nothing, shown))
+                     .c_str());
     }
     const int before = state.chosen;
     int decided = -1;
@@ -178,7 +191,8 @@ std::string nearest_word(const std::vector<PaletteEntry>& entries, const std::st
         for (const std::string& said : {entry.name, entry.words})
             for (const std::string_view word : words_in(said))
                 if (word.size() > 2) words.emplace_back(word);
-    return nearest(text, words);
+    const std::string best = nearest(text, words);
+    return shared_letters(text, best) >= (text.size() + 1) / 2 ? best : std::string();
 }
 
 void open_palette(UiState& state) {

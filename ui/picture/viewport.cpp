@@ -106,7 +106,9 @@ void click(ViewportState& state, PictureSize size) {
     state.touched = true;
     if (state.pressed_grip.is_mark()) return;  // it was selected when pressed
     state.asked = true;
-    ask_about(state, glm::dvec2(state.pressed_px.x / size.width, state.pressed_px.y / size.height));
+    // The pixel's middle: at its edge, pictures of another shape might take the one beside it.
+    const glm::dvec2 middle = glm::dvec2(nearest_pixel(size, state.pressed_px)) + 0.5;
+    ask_about(state, middle / glm::dvec2(size.width, size.height));
 }
 
 void end_gesture(ViewportState& state) {

@@ -39,6 +39,16 @@ Interval range_of_curves(std::initializer_list<const Points*> curves, bool aroun
     return range_of(values, around_zero ? 1e-4 : 1e-3, 0.08);
 }
 
+/// Of a curve of differences, one a sample: where an object ends, the jump is a hundred times as high as the
+/// bands that one looks for, and leaves the strip.
+Interval range_within_objects(const Points& points, const std::vector<ProfileSample>& samples) {
+    const auto object = [&](std::size_t i) { return samples[i].seen ? samples[i].seen->object : -1; };
+    Points inside;
+    for (std::size_t i = 1; i + 1 < samples.size(); ++i)
+        if (object(i - 1) == object(i) && object(i) == object(i + 1)) inside.push_back(points[i]);
+    return range_of_curves({inside.empty() ? &points : &inside}, true);
+}
+
 struct Strip {
     Rect rect;
     Interval x;
@@ -145,7 +155,8 @@ void strips(ScopeState& scope, const Rect& area) {
         const bool last = &each == &curves.back();
         const float high = last ? area.high.y : y + unit;
         const Strip strip{{{plots.low.x, y}, {plots.high.x, high}}, x, last, each.y};
-        const PlotArea room = begin_strip(list, strip, range_of_curves({&each.points}, true), scope);
+        const PlotArea room =
+            begin_strip(list, strip, range_within_objects(each.points, scope.samples), scope);
         strip_curve(list, room, each.points, scope, each.colour);
         strip_name(list, room, each.y);
         y += unit;

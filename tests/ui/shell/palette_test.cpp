@@ -131,6 +131,20 @@ TEST_CASE("where nothing fits the palette offers what is nearest, and Enter take
     CHECK(bench.state.editor.selection.kind == Selection::Kind::Display);
 }
 
+TEST_CASE("where nothing is near the palette does nothing at Enter", "[ui][palette][window]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    CHECK(nearest_word(palette_entries(bench.state), "zzzz").empty());
+    (void)bench.key(Key::K, true);
+    bench.frames(1);
+    type(bench, "zzzz");
+    (void)bench.key(Key::Enter);
+    bench.frames(3);
+    CHECK(bench.state.palette.open);
+    CHECK(bench.scene() == before);
+}
+
 TEST_CASE("a letter that acts at once says what it did", "[ui][window][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
