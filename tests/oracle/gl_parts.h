@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "models/scene/scene.h"
+#include "tests/oracle/wrong_programs.h"
 
 namespace glint::oracle {
 
@@ -30,6 +31,7 @@ void set_fixed_material(const Material& material, const Shading& shading);
 /// The uniforms of equation.glsl in the current program.
 void set_shader_lights(unsigned program, const Scene& scene, const glm::dmat4& view);
 void set_shader_material(unsigned program, const Scene& scene, const Material& given);
-[[nodiscard]] unsigned make_program(const char* stage, const char* interpolated);
+[[nodiscard]] unsigned make_program(const char* stage, const char* interpolated,
+                                    const std::vector<TextChange>& changes);
 
 }  // namespace glint::oracle

@@ -118,7 +118,7 @@ unsigned GlPainter::program(const Shading& s) {
     const std::size_t linear =
         s.interpolation == Interpolation::Screen && s.mode != ShadingMode::Facet ? 1 : 0;
     const std::size_t kind = s.mode == ShadingMode::Flat ? 0 : (corners ? 1 : 3) + linear;
-    if (!programs_[kind]) programs_[kind] = make_program(kinds[kind].stage, kinds[kind].interpolated);
+    if (!programs_[kind]) programs_[kind] = make_program(kinds[kind].stage, kinds[kind].interpolated, wrong_);
     return programs_[kind];
 }
 

@@ -4,8 +4,11 @@
 // only the scene value and its meshes are used: corners, triangles and the normals of corner_normals().
 
 #include <array>
+#include <utility>
+#include <vector>
 
 #include "models/scene/scene.h"
+#include "tests/oracle/wrong_programs.h"
 
 namespace glint::oracle {
 
@@ -23,10 +26,14 @@ enum class Route { FixedFunction, Shader };
 /// Keeps compiled shaders from one call to the next: give it one GlCanvas.
 class GlPainter {
   public:
+    GlPainter() = default;
+    /// Draws by a wrong program: its shaders' text is changed so.
+    explicit GlPainter(std::vector<TextChange> wrong) : wrong_(std::move(wrong)) {}
     void draw(const Scene& scene, PictureSize size, Route route);
 
   private:
     [[nodiscard]] unsigned program(const Shading& shading);
+    std::vector<TextChange> wrong_;
     std::array<unsigned, 5> programs_{};  // 0: not compiled yet
 };
 

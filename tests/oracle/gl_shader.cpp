@@ -13,10 +13,20 @@
 namespace glint::oracle {
 namespace {
 
-test::ShaderSource source(const std::string& name, const char* interpolated) {
-    return {name, std::string("#version 450 compatibility\n#define INTERPOLATED ") + interpolated + "\n" +
-                      test::shader_text("oracle/glsl/equation.glsl") +
-                      test::shader_text("oracle/glsl/" + name)};
+void change(std::string& text, const TextChange& change) {
+    for (std::size_t at = text.find(change.from); at != text.npos; at = text.find(change.from, at)) {
+        text.replace(at, change.from.size(), change.to);
+        at += change.to.size();
+    }
+}
+
+test::ShaderSource source(const std::string& name, const char* interpolated,
+                          const std::vector<TextChange>& changes) {
+    std::string text =
+        test::shader_text("oracle/glsl/equation.glsl") + test::shader_text("oracle/glsl/" + name);
+    for (const TextChange& c : changes) change(text, c);
+    return {name,
+            std::string("#version 450 compatibility\n#define INTERPOLATED ") + interpolated + "\n" + text};
 }
 
 /// Sets uniforms of the current program by name; one that the program does not use is passed over.
@@ -54,10 +64,10 @@ void set_light(const Uniforms& u, const Light& light, const glm::dmat4& to_camer
 
 }  // namespace
 
-unsigned make_program(const char* stage, const char* interpolated) {
+unsigned make_program(const char* stage, const char* interpolated, const std::vector<TextChange>& changes) {
     const std::string name = stage;
-    return test::link_program(source(name + ".vert.glsl", interpolated),
-                              source(name + ".frag.glsl", interpolated));
+    return test::link_program(source(name + ".vert.glsl", interpolated, changes),
+                              source(name + ".frag.glsl", interpolated, changes));
 }
 
 void set_shader_lights(unsigned program, const Scene& scene, const glm::dmat4& view) {

@@ -91,13 +91,14 @@ double Score::share_explained() const {
 }
 
 bool Score::fits() const {
-    constexpr double most_residual = 3;
-    constexpr std::uint64_t per_solid = 2000, few = 4;  // a spot's edge may be elsewhere by a pixel, no area
-    return few_unlike() && residual() <= most_residual && solid <= few + compared / per_solid;
+    constexpr std::uint64_t few = 4, per_solid = 2000, per_unlike = 100;
+    if (!may_fit()) return false;
+    // A highlight's cut or a spot's edge may be elsewhere by a pixel: many pixels in lines, but no area.
+    return solid <= few || (unlike * per_unlike <= compared && solid * per_solid <= compared);
 }
 
-bool Score::few_unlike() const {
-    constexpr std::uint64_t per_unlike = 100;
+bool Score::may_fit() const {
+    constexpr std::uint64_t per_unlike = 16;
     return compared > 0 && unlike * per_unlike <= compared;
 }
 
@@ -156,7 +157,7 @@ Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
     });
     Score all;
     for (const Score& row : rows) add(all, row);  // in order, so that threads do not matter
-    if (step == 1 && all.few_unlike() && all.unlike > 0) all.solid = Judgement{e, explained, change}.solid();
+    if (step == 1 && all.may_fit() && all.unlike > 0) all.solid = Judgement{e, explained, change}.solid();
     return all;
 }
 

@@ -45,8 +45,8 @@ struct Score {
     [[nodiscard]] double share_explained() const;
     /// Whether the explanation shows the whole picture, but for what rounding and edges leave.
     [[nodiscard]] bool fits() const;
-    /// Whether at most one pixel in a hundred is unlike.
-    [[nodiscard]] bool few_unlike() const;
+    /// Whether so few pixels are unlike that it can.
+    [[nodiscard]] bool may_fit() const;
 };
 
 /// Another program may differ by so many levels.

@@ -107,29 +107,35 @@ inline bool differ(const Picture& a, const Picture& b) {
     return differing >= 30;
 }
 
-/// Half of them as they are, the others brightened, turned over or encoded.
-inline WrongPicture wrong_picture(const Scene& scene, const MistakeSet& mistakes, unsigned seed) {
-    WrongPicture wrong{picture_under(scene, mistakes), "as it is", false};
-    wrong.differs = differ(wrong.picture, picture_under(scene, {}));
+/// A picture half the time as it is, else brightened, turned over or encoded.
+inline WrongPicture displayed_somehow(const Picture& picture, unsigned seed) {
+    WrongPicture wrong{picture, "as it is", false};
     std::mt19937 random(seed);
     switch (random() % 6) {
     case 0: {
         const double gain = double(uniform(random, 0.4f, 1.6f));
         wrong.what = "gain " + std::to_string(gain);
-        wrong.picture = through(wrong.picture, [gain](double x) { return gain * x; });
+        wrong.picture = through(picture, [gain](double x) { return gain * x; });
         break;
     }
     case 1:
         wrong.what = "turned over";
-        wrong.picture = turned_over(wrong.picture, random() % 2 == 0, true);
+        wrong.picture = turned_over(picture, random() % 2 == 0, true);
         break;
     case 2:
         wrong.what = "sRGB";
-        wrong.picture = through(wrong.picture, srgb_of_linear);
+        wrong.picture = through(picture, srgb_of_linear);
         break;
     default:
         break;
     }
+    return wrong;
+}
+
+inline WrongPicture wrong_picture(const Scene& scene, const MistakeSet& mistakes, unsigned seed) {
+    const Picture picture = picture_under(scene, mistakes);
+    WrongPicture wrong = displayed_somehow(picture, seed);
+    wrong.differs = differ(picture, picture_under(scene, {}));
     return wrong;
 }
 

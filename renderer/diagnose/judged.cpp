@@ -1,0 +1,129 @@
+#include "renderer/diagnose/judged.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace glint {
+namespace {
+
+constexpr std::uint64_t drawings_bytes = std::uint64_t{256} << 20;
+constexpr std::size_t fewest_drawings = 3, most_drawings = 16;
+
+/// The size of about so many pixels to search at; odd divisors keep the centres of pixels.
+PictureSize search_size(PictureSize size, std::size_t pixels) {
+    int divisor = 1;
+    while (size.pixels() / static_cast<std::size_t>(divisor * divisor) > pixels) divisor += 2;
+    return {std::max(1, size.width / divisor), std::max(1, size.height / divisor)};
+}
+
+std::size_t drawings_of(PictureSize size) {
+    return std::clamp<std::size_t>(drawings_bytes / picture_memory(size), fewest_drawings, most_drawings);
+}
+
+constexpr double noise = 50;  // in excess_of() over a whole picture
+
+void judge(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int step) {
+    j.change = change;
+    j.score = score(exhibit, j.drawing, change, step);
+    j.cost = explanation_cost(j.score.excess, noise / step, j.mistakes.size(), change);
+}
+
+/// The best of the changes that the hypothesis allows, judged by every so many rows.
+Judged judged(Renderer& renderer, const Scene& scene, const Exhibit& exhibit, const Hypothesis& hypothesis,
+              int step) {
+    const PictureSize size = exhibit.right.size;
+    Judged best;
+    best.mistakes = hypothesis.mistakes;
+    best.drawing.picture = renderer.render(under_mistakes(scene, hypothesis.mistakes), size);
+    best.drawing.bare = bare_mask(renderer, size);
+    judge(best, exhibit, hypothesis.changes.front(), step);
+    for (std::size_t i = 1; i < hypothesis.changes.size(); ++i) {
+        const double before = best.cost;
+        const DisplayChange kept = best.change;
+        judge(best, exhibit, hypothesis.changes[i], step);
+        if (best.cost < before) continue;
+        best.cost = before;
+        best.change = kept;
+    }
+    return best;
+}
+
+/// Whether two drawings are the same within one level wherever they can be compared.
+bool look_alike(const Exhibit& exhibit, const Drawing& a, const Drawing& b) {
+    for (std::size_t i = 0; i < exhibit.kinds.size(); ++i) {
+        if (exhibit.kinds[i] != PixelKind::Surface) continue;
+        for (std::size_t c = 4 * i; c < 4 * i + 3; ++c)
+            if (std::abs(int{a.picture.rgba[c]} - int{b.picture.rgba[c]}) > 1) return false;
+    }
+    return true;
+}
+
+Candidate candidate_of(const Exhibit& exhibit, const Judged& j) {
+    Candidate c;
+    c.mistakes = j.mistakes;
+    c.change = j.change;
+    c.residual = j.score.residual();
+    c.explained = j.score.share_explained();
+    c.fits = j.score.fits();
+    c.pixel = j.score.pixel;
+    const ByteRanges ranges = byte_ranges(j.change);
+    const std::size_t pixel = exhibit.right.pixel(c.pixel.x, c.pixel.y);
+    c.mine = mine_at(exhibit.wrong, j.change, c.pixel.x, c.pixel.y);
+    c.reference = shown(ranges, rgb_at(exhibit.right, pixel));
+    c.as_mistaken = shown(ranges, rgb_at(j.drawing.picture, pixel));
+    return c;
+}
+
+}  // namespace
+
+std::uint64_t judging_memory(PictureSize size) { return (drawings_of(size) + 3) * picture_memory(size); }
+
+std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<Judged>& all) {
+    constexpr std::size_t most = 3;
+    std::vector<Candidate> candidates;
+    std::vector<const Judged*> shown;
+    for (const Judged& j : all) {
+        if (j.is_right) continue;
+        const auto like = std::find_if(shown.begin(), shown.end(), [&](const Judged* s) {
+            return look_alike(exhibit, s->drawing, j.drawing);
+        });
+        if (like != shown.end()) {
+            Candidate& first = candidates[static_cast<std::size_t>(like - shown.begin())];
+            if (first.mistakes.size() == j.mistakes.size()) first.also.push_back(j.mistakes);
+        } else if (candidates.size() < most) {
+            candidates.push_back(candidate_of(exhibit, j));
+            shown.push_back(&j);
+        }
+    }
+    return candidates;
+}
+
+std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhibit& exhibit,
+                              const DiagnosisOptions& options) {
+    constexpr std::size_t singles_pixels = 400'000, pairs_pixels = 24'000;
+    constexpr std::size_t judged_whole = 8;
+    constexpr int coarse_rows = 100, most_step = 8;
+    const PictureSize size = exhibit.right.size;
+    const PictureSize at = search_size(size, options.pairs ? pairs_pixels : singles_pixels);
+    const std::vector<Hypothesis> likely =
+        likely_hypotheses(scene, exhibit.wrong, at, options.pairs, options.threads, options.progress);
+    const int step = std::clamp(size.height / coarse_rows, 1, most_step);
+    std::vector<Judged> all;
+    for (std::size_t i = 0; i < std::min(drawings_of(size), likely.size()); ++i)
+        all.push_back(judged(renderer, scene, exhibit, likely[i], step));
+    // All but the likeliest are hopeless; no mistake at all is judged with them.
+    std::stable_sort(all.begin() + 1, all.end(),
+                     [](const Judged& a, const Judged& b) { return a.cost < b.cost; });
+    all.resize(std::min(all.size(), judged_whole));
+    const Drawing right{exhibit.right, {}};
+    for (Judged& j : all) {
+        judge(j, exhibit, j.change, 1);
+        j.is_right = j.mistakes.empty() || look_alike(exhibit, j.drawing, right);
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Judged& a, const Judged& b) {
+        return a.score.fits() != b.score.fits() ? a.score.fits() : a.cost < b.cost;
+    });
+    return all;
+}
+
+}  // namespace glint

@@ -1,0 +1,30 @@
+#pragma once
+// Explanations of a wrong picture judged on the whole of it.
+
+#include <vector>
+
+#include "renderer/diagnose/diagnose.h"
+
+namespace glint {
+
+/// An explanation judged on the whole picture.
+struct Judged {
+    MistakeSet mistakes;
+    DisplayChange change;
+    Score score;
+    double cost = 0;
+    Drawing drawing;
+    bool is_right = false;  // the drawing is the right one, but for a level
+};
+
+/// The likeliest explanations, those that fit first. One of them is that there is no mistake.
+[[nodiscard]] std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhibit& exhibit,
+                                            const DiagnosisOptions& options);
+
+/// The best few mistakes, each with those that look like it.
+[[nodiscard]] std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<Judged>& all);
+
+/// Bytes that judge_all() takes beside what drawing takes.
+[[nodiscard]] std::uint64_t judging_memory(PictureSize size);
+
+}  // namespace glint
