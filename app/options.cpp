@@ -70,10 +70,10 @@ Failure of_parse_error(const CLI::ParseError& error) {
 struct Options::Parts {
     explicit Parts(const OptionsHelp& help) : name(help.name), app(help.summary, help.name) {}
 
-    void add(const std::string& names, const std::string& value_name, const std::string& help,
-             const CLI::callback_t& on_given) {
+    CLI::Option* add(const std::string& names, const std::string& value_name, const std::string& help,
+                     const CLI::callback_t& on_given) {
         // Every value is kept, for CLI11 would have words of its own for the second.
-        app.add_option(names, on_given, help)
+        return app.add_option(names, on_given, help)
             ->type_name(value_name)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     }
@@ -126,6 +126,14 @@ void Options::add_values(const std::string& names, const std::string& value_name
         for (const std::string& text : given) read(text);
         return true;
     });
+}
+
+void Options::add_words(const std::string& name, const std::string& help, ReadValue read) {
+    const auto read_all = [read = std::move(read)](const CLI::results_t& given) {
+        for (const std::string& text : given) read(text);
+        return true;
+    };
+    parts_->add(name, "", help, read_all)->expected(-1);
 }
 
 void Options::add_flag(const std::string& name, bool& value, const std::string& help) {

@@ -34,6 +34,8 @@ class Options {
     /// Adds an option that may be repeated: `read` gets each value in turn.
     void add_values(const std::string& names, const std::string& value_name, const std::string& help,
                     ReadValue read);
+    /// A positional, named without a dash, that takes all words that are left: `read` gets each in turn.
+    void add_words(const std::string& name, const std::string& help, ReadValue read);
     /// An option without a value: `value` becomes true.
     void add_flag(const std::string& name, bool& value, const std::string& help);
     /// Whose value says what file the command works on: what it has to refuse is refused in that file's name.

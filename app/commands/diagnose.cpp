@@ -12,16 +12,18 @@
 #include "models/io/file.h"
 #include "models/memory_limit.h"
 #include "renderer/diagnose/diagnosis_format.h"
+#include "renderer/diagnose/diagnosis_table.h"
 #include "renderer/image/image_file.h"
 
 namespace glint {
 namespace {
 
-enum class Format { Text, Json };
+enum class Format { Text, Json, Csv, Html };
 
 struct DiagnoseArguments {
     SceneArguments scene;
-    std::string picture, out;
+    std::vector<std::string> pictures;
+    std::string out;
     bool pairs = false;
     Format format = Format::Text;
 };
@@ -53,45 +55,89 @@ void write_sheet(const DiagnoseArguments& arguments, const Font& font, const Dia
     (void)take(write_file(arguments.out, png_bytes(sheet, {})));
 }
 
+void require_one_picture_for_a_sheet(const DiagnoseArguments& arguments) {
+    if (arguments.out.empty()) return;
+    if (arguments.pictures.size() > 1)
+        throw wrong_usage(
+            "-o", fmt::format("is the sheet of one picture, and {} are given", arguments.pictures.size()),
+            "one PICTURE, or --format html");
+    require_png_file(arguments.out);
+    require_writable(arguments.out);
+}
+
+/// The diagnoses of all pictures, in their order; the sheet of the only one, where it is asked for.
+std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments,
+                                           const SceneDocument& document) {
+    std::optional<Font> font;
+    if (!arguments.out.empty()) font.emplace(take(Font::find()));
+    const int threads = arguments.scene.threads;
+    const bool many = arguments.pictures.size() > 1;
+    std::optional<Progress> progress;
+    if (many) progress.emplace("picture", arguments.pictures.size());
+    DiagnosisOptions options{arguments.pairs, threads, {}};
+    if (!many)
+        options.progress = [&progress](std::size_t done, std::size_t all) {
+            if (!progress) progress.emplace("pair", all);
+            progress->at(done);
+        };
+    std::vector<DiagnosedPicture> all;
+    for (const std::string& path : arguments.pictures) {
+        if (many) progress->at(all.size() + 1);
+        Picture picture = read_picture(path);
+        const MemoryShare share(memory_need(MemoryUse::Pixels, picture_memory(picture.size)));
+        const Picture wrong = as_shown(std::move(picture), document.scene.display);
+        Diagnosis found = glint::diagnose(document, wrong, options);
+        if (font) write_sheet(arguments, *font, found, document.scene, wrong);
+        all.push_back(diagnosed_picture(path, std::move(found), document.scene, wrong, threads));
+    }
+    return all;
+}
+
+std::string formatted(const std::vector<DiagnosedPicture>& all, Format format,
+                      const SceneDocument& document) {
+    const bool many = all.size() > 1;
+    std::string text;
+    switch (format) {
+    case Format::Text:
+        for (const DiagnosedPicture& p : all)
+            text += (many ? on_one_line(p.name) + "\n" : "") + diagnosis_text(p.diagnosis, document.scene) +
+                    (many && &p != &all.back() ? "\n" : "");
+        return text;
+    case Format::Json:
+        return many ? diagnoses_json(all, document.scene)
+                    : diagnosis_json(all.front().diagnosis, document.scene);
+    case Format::Csv:
+        return diagnoses_csv(all);
+    case Format::Html:
+        return diagnoses_html(all, document.path);
+    }
+    return text;  // not reached
+}
+
 Outcome diagnose(const DiagnoseArguments& arguments) {
     require_file(arguments.scene);
-    require_given(arguments.picture, "PICTURE", "a picture of the scene that another program drew");
-    std::optional<Font> font;
-    if (!arguments.out.empty()) {
-        require_png_file(arguments.out);
-        font.emplace(take(Font::find()));
-        require_writable(arguments.out);
-    }
+    require_given(arguments.pictures.empty() ? "" : arguments.pictures.front(), "PICTURE",
+                  "a picture of the scene that another program drew");
+    require_one_picture_for_a_sheet(arguments);
     const SceneDocument document = open_scene(arguments.scene);
-    Picture picture = read_picture(arguments.picture);
-    const MemoryShare share(memory_need(MemoryUse::Pixels, picture_memory(picture.size)));
-    const Picture wrong = as_shown(std::move(picture), document.scene.display);
-    DiagnosisOptions options{arguments.pairs, arguments.scene.threads, {}};
-    std::optional<Progress> progress;
-    options.progress = [&progress](std::size_t done, std::size_t all) {
-        if (!progress) progress.emplace("pair", all);
-        progress->at(done);
-    };
-    const Diagnosis found = glint::diagnose(document, wrong, options);
-    progress.reset();
-    if (font) write_sheet(arguments, *font, found, document.scene, wrong);
-    return {arguments.format == Format::Json ? diagnosis_json(found, document.scene)
-                                             : diagnosis_text(found, document.scene),
-            document.warnings, ExitStatus::Done};
+    return {formatted(diagnose_all(arguments, document), arguments.format, document), document.warnings,
+            ExitStatus::Done};
 }
 
 Run declare(Options& options) {
     auto arguments = std::make_shared<DiagnoseArguments>();
     add_scene(options, arguments->scene);
-    add_text(options, "PICTURE", "", "a picture of it by any program, of any size (.png .pfm .exr)",
-             arguments->picture);
+    options.add_words(
+        "PICTURE", "pictures of it by any program, of any size (.png .pfm .exr)",
+        [&pictures = arguments->pictures](const std::string& text) { pictures.push_back(text); });
     options.add_flag("--pairs", arguments->pairs, "also looks for two mistakes at once");
-    options.add_value("--format", "FORMAT", "text, the default, or json",
-                      [&format = arguments->format](const std::string& text) {
-                          format = static_cast<Format>(read_word("--format", text, {"text", "json"}));
-                      });
+    options.add_value(
+        "--format", "FORMAT", "text, the default, json, csv or html (a page with small pictures)",
+        [&format = arguments->format](const std::string& text) {
+            format = static_cast<Format>(read_word("--format", text, {"text", "json", "csv", "html"}));
+        });
     add_text(options, "-o", "SHEET.png",
-             "write a sheet: the picture, the right one, the likeliest mistake, the differences",
+             "write a sheet of one picture: it, the right one, the likeliest mistake, the differences",
              arguments->out);
     return [arguments] { return diagnose(*arguments); };
 }
@@ -99,7 +145,7 @@ Run declare(Options& options) {
 }  // namespace
 
 Command diagnose_command() {
-    return {"diagnose", "FILE PICTURE", "names the mistake in a picture that another program drew",
+    return {"diagnose", "FILE PICTURE...", "names the mistake in pictures that other programs drew",
             "glint diagnose teapot.json mine.png --pairs -o sheet.png", declare};
 }
 

@@ -1,5 +1,6 @@
 #include "models/json/json_value.h"
 #include "renderer/diagnose/diagnosis_format.h"
+#include "renderer/diagnose/diagnosis_table.h"
 
 namespace glint {
 namespace {
@@ -73,9 +74,7 @@ JsonValue difference_json(const Diagnosis& d, const Scene& scene) {
     return json;
 }
 
-}  // namespace
-
-std::string diagnosis_json(const Diagnosis& d, const Scene& scene) {
+JsonValue answer_json(const Diagnosis& d, const Scene& scene) {
     JsonValue json;
     json["verdict"] = verdict_text(d.verdict);
     if (d.verdict == Verdict::NotComparable) json["why"] = d.why;
@@ -86,7 +85,20 @@ std::string diagnosis_json(const Diagnosis& d, const Scene& scene) {
     for (const Candidate& c : d.candidates) candidates.push_back(candidate_json(c));
     if (d.verdict == Verdict::NotInCatalogue) json["difference"] = difference_json(d, scene);
     json["experiment"] = d.experiment ? experiment_json(*d.experiment) : JsonValue();
-    return json_text(json);
+    return json;
+}
+
+}  // namespace
+
+std::string diagnosis_json(const Diagnosis& d, const Scene& scene) {
+    return json_text(answer_json(d, scene));
+}
+
+std::string diagnoses_json(const std::vector<DiagnosedPicture>& pictures, const Scene& scene) {
+    JsonValue all = JsonValue::array();
+    for (const DiagnosedPicture& p : pictures)
+        all.push_back({{"picture", p.name}, {"answer", answer_json(p.diagnosis, scene)}});
+    return json_text(all);
 }
 
 }  // namespace glint

@@ -91,8 +91,10 @@ TEST_CASE("glint diagnose refuses bad input in one line", "[cli][diagnose][bad-i
     check(run_glint({"diagnose", files.scene, files.scene}), 1,
           files.scene + ": cannot be read; expected a picture whose name ends in .png, .pfm or .exr");
     const std::string wrong = files.drawn("wrong.png", {});
-    check(run_glint({"diagnose", files.scene, wrong, "--format", "csv"}), 2,
-          "--format: csv is not known; expected text, json");
+    check(run_glint({"diagnose", files.scene, wrong, "--format", "latex"}), 2,
+          "--format: latex is not known; expected text, json, csv, html");
+    check(run_glint({"diagnose", files.scene, wrong, wrong, "-o", "sheet.png"}), 2,
+          "-o: is the sheet of one picture, and 2 are given; expected one PICTURE, or --format html");
     check(run_glint({"diagnose", files.scene, wrong, "-o", "sheet.jpg"}), 2,
           "-o: sheet.jpg cannot be written; expected a name that ends in .png");
     const std::string bytes = bytes_of(wrong);
@@ -102,4 +104,41 @@ TEST_CASE("glint diagnose refuses bad input in one line", "[cli][diagnose][bad-i
     CHECK(corrupt.out.empty());
     CHECK(corrupt.err.starts_with("glint: error: " + cut + ": cannot be read as a PNG"));
     CHECK(std::count(corrupt.err.begin(), corrupt.err.end(), '\n') == 1);
+}
+
+TEST_CASE("glint diagnose tells of many pictures in a table", "[cli][diagnose]") {
+    const Files files;
+    const std::string right = files.drawn("right.png", {});
+    const std::string wrong =
+        files.drawn("wrong, one.png", {"--set", "/shading/mistakes/normals_flipped=true"});
+    const Ended csv = run_glint({"diagnose", files.scene, right, wrong, "--format", "csv"});
+    REQUIRE(csv.status == 0);
+    CHECK(csv.out.starts_with("picture,verdict,mistake,also,explained,residual,display,experiment,why\n" +
+                              right + ",no mistake,,,,,,,\n\"" + wrong + "\",mistake,normals_flipped,"));
+    CHECK(std::count(csv.out.begin(), csv.out.end(), '\n') == 3);
+    const json answers =
+        json::parse(run_glint({"diagnose", files.scene, right, wrong, "--format", "json"}).out);
+    REQUIRE(answers.size() == 2);
+    CHECK(answers[0]["picture"] == right);
+    CHECK(answers[0]["answer"]["verdict"] == "no mistake");
+    CHECK(answers[1]["answer"]["candidates"][0]["name"] == "normals_flipped");
+    const Ended text = run_glint({"diagnose", files.scene, right, wrong});
+    CHECK(text.out.starts_with(right + "\nNo mistake: "));
+    CHECK(text.out.find("\n\n" + wrong + "\nMistake: normals_flipped.") != std::string::npos);
+}
+
+TEST_CASE("glint diagnose writes a page that needs nothing else", "[cli][diagnose]") {
+    const Files files;
+    const std::string wrong = files.drawn("a<b>.png", {"--set", "/shading/mistakes/normals_flipped=true"});
+    const Ended page = run_glint({"diagnose", files.scene, wrong, "--format", "html"});
+    REQUIRE(page.status == 0);
+    CHECK(page.out.starts_with("<!DOCTYPE html>"));
+    CHECK(page.out.find("a&lt;b&gt;.png") != std::string::npos);
+    CHECK(page.out.find("normals_flipped") != std::string::npos);
+    CHECK(page.out.find("http") == std::string::npos);
+    // A PNG in base 64 begins so: its signature's bytes are 89 50 4E 47 0D 0A 1A 0A.
+    const std::string start = "src=\"data:image/png;base64,iVBORw0KGgo";
+    const std::size_t first = page.out.find(start);
+    REQUIRE(first != std::string::npos);
+    CHECK(page.out.find(start, first + 1) != std::string::npos);
 }

@@ -1,0 +1,34 @@
+#pragma once
+// Diagnoses of many pictures of one scene: a row for each.
+
+#include <string>
+#include <vector>
+
+#include "renderer/diagnose/diagnose.h"
+
+namespace glint {
+
+struct DiagnosedPicture {
+    std::string name;  // of its file
+    Diagnosis diagnosis;
+    Picture thumbnail;  // of the picture as it was brought
+    Picture
+        as_explained;  // of the scene under the first candidate, or right where there is none; never bigger
+};
+
+/// Fills in the small pictures, at most 160 pixels wide and high.
+[[nodiscard]] DiagnosedPicture diagnosed_picture(const std::string& name, Diagnosis diagnosis,
+                                                 const Scene& scene, const Picture& wrong, int threads);
+
+/// A list of {"picture", "answer"}, each answer as of diagnosis_json().
+[[nodiscard]] std::string diagnoses_json(const std::vector<DiagnosedPicture>& pictures, const Scene& scene);
+
+/// A line of names, then one a picture (RFC 4180, lines ending in "\n"): picture, verdict, mistake, also,
+/// explained, residual, display, experiment, why. What there is not is empty.
+[[nodiscard]] std::string diagnoses_csv(const std::vector<DiagnosedPicture>& pictures);
+
+/// The same as a page that needs nothing else, with the small pictures in it. `title` is the scene's name.
+[[nodiscard]] std::string diagnoses_html(const std::vector<DiagnosedPicture>& pictures,
+                                         const std::string& title);
+
+}  // namespace glint
