@@ -13,6 +13,7 @@
 #include "renderer/drawing_memory.h"
 #include "renderer/inspect/explain/explain.h"
 #include "renderer/kernels/instruction_set.h"
+#include "renderer/shade/culled_by_light.h"
 #include "renderer/shade/light_sources.h"
 #include "renderer/stages.h"
 
@@ -119,7 +120,8 @@ void Renderer::Kept::draw(const Scene& scene, PictureSize size, bool linear, int
     arena.execute([&] {
         const bool geometry = run(Stage::Geometry, [&] { return update_geometry(s.geometry, scene, size); });
         const bool visibility = run(Stage::Visibility, [&] {
-            return update_visibility(s.visibility, s.geometry, scene.shading.cull, samples, geometry);
+            return update_visibility(s.visibility, s.geometry, scene.shading.cull, samples, geometry,
+                                     culled_by_light(scene, s.geometry));
         });
         const bool surface = run(Stage::Surface, [&] {
             return update_surface(s.surface, scene, s.geometry, s.visibility, visibility);

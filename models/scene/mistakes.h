@@ -1,6 +1,6 @@
 #pragma once
-// The list of mistakes: what each is called in the scene file (`/shading/mistakes/NAME`), and how it is
-// recognised.
+// The catalogue of mistakes: what each is called in the scene file (`/shading/mistakes/NAME`), what the wrong
+// program does, how one recognises it, and where people asked about it.
 
 #include <span>
 #include <string_view>
@@ -9,10 +9,34 @@
 
 namespace glint {
 
+/// The step of drawing that a mistake changes.
+enum class MistakeStage { Equation, Viewer, Lights, Materials, Normals, Faces, Display };
+
+/// What one sees first.
+enum class SeenAs {
+    MovesWithCamera,
+    WrongSide,
+    WrongFaces,
+    WrongBrightness,
+    WrongHighlight,
+    WrongReach,  // of a lamp: its cone or its falloff
+    SpotsAndHoles
+};
+inline constexpr SeenAs all_seen_as[] = {SeenAs::MovesWithCamera, SeenAs::WrongSide,      SeenAs::WrongFaces,
+                                         SeenAs::WrongBrightness, SeenAs::WrongHighlight, SeenAs::WrongReach,
+                                         SeenAs::SpotsAndHoles};
+/// The heading of a group: "Light moves with the camera".
+[[nodiscard]] std::string_view heading_of(SeenAs seen_as);
+
 struct MistakeName {
     std::string_view name;
     bool Mistakes::*flag;
-    std::string_view what;  // what is done wrong, and what it looks like: for tooltips and documents
+    MistakeStage stage;
+    SeenAs seen_as;
+    std::string_view what;         // what the wrong program does: for tooltips and documents
+    std::string_view looks;        // how one recognises it in a picture
+    std::string_view look_alikes;  // names of mistakes that look much the same, separated by spaces
+    std::string_view sources;      // threads that ask about it, separated by "; "; empty: none is noted
 };
 
 /// All of them, in the order of struct Mistakes.

@@ -25,13 +25,26 @@ struct Mistakes {
     bool unnormalized_light = false, unnormalized_half = false, specular_behind_surface = false;
     bool no_clamp_of_cosine = false, half_angle_with_phong_shininess = false;
     bool ambient_per_light_added_twice = false, clamp_each_light = false, shininess_as_fraction = false;
+    bool missing_pi = false, absolute_cosine = false, reflect_sign = false, reflect_of_difference = false;
+    bool power_zero_is_nan = false;
     // In what the lights and the viewer are.
     bool light_in_wrong_space = false, light_moved_twice = false, falloff_of_directional = false;
     bool falloff_without_constant = false, degrees_for_radians = false, cutoff_as_full_angle = false;
     bool viewer_at_origin_of_world = false, lit_after_projection = false;
+    bool light_by_inverse_view = false, direction_is_position = false, light_direction_reversed = false;
+    bool aim_stays_at_origin = false, cone_cosines_swapped = false, falloff_inverted = false;
+    bool falloff_forgotten = false, last_light_only = false, average_of_lights = false;
+    bool unnormalized_view = false, view_reversed = false, perspective_view_in_ortho = false;
+    // In the materials.
+    bool lit_in_srgb = false, coefficients_swapped = false, shininess_inverted = false;
     // In the normals.
     bool unnormalized_normals = false, normals_by_model_matrix = false, normals_flipped = false;
     bool no_normals_given = false, interpolated_normals_not_normalized = false;
+    bool normals_left_in_object = false, normals_left_in_world = false, normals_as_points = false;
+    bool some_faces_flipped = false, cross_reversed = false, mirror_turns_inside_out = false;
+    bool flipped_by_view = false, flipped_twice = false;
+    // In which faces are drawn, and in the bytes.
+    bool culled_by_light = false, encoded_twice = false, bytes_wrap = false;
     bool operator==(const Mistakes&) const = default;
 };
 

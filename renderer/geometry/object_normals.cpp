@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <map>
 #include <utility>
 
@@ -16,15 +17,41 @@ namespace {
 
 constexpr glm::vec3 opengl_default_normal{0, 0, 1};  // what OpenGL takes while no normal was given
 
-/// From an object's normals to camera coordinates. `flip`: turned round as well.
-Matrix3 camera_matrix(const ObjectGeometry& object, bool flip, const NormalMistakes& mistakes) {
-    const glm::dmat3 m =
-        mistakes.by_model_matrix ? glm::dmat3(object.view_from_object) : object.normal_matrix;
-    const bool turned = flip != mistakes.flipped;
-    Matrix3 out;
+/// From an object's normals to camera coordinates: a matrix, and the translation of the mistake that takes
+/// normals for points.
+struct NormalFrame {
+    Matrix3 matrix;
+    Vec3<double> offset;
+
+    /// Not unit.
+    [[nodiscard]] Vec3<double> to_camera(Vec3<double> n) const {
+        return glint::to_camera(matrix, n) + offset;
+    }
+};
+
+/// The matrix that the normals go by.
+glm::dmat3 linear_part(const ObjectGeometry& object, const NormalMistakes& mistakes) {
+    if (mistakes.left_in_object) return glm::dmat3(1.0);
+    if (mistakes.left_in_world)
+        return glm::transpose(glm::inverse(glm::dmat3(world_from_object(object.transform))));
+    if (mistakes.by_model_matrix || mistakes.as_points) return glm::dmat3(object.view_from_object);
+    return object.normal_matrix;
+}
+
+/// `flip`: turned round as well.
+NormalFrame normal_frame(const ObjectGeometry& object, bool flip, const NormalMistakes& mistakes) {
+    const glm::dmat3 m = linear_part(object, mistakes);
+    const bool inside_out = mistakes.mirror_turns && object.mirrored;
+    const bool turned = (flip != mistakes.flipped) != inside_out;
+    NormalFrame frame;
     for (int c = 0; c < 3; ++c)
-        for (int r = 0; r < 3; ++r) out.column[c][r] = turned ? -m[c][r] : m[c][r];
-    return out;
+        for (int r = 0; r < 3; ++r) frame.matrix.column[c][r] = turned ? -m[c][r] : m[c][r];
+    const bool in_camera = !mistakes.left_in_object && !mistakes.left_in_world;
+    if (mistakes.as_points && in_camera) {
+        const glm::dvec4& t = object.view_from_object[3];
+        frame.offset = {t.x, t.y, t.z};
+    }
+    return frame;
 }
 
 Vec3<double> object_normal(glm::vec3 n, const NormalMistakes& mistakes) {
@@ -50,13 +77,31 @@ std::vector<float> given_lengths(const ObjectNormals& normals) {
     return lengths;
 }
 
+/// Which of `of_mesh->normals` are the mesh's own, of a file or a formula: 1; the others came from facets.
+std::vector<std::uint8_t> own_normals(const ObjectNormals& normals) {
+    std::vector<std::uint8_t> own(normals.of_mesh->normals.size(), 0);
+    const Mesh& mesh = *normals.mesh;
+    const NormalSource source = normals.options.source;
+    const bool from_facets = source == NormalSource::Facet || source == NormalSource::Vertex;
+    if (mesh.given_normals == GivenNormals::None || from_facets) return own;
+    for (std::size_t c = 0; c < mesh.corner_position.size(); ++c) {
+        const std::uint32_t given = mesh.given_normal_of(c);
+        if (given != no_index && mesh.normals[given] != glm::vec3(0)) own[normals.normal_of_corner()[c]] = 1;
+    }
+    return own;
+}
+
 /// Transforms the normals as the mistakes would have them.
-void transform_mistaken_normals(ObjectNormals& normals, const Matrix3& matrix,
+void transform_mistaken_normals(ObjectNormals& normals, const NormalFrame& frame,
                                 const NormalMistakes& mistakes) {
     std::vector<float> lengths;
     if (mistakes.unnormalized) lengths = given_lengths(normals);
+    std::vector<std::uint8_t> own;
+    if (mistakes.facets_reversed) own = own_normals(normals);
     tbb::parallel_for(std::size_t{0}, normals.normals.size(), [&](std::size_t i) {
-        const Vec3<double> n = to_camera(matrix, object_normal(normals.of_mesh->normals[i], mistakes));
+        const bool reversed = mistakes.facets_reversed && !own[i];
+        const glm::vec3 given = normals.of_mesh->normals[i];
+        const Vec3<double> n = frame.to_camera(object_normal(reversed ? -given : given, mistakes));
         const glm::vec3 taken =
             to_glm(mistakes.unnormalized ? static_cast<double>(lengths[i]) * n : unit_or_zero(n));
         constexpr float most = 1e18f;  // products with places have to fit a float
@@ -68,11 +113,11 @@ void transform_mistaken_normals(ObjectNormals& normals, const Matrix3& matrix,
 void transform_normals(ObjectNormals& normals, const ObjectGeometry& object, const NormalMistakes& mistakes) {
     const std::vector<glm::vec3>& from = normals.of_mesh->normals;
     normals.normals.resize(from.size());
-    const Matrix3 matrix = camera_matrix(object, normals.options.flip, mistakes);
-    if (mistakes.unnormalized || mistakes.none_given)
-        return transform_mistaken_normals(normals, matrix, mistakes);
+    const NormalFrame frame = normal_frame(object, normals.options.flip, mistakes);
+    if (mistakes.unnormalized || mistakes.none_given || mistakes.as_points || mistakes.facets_reversed)
+        return transform_mistaken_normals(normals, frame, mistakes);
     if (from.empty()) return;
-    const NormalJob job{&from.front().x, matrix, normals.normals.data()};
+    const NormalJob job{&from.front().x, frame.matrix, normals.normals.data()};
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from.size(), 4096), [&job](const auto& range) {
         geometry_kernels().transform_normals(job, range.begin(), range.end());
     });
@@ -109,8 +154,17 @@ void take_normals(std::vector<ObjectNormals>& kept, const Scene& scene) {
 }  // namespace
 
 NormalMistakes normal_mistakes(const Mistakes& m) {
-    return {m.unnormalized_normals, m.normals_by_model_matrix, m.normals_flipped, m.no_normals_given,
-            m.interpolated_normals_not_normalized || m.unnormalized_normals};
+    return {.unnormalized = m.unnormalized_normals,
+            .by_model_matrix = m.normals_by_model_matrix,
+            .flipped = m.normals_flipped,
+            .none_given = m.no_normals_given,
+            .left_in_object = m.normals_left_in_object,
+            .left_in_world = m.normals_left_in_world,
+            .as_points = m.normals_as_points,
+            .facets_reversed = m.cross_reversed,
+            .mirror_turns = m.mirror_turns_inside_out,
+            .unnormalized_at_pixel = m.interpolated_normals_not_normalized || m.unnormalized_normals,
+            .some_faces_flipped = m.some_faces_flipped};
 }
 
 void update_normals(std::vector<ObjectNormals>& kept, const Scene& scene, const Geometry& g,
@@ -128,10 +182,11 @@ bool same_normals(const std::vector<ObjectNormals>& kept, const Scene& scene) {
     return true;
 }
 
-glm::vec3 camera_facet_normal(const ObjectGeometry& object, const ObjectNormals& normals, std::uint32_t face,
+glm::vec3 camera_facet_normal(const ObjectGeometry& object, bool flip, std::uint32_t face,
                               const NormalMistakes& mistakes) {
-    const Vec3<double> n = object_normal(facet_normal(*object.mesh, face), mistakes);
-    return to_glm(unit_or_zero(to_camera(camera_matrix(object, normals.options.flip, mistakes), n)));
+    const glm::vec3 facet = facet_normal(*object.mesh, face);
+    const Vec3<double> n = object_normal(mistakes.facets_reversed ? -facet : facet, mistakes);
+    return to_glm(unit_or_zero(normal_frame(object, flip, mistakes).to_camera(n)));
 }
 
 }  // namespace glint

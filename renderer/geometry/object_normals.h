@@ -13,7 +13,9 @@ namespace glint {
 /// The mistakes that concern normals (models/scene/mistakes.h).
 struct NormalMistakes {
     bool unnormalized = false, by_model_matrix = false, flipped = false, none_given = false;
-    bool unnormalized_at_pixel = false;
+    bool left_in_object = false, left_in_world = false, as_points = false;
+    bool facets_reversed = false, mirror_turns = false;
+    bool unnormalized_at_pixel = false, some_faces_flipped = false;
     bool operator==(const NormalMistakes&) const = default;
 };
 [[nodiscard]] NormalMistakes normal_mistakes(const Mistakes& mistakes);
@@ -60,9 +62,9 @@ void update_normals(std::vector<ObjectNormals>& kept, const Scene& scene, const 
 /// True when `kept` was made of the same meshes and options.
 [[nodiscard]] bool same_normals(const std::vector<ObjectNormals>& kept, const Scene& scene);
 
-/// The facet normal of a polygon in camera coordinates, unit, flipped where the object's normals are;
-/// (0, 0, 0) when it has no area.
-[[nodiscard]] glm::vec3 camera_facet_normal(const ObjectGeometry& object, const ObjectNormals& normals,
-                                            std::uint32_t face, const NormalMistakes& mistakes);
+/// The facet normal of a polygon in camera coordinates, unit; (0, 0, 0) when it has no area. `flip`: of the
+/// object's NormalOptions.
+[[nodiscard]] glm::vec3 camera_facet_normal(const ObjectGeometry& object, bool flip, std::uint32_t face,
+                                            const NormalMistakes& mistakes);
 
 }  // namespace glint

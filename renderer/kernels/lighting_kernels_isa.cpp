@@ -64,7 +64,7 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
         const Vec3<Wide> p{load<Wide>(in.x + k), load<Wide>(in.y + k), load<Wide>(in.z + k)};
         const Vec3<Wide> n{load<Wide>(in.nx + k), load<Wide>(in.ny + k), load<Wide>(in.nz + k)};
         Group group;
-        group.at = seen_from_eye(job, p, n);
+        group.at = seen_from_eye(job, any_mistake, p, n);
         if (partial_sums) {
             const ColorBlock& from = partial_sums[i * GLINT_LANES / block_size];
             group.sum = {load<Wide>(from.r + k), load<Wide>(from.g + k), load<Wide>(from.b + k)};
@@ -84,8 +84,8 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
             const auto finish = [&] {
                 Group& group = slots[behind].group;
                 add_light(group.sum, equation, light,
-                          illuminate(equation, light, material, reflected, towards_behind, attenuation_behind,
-                                     group.at));
+                          illuminate<any_mistake>(equation, light, material, reflected, towards_behind,
+                                                  attenuation_behind, group.at));
             };
             for (std::size_t i = 0; i < count; ++i) {
                 if (l == 0) prefetch_next(points, partial_sums, i);
@@ -160,17 +160,26 @@ GLINT_FLATTEN static std::uint16_t find_lit(const LightSource& source, const Bou
     return static_cast<std::uint16_t>(~behind);
 }
 
-GLINT_FLATTEN static void encode(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba,
-                                 std::size_t blocks) {
+template <bool any_mistake>
+GLINT_FLATTEN static void encode_with(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba,
+                                      std::size_t blocks) {
     for (std::size_t i = 0; i < blocks; ++i) {
         for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
             const auto byte = [&job](const float* linear) {
-                return byte_of(displayed(job, load<Wide>(linear)));
+                if constexpr (any_mistake)
+                    return wrapped_byte_of(mistakenly_displayed(job, load<Wide>(linear)));
+                else
+                    return byte_of(displayed(job, load<Wide>(linear)));
             };
             const auto r = byte(colors[i].r + k), g = byte(colors[i].g + k), b = byte(colors[i].b + k);
             store_ints(rgba + i * block_size + k, r | g << 8 | b << 16 | opaque);
         }
     }
+}
+
+static void encode(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba, std::size_t blocks) {
+    if (job.any_mistake()) return encode_with<true>(job, colors, rgba, blocks);
+    encode_with<false>(job, colors, rgba, blocks);
 }
 
 /// The colours of the lit points with these numbers.

@@ -23,4 +23,28 @@ template <Number F> F displayed(const DisplayJob& job, F linear) {
 /// 0 to 255 from a displayed value in 0..1.
 template <Number F> IntOf<F> byte_of(F shown) { return to_int(shown * F(255) + F(0.5f)); }
 
+/// The value that a wrong program shows: encoded once more, or not clamped; NaN and infinity give 0.
+template <Number F> F mistakenly_displayed(const DisplayJob& job, F linear) {
+    const F exposed = linear * F(job.exposure);
+    F shown = min(max0(exposed), F(1));
+    if (job.wraps) shown = select(abs(exposed) < F(0x1p127f), exposed, F(0));
+    if (job.srgb) shown = srgb_encoded(shown);
+    return job.encoded_twice ? srgb_encoded(shown) : shown;
+}
+
+/// The whole number at or below a. |a| < 2^31, or a whole number.
+template <Number F> F floor_of(F a) {
+    const auto has_fraction = abs(a) < F(0x1p23f);
+    const F whole = to_number(to_int(select(has_fraction, a, F(0))));
+    const F below = whole - select(whole > a, F(1), F(0));
+    return select(has_fraction, below, a);
+}
+
+/// The byte of any value: 0 to 255, the rest modulo 256.
+template <Number F> IntOf<F> wrapped_byte_of(F shown) {
+    const F whole = floor_of(shown * F(255) + F(0.5f));
+    const F rest = whole - F(256) * floor_of(whole * F(1 / 256.0f));
+    return to_int(select(abs(whole) < F(0x1p120f), rest, F(0)));
+}
+
 }  // namespace glint::inline GLINT_ISA

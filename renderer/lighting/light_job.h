@@ -88,6 +88,9 @@ struct LightJob {
 struct DisplayJob {
     float exposure = 1;
     bool srgb = false;
+    bool encoded_twice = false, wraps = false;  // mistakes (models/scene/mistakes.h)
+    bool operator==(const DisplayJob&) const = default;
+    [[nodiscard]] bool any_mistake() const { return encoded_twice || wraps; }
 };
 
 /// The kernels of one instruction set.

@@ -5,14 +5,25 @@
 
 #include "models/scene/shading.h"
 #include "renderer/lighting/light_job.h"
+#include "renderer/lighting/light_source.h"
 #include "renderer/lighting/reflection.h"
 
 namespace glint::inline GLINT_ISA {
 
-/// l keeps its length in n.l, r and h (not in l.v, cone and falloff), or h is not made unit.
+/// What of a light does not depend on the surface: `falloff` at this distance, and `spot` for a unit l.
 template <Number F>
-void apply_direction_mistakes(const Mistakes& wrong, Directions<F>& d, const LightVector<F>& light_vector,
-                              const PointAt<F>& at) {
+void apply_light_mistakes(const Mistakes& wrong, const LightAt<F>& light, F distance, Vec3<F> l, F& falloff,
+                          F& spot) {
+    if (wrong.falloff_inverted && light.has_falloff)  // held so that it times a colour of 0 is 0
+        falloff = min(falloff_polynomial(light.constant, light.linear, light.quadratic, distance), F(1e37f));
+    if (wrong.cone_cosines_swapped && light.has_cone)
+        spot = select(along_axis(light, l) >= light.cos_cutoff, F(0), F(1));
+}
+
+/// l keeps its length in n.l, r and h (not in l.v, cone and falloff), h is not made unit, or r is another.
+template <Number F>
+void apply_direction_mistakes(const Mistakes& wrong, Reflection model, Directions<F>& d,
+                              const LightVector<F>& light_vector, const PointAt<F>& at) {
     if (wrong.unnormalized_light) {
         const F l_dot_v = d.l_dot_v;
         d = directions_for(light_vector, Attenuation<F>{}, at);
@@ -23,6 +34,15 @@ void apply_direction_mistakes(const Mistakes& wrong, Directions<F>& d, const Lig
         d.n_dot_h = dot(at.n, d.h);
         d.n_dot_unnormalized_h = d.n_dot_h;
         d.unnormalized_h_squared = F(1);
+    }
+    if (info_of(model).cosine != HighlightCosine::RV) return;
+    if (wrong.reflect_of_difference) {
+        d.r = (d.n_dot_l + d.n_dot_l) * (at.n - d.l);
+        d.r_dot_v = dot(d.r, at.v);
+    }
+    if (wrong.reflect_sign) {
+        d.r = -d.r;
+        d.r_dot_v = -d.r_dot_v;
     }
 }
 
@@ -49,45 +69,91 @@ template <Number F> F unheld_highlight(F c, const MaterialAt<F>& m) {
     return select(c * abs(c) > m.faintest_squared, power, F(0));
 }
 
+/// The cosine that this program raises to the shininess.
+inline HighlightCosine measured_cosine(const Mistakes& wrong, Reflection model) {
+    const bool half = wrong.half_angle_with_phong_shininess && model == Reflection::Phong;
+    return half ? HighlightCosine::NH : info_of(model).cosine;
+}
+template <Number F> F cosine_of(HighlightCosine measured, const Directions<F>& d) {
+    switch (measured) {
+    case HighlightCosine::None:
+        break;
+    case HighlightCosine::RV:
+        return d.r_dot_v;
+    case HighlightCosine::NH:
+        return d.n_dot_h;
+    case HighlightCosine::LV:
+        return d.l_dot_v;
+    }
+    return F(0);
+}
+
+/// n.l as the test for the highlight takes it.
+template <Number F> F tested_cosine(const Mistakes& wrong, const Directions<F>& d) {
+    return wrong.absolute_cosine ? abs(d.n_dot_l) : d.n_dot_l;
+}
+template <Number F> Vec3<F> keep_lit_side(const Mistakes& wrong, const Directions<F>& d, Vec3<F> specular) {
+    if (wrong.specular_behind_surface) return specular;
+    return select<F>(tested_cosine(wrong, d) > F(0), specular, Vec3<F>{});
+}
+
+/// The factor of the diffuse term.
+template <Number F>
+void apply_diffuse_mistakes(const Mistakes& wrong, Reflection model, F& diffuse, const Directions<F>& d,
+                            const MaterialAt<F>& m, const PointAt<F>& at) {
+    const ReflectionInfo info = info_of(model);
+    if (wrong.no_clamp_of_cosine && info.is_lit && !info.rough_diffuse) diffuse = d.n_dot_l;
+    if (wrong.absolute_cosine && info.is_lit) {
+        diffuse = abs(d.n_dot_l);
+        if (info.rough_diffuse) diffuse = diffuse * roughness_factor(d, m, at);
+    }
+    if (wrong.missing_pi) diffuse = diffuse / F(3.14159265f);
+}
+
+/// Whether the cosine may exceed 1, which the power of an honest cosine does not expect.
+inline bool may_exceed_one(const Mistakes& wrong, HighlightCosine measured) {
+    if (measured == HighlightCosine::LV) return wrong.unnormalized_view;
+    return measured == HighlightCosine::RV &&
+           (wrong.unnormalized_light || wrong.unnormalized_view || wrong.reflect_of_difference);
+}
+
 template <Number F>
 void apply_response_mistakes(const Mistakes& wrong, int power_table, Reflection model, Response<F>& used,
                              const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
-    const auto keep_side = [&](Vec3<F> specular) {
-        return wrong.specular_behind_surface ? specular : select<F>(d.n_dot_l > F(0), specular, Vec3<F>{});
-    };
-    if (wrong.specular_behind_surface) used.specular = respond(model, d, m, at).specular;
-    HighlightCosine measured = info_of(model).cosine;
-    if (wrong.half_angle_with_phong_shininess && model == Reflection::Phong) {
-        measured = HighlightCosine::NH;
-        used.specular = keep_side(blinn_phong(d, m).specular);
-    }
-    if (!wrong.no_clamp_of_cosine && !wrong.unnormalized_light && power_table == 0) return;
-    if (wrong.no_clamp_of_cosine && info_of(model).is_lit && !info_of(model).rough_diffuse)
-        used.diffuse = d.n_dot_l;
-    F cosine{};
-    switch (measured) {
-    case HighlightCosine::None:
-        return;
-    case HighlightCosine::RV:
-        cosine = d.r_dot_v;
-        break;
-    case HighlightCosine::NH:
-        cosine = d.n_dot_h;
-        break;
-    case HighlightCosine::LV:
-        cosine = d.l_dot_v;
-        break;
-    }
+    apply_diffuse_mistakes(wrong, model, used.diffuse, d, m, at);
+    const HighlightCosine measured = measured_cosine(wrong, model);
+    Directions<F> tested = d;
+    tested.n_dot_l = tested_cosine(wrong, d);
+    const Reflection formula = measured == info_of(model).cosine ? model : Reflection::BlinnPhong;
+    used.specular = keep_lit_side(wrong, d, respond(formula, tested, m, at).specular);
+    if (measured == HighlightCosine::None) return;
+    const F cosine = cosine_of(measured, d);
     if (wrong.no_clamp_of_cosine) {
         const F s = unclamped_power(cosine, m.shininess.value);
         used.specular = {s, s, s};
-    } else if (power_table == 0) {
-        const F s = unheld_highlight(cosine, m);
-        used.specular = keep_side({s, s, s});
-    } else {
+    } else if (power_table > 0) {
         const F s = highlight(nearest_entry(cosine, power_table), m);
-        used.specular = keep_side({s, s, s});
+        used.specular = keep_lit_side(wrong, d, {s, s, s});
+    } else if (may_exceed_one(wrong, measured)) {
+        const F s = unheld_highlight(cosine, m);
+        used.specular = keep_lit_side(wrong, d, {s, s, s});
     }
+}
+
+/// pow(0, 0) as GLSL leaves it open: where the highlight is not dropped, its cosine is 0 once clamped, and
+/// the shininess is 0, S and all that it goes into are no number.
+template <Number F>
+void apply_undefined_power(const Mistakes& wrong, Reflection model, const Directions<F>& d,
+                           const MaterialAt<F>& m, Vec3<F>& response, Vec3<F>* specular) {
+    const HighlightCosine measured = measured_cosine(wrong, model);
+    if (!wrong.power_zero_is_nan || measured == HighlightCosine::None || lane(m.shininess.value, 0) != 0)
+        return;
+    const F tested = wrong.specular_behind_surface ? F(1) : tested_cosine(wrong, d);
+    const auto undefined = mask_and(tested > F(0), F(0) >= cosine_of(measured, d));
+    const F nan = F(__builtin_nanf(""));
+    const Vec3<F> none{nan, nan, nan};
+    response = select<F>(undefined, none, response);
+    if (specular) *specular = select<F>(undefined, none, *specular);
 }
 
 /// The number nearest to a within +-most.
@@ -104,6 +170,18 @@ template <Number F> Vec3<F> projected(const LightJob::Projection& m, Vec3<F> p) 
     return {held((F(m.x) * p.x + F(m.x_per_z) * p.z + F(m.x_plus)) * inverse, far),
             held((F(m.y) * p.y + F(m.y_per_z) * p.z + F(m.y_plus)) * inverse, far),
             held((F(m.z) * p.z + F(m.z_plus)) * inverse, far)};
+}
+
+/// The point, its normal and its direction to the eye, as the mistakes of the viewer have them.
+template <Number F> PointAt<F> mistakenly_seen(const LightJob& job, Vec3<F> p, Vec3<F> n) {
+    const Mistakes& wrong = job.mistakes;
+    if (wrong.lit_after_projection) p = projected(job.projection, p);
+    const Vec3<F> to_eye = broadcast<F>(job.eye) - p;
+    Vec3<F> v = wrong.unnormalized_view ? to_eye : unit(to_eye);
+    if (job.infinite_viewer) v = {F(0), F(0), F(1)};
+    if (wrong.view_reversed) v = -v;
+    if (wrong.flipped_by_view) n = select<F>(dot(n, v) < F(0), -n, n);
+    return PointAt<F>(p, n, v);
 }
 
 }  // namespace glint::inline GLINT_ISA

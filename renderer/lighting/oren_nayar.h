@@ -10,9 +10,9 @@ namespace glint::inline GLINT_ISA {
 /// The standard deviation of the facets' slope, in degrees, that a roughness of 1 stands for.
 inline constexpr double max_sigma_deg = 90;
 
-/// `roughness`, 0 to 1, stands for a deviation of 0 to max_sigma_deg.
-template <Number F>
-Response<F> oren_nayar(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
+/// What roughness makes of the cosine: A + B max(cos dphi, 0) sin alpha tan beta. `roughness`, 0 to 1, stands
+/// for a deviation of 0 to max_sigma_deg.
+template <Number F> F roughness_factor(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
     const F sigma = m.roughness * F(static_cast<float>(max_sigma_deg * 3.14159265358979323846 / 180));
     const F variance = sigma * sigma;
     const F a = F(1) - F(0.5f) * variance / (variance + F(0.33f));
@@ -22,7 +22,12 @@ Response<F> oren_nayar(const Directions<F>& d, const MaterialAt<F>& m, const Poi
     const F azimuth = d.l_dot_v - d.n_dot_l * at.n_dot_v;
     const F larger_cosine = max(d.n_dot_l, at.n_dot_v);
     const F rough = max0(azimuth) * inverse_or_zero(larger_cosine);
-    return {lambert_cosine(d) * (a + b * rough), {}};
+    return a + b * rough;
+}
+
+template <Number F>
+Response<F> oren_nayar(const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
+    return {lambert_cosine(d) * roughness_factor(d, m, at), {}};
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -4,14 +4,17 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "models/mesh/normals.h"
 #include "renderer/geometry/clip.h"
 #include "renderer/lighting/light_source.h"
 #include "renderer/shade/moving_light.h"
+#include "renderer/simd/pow.h"
 
 namespace glint {
 namespace {
@@ -83,10 +86,22 @@ void apply_source_mistakes(const Mistakes& wrong, const Light& light, LightSourc
         source.constant = falloff_polynomial(f.constant, f.linear, f.quadratic, r);
         source.linear = source.quadratic = 0;
     }
+    if (wrong.falloff_forgotten) {
+        source.has_falloff = false;
+        source.constant = 1;
+        source.linear = source.quadratic = 0;
+    }
     if (!source.has_cone || !(wrong.degrees_for_radians || wrong.cutoff_as_full_angle)) return;
     const double angle = light.spot.cutoff_deg / (wrong.cutoff_as_full_angle ? 2.0 : 1.0);
     const double cosine = wrong.degrees_for_radians ? std::cos(angle) : cos_of_cutoff(angle);
     source.cos_cutoff = static_cast<float>(cosine);
+}
+
+/// The sRGB encoding of a linear component of a colour, 0 and above; 0 and 1 stay exactly what they are,
+/// which floats alone (srgb_encoded) miss by their last bit.
+float srgb_of(float x) {
+    if (x <= 0.0031308f) return 12.92f * x;
+    return static_cast<float>(1.055 * static_cast<double>(power(x, 1 / 2.4f)) - 0.055);
 }
 
 LightJob::Projection projection_of(const glm::dmat4& m) {  // m[column][row]
@@ -96,13 +111,23 @@ LightJob::Projection projection_of(const glm::dmat4& m) {  // m[column][row]
     return {f(0, 0), f(0, 2), f(0, 3), f(1, 1), f(1, 2), f(1, 3), f(2, 2), f(2, 3), f(3, 2), f(3, 3)};
 }
 
-/// Viewer, shininess and projection as the mistakes have them; notes whether any mistake is made at all.
+/// Where a spot points, camera coordinates, not unit; 0 where it stands at the origin that it is aimed at.
+glm::dvec3 aim_of(const Mistakes& wrong, const Light& light, const Frame& frame, const glm::dmat4& view) {
+    if (!wrong.aim_stays_at_origin) return frame.direction(light.spot.direction);
+    const glm::dvec3 place(glm::dvec3(light.position) / static_cast<double>(light.position.w));
+    const glm::dvec3 origin = light.space == LightSpace::World ? glm::dvec3(0) : glm::dvec3(view[3]);
+    return frame.direction(origin - place);
+}
+
+/// Viewer and projection as the mistakes have them; notes whether any mistake is made at all.
 void apply_job_mistakes(const Scene& scene, PictureSize size, LightJob& job) {
     const Mistakes& wrong = scene.shading.mistakes;
     job.mistakes = wrong;
     job.power_table = scene.shading.power_table;
     job.any_mistake = wrong != Mistakes{} || job.power_table > 0;
-    if (wrong.shininess_as_fraction) job.material.shininess /= 128;
+    const bool orthographic = is_orthographic(scene.camera.projection);
+    if (wrong.perspective_view_in_ortho && orthographic) job.infinite_viewer = !scene.shading.local_viewer;
+    job.mistakes.unnormalized_view &= !job.infinite_viewer;  // there v is unit from the start
     if (wrong.viewer_at_origin_of_world)
         job.eye = to_float3(not_too_far(glm::dvec3(view_from_world(scene.camera)[3])));
     if (wrong.lit_after_projection)
@@ -125,36 +150,53 @@ void add_area(std::vector<LightSource>& sources, LightSource source, const Light
         }
 }
 
-void add_light(std::vector<LightSource>& sources, const Light& light, int index, const glm::dmat4& view,
-               const Mistakes& mistakes, double most) {
-    const Frame frame{camera_from_light(light.space, view, mistakes)};
+/// What is the same for all lights.
+struct LightsOfScene {
+    const Scene& scene;
+    glm::dmat4 view;
+    double most;     // of a light's colour
+    double divisor;  // of every light's share
+};
+
+void add_directional(std::vector<LightSource>& sources, LightSource s, const Light& light, const Frame& frame,
+                     const Mistakes& mistakes) {
+    const glm::dvec3 given = frame.direction(glm::dvec3(light.position));
+    const glm::dvec3 towards = mistakes.light_direction_reversed ? -given : given;
+    s.xyz = to_float3(mistakes.unnormalized_light ? towards : unit_or_zero(towards));
+    apply_source_mistakes(mistakes, light, s);
+    sources.push_back(s);
+}
+
+void add_light(std::vector<LightSource>& sources, const LightsOfScene& all, std::size_t index) {
+    const Light& light = all.scene.lights[index];
+    const Mistakes& mistakes = all.scene.shading.mistakes;
+    const Frame frame{camera_from_light(light.space, all.view, mistakes)};
     LightSource s;
-    s.light = index;
-    const glm::dvec3 intensity(light.intensity);
+    s.light = static_cast<int>(index);
+    const glm::dvec3 intensity(static_cast<double>(light.intensity) / all.divisor);
+    const double most = all.most;
     s.ambient = product(light.ambient, intensity, most);
     s.diffuse = product(light.diffuse, intensity, most);
     s.specular = product(light.specular, intensity, most);
-    const glm::dvec3 xyz(light.position);
-    if (light.kind == LightKind::Directional) {
-        const glm::dvec3 towards = frame.direction(xyz);
-        s.xyz = to_float3(mistakes.unnormalized_light ? towards : unit_or_zero(towards));
-        apply_source_mistakes(mistakes, light, s);
-        sources.push_back(s);
-        return;
-    }
-    const glm::dvec3 position = frame.position(xyz / static_cast<double>(light.position.w));
+    const bool directional = light.kind == LightKind::Directional;
+    if (directional && !mistakes.direction_is_position)
+        return add_directional(sources, s, light, frame, mistakes);
+    const double w = directional ? 1 : static_cast<double>(light.position.w);
+    const glm::dvec3 position = frame.position(glm::dvec3(light.position) / w);
     s.w = 1;
     if (light.kind == LightKind::Area) {
         add_area(sources, s, light, frame, position);
         return;
     }
-    s.has_falloff = light.falloff != Falloff{};
-    s.constant = light.falloff.constant;
-    s.linear = light.falloff.linear;
-    s.quadratic = light.falloff.quadratic;
+    if (!directional) {
+        s.has_falloff = light.falloff != Falloff{};
+        s.constant = light.falloff.constant;
+        s.linear = light.falloff.linear;
+        s.quadratic = light.falloff.quadratic;
+    }
     s.has_cone = light.kind == LightKind::Spot && light.spot.cutoff_deg < 180;
     if (s.has_cone) {
-        s.axis = to_float3(unit_or_zero(frame.direction(light.spot.direction)));
+        s.axis = to_float3(unit_or_zero(aim_of(mistakes, light, frame, all.view)));
         s.cos_cutoff = static_cast<float>(cos_of_cutoff(light.spot.cutoff_deg));
         s.exponent = light.spot.exponent;
     }
@@ -188,8 +230,27 @@ CoolToWarm tone_of(const Npr& npr, const Material& m, const std::vector<LightSou
 
 glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world, const Mistakes& wrong) {
     const bool world = (space == LightSpace::World) != wrong.light_in_wrong_space;
-    const glm::dmat4 frame = world ? view_from_world : glm::dmat4(1.0);
+    const glm::dmat4 camera_from_world =
+        wrong.light_by_inverse_view ? glm::inverse(view_from_world) : view_from_world;
+    const glm::dmat4 frame = world ? camera_from_world : glm::dmat4(1.0);
     return wrong.light_moved_twice ? view_from_world * frame : frame;
+}
+
+Material mistaken_material(const Mistakes& wrong, Material m) {
+    if (wrong.lit_in_srgb)
+        for (glm::vec3* color : {&m.ambient, &m.diffuse, &m.specular, &m.emission})
+            for (int i = 0; i < 3; ++i) (*color)[i] = srgb_of((*color)[i]);
+    if (wrong.coefficients_swapped) std::swap(m.diffuse, m.specular);
+    if (wrong.shininess_as_fraction) m.shininess /= 128;
+    if (wrong.shininess_inverted && m.shininess > 0) m.shininess = std::min(1 / m.shininess, 1e30f);
+    return m;
+}
+
+double share_divisor(const Scene& scene) {
+    if (!scene.shading.mistakes.average_of_lights) return 1;
+    const auto enabled =
+        std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& l) { return l.enabled; });
+    return static_cast<double>(std::max(enabled, decltype(enabled){1}));
 }
 
 float faintest_cosine_squared(float shininess) {
@@ -211,12 +272,14 @@ SurfaceMaterial surface_material(const Material& m) {
 }
 
 void light_sources(const Scene& scene, std::vector<LightSource>& sources) {
-    const glm::dmat4 view = view_from_world(scene.camera);
-    const double most = max_light(scene.objects);
+    const LightsOfScene all{scene, view_from_world(scene.camera), max_light(scene.objects),
+                            share_divisor(scene)};
     sources.clear();
-    for (std::size_t i = 0; i < scene.lights.size(); ++i)
-        if (scene.lights[i].enabled)
-            add_light(sources, scene.lights[i], static_cast<int>(i), view, scene.shading.mistakes, most);
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        if (!scene.lights[i].enabled) continue;
+        if (scene.shading.mistakes.last_light_only) sources.clear();
+        add_light(sources, all, i);
+    }
 }
 
 std::vector<LightSource> light_sources(const Scene& scene) {
@@ -225,8 +288,9 @@ std::vector<LightSource> light_sources(const Scene& scene) {
     return sources;
 }
 
-LightJob light_job(const Scene& scene, PictureSize size, const Material& m,
+LightJob light_job(const Scene& scene, PictureSize size, const Material& given,
                    const std::vector<LightSource>& lights, bool at_corners) {
+    const Material m = mistaken_material(scene.shading.mistakes, given);
     const bool opengl = scene.shading.rules == Rules::OpenGL2;
     LightJob job;
     job.lights = lights.data();

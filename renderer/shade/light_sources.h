@@ -22,6 +22,13 @@ void light_sources(const Scene& scene, std::vector<LightSource>& sources);
 [[nodiscard]] glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world,
                                            const Mistakes& mistakes = {});
 
+/// The material as the equation takes it: as it is, but for mistakes.
+[[nodiscard]] Material mistaken_material(const Mistakes& mistakes, Material material);
+
+/// What every light's share is divided by: 1, but for the mistake of averaging, where it is the number of
+/// enabled lights, at least 1.
+[[nodiscard]] double share_divisor(const Scene& scene);
+
 /// One object's part of the equation. `lights` must outlive the job. `at_corners`: the colours will be
 /// blended over faces, which OpenGL's rules clamp before.
 [[nodiscard]] LightJob light_job(const Scene& scene, PictureSize size, const Material& material,

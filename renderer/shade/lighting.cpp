@@ -130,7 +130,9 @@ Unchanged compare(const Lighting& kept, const Scene& scene, const Strokes& strok
     const bool same_strokes =
         !redone.strokes && (strokes.coverage.empty() || kept.npr.stroke == scene.npr.stroke);
     Unchanged same;
-    same.ground = kept.display == scene.display && kept.linear == linear && same_strokes;
+    const bool same_display = display_job(kept.display, kept.shading.mistakes) ==
+                              display_job(scene.display, scene.shading.mistakes);
+    same.ground = kept.display == scene.display && same_display && kept.linear == linear && same_strokes;
     same.pixels = same.ground && !redone.visibility;
     same.equation = !redone.surface && kept.global_ambient == scene.global_ambient &&
                     kept.shading == scene.shading && without_strokes(kept.npr) == without_strokes(scene.npr);
@@ -173,8 +175,9 @@ void prepare_picture(Lighting& kept, PictureSize size, const Visibility& visibil
 
 }  // namespace
 
-DisplayJob display_job(const Display& display) {
-    return {display.exposure, display.transfer == Transfer::Srgb};
+DisplayJob display_job(const Display& display, const Mistakes& mistakes) {
+    return {display.exposure, display.transfer == Transfer::Srgb, mistakes.encoded_twice,
+            mistakes.bytes_wrap};
 }
 
 bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, const Visibility& visibility,
@@ -192,7 +195,7 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, cons
     const bool at_corners = surface.choice.kind != SurfaceKind::Pixels;
     const bool same_grids = take_jobs(kept, scene, g.size, at_corners);
     kept.moving_light.follow(moving, same_grids, kept.sources, kept.jobs, surface);
-    const DisplayJob display = display_job(scene.display);
+    const DisplayJob display = display_job(scene.display, scene.shading.mistakes);
     if (!same.pixels) {
         prepare_picture(kept, g.size, visibility, strokes, display, same.ground);
         kept.moving_light.forget_picture();

@@ -56,7 +56,7 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& geometr
                                      const ShadingPoint& source);
 
 /// How this display makes bytes of linear colours.
-[[nodiscard]] DisplayJob display_job(const Display& display);
+[[nodiscard]] DisplayJob display_job(const Display& display, const Mistakes& mistakes);
 
 // The steps of update_lighting(): the equation over the surface's points (lighting.cpp), then every pixel's
 // colour from the lit points, its bytes, and the strokes over them (color_pixels.cpp).

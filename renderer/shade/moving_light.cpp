@@ -87,7 +87,8 @@ double max_share(const LightJob& job, const LightSource& light) {
 float rounding_grid(const LightJob& job) {
     constexpr std::size_t fewest_lights = 3;
     const bool bounded = info_of(job.model).is_bounded;
-    if (job.light_count < fewest_lights || !bounded || job.tone.on || job.any_mistake || job.clamp) return 0;
+    if (job.light_count < fewest_lights || !bounded || job.tone.on || job.power_table > 0 || job.clamp)
+        return 0;
     const SurfaceMaterial& m = job.material;
     const double base = std::max({m.emission.x + m.global_ambient.x, m.emission.y + m.global_ambient.y,
                                   m.emission.z + m.global_ambient.z});
@@ -144,7 +145,9 @@ bool MovingLight::has_room(const Surface& s) {
 
 void MovingLight::follow(int moving, bool same_grids, const std::vector<LightSource>& sources,
                          const std::vector<LightJob>& jobs, const Surface& surface) {
-    const bool exact = std::all_of(jobs.begin(), jobs.end(), [](const LightJob& j) { return j.grid > 0; });
+    // A mistake may make shares so large that their sum depends on its order.
+    const bool exact =
+        std::all_of(jobs.begin(), jobs.end(), [](const LightJob& j) { return j.grid > 0 && !j.any_mistake; });
     if (!allowed || moving < 0 || !exact || !has_room(surface)) {
         moving_ = -1;
         return;

@@ -81,7 +81,8 @@ void interpolate_pixels(Surface& s, const Geometry& g, const Visibility& visibil
             [](const PixelGroup& group) { return static_cast<std::uint64_t>(std::popcount(group.mask)); });
     const bool on_fast_path = s.group_samples.empty() && !s.choice.facet_normals &&
                               s.choice.interpolation == Interpolation::Perspective &&
-                              !s.choice.mistakes.unnormalized_at_pixel;
+                              !s.choice.mistakes.unnormalized_at_pixel &&
+                              !s.choice.mistakes.some_faces_flipped;
     prepare_interpolation(s.as<PerPixel>().jobs, s, g, visibility);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.groups.size(), 256), [&](const auto& range) {
         for (std::size_t r = range.begin(); r != range.end(); ++r) s.point_object[r] = s.groups[r].object;

@@ -21,6 +21,13 @@ Vec blended_normal(const SurfaceInputs& surface, const Geometry& g, const Sample
     return sum;
 }
 
+/// Whether the normals of a face are turned round: of one seen from behind where both sides are lit.
+bool is_turned(const SurfaceChoice& choice, const Geometry& g, const SampleFace& face, bool back) {
+    const bool turned = choice.two_sided && back;
+    if (!choice.mistakes.some_faces_flipped) return turned;
+    return turned != (g.triangle(face.object, face.triangle).face % 3 == 0);
+}
+
 SampleFace seen_face(const SurfaceChoice& choice, const Geometry& g, const Visibility& visibility, int x,
                      int y) {
     const std::size_t pixel = g.size.index(x, y);
@@ -28,7 +35,7 @@ SampleFace seen_face(const SurfaceChoice& choice, const Geometry& g, const Visib
     face.at = {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
     face.triangle = visibility.triangle_at(pixel);
     face.object = g.object_of(face.triangle);
-    face.turned = choice.two_sided && visibility.back_at(pixel);
+    face.turned = is_turned(choice, g, face, visibility.back_at(pixel));
     return face;
 }
 
@@ -54,7 +61,7 @@ SampleFace face_of_lane(const Surface& s, const Geometry& g, const Visibility& v
     face.at = samples.at[lane];
     face.object = s.groups[group].object;
     face.triangle = samples.triangle[lane];
-    face.turned = s.choice.two_sided && (samples.back >> lane & 1u);
+    face.turned = is_turned(s.choice, g, face, samples.back >> lane & 1u);
     return face;
 }
 
@@ -69,8 +76,8 @@ PositionNormal pixel_point(const SurfaceInputs& surface, const Geometry& g, cons
     }
     // Opposite corner normals can cancel: then, too, the facet's own is the best there is.
     if (dot(n, n) == 0)
-        n = to_vec(
-            camera_facet_normal(object, surface.normals[face.object], t.face, surface.choice.mistakes));
+        n = to_vec(camera_facet_normal(object, surface.normals[face.object].options.flip, t.face,
+                                       surface.choice.mistakes));
     return {face.p, face.turned ? -to_glm(n) : to_glm(n)};
 }
 
@@ -84,7 +91,7 @@ PositionNormal lit_point(const SurfaceInputs& surface, const Geometry& g, const 
         glm::dvec3 sum(0);
         for (const std::uint32_t p : around) sum += glm::dvec3(object.position(p));
         at = {glm::vec3(sum / static_cast<double>(around.size())),
-              camera_facet_normal(object, normals, source.item, surface.choice.mistakes)};
+              camera_facet_normal(object, normals.options.flip, source.item, surface.choice.mistakes)};
     } else if (surface.choice.kind == SurfaceKind::Faces) {
         const std::uint32_t corner = mesh.triangles[source.item].corner[2];
         at = {object.position(mesh.corner_position[corner]), normals.at_corner(corner)};

@@ -74,7 +74,7 @@ SurfaceChoice surface_choice(const Shading& shading) {
         c.interpolation = shading.interpolation;
     c.provoking = c.kind == SurfaceKind::Faces &&
                   (shading.flat_point == FlatPoint::Provoking || shading.rules == Rules::OpenGL2);
-    c.two_sided = shading.two_sided;
+    c.two_sided = shading.two_sided && !shading.mistakes.flipped_twice;
     c.mistakes = normal_mistakes(shading.mistakes);
     return c;
 }

@@ -31,7 +31,7 @@ struct PixelPosition {
 struct SampleFace {
     PixelPosition at;
     std::uint32_t object = 0, triangle = 0;  // triangle: global number
-    bool turned = false;                     // two_sided and seen from behind
+    bool turned = false;                     // its normals are turned round: two_sided, seen from behind
     glm::vec3 weights{0};                    // perspective-correct
     glm::vec3 p{0};                          // where the pixel's ray meets the face, camera coordinates
 };

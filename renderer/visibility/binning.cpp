@@ -85,15 +85,29 @@ void visit_cells(const CellGrid& grid, const BinnedChunk& chunk, std::size_t beg
     }
 }
 
-/// Finds a chunk's boxes, and how many of them each cell lists.
-void bin_chunk(const CellGrid& grid, BinnedChunk& chunk) {
+/// Takes out again what is hidden of what part of a chunk added to `out`; `before`: what was there then.
+void leave_out_hidden(const std::vector<std::uint8_t>& hidden, const ChunkPart& part,
+                      const BinnedTriangles& before, BinnedTriangles& out) {
+    const std::uint32_t first = part.job.first_triangle;
+    const auto boxes_end = std::remove_if(out.boxes + before.box_count, out.boxes + out.box_count,
+                                          [&](const TriangleBox& box) { return hidden[box.number] != 0; });
+    const auto clip_end = std::remove_if(out.to_clip + before.to_clip_count, out.to_clip + out.to_clip_count,
+                                         [&](std::uint32_t t) { return hidden[first + t] != 0; });
+    out.box_count = static_cast<std::size_t>(boxes_end - out.boxes);
+    out.to_clip_count = static_cast<std::size_t>(clip_end - out.to_clip);
+}
+
+/// Finds a chunk's boxes, and how many of them each cell lists. `hidden`: as in Visibility.
+void bin_chunk(const CellGrid& grid, BinnedChunk& chunk, const std::vector<std::uint8_t>& hidden) {
     std::size_t room = 1;
     for (const ChunkPart& part : chunk.parts) room += part.end - part.begin;
     if (chunk.boxes.size() < room) chunk.boxes.resize(room);
     if (chunk.to_clip.size() < room) chunk.to_clip.resize(room);
     BinnedTriangles out{chunk.boxes.data(), 0, chunk.to_clip.data(), 0};
     for (ChunkPart& part : chunk.parts) {
+        const BinnedTriangles before = out;
         visibility_kernels().bin(part.job, part.begin, part.end, out);
+        if (!hidden.empty()) leave_out_hidden(hidden, part, before, out);
         part.box_end = out.box_count;
         part.clip_end = out.to_clip_count;
     }
@@ -162,7 +176,7 @@ void bin_pieces(TileLists& lists, const Geometry& g, const BinJob& like) {
     part.job.screen = count > 0 ? lists.clipped.front().corner : nullptr;
     part.job.first_triangle = g.triangle_count;
     lists.pieces.parts.assign(1, part);
-    bin_chunk(lists.grid, lists.pieces);
+    bin_chunk(lists.grid, lists.pieces, {});  // none of them hidden: those are not clipped
 }
 
 void refuse_too_many_tiles(std::uint64_t met) {
@@ -226,7 +240,8 @@ CellGrid::CellGrid(PictureSize size)
         first[level + 1] = first[level] + row(level) * (((tiles_y - 1) >> level) + 1);
 }
 
-void bin_into_tiles(TileLists& lists, const Geometry& g, Cull cull, bool multisampled) {
+void bin_into_tiles(TileLists& lists, const Geometry& g, Cull cull, bool multisampled,
+                    const std::vector<std::uint8_t>& hidden) {
     lists.grid = CellGrid(g.size);
     BinJob like;
     like.width = g.size.width;
@@ -236,7 +251,7 @@ void bin_into_tiles(TileLists& lists, const Geometry& g, Cull cull, bool multisa
     like.beyond_bits = ~std::uint32_t{OutsideGuard};
     lay_out_chunks(lists, g, like, cull);
     tbb::parallel_for(std::size_t{0}, lists.chunks.size(),
-                      [&lists](std::size_t i) { bin_chunk(lists.grid, lists.chunks[i]); });
+                      [&](std::size_t i) { bin_chunk(lists.grid, lists.chunks[i], hidden); });
     std::uint64_t met = 0;
     for (const BinnedChunk& chunk : lists.chunks) met += chunk.met;
     refuse_too_many_tiles(met);  // clipping alone could take minutes

@@ -73,8 +73,9 @@ inline constexpr std::uint64_t max_met_tiles = std::uint64_t{1} << 30;
 [[nodiscard]] std::uint64_t bytes_to_bin(std::uint64_t triangles, std::uint64_t tiles);
 
 /// Makes the lists anew in the memory of the old ones. `multisampled`: for samples anywhere in their pixels,
-/// not at the centres alone. Throws Refused where they do not fit, and when the triangles meet more than
-/// max_met_tiles.
-void bin_into_tiles(TileLists& lists, const Geometry& geometry, Cull cull, bool multisampled);
+/// not at the centres alone. `hidden`: as in Visibility. Throws Refused where they do not fit, and when the
+/// triangles meet more than max_met_tiles.
+void bin_into_tiles(TileLists& lists, const Geometry& geometry, Cull cull, bool multisampled,
+                    const std::vector<std::uint8_t>& hidden = {});
 
 }  // namespace glint

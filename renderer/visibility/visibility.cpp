@@ -104,11 +104,14 @@ SampleOffset sample_offset(int samples, int which) {
     }
 }
 
-bool update_visibility(Visibility& kept, const Geometry& g, Cull cull, int samples, bool geometry_redone) {
-    if (!geometry_redone && kept.cull == cull && kept.samples == samples) return false;
+bool update_visibility(Visibility& kept, const Geometry& g, Cull cull, int samples, bool geometry_redone,
+                       const std::vector<std::uint8_t>& hidden) {
+    if (!geometry_redone && kept.cull == cull && kept.samples == samples && kept.hidden == hidden)
+        return false;
+    kept.hidden = hidden;
     kept.cull = cull;
     kept.samples = samples;
-    bin_into_tiles(kept.tiles, g, cull, samples > 1);
+    bin_into_tiles(kept.tiles, g, cull, samples > 1, hidden);
     kept.plane = g.size.pixels();
     kept.groups_a_row = (static_cast<std::size_t>(g.size.width) + block_size - 1) / block_size;
     const std::size_t codes = kept.plane * static_cast<std::size_t>(samples);

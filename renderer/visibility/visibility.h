@@ -13,7 +13,8 @@ namespace glint {
 
 struct Visibility {
     Cull cull = Cull::None;
-    int samples = 1;  // a pixel: 1, 2, 4 or 8; each has a plane of width x height of its own
+    std::vector<std::uint8_t> hidden;  // #triangles, 1: not drawn; empty: none is hidden
+    int samples = 1;                   // a pixel: 1, 2, 4 or 8; each has a plane of width x height of its own
     TileLists tiles;
     std::vector<DrawnObject> objects;
     std::size_t plane = 0;            // width x height
@@ -38,8 +39,9 @@ struct SampleOffset {
 };
 [[nodiscard]] SampleOffset sample_offset(int samples, int which);
 
-/// Does the stage again when the geometry was redone or `cull` or `samples` differ; true when it did.
+/// Does the stage again when the geometry was redone or `cull`, `samples` or `hidden` differ; true when it
+/// did. `hidden`: as in Visibility.
 bool update_visibility(Visibility& kept, const Geometry& geometry, Cull cull, int samples,
-                       bool geometry_redone);
+                       bool geometry_redone, const std::vector<std::uint8_t>& hidden = {});
 
 }  // namespace glint

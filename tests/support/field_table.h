@@ -117,8 +117,17 @@ inline std::string primitive_table() {
 }
 
 inline std::string mistake_table() {
-    std::string text = "| mistake | what goes wrong |\n|---|---|\n";
-    for (const MistakeName& m : mistake_names()) text += fmt::format("| `{}` | {} |\n", m.name, m.what);
+    std::string text =
+        "| mistake | what the wrong program does | how it looks | looks like | asked in |\n"
+        "|---|---|---|---|---|\n";
+    const auto cell = [](std::string_view words) {  // a bar ends a cell
+        std::string escaped;
+        for (const char c : words) escaped += c == '|' ? "\\|" : std::string(1, c);
+        return escaped;
+    };
+    for (const MistakeName& m : mistake_names())
+        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", m.name, cell(m.what), m.looks, m.look_alikes,
+                            m.sources);
     return text;
 }
 

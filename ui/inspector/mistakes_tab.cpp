@@ -23,12 +23,17 @@ std::string title_of(const MistakeName& mistake) {
     return title;
 }
 
-/// The heading before the first mistake of each group, in the order of struct Mistakes.
-const char* group_before(bool Mistakes::*flag) {
-    if (flag == &Mistakes::unnormalized_light) return "In the equation";
-    if (flag == &Mistakes::light_in_wrong_space) return "In lights and viewer";
-    if (flag == &Mistakes::unnormalized_normals) return "In the normals";
-    return nullptr;
+/// The words of its tooltip: what looks like it, and who asked about it.
+std::string notes_on(const MistakeName& mistake) {
+    std::string notes = "Rest here to see it, click to keep it.";
+    if (!mistake.look_alikes.empty()) {
+        std::string names(mistake.look_alikes);
+        std::replace(names.begin(), names.end(), ' ', '\n');
+        std::replace(names.begin(), names.end(), '_', ' ');
+        notes += "\nLooks like:\n" + names;
+    }
+    if (!mistake.sources.empty()) notes += fmt::format("\nAsked in: {}", mistake.sources);
+    return notes;
 }
 
 /// A switch with its words below; pointed at, the picture shows the other position of the switch.
@@ -41,9 +46,9 @@ void mistake_row(UiState& state, const MistakeName& mistake) {
     (void)ImGui::Checkbox(title.c_str(), &(mistakes.*mistake.flag));
     ImGui::PopStyleVar();
     const bool pointed = is_pointed_at();
-    tooltip(title.c_str(), "Rest here to see it, click to keep it", "off by default", pointer);
+    tooltip(title.c_str(), notes_on(mistake).c_str(), "off by default", pointer);
     ImGui::Indent(px(24));
-    small_dim(std::string(mistake.what));
+    small_dim(fmt::format("{} {}", mistake.what, mistake.looks));
     ImGui::Unindent(px(24));
     ImGui::EndGroup();
     if (!pointed && !is_pointed_at(last_item())) return;
@@ -71,9 +76,10 @@ void mistakes_tab(UiState& state, const PictureView&) {
         if (ImGui::Button("All off")) mistakes = {};
         tooltip("All off", "The equation as it should be");
     }
-    for (const MistakeName& mistake : mistake_names()) {
-        if (const char* group = group_before(mistake.flag)) section_heading(group);
-        mistake_row(state, mistake);
+    for (const SeenAs seen_as : all_seen_as) {
+        section_heading(std::string(heading_of(seen_as)).c_str());
+        for (const MistakeName& mistake : mistake_names())
+            if (mistake.seen_as == seen_as) mistake_row(state, mistake);
     }
 }
 

@@ -1,9 +1,22 @@
 // The scenes whose pictures are measurements.
+#include "models/scene/mistakes.h"
 #include "renderer/inspect/debug_views/debug_view.h"
 #include "renderer/inspect/reflectance/lobes.h"
 
 namespace glint {
 namespace {
+
+/// Switches off those for which keep(mistake) is false.
+template <class Keep> void keep_mistakes(Mistakes& mistakes, const Keep& keep) {
+    for (const MistakeName& m : mistake_names()) mistakes.*m.flag &= keep(m);
+}
+
+/// Whether a mistake changes normals, or where a light stands.
+bool shows_in_measures(const MistakeName& m) {
+    const bool reach = m.seen_as == SeenAs::WrongReach || m.seen_as == SeenAs::WrongBrightness;
+    return m.stage == MistakeStage::Normals || m.stage == MistakeStage::Viewer ||
+           (m.stage == MistakeStage::Lights && !reach);
+}
 
 /// A white surface under Lambert's law without the clamp, and nothing else in the picture.
 Scene measuring_scene(const Scene& scene) {
@@ -16,10 +29,9 @@ Scene measuring_scene(const Scene& scene) {
     s.shading.reflection = Reflection::Lambert;
     s.shading.rules = Rules::Lecture;
     s.shading.terms = {false, false, true, false};
-    Mistakes& m = s.shading.mistakes;
-    m.no_clamp_of_cosine = true;
-    m.unnormalized_light = m.clamp_each_light = false;
-    m.falloff_of_directional = m.falloff_without_constant = m.lit_after_projection = false;
+    keep_mistakes(s.shading.mistakes, [](const MistakeName& m) { return shows_in_measures(m); });
+    s.shading.mistakes.no_clamp_of_cosine = true;
+    s.shading.mistakes.lit_after_projection = false;
     for (Object& object : s.objects) {
         object.material = {};
         object.material.diffuse = glm::vec3(1);
@@ -41,7 +53,7 @@ Light sun_along(glm::vec3 axis) {
 Scene normal_scene(const Scene& scene, bool facet) {
     Scene s = measuring_scene(scene);
     s.shading.mode = facet ? ShadingMode::Facet : ShadingMode::Phong;
-    s.shading.mistakes.light_in_wrong_space = s.shading.mistakes.light_moved_twice = false;
+    keep_mistakes(s.shading.mistakes, [](const MistakeName& m) { return m.stage != MistakeStage::Lights; });
     s.lights = {sun_along({1, 0, 0}), sun_along({0, 1, 0}), sun_along({0, 0, 1})};
     return s;
 }

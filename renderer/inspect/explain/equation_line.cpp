@@ -15,7 +15,10 @@ namespace {
 const Light& light_of(const LightOfEquation& in) {
     return in.scene.lights[static_cast<std::size_t>(in.light.index)];
 }
-std::string material_pointer(const Explanation& explanation, const char* key) {
+/// Where a number of the material stands in the scene; empty where mistakes made another one of it.
+std::string material_pointer(const Scene& scene, const Explanation& explanation, const char* key) {
+    if (explanation.material != scene.objects[static_cast<std::size_t>(explanation.object_index)].material)
+        return {};
     return fmt::format("/objects/{}/material/{}", explanation.object_index, key);
 }
 EquationFactor colour(Quantity quantity, glm::vec3 value, const std::string& pointer) {
@@ -31,7 +34,13 @@ std::vector<EquationFactor> common_factors(const LightOfEquation& in, Quantity o
                                            const char* key) {
     return {plain(Quantity::Share, share_line(in).result.x),
             colour(of_light, light_of(in).*light, fmt::format("/lights/{}/{}", in.light.index, key)),
-            colour(of_material, in.explanation.material.*material, material_pointer(in.explanation, key))};
+            colour(of_material, in.explanation.material.*material,
+                   material_pointer(in.scene, in.explanation, key))};
+}
+
+void add_maker(EquationLine& line, const LightOfEquation& in, const char* key) {
+    const std::string pointer = material_pointer(in.scene, in.explanation, key);
+    if (!pointer.empty()) line.made_by.push_back(pointer);
 }
 
 /// The factor of the diffuse term: max(n·l, 0), and what roughness makes of it.
@@ -47,7 +56,7 @@ void add_cosine(EquationLine& line, const LightOfEquation& in) {
         cosine.clamped_from = std::min(in.light.n_dot_l, 0.0f);
     }
     const bool rough = info_of(in.explanation.reflection).rough_diffuse;
-    if (rough) line.made_by.push_back(material_pointer(in.explanation, "roughness"));
+    if (rough) add_maker(line, in, "roughness");
     if (!rough || cosine.is_mean || in.light.n_dot_l <= 0) return line.factors.push_back(cosine);
     cosine.value = glm::dvec3(in.light.n_dot_l);
     line.factors.push_back(cosine);
@@ -60,7 +69,7 @@ EquationPower power_of(const LightOfEquation& in) {
     const double n = in.explanation.material.shininess;
     if (in.scene.shading.rules == Rules::OpenGL2 && n > opengl_max_shininess)
         return {opengl_max_shininess, ""};
-    return {n, material_pointer(in.explanation, "shininess")};
+    return {n, material_pointer(in.scene, in.explanation, "shininess")};
 }
 
 bool is_close(glm::dvec3 a, glm::dvec3 b) {
@@ -121,8 +130,7 @@ std::vector<EquationFactor> highlight_factors(const LightOfEquation& in) {
 
 void add_highlight(EquationLine& line, const LightOfEquation& in) {
     const ReflectionInfo info = info_of(in.explanation.reflection);
-    if (info.has_highlight && info.uses_roughness)
-        line.made_by.push_back(material_pointer(in.explanation, "roughness"));
+    if (info.has_highlight && info.uses_roughness) add_maker(line, in, "roughness");
     if (in.light.samples.empty()) {
         for (const EquationFactor& factor : highlight_factors(in)) line.factors.push_back(factor);
         return;
@@ -176,8 +184,9 @@ std::vector<double> sample_weights(const ExplainedLight& area) {
 
 EquationLine share_line(const LightOfEquation& in) {
     const Light& light = light_of(in);
-    EquationFactor intensity = plain(Quantity::Intensity, light.intensity);
-    intensity.pointer = fmt::format("/lights/{}/intensity", in.light.index);
+    const double divisor = share_divisor(in.scene);
+    EquationFactor intensity = plain(Quantity::Intensity, double(light.intensity) / divisor);
+    if (divisor == 1) intensity.pointer = fmt::format("/lights/{}/intensity", in.light.index);
     EquationLine line{Quantity::Share, {intensity}};
     const bool is_area = light.kind == LightKind::Area;
     if (is_area || light.kind != LightKind::Directional || in.light.falloff != 1)
@@ -213,12 +222,12 @@ std::vector<EquationLine> unlit_lines(const Scene& scene, const Explanation& exp
     const Material& m = explanation.material;
     EquationLine emission{
         Quantity::EmissionTerm,
-        {colour(Quantity::MaterialEmission, m.emission, material_pointer(explanation, "emission"))},
+        {colour(Quantity::MaterialEmission, m.emission, material_pointer(scene, explanation, "emission"))},
         point.emission};
     EquationLine ambient{
         Quantity::AmbientTerm,
         {colour(Quantity::GlobalAmbient, scene.global_ambient, "/global_ambient"),
-         colour(Quantity::MaterialAmbient, m.ambient, material_pointer(explanation, "ambient"))},
+         colour(Quantity::MaterialAmbient, m.ambient, material_pointer(scene, explanation, "ambient"))},
         point.global_ambient};
     if (!scene.shading.terms.emission) emission.left_out = switched_off;
     if (!scene.shading.terms.ambient) ambient.left_out = switched_off;

@@ -93,10 +93,12 @@ ExplainedSpaces explain_spaces(const Geometry& g, const SampleFace& face) {
 /// From the shaded sum to what is seen.
 void explain_display(Explanation& e, const ExplainedStages& stages, std::size_t pixel) {
     explain_stroke(e, stages, pixel);
-    const DisplayJob job = display_job(stages.lighting.display);
+    const DisplayJob job = display_job(stages.lighting.display, stages.lighting.shading.mistakes);
     for (int i = 0; i < 3; ++i) {
-        e.displayed[i] = displayed(job, e.sum[i]);
-        e.byte[static_cast<std::size_t>(i)] = byte_of(e.displayed[i]);
+        const bool wrong = job.any_mistake();
+        e.displayed[i] = wrong ? mistakenly_displayed(job, e.sum[i]) : displayed(job, e.sum[i]);
+        e.byte[static_cast<std::size_t>(i)] =
+            wrong ? wrapped_byte_of(e.displayed[i]) : byte_of(e.displayed[i]);
     }
 }
 
@@ -139,7 +141,7 @@ Explanation explain_stages(const ExplainedStages& stages, int x, int y) {
     e.hit = true;
     e.object_index = static_cast<int>(face.object);
     e.object = stages.scene.objects[face.object].name;
-    e.material = stages.lighting.materials[face.object];
+    e.material = mistaken_material(shading.mistakes, stages.lighting.materials[face.object]);
     e.face = t.face;
     e.triangle = static_cast<std::uint32_t>(&t - &*first_of_face);
     e.front_facing = !stages.visibility.back_at(pixel);

@@ -2,8 +2,11 @@
 #include "models/scene/mistakes.h"
 
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <set>
+#include <sstream>
 
 #include "models/scene_file/scene_file.h"
 #include "renderer/lighting/illuminate.h"
@@ -33,16 +36,27 @@ Scene telling_scene() {
     return scene;
 }
 
-bool shows(const Scene& given, bool Mistakes::*flag) {
-    Renderer renderer(1);
-    Scene scene = given;
-    const Picture right = renderer.render(scene, small, true);
-    scene.shading.mistakes.*flag = true;
-    const Picture& wrong = renderer.render(scene, small, true);
-    for (std::size_t i = 0; i < right.linear.size(); ++i)
-        if (std::abs(wrong.linear[i] - right.linear[i]) > 1e-5f) return true;
-    return false;
-}
+/// The right picture and the mistaken one, by one renderer, so that what it keeps in between is tried too.
+struct Both {
+    Picture right, wrong;
+    Both(Scene scene, bool Mistakes::*flag) {
+        Renderer renderer(1);
+        right = renderer.render(scene, small, true);
+        scene.shading.mistakes.*flag = true;
+        wrong = renderer.render(scene, small, true);
+    }
+    [[nodiscard]] bool show() const {
+        for (std::size_t i = 0; i < right.linear.size(); ++i)
+            if (!(std::abs(wrong.linear[i] - right.linear[i]) <= 1e-5f)) return true;
+        for (std::size_t i = 0; i < right.rgba.size(); ++i)
+            if (std::abs(wrong.rgba[i] - right.rgba[i]) > 1) return true;
+        return false;
+    }
+    [[nodiscard]] bool are_the_same() const {
+        return right.rgba == wrong.rgba && std::memcmp(right.linear.data(), wrong.linear.data(),
+                                                       sizeof(float) * right.linear.size()) == 0;
+    }
+};
 
 void camera_at_origin(Scene& s) {
     s.camera = Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, {}};
@@ -75,6 +89,26 @@ const std::vector<Row>& rows() {
         };
     };
     const auto without_highlights = [](Scene& s) { s.shading.terms.specular = false; };
+    const auto shininess = [](float exponent) {
+        return [exponent](Scene& s) {
+            s.shading.reflection = Reflection::Phong;
+            for (Object& o : s.objects) o.material.shininess = exponent;
+        };
+    };
+    const auto brightness = [](float intensity) {
+        return [intensity](Scene& s) {
+            for (Light& l : s.lights) l.intensity = intensity;
+        };
+    };
+    const auto unlit = [](Scene& s) {
+        for (Light& l : s.lights) l.enabled = false;
+    };
+    const auto all_faces_the_light = [](Scene& s) {
+        one_plane(s);
+        s.lights = {Light{}};
+        s.lights[0].position = {0, 0, 3, 1};
+        s.shading.reflection = Reflection::Lambert;
+    };
     static const std::vector<Row> table{
         {"unnormalized_light", anywhere,
          [only](Scene& s) {  // a sun whose vector is unit already
@@ -86,27 +120,20 @@ const std::vector<Row>& rows() {
         {"specular_behind_surface",
          [](Scene& s) { s.objects[0].material.shininess = s.objects[1].material.shininess = 2; },
          without_highlights},
-        {"no_clamp_of_cosine", anywhere,
-         [](Scene& s) {  // nothing faces away from the light
-             one_plane(s);
-             s.lights = {Light{}};
-             s.lights[0].position = {0, 0, 3, 1};
-             s.shading.reflection = Reflection::Lambert;
-         }},
+        {"no_clamp_of_cosine", anywhere, all_faces_the_light},
         {"half_angle_with_phong_shininess", reflection(Reflection::Phong),
          reflection(Reflection::BlinnPhong)},
         {"ambient_per_light_added_twice", anywhere,
          [](Scene& s) {
              for (Light& l : s.lights) l.ambient = {0, 0, 0};
          }},
-        {"clamp_each_light",
-         [](Scene& s) {
-             for (Light& l : s.lights) l.intensity = 10;
-         },
-         [](Scene& s) {
-             for (Light& l : s.lights) l.intensity = 0.2f;
-         }},
+        {"clamp_each_light", brightness(10), brightness(0.2f)},
         {"shininess_as_fraction", anywhere, without_highlights},
+        {"missing_pi", anywhere, [](Scene& s) { s.shading.terms.diffuse = false; }},
+        {"absolute_cosine", anywhere, all_faces_the_light},
+        {"reflect_sign", reflection(Reflection::Phong), reflection(Reflection::BlinnPhong)},
+        {"reflect_of_difference", reflection(Reflection::Phong), reflection(Reflection::Retro)},
+        {"power_zero_is_nan", shininess(0), shininess(1)},
         {"light_in_wrong_space", anywhere, camera_at_origin},
         {"light_moved_twice", anywhere, camera_at_origin},
         {"falloff_of_directional", anywhere, only(LightKind::Point)},
@@ -119,7 +146,39 @@ const std::vector<Row>& rows() {
              only(LightKind::Directional)(s);
              s.shading.local_viewer = false;
          }},
-        {"unnormalized_normals", anywhere, one_plane},
+        {"light_by_inverse_view", anywhere,
+         [](Scene& s) {
+             for (Light& l : s.lights) l.space = LightSpace::Camera;
+         }},
+        {"direction_is_position", anywhere, only(LightKind::Point)},
+        {"light_direction_reversed", anywhere, only(LightKind::Point)},
+        {"aim_stays_at_origin", anywhere, only(LightKind::Area)},
+        {"cone_cosines_swapped", anywhere, [](Scene& s) { s.lights[2].spot.cutoff_deg = 180; }},
+        {"falloff_inverted", anywhere, only(LightKind::Directional)},
+        {"falloff_forgotten", anywhere, only(LightKind::Area)},
+        {"last_light_only", anywhere, only(LightKind::Point)},
+        {"average_of_lights", anywhere, only(LightKind::Spot)},
+        {"unnormalized_view", anywhere, [](Scene& s) { s.shading.local_viewer = false; }},
+        {"view_reversed", anywhere, reflection(Reflection::Lambert)},
+        {"perspective_view_in_ortho",
+         [](Scene& s) {
+             s.camera.projection = Orthographic{4, 0.1f, 100};
+         },
+         anywhere},
+        {"lit_in_srgb", anywhere,
+         [](Scene& s) {  // 0 and 1 are encoded as themselves
+             for (Object& o : s.objects) {
+                 o.material.ambient = o.material.specular = {0, 0, 1};
+                 o.material.diffuse = {1, 0, 0};
+                 o.material.emission = {0, 0, 0};
+             }
+         }},
+        {"coefficients_swapped", anywhere,
+         [](Scene& s) {
+             for (Object& o : s.objects) o.material.specular = o.material.diffuse;
+         }},
+        {"shininess_inverted", anywhere, shininess(1)},
+        {"unnormalized_normals", anywhere, [](Scene& s) { s.shading.mode = ShadingMode::Flat; }},
         {"normals_by_model_matrix", anywhere, rigid},
         {"normals_flipped", anywhere,
          [](Scene& s) {
@@ -131,11 +190,81 @@ const std::vector<Row>& rows() {
          }},
         {"interpolated_normals_not_normalized", anywhere,
          [](Scene& s) { s.shading.mode = ShadingMode::Gouraud; }},
+        {"normals_left_in_object", anywhere,
+         [](Scene& s) {
+             camera_at_origin(s);
+             for (Object& o : s.objects) o.transform = {o.transform.translate, {0, 0, 0}, {1, 1, 1}};
+         }},
+        {"normals_left_in_world", anywhere, camera_at_origin},
+        {"normals_as_points", anywhere, unlit},
+        {"some_faces_flipped", anywhere, unlit},
+        {"cross_reversed", anywhere,
+         [](Scene& s) {  // whose normals come from a formula
+             s.objects.resize(1);
+             s.objects[0].normals.source = NormalSource::Analytic;
+         }},
+        {"mirror_turns_inside_out", anywhere, [](Scene& s) { s.objects.resize(1); }},
+        {"flipped_by_view", anywhere, one_plane},
+        {"flipped_twice",
+         [](Scene& s) {  // a plane seen from behind
+             one_plane(s);
+             s.objects[0].transform.rotate_deg.x = -90;
+             s.shading.two_sided = true;
+         },
+         anywhere},
+        {"culled_by_light", anywhere, unlit},
+        {"encoded_twice", anywhere,
+         [unlit](Scene& s) {  // all is black, which stays black
+             unlit(s);
+             s.global_ambient = s.display.background = glm::vec3(0);
+             for (Object& o : s.objects) o.material.emission = glm::vec3(0);
+         }},
+        {"bytes_wrap", brightness(10), brightness(0.05f)},
     };
     return table;
 }
 
 }  // namespace
+
+namespace {
+
+bool Mistakes::*flag_of(std::string_view name) {
+    for (const MistakeName& m : mistake_names())
+        if (m.name == name) return m.flag;
+    FAIL("no mistake is called " << name);
+    return nullptr;
+}
+
+/// Whether sum and bytes of the explanation are the pixel's.
+bool explained(const Renderer& renderer, const Picture& picture, int x, int y) {
+    const Explanation e = renderer.explain(x, y);
+    const std::uint8_t* rgb = &picture.rgba[4 * picture.pixel(x, y)];
+    return same_bits(e.sum, picture.linear_at(x, y)) && e.byte[0] == rgb[0] && e.byte[1] == rgb[1] &&
+           e.byte[2] == rgb[2];
+}
+
+}  // namespace
+
+TEST_CASE("what looks like a mistake is another mistake, and every group has some", "[mistakes][scene]") {
+    std::set<std::string_view> names;
+    std::set<SeenAs> groups;
+    for (const MistakeName& m : mistake_names()) {
+        names.insert(m.name);
+        groups.insert(m.seen_as);
+    }
+    CHECK(groups.size() == std::size(all_seen_as));
+    for (const MistakeName& m : mistake_names()) {
+        CAPTURE(std::string(m.name));
+        CHECK_FALSE(m.what.empty());
+        CHECK_FALSE(m.looks.empty());
+        std::istringstream words{std::string(m.look_alikes)};
+        for (std::string word; words >> word;) {
+            CAPTURE(word);
+            CHECK(names.count(word) == 1);
+            CHECK(word != m.name);
+        }
+    }
+}
 
 TEST_CASE("every mistake shows where it should and is inert where it should be", "[mistakes]") {
     REQUIRE(rows().size() == mistake_names().size());
@@ -145,30 +274,31 @@ TEST_CASE("every mistake shows where it should and is inert where it should be",
         REQUIRE(mistake.name == rows()[i].name);
         Scene scene = telling_scene();
         rows()[i].where_it_shows(scene);
-        CHECK(shows(scene, mistake.flag));
+        CHECK(Both(scene, mistake.flag).show());
         scene = telling_scene();
         rows()[i].where_it_is_inert(scene);
-        CHECK_FALSE(shows(scene, mistake.flag));
+        CHECK(Both(scene, mistake.flag).are_the_same());
     }
 }
 
 TEST_CASE("the explanation equals the pixel under every mistake", "[mistakes][explain]") {
     Renderer renderer(2);
-    for (const MistakeName& mistake : mistake_names())
+    for (const Row& row : rows())
         for (const ShadingMode mode : {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong})
             for (const Reflection model :
                  {Reflection::Phong, Reflection::BlinnPhong, Reflection::CookTorrance}) {
                 Scene scene = telling_scene();
+                row.where_it_shows(scene);
                 scene.shading.mode = mode;
                 scene.shading.reflection = model;
-                scene.shading.mistakes.*mistake.flag = true;
+                scene.shading.mistakes.*flag_of(row.name) = true;
                 scene.shading.power_table = mode == ShadingMode::Phong ? 0 : 40;
                 const Picture& picture = renderer.render(scene, small, true);
                 int wrong = 0;
                 for (int y = 0; y < small.height; y += 2)
                     for (int x = 0; x < small.width; x += 2)
-                        wrong += same_bits(renderer.explain(x, y).sum, picture.linear_at(x, y)) ? 0 : 1;
-                CAPTURE(std::string(mistake.name), static_cast<int>(mode), static_cast<int>(model));
+                        wrong += explained(renderer, picture, x, y) ? 0 : 1;
+                CAPTURE(row.name, static_cast<int>(mode), static_cast<int>(model));
                 CHECK(wrong == 0);
             }
 }
