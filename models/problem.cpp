@@ -111,8 +111,11 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
     std::string best;
     auto least = std::pair(std::string::npos, std::string::npos);
     for (const std::string& candidate : candidates) {
-        const std::pair distance(edits(word, candidate, [](char a, char b) { return lower(a) != lower(b); }),
-                                 edits(word, candidate, [](char a, char b) { return a != b; }));
+        std::pair distance(edits(word, candidate, [](char a, char b) { return lower(a) != lower(b); }),
+                           edits(word, candidate, [](char a, char b) { return a != b; }));
+        // Who stops short of a long name means it, however many letters are missing.
+        if (word.size() >= 3 && candidate.starts_with(word))
+            distance.first = std::min(distance.first, std::size_t{1});
         if (distance < least) {
             least = distance;
             best = candidate;
