@@ -54,6 +54,8 @@ Scene normal_scene(const Scene& scene, bool facet) {
     Scene s = measuring_scene(scene);
     s.shading.mode = facet ? ShadingMode::Facet : ShadingMode::Phong;
     keep_mistakes(s.shading.mistakes, [](const MistakeName& m) { return m.stage != MistakeStage::Lights; });
+    // Cook-Torrance's diffuse term is Lambert's too, but of its shares none is rounded (rounding.h).
+    s.shading.reflection = Reflection::CookTorrance;
     s.lights = {sun_along({1, 0, 0}), sun_along({0, 1, 0}), sun_along({0, 0, 1})};
     return s;
 }
