@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
 #include "models/scene/mistakes.h"
 #include "tests/renderer/diagnose/wrong_pictures.h"
@@ -20,6 +21,14 @@ struct Named {
     int all = 0, first = 0, among_three = 0;
     std::string missed;  // those that the first name does not name
 };
+
+/// The mistake's place in the catalogue.
+std::size_t place_of(std::string_view name) {
+    const auto all = mistake_names();
+    const auto at =
+        std::find_if(all.begin(), all.end(), [&](const MistakeName& m) { return m.name == name; });
+    return static_cast<std::size_t>(at - all.begin());
+}
 
 bool names(const Candidate& c, const MistakeSet& mistakes) {
     return c.mistakes == mistakes || std::find(c.also.begin(), c.also.end(), mistakes) != c.also.end();
@@ -133,8 +142,7 @@ TEST_CASE("the answer is the same on one thread and on many", "[diagnose]") {
 
 TEST_CASE("the deciding pixel has the colours that the pictures have there", "[diagnose]") {
     const SceneDocument document = diagnosed_scene(4);
-    const std::size_t flipped = 18;
-    REQUIRE(mistake_names()[flipped].name == "normals_flipped");
+    const std::size_t flipped = place_of("normals_flipped");
     const Picture right = picture_under(document.scene, {}), wrong = picture_under(document.scene, {flipped});
     const Diagnosis d = diagnose(document, wrong, {false, 1, {}});
     REQUIRE(d.verdict == Verdict::Mistake);
