@@ -63,10 +63,15 @@ TEST_CASE("a gain and an encoding are found together", "[diagnose]") {
     const Picture right = picture_under(document.scene, {});
     CHECK(finding_of(document, through(right, [](double x) { return 0.7 * x; })).change.gain ==
           Approx(0.7).epsilon(0.01));
-    const DisplayChange both =
-        finding_of(document, through(right, [](double x) { return srgb_of_linear(0.6 * x); })).change;
-    CHECK(both.encodings() == 1);
-    CHECK(std::pow(both.gain, both.after == Code::Same ? 2.4f : 1.0f) == Approx(0.6).epsilon(0.1));
+    // An encoding too many has a name in the catalogue; what is left is the gain.
+    const Diagnosis both =
+        diagnose(document, through(right, [](double x) { return srgb_of_linear(0.6 * x); }), {false, 1, {}});
+    REQUIRE(both.verdict == Verdict::Mistake);
+    CHECK(name_of(both.candidates[0].mistakes) == "encoded_twice");
+    const DisplayChange& left = both.display.change;
+    CAPTURE(left.encodings(), left.gain, static_cast<int>(left.before), static_cast<int>(left.after));
+    CHECK(left.encodings() == 0);
+    CHECK(std::pow(left.gain, left.after == Code::Same ? 2.4f : 1.0f) == Approx(0.6).epsilon(0.1));
     Scene encoded = document.scene;
     encoded.display.transfer = Transfer::Srgb;
     SceneDocument srgb;
