@@ -26,7 +26,7 @@ DrawnProbes drawn_at(const std::vector<Probe>& probes, const Picture& picture, c
 }
 
 std::optional<Rgb> background_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
-                                 const DisplayChange& change) {
+                                 const DisplayChange& change, double share) {
     const PictureSize size = wrong.size;
     const auto for_each = [&](const auto& take) {
         for (int y = 0; y < size.height; ++y)
@@ -42,8 +42,19 @@ std::optional<Rgb> background_of(const Picture& wrong, const std::vector<PixelKi
         ++all;
     });
     for_each([&](const Rgb& one) { agree += one == colour ? 1 : 0; });
-    if (2 * agree <= all) return std::nullopt;
+    if (static_cast<double>(agree) <= share * static_cast<double>(all)) return std::nullopt;
     return colour;
+}
+
+Ground ground_of(const Picture& wrong, const std::vector<PixelKind>& kinds, const DisplayChange& change) {
+    constexpr double nearly_all = 0.97;
+    constexpr float no_byte = 1000;
+    Ground ground;
+    ground.is_known = std::find(kinds.begin(), kinds.end(), PixelKind::Background) != kinds.end();
+    ground.levels.fill(no_byte);
+    if (const auto colour = background_of(wrong, kinds, change, nearly_all))
+        std::copy(colour->begin(), colour->end(), ground.levels.begin());
+    return ground;
 }
 
 WrongProbes::WrongProbes(const std::vector<Probe>& probes, const Picture& wrong,
@@ -52,7 +63,7 @@ WrongProbes::WrongProbes(const std::vector<Probe>& probes, const Picture& wrong,
         const std::size_t way = way_turned(turned);
         for (const Probe& p : probes)
             at_[way].push_back(rgb_at(wrong, changed_index(turned, wrong.size, p.x, p.y)));
-        ground_[way] = background_of(wrong, kinds, turned).value_or(Rgb{});
+        ground_[way] = ground_of(wrong, kinds, turned);
     }
 }
 
@@ -60,15 +71,15 @@ double excess_at(const DrawnProbes& drawn, const WrongProbes& wrong, const Displ
                  double enough) {
     const ByteRanges ranges = byte_ranges(change);
     const std::vector<Rgb>& mine = wrong.at(change);
-    const Rgb ground = wrong.ground(change);
+    const Ground& ground = wrong.ground(change);
     const std::vector<Rgb>& lows = change.soft ? drawn.low : drawn.at;
     const std::vector<Rgb>& highs = change.soft ? drawn.high : drawn.at;
     double sum = 0;
     for (std::size_t i = 0; i < mine.size() && sum <= enough; ++i)
         for (std::size_t c = 0; c < 3; ++c) {
             const std::size_t k = changed_channel(change, c);
-            const auto bare = static_cast<float>(ground[k]);
-            const ByteRange range = drawn.bare[i] != 0
+            const float bare = ground.levels[k];
+            const ByteRange range = drawn.bare[i] != 0 && ground.is_known
                                         ? ByteRange{bare, bare, bare}
                                         : ByteRange{ranges[lows[i][c]].low, 0, ranges[highs[i][c]].high};
             sum += double(excess_of(range.distance(mine[i][k])));

@@ -33,6 +33,21 @@ using IsBare = std::function<bool(int x, int y)>;
 [[nodiscard]] DrawnProbes drawn_at(const std::vector<Probe>& probes, const Picture& picture,
                                    const IsBare& is_bare);
 
+/// The colour of more than `share`, at least half, of the pixels that show no surface in the scene; nothing
+/// where there is none.
+[[nodiscard]] std::optional<Rgb> background_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
+                                               const DisplayChange& change, double share = 0.5);
+
+/// What the wrong picture must show where a mistake takes the surface away.
+struct Ground {
+    bool is_known = false;  // false: the scene shows no background; what is drawn there is compared
+    std::array<float, 3>
+        levels{};  // of the wrong picture's channels; such as no byte has where its background
+                   // is not one colour, because then it is not this picture's background
+};
+[[nodiscard]] Ground ground_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
+                               const DisplayChange& change);
+
 /// The picture under diagnosis at the probes, for each of the four ways of turning it over.
 class WrongProbes {
   public:
@@ -41,17 +56,14 @@ class WrongProbes {
     [[nodiscard]] const std::vector<Rgb>& at(const DisplayChange& change) const {
         return at_[way_turned(change)];
     }
-    /// Its background: the colour that most of what shows no surface has.
-    [[nodiscard]] Rgb ground(const DisplayChange& change) const { return ground_[way_turned(change)]; }
+    [[nodiscard]] const Ground& ground(const DisplayChange& change) const {
+        return ground_[way_turned(change)];
+    }
 
   private:
     std::array<std::vector<Rgb>, 4> at_;
-    std::array<Rgb, 4> ground_{};
+    std::array<Ground, 4> ground_;
 };
-
-/// The colour of more than half of the pixels that show no surface in the scene; nothing where there is none.
-[[nodiscard]] std::optional<Rgb> background_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
-                                               const DisplayChange& change);
 
 /// A difference up to this is a matter of rounding: it counts nothing.
 inline constexpr float free_levels = 1;

@@ -11,15 +11,16 @@ namespace {
 /// The colours that a picture may show at one pixel, channels in the scene's order.
 class Expected {
   public:
-    Expected(const Picture& drawn, const BareMask* bare, const ByteRanges& ranges, bool soft, Rgb ground)
+    Expected(const Picture& drawn, const BareMask* bare, const ByteRanges& ranges, bool soft,
+             const Ground& ground)
         : drawn_(drawn), bare_(bare), ranges_(ranges), soft_(soft), ground_(ground) {}
 
     [[nodiscard]] std::array<ByteRange, 3> at(int x, int y) const {
         const std::size_t pixel = drawn_.pixel(x, y);
         std::array<ByteRange, 3> expected;
-        if (bare_ != nullptr && !bare_->empty() && (*bare_)[pixel] != 0) {
+        if (bare_ != nullptr && !bare_->empty() && ground_.is_known && (*bare_)[pixel] != 0) {
             for (std::size_t c = 0; c < 3; ++c) {
-                const auto level = static_cast<float>(ground_[c]);
+                const float level = ground_.levels[c];
                 expected[c] = {level, level, level};
             }
             return expected;
@@ -44,7 +45,7 @@ class Expected {
     const BareMask* bare_;
     const ByteRanges& ranges_;
     bool soft_;
-    Rgb ground_;
+    Ground ground_;
 };
 
 void add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std::array<ByteRange, 3>& right,
@@ -105,8 +106,10 @@ bool Score::may_fit() const {
 Exhibit::Exhibit(const Picture& wrong_picture, const Picture& right_picture,
                  const std::vector<PixelKind>& of_pixels)
     : wrong(wrong_picture), right(right_picture), kinds(of_pixels) {
-    for (const DisplayChange& turned : ways_of_turning())
+    for (const DisplayChange& turned : ways_of_turning()) {
         grounds[way_turned(turned)] = background_of(wrong, kinds, turned);
+        bare_grounds[way_turned(turned)] = ground_of(wrong, kinds, turned);
+    }
 }
 
 namespace {
@@ -142,8 +145,8 @@ struct Judgement {
 
 Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change, int step) {
     const ByteRanges ranges = byte_ranges(change);
-    Rgb ground = e.grounds[way_turned(change)].value_or(Rgb{});
-    if (change.red_blue) std::swap(ground[0], ground[2]);
+    Ground ground = e.bare_grounds[way_turned(change)];
+    if (change.red_blue) std::swap(ground.levels[0], ground.levels[2]);
     const Expected explained(drawn.picture, &drawn.bare, ranges, change.soft, ground);
     const Expected right(e.right, nullptr, ranges, change.soft, ground);
     const PictureSize size = e.right.size;

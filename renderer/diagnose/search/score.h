@@ -24,7 +24,9 @@ struct Exhibit {
     const Picture& wrong;
     const Picture& right;
     const std::vector<PixelKind>& kinds;
-    std::array<std::optional<Rgb>, 4> grounds;  // background_of() the wrong picture, by way_turned()
+    // Of the wrong picture, by way_turned():
+    std::array<std::optional<Rgb>, 4> grounds;  // background_of()
+    std::array<Ground, 4> bare_grounds;         // ground_of()
 
     Exhibit(const Picture& wrong_picture, const Picture& right_picture,
             const std::vector<PixelKind>& of_pixels);

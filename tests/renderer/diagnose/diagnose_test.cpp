@@ -170,3 +170,26 @@ TEST_CASE("an experiment shows what it says, and parts the mistakes", "[diagnose
     }
     CHECK(e.shows[0] != e.shows[1]);
 }
+
+TEST_CASE("a picture that shows its object elsewhere is not taken for one that does not draw it",
+          "[diagnose]") {
+    SceneDocument document;
+    Scene& scene = document.scene;
+    Light sun;
+    sun.kind = LightKind::Directional;
+    sun.position = {-1, 1, 1, 0};
+    scene.lights = {sun};
+    Object ball = object_of(primitive(Primitive::Sphere, 48));
+    ball.transform.translate = {-1.6f, 0, 0};  // mirrored it lies where the scene shows background
+    scene.objects = {ball};
+    for (std::size_t m = 0; m < mistake_names().size(); ++m) {
+        if (mistake_names()[m].name != "light_in_wrong_space" && mistake_names()[m].name != "normals_flipped")
+            continue;
+        const Picture wrong = picture_under(scene, {m});
+        if (!differ(wrong, picture_under(scene, {}))) continue;
+        const Diagnosis d = diagnose(document, turned_over(wrong, false, true), {false, 1, {}});
+        REQUIRE(d.verdict == Verdict::Mistake);
+        CHECK(names(d.candidates.front(), {m}));
+        CHECK(d.display.change.mirrored);
+    }
+}
