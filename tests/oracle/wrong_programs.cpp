@@ -116,7 +116,10 @@ bool swapped_coefficients(Scene& scene) {
 
 bool one_sided(Scene& scene) { return std::exchange(scene.shading.two_sided, false); }
 
-bool only_orthographic(Scene& scene) { return is_orthographic(scene.camera.projection); }
+/// Without a local viewer no eye is asked for.
+bool only_orthographic(Scene& scene) {
+    return is_orthographic(scene.camera.projection) && scene.shading.local_viewer;
+}
 
 const std::string falloff = "1.0 / (light.falloff.x + light.falloff.y * r + light.falloff.z * r * r)";
 
