@@ -42,6 +42,7 @@ struct Command {
 [[nodiscard]] Command schema_command();
 [[nodiscard]] Command compare_command();
 [[nodiscard]] Command diagnose_command();
+[[nodiscard]] Command check_command();
 [[nodiscard]] Command bench_command();
 
 /// Those that have a name, in the order of --help.

@@ -1,4 +1,5 @@
 // glint render: one picture.
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -24,7 +25,7 @@ struct RenderArguments {
     bool no_scene = false;
 };
 
-/// So many pixels have eleven buffers in about 2 GiB of memory.
+/// So many pixels have twelve buffers in about 2 GiB of memory.
 constexpr int max_buffer_pixels = 4096 * 4096;
 
 /// By the extension. "-", and a device or pipe whose name has none, take PNG.
@@ -83,6 +84,21 @@ std::string stats_text(const Renderer& renderer, PictureSize size) {
     return json_text(json);
 }
 
+/// A few at a time, because many lights have many.
+void add_buffers(FilesTogether& files, const RenderArguments& arguments, const Renderer& renderer,
+                 const Scene& scene) {
+    const PictureFormat format = buffer_format(format_of(arguments.out));
+    const std::vector<std::string> names = buffer_names(scene);
+    for (std::size_t from = 0; from < names.size(); from += buffers_at_once) {
+        const std::size_t to = std::min(names.size(), from + buffers_at_once);
+        const std::vector<std::string> some(names.begin() + static_cast<std::ptrdiff_t>(from),
+                                            names.begin() + static_cast<std::ptrdiff_t>(to));
+        for (const PixelBuffer& buffer : pixel_buffers(renderer, scene, arguments.size, some))
+            (void)take(
+                files.add(buffer_path(arguments, buffer.name), picture_bytes(buffer.picture, format, 1, {})));
+    }
+}
+
 Outcome render(const RenderArguments& arguments) {
     require_file(arguments.scene);
     require_given(arguments.out, "-o",
@@ -108,10 +124,7 @@ Outcome render(const RenderArguments& arguments) {
     } else {
         (void)take(files.add(arguments.out, std::move(bytes)));
     }
-    if (!arguments.buffers.empty())
-        for (const PixelBuffer& buffer : pixel_buffers(renderer, arguments.size))
-            (void)take(files.add(buffer_path(arguments, buffer.name),
-                                 picture_bytes(buffer.picture, buffer_format(format), 1, {})));
+    if (!arguments.buffers.empty()) add_buffers(files, arguments, renderer, document.scene);
     (void)take(files.put_in_place());
     if (arguments.stats) outcome.output = stats_text(renderer, arguments.size);
     return outcome;

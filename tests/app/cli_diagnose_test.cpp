@@ -1,4 +1,4 @@
-// glint diagnose as a user runs it.
+// glint diagnose and glint check as a user runs them.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -141,4 +141,39 @@ TEST_CASE("glint diagnose writes a page that needs nothing else", "[cli][diagnos
     const std::size_t first = page.out.find(start);
     REQUIRE(first != std::string::npos);
     CHECK(page.out.find(start, first + 1) != std::string::npos);
+}
+
+TEST_CASE("glint check names the first buffer that differs", "[cli][buffers][check]") {
+    const Files files;
+    const TemporaryDirectory buffers;
+    (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});
+    CHECK(run_glint({"check", files.scene, buffers.path("")}).out ==
+          "These agree: position, depth, normal, side, view, l_0, n_dot_l_0, emission, global_ambient, "
+          "ambient_0, diffuse_0, specular_0, ambient, diffuse, specular, sum.\nNothing differs.\n");
+    const Ended wrong = run_glint({"check", files.scene, buffers.path(""), "--set",
+                                   "/lights/0/diffuse=[0.5,0.5,0.5]", "--format", "json"});
+    REQUIRE(wrong.status == 0);
+    const json answer = json::parse(wrong.out);
+    CHECK(answer["differs"]["buffer"] == "diffuse_0");
+    CHECK(answer["agree"].size() == 10);
+    CHECK(answer["differs"]["found"] == "ours times 2");
+}
+
+TEST_CASE("glint check refuses bad input in one line", "[cli][check][bad-input]") {
+    const Files files;
+    const TemporaryDirectory buffers;
+    const auto check = [&](const std::string& directory, int status, const std::string& line) {
+        const Ended ended = run_glint({"check", files.scene, directory});
+        CHECK(ended.status == status);
+        CHECK(ended.out.empty());
+        CHECK(ended.err.starts_with("glint: error: " + line));
+        CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+    };
+    check(buffers.path(""), 1,
+          buffers.path("") + ": holds none of the buffers; expected one of position, depth");
+    (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});
+    const std::string depth = buffers.file("depth.pfm", "PF\n2 2\n-1.0\n" + std::string(48, '\0'));
+    check(buffers.path(""), 1, depth + ": has another size than position; expected 160x120");
+    const std::string position = buffers.file("position.pfm", "PF\n2 2\n-1.0\n");
+    check(buffers.path(""), 1, position + ": ");
 }

@@ -1,64 +1,132 @@
 #include "renderer/inspect/debug_views/buffers.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include <array>
+#include <algorithm>
+#include <functional>
 
 namespace glint {
 namespace {
 
-constexpr std::array names{"position",       "normal",  "depth",   "face",     "side", "emission",
-                           "global_ambient", "ambient", "diffuse", "specular", "sum"};
-using PixelValues = std::array<glm::vec3, names.size()>;
-constexpr std::size_t first_term = 5, last = names.size() - 1;
+using OfPixel = std::function<glm::vec3(const Explanation&)>;
+using OfPoint = std::function<glm::vec3(const ExplainedPoint&)>;
+using OfLight = glm::vec3 (*)(const ExplainedLight&);
 
-void add_terms(PixelValues& values, const ExplainedPoint& at, float weight) {
-    std::array<glm::vec3, 5> terms{at.emission, at.global_ambient, glm::vec3(0), glm::vec3(0), glm::vec3(0)};
-    for (const ExplainedLight& light : at.lights) {
-        terms[2] += light.ambient;
-        terms[3] += light.diffuse;
-        terms[4] += light.specular;
-    }
-    for (std::size_t i = 0; i < terms.size(); ++i) values[first_term + i] += weight * terms[i];
+struct Buffer {
+    std::string name;
+    OfPixel value;
+    bool of_background = false;  // else asked only where a surface shows
+};
+
+/// Blended over the points that were lit.
+OfPixel of_lit_points(const OfPoint& value) {
+    return [value](const Explanation& e) {
+        if (!e.lit_per_corner) return value(e.at);
+        glm::vec3 blended(0);
+        for (const ExplainedCorner& corner : e.corners) blended += corner.weight * value(corner.at);
+        return blended;
+    };
 }
 
-PixelValues values_at(const Renderer& renderer, int x, int y) {
-    PixelValues values{};
-    const Explanation e = renderer.explain(x, y);
-    values[last] = e.sum;
-    if (!e.hit) return values;
-    values[0] = e.at.point.camera;
-    values[1] = e.at.normal.camera;
-    values[2] = glm::vec3(-e.at.point.camera.z);
-    values[3] = glm::vec3(1, static_cast<float>(e.object_index), static_cast<float>(e.face));
-    values[4] = glm::vec3(e.front_facing ? 1 : -1);
-    if (!e.lit_per_corner) add_terms(values, e.at, 1);
-    for (const ExplainedCorner& corner : e.corners) add_terms(values, corner.at, corner.weight);
-    return values;
+OfPixel of_light(int index, OfLight value) {
+    return of_lit_points([index, value](const ExplainedPoint& at) {
+        for (const ExplainedLight& light : at.lights)
+            if (light.index == index) return value(light);
+        return glm::vec3(0);
+    });
+}
+
+OfPixel of_all_lights(OfLight value) {
+    return of_lit_points([value](const ExplainedPoint& at) {
+        glm::vec3 sum(0);
+        for (const ExplainedLight& light : at.lights) sum += value(light);
+        return sum;
+    });
+}
+
+glm::vec3 ambient_of(const ExplainedLight& light) { return light.ambient; }
+glm::vec3 diffuse_of(const ExplainedLight& light) { return light.diffuse; }
+glm::vec3 specular_of(const ExplainedLight& light) { return light.specular; }
+
+void add_geometry(std::vector<Buffer>& all) {
+    all.push_back({"face", [](const Explanation& e) {
+                       return glm::vec3(1, static_cast<float>(e.object_index), static_cast<float>(e.face));
+                   }});
+    all.push_back({"position", [](const Explanation& e) { return e.at.point.camera; }});
+    all.push_back({"depth", [](const Explanation& e) { return glm::vec3(-e.at.point.camera.z); }});
+    all.push_back({"normal", [](const Explanation& e) { return e.at.normal.camera; }});
+    all.push_back({"side", [](const Explanation& e) { return glm::vec3(e.front_facing ? 1 : -1); }});
+}
+
+template <class Add> void for_each_enabled(const Scene& scene, const Add& add) {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        if (scene.lights[i].enabled) add(scene.lights[i], static_cast<int>(i), fmt::format("_{}", i));
+}
+
+void add_directions(std::vector<Buffer>& all, const Scene& scene) {
+    all.push_back({"view", of_lit_points([](const ExplainedPoint& at) { return at.view.camera; })});
+    for_each_enabled(scene, [&all](const Light& light, int i, const std::string& number) {
+        if (light.kind == LightKind::Area) return;
+        all.push_back({"l" + number, of_light(i, [](const ExplainedLight& e) { return e.l.camera; })});
+        all.push_back(
+            {"n_dot_l" + number, of_light(i, [](const ExplainedLight& e) { return glm::vec3(e.n_dot_l); })});
+    });
+}
+
+void add_terms(std::vector<Buffer>& all, const Scene& scene) {
+    all.push_back({"emission", of_lit_points([](const ExplainedPoint& at) { return at.emission; })});
+    all.push_back(
+        {"global_ambient", of_lit_points([](const ExplainedPoint& at) { return at.global_ambient; })});
+    for_each_enabled(scene, [&all](const Light&, int i, const std::string& number) {
+        all.push_back({"ambient" + number, of_light(i, ambient_of)});
+        all.push_back({"diffuse" + number, of_light(i, diffuse_of)});
+        all.push_back({"specular" + number, of_light(i, specular_of)});
+    });
+    all.push_back({"ambient", of_all_lights(ambient_of)});
+    all.push_back({"diffuse", of_all_lights(diffuse_of)});
+    all.push_back({"specular", of_all_lights(specular_of)});
+    all.push_back({"sum", [](const Explanation& e) { return e.sum; }, true});
+}
+
+std::vector<Buffer> all_buffers(const Scene& scene) {
+    std::vector<Buffer> all;
+    add_geometry(all);
+    add_directions(all, scene);
+    add_terms(all, scene);
+    return all;
 }
 
 }  // namespace
 
-std::uint64_t buffers_memory(PictureSize size) {
-    return std::uint64_t{names.size()} * 3 * sizeof(float) * size.pixels();
+std::vector<std::string> buffer_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const Buffer& buffer : all_buffers(scene)) names.push_back(buffer.name);
+    return names;
 }
 
-std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, PictureSize size) {
+std::uint64_t buffers_memory(PictureSize size, std::size_t buffers) {
+    return std::uint64_t{buffers} * 3 * sizeof(float) * size.pixels();
+}
+
+std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, const Scene& scene, PictureSize size,
+                                       const std::vector<std::string>& names) {
+    std::vector<Buffer> wanted = all_buffers(scene);
+    const auto is_unwanted = [&names](const Buffer& b) {
+        return std::find(names.begin(), names.end(), b.name) == names.end();
+    };
+    wanted.erase(std::remove_if(wanted.begin(), wanted.end(), is_unwanted), wanted.end());
     std::vector<PixelBuffer> buffers;
-    const std::size_t pixels = size.pixels();
-    for (const char* name : names) {
-        PixelBuffer buffer;
-        buffer.name = name;
-        buffer.picture.size = size;
-        buffer.picture.linear.resize(3 * pixels);
-        buffers.push_back(std::move(buffer));
-    }
+    for (const Buffer& b : wanted)
+        buffers.push_back({b.name, {size, {}, std::vector(3 * size.pixels(), 0.0f)}});
     tbb::parallel_for(0, size.height, [&](int y) {
         for (int x = 0; x < size.width; ++x) {
-            const PixelValues values = values_at(renderer, x, y);
-            for (std::size_t i = 0; i < names.size(); ++i) {
+            const Explanation e = renderer.explain(x, y);
+            for (std::size_t i = 0; i < wanted.size(); ++i) {
+                if (!e.hit && !wanted[i].of_background) continue;
+                const glm::vec3 value = wanted[i].value(e);
                 float* to = &buffers[i].picture.linear[3 * buffers[i].picture.pixel(x, y)];
-                for (int c = 0; c < 3; ++c) to[c] = values[i][c];
+                for (int c = 0; c < 3; ++c) to[c] = value[c];
             }
         }
     });

@@ -14,18 +14,31 @@ struct PixelBuffer {
     Picture picture;  // `linear` alone is filled: three numbers a pixel
 };
 
-/// The buffers of the last picture, drawn with one sample a pixel; 0 on background unless said. Camera
-/// coordinates, scene units.
-///   position, normal          x, y, z; under flat and gouraud of the pixel's own point, which is not lit
-///   depth                     distance in front of the camera, in all three
+/// The names of a scene's buffers, in the order in which a program makes them. Background has 0 unless said;
+/// camera coordinates, scene units; scalars stand in all three numbers.
 ///   face                      1 where a surface shows, its object's number, its face's number (from 0)
-///   side                      1 front, -1 back, by the winding on the screen, in all three
-///   emission, global_ambient  terms of the sum; under gouraud and flat blended as the colours are
-///   ambient, diffuse, specular  the same, of all lights together
+///   position, depth, normal   of the pixel's own point, which under flat and gouraud is not lit; depth is
+///   the
+///                             distance in front of the camera
+///   side                      1 front, -1 back, by the winding on the screen
+///   view                      unit, to the eye
+///   l_N, n_dot_l_N            unit, to light N of Scene::lights; its cosine, not clamped; not of area lights
+///   emission, global_ambient  terms of the sum
+///   ambient_N, diffuse_N, specular_N  those of light N
+///   ambient, diffuse, specular  those of all lights together
 ///   sum                       the pixel's linear colour before exposure, background too
-[[nodiscard]] std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, PictureSize size);
+/// Lights that are switched off have none. From `view` on, all are blended as colours are where corners are
+/// lit.
+[[nodiscard]] std::vector<std::string> buffer_names(const Scene& scene);
 
-/// The memory that the buffers take, in bytes.
-[[nodiscard]] std::uint64_t buffers_memory(PictureSize size);
+/// Those of `names`, some of buffer_names(), of the last picture, which shows `scene` with one sample a
+/// pixel.
+[[nodiscard]] std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, const Scene& scene,
+                                                     PictureSize size, const std::vector<std::string>& names);
+
+/// So many at once take about as much memory as drawing the picture.
+inline constexpr std::size_t buffers_at_once = 12;
+/// The memory that so many buffers take, in bytes.
+[[nodiscard]] std::uint64_t buffers_memory(PictureSize size, std::size_t buffers = buffers_at_once);
 
 }  // namespace glint

@@ -138,7 +138,7 @@ TEST_CASE("buffers: their terms add up to the picture under every mode", "[buffe
         scene.shading.mode = mode;
         Renderer renderer(2);
         const Picture& picture = renderer.render(scene, size, true);
-        const auto buffers = pixel_buffers(renderer, size);
+        const auto buffers = pixel_buffers(renderer, scene, size, buffer_names(scene));
         const auto buffer = [&](const std::string& name) -> const Picture& {
             const auto found = std::find_if(buffers.begin(), buffers.end(),
                                             [&](const PixelBuffer& b) { return b.name == name; });

@@ -1,0 +1,82 @@
+// glint check: the first step in which another renderer's buffers differ from ours.
+#include "renderer/diagnose/check/check.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "app/arguments.h"
+#include "app/commands/command.h"
+#include "models/memory_limit.h"
+#include "renderer/image/image_file.h"
+
+namespace glint {
+namespace {
+
+enum class Format { Text, Json };
+
+struct CheckArguments {
+    SceneArguments scene;
+    std::string directory;
+    Format format = Format::Text;
+};
+
+std::vector<PixelBuffer> read_buffers(const std::string& directory, const Scene& scene) {
+    std::vector<PixelBuffer> buffers;
+    std::error_code ignored;
+    const std::vector<std::string> names = checked_buffers(scene);
+    for (const std::string& name : names) {
+        const std::string path = (std::filesystem::path(directory) / name).string();
+        for (const auto& [file, read] : {std::pair{path + ".pfm", &read_pfm}, {path + ".exr", &read_exr}}) {
+            if (!std::filesystem::exists(file, ignored)) continue;
+            buffers.push_back({name, take(read(file))});
+            const PictureSize size = buffers.front().picture.size;
+            if (buffers.back().picture.size != size)
+                throw Failure{ExitStatus::Impossible,
+                              {file, "", "has another size than " + buffers.front().name,
+                               fmt::format("{}x{}", size.width, size.height)}};
+            break;
+        }
+    }
+    if (buffers.empty())
+        throw Failure{ExitStatus::Impossible,
+                      {directory, "", "holds none of the buffers",
+                       fmt::format("one of {}, .pfm or .exr", fmt::join(names, ", "))}};
+    return buffers;
+}
+
+Outcome check(const CheckArguments& arguments) {
+    require_file(arguments.scene);
+    require_given(arguments.directory, "DIR", "a directory with buffers as render --buffers writes them");
+    const SceneDocument document = open_scene(arguments.scene);
+    const std::vector<PixelBuffer> buffers = read_buffers(arguments.directory, document.scene);
+    const MemoryShare share(
+        memory_need(MemoryUse::Pixels, buffers_memory(buffers.front().picture.size, buffers.size() + 1)));
+    const BufferCheck found = check_buffers(document, buffers, arguments.scene.threads);
+    return {arguments.format == Format::Json ? check_json(found) : check_text(found), document.warnings,
+            ExitStatus::Done};
+}
+
+Run declare(Options& options) {
+    auto arguments = std::make_shared<CheckArguments>();
+    add_scene(options, arguments->scene);
+    add_text(options, "DIR", "",
+             "a directory with buffers of another program, as render --buffers writes them",
+             arguments->directory);
+    options.add_value("--format", "FORMAT", "text, the default, or json",
+                      [&format = arguments->format](const std::string& text) {
+                          format = static_cast<Format>(read_word("--format", text, {"text", "json"}));
+                      });
+    return [arguments] { return check(*arguments); };
+}
+
+}  // namespace
+
+Command check_command() {
+    return {"check", "FILE DIR", "finds the first step in which another program's buffers differ",
+            "glint check teapot.json my-buffers", declare};
+}
+
+}  // namespace glint

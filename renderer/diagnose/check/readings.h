@@ -1,0 +1,42 @@
+#pragma once
+// What the numbers of a wrong buffer are: the right ones in another frame, turned round, of another length.
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+/// A point that was lit, or the pixel's own. Camera coordinates.
+struct ReadAt {
+    double weight = 1;  // in the pixel's blend
+    glm::dvec3 position{0}, normal{0}, view{0};
+    glm::dvec3 to_light{0};  // unit; 0 where the buffer is of no light
+    double distance = 0;     // to the light; 0: it is directional
+    glm::dmat4 world_from_object{1};
+};
+
+/// One pixel of a wrong buffer.
+struct ReadPoint {
+    glm::vec3 mine{0}, ours{0};  // what the buffer has, and what it should have
+    std::vector<ReadAt> at;      // what is blended
+};
+
+struct Frames {
+    glm::dmat4 view_from_world{1}, clip_from_view{1};
+};
+
+/// What kind of numbers a buffer holds.
+enum class BufferKind { Point, Depth, Normal, View, ToLight, Cosine, Color };
+/// By its name: "l_3" is ToLight.
+[[nodiscard]] BufferKind buffer_kind(const std::string& name);
+/// The light of "l_3", "n_dot_l_3": 3; -1 of a buffer that is of no one light.
+[[nodiscard]] int buffer_light(const std::string& name);
+
+/// In words, what the buffer has in place of the right numbers: "ours times V transposed: they were left in
+/// world coordinates". Empty where no reading gives nearly all of them.
+[[nodiscard]] std::string reading_of(BufferKind kind, const std::vector<ReadPoint>& points,
+                                     const Frames& frames);
+
+}  // namespace glint

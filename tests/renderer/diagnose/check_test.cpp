@@ -1,0 +1,196 @@
+// Wrong buffers are named by what they are instead.
+#include "renderer/diagnose/check/check.h"
+
+#include <functional>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "renderer/renderer.h"
+#include "tests/renderer/diagnose/wrong_pictures.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+/// A turned and squashed torus before a camera that stands aside.
+SceneDocument torus_scene() {
+    SceneDocument document;
+    Scene& scene = document.scene;
+    scene.camera.eye = {2, 1.5f, 3};
+    scene.lights = assorted_lights();
+    Object torus = object_of(primitive(Primitive::Torus, 48));
+    torus.transform = {{0.2f, 0.1f, 0}, {20, 30, 40}, {1, 0.6f, 0.8f}};
+    scene.objects = {torus};
+    return document;
+}
+
+/// What a wrong program has at a pixel in place of the right number.
+using Change = std::function<glm::dvec3(glm::dvec3 right, const Explanation& e)>;
+
+/// What is said of one buffer whose numbers were changed so wherever a surface shows.
+std::string found_in(const SceneDocument& document, const std::string& name, const Change& change) {
+    Renderer renderer(1);
+    (void)renderer.render(document.scene, diagnosed_size, true);
+    std::vector<PixelBuffer> buffers =
+        pixel_buffers(renderer, document.scene, diagnosed_size, buffer_names(document.scene));
+    for (PixelBuffer& b : buffers) {
+        if (b.name != name) continue;
+        for (int y = 0; y < diagnosed_size.height; ++y)
+            for (int x = 0; x < diagnosed_size.width; ++x) {
+                if (renderer.object_at(x, y) < 0) continue;
+                const glm::vec3 changed(change(b.picture.linear_at(x, y), renderer.explain(x, y)));
+                for (int c = 0; c < 3; ++c)
+                    b.picture.linear[3 * b.picture.pixel(x, y) + std::size_t(c)] = changed[c];
+            }
+    }
+    const BufferCheck check = check_buffers(document, buffers, 1);
+    if (!check.differs) return "nothing";
+    CHECK(check.differs->name == name);
+    return check.differs->found;
+}
+
+/// The same in the torus's scene, when the change does not depend on the pixel.
+std::string found_in(const std::string& name, const std::function<glm::dvec3(glm::dvec3)>& change) {
+    return found_in(torus_scene(), name, [&](glm::dvec3 right, const Explanation&) { return change(right); });
+}
+
+bool says(const std::string& found, const std::string& words) {
+    INFO(found);
+    return found.find(words) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("right buffers agree", "[diagnose][check]") {
+    CHECK(found_in("normal", [](glm::dvec3 n) { return n; }) == "nothing");
+}
+
+TEST_CASE("vectors in another frame are named by the transform that is missing", "[diagnose][check]") {
+    const Scene scene = torus_scene().scene;
+    const glm::dmat4 world_from_camera = world_from_view(scene.camera);
+    const glm::dmat4 object_from_world = glm::inverse(world_from_object(scene.objects[0].transform));
+    const glm::dmat4 clip = clip_from_view(scene.camera.projection, diagnosed_size);
+    const glm::dmat3 camera_turn(world_from_camera);
+    CHECK(
+        says(found_in("normal", [&](glm::dvec3 n) { return camera_turn * n; }), "left in world coordinates"));
+    CHECK(says(found_in("normal", [](glm::dvec3 n) { return -n; }), "turned round"));
+    CHECK(says(found_in("normal", [](glm::dvec3 n) { return 2.5 * n; }), "ours, not of length 1"));
+    // A normal of the object is a row vector times the matrix of the points: n M, made unit.
+    const glm::dmat3 model(world_from_object(scene.objects[0].transform));
+    const auto of_object = [&](glm::dvec3 n) { return glm::normalize((camera_turn * n) * model); };
+    CHECK(says(found_in("normal", of_object), "left in object coordinates"));
+    CHECK(says(found_in("normal", [&](glm::dvec3 n) { return glm::normalize(glm::dmat3(clip) * n); }),
+               "clip coordinates"));
+    CHECK(says(found_in("normal",
+                        [&](glm::dvec3 n) {
+                            return glm::normalize(glm::transpose(camera_turn) * (model * of_object(n)));
+                        }),
+               "in place of its inverse transpose"));
+    const auto world = [&](glm::dvec3 p) { return glm::dvec3(world_from_camera * glm::dvec4(p, 1)); };
+    CHECK(says(found_in("position", world), "left in world coordinates"));
+    CHECK(
+        says(found_in("position",
+                      [&](glm::dvec3 p) { return glm::dvec3(object_from_world * glm::dvec4(world(p), 1)); }),
+             "left in object coordinates"));
+    CHECK(says(found_in("position", [&](glm::dvec3 p) { return glm::dvec3(clip * glm::dvec4(p, 1)); }),
+               "clip coordinates, not divided by w"));
+    CHECK(says(found_in("position", [&](glm::dvec3 p) { return glm::transpose(camera_turn) * world(p); }),
+               "translation is missing"));
+    CHECK(says(found_in("depth", [](glm::dvec3 d) { return -d; }), "turned round"));
+}
+
+TEST_CASE("a term that is a multiple is named by its factor, and what nothing explains by nothing",
+          "[diagnose][check]") {
+    CHECK(found_in("diffuse", [](glm::dvec3 d) { return d / 4.0; }) == "ours times 0.25");
+    CHECK(found_in("normal", [](glm::dvec3 n) { return glm::dvec3(n.y * n.y, n.x, 0.3); }).empty());
+}
+
+TEST_CASE("the eye and the light in one frame and the point in another are named", "[diagnose][check]") {
+    const SceneDocument document = torus_scene();
+    const Scene& scene = document.scene;
+    const glm::dmat4 world_from_camera = world_from_view(scene.camera);
+    const glm::dmat4 object_from_camera =
+        glm::inverse(world_from_object(scene.objects[0].transform)) * world_from_camera;
+    const glm::dmat4 clip_from_camera = clip_from_view(scene.camera.projection, diagnosed_size);
+    const std::pair<std::string, glm::dmat4> frames[] = {{"object coordinates", object_from_camera},
+                                                         {"world coordinates", world_from_camera},
+                                                         {"camera coordinates", glm::dmat4(1)},
+                                                         {"clip coordinates", clip_from_camera}};
+    const auto in = [](const glm::dmat4& frame, glm::dvec3 point) {
+        return glm::dvec3(frame * glm::dvec4(point, 1));
+    };
+    // The lamp is at a place; where it is in camera coordinates is worked out from the scene.
+    REQUIRE(scene.lights[2].kind == LightKind::Spot);
+    REQUIRE(scene.lights[2].space == LightSpace::World);
+    const glm::dvec3 light = in(glm::inverse(world_from_camera), glm::vec3(scene.lights[2].position));
+    for (const auto& [head_name, head] : frames)
+        for (const auto& [point_name, point] : frames) {
+            if (head_name == point_name && head_name == "camera coordinates") continue;
+            const auto wrong = [&](glm::dvec3 from_head) {
+                return [&, from_head](glm::dvec3, const Explanation& e) {
+                    return glm::normalize(in(head, from_head) - in(point, e.at.point.camera));
+                };
+            };
+            const std::string view = found_in(document, "view", wrong(glm::dvec3(0)));
+            const std::string to_light = found_in(document, "l_2", wrong(light));
+            if (head_name == point_name) {
+                CHECK(says(view, head_name));
+                CHECK(says(to_light, head_name));
+            } else {
+                CHECK(says(view, "from the point in " + point_name + " to the eye in " + head_name));
+                CHECK(says(to_light, "from the point in " + point_name + " to the light in " + head_name));
+            }
+        }
+}
+
+TEST_CASE("a cosine of a normal and a light in different frames is named", "[diagnose][check]") {
+    const SceneDocument document = torus_scene();
+    const Scene& scene = document.scene;
+    const glm::dmat3 world_from_camera(world_from_view(scene.camera));
+    const glm::dmat3 object_from_world =
+        glm::inverse(glm::dmat3(world_from_object(scene.objects[0].transform)));
+    const glm::dmat3 clip(clip_from_view(scene.camera.projection, diagnosed_size));
+    // Normals are row vectors times the matrices of points.
+    const auto normals = [&](glm::dvec3 n) {
+        return std::vector<std::pair<std::string, glm::dvec3>>{
+            {"object", glm::normalize((world_from_camera * n) * glm::inverse(object_from_world))},
+            {"world", world_from_camera * n},
+            {"camera", n},
+            {"clip", glm::normalize(clip * n)}};
+    };
+    const auto directions = [&](glm::dvec3 l) {
+        return std::vector<std::pair<std::string, glm::dvec3>>{
+            {"object", glm::normalize(object_from_world * world_from_camera * l)},
+            {"world", world_from_camera * l},
+            {"camera", l},
+            {"clip", glm::normalize(clip * l)}};
+    };
+    for (std::size_t n = 0; n < 4; ++n)
+        for (std::size_t l = 0; l < 4; ++l) {
+            if ((n == 1 || n == 2) && n == l) continue;  // a rotation of both changes nothing
+            const std::string found = found_in(document, "n_dot_l_0", [&](glm::dvec3, const Explanation& e) {
+                return glm::dvec3(glm::dot(normals(e.at.normal.camera)[n].second,
+                                           directions(e.at.lights[0].l.camera)[l].second));
+            });
+            CHECK(says(found, "of n in " + normals({0, 0, 1})[n].first + " coordinates and l in " +
+                                  directions({0, 0, 1})[l].first + " coordinates"));
+        }
+}
+
+TEST_CASE("what corners hand on is read at the corners", "[diagnose][check]") {
+    SceneDocument document = torus_scene();
+    document.scene.shading.mode = ShadingMode::Gouraud;
+    const glm::dmat3 world_from_camera(world_from_view(document.scene.camera));
+    const auto left_in_world = [&](glm::dvec3 l, const Explanation&) { return world_from_camera * l; };
+    CHECK(says(found_in(document, "l_0", left_in_world), "left in world coordinates"));
+    const auto absolute = [](glm::dvec3, const Explanation& e) {
+        double sum = 0;
+        for (const ExplainedCorner& c : e.corners)
+            sum += double(c.weight) * double(std::abs(c.at.lights[2].n_dot_l));
+        return glm::dvec3(sum);
+    };
+    CHECK(says(found_in(document, "n_dot_l_2", absolute), "without its sign"));
+}
