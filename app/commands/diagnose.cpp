@@ -5,14 +5,17 @@
 
 #include <memory>
 #include <optional>
+#include <sstream>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "app/progress.h"
 #include "models/io/file.h"
 #include "models/memory_limit.h"
+#include "models/scene/mistakes.h"
 #include "renderer/diagnose/diagnosis_format.h"
 #include "renderer/diagnose/diagnosis_table.h"
+#include "renderer/diagnose/experiment.h"
 #include "renderer/image/image_file.h"
 
 namespace glint {
@@ -25,6 +28,7 @@ struct DiagnoseArguments {
     std::vector<std::string> pictures;
     std::string out;
     bool pairs = false;
+    std::vector<MistakeSet> apart;  // to be told apart, without a picture
     Format format = Format::Text;
 };
 
@@ -114,8 +118,35 @@ std::string formatted(const std::vector<DiagnosedPicture>& all, Format format,
     return text;  // not reached
 }
 
+/// "a,b": two to four mistakes of the catalogue.
+std::vector<MistakeSet> read_mistakes(const std::string& option, const std::string& text) {
+    constexpr std::size_t most = 4;
+    std::vector<std::string> known;
+    for (const MistakeName& m : mistake_names()) known.emplace_back(m.name);
+    std::vector<MistakeSet> mistakes;
+    std::istringstream names(text);
+    for (std::string name; std::getline(names, name, ',');)
+        mistakes.push_back({read_word(option, name, known)});
+    if (mistakes.size() < 2 || mistakes.size() > most)
+        throw wrong_usage(option, fmt::format("names {}", mistakes.size()), "two to four, commas between");
+    return mistakes;
+}
+
+/// Which change of the scene tells mistakes apart.
+Outcome tell_apart(const DiagnoseArguments& arguments) {
+    constexpr PictureSize size{640, 480};
+    if (!arguments.pictures.empty()) throw wrong_usage("--apart", "is asked of a scene alone", "no PICTURE");
+    if (arguments.format != Format::Text && arguments.format != Format::Json)
+        throw wrong_usage("--apart", "gives no table", "--format text or json");
+    const SceneDocument document = open_scene(arguments.scene);
+    const auto found = find_experiment(document, size, arguments.apart, arguments.scene.threads);
+    return {arguments.format == Format::Json ? experiment_json(found) : experiment_text(found),
+            document.warnings, ExitStatus::Done};
+}
+
 Outcome diagnose(const DiagnoseArguments& arguments) {
     require_file(arguments.scene);
+    if (!arguments.apart.empty()) return tell_apart(arguments);
     require_given(arguments.pictures.empty() ? "" : arguments.pictures.front(), "PICTURE",
                   "a picture of the scene that another program drew");
     require_one_picture_for_a_sheet(arguments);
@@ -131,6 +162,9 @@ Run declare(Options& options) {
         "PICTURE", "pictures of it by any program, of any size (.png .pfm .exr)",
         [&pictures = arguments->pictures](const std::string& text) { pictures.push_back(text); });
     options.add_flag("--pairs", arguments->pairs, "also looks for two mistakes at once");
+    options.add_value(
+        "--apart", "A,B", "without PICTURE: how the scene tells these mistakes apart",
+        [&apart = arguments->apart](const std::string& text) { apart = read_mistakes("--apart", text); });
     options.add_value(
         "--format", "FORMAT", "text, the default, json, csv or html (a page with small pictures)",
         [&format = arguments->format](const std::string& text) {

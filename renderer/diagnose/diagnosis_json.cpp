@@ -43,7 +43,7 @@ JsonValue candidate_json(const Candidate& c) {
     return json;
 }
 
-JsonValue experiment_json(const Experiment& e) {
+JsonValue answer_json(const Experiment& e) {
     JsonValue json;
     JsonValue& set = json["set"] = JsonValue::array();
     for (const Assignment& a : e.set) set.push_back(a.pointer + "=" + a.json);
@@ -84,7 +84,7 @@ JsonValue answer_json(const Diagnosis& d, const Scene& scene) {
     JsonValue& candidates = json["candidates"] = JsonValue::array();
     for (const Candidate& c : d.candidates) candidates.push_back(candidate_json(c));
     if (d.verdict == Verdict::NotInCatalogue) json["difference"] = difference_json(d, scene);
-    json["experiment"] = d.experiment ? experiment_json(*d.experiment) : JsonValue();
+    json["experiment"] = d.experiment ? answer_json(*d.experiment) : JsonValue();
     return json;
 }
 
@@ -92,6 +92,10 @@ JsonValue answer_json(const Diagnosis& d, const Scene& scene) {
 
 std::string diagnosis_json(const Diagnosis& d, const Scene& scene) {
     return json_text(answer_json(d, scene));
+}
+
+std::string experiment_json(const std::optional<Experiment>& experiment) {
+    return json_text(experiment ? answer_json(*experiment) : JsonValue());
 }
 
 std::string diagnoses_json(const std::vector<DiagnosedPicture>& pictures, const Scene& scene) {

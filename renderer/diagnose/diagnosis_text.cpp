@@ -52,13 +52,14 @@ std::string candidate_lines(const Candidate& c) {
     return text;
 }
 
+/// "draw it with --set ...: pixel 4,2 is then a (1, 2, 3), with b (4, 5, 6).\n"
 std::string experiment_line(const Experiment& e) {
     std::vector<std::string> options, shows;
     for (const Assignment& a : e.set) options.push_back(fmt::format("--set {}={}", a.pointer, a.json));
     for (std::size_t i = 0; i < e.shows.size(); ++i)
         shows.push_back(fmt::format("{} {}", name_of(e.mistakes[i]), text_of(e.shows[i])));
-    return fmt::format("To be sure, draw it with {}: pixel {},{} is then {}.\n", fmt::join(options, " "),
-                       e.pixel.x, e.pixel.y, fmt::join(shows, ", with "));
+    return fmt::format("draw it with {}: pixel {},{} is then {}.\n", fmt::join(options, " "), e.pixel.x,
+                       e.pixel.y, fmt::join(shows, ", with "));
 }
 
 std::string difference_lines(const Diagnosis& d, const Scene& scene) {
@@ -126,13 +127,18 @@ std::string display_text(const DisplayFinding& display) {
     return fmt::format("{}", fmt::join(words, "; "));
 }
 
+std::string experiment_text(const std::optional<Experiment>& experiment) {
+    return experiment ? "To tell them apart, " + experiment_line(*experiment)
+                      : "No change that is tried tells them apart by more than a level.\n";
+}
+
 std::string diagnosis_text(const Diagnosis& d, const Scene& scene) {
     std::string text = verdict_line(d) + "\n";
     if (d.verdict == Verdict::NotComparable) return text;
     if (const std::string display = display_text(d.display); !display.empty())
         text += "Taken away first, as no mistake of lighting: " + display + ".\n";
     if (d.verdict == Verdict::Mistake) text += candidate_lines(d.candidates.front());
-    if (d.experiment) text += experiment_line(*d.experiment);
+    if (d.experiment) text += "To be sure, " + experiment_line(*d.experiment);
     if (d.verdict == Verdict::NotInCatalogue) text += difference_lines(d, scene);
     return text;
 }

@@ -143,6 +143,29 @@ TEST_CASE("glint diagnose writes a page that needs nothing else", "[cli][diagnos
     CHECK(page.out.find(start, first + 1) != std::string::npos);
 }
 
+TEST_CASE("glint diagnose --apart says which pixel tells mistakes apart", "[cli][diagnose]") {
+    const Files files;
+    const std::string names[] = {"view_reversed", "viewer_at_origin_of_world"};
+    const json found = json::parse(
+        run_glint({"diagnose", files.scene, "--apart", names[0] + "," + names[1], "--format", "json"}).out);
+    const std::string pixel = found["pixel"][0].dump() + "," + found["pixel"][1].dump();
+    for (std::size_t i = 0; i < 2; ++i) {  // what the scene shows there when it is drawn so
+        CHECK(found["shows"][i]["name"] == names[i]);
+        const Ended drawn = run_glint({"explain", files.scene, "--size", "640x480", "--pixel", pixel, "--set",
+                                       found["set"][0].get<std::string>(), "--set",
+                                       "/shading/mistakes/" + names[i] + "=true", "--format", "json"});
+        CHECK(json::parse(drawn.out)["byte"] == found["shows"][i]["color"]);
+    }
+    CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed,view_reversed"}).out ==
+          "No change that is tried tells them apart by more than a level.\n");
+    CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed"}).err ==
+          "glint: error: --apart: names 1; expected two to four, commas between\n");
+    CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed,x"})
+              .err.starts_with("glint: error: --apart: x is not known; expected "));
+    CHECK(run_glint({"diagnose", files.scene, "a.png", "--apart", "view_reversed,missing_pi"}).err ==
+          "glint: error: --apart: is asked of a scene alone; expected no PICTURE\n");
+}
+
 TEST_CASE("glint check names the first buffer that differs", "[cli][buffers][check]") {
     const Files files;
     const TemporaryDirectory buffers;
