@@ -1,6 +1,10 @@
 // glint mistakes, as a user runs it.
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <string>
+#include <vector>
 
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
@@ -23,6 +27,50 @@ TEST_CASE("glint mistakes lists what a scene can switch on, as text and as JSON"
         scene += (scene.back() == '{' ? "\"" : ", \"") + name + "\": true";
     }
     CHECK(run_glint({"info", "-"}, scene + "}}}").status == 0);
+}
+
+namespace {
+
+std::string text_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// "--set 'a' --set 'b'": a, b.
+std::vector<std::string> settings_in(const std::string& line) {
+    std::vector<std::string> words;
+    const std::regex form("--set '([^']*)'");
+    for (std::sregex_iterator at(line.begin(), line.end(), form), end; at != end; ++at)
+        words.insert(words.end(), {"--set", (*at)[1].str()});
+    return words;
+}
+
+}  // namespace
+
+TEST_CASE("docs/diagnose.md shows every mistake as it is drawn now", "[cli][mistakes][docs]") {
+    const std::string docs = std::string(GLINT_SOURCE_DIR) + "/docs/";
+    const std::string page = text_of(docs + "diagnose.md");
+    const TemporaryDirectory directory;
+    const auto all = nlohmann::json::parse(run_glint({"mistakes", "--format", "json"}).out)["mistakes"];
+    for (const auto& mistake : all) {
+        const std::string name = mistake["name"];
+        CAPTURE(name);
+        const std::size_t begin = page.find("\n### " + name + "\n");
+        REQUIRE(begin != std::string::npos);
+        const std::string entry = page.substr(begin, page.find("\n### ", begin + 1) - begin);
+        CHECK(entry.find(std::string(mistake["does"]) + " **" + std::string(mistake["looks"]) + "**") !=
+              std::string::npos);
+        for (const std::string alike : mistake["look_alikes"])
+            CHECK(entry.find("[`" + alike + "`]") != std::string::npos);
+        const std::string drawn = directory.path(name + ".png");
+        std::vector<std::string> line{"render", docs + "museum.json", "--size", "288x216", "-o", drawn};
+        const auto settings = settings_in(entry.substr(0, entry.find("Looks like")));
+        CHECK(settings.back() == "/shading/mistakes/" + name + "=true");
+        line.insert(line.end(), settings.begin(), settings.end());
+        REQUIRE(run_glint(line).status == 0);
+        const std::string shown = docs + "pictures/museum/" + name + ".png";
+        CHECK(nlohmann::json::parse(run_glint({"compare", shown, drawn}).out)["max_error"] == 0);
+    }
 }
 
 TEST_CASE("a pixel that is no number is explained as JSON all the same, and black in bytes",

@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""Writes docs/diagnose.md and its pictures: every mistake of the catalogue beside the right picture.
+
+usage: docs/make_museum.py [GLINT]      GLINT: the program, build/release/app/glint unless given
+
+What is said of a mistake comes from `glint mistakes`, the experiment from `glint diagnose`; only the scene in which
+it shows is chosen here.
+"""
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+docs = Path(__file__).resolve().parent
+glint = sys.argv[1] if len(sys.argv) > 1 else str(docs.parent / "build/release/app/glint")
+room = "docs/museum.json"
+size = "288x216"
+
+# What is changed in the room so that the mistake shows; mistakes that show in it as it is have no line.
+sun_alone = {"/lights/1/enabled": False, "/lights/2/enabled": False}
+ball = "/objects/1"
+changes = {
+    "light_direction_reversed": sun_alone,
+    "direction_is_position": sun_alone,
+    "falloff_of_directional": {"/lights/0/falloff": {"constant": 1, "linear": 0.3, "quadratic": 0.1}},
+    "perspective_view_in_ortho": {"/camera/projection": {"type": "orthographic", "height": 4, "near": 0.1, "far": 50}},
+    "power_zero_is_nan": {ball + "/material/shininess": 0},
+    "bytes_wrap": {"/display/exposure": 2},
+    "clamp_each_light": {"/lights/0/intensity": 2},
+    "cross_reversed": {"/objects/1/normals/source": "vertex", "/objects/3/normals/source": "vertex"},
+    "specular_behind_surface": {"/lights/0/position": [-1, 0.3, -3, 0], "/lights/0/specular": [1, 1, 1],
+                                ball + "/material/shininess": 3, "/objects/2/material/shininess": 3},
+    "unnormalized_half": {"/shading/reflection": "blinn-phong", ball + "/material/shininess": 12},
+    "half_angle_with_phong_shininess": {ball + "/material/shininess": 12, "/objects/2/material/shininess": 20},
+    "ambient_per_light_added_twice": {"/lights/0/ambient": [0.12, 0.12, 0.12]},
+    "flipped_by_view": {"/shading/two_sided": False},
+    "interpolated_normals_not_normalized": {ball + "/mesh/detail": 8, "/objects/2/mesh/detail": 8},
+    "reflect_sign": {ball + "/material/shininess": 8, "/objects/3/material/shininess": 8},
+    "reflect_of_difference": {ball + "/material/shininess": 8, "/objects/3/material/shininess": 8},
+    "view_reversed": {ball + "/material/shininess": 8, "/objects/3/material/shininess": 8},
+}
+
+
+def run(*arguments):
+    return subprocess.run([glint, *arguments], check=True, capture_output=True, text=True, cwd=docs.parent).stdout
+
+
+def options(settings):
+    return [word for pointer, value in settings.items() for word in ("--set", f"{pointer}={json.dumps(value, separators=(',', ':'))}")]
+
+
+def picture(name, settings):
+    path = f"docs/pictures/museum/{name}.png"
+    run("render", room, "-o", path, "--size", size, "--no-scene", *options(settings))
+    return path
+
+
+def mistaken(name):
+    return {**changes.get(name, {}), f"/shading/mistakes/{name}": True}
+
+
+def pictures(mistake):
+    """The wrong picture, and the right one beside it: that of the room where nothing is changed."""
+    wrong = picture(mistake["name"], mistaken(mistake["name"]))
+    changed = changes.get(mistake["name"], {})
+    right = picture(mistake["name"] + "-right", changed) if changed else "docs/pictures/museum/right.png"
+    return Path(right).relative_to("docs"), Path(wrong).relative_to("docs")
+
+
+def apart(settings, names):
+    answer = run("diagnose", room, *options(settings), "--apart", ",".join(names), "--format", "json")
+    found = json.loads(answer)
+    if found is None:
+        return None
+    shows = ", ".join(f"`{s['name']}` {tuple(s['color'])}" for s in found["shows"])
+    return f"`--set {found['set'][0]}`, and at pixel {found['pixel'][0]},{found['pixel'][1]} of 640x480 stand {shows}."
+
+
+def experiment(mistake):
+    names = [mistake["name"], *mistake["look_alikes"][:3]]
+    settings = changes.get(mistake["name"], {})
+    found = apart(settings, names)
+    if found:
+        return "To tell them apart: " + found
+    other = {"/shading/reflection": "blinn-phong"}
+    found = apart({**settings, **other}, names)
+    return "Under Phong's highlights they are the same; under `--set /shading/reflection=blinn-phong`: " + found
+
+
+def link(name):
+    return f"[`{name}`](#{name})"
+
+
+def entry(mistake):
+    right, wrong = pictures(mistake)
+    name = mistake["name"]
+    settings = " ".join(f"--set '{word}'" for word in options(mistaken(name))[1::2])
+    alike = ", ".join(map(link, mistake["look_alikes"]))
+    lines = [f"### {name}", "",
+             f"{mistake['does']} **{mistake['looks']}**", "",
+             "| right | wrong |", "|---|---|", f"| ![The room]({right}) | ![The room under {name}]({wrong}) |", "",
+             f"`glint docs/museum.json {settings}`", ""]
+    if alike:
+        lines += [f"Looks like {alike}. {experiment(mistake)}", ""]
+    return lines + [f"Asked in {'; '.join(mistake['sources'])}.", ""] if mistake["sources"] else lines
+
+
+def museum():
+    run("render", room, "-o", "docs/pictures/museum/right.png", "--size", size, "--no-scene")
+    lines, catalogue = [], json.loads(run("mistakes", "--format", "json"))["mistakes"]
+    for group in dict.fromkeys(m["seen_as"] for m in catalogue):
+        lines += [f"## {group}", ""]
+        for mistake in catalogue:
+            if mistake["seen_as"] == group:
+                lines += entry(mistake)
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    (docs / "pictures/museum").mkdir(exist_ok=True)
+    page = docs / "diagnose.md"
+    marker = "<!-- what follows is written by make_museum.py -->\n"
+    page.write_text(page.read_text().split(marker)[0] + marker + "\n" + museum())
