@@ -62,7 +62,7 @@ void require_writable(const std::string& out);
 /// has no extension.
 [[nodiscard]] bool takes_png(const std::string& out);
 
-/// Throws the Failure of a `-o` that is no PNG file: one beside the answer on standard output.
+/// Throws the Failure of a `-o` that is not a PNG file: one beside the answer on standard output.
 void require_png_file(const std::string& out);
 
 }  // namespace glint

@@ -115,6 +115,13 @@ glm::vec3 ObjectGeometry::position(std::uint32_t index) const {
     return glm::vec3(not_too_far(glm::dvec3(view_from_object * object)));
 }
 
+glm::dvec3 ObjectGeometry::centroid(std::uint32_t face) const {
+    const auto around = mesh->corners_of(face);
+    glm::dvec3 sum(0);
+    for (const std::uint32_t p : around) sum += glm::dvec3(position(p));
+    return sum / static_cast<double>(around.size());
+}
+
 std::uint32_t Geometry::object_of(std::uint32_t triangle) const {
     const auto after =
         std::upper_bound(objects.begin(), objects.end(), triangle,

@@ -34,6 +34,8 @@ struct ObjectGeometry {
     /// A position of the mesh in camera coordinates; one farther than `max_distance`, as far in the same
     /// direction.
     [[nodiscard]] glm::vec3 position(std::uint32_t index) const;
+    /// The mean of a polygon's corners in camera coordinates.
+    [[nodiscard]] glm::dvec3 centroid(std::uint32_t face) const;
 };
 
 struct Geometry {

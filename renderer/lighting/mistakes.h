@@ -141,7 +141,7 @@ void apply_response_mistakes(const Mistakes& wrong, int power_table, Reflection 
 }
 
 /// pow(0, 0) as GLSL leaves it open: where the highlight is not dropped, its cosine is 0 once clamped, and
-/// the shininess is 0, S and all that it goes into are no number.
+/// the shininess is 0, S and all that it goes into are not numbers.
 template <Number F>
 void apply_undefined_power(const Mistakes& wrong, Reflection model, const Directions<F>& d,
                            const MaterialAt<F>& m, Vec3<F>& response, Vec3<F>* specular) {

@@ -21,11 +21,7 @@ glm::dvec4 first_light(const std::vector<LightSource>& sources) {
 }
 
 bool faces_away(const ObjectGeometry& object, std::uint32_t face, glm::dvec3 n, glm::dvec4 light) {
-    const auto around = object.mesh->corners_of(face);
-    glm::dvec3 sum(0);
-    for (const std::uint32_t p : around) sum += glm::dvec3(object.position(p));
-    const glm::dvec3 centroid = sum / static_cast<double>(around.size());
-    return !(glm::dot(n, glm::dvec3(light) - light.w * centroid) > 0);
+    return !(glm::dot(n, glm::dvec3(light) - light.w * object.centroid(face)) > 0);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace glint {
 void light_blocks(const std::vector<LightJob>& jobs, const Surface& s, std::size_t first, std::size_t count,
                   const ColorBlock* partial_sums, ColorBlock* colors) {
     for (std::size_t i = 0; i < count;) {  // neighbouring blocks of one object go in one call
-        const std::size_t same = s.count_of_one_object(first + i, first + count);
+        const std::size_t same = s.blocks_of_one_object(first + i, first + count);
         lighting_kernels().light(jobs[s.point_object[first + i]], &s.points[first + i],
                                  partial_sums ? partial_sums + i : nullptr, colors + i, same);
         i += same;

@@ -92,7 +92,7 @@ void interpolate_pixels(Surface& s, const Geometry& g, const Visibility& visibil
                 ++r;
                 continue;
             }
-            const std::size_t count = s.count_of_one_object(r, std::min(range.end(), r + max_together));
+            const std::size_t count = s.blocks_of_one_object(r, std::min(range.end(), r + max_together));
             place_together(s, g, visibility, r, count);
             r += count;
         }

@@ -133,7 +133,7 @@ void blend_one_by_one(PerVertex& vertices, const Surface& s, const Geometry& g, 
             vertices.ref_point[at] = vertices.lit.point[vertices.lit.number(sample.point[which])];
             vertices.ref_weight[at] = sample.weight[which];
         }
-        // Unused entries weigh nothing; theirs is the first one's point, as 0 times NaN is no number.
+        // Unused entries weigh nothing; theirs is the first one's point, as 0 times NaN is NaN.
         for (int k = sample.count; k < max_blended(s.choice); ++k)
             vertices.ref_point[s.corner_ref(group, k) + lane] =
                 vertices.ref_point[s.corner_ref(group, 0) + lane];
@@ -168,13 +168,6 @@ void blend_together(PerVertex& vertices, const Surface& s, const Geometry& g, co
         (on_fast_path[i] ? blend_weighed : blend_one_by_one)(vertices, s, g, visibility, first + i);
 }
 
-/// Counts the groups from `first` on, and before `end`, that show the same object.
-std::size_t groups_of_one_object(const Surface& s, std::size_t first, std::size_t end) {
-    std::size_t next = first + 1;
-    while (next < end && s.groups[next].object == s.groups[first].object) ++next;
-    return next - first;
-}
-
 void blend_corners(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility) {
     vertices.ref_point.resize(s.corner_ref(s.groups.size(), 0));
     vertices.ref_weight.resize(vertices.ref_point.size());
@@ -183,7 +176,7 @@ void blend_corners(PerVertex& vertices, const Surface& s, const Geometry& g, con
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.groups.size(), 256), [&](const auto& range) {
         for (std::size_t r = range.begin(); r != range.end();) {
             const std::size_t end = std::min(range.end(), r + max_together);
-            const std::size_t count = together ? groups_of_one_object(s, r, end) : 1;
+            const std::size_t count = together ? s.groups_of_one_object(r, end) : 1;
             if (together)
                 blend_together(vertices, s, g, visibility, r, count);
             else

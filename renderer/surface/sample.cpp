@@ -87,10 +87,7 @@ PositionNormal lit_point(const SurfaceInputs& surface, const Geometry& g, const 
     const ObjectNormals& normals = surface.normals[source.object];
     PositionNormal at;
     if (surface.choice.kind == SurfaceKind::Faces && !surface.choice.provoking) {
-        const auto around = mesh.corners_of(source.item);
-        glm::dvec3 sum(0);
-        for (const std::uint32_t p : around) sum += glm::dvec3(object.position(p));
-        at = {glm::vec3(sum / static_cast<double>(around.size())),
+        at = {glm::vec3(object.centroid(source.item)),
               camera_facet_normal(object, normals.options.flip, source.item, surface.choice.mistakes)};
     } else if (surface.choice.kind == SurfaceKind::Faces) {
         const std::uint32_t corner = mesh.triangles[source.item].corner[2];

@@ -146,6 +146,14 @@ struct PerFace {
     PixelVector<FaceRefs> refs;  // one a group
 };
 
+/// Counts the indices from `first` on, and before `end`, for which `value` is that of the first: at least 1.
+template <class Value>
+[[nodiscard]] std::size_t count_alike(std::size_t first, std::size_t end, const Value& value) {
+    std::size_t next = first + 1;
+    while (next < end && value(next) == value(first)) ++next;
+    return next - first;
+}
+
 struct Surface {
     SurfaceChoice choice;
     std::vector<ObjectNormals> normals;
@@ -170,12 +178,13 @@ struct Surface {
         const auto* vertices = std::get_if<PerVertex>(&kept);
         return vertices != nullptr ? vertices->lit : std::get<PerFace>(kept).lit;
     }
-    /// Counts the blocks of points from `first` on, and before `end`, that are of the same object: at least
-    /// 1.
-    [[nodiscard]] std::size_t count_of_one_object(std::size_t first, std::size_t end) const {
-        std::size_t next = first + 1;
-        while (next < end && point_object[next] == point_object[first]) ++next;
-        return next - first;
+    /// Counts the blocks of points from `first` on, and before `end`, that are of the same object.
+    [[nodiscard]] std::size_t blocks_of_one_object(std::size_t first, std::size_t end) const {
+        return count_alike(first, end, [this](std::size_t block) { return point_object[block]; });
+    }
+    /// The same of groups of pixels.
+    [[nodiscard]] std::size_t groups_of_one_object(std::size_t first, std::size_t end) const {
+        return count_alike(first, end, [this](std::size_t group) { return groups[group].object; });
     }
     /// Index into PerVertex::ref_point and ref_weight of entry k of a group's lane 0; its other lanes follow.
     /// Precondition: Corners.

@@ -91,7 +91,7 @@ struct Editor {
 
     [[nodiscard]] Scene& scene() { return document.scene; }
     [[nodiscard]] const Scene& scene() const { return document.scene; }
-    /// Edits that are in no file. Where one looks from is no edit.
+    /// Edits that are in no file. Where one looks from is not an edit.
     [[nodiscard]] bool unsaved() const {
         return !same_but_camera(document.scene, saved) || history.edited_camera() != saved_edited_camera;
     }

@@ -92,7 +92,7 @@ std::string list_step(const std::vector<Item>& a, const std::vector<Item>& b, It
     return otherwise;
 }
 
-/// A mesh that was loaded again is no change that has a name.
+/// A mesh that was loaded again is not a change that has a name.
 Scene without_meshes(Scene scene) {
     for (Object& object : scene.objects) object.mesh = nullptr;
     return scene;

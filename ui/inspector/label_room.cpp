@@ -26,10 +26,8 @@ ImVec2 LabelRoom::inside(ImVec2 middle, ImVec2 size) const {
 }
 
 bool LabelRoom::is_free(const Rect& area) const {
-    return std::none_of(taken_.begin(), taken_.end(), [&area](const Rect& other) {
-        return area.low.x < other.high.x && other.low.x < area.high.x && area.low.y < other.high.y &&
-               other.low.y < area.high.y;
-    });
+    return std::none_of(taken_.begin(), taken_.end(),
+                        [&area](const Rect& other) { return overlap(area, other); });
 }
 
 std::optional<ImVec2> LabelRoom::place(ImVec2 wanted, ImVec2 size, float reach) {

@@ -23,10 +23,6 @@ constexpr float far = std::numeric_limits<float>::max();
 
 bool is_empty(const Rect& rect) { return rect.low.x >= rect.high.x || rect.low.y >= rect.high.y; }
 
-bool overlap(const Rect& a, const Rect& b) {
-    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
-}
-
 Rect around(const Rect& a, const Rect& b) {
     return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
             {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};

@@ -30,6 +30,11 @@ struct Rect {
     }
 };
 
+/// Whether they have a part in common; edges that touch are none.
+[[nodiscard]] inline bool overlap(const Rect& a, const Rect& b) {
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
 /// Where the item drawn last lies.
 [[nodiscard]] inline Rect last_item() { return {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}; }
 

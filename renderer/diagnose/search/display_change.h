@@ -1,5 +1,5 @@
 #pragma once
-// What can have happened to a picture that is no mistake in its lighting: it was turned over, its colours
+// What can have happened to a picture that is not a mistake in its lighting: it was turned over, its colours
 // were exchanged, brightened or encoded. A diagnosis finds this and takes it away before it looks for
 // mistakes.
 

@@ -178,10 +178,6 @@ void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, 
 
 namespace {
 
-bool overlap(const Rect& a, const Rect& b) {
-    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
-}
-
 /// The upper left corner of a note of `size` for a hand at `at`: beside what is to stay clear, where one of
 /// its four sides has room; else beside the hand.
 ImVec2 note_corner(const PictureView& view, ImVec2 at, ImVec2 size, const std::optional<Rect>& clear) {

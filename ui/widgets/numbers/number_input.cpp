@@ -84,7 +84,7 @@ bool take_typed(float& value, const Range& range) {
     return found.problem.empty() && assign(value, found.value, range);
 }
 
-/// What is no number at the end leaves the value as it was before.
+/// What is not a number at the end leaves the value as it was before.
 bool end_typing(float& value, const Range& range) {
     const Typing typing = hand.typing;
     hand = {};

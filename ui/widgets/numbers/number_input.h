@@ -47,7 +47,7 @@ struct NumberInput {
 /// A drag scrubs: Shift ten times finer, Ctrl by drag_step(); the cursor comes in again at the other edge of
 /// the window where the window can put it there. A press without a drag, or Tab from the field before it,
 /// types, as calculated() reads it: what is typed counts at once, Escape puts back what there was before, and
-/// a text that is no number leaves it too and says so (take_said()). The right button opens a menu.
+/// a text that is not a number leaves it too and says so (take_said()). The right button opens a menu.
 [[nodiscard]] bool number_input(const char* id, float& value, const NumberInput& input);
 
 /// The number at `pointer`, or the first below it, takes the keyboard if it is drawn in this frame.
