@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Writes what a package has beside the program: what --help says as man pages and as completion for bash and zsh, and
+# Debian's changelog: texts.sh GLINT SHARE MAINTAINER
+# SHARE is the folder that becomes /usr/share.
+set -eu
+glint=$(realpath "$1") share=$2 maintainer=$3
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$share/man/man1"
+version=$("$glint" --version | cut -d ' ' -f 2)
+
+man_page() { # PAGE SUMMARY HELP-COMMAND...
+    local page=$1 summary=$2
+    shift 2
+    # help2man asks one program for --help and --version; a command of ours is a program and a word.
+    printf '#!/bin/sh\n[ "$1" = --version ] && echo "%s %s" || exec %s --help\n' "$page" "$version" "$*" >"$work/$page"
+    chmod +x "$work/$page"
+    help2man --no-info --section 1 --name "$summary" "$work/$page" | gzip -9n >"$share/man/man1/$page.1.gz"
+}
+
+mkdir -p "$share/doc/glint"
+printf 'glint (%s) stable; urgency=medium\n\n  * As of its sources.\n\n -- %s  %s\n' "$version" "$maintainer" "$(date -R)" |
+    gzip -9n >"$share/doc/glint/changelog.gz"
+python3 "$here/completions.py" "$glint" "$share"
+man_page glint "light a scene, see the picture, ask for every number behind a pixel" "$glint"
+"$glint" --help | sed -n 's/^  glint \([a-z]\+\).*/\1/p' | while read -r command; do
+    man_page "glint-$command" "$("$glint" "$command" --help | head -n 1)" "$glint $command"
+done
