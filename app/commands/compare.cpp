@@ -1,15 +1,13 @@
 // glint compare: how far two pictures are apart.
-#include "renderer/inspect/debug_views/compare.h"
-
 #include <memory>
 #include <optional>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "models/io/file.h"
-#include "models/json/json_value.h"
 #include "models/memory_limit.h"
 #include "renderer/image/image_file.h"
+#include "renderer/inspect/answers/answers.h"
 
 namespace glint {
 namespace {
@@ -19,21 +17,6 @@ struct CompareArguments {
     std::optional<double> max_error;
     int threads = 0;  // taken on every line; nothing here is worth a second one
 };
-
-std::string json_of(const Comparison& c, int gain) {
-    JsonValue json;
-    json["width"] = c.size.width;
-    json["height"] = c.size.height;
-    json["differing_pixels"] = c.differing_pixels;
-    json["unit"] = "byte";
-    json["max_error"] = c.max_error;
-    json["max"] = c.max;
-    json["mean"] = c.mean;
-    json["rmse"] = c.rmse;
-    json["alpha_max"] = c.alpha_max;
-    json["gain"] = gain;
-    return json_text(json);
-}
 
 Outcome compare(const CompareArguments& arguments) {
     require_given(arguments.a, "A.png", "two pictures to compare");
@@ -50,12 +33,12 @@ Outcome compare(const CompareArguments& arguments) {
     Result<Comparison> compared = glint::compare(a, b);
     if (Problem* problem = std::get_if<Problem>(&compared)) problem->file = arguments.b;
     const Comparison result = take(std::move(compared));
-    const int gain = difference_gain(result);
     if (!arguments.out.empty())
-        (void)take(write_file(arguments.out, png_bytes(difference_picture(a, b, gain), {})));
+        (void)take(
+            write_file(arguments.out, png_bytes(difference_picture(a, b, difference_gain(result)), {})));
     // More than was allowed is an answer, not an error: it is told by the status alone.
     const bool too_far = arguments.max_error && result.max_error > *arguments.max_error;
-    return {json_of(result, gain), {}, too_far ? ExitStatus::Impossible : ExitStatus::Done};
+    return {json_text(comparison_json(result)), {}, too_far ? ExitStatus::Impossible : ExitStatus::Done};
 }
 
 Run declare(Options& options) {

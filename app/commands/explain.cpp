@@ -36,8 +36,8 @@ std::string formatted(const Explanation& explanation, const Scene& scene, Format
 }
 
 /// The explanation's JSON with the sensitivities in it.
-std::string with_sensitivities(const std::string& explanation, const Sensitivities& s) {
-    JsonValue json = *JsonValue::parse(explanation);
+std::string with_sensitivities(const Explanation& explanation, const Sensitivities& s) {
+    JsonValue json = explanation_json(explanation);
     JsonValue& numbers = json["sensitivity"] = JsonValue::array();
     for (const Sensitivity& n : s.numbers)
         numbers.push_back({{"pointer", n.pointer},
@@ -72,7 +72,7 @@ Outcome explain(const ExplainArguments& arguments) {
                                    progress->at(done);
                                }));
         progress.reset();
-        outcome.output = arguments.format == Format::Json ? with_sensitivities(outcome.output, s)
+        outcome.output = arguments.format == Format::Json ? with_sensitivities(explanation, s)
                                                           : outcome.output + "\n" + sensitivity_text(s);
     }
     outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());

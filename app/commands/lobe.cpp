@@ -3,14 +3,10 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "models/fields/choices.h"
-#include "models/json/json_value.h"
-#include "renderer/inspect/reflectance/lobes.h"
+#include "renderer/inspect/answers/reflectance_answers.h"
 
 namespace glint {
 namespace {
-
-using Json = JsonValue;
 
 struct LobeArguments {
     SceneArguments scene;
@@ -18,30 +14,6 @@ struct LobeArguments {
     double light_deg = 45;
     bool as_json = false;
 };
-
-template <class V> Json json_of(V v) { return {v.x, v.y, v.z}; }
-
-Json json_of(const LobeSample& s) {
-    return {{"view_deg", s.view_deg},
-            {"ambient", json_of(s.reflected.ambient)},
-            {"diffuse", json_of(s.reflected.diffuse)},
-            {"specular", json_of(s.reflected.specular)},
-            {"intensity", json_of(s.reflected.intensity())},
-            {"brdf", json_of(s.brdf)}};
-}
-
-Json json_of(const LobeArguments& arguments, const Object& object, const Reflector& reflector,
-             const std::vector<LobeSample>& slice) {
-    Json json{{"object", object.name},
-              {"reflection", name_of(reflector.reflection)},
-              {"light_deg", arguments.light_deg},
-              {"specular_energy", json_of(specular_energy(reflector, arguments.light_deg))},
-              {"directional_albedo", json_of(directional_albedo(reflector, arguments.light_deg))},
-              {"reciprocity_error", reciprocity_error(reflector)},
-              {"slice", Json::array()}};
-    for (const LobeSample& s : slice) json["slice"].push_back(json_of(s));
-    return json;
-}
 
 const Object& object_of(const Scene& scene, int number) {
     const std::size_t count = scene.objects.size();
@@ -58,7 +30,8 @@ Outcome lobe(const LobeArguments& arguments) {
     const Shading& shading = document.scene.shading;
     const Reflector reflector{shading.reflection, object.material, shading.terms};
     const auto slice = lobe_slice(reflector, arguments.light_deg, arguments.steps);
-    return {arguments.as_json ? json_text(json_of(arguments, object, reflector, slice)) : lobe_csv(slice),
+    return {arguments.as_json ? json_text(lobe_json(reflector, object.name, arguments.light_deg, slice))
+                              : lobe_csv(slice),
             document.warnings, ExitStatus::Done};
 }
 

@@ -1,78 +1,24 @@
 // glint microfacets: a rough surface as many mirrors, and what becomes of a bundle of rays.
-#include "renderer/inspect/reflectance/microfacets.h"
-
 #include <memory>
 #include <optional>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "models/json/json_value.h"
-#include "renderer/inspect/reflectance/lobes.h"
+#include "renderer/inspect/answers/reflectance_answers.h"
 
 namespace glint {
 namespace {
 
-using Json = JsonValue;
-
 struct MicrofacetArguments {
     MicrofacetOptions options;
     std::optional<double> view_deg;
-    int lobe_rays = 100000, threads = 0;  // threads: taken on every line
+    int threads = 0;  // taken on every line
 };
-
-Json json_of(glm::dvec2 v) { return {v.x, v.y}; }
-
-const char* name_of(RayFate fate) {
-    switch (fate) {
-    case RayFate::Free:
-        return "free";
-    case RayFate::Shadowed:
-        return "shadowed";
-    case RayFate::Masked:
-        return "masked";
-    case RayFate::Inward:
-        return "inward";
-    }
-    return "";  // not reached
-}
-
-Json json_of(const FacetRay& ray) {
-    return {{"facet", ray.facet},    {"from", json_of(ray.from)}, {"at", json_of(ray.at)},
-            {"to", json_of(ray.to)}, {"out_deg", ray.out_deg},    {"fate", name_of(ray.fate)}};
-}
-
-Json json_of(const MicrofacetOptions& o, const MicrofacetPicture& p, const std::vector<LobeBin>& lobe) {
-    Json json{{"roughness", o.roughness},
-              {"sigma_deg", p.sigma_deg},
-              {"light_deg", o.light_deg},
-              {"view_deg", o.view_deg},
-              {"seed", o.seed}};
-    json["shares"] = {{"free", p.free}, {"shadowed", p.shadowed}, {"masked", p.masked}, {"inward", p.inward}};
-    json["smith_g1"] = p.smith_g1;
-    json["h_deg"] = p.h_deg;
-    json["shining"] = {{"share", p.shining_share},
-                       {"expected", p.shining_expected},
-                       {"within_deg", shining_deg},
-                       {"facets", p.shining}};
-    json["histogram"] = {{"from_deg", -90}, {"bin_deg", 5}, {"shares", p.histogram}};
-    json["lobe"] = Json::array();
-    for (const LobeBin& bin : lobe)
-        json["lobe"].push_back({{"from_deg", bin.from_deg},
-                                {"to_deg", bin.to_deg},
-                                {"share", bin.share},
-                                {"expected", bin.expected}});
-    json["profile"] = Json::array();
-    for (const glm::dvec2& point : p.profile) json["profile"].push_back(json_of(point));
-    json["rays"] = Json::array();
-    for (const FacetRay& ray : p.rays) json["rays"].push_back(json_of(ray));
-    return json;
-}
 
 Outcome microfacets(const MicrofacetArguments& arguments) {
     MicrofacetOptions options = arguments.options;
     options.view_deg = arguments.view_deg.value_or(options.light_deg);
-    const auto lobe = facet_lobe(options.roughness, options.light_deg, arguments.lobe_rays, options.seed);
-    return {json_text(json_of(options, microfacet_picture(options), lobe)), {}, ExitStatus::Done};
+    return {json_text(microfacets_json(options)), {}, ExitStatus::Done};
 }
 
 Run declare(Options& options) {

@@ -1,11 +1,10 @@
 // glint profile: intensity along a line.
-#include "renderer/inspect/debug_views/profile.h"
-
 #include <memory>
 #include <optional>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
+#include "renderer/inspect/answers/answers.h"
 
 namespace glint {
 namespace {
@@ -14,6 +13,7 @@ struct ProfileArguments {
     SceneArguments scene;
     PictureSize size;
     std::optional<Pixel> from, to;
+    bool as_json = false;
 };
 
 glm::ivec2 end_of(const std::string& option, const std::optional<Pixel>& pixel, PictureSize size) {
@@ -30,8 +30,9 @@ Outcome profile(const ProfileArguments& arguments) {
 
     Renderer renderer(arguments.scene.threads);
     const Picture& picture = renderer.render(document.scene, arguments.size, true);
-    Outcome outcome{profile_csv(glint::profile(renderer, picture, from, to)), document.warnings,
-                    ExitStatus::Done};
+    const std::vector<ProfileSample> samples = glint::profile(renderer, picture, from, to);
+    Outcome outcome{arguments.as_json ? json_text(profile_json(samples)) : profile_csv(samples),
+                    document.warnings, ExitStatus::Done};
     outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());
     return outcome;
 }
@@ -45,13 +46,17 @@ Run declare(Options& options) {
     options.add_value("--to", "X,Y", "the pixel where it ends",
                       [&to = arguments->to](const std::string& text) { to = read_pixel("--to", text); });
     add_size(options, arguments->size);
+    options.add_value("--format", "FORMAT", "csv, the default, or json, a list for each column",
+                      [&as_json = arguments->as_json](const std::string& text) {
+                          as_json = read_word("--format", text, {"csv", "json"}) == 1;
+                      });
     return [arguments] { return profile(*arguments); };
 }
 
 }  // namespace
 
 Command profile_command() {
-    return {"profile", "FILE --from X,Y --to X,Y", "lists intensity along a line, as CSV",
+    return {"profile", "FILE --from X,Y --to X,Y", "lists intensity along a line, as CSV or JSON",
             "glint profile mach-bands.json --from 0,360 --to 1279,360 > bands.csv", declare};
 }
 

@@ -6,9 +6,9 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "models/io/file.h"
-#include "models/json/json_value.h"
 #include "models/memory_limit.h"
 #include "renderer/image/image_file.h"
+#include "renderer/inspect/answers/answers.h"
 #include "renderer/inspect/debug_views/buffers.h"
 #include "renderer/renderer.h"
 
@@ -69,21 +69,6 @@ void require_possible(const RenderArguments& arguments) {
                           "a directory that is there");
 }
 
-std::string stats_text(const Renderer& renderer, PictureSize size) {
-    const FrameStats& s = renderer.stats();
-    JsonValue json{{"width", size.width},
-                   {"height", size.height},
-                   {"evaluations", s.evaluations},
-                   {"shaded_pixels", s.shaded_pixels},
-                   {"triangles", s.triangles},
-                   {"threads", s.threads},
-                   {"instruction_set", s.instruction_set}};
-    json["ms"] = s.total_ms;
-    json["stages"] = {
-        {"geometry", s.ms[0]}, {"visibility", s.ms[1]}, {"surface", s.ms[2]}, {"lighting", s.ms[3]}};
-    return json_text(json);
-}
-
 /// A few at a time, because many lights have many.
 void add_buffers(FilesTogether& files, const RenderArguments& arguments, const Renderer& renderer,
                  const Scene& scene) {
@@ -126,7 +111,7 @@ Outcome render(const RenderArguments& arguments) {
     }
     if (!arguments.buffers.empty()) add_buffers(files, arguments, renderer, document.scene);
     (void)take(files.put_in_place());
-    if (arguments.stats) outcome.output = stats_text(renderer, arguments.size);
+    if (arguments.stats) outcome.output = json_text(stats_json(renderer, arguments.size));
     return outcome;
 }
 

@@ -7,10 +7,10 @@
 #include <array>
 #include <string_view>
 
-#include "models/problem.h"
+#include "models/io/markup.h"
 #include "renderer/diagnose/diagnosis_format.h"
 #include "renderer/diagnose/search/resample.h"
-#include "renderer/image/image_file.h"
+#include "renderer/image/html_image.h"
 #include "renderer/renderer.h"
 
 namespace glint {
@@ -60,50 +60,6 @@ std::string csv_field(const std::string& text) {
     return quoted + "\"";
 }
 
-std::string escaped(std::string_view text) {
-    std::string html;
-    for (const char c : on_one_line(text)) {
-        switch (c) {
-        case '<':
-            html += "&lt;";
-            break;
-        case '>':
-            html += "&gt;";
-            break;
-        case '&':
-            html += "&amp;";
-            break;
-        case '"':
-            html += "&quot;";
-            break;
-        default:
-            html += c;
-        }
-    }
-    return html;
-}
-
-/// RFC 4648, section 4.
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const auto byte = [&](std::size_t k) {
-            return i + k < bytes.size() ? static_cast<unsigned>(static_cast<unsigned char>(bytes[i + k]))
-                                        : 0U;
-        };
-        const unsigned three = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63] : '=';
-    }
-    return text;
-}
-
-std::string image(const Picture& picture, std::string_view alt) {
-    return fmt::format("<img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">", alt,
-                       picture.size.width, picture.size.height, base64(png_bytes(picture, {})));
-}
-
 constexpr std::string_view style =
     "body{font:16px/1.4 system-ui,sans-serif;margin:2em}table{border-collapse:collapse}"
     "th,td{text-align:left;vertical-align:top;padding:.5em .8em;border-bottom:1px solid #8884}"
@@ -111,17 +67,18 @@ constexpr std::string_view style =
 
 std::string html_row(const DiagnosedPicture& p) {
     const Row row = row_of(p);
-    std::string words = fmt::format("<b>{}</b>", escaped(row[1]));
-    if (!row[2].empty()) words += fmt::format("<br><code>{}</code>", escaped(row[2]));
-    if (!row[3].empty()) words += fmt::format("<br>looks the same: <code>{}</code>", escaped(row[3]));
-    if (!row[8].empty()) words += fmt::format("<br>{}", escaped(row[8]));
+    std::string words = fmt::format("<b>{}</b>", html_escaped(row[1]));
+    if (!row[2].empty()) words += fmt::format("<br><code>{}</code>", html_escaped(row[2]));
+    if (!row[3].empty()) words += fmt::format("<br>looks the same: <code>{}</code>", html_escaped(row[3]));
+    if (!row[8].empty()) words += fmt::format("<br>{}", html_escaped(row[8]));
     const std::string share =
         row[4].empty() ? "" : fmt::format("{:.0f} %", 100 * p.diagnosis.candidates[0].explained);
     return fmt::format(
         "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td><code>{}</code></td></"
         "tr>\n",
-        escaped(row[0]), image(p.thumbnail, "as it was brought"), image(p.as_explained, "as Glint draws it"),
-        words, share, escaped(row[6]), escaped(row[7]));
+        html_escaped(row[0]), html_image(p.thumbnail, "as it was brought"),
+        html_image(p.as_explained, "as Glint draws it"), words, share, html_escaped(row[6]),
+        html_escaped(row[7]));
 }
 
 }  // namespace
@@ -152,7 +109,7 @@ std::string diagnoses_html(const std::vector<DiagnosedPicture>& pictures, const 
         "charset=\"utf-8\"><title>{0}</title><style>{1}</style></head>"
         "<body>\n<h1>Pictures of {0}</h1>\n<table>\n<tr><th>Picture</th><th>Yours</th><th>Glint's</th>"
         "<th>Verdict</th><th>Explained</th><th>Taken away first</th><th>To be sure, draw with</th></tr>\n",
-        escaped(title), style);
+        html_escaped(title), style);
     for (const DiagnosedPicture& p : pictures) html += html_row(p);
     return html + "</table>\n</body></html>\n";
 }

@@ -67,6 +67,25 @@ TEST_CASE("glint profile lists a line's pixels as CSV, with the values that expl
     CHECK(std::stod(middle[5]) == Approx(here - before));
 }
 
+TEST_CASE("glint profile gives the columns of its CSV as lists of JSON", "[cli][profile]") {
+    const std::vector<std::string> words{"profile", "-",     "--from", "0,24",
+                                         "--to",    "63,24", "--size", "64x48"};
+    std::vector<std::string> as_json = words;
+    as_json.insert(as_json.end(), {"--format", "json"});
+    const std::vector<std::string> csv = lines_of(run_glint(words, ball).out);
+    const auto json = nlohmann::json::parse(run_glint(as_json, ball).out);
+    const std::vector<std::string> names = fields_of(csv.at(0));
+    REQUIRE(json.size() == names.size());
+    for (std::size_t line = 1; line < csv.size(); ++line)
+        for (std::size_t column = 0; column < names.size(); ++column) {
+            const std::string field = fields_of(csv[line])[column];
+            const auto& value = json.at(names[column]).at(line - 1);
+            CAPTURE(names[column], line, field);
+            CHECK(value.is_null() == field.empty());
+            if (!field.empty()) CHECK(value.get<float>() == std::stof(field));
+        }
+}
+
 TEST_CASE("glint profile says what is wrong with its ends", "[cli][profile][bad-input]") {
     check_wrong({"profile", "-", "--to", "1,1"}, "--from: is missing; expected X,Y as in --from 0,360");
     check_wrong({"profile", "-", "--from", "1,1", "--to", "64,1", "--size", "64x48"},

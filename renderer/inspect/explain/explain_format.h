@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "models/json/json_value.h"
 #include "models/scene/scene.h"
 #include "renderer/inspect/explain/explanation.h"
 
@@ -10,7 +11,8 @@ namespace glint {
 
 // An explanation as JSON; docs/explain.md says what each field is.
 
-/// All of an explanation, ends with a newline.
+/// All of an explanation; as text it ends with a newline.
+[[nodiscard]] JsonValue explanation_json(const Explanation& explanation);
 [[nodiscard]] std::string explain_json(const Explanation& explanation);
 
 // An explanation as LaTeX: the lighting equation of one pixel with its numbers, ready for a slide or a paper.

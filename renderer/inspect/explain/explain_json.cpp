@@ -95,7 +95,7 @@ void add_hit(Json& json, const Explanation& e) {
 
 }  // namespace
 
-std::string explain_json(const Explanation& e) {
+JsonValue explanation_json(const Explanation& e) {
     Json json;
     json["pixel"] = {e.x, e.y};
     json["hit"] = e.hit;
@@ -107,7 +107,9 @@ std::string explain_json(const Explanation& e) {
     json["sum"] = json_of(e.sum);
     json["displayed"] = json_of(e.displayed);
     json["byte"] = e.byte;
-    return json_text(json);
+    return json;
 }
+
+std::string explain_json(const Explanation& e) { return json_text(explanation_json(e)); }
 
 }  // namespace glint

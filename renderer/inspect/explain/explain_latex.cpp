@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "models/fields/choices.h"
-#include "models/problem.h"
+#include "models/io/markup.h"
 #include "renderer/inspect/explain/equation_text.h"
 #include "renderer/inspect/explain/explain_format.h"
 #include "renderer/inspect/explain/explain_words.h"
@@ -11,46 +11,6 @@
 
 namespace glint {
 namespace {
-
-/// LaTeX's special characters stand for themselves, and a name stays on its line: an empty one would end the
-/// equation.
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : on_one_line(text)) {
-        switch (c) {
-        case '<':  // in LaTeX's first font encoding these three are other characters
-            out += "\\textless{}";
-            break;
-        case '>':
-            out += "\\textgreater{}";
-            break;
-        case '|':
-            out += "\\textbar{}";
-            break;
-        case '\\':
-            out += "\\textbackslash{}";
-            break;
-        case '~':
-            out += "\\textasciitilde{}";
-            break;
-        case '^':
-            out += "\\textasciicircum{}";
-            break;
-        case '#':
-        case '$':
-        case '%':
-        case '&':
-        case '_':
-        case '{':
-        case '}':
-            out += '\\';
-            [[fallthrough]];
-        default:
-            out += c;
-        }
-    }
-    return out;
-}
 
 /// An exponent as a power of ten.
 std::string with_power(const std::string& text) {
@@ -94,7 +54,7 @@ std::string value_of(const EquationFactor& f, int decimals, int exponent_decimal
 
 /// Why, with the dot as a letter of text.
 std::string left_out(const EquationLine& line) {
-    std::string text = escaped(line.left_out);
+    std::string text = latex_escaped(line.left_out);
     const std::string dot = "·";
     const std::size_t at = text.find(dot);
     return at == std::string::npos
@@ -124,7 +84,8 @@ std::string row(const EquationLine& line, const std::string& index) {
 std::string light_rows(const Explanation& e, const ExplainedLight& light, const Scene& scene, std::size_t i) {
     const Light& source = scene.lights[static_cast<std::size_t>(light.index)];
     const std::string index = std::to_string(i + 1);
-    std::string text = fmt::format("&\\text{{{}, {}}} \\\\\n", escaped(light.name), name_of(source.kind));
+    std::string text =
+        fmt::format("&\\text{{{}, {}}} \\\\\n", latex_escaped(light.name), name_of(source.kind));
     const LightOfEquation in{scene, e, light};
     const EquationLine share = share_line(in);
     text += fmt::format("f_{{{}}} = ", index) + row(share, index);
@@ -170,7 +131,7 @@ std::string explain_latex(const Explanation& e, const Scene& scene) {
     if (e.hit) {
         text += fmt::format(
             "\\paragraph{{Pixel {}, {}: {}, face {}, {}; {} shading, {} reflection}} Camera coordinates.\n",
-            e.x, e.y, escaped(e.object), e.face, side_words(e), name_of(e.mode), name_of(e.reflection));
+            e.x, e.y, latex_escaped(e.object), e.face, side_words(e), name_of(e.mode), name_of(e.reflection));
         text += lit_points(e, scene);
     } else {
         text += fmt::format("\\paragraph{{Pixel {}, {}: background}}\n", e.x, e.y);
