@@ -1,0 +1,234 @@
+#include "models/lesson/expression.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/json/json_reader.h"
+#include "models/lesson/expression_node.h"
+
+namespace glint {
+namespace {
+
+using Node = Expression::Node;
+using Kind = ExpressionKind;
+
+JsonValue value_of(const Node& node, const NamedValues& names);
+
+bool truth_of(const Node& node, const NamedValues& names) {
+    const JsonValue value = value_of(node, names);
+    if (!value.is_boolean())
+        throw ExpressionProblem{shortened(value.text()) + " is neither true nor false", "a condition"};
+    return value.boolean();
+}
+
+/// The member of an object; of a list, the list of its elements' members.
+JsonValue member_of(const JsonValue& value, const std::string& name) {
+    if (value.is_array()) {
+        JsonValue::Elements results;
+        for (const JsonValue& element : value.elements()) results.push_back(member_of(element, name));
+        return JsonValue(std::move(results));
+    }
+    if (const JsonValue* member = value.find(name)) return *member;
+    std::vector<std::string> members;
+    for (const auto& [key, unused] : value.members()) members.push_back(key);
+    throw ExpressionProblem{"there is no " + in_quotes(name),
+                            members.empty() ? "an object with it" : in_quotes(nearest(name, members))};
+}
+
+JsonValue element_of(const JsonValue& list, const JsonValue& place) {
+    const double at = as_number(place);
+    const std::size_t size = list.elements().size();
+    if (!(at >= 0 && at < static_cast<double>(size)) || at != std::floor(at))
+        throw ExpressionProblem{
+            "there is no element " + shortened(place.text()) + " of a list of " + std::to_string(size),
+            size == 0 ? "a list" : "0 to " + std::to_string(size - 1)};
+    return list.elements()[static_cast<std::size_t>(at)];
+}
+
+double arithmetic(char symbol, double a, double b) {
+    switch (symbol) {
+    case '+':
+        return a + b;
+    case '-':
+        return a - b;
+    case '*':
+        return a * b;
+    case '/':
+        return a / b;
+    default:
+        return std::pow(a, b);
+    }
+}
+
+JsonValue arithmetic_of(char symbol, const JsonValue& a, const JsonValue& b) {
+    switch (symbol) {
+    case '+':
+        return combined(a, b, [](double x, double y) { return arithmetic('+', x, y); });
+    case '-':
+        return combined(a, b, [](double x, double y) { return arithmetic('-', x, y); });
+    case '*':
+        return combined(a, b, [](double x, double y) { return arithmetic('*', x, y); });
+    case '/':
+        return combined(a, b, [](double x, double y) { return arithmetic('/', x, y); });
+    default:
+        return combined(a, b, [](double x, double y) { return arithmetic('^', x, y); });
+    }
+}
+
+/// Whether a comparison of numbers holds for all elements; a number beside a list counts for each of them.
+bool all_hold(const std::string& symbol, const JsonValue& a, const JsonValue& b, double tolerance) {
+    if (a.is_array() || b.is_array()) {
+        const std::size_t size = a.is_array() ? a.elements().size() : b.elements().size();
+        if (a.is_array() && b.is_array() && b.elements().size() != size)
+            throw ExpressionProblem{"lists of different lengths are compared", "equally many elements"};
+        for (std::size_t i = 0; i < size; ++i)
+            if (!all_hold(symbol, a.is_array() ? a.elements()[i] : a, b.is_array() ? b.elements()[i] : b,
+                          tolerance))
+                return false;
+        return true;
+    }
+    const double x = as_number(a), y = as_number(b);
+    if (symbol == "=") return x == y || std::abs(x - y) <= tolerance;
+    if (symbol == "<") return x < y;
+    if (symbol == "<=") return x <= y;
+    if (symbol == ">") return x > y;
+    return x >= y;
+}
+
+/// Whether any element differs by more than that; a number that is none differs from nothing.
+bool differ(const JsonValue& a, const JsonValue& b, double tolerance) {
+    const JsonValue differences = combined(a, b, [](double x, double y) { return std::abs(x - y); });
+    const auto is_more = [tolerance](const auto& self, const JsonValue& value) -> bool {
+        if (!value.is_array()) return as_number(value) > tolerance;
+        const JsonValue::Elements& elements = value.elements();
+        return std::any_of(elements.begin(), elements.end(),
+                           [&](const JsonValue& element) { return self(self, element); });
+    };
+    return is_more(is_more, differences);
+}
+
+JsonValue comparison_of(const Node& node, const NamedValues& names) {
+    const JsonValue a = value_of(node.parts[0], names), b = value_of(node.parts[1], names);
+    const auto is_plain = [](const JsonValue& v) { return v.is_string() || v.is_boolean(); };
+    if (is_plain(a) || is_plain(b)) {
+        if (node.word != "=" && node.word != "!=")
+            throw ExpressionProblem{"texts are compared by " + in_quotes(node.word), "= or !="};
+        return (a == b) == (node.word == "=");
+    }
+    const double tolerance = node.parts.size() > 2 ? as_number(value_of(node.parts[2], names)) : 0;
+    return node.word == "!=" ? differ(a, b, tolerance) : all_hold(node.word, a, b, tolerance);
+}
+
+JsonValue name_of_value(const Node& node, const NamedValues& names) {
+    const auto found = names.find(node.word);
+    if (found != names.end()) return found->second;
+    std::vector<std::string> known;
+    for (const auto& [name, unused] : names) known.push_back(name);
+    throw ExpressionProblem{in_quotes(node.word) + " is not known",
+                            known.empty() ? "a run above it" : in_quotes(nearest(node.word, known))};
+}
+
+JsonValue value_of(const Node& node, const NamedValues& names) {
+    switch (node.kind) {
+    case Kind::Literal:
+        return node.literal;
+    case Kind::Name:
+        return name_of_value(node, names);
+    case Kind::Member:
+        return member_of(value_of(node.parts[0], names), node.word);
+    case Kind::Element:
+        return element_of(value_of(node.parts[0], names), value_of(node.parts[1], names));
+    case Kind::Negate:
+        return combined(0.0, value_of(node.parts[0], names), [](double a, double b) { return a - b; });
+    case Kind::Arithmetic:
+        return arithmetic_of(node.word[0], value_of(node.parts[0], names), value_of(node.parts[1], names));
+    case Kind::Compare:
+        return comparison_of(node, names);
+    case Kind::And:
+        return truth_of(node.parts[0], names) && truth_of(node.parts[1], names);
+    case Kind::Or:
+        return truth_of(node.parts[0], names) || truth_of(node.parts[1], names);
+    case Kind::Not:
+        return !truth_of(node.parts[0], names);
+    case Kind::List:
+    case Kind::Call:
+        break;
+    }
+    std::vector<JsonValue> values;
+    for (const Node& part : node.parts) values.push_back(value_of(part, names));
+    return node.kind == Kind::List ? JsonValue(std::move(values)) : call_function(node.word, values);
+}
+
+void collect_names(const Node& node, std::vector<std::string>& names) {
+    if (node.kind == Kind::Name && std::find(names.begin(), names.end(), node.word) == names.end())
+        names.push_back(node.word);
+    for (const Node& part : node.parts) collect_names(part, names);
+}
+
+/// The part of a condition that is false and holds no other condition that is.
+const Node& first_false(const Node& node, const NamedValues& names) {
+    if (node.kind == Kind::And)
+        for (const Node& part : node.parts)
+            if (!truth_of(part, names)) return first_false(part, names);
+    return node;
+}
+
+}  // namespace
+
+Result<JsonValue> Expression::value(const NamedValues& names) const {
+    try {
+        if (root_) return value_of(*root_, names);
+        return Problem{"", "", "the expression is empty", "a value"};
+    } catch (const ExpressionProblem& problem) {
+        return Problem{"", "", in_quotes(text_) + ": " + problem.what, problem.expected};
+    }
+}
+
+Result<bool> Expression::holds(const NamedValues& names) const {
+    const Result<JsonValue> found = value(names);
+    if (const Problem* problem = problem_of(found)) return *problem;
+    const auto& truth = std::get<JsonValue>(found);
+    if (truth.is_boolean()) return truth.boolean();
+    return Problem{"", "", in_quotes(text_) + " is " + shortened(truth.text()), "true or false"};
+}
+
+Result<double> Expression::number(const NamedValues& names) const {
+    const Result<JsonValue> found = value(names);
+    if (const Problem* problem = problem_of(found)) return *problem;
+    const auto& number = std::get<JsonValue>(found);
+    if (number.is_number() && std::isfinite(number.number())) return number.number();
+    return Problem{"", "", in_quotes(text_) + " is " + shortened(number.text()), "a number"};
+}
+
+Result<std::vector<double>> Expression::numbers(const NamedValues& names) const {
+    const Result<JsonValue> found = value(names);
+    if (const Problem* problem = problem_of(found)) return *problem;
+    const auto& list = std::get<JsonValue>(found);
+    std::vector<double> numbers;
+    for (const JsonValue& element : list.elements())
+        if (element.is_number() && std::isfinite(element.number())) numbers.push_back(element.number());
+    if (list.is_array() && numbers.size() == list.elements().size()) return numbers;
+    return Problem{"", "", in_quotes(text_) + " is " + shortened(list.text()), "a list of numbers"};
+}
+
+std::string Expression::with_values(const NamedValues& names) const {
+    if (!root_) return {};
+    try {
+        const Node& part = first_false(*root_, names);
+        if (part.kind != Kind::Compare) return text_;
+        std::string text = shortened(value_of(part.parts[0], names).text()) + " " + part.word + " " +
+                           shortened(value_of(part.parts[1], names).text());
+        if (part.parts.size() > 2) text += " within " + value_of(part.parts[2], names).text();
+        return text;
+    } catch (const ExpressionProblem& problem) {
+        return problem.what;
+    }
+}
+
+std::vector<std::string> Expression::names() const {
+    std::vector<std::string> names;
+    if (root_) collect_names(*root_, names);
+    return names;
+}
+
+}  // namespace glint

@@ -1,0 +1,181 @@
+// The functions that an expression may call. Angles are in degrees.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "models/json/json_reader.h"
+#include "models/lesson/expression_node.h"
+
+namespace glint {
+namespace {
+
+using Values = std::vector<JsonValue>;
+
+constexpr double radians = std::numbers::pi / 180;
+
+const JsonValue::Elements& as_list(const JsonValue& value) {
+    if (!value.is_array()) throw ExpressionProblem{shortened(value.text()) + " is not a list", "a list"};
+    return value.elements();
+}
+
+JsonValue each(const JsonValue& value, double (*f)(double)) {
+    if (!value.is_array()) return f(as_number(value));
+    JsonValue::Elements results;
+    for (const JsonValue& element : value.elements()) results.push_back(each(element, f));
+    return JsonValue(std::move(results));
+}
+
+double plus(double a, double b) { return a + b; }
+double times(double a, double b) { return a * b; }
+
+JsonValue sum(const JsonValue& list) {
+    JsonValue total(0.0);
+    for (const JsonValue& element : as_list(list)) total = combined(total, element, plus);
+    return total;
+}
+
+double dot(const JsonValue& a, const JsonValue& b) {
+    as_list(a);
+    as_list(b);
+    return as_number(sum(combined(a, b, times)));
+}
+
+double length(const JsonValue& v) { return std::sqrt(dot(v, v)); }
+
+JsonValue cross(const JsonValue& a, const JsonValue& b) {
+    if (as_list(a).size() != 3 || as_list(b).size() != 3)
+        throw ExpressionProblem{"cross() is given lists of other lengths", "two lists of three numbers"};
+    std::array<double, 3> x{}, y{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        x[i] = as_number(a.elements()[i]);
+        y[i] = as_number(b.elements()[i]);
+    }
+    return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+}
+
+/// A matrix, a list of rows, times a vector.
+JsonValue mul(const JsonValue& matrix, const JsonValue& vector) {
+    JsonValue::Elements rows;
+    for (const JsonValue& row : as_list(matrix)) rows.emplace_back(dot(row, vector));
+    return JsonValue(std::move(rows));
+}
+
+/// Where in the list the number stands before which no other goes; NaN goes nowhere.
+JsonValue place_of(const JsonValue& list, bool (*before)(double, double)) {
+    const JsonValue::Elements& elements = as_list(list);
+    std::size_t best = elements.size();
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const double x = as_number(elements[i]);
+        if (std::isnan(x)) continue;
+        if (best == elements.size() || before(x, as_number(elements[best]))) best = i;
+    }
+    if (best == elements.size()) throw ExpressionProblem{"the list holds no numbers", "one at least"};
+    return best;
+}
+bool is_less(double a, double b) { return a < b; }
+bool is_more(double a, double b) { return a > b; }
+
+JsonValue extreme(const Values& v, bool (*before)(double, double)) {
+    const JsonValue list = v.size() == 1 ? v[0] : JsonValue(v);
+    const auto at = static_cast<std::size_t>(place_of(list, before).number());
+    return list.elements()[at];
+}
+
+JsonValue part(const Values& v) {
+    const auto size = static_cast<double>(as_list(v[0]).size());
+    const double from = as_number(v[1]), to = as_number(v[2]);
+    if (!(from >= 0 && to >= from && to < size))
+        throw ExpressionProblem{"part() is asked for what the list does not have", "0 to its last place"};
+    const auto begin = v[0].elements().begin();
+    return JsonValue(JsonValue::Elements(begin + static_cast<std::ptrdiff_t>(from),
+                                         begin + static_cast<std::ptrdiff_t>(to) + 1));
+}
+
+struct Function {
+    std::string_view name;
+    std::size_t least, most;  // arguments
+    JsonValue (*value)(const Values& v);
+};
+
+constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+
+// clang-format off
+constexpr std::array functions{
+    Function{"abs", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::abs(x); }); }},
+    Function{"sqrt", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::sqrt(x); }); }},
+    Function{"exp", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::exp(x); }); }},
+    Function{"log", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::log(x); }); }},
+    Function{"sin", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::sin(x * radians); }); }},
+    Function{"cos", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::cos(x * radians); }); }},
+    Function{"tan", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::tan(x * radians); }); }},
+    Function{"asin", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::asin(x) / radians; }); }},
+    Function{"acos", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::acos(x) / radians; }); }},
+    Function{"atan", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::atan(x) / radians; }); }},
+    Function{"round", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::round(x); }); }},
+    Function{"pi", 0, 0, [](const Values&) { return JsonValue(std::numbers::pi); }},
+    Function{"count", 1, 1, [](const Values& v) { return JsonValue(as_list(v[0]).size()); }},
+    Function{"sum", 1, 1, [](const Values& v) { return sum(v[0]); }},
+    Function{"mean", 1, 1, [](const Values& v) {
+        return combined(sum(v[0]), static_cast<double>(as_list(v[0]).size()), [](double a, double b) { return a / b; }); }},
+    Function{"min", 1, any, [](const Values& v) { return extreme(v, is_less); }},
+    Function{"max", 1, any, [](const Values& v) { return extreme(v, is_more); }},
+    Function{"where_min", 1, 1, [](const Values& v) { return place_of(v[0], is_less); }},
+    Function{"where_max", 1, 1, [](const Values& v) { return place_of(v[0], is_more); }},
+    Function{"part", 3, 3, part},
+    Function{"dot", 2, 2, [](const Values& v) { return JsonValue(dot(v[0], v[1])); }},
+    Function{"length", 1, 1, [](const Values& v) { return JsonValue(length(v[0])); }},
+    Function{"unit", 1, 1, [](const Values& v) {
+        return combined(v[0], length(v[0]), [](double a, double b) { return a / b; }); }},
+    Function{"cross", 2, 2, [](const Values& v) { return cross(v[0], v[1]); }},
+    Function{"mul", 2, 2, [](const Values& v) { return mul(v[0], v[1]); }},
+};
+// clang-format on
+
+const Function* function_of(std::string_view name) {
+    const auto* const at =
+        std::find_if(functions.begin(), functions.end(), [&](const Function& f) { return f.name == name; });
+    return at == functions.end() ? nullptr : at;
+}
+
+}  // namespace
+
+double as_number(const JsonValue& value) {
+    if (value.is_number()) return value.number();
+    if (value == JsonValue()) return std::numeric_limits<double>::quiet_NaN();
+    throw ExpressionProblem{shortened(value.text()) + " is not a number", "a number"};
+}
+
+JsonValue combined(const JsonValue& a, const JsonValue& b, double (*op)(double, double)) {
+    if (!a.is_array() && !b.is_array()) return op(as_number(a), as_number(b));
+    const std::size_t size = a.is_array() ? a.elements().size() : b.elements().size();
+    if (a.is_array() && b.is_array() && b.elements().size() != size)
+        throw ExpressionProblem{"lists of " + std::to_string(size) + " and of " +
+                                    std::to_string(b.elements().size()) + " values meet",
+                                "two of one length, or a number and a list"};
+    JsonValue::Elements results;
+    results.reserve(size);
+    for (std::size_t i = 0; i < size; ++i)
+        results.push_back(
+            combined(a.is_array() ? a.elements()[i] : a, b.is_array() ? b.elements()[i] : b, op));
+    return JsonValue(std::move(results));
+}
+
+bool known_function(std::string_view name) { return function_of(name) != nullptr; }
+
+std::vector<std::string> function_names() {
+    std::vector<std::string> names;
+    for (const Function& f : functions) names.emplace_back(f.name);
+    return names;
+}
+
+JsonValue call_function(const std::string& name, const std::vector<JsonValue>& arguments) {
+    const Function& f = *function_of(name);
+    if (arguments.size() < f.least || arguments.size() > f.most)
+        throw ExpressionProblem{name + "() is given " + std::to_string(arguments.size()) + " values",
+                                std::to_string(f.least) + (f.most == any ? " at least" : "")};
+    return f.value(arguments);
+}
+
+}  // namespace glint

@@ -1,0 +1,48 @@
+#pragma once
+// An expression as a tree. Inside models/lesson only.
+
+#include <string>
+#include <vector>
+
+#include "models/lesson/expression.h"
+
+namespace glint {
+
+enum class ExpressionKind {
+    Literal,  // a number, text, true, false
+    Name,
+    Member,   // .word of the part
+    Element,  // the first part [ the second ]
+    Call,     // word ( the parts )
+    List,
+    Negate,
+    Arithmetic,  // the parts, word + - * / ^ between them
+    Compare,     // word = != < <= > >=; a third part: within
+    And,
+    Or,
+    Not
+};
+
+struct Expression::Node {
+    ExpressionKind kind = ExpressionKind::Literal;
+    std::string word;
+    JsonValue literal;
+    std::vector<Node> parts;
+};
+
+/// What is wrong with an expression or with what it is given; caught before a function of Expression returns.
+struct ExpressionProblem {
+    std::string what, expected;
+};
+
+/// A function's value. Throws ExpressionProblem; `known` is asked while parsing.
+[[nodiscard]] JsonValue call_function(const std::string& name, const std::vector<JsonValue>& arguments);
+[[nodiscard]] bool known_function(std::string_view name);
+[[nodiscard]] std::vector<std::string> function_names();
+
+/// op(a, b), element by element where one or both are lists. Throws ExpressionProblem.
+[[nodiscard]] JsonValue combined(const JsonValue& a, const JsonValue& b, double (*op)(double, double));
+/// The number; throws ExpressionProblem for anything but a number and null, which is not a number (NaN).
+[[nodiscard]] double as_number(const JsonValue& value);
+
+}  // namespace glint

@@ -1,0 +1,73 @@
+#pragma once
+// A lesson's file taken apart, before anything in it is understood: headings, text, and fenced blocks of
+// `key: value` lines. Inside models/lesson only. Functions here throw ProblemFound
+// (models/json/json_reader.h) without a file.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "models/lesson/lesson.h"
+
+namespace glint {
+
+/// `key: value`, or `name = run`, with the lines that are indented behind it.
+struct BlockLine {
+    std::string key, value;
+    int line = 0;  // in the file, from 1
+    bool is_run = false;
+};
+
+/// ```word kind
+struct SourceBlock {
+    std::string word, kind;
+    std::vector<BlockLine> lines;
+    int line = 0;  // of its fence
+
+    /// Throws where a line's key is none of these, or where there are runs and none may be.
+    void allow(const std::vector<std::string>& keys, bool runs) const;
+    /// The only line of that key, or null; throws where there are several.
+    [[nodiscard]] const BlockLine* find(std::string_view key) const;
+    [[nodiscard]] const BlockLine& require(std::string_view key) const;
+    [[nodiscard]] std::vector<const BlockLine*> all(std::string_view key) const;
+};
+
+/// A heading of the first or second level, text, or a block.
+struct SourceHeading {
+    int level = 1, line = 0;
+    std::string text;
+};
+using SourcePart = std::variant<SourceHeading, ProseBlock, SourceBlock>;
+
+/// The parts in the order of the file. The text is valid UTF-8.
+[[nodiscard]] std::vector<SourcePart> lesson_source(std::string_view text);
+
+/// The first words of the fenced blocks that a lesson may have.
+[[nodiscard]] const std::vector<std::string>& lesson_block_words();
+
+/// Lines of a block, of which `texts` are as they stand in the file, the first at `line`.
+[[nodiscard]] std::vector<BlockLine> block_lines(const std::vector<std::string>& texts, int line);
+
+/// Says what is wrong in a line. Does not return.
+[[noreturn]] void fail_at(int line, std::string what, std::string expected);
+
+/// Two whole numbers with a comma between them: a pixel.
+[[nodiscard]] glm::ivec2 read_place(std::string_view text, int line);
+[[nodiscard]] double read_decimal(std::string_view text, int line);
+/// "640x360", each side 1 to max_lesson_side.
+[[nodiscard]] PictureSize read_lesson_size(std::string_view text, int line);
+[[nodiscard]] Assignment read_set(const BlockLine& line);
+[[nodiscard]] Expression read_expression(const BlockLine& line, const std::vector<LessonRun>& runs,
+                                         const std::vector<std::string>& variables = {});
+/// The words of a text, split at blanks.
+[[nodiscard]] std::vector<std::string> words_of(std::string_view text);
+
+/// The runs of a block, each with a name of its own; of compare, the pictures stand above it.
+[[nodiscard]] std::vector<LessonRun> read_runs(const std::vector<BlockLine>& lines);
+
+/// An exercise's block, whose variables are tried with their first values.
+[[nodiscard]] Exercise read_exercise(const SourceBlock& block);
+
+}  // namespace glint
