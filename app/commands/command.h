@@ -44,6 +44,8 @@ struct Command {
 [[nodiscard]] Command diagnose_command();
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command bench_command();
+[[nodiscard]] Command lessons_command();
+[[nodiscard]] Command exercise_command();
 
 /// Those that have a name, in the order of --help.
 [[nodiscard]] std::vector<Command> named_commands();

@@ -10,11 +10,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <map>
 #include <utility>
 #include <vector>
 
+#include "app/assets.h"
 #include "app/failure.h"
 #include "app/window/canvas.h"
 #include "app/window/gl.h"
@@ -31,8 +31,6 @@
 namespace glint {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr int least_width = 320, least_height = 240;  // of the window, in its own units
 constexpr double longest_farewell = 0.3;              // seconds that a closed window's loads may take to end
 
@@ -43,20 +41,10 @@ Failure impossible(const std::string& what) {
     return {ExitStatus::Impossible, problem};
 }
 
-/// The scene that a newcomer meets: beside an installed program, or in the source it was built from.
-std::string default_scene_path() {
-    std::error_code failed;
-    const fs::path program = fs::read_symlink("/proc/self/exe", failed);
-    const fs::path asset = fs::path("assets") / "scenes" / "default.json";
-    for (const fs::path& root : {program.parent_path(), program.parent_path() / ".." / "share" / "glint",
-                                 fs::path(GLINT_SOURCE_DIR)})
-        if (fs::is_regular_file(root / asset, failed)) return (root / asset).string();
-    return {};
-}
-
 Result<SceneDocument> first_document(const WindowOptions& options) {
     if (!options.file.empty()) return open_document(options.file, options.assignments);
-    const std::string path = default_scene_path();
+    // The scene that a newcomer meets.
+    const std::string path = asset_path("scenes/default.json");
     if (path.empty()) return first_scene();
     Result<SceneDocument> opened = open_document(path, options.assignments);
     // Ctrl+S must not write over the program's own scene: it is a new one, its meshes found where they are.
@@ -330,7 +318,7 @@ class Window {
 void run_window(const WindowOptions& options) {
     UiState state(options.threads);
     take_document(state.editor, take(first_document(options)));
-    state.shipped_scenes = fs::path(default_scene_path()).parent_path().string();
+    state.shipped_scenes = asset_path("scenes");
     for (const std::string& warning : state.editor.document.warnings) say_warning(warning);
     begin_persistence(state, state_folder());
     const Glfw glfw;

@@ -1,0 +1,69 @@
+// glint exercise: sheets with numbers of their own, and their keys.
+#include <memory>
+
+#include "app/arguments.h"
+#include "app/commands/command.h"
+#include "app/lesson_arguments.h"
+#include "models/io/file.h"
+#include "renderer/image/html_image.h"
+#include "renderer/lessons/exercise_sheet.h"
+#include "renderer/lessons/handout.h"
+
+namespace glint {
+namespace {
+
+struct ExerciseArguments {
+    std::string name, out;
+    int seed = 1, count = 1, threads = 0;
+};
+
+/// The lesson's scene as an element of the page.
+std::string picture_of(LessonRunner& runner, const Lesson& lesson) {
+    const SceneDocument document = take(runner.open(lesson));
+    const Picture picture = take(runner.picture(document, lesson, handout_size(lesson), 4));
+    return html_image(picture, "The scene of the lesson");
+}
+
+Outcome exercise(const ExerciseArguments& arguments) {
+    require_given(arguments.name, "NAME", "a lesson with exercises");
+    require_given(arguments.out, "-o", "a file to write, .html or .tex");
+    const std::string extension = lower_extension(arguments.out);
+    if (extension != ".html" && extension != ".tex")
+        throw wrong_usage("-o", arguments.out + " cannot be written", "a name that ends in .html or .tex");
+    require_writable(arguments.out);
+    const Lesson lesson = open_lesson(arguments.name);
+    LessonRunner runner(arguments.threads);
+    const std::vector<ExerciseSheet> sheets =
+        take(exercise_sheets(runner, lesson, static_cast<std::uint64_t>(arguments.seed), arguments.count));
+    const std::string text = extension == ".tex" ? exercises_tex(lesson, sheets)
+                                                 : exercises_html(lesson, sheets, picture_of(runner, lesson));
+    (void)take(write_file(arguments.out, text));
+    return {};
+}
+
+Run declare(Options& options) {
+    auto arguments = std::make_shared<ExerciseArguments>();
+    add_text(options, "NAME", "", "a lesson by its name or number, or its file", arguments->name);
+    options.add_value("--seed", "N",
+                      "number of the first sheet; the same seed is the same sheet; 1 when not given",
+                      [&seed = arguments->seed](const std::string& text) {
+                          seed = read_count("--seed", text, 0, 2147483647);
+                      });
+    options.add_value("--count", "K", "how many sheets, each with its own numbers; 1 when not given",
+                      [&count = arguments->count](const std::string& text) {
+                          count = read_count("--count", text, 1, max_exercise_sheets);
+                      });
+    add_text(options, "-o", "OUT", "where the sheets and their keys go: .html or .tex", arguments->out);
+    add_threads(options, arguments->threads);
+    add_memory(options);
+    return [arguments] { return exercise(*arguments); };
+}
+
+}  // namespace
+
+Command exercise_command() {
+    return {"exercise", "NAME -o OUT", "writes exercises of a lesson, another sheet for each student",
+            "glint exercise lambert --seed 7 --count 30 -o sheets.html", declare};
+}
+
+}  // namespace glint

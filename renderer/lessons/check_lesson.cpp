@@ -1,0 +1,173 @@
+#include "renderer/lessons/check_lesson.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace glint {
+namespace {
+
+/// Nothing where it holds, else why it does not.
+using Shortfall = std::optional<std::string>;
+
+Shortfall text_of(const Problem* problem) {
+    if (problem == nullptr) return {};
+    return problem->expected.empty() ? problem->what : problem->what + "; expected " + problem->expected;
+}
+
+class Checker {
+  public:
+    Checker(LessonRunner& runner, const Lesson& lesson, SceneDocument document)
+        : runner_(runner), lesson_(lesson), document_(std::move(document)) {}
+
+    Shortfall operator()(const Claim& claim) {
+        const Result<NamedValues> run = runner_.answers(document_, lesson_, claim.runs);
+        if (const Problem* problem = problem_of(run)) return text_of(problem);
+        for (const Expression& check : claim.checks)
+            if (Shortfall shortfall = unless_holds(check, std::get<NamedValues>(run))) return shortfall;
+        return {};
+    }
+
+    Shortfall operator()(const Prediction& p) {
+        const Result<RightAnswer> right = right_answer(runner_, document_, lesson_, p);
+        if (const Problem* problem = problem_of(right)) return text_of(problem);
+        const auto& [value, tolerance] = std::get<RightAnswer>(right);
+        if (p.kind == PredictionKind::Choice) return {};
+        if (!(tolerance > 0))
+            return "the tolerance is " + JsonValue(tolerance).text() + "; expected more than 0";
+        return wrong_form(p, value);
+    }
+
+    Shortfall operator()(const Task& task) {
+        if (task.solution.empty()) return "no solution is given; expected lines solution:";
+        Shortfall before = done(task, document_, false);
+        if (before) return before;
+        const Result<SceneDocument> solved = LessonRunner::with(document_, task.solution, lesson_, task.line);
+        if (const Problem* problem = problem_of(solved)) return text_of(problem);
+        return done(task, std::get<SceneDocument>(solved), true);
+    }
+
+    Shortfall operator()(const Exercise& exercise) {
+        constexpr std::uint64_t seeds = 4;
+        for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+            const Result<PosedQuestion> posed = pose(runner_, document_, lesson_, exercise, seed);
+            if (const Problem* problem = problem_of(posed)) return text_of(problem);
+            const auto& q = std::get<PosedQuestion>(posed);
+            if (q.closed && !(std::abs(*q.closed - q.answer) <= q.tolerance))
+                return fmt::format("{}: the engine says {}, the formula {}", q.question, q.answer, *q.closed);
+        }
+        return {};
+    }
+
+  private:
+    Shortfall unless_holds(const Expression& condition, const NamedValues& values) const {
+        const Result<bool> holds = condition.holds(values);
+        if (const Problem* problem = problem_of(holds)) return text_of(problem);
+        if (std::get<bool>(holds)) return {};
+        return condition.text() + " is false: " + condition.with_values(values);
+    }
+
+    Shortfall done(const Task& task, const SceneDocument& document, bool expected) {
+        const Result<NamedValues> run = runner_.answers(document, lesson_, task.runs);
+        if (const Problem* problem = problem_of(run)) return text_of(problem);
+        if (expected) return unless_holds(task.done, std::get<NamedValues>(run));
+        const Result<bool> holds = task.done.holds(std::get<NamedValues>(run));
+        if (const Problem* problem = problem_of(holds)) return text_of(problem);
+        if (std::get<bool>(holds)) return "it is done before anything is dragged: " + task.done.text();
+        return {};
+    }
+
+    static Shortfall wrong_form(const Prediction& p, const JsonValue& value) {
+        if (p.kind == PredictionKind::Number) {
+            if (value.is_number() && std::isfinite(value.number())) return {};
+            return "the answer is " + value.text() + "; expected a number";
+        }
+        const int along = std::max(std::abs(p.to.x - p.from.x), std::abs(p.to.y - p.from.y)) + 1;
+        const int count = p.kind == PredictionKind::Click ? 2 : p.kind == PredictionKind::Colour ? 3 : along;
+        const JsonValue::Elements& list = value.elements();
+        const bool numbers = std::all_of(list.begin(), list.end(), [](const JsonValue& v) {
+            return v.is_number() && std::isfinite(v.number());
+        });
+        if (numbers && static_cast<int>(list.size()) == count) return {};
+        return fmt::format("the answer has {} values; expected {} numbers", list.size(), count);
+    }
+
+    LessonRunner& runner_;
+    const Lesson& lesson_;
+    SceneDocument document_;
+};
+
+/// What is checked of a part: its kind, its line, its words. Nothing for text and reveals.
+std::optional<Checked> described(const LessonPart& part) {
+    if (const auto* claim = std::get_if<Claim>(&part))
+        return Checked{CheckedKind::Claim, claim->line, claim->says, false, {}};
+    if (const auto* p = std::get_if<Prediction>(&part))
+        return Checked{CheckedKind::Prediction, p->line, p->question, false, {}};
+    if (const auto* task = std::get_if<Task>(&part))
+        return Checked{CheckedKind::Task, task->line, task->drag, false, {}};
+    if (const auto* exercise = std::get_if<Exercise>(&part))
+        return Checked{CheckedKind::Exercise, exercise->line, "the exercise", false, {}};
+    return {};
+}
+
+/// A reveal has to be something that can be set.
+std::optional<Problem> wrong_reveal(const Lesson& lesson, const LessonStep& step,
+                                    const SceneDocument& document) {
+    for (const LessonPart& part : step.parts) {
+        const auto* reveal = std::get_if<Reveal>(&part);
+        if (reveal == nullptr) continue;
+        std::vector<Assignment> set = reveal->set;
+        if (!reveal->play.empty())
+            for (const double end : {reveal->play_from, reveal->play_to})
+                set.push_back({reveal->play, fmt::format("{}", end)});
+        const Result<SceneDocument> changed = LessonRunner::with(document, set, lesson, reveal->line);
+        if (const Problem* problem = problem_of(changed)) return *problem;
+    }
+    return {};
+}
+
+}  // namespace
+
+const char* name_of(CheckedKind kind) {
+    switch (kind) {
+    case CheckedKind::Prediction:
+        return "prediction";
+    case CheckedKind::Task:
+        return "task";
+    case CheckedKind::Claim:
+        return "claim";
+    case CheckedKind::Exercise:
+        return "exercise";
+    }
+    return "";  // not reached
+}
+
+Result<std::vector<Checked>> check_lesson(LessonRunner& runner, const Lesson& lesson, bool claims_only) {
+    const Result<SceneDocument> opened = runner.open(lesson);
+    if (const Problem* problem = problem_of(opened)) return *problem;
+    std::vector<Checked> all;
+    for (const LessonStep& step : lesson.steps) {
+        const Result<SceneDocument> set =
+            LessonRunner::with(std::get<SceneDocument>(opened), step.set, lesson, step.line);
+        if (const Problem* problem = problem_of(set)) return *problem;
+        const auto& document = std::get<SceneDocument>(set);
+        if (std::optional<Problem> problem = wrong_reveal(lesson, step, document)) return *problem;
+        Checker checker(runner, lesson, document);
+        for (const LessonPart& part : step.parts) {
+            std::optional<Checked> checked = described(part);
+            if (!checked || (claims_only && checked->kind != CheckedKind::Claim)) continue;
+            const Shortfall shortfall = std::visit(
+                [&checker](const auto& p) -> Shortfall {
+                    if constexpr (std::is_invocable_v<Checker&, decltype(p)>) return checker(p);
+                    return {};
+                },
+                part);
+            checked->holds = !shortfall;
+            checked->why = shortfall.value_or("");
+            all.push_back(std::move(*checked));
+        }
+    }
+    return all;
+}
+
+}  // namespace glint

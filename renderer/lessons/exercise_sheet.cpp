@@ -1,0 +1,173 @@
+#include "renderer/lessons/exercise_sheet.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "models/io/markup.h"
+#include "renderer/lessons/page.h"
+
+namespace glint {
+namespace {
+
+/// SplitMix64. Source: G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", 2014.
+std::uint64_t next_random(std::uint64_t& state) {
+    state += 0x9e3779b97f4a7c15ULL;
+    std::uint64_t z = state;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+    return z ^ (z >> 31);
+}
+
+Problem in_exercise(Problem problem, const Lesson& lesson, const Exercise& exercise) {
+    if (problem.file.empty()) {
+        problem.file = lesson.path;
+        problem.line = exercise.line;
+    }
+    return problem;
+}
+
+/// As many digits as the tolerance leaves any sense to.
+std::string answer_text(const PosedQuestion& q) {
+    const int digits = q.tolerance > 0 ? static_cast<int>(std::ceil(-std::log10(q.tolerance))) + 1 : 4;
+    const double answer = std::abs(q.answer) < 1e-12 ? 0 : q.answer;
+    return fmt::format("{:.{}f}{}{}", answer, std::min(std::max(digits, 0), 9), q.unit.empty() ? "" : " ",
+                       q.unit);
+}
+
+/// Letters and signs of our texts, which LaTeX's first font encoding lacks.
+std::string latex_text(std::string_view text) {
+    constexpr std::array<std::array<std::string_view, 2>, 15> signs{{{"°", "\\textdegree{}"},
+                                                                     {"·", "\\textperiodcentered{}"},
+                                                                     {"√", "\\ensuremath{\\surd}"},
+                                                                     {"²", "\\ensuremath{^2}"},
+                                                                     {"ⁿ", "\\ensuremath{^n}"},
+                                                                     {"π", "\\ensuremath{\\pi}"},
+                                                                     {"θ", "\\ensuremath{\\theta}"},
+                                                                     {"σ", "\\ensuremath{\\sigma}"},
+                                                                     {"−", "\\ensuremath{-}"},
+                                                                     {"×", "\\ensuremath{\\times}"},
+                                                                     {"≤", "\\ensuremath{\\le}"},
+                                                                     {"≥", "\\ensuremath{\\ge}"},
+                                                                     {"…", "\\dots{}"},
+                                                                     {"–", "--"},
+                                                                     {"½", "\\ensuremath{\\frac12}"}}};
+    std::string escaped = latex_escaped(text);
+    for (const auto& [sign, command] : signs)
+        for (std::size_t at = escaped.find(sign); at != escaped.npos; at = escaped.find(sign, at))
+            escaped.replace(at, sign.size(), command);
+    return escaped;
+}
+
+}  // namespace
+
+Result<PosedQuestion> pose(LessonRunner& runner, const SceneDocument& document, const Lesson& lesson,
+                           const Exercise& exercise, std::uint64_t seed) {
+    std::uint64_t state = seed * 1'000'003 + static_cast<std::uint64_t>(exercise.line);
+    std::vector<double> drawn;
+    for (const Exercise::Variable& variable : exercise.variables)
+        drawn.push_back(variable.values[next_random(state) % variable.values.size()]);
+    const Result<ExerciseInstance> made = exercise_with(exercise, drawn, lesson.path);
+    if (const Problem* problem = problem_of(made)) return *problem;
+    const auto& instance = std::get<ExerciseInstance>(made);
+    const Result<SceneDocument> set = LessonRunner::with(document, instance.set, lesson, exercise.line);
+    if (const Problem* problem = problem_of(set)) return *problem;
+    Result<NamedValues> run = runner.answers(std::get<SceneDocument>(set), lesson, instance.runs);
+    if (const Problem* problem = problem_of(run)) return *problem;
+    auto& values = std::get<NamedValues>(run);
+    values.insert(instance.values.begin(), instance.values.end());
+
+    PosedQuestion posed{instance.question, instance.unit, 0, 0, {}};
+    const Result<double> answer = instance.answer.number(values),
+                         tolerance = instance.tolerance.number(values);
+    if (const Problem* problem = problem_of(answer)) return in_exercise(*problem, lesson, exercise);
+    if (const Problem* problem = problem_of(tolerance)) return in_exercise(*problem, lesson, exercise);
+    posed.answer = std::get<double>(answer);
+    posed.tolerance = std::get<double>(tolerance);
+    if (instance.closed.text().empty()) return posed;
+    const Result<double> closed = instance.closed.number(values);
+    if (const Problem* problem = problem_of(closed)) return in_exercise(*problem, lesson, exercise);
+    posed.closed = std::get<double>(closed);
+    return posed;
+}
+
+Result<std::vector<ExerciseSheet>> exercise_sheets(LessonRunner& runner, const Lesson& lesson,
+                                                   std::uint64_t seed, int count) {
+    const Result<SceneDocument> opened = runner.open(lesson);
+    if (const Problem* problem = problem_of(opened)) return *problem;
+    std::vector<ExerciseSheet> sheets;
+    for (int i = 0; i < count; ++i) {
+        ExerciseSheet sheet{seed + static_cast<std::uint64_t>(i), {}};
+        for (const LessonStep& step : lesson.steps) {
+            const Result<SceneDocument> set =
+                LessonRunner::with(std::get<SceneDocument>(opened), step.set, lesson, step.line);
+            if (const Problem* problem = problem_of(set)) return *problem;
+            for (const LessonPart& part : step.parts) {
+                const auto* exercise = std::get_if<Exercise>(&part);
+                if (exercise == nullptr) continue;
+                Result<PosedQuestion> posed =
+                    pose(runner, std::get<SceneDocument>(set), lesson, *exercise, sheet.seed);
+                if (const Problem* problem = problem_of(posed)) return *problem;
+                sheet.questions.push_back(std::get<PosedQuestion>(std::move(posed)));
+            }
+        }
+        if (sheet.questions.empty())
+            return Problem{lesson.path, "", "the lesson has no exercises", "a block \"exercise\""};
+        sheets.push_back(std::move(sheet));
+    }
+    return sheets;
+}
+
+std::string exercises_html(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets,
+                           const std::string& picture) {
+    std::string body;
+    for (const ExerciseSheet& sheet : sheets) {
+        body += fmt::format(
+            "<section class=\"paper\"><p class=\"topic\">Sheet {} · {}</p>\n<h1>{}</h1>\n"
+            "<p class=\"name\">Name:</p>\n{}\n<ol>\n",
+            sheet.seed, html_escaped(lesson.topic), html_escaped(lesson.title), picture);
+        for (const PosedQuestion& q : sheet.questions)
+            body += fmt::format("<li>{}<p class=\"answer\">{}</p></li>\n", html_escaped(q.question),
+                                html_escaped(q.unit));
+        body += "</ol></section>\n";
+    }
+    body += fmt::format(
+        "<section class=\"paper\"><h1>Keys: {}</h1>\n<table><tr><th>Sheet</th><th>Answers</th></tr>\n",
+        html_escaped(lesson.title));
+    for (const ExerciseSheet& sheet : sheets) {
+        body += fmt::format("<tr><td>{}</td><td><ol>", sheet.seed);
+        for (const PosedQuestion& q : sheet.questions)
+            body += fmt::format("<li>{}</li>", html_escaped(answer_text(q)));
+        body += "</ol></td></tr>\n";
+    }
+    return page_html("Exercises: " + lesson.title, body + "</table></section>\n");
+}
+
+std::string exercises_tex(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets) {
+    std::string tex =
+        "\\documentclass[11pt,a4paper]{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n"
+        "\\usepackage{amsmath,textcomp}\n\\setlength{\\parindent}{0pt}\n\\begin{document}\n";
+    const std::string title = latex_text(lesson.title);
+    for (const ExerciseSheet& sheet : sheets) {
+        tex += fmt::format(
+            "\\section*{{{}}}\nSheet {}\\hfill Name: \\underline{{\\hspace{{6cm}}}}\n"
+            "\\begin{{enumerate}}\n",
+            title, sheet.seed);
+        for (const PosedQuestion& q : sheet.questions)
+            tex += fmt::format("\\item {}\\par\\vspace{{2cm}}Answer: \\underline{{\\hspace{{4cm}}}} {}\n",
+                               latex_text(q.question), latex_text(q.unit));
+        tex += "\\end{enumerate}\n\\newpage\n";
+    }
+    tex += fmt::format("\\section*{{Keys: {}}}\n", title);
+    for (const ExerciseSheet& sheet : sheets) {
+        tex += fmt::format("Sheet {}:", sheet.seed);
+        for (std::size_t i = 0; i < sheet.questions.size(); ++i)
+            tex += fmt::format("\\quad {}. {}", i + 1, latex_text(answer_text(sheet.questions[i])));
+        tex += "\\par\n";
+    }
+    return tex + "\\end{document}\n";
+}
+
+}  // namespace glint

@@ -1,0 +1,43 @@
+#pragma once
+// Exercises with numbers drawn by a seed, and their keys, which the engine computes.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/lessons/run_lesson.h"
+
+namespace glint {
+
+struct PosedQuestion {
+    std::string question, unit;
+    double answer = 0, tolerance = 0;
+    std::optional<double> closed;  // the same by the exercise's formula, where it has one
+};
+
+/// The exercise with values drawn by the seed, on that scene. Same seed, same numbers, on every machine.
+[[nodiscard]] Result<PosedQuestion> pose(LessonRunner& runner, const SceneDocument& document,
+                                         const Lesson& lesson, const Exercise& exercise, std::uint64_t seed);
+
+struct ExerciseSheet {
+    std::uint64_t seed = 0;
+    std::vector<PosedQuestion> questions;
+};
+
+/// At most so many sheets at once.
+inline constexpr int max_exercise_sheets = 500;
+
+/// One sheet for each of `count` seeds from `seed` on, with all exercises of the lesson. A problem where it
+/// has none.
+[[nodiscard]] Result<std::vector<ExerciseSheet>> exercise_sheets(LessonRunner& runner, const Lesson& lesson,
+                                                                 std::uint64_t seed, int count);
+
+/// A page that needs nothing else: the sheets, each on a paper of its own, then their keys. `picture` is an
+/// HTML element, or empty.
+[[nodiscard]] std::string exercises_html(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets,
+                                         const std::string& picture);
+/// The same for LaTeX, without the picture. A letter that LaTeX's usual fonts lack is written as a command.
+[[nodiscard]] std::string exercises_tex(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets);
+
+}  // namespace glint

@@ -1,0 +1,66 @@
+#pragma once
+// What a lesson's runs answer: the JSON that the commands of the same names print, made by the same code
+// (docs/interface.md). For `glint lessons`, and for a window, which asks it of the scene that a student has
+// before him.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "models/lesson/lesson.h"
+#include "renderer/renderer.h"
+
+namespace glint {
+
+using NamedPictures = std::map<std::string, Picture>;
+
+class LessonRunner {
+  public:
+    /// `threads` as of Renderer. `always` is set behind everything else on every scene: a test switches a
+    /// mistake on and sees which claims fall.
+    explicit LessonRunner(int threads = 0, std::vector<Assignment> always = {});
+
+    /// A lesson's scene. Its meshes are loaded; of the same file they are kept from call to call.
+    [[nodiscard]] Result<SceneDocument> open(const Lesson& lesson);
+
+    /// The document with these set on it, one list behind the other. What is wrong with one is told at `line`
+    /// of the lesson.
+    [[nodiscard]] static Result<SceneDocument> with(const SceneDocument& document,
+                                                    const std::vector<Assignment>& set, const Lesson& lesson,
+                                                    int line);
+
+    /// The answers of the runs on that scene, by their names. A problem has the lesson's file and the line of
+    /// the run. Throws Refused and std::bad_alloc, as Renderer does.
+    [[nodiscard]] Result<NamedValues> answers(const SceneDocument& document, const Lesson& lesson,
+                                              const std::vector<LessonRun>& runs);
+
+    /// The scene as a picture, `always` set on it too.
+    [[nodiscard]] Result<Picture> picture(const SceneDocument& document, const Lesson& lesson,
+                                          PictureSize size, int samples);
+
+  private:
+    Result<JsonValue> answer(const SceneDocument& document, const Lesson& lesson, const LessonRun& run,
+                             NamedPictures& pictures);
+
+    int threads_;
+    std::vector<Assignment> always_;
+    Renderer renderer_;
+    SceneDocument opened_;
+};
+
+/// The right answer of a prediction on that scene: a number; the number of an option, from 0; a pixel; a
+/// list; a colour.
+struct RightAnswer {
+    JsonValue value;
+    double tolerance = 0;  // 0 for a choice
+};
+[[nodiscard]] Result<RightAnswer> right_answer(LessonRunner& runner, const SceneDocument& document,
+                                               const Lesson& lesson, const Prediction& prediction);
+
+/// How far `given` is from the right answer, both of the same kind: the difference of two numbers; 0 or 1
+/// for a choice; pixels between two places; the root of the mean square for a sketch; the largest difference
+/// of a channel for a colour. It counts as right where this is at most the tolerance.
+/// Precondition: lists of equal length.
+[[nodiscard]] double how_far(PredictionKind kind, const JsonValue& given, const JsonValue& right);
+
+}  // namespace glint
