@@ -1,0 +1,110 @@
+// glint lessons and glint exercise, as a user runs them.
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+
+using namespace glint;
+
+namespace {
+
+std::string lesson_text(const std::string& scene, const std::string& check) {
+    return "# Mine\n\n```lesson\ntopic: Own\nscene: " + scene +
+           "\nsize: 32x32\n```\n\n```claim\nsays: One.\ne = explain --pixel 16,16\ncheck: " + check +
+           "\n```\n";
+}
+
+const char* const scene_text = R"({"glint": 1, "objects": [{"name": "Ball"}]})";
+
+void check_wrong(const std::vector<std::string>& arguments, const std::string& part) {
+    const Ended ended = run_glint(arguments);
+    CAPTURE(arguments, ended.err);
+    CHECK(ended.status == 2);
+    CHECK(ended.out.empty());
+    CHECK(ended.err.find(part) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("glint lessons lists those that come with the program, as text and as JSON", "[cli][lesson]") {
+    const Ended text = run_glint({"lessons"}), json = run_glint({"lessons", "--format", "json"});
+    REQUIRE(text.status == 0);
+    REQUIRE(json.status == 0);
+    const auto lessons = nlohmann::json::parse(json.out)["lessons"];
+    CHECK(lessons.size() >= 16);
+    for (const auto& lesson : lessons) {
+        const std::string name = lesson["name"], title = lesson["title"];
+        CAPTURE(name);
+        CHECK(text.out.find(name) != std::string::npos);
+        CHECK(text.out.find(title) != std::string::npos);
+        CHECK(lesson["claims"] > 0);
+    }
+    for (const char* const word : {"05-lambert", "lambert", "05", "5"}) {
+        const Ended one = run_glint({"lessons", word, "--format", "json"});
+        CAPTURE(word);
+        CHECK(nlohmann::json::parse(one.out)["lessons"].at(0)["name"] == "05-lambert");
+    }
+}
+
+TEST_CASE("glint lessons --check ends with status 1 where a claim of one's own folder falls short",
+          "[cli][lesson]") {
+    const TemporaryDirectory directory;
+    (void)directory.file("ball.json", scene_text);
+    const std::string good = directory.file("01-good.md", lesson_text("ball.json", "e.hit"));
+    const std::string bad = directory.file("02-bad.md", lesson_text("ball.json", "e.sum[0] = 7"));
+    const Ended one = run_glint({"lessons", "--check", good});
+    CHECK(one.status == 0);
+    CHECK(one.out == "1 of 1 hold\n");
+    const Ended both = run_glint({"lessons", "--check", directory.path()});
+    CHECK(both.status == 1);
+    CHECK(both.err.empty());
+    CHECK(both.out.find(bad + ":9: claim: One.\n    e.sum[0] = 7 is false: 0.0") == 0);
+    CHECK(both.out.find("1 of 2 hold\n") != std::string::npos);
+    const auto json = nlohmann::json::parse(
+        run_glint({"lessons", "--check", directory.path(), "--format", "json"}).out)["checked"];
+    REQUIRE(json.size() == 2);
+    CHECK((json[0]["holds"] == true && json[1]["holds"] == false && json[1]["line"] == 9));
+}
+
+TEST_CASE("an error in a lesson is one line on standard error", "[cli][lesson][bad-input]") {
+    const TemporaryDirectory directory;
+    (void)directory.file("ball.json", scene_text);
+    const std::string path = directory.file("l.md", lesson_text("ball.json", "e.hits = "));
+    const Ended ended = run_glint({"lessons", "--check", path});
+    CHECK(ended.status == 1);
+    CHECK(ended.out.empty());
+    CHECK(ended.err == "glint: error: " + path + ":12: \"e.hits =\" ends too early; expected a value\n");
+    const std::string other = directory.file("m.md", lesson_text("none.json", "e.hit"));
+    CHECK(run_glint({"lessons", "--check", other}).err.find("none.json: cannot read") != std::string::npos);
+}
+
+TEST_CASE("glint lessons and glint exercise write pages", "[cli][lesson]") {
+    const TemporaryDirectory directory;
+    const std::string page = directory.path("l.html"), tex = directory.path("e.tex"),
+                      html = directory.path("e.html");
+    CHECK(run_glint({"lessons", "lambert", "-o", page, "--key"}).status == 0);
+    CHECK(bytes_of(page).find("<!DOCTYPE html>") == 0);
+    CHECK(run_glint({"lessons", "lambert", "-o", "-"}).out.find("<!DOCTYPE html>") == 0);
+    CHECK(run_glint({"exercise", "lambert", "--seed", "7", "--count", "3", "-o", tex}).status == 0);
+    CHECK(run_glint({"exercise", "lambert", "--seed", "7", "--count", "3", "-o", html}).status == 0);
+    for (const char* const sheet : {"Sheet 7", "Sheet 8", "Sheet 9"}) {
+        CHECK(bytes_of(tex).find(sheet) != std::string::npos);
+        CHECK(bytes_of(html).find(sheet) != std::string::npos);
+    }
+    CHECK(bytes_of(tex).find("\\begin{document}") != std::string::npos);
+    CHECK(bytes_of(tex).find("\\end{document}\n") != std::string::npos);
+}
+
+TEST_CASE("wrong usage of glint lessons and glint exercise says what is wrong", "[cli][lesson][bad-input]") {
+    check_wrong({"lessons", "lambret"},
+                "lambret: neither a file nor a lesson; expected 05-lambert, or a file");
+    check_wrong({"lessons", "-o", "x.html"}, "-o: prints one lesson");
+    check_wrong({"lessons", "5", "-o", "x.pdf"}, "expected a name that ends in .html, or -");
+    check_wrong({"lessons", "5", "--key"}, "--key: is without -o");
+    check_wrong({"lessons", "5", "--check", "-o", "x.html"}, "--check: stands beside -o");
+    check_wrong({"exercise"}, "NAME: is missing");
+    check_wrong({"exercise", "5"}, "-o: is missing");
+    check_wrong({"exercise", "5", "-o", "x.pdf"}, "expected a name that ends in .html or .tex");
+    check_wrong({"exercise", "5", "-o", "x.html", "--count", "0"}, "--count: 0 is out of range");
+}
