@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "models/lesson/lesson.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 
@@ -27,18 +28,19 @@ std::string text_of(const fs::path& path) {
 
 struct Row {
     int number = 0;
-    std::string idea, scene, command, tests, file, symbol;
+    std::string idea, scene, command, tests, file, symbol, lessons;
 };
 
 std::vector<Row> rows() {
     std::vector<Row> found;
     std::istringstream lines(text_of(source_dir / "docs" / "lecture_map.md"));
-    const std::regex form(R"(\| (\d+) \| (.+) \| (\S+) \| `(.+)` \| (.+) \| `(\S+)`: (\w+) \|)");
+    const std::regex form(R"(\| (\d+) \| (.+) \| (\S+) \| `(.+)` \| (.+) \| `(\S+)`: (\w+) \| (.+) \|)");
     std::string line;
     while (std::getline(lines, line)) {
         std::smatch cell;
         if (std::regex_match(line, cell, form))
-            found.push_back({std::stoi(cell[1]), cell[2], cell[3], cell[4], cell[5], cell[6], cell[7]});
+            found.push_back(
+                {std::stoi(cell[1]), cell[2], cell[3], cell[4], cell[5], cell[6], cell[7], cell[8]});
     }
     return found;
 }
@@ -169,4 +171,44 @@ TEST_CASE("every idea of the lecture map is programmed in the file that it names
         const std::string text = text_of(source_dir / row.file);
         CHECK(std::regex_search(text, std::regex("\\b" + row.symbol + "\\b")));
     }
+}
+
+namespace {
+
+/// The names of the lessons that have this number among their rows, or among the questions that they answer.
+std::vector<std::string> lessons_with(int number, std::vector<int> Lesson::*numbers) {
+    std::vector<std::string> names;
+    const auto files = lesson_files({(source_dir / "assets" / "lessons").string()});
+    for (const std::string& file : std::get<std::vector<std::string>>(files)) {
+        const auto lesson = std::get<Lesson>(read_lesson(file));
+        const std::vector<int>& list = lesson.*numbers;
+        if (std::find(list.begin(), list.end(), number) != list.end()) names.push_back(lesson.name);
+    }
+    return names;
+}
+
+}  // namespace
+
+TEST_CASE("every idea of the lecture map is touched by the lessons that it names", "[docs][lesson]") {
+    REQUIRE(rows().size() == 52);
+    for (const Row& row : rows()) {
+        CAPTURE(row.number);
+        CHECK(!in_backticks(row.lessons).empty());
+        CHECK(in_backticks(row.lessons) == lessons_with(row.number, &Lesson::rows));
+    }
+}
+
+TEST_CASE("each of the lecture's eleven questions is answered by the lesson that the map names",
+          "[docs][lesson]") {
+    std::istringstream lines(text_of(source_dir / "docs" / "lecture_map.md"));
+    const std::regex form(R"(\| (\d+) \| ([^|]+\?) \| (`[^|]+`) \|)");
+    int questions = 0;
+    for (std::string line; std::getline(lines, line);) {
+        std::smatch cell;
+        if (!std::regex_match(line, cell, form)) continue;
+        CAPTURE(line);
+        CHECK(std::stoi(cell[1]) == ++questions);
+        CHECK(in_backticks(cell[3]) == lessons_with(questions, &Lesson::questions));
+    }
+    CHECK(questions == 11);
 }
