@@ -43,18 +43,33 @@ std::string decimal_text(double value) {
     return fmt::format("{:.10g}", std::abs(value) < 1e-12 ? 0.0 : value);
 }
 
-std::string replaced(std::string text, const NamedValues& values) {
-    for (const auto& [name, value] : values) {
-        const std::string wanted = "{" + name + "}", number = decimal_text(value.number());
-        for (std::size_t at = text.find(wanted); at != text.npos; at = text.find(wanted, at + number.size()))
-            text.replace(at, wanted.size(), number);
+/// The number that stands for what is between two braces.
+std::string number_of(const std::string& text, const NamedValues& values, int line) {
+    const Result<Expression> parsed = Expression::parse(text);
+    if (const Problem* problem = problem_of(parsed)) fail_at(line, problem->what, problem->expected);
+    const Result<double> number = std::get<Expression>(parsed).number(values);
+    if (const Problem* problem = problem_of(number)) fail_at(line, problem->what, problem->expected);
+    return decimal_text(std::get<double>(number));
+}
+
+/// {angle} and {sin(angle)} as numbers. What has a quote in it is an object of JSON, in which others may be.
+std::string replaced(const std::string& text, const NamedValues& values, int line) {
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = text[at] == '{' ? text.find_first_of("{}\"", at + 1) : text.npos;
+        if (end == text.npos || text[end] != '}') {
+            result += text[at++];
+            continue;
+        }
+        result += number_of(text.substr(at + 1, end - at - 1), values, line);
+        at = end + 1;
     }
-    return text;
+    return result;
 }
 
 ExerciseInstance instance_of(const SourceBlock& block, const NamedValues& values) {
     SourceBlock filled = block;
-    for (BlockLine& line : filled.lines) line.value = replaced(line.value, values);
+    for (BlockLine& line : filled.lines) line.value = replaced(line.value, values, line.line);
     ExerciseInstance instance;
     instance.values = values;
     std::vector<std::string> names;

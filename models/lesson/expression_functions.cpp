@@ -26,7 +26,22 @@ JsonValue each(const JsonValue& value, double (*f)(double)) {
     for (const JsonValue& element : value.elements()) results.push_back(each(element, f));
     return JsonValue(std::move(results));
 }
+/// A function of one number as one of each number.
+template <double (*f)(double)> JsonValue of_each(const Values& v) { return each(v[0], f); }
 
+double magnitude(double x) { return std::abs(x); }
+double square_root(double x) { return std::sqrt(x); }
+double exponential(double x) { return std::exp(x); }
+double logarithm(double x) { return std::log(x); }
+double sine(double deg) { return std::sin(deg * radians); }
+double cosine(double deg) { return std::cos(deg * radians); }
+double tangent(double deg) { return std::tan(deg * radians); }
+double arc_sine(double x) { return std::asin(x) / radians; }
+double arc_cosine(double x) { return std::acos(x) / radians; }
+double arc_tangent(double x) { return std::atan(x) / radians; }
+double nearest_whole(double x) { return std::round(x); }
+
+double quotient(double a, double b) { return a / b; }
 double plus(double a, double b) { return a + b; }
 double times(double a, double b) { return a * b; }
 
@@ -93,6 +108,10 @@ JsonValue part(const Values& v) {
                                          begin + static_cast<std::ptrdiff_t>(to) + 1));
 }
 
+JsonValue mean(const Values& v) {
+    return combined(sum(v[0]), static_cast<double>(as_list(v[0]).size()), quotient);
+}
+
 struct Function {
     std::string_view name;
     std::size_t least, most;  // arguments
@@ -101,24 +120,22 @@ struct Function {
 
 constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
 
-// clang-format off
 constexpr std::array functions{
-    Function{"abs", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::abs(x); }); }},
-    Function{"sqrt", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::sqrt(x); }); }},
-    Function{"exp", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::exp(x); }); }},
-    Function{"log", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::log(x); }); }},
-    Function{"sin", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::sin(x * radians); }); }},
-    Function{"cos", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::cos(x * radians); }); }},
-    Function{"tan", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::tan(x * radians); }); }},
-    Function{"asin", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::asin(x) / radians; }); }},
-    Function{"acos", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::acos(x) / radians; }); }},
-    Function{"atan", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::atan(x) / radians; }); }},
-    Function{"round", 1, 1, [](const Values& v) { return each(v[0], [](double x) { return std::round(x); }); }},
+    Function{"abs", 1, 1, of_each<magnitude>},
+    Function{"sqrt", 1, 1, of_each<square_root>},
+    Function{"exp", 1, 1, of_each<exponential>},
+    Function{"log", 1, 1, of_each<logarithm>},
+    Function{"round", 1, 1, of_each<nearest_whole>},
+    Function{"sin", 1, 1, of_each<sine>},
+    Function{"cos", 1, 1, of_each<cosine>},
+    Function{"tan", 1, 1, of_each<tangent>},
+    Function{"asin", 1, 1, of_each<arc_sine>},
+    Function{"acos", 1, 1, of_each<arc_cosine>},
+    Function{"atan", 1, 1, of_each<arc_tangent>},
     Function{"pi", 0, 0, [](const Values&) { return JsonValue(std::numbers::pi); }},
     Function{"count", 1, 1, [](const Values& v) { return JsonValue(as_list(v[0]).size()); }},
     Function{"sum", 1, 1, [](const Values& v) { return sum(v[0]); }},
-    Function{"mean", 1, 1, [](const Values& v) {
-        return combined(sum(v[0]), static_cast<double>(as_list(v[0]).size()), [](double a, double b) { return a / b; }); }},
+    Function{"mean", 1, 1, mean},
     Function{"min", 1, any, [](const Values& v) { return extreme(v, is_less); }},
     Function{"max", 1, any, [](const Values& v) { return extreme(v, is_more); }},
     Function{"where_min", 1, 1, [](const Values& v) { return place_of(v[0], is_less); }},
@@ -126,12 +143,10 @@ constexpr std::array functions{
     Function{"part", 3, 3, part},
     Function{"dot", 2, 2, [](const Values& v) { return JsonValue(dot(v[0], v[1])); }},
     Function{"length", 1, 1, [](const Values& v) { return JsonValue(length(v[0])); }},
-    Function{"unit", 1, 1, [](const Values& v) {
-        return combined(v[0], length(v[0]), [](double a, double b) { return a / b; }); }},
+    Function{"unit", 1, 1, [](const Values& v) { return combined(v[0], length(v[0]), quotient); }},
     Function{"cross", 2, 2, [](const Values& v) { return cross(v[0], v[1]); }},
     Function{"mul", 2, 2, [](const Values& v) { return mul(v[0], v[1]); }},
 };
-// clang-format on
 
 const Function* function_of(std::string_view name) {
     const auto* const at =

@@ -57,6 +57,8 @@ enum class PredictionKind { Number, Choice, Click, Sketch, Colour };
 struct LessonOption {
     std::string text;
     Expression is_right;
+    std::string thinks = {};   // what somebody believes who takes it for right; or empty
+    std::string mistake = {};  // a mistake with which a program shows this; or empty
     int line = 0;
 };
 /// A question to be answered before anything moves.
@@ -135,8 +137,9 @@ using LessonPart = std::variant<std::vector<ProseBlock>, Prediction, Reveal, Tas
 struct LessonStep {
     std::string title;  // empty for what stands before the first such heading
     std::vector<Assignment> set;
-    int line = 0;                   // of its block `scene`, or 0
-    std::vector<LessonPart> parts;  // as they stand in the file; no two texts follow one another
+    std::vector<Assignment> picture;  // behind `set`, for a picture on paper that must not tell the answer
+    int line = 0;                     // of its block `scene`, or 0
+    std::vector<LessonPart> parts;    // as they stand in the file; no two texts follow one another
 };
 
 struct Lesson {

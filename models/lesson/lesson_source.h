@@ -67,6 +67,12 @@ using SourcePart = std::variant<SourceHeading, ProseBlock, SourceBlock>;
 /// The runs of a block, each with a name of its own; of compare, the pictures stand above it.
 [[nodiscard]] std::vector<LessonRun> read_runs(const std::vector<BlockLine>& lines);
 
+/// All lines of that key.
+[[nodiscard]] std::vector<Assignment> read_sets(const SourceBlock& block, std::string_view key);
+
+/// What a block means that is neither "lesson" nor "scene".
+[[nodiscard]] LessonPart read_part(const SourceBlock& block);
+
 /// An exercise's block, whose variables are tried with their first values.
 [[nodiscard]] Exercise read_exercise(const SourceBlock& block);
 

@@ -32,7 +32,7 @@ class Checker {
         const Result<RightAnswer> right = right_answer(runner_, document_, lesson_, p);
         if (const Problem* problem = problem_of(right)) return text_of(problem);
         const auto& [value, tolerance] = std::get<RightAnswer>(right);
-        if (p.kind == PredictionKind::Choice) return {};
+        if (p.kind == PredictionKind::Choice) return wrong_mistake(p);
         if (!(tolerance > 0))
             return "the tolerance is " + JsonValue(tolerance).text() + "; expected more than 0";
         return wrong_form(p, value);
@@ -74,6 +74,21 @@ class Checker {
         const Result<bool> holds = task.done.holds(std::get<NamedValues>(run));
         if (const Problem* problem = problem_of(holds)) return text_of(problem);
         if (std::get<bool>(holds)) return "it is done before anything is dragged: " + task.done.text();
+        return {};
+    }
+
+    /// Under the mistake that an option names, it has to be what a program shows.
+    Shortfall wrong_mistake(const Prediction& p) {
+        for (const LessonOption& option : p.options) {
+            if (option.mistake.empty()) continue;
+            std::vector<LessonRun> mistaken = p.runs;
+            for (LessonRun& run : mistaken)
+                run.set.push_back({"/shading/mistakes/" + option.mistake, "true"});
+            const Result<NamedValues> run = runner_.answers(document_, lesson_, mistaken);
+            if (const Problem* problem = problem_of(run)) return text_of(problem);
+            if (Shortfall why = unless_holds(option.is_right, std::get<NamedValues>(run)))
+                return option.mistake + " does not show \"" + option.text + "\": " + *why;
+        }
         return {};
     }
 
@@ -151,6 +166,8 @@ Result<std::vector<Checked>> check_lesson(LessonRunner& runner, const Lesson& le
             LessonRunner::with(std::get<SceneDocument>(opened), step.set, lesson, step.line);
         if (const Problem* problem = problem_of(set)) return *problem;
         const auto& document = std::get<SceneDocument>(set);
+        const Result<SceneDocument> shown = LessonRunner::for_paper(document, step, lesson, false);
+        if (const Problem* problem = problem_of(shown)) return *problem;
         if (std::optional<Problem> problem = wrong_reveal(lesson, step, document)) return *problem;
         Checker checker(runner, lesson, document);
         for (const LessonPart& part : step.parts) {

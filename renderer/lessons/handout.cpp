@@ -86,7 +86,9 @@ class Handout {
         const Result<SceneDocument> set = LessonRunner::with(opened, step.set, lesson_, step.line);
         if (!had(set)) return false;
         document_ = std::get<SceneDocument>(set);
-        if (!add_picture(document_, "The scene of this step")) return false;
+        const Result<SceneDocument> shown = LessonRunner::for_paper(document_, step, lesson_, key_);
+        if (!had(shown) || !add_picture(std::get<SceneDocument>(shown), "The scene of this step"))
+            return false;
         told_ = true;
         for (const LessonPart& part : step.parts)
             if (!std::visit([this](const auto& p) { return add(p); }, part)) return false;

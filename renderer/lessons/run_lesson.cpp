@@ -88,6 +88,11 @@ Result<SceneDocument> LessonRunner::with(const SceneDocument& document, const st
     return changed;
 }
 
+Result<SceneDocument> LessonRunner::for_paper(const SceneDocument& document, const LessonStep& step,
+                                              const Lesson& lesson, bool key) {
+    return key ? document : with(document, step.picture, lesson, step.line);
+}
+
 Result<JsonValue> LessonRunner::answer(const SceneDocument& document, const Lesson& lesson,
                                        const LessonRun& run, NamedPictures& pictures) {
     const PictureSize size = run.size.value_or(lesson.size);

@@ -29,6 +29,12 @@ class LessonRunner {
                                                     const std::vector<Assignment>& set, const Lesson& lesson,
                                                     int line);
 
+    /// The scene of a step's picture on paper: what would tell the answer is set away unless it is for the
+    /// `key`. `document` is the step's scene.
+    [[nodiscard]] static Result<SceneDocument> for_paper(const SceneDocument& document,
+                                                         const LessonStep& step, const Lesson& lesson,
+                                                         bool key);
+
     /// The answers of the runs on that scene, by their names. A problem has the lesson's file and the line of
     /// the run. Throws Refused and std::bad_alloc, as Renderer does.
     [[nodiscard]] Result<NamedValues> answers(const SceneDocument& document, const Lesson& lesson,

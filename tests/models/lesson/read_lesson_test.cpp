@@ -31,6 +31,7 @@ A *plate* is **lit**; see [there](https://example.org) for `n·l`.
 
 ```scene
 set: /lights/0/position=[0,1,0]
+picture: /lights/0/enabled=false
 ```
 
 ```predict number
@@ -92,7 +93,7 @@ falls_under: missing_pi absolute_cosine
 vary: deg = 10 to 30 step 10
 vary: k = 0.5, 0.25
 question: {deg} degrees and {k}?
-set: /objects/0/transform/rotate_deg=[{deg},0,0]
+set: /objects/0/transform={"rotate_deg":[{deg},{2 * deg},0]}
 e = explain --pixel 1,1
 answer: e.sum[0] * k
 tolerance: 0.01
@@ -137,6 +138,7 @@ TEST_CASE("a lesson's head and steps are read", "[lesson]") {
     CHECK(lesson.steps[0].title.empty());
     CHECK(lesson.steps[1].title == "Tilt it");
     CHECK(lesson.steps[1].set == std::vector<Assignment>{{"/lights/0/position", "[0,1,0]"}});
+    CHECK(lesson.steps[1].picture == std::vector<Assignment>{{"/lights/0/enabled", "false"}});
     CHECK(lesson.steps[1].parts.size() == 8);
 }
 
@@ -193,7 +195,7 @@ TEST_CASE("an exercise puts its numbers wherever their names stand", "[lesson]")
     REQUIRE(problem_of(made) == nullptr);
     const auto& instance = std::get<ExerciseInstance>(made);
     CHECK(instance.question == "20 degrees and 0.25?");
-    CHECK(instance.set == std::vector<Assignment>{{"/objects/0/transform/rotate_deg", "[20,0,0]"}});
+    CHECK(instance.set == std::vector<Assignment>{{"/objects/0/transform", R"({"rotate_deg":[20,40,0]})"}});
     CHECK(std::get<double>(instance.closed.number(instance.values)) == Approx(0.25 * 0.9396926));
 }
 
@@ -204,33 +206,37 @@ TEST_CASE("an error in a lesson is one line with the number of its line", "[less
     CHECK(with_edit("size: 320x180", "size: 320") ==
           "l.md:6: \"320\" is not a size; expected WIDTHxHEIGHT as in 640x360, at most 2048x2048");
     CHECK(with_edit("```predict number", "```predcit number") ==
-          "l.md:23: there is no block \"predcit\"; expected \"predict\", or \"text\" for what is only to be "
+          "l.md:24: there is no block \"predcit\"; expected \"predict\", or \"text\" for what is only to be "
           "read");
     CHECK(with_edit("```predict number", "```predict numbers") ==
-          "l.md:23: predict \"numbers\" is not known; expected number, choice, click, sketch, colour");
+          "l.md:24: predict \"numbers\" is not known; expected number, choice, click, sketch, colour");
     CHECK(with_edit("tolerance: 0.02", "tolarance: 0.02") ==
-          "l.md:28: unknown key \"tolarance\"; expected \"tolerance\"");
+          "l.md:29: unknown key \"tolarance\"; expected \"tolerance\"");
     CHECK(with_edit("e = explain --pixel 10,20", "e = explian --pixel 10,20") ==
-          "l.md:26: \"explian\" is no run; expected \"explain\"");
+          "l.md:27: \"explian\" is no run; expected \"explain\"");
     CHECK(with_edit("--pixel 10,20", "--pixle 10,20") ==
-          "l.md:26: \"--pixle\" is no option of explain; expected \"--pixel\"");
-    CHECK(with_edit("--pixel 10,20", "") == "l.md:26: explain has no --pixel; expected --pixel X,Y");
+          "l.md:27: \"--pixle\" is no option of explain; expected \"--pixel\"");
+    CHECK(with_edit("--pixel 10,20", "") == "l.md:27: explain has no --pixel; expected --pixel X,Y");
     CHECK(with_edit("answer: e.lights[0].n_dot_l", "answer: f.lights[0].n_dot_l") ==
-          "l.md:27: \"f\" is not known; expected \"e\"");
+          "l.md:28: \"f\" is not known; expected \"e\"");
     CHECK(with_edit("answer: e.lights[0].n_dot_l", "answer: e.lights[0") ==
-          "l.md:27: \"e.lights[0\" ends too early; expected \"]\"");
-    CHECK(with_edit("set: /display/exposure=2", "set: display=2").starts_with("l.md:34: "));
-    CHECK(with_edit("play: /lights/0/position/1 1 to 2", "play: /a 1 2").starts_with("l.md:37: "));
+          "l.md:28: \"e.lights[0\" ends too early; expected \"]\"");
+    CHECK(with_edit("set: /display/exposure=2", "set: display=2").starts_with("l.md:35: "));
+    CHECK(with_edit("play: /lights/0/position/1 1 to 2", "play: /a 1 2").starts_with("l.md:38: "));
     CHECK(with_edit("c = compare a b", "c = compare a z") ==
-          "l.md:46: \"z\" is no picture; expected a run of render above it");
+          "l.md:47: \"z\" is no picture; expected a run of render above it");
     CHECK(with_edit("if: c.max_error > 0\n", "") ==
-          "l.md:48: the option above has no condition; expected a line if: behind it");
-    CHECK(with_edit("done: e.hit\n", "") == "l.md:61: the block has no line \"done:\"; expected one");
+          "l.md:49: the option above has no condition; expected a line if: behind it");
+    CHECK(with_edit("done: e.hit\n", "") == "l.md:62: the block has no line \"done:\"; expected one");
     CHECK(with_edit("falls_under: missing_pi", "falls_under: missing_p") ==
-          "l.md:75: \"missing_p\" is no mistake; expected \"missing_pi\"");
-    CHECK(with_edit("vary: deg = 10 to 30 step 10", "vary: deg = 10 to 30 step -1").starts_with("l.md:79: "));
+          "l.md:76: \"missing_p\" is no mistake; expected \"missing_pi\"");
+    CHECK(with_edit("vary: deg = 10 to 30 step 10", "vary: deg = 10 to 30 step -1").starts_with("l.md:80: "));
     CHECK(with_edit("closed: k * cos(deg)", "closed: k * cos(dag)") ==
-          "l.md:86: \"dag\" is not known; expected \"deg\"");
+          "l.md:87: \"dag\" is not known; expected \"deg\"");
+    CHECK(with_edit("{2 * deg}", "{2 * dag}") ==
+          "l.md:83: \"2 * dag\": \"dag\" is not known; expected \"deg\"");
+    CHECK(with_edit("option: no\n", "option: no\nmistake: missing_p\n") ==
+          "l.md:51: \"missing_p\" is no mistake; expected \"missing_pi\"");
     CHECK(with_edit("# Lambert's law", "Lambert") ==
           "l.md:1: the lesson has no title; expected a line # TITLE");
     CHECK(problem_with("# T\n\n## Step\n") ==

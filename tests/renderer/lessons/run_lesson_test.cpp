@@ -250,3 +250,17 @@ TEST_CASE("a lesson without exercises says so", "[lesson][exercise][bad-input]")
     REQUIRE(problem_of(sheets) != nullptr);
     CHECK(problem_of(sheets)->text().find("the lesson has no exercises") != std::string::npos);
 }
+
+TEST_CASE("a picture on paper does not tell the answer, the one for the key does", "[lesson][handout]") {
+    const Bench bench(
+        "## Dark\n\n```scene\nset: /display/exposure=2\npicture: /lights/0/enabled=false\n```\n");
+    const Bench lit("## Lit\n\n```scene\nset: /display/exposure=2\n```\n");
+    const Bench dark("## Dark\n\n```scene\nset: /display/exposure=2\nset: /lights/0/enabled=false\n```\n");
+    const auto picture = [](const std::string& page) {
+        const std::size_t at = page.find("<img");
+        return page.substr(at, page.find('>', at) - at);
+    };
+    CHECK(picture(bench.page(true)) == picture(lit.page(true)));
+    CHECK(picture(bench.page(false)) == picture(dark.page(false)));
+    CHECK(picture(lit.page(false)) != picture(dark.page(false)));
+}
