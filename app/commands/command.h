@@ -46,6 +46,7 @@ struct Command {
 [[nodiscard]] Command bench_command();
 [[nodiscard]] Command lessons_command();
 [[nodiscard]] Command exercise_command();
+[[nodiscard]] Command quiz_command();
 
 /// Those that have a name, in the order of --help.
 [[nodiscard]] std::vector<Command> named_commands();

@@ -108,3 +108,26 @@ TEST_CASE("wrong usage of glint lessons and glint exercise says what is wrong", 
     check_wrong({"exercise", "5", "-o", "x.pdf"}, "expected a name that ends in .html or .tex");
     check_wrong({"exercise", "5", "-o", "x.html", "--count", "0"}, "--count: 0 is out of range");
 }
+
+TEST_CASE("glint quiz writes the inventory and counts what a class has answered", "[cli][quiz]") {
+    const TemporaryDirectory directory;
+    const std::string page = directory.path("quiz.html");
+    CHECK(run_glint({"quiz", "-o", page}).status == 0);
+    CHECK(bytes_of(page).find("<!DOCTYPE html>") == 0);
+    CHECK(run_glint({"quiz", "-o", "-", "--key"}).out.find("class=\"right\"") != std::string::npos);
+    std::string answers = R"({"quiz": "x", "when": "before", "answers": [0)";
+    for (int i = 1; i < 24; ++i) answers += ",0";
+    const std::string a = directory.file("a.json", answers + "]}"), b = directory.file("b.json", "[]");
+    const Ended counted = run_glint({"quiz", a, a});
+    REQUIRE(counted.status == 0);
+    const auto json = nlohmann::json::parse(counted.out);
+    CHECK(json["people"]["before"] == 2);
+    CHECK(json["questions"].size() == 24);
+    CHECK(json["questions"][0]["options"][0]["before"] == 2);
+    const Ended wrong = run_glint({"quiz", a, b});
+    CHECK(wrong.status == 1);
+    CHECK(wrong.err.find(b + ": these are no answers to inventory") != std::string::npos);
+    check_wrong({"quiz"}, "-o: is missing");
+    check_wrong({"quiz", a, "-o", page}, "-o: stands beside ANSWERS");
+    check_wrong({"quiz", "-o", "x.png"}, "expected a name that ends in .html, or -");
+}

@@ -1,0 +1,202 @@
+#include "renderer/lessons/quiz.h"
+
+#include <fmt/format.h>
+
+#include "models/io/markup.h"
+#include "renderer/image/html_image.h"
+#include "renderer/lessons/handout.h"
+#include "renderer/lessons/page.h"
+
+namespace glint {
+namespace {
+
+/// A question with the scene that it is asked of.
+struct Posed {
+    const LessonStep* step = nullptr;
+    const Prediction* question = nullptr;
+};
+
+std::vector<Posed> questions_of(const Lesson& lesson) {
+    std::vector<Posed> posed;
+    for (const LessonStep& step : lesson.steps)
+        for (const LessonPart& part : step.parts)
+            if (const auto* p = std::get_if<Prediction>(&part))
+                if (p->kind == PredictionKind::Choice) posed.push_back({&step, p});
+    return posed;
+}
+
+/// The number of the right option, from 0.
+Result<std::size_t> key_of(LessonRunner& runner, const Lesson& lesson, const Posed& posed) {
+    const Result<SceneDocument> opened = runner.open(lesson);
+    if (const Problem* problem = problem_of(opened)) return *problem;
+    const Result<SceneDocument> set =
+        LessonRunner::with(std::get<SceneDocument>(opened), posed.step->set, lesson, posed.step->line);
+    if (const Problem* problem = problem_of(set)) return *problem;
+    const Result<RightAnswer> right =
+        right_answer(runner, std::get<SceneDocument>(set), lesson, *posed.question);
+    if (const Problem* problem = problem_of(right)) return *problem;
+    return static_cast<std::size_t>(std::get<RightAnswer>(right).value.number());
+}
+
+/// What saves the answers: a file of JSON, made in the page itself.
+constexpr std::string_view saving = R"JS(
+<p><label><input type="radio" name="when" value="before" checked> before the lessons</label>
+<label><input type="radio" name="when" value="after"> after them</label></p>
+<p><button type="button" id="save">Save my answers</button></p>
+<script>
+document.getElementById("save").onclick = () => {
+  const answers = [...document.querySelectorAll("fieldset")].map(f => {
+    const taken = f.querySelector("input:checked");
+    return taken ? Number(taken.value) : null;
+  });
+  const when = document.querySelector("input[name=when]:checked").value;
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([JSON.stringify({quiz: document.title, when, answers})],
+    {type: "application/json"}));
+  link.download = "answers-" + when + ".json";
+  link.click();
+};
+</script>
+)JS";
+
+std::string options_html(const Prediction& p, std::size_t number, std::optional<std::size_t> right) {
+    std::string html = fmt::format("<fieldset class=\"box\"><p>{}</p>\n", html_escaped(p.question));
+    for (std::size_t i = 0; i < p.options.size(); ++i) {
+        const LessonOption& option = p.options[i];
+        const std::string text = html_escaped(option.text);
+        if (!right) {
+            html += fmt::format("<p><label><input type=\"radio\" name=\"q{}\" value=\"{}\"> {}</label></p>\n",
+                                number, i, text);
+            continue;
+        }
+        html +=
+            fmt::format("<p{}>{} {}", i == *right ? " class=\"right\"" : "", i == *right ? "☑" : "☐", text);
+        if (!option.thinks.empty()) html += fmt::format("<br><small>{}</small>", html_escaped(option.thinks));
+        if (!option.mistake.empty())
+            html += fmt::format(" <small>(<code>{}</code>)</small>", html_escaped(option.mistake));
+        html += "</p>\n";
+    }
+    return html + "</fieldset>\n";
+}
+
+double share_of(std::size_t part, std::size_t whole) {
+    return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+/// How often each option was taken, by those before or those after.
+std::vector<std::size_t> taken(const std::vector<QuizAnswers>& all, std::size_t question, std::size_t options,
+                               bool after) {
+    std::vector<std::size_t> counts(options, 0);
+    for (const QuizAnswers& answers : all)
+        if (answers.after == after && answers.options[question]) ++counts[*answers.options[question]];
+    return counts;
+}
+
+}  // namespace
+
+Result<std::string> quiz_html(LessonRunner& runner, const Lesson& lesson, bool key) {
+    const Result<SceneDocument> opened = runner.open(lesson);
+    if (const Problem* problem = problem_of(opened)) return *problem;
+    std::string body = fmt::format("<p class=\"topic\">{}</p>\n<h1>{}</h1>\n", html_escaped(lesson.topic),
+                                   html_escaped(lesson.title));
+    std::size_t number = 0;
+    for (const LessonStep& step : lesson.steps) {
+        if (!step.title.empty()) body += fmt::format("<h2>{}</h2>\n", html_escaped(step.title));
+        const Result<SceneDocument> set =
+            LessonRunner::with(std::get<SceneDocument>(opened), step.set, lesson, step.line);
+        if (const Problem* problem = problem_of(set)) return *problem;
+        if (!step.title.empty()) {
+            const Result<SceneDocument> shown =
+                LessonRunner::for_paper(std::get<SceneDocument>(set), step, lesson, key);
+            if (const Problem* problem = problem_of(shown)) return *problem;
+            const Result<Picture> picture =
+                runner.picture(std::get<SceneDocument>(shown), lesson, handout_size(lesson), 4);
+            if (const Problem* problem = problem_of(picture)) return *problem;
+            body += html_image(std::get<Picture>(picture), "What the question is about") + "\n";
+        }
+        for (const LessonPart& part : step.parts) {
+            if (const auto* prose = std::get_if<std::vector<ProseBlock>>(&part)) body += prose_html(*prose);
+            const auto* p = std::get_if<Prediction>(&part);
+            if (p == nullptr || p->kind != PredictionKind::Choice) continue;
+            std::optional<std::size_t> right;
+            if (key) {
+                const Result<std::size_t> found = key_of(runner, lesson, {&step, p});
+                if (const Problem* problem = problem_of(found)) return *problem;
+                right = std::get<std::size_t>(found);
+            }
+            body += options_html(*p, ++number, right);
+        }
+    }
+    if (number == 0) return Problem{lesson.path, "", "there is no question", "a block \"predict choice\""};
+    if (!key) body += saving;
+    return page_html(lesson.title, body);
+}
+
+Result<QuizAnswers> read_answers(const Lesson& lesson, std::string_view text, const std::string& file) {
+    const std::vector<Posed> questions = questions_of(lesson);
+    const std::optional<JsonValue> json = JsonValue::parse(text);
+    const JsonValue* when = json ? json->find("when") : nullptr;
+    const JsonValue* answers = json ? json->find("answers") : nullptr;
+    const bool known =
+        when != nullptr && when->is_string() && (when->string() == "before" || when->string() == "after");
+    if (!known || answers == nullptr || answers->elements().size() != questions.size())
+        return Problem{
+            file, "", "these are no answers to " + lesson.name,
+            fmt::format("\"when\": \"before\" or \"after\", and {} \"answers\"", questions.size())};
+    QuizAnswers read{when->string() == "after", {}};
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+        const JsonValue& answer = answers->elements()[i];
+        const std::size_t options = questions[i].question->options.size();
+        if (answer == JsonValue()) {
+            read.options.emplace_back();
+        } else if (answer.is_whole_number() && answer.number() >= 0 &&
+                   answer.number() < static_cast<double>(options)) {
+            read.options.emplace_back(static_cast<std::size_t>(answer.number()));
+        } else {
+            return Problem{file, fmt::format("/answers/{}", i), "is no option",
+                           fmt::format("0 to {}, or null", options - 1)};
+        }
+    }
+    return read;
+}
+
+Result<JsonValue> quiz_statistics(LessonRunner& runner, const Lesson& lesson,
+                                  const std::vector<QuizAnswers>& all) {
+    const std::vector<Posed> questions = questions_of(lesson);
+    std::size_t people[2] = {0, 0}, right_answers[2] = {0, 0};
+    for (const QuizAnswers& answers : all) ++people[answers.after ? 1 : 0];
+    JsonValue list = JsonValue::array();
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+        const Prediction& p = *questions[i].question;
+        const Result<std::size_t> found = key_of(runner, lesson, questions[i]);
+        if (const Problem* problem = problem_of(found)) return *problem;
+        const std::size_t right = std::get<std::size_t>(found);
+        const std::vector<std::size_t> before = taken(all, i, p.options.size(), false),
+                                       after = taken(all, i, p.options.size(), true);
+        right_answers[0] += before[right];
+        right_answers[1] += after[right];
+        JsonValue options = JsonValue::array();
+        for (std::size_t o = 0; o < p.options.size(); ++o)
+            options.push_back({{"option", p.options[o].text},
+                               {"right", o == right},
+                               {"thinks", p.options[o].thinks},
+                               {"mistake", p.options[o].mistake},
+                               {"before", before[o]},
+                               {"after", after[o]}});
+        list.push_back({{"question", p.question},
+                        {"right_before", share_of(before[right], people[0])},
+                        {"right_after", share_of(after[right], people[1])},
+                        {"options", options}});
+    }
+    const double before = share_of(right_answers[0], people[0] * questions.size()),
+                 after = share_of(right_answers[1], people[1] * questions.size());
+    JsonValue gain;  // null where there is nothing to compare, or to gain
+    if (people[0] > 0 && people[1] > 0 && before < 1) gain = (after - before) / (1 - before);
+    return JsonValue{{"quiz", lesson.title},
+                     {"people", {{"before", people[0]}, {"after", people[1]}}},
+                     {"right", {{"before", before}, {"after", after}}},
+                     {"gain", gain},
+                     {"questions", list}};
+}
+
+}  // namespace glint

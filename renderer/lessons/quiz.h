@@ -1,0 +1,33 @@
+#pragma once
+// A concept inventory: a lesson all of whose questions are choices, as a page to answer and as statistics of
+// a class.
+
+#include <string>
+#include <vector>
+
+#include "renderer/lessons/run_lesson.h"
+
+namespace glint {
+
+/// A page that needs nothing else: a picture and the options of each question, and a button that saves the
+/// answers as JSON (docs/lessons.md). With `key` no buttons, but the right option and what each wrong one
+/// stands for. The answers are not in the page without `key`.
+[[nodiscard]] Result<std::string> quiz_html(LessonRunner& runner, const Lesson& lesson, bool key);
+
+/// One person's answers, as the page saves them.
+struct QuizAnswers {
+    bool after = false;  // the lessons; else before them
+    std::vector<std::optional<std::size_t>>
+        options;  // of each question, from 0; nothing where none was taken
+};
+
+/// Reads what the page has saved. `file` is for messages. A problem where it is anything else.
+[[nodiscard]] Result<QuizAnswers> read_answers(const Lesson& lesson, std::string_view text,
+                                               const std::string& file);
+
+/// For each question how many took each option before and after, with what the option stands for; and the
+/// share of right answers before and after, with the gain (after − before) / (1 − before), Hake 1998.
+[[nodiscard]] Result<JsonValue> quiz_statistics(LessonRunner& runner, const Lesson& lesson,
+                                                const std::vector<QuizAnswers>& all);
+
+}  // namespace glint
