@@ -40,6 +40,7 @@ struct Command {
 [[nodiscard]] Command info_command();
 [[nodiscard]] Command mistakes_command();
 [[nodiscard]] Command schema_command();
+[[nodiscard]] Command code_command();
 [[nodiscard]] Command compare_command();
 [[nodiscard]] Command diagnose_command();
 [[nodiscard]] Command check_command();

@@ -30,6 +30,7 @@ struct ReflectionInfo {
     HighlightPeak peak = HighlightPeak::Mirror;
     bool is_bounded =
         true;  // the diffuse factor stays within max_diffuse_factor, S within max_specular_factor
+    const char* program = "";  // the formula for written programs (renderer/programs/model_text.h)
 
     [[nodiscard]] constexpr bool uses_shininess() const { return cosine != HighlightCosine::None; }
     [[nodiscard]] constexpr bool uses_r() const { return cosine == HighlightCosine::RV; }
@@ -49,29 +50,49 @@ constexpr ReflectionInfo row_of(Reflection reflection) {
                 .has_highlight = false,
                 .is_bounded = false};
     case Reflection::Lambert:
-        return {.choice = {"lambert", "Lambert", "Diffuse only: max(n·l, 0)"}, .has_highlight = false};
+        return {.choice = {"lambert", "Lambert", "Diffuse only: max(n·l, 0)"},
+                .has_highlight = false,
+                .program = "diffuse = max(n_l, 0.0)"};
     case Reflection::Phong:
         return {.choice = {"phong", "Phong", "Highlight max(r·v, 0) to the shininess"},
                 .highlight = "(r·v)",
                 .highlight_latex = "r \\cdot v",
-                .cosine = HighlightCosine::RV};
+                .cosine = HighlightCosine::RV,
+                .program =
+                    "diffuse = max(n_l, 0.0)\n"
+                    "vec3 r = 2.0 * n_l * n - l\n"
+                    "S = power(dot(r, v), shininess)"};
     case Reflection::BlinnPhong:
         return {.choice = {"blinn-phong", "Blinn", "Highlight max(n·h, 0) to the shininess"},
                 .highlight = "(n·h)",
                 .highlight_latex = "n \\cdot h",
                 .cosine = HighlightCosine::NH,
-                .uses_h = true};
+                .uses_h = true,
+                .program =
+                    "diffuse = max(n_l, 0.0)\n"
+                    "vec3 h = unit(l + v)\n"
+                    "S = power(dot(n, h), shininess)"};
     case Reflection::Retro:
         return {.choice = {"retro", "Retro", "Highlight back to the light: max(l·v, 0) to the shininess"},
                 .highlight = "(l·v)",
                 .highlight_latex = "l \\cdot v",
                 .cosine = HighlightCosine::LV,
-                .peak = HighlightPeak::Light};
+                .peak = HighlightPeak::Light,
+                .program =
+                    "diffuse = max(n_l, 0.0)\n"
+                    "S = power(l_v, shininess)"};
     case Reflection::OrenNayar:
         return {.choice = {"oren-nayar", "Oren–Nayar", "Rough diffuse, by roughness"},
                 .has_highlight = false,
                 .uses_roughness = true,
-                .rough_diffuse = true};
+                .rough_diffuse = true,
+                .program =
+                    "sigma = roughness * 0.5 * pi\n"
+                    "A = 1.0 - 0.5 * sigma * sigma / (sigma * sigma + 0.33)\n"
+                    "B = 0.45 * sigma * sigma / (sigma * sigma + 0.09)\n"
+                    "azimuth = l_v - n_l * n_v\n"
+                    "rough = over(max(azimuth, 0.0), max(max(n_l, n_v), 0.0))\n"
+                    "diffuse = max(n_l, 0.0) * (A + B * rough)"};
     case Reflection::CookTorrance:
         return {
             .choice = {"cook-torrance", "Cook–Torrance", "Microfacets: GGX, Schlick, by roughness and f0"},
@@ -80,7 +101,21 @@ constexpr ReflectionInfo row_of(Reflection reflection) {
             .uses_h = true,
             .uses_roughness = true,
             .uses_f0 = true,
-            .is_bounded = false};
+            .is_bounded = false,
+            .program =
+                "diffuse = max(n_l, 0.0)\n"
+                "a = max(roughness * roughness, 0.001)\n"
+                "vec3 h = unit(l + v)\n"
+                "n_h = max(dot(n, h), 0.0)\n"
+                "vec3 sine = cross(n, h)\n"
+                "t = n_h * n_h * a * a + dot(sine, sine)\n"
+                "D = over(a * a, pi * t * t)\n"
+                "tan2_l = max(over(1.0, n_l * n_l) - 1.0, 0.0)\n"
+                "tan2_v = max(over(1.0, n_v * n_v) - 1.0, 0.0)\n"
+                "G = 2.0 / (sqrt(1.0 + a * a * tan2_l) + sqrt(1.0 + a * a * tan2_v))\n"
+                "vec3 F = f0 + pow(1.0 - max(dot(v, h), 0.0), 5.0) * (1.0 - f0)\n"
+                "facing = above_zero(n_l) * above_zero(n_v)\n"
+                "vec3 S = facing * over(pi * D * G, 4.0 * n_v) * F"};
     }
     return {};
 }

@@ -81,7 +81,8 @@ std::vector<std::string> words_of(const Row& row, const std::string& out) {
     for (std::string word; stream >> word;)
         words.push_back(word == row.scene ? (source_dir / row.scene).string() : word);
     const auto output = std::find(words.begin(), words.end(), "-o");
-    if (output != words.end() && output + 1 != words.end()) output[1] = out;
+    if (output != words.end() && output + 1 != words.end())
+        output[1] = words[0] == "code" ? out + "-program" : out;  // a directory
     if (words[0] == "render") words.insert(words.end(), {"--size", "160x90"});
     return words;
 }

@@ -15,13 +15,13 @@ constexpr std::array<string_view, 4> floors{"app", "ui", "renderer", "models"};
 
 /// The rooms of the renderer, each before those that may include it: a file; a folder with all in it; or,
 /// with a star, the files of a folder itself.
-constexpr std::array<string_view, 17> rooms{
+constexpr std::array<string_view, 18> rooms{
     "renderer/picture.h",        "renderer/simd/",       "renderer/lighting/",
     "renderer/geometry/",        "renderer/visibility/", "renderer/surface/",
     "renderer/strokes/",         "renderer/shade/",      "renderer/stages.h",
     "renderer/inspect/explain/", "renderer/kernels/",    "renderer/*",
     "renderer/image/",           "renderer/inspect/",    "renderer/diagnose/search/",
-    "renderer/diagnose/",        "renderer/lessons/",
+    "renderer/diagnose/",        "renderer/lessons/",    "renderer/programs/",
 };
 
 std::optional<std::size_t> room_of(string_view path) {

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <set>
 #include <sstream>
@@ -13,6 +12,7 @@
 #include "renderer/renderer.h"
 #include "renderer/shade/light_sources.h"
 #include "tests/support/catch.h"
+#include "tests/support/mistake_scenes.h"
 #include "tests/support/scenes.h"
 
 using namespace glint;
@@ -21,20 +21,6 @@ using namespace glint::test;
 namespace {
 
 constexpr PictureSize small{96, 72};
-
-/// A scene in which every mistake shows: lights of all kinds, all with falloff and ambient, a squashed ball.
-Scene telling_scene() {
-    Scene scene = busy_scene();
-    for (Light& l : scene.lights) {
-        l.ambient = {0.1f, 0.05f, 0.02f};
-        l.falloff = {0.5f, 0.1f, 0.05f};
-        l.intensity = 1.5f;
-    }
-    scene.objects[0].transform.scale = {1, 0.6f, 1};
-    scene.objects[0].normals.source = NormalSource::Vertex;
-    scene.shading.reflection = Reflection::BlinnPhong;
-    return scene;
-}
 
 /// The right picture and the mistaken one, by one renderer, so that what it keeps in between is tried too.
 struct Both {
@@ -57,176 +43,6 @@ struct Both {
                                                        sizeof(float) * right.linear.size()) == 0;
     }
 };
-
-void camera_at_origin(Scene& s) {
-    s.camera = Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, {}};
-    for (Object& o : s.objects) o.transform.translate.z -= 4;
-}
-
-void rigid(Scene& s) {
-    for (Object& o : s.objects) o.transform.scale = glm::vec3(1);
-}
-
-/// A plane that faces the camera squarely, so that every normal everywhere is unit and the same.
-void one_plane(Scene& s) {
-    s.objects = {object_of(primitive(Primitive::Plane, 3))};
-    s.objects[0].transform.rotate_deg.x = 90;
-}
-
-struct Row {
-    const char* name;
-    std::function<void(Scene&)> where_it_shows, where_it_is_inert;
-};
-
-const std::vector<Row>& rows() {
-    const auto anywhere = [](Scene&) {};
-    const auto reflection = [](Reflection model) {
-        return [model](Scene& s) { s.shading.reflection = model; };
-    };
-    const auto only = [](LightKind kind) {
-        return [kind](Scene& s) {
-            for (Light& l : s.lights) l.enabled = l.kind == kind;
-        };
-    };
-    const auto without_highlights = [](Scene& s) { s.shading.terms.specular = false; };
-    const auto shininess = [](float exponent) {
-        return [exponent](Scene& s) {
-            s.shading.reflection = Reflection::Phong;
-            for (Object& o : s.objects) o.material.shininess = exponent;
-        };
-    };
-    const auto brightness = [](float intensity) {
-        return [intensity](Scene& s) {
-            for (Light& l : s.lights) l.intensity = intensity;
-        };
-    };
-    const auto unlit = [](Scene& s) {
-        for (Light& l : s.lights) l.enabled = false;
-    };
-    const auto all_faces_the_light = [](Scene& s) {
-        one_plane(s);
-        s.lights = {Light{}};
-        s.lights[0].position = {0, 0, 3, 1};
-        s.shading.reflection = Reflection::Lambert;
-    };
-    static const std::vector<Row> table{
-        {"unnormalized_light", anywhere,
-         [only](Scene& s) {  // a sun whose vector is unit already
-             only(LightKind::Directional)(s);
-             s.lights[0].position = {0, 1, 0, 0};
-             camera_at_origin(s);
-         }},
-        {"unnormalized_half", anywhere, reflection(Reflection::Phong)},
-        {"specular_behind_surface",
-         [](Scene& s) { s.objects[0].material.shininess = s.objects[1].material.shininess = 2; },
-         without_highlights},
-        {"no_clamp_of_cosine", anywhere, all_faces_the_light},
-        {"half_angle_with_phong_shininess", reflection(Reflection::Phong),
-         reflection(Reflection::BlinnPhong)},
-        {"ambient_per_light_added_twice", anywhere,
-         [](Scene& s) {
-             for (Light& l : s.lights) l.ambient = {0, 0, 0};
-         }},
-        {"clamp_each_light", brightness(10), brightness(0.2f)},
-        {"shininess_as_fraction", anywhere, without_highlights},
-        {"missing_pi", anywhere, [](Scene& s) { s.shading.terms.diffuse = false; }},
-        {"absolute_cosine", anywhere, all_faces_the_light},
-        {"reflect_sign", reflection(Reflection::Phong), reflection(Reflection::BlinnPhong)},
-        {"reflect_of_difference", reflection(Reflection::Phong), reflection(Reflection::Retro)},
-        {"power_zero_is_nan", shininess(0), shininess(1)},
-        {"light_in_wrong_space", anywhere, camera_at_origin},
-        {"light_moved_twice", anywhere, camera_at_origin},
-        {"falloff_of_directional", anywhere, only(LightKind::Point)},
-        {"falloff_without_constant", anywhere, only(LightKind::Directional)},
-        {"degrees_for_radians", anywhere, only(LightKind::Point)},
-        {"cutoff_as_full_angle", anywhere, only(LightKind::Point)},
-        {"viewer_at_origin_of_world", anywhere, camera_at_origin},
-        {"lit_after_projection", anywhere,
-         [only](Scene& s) {  // a sun and a viewer at infinity do not care where the point is
-             only(LightKind::Directional)(s);
-             s.shading.local_viewer = false;
-         }},
-        {"light_by_inverse_view", anywhere,
-         [](Scene& s) {
-             for (Light& l : s.lights) l.space = LightSpace::Camera;
-         }},
-        {"direction_is_position", anywhere, only(LightKind::Point)},
-        {"light_direction_reversed", anywhere, only(LightKind::Point)},
-        {"aim_stays_at_origin", anywhere, only(LightKind::Area)},
-        {"cone_cosines_swapped", anywhere, [](Scene& s) { s.lights[2].spot.cutoff_deg = 180; }},
-        {"falloff_inverted", anywhere, only(LightKind::Directional)},
-        {"falloff_forgotten", anywhere, only(LightKind::Area)},
-        {"last_light_only", anywhere, only(LightKind::Point)},
-        {"average_of_lights", anywhere, only(LightKind::Spot)},
-        {"unnormalized_view", anywhere, [](Scene& s) { s.shading.local_viewer = false; }},
-        {"view_reversed", anywhere, reflection(Reflection::Lambert)},
-        {"perspective_view_in_ortho",
-         [](Scene& s) {
-             s.camera.projection = Orthographic{4, 0.1f, 100};
-         },
-         anywhere},
-        {"lit_in_srgb", anywhere,
-         [](Scene& s) {  // 0 and 1 are encoded as themselves
-             for (Object& o : s.objects) {
-                 o.material.ambient = o.material.specular = {0, 0, 1};
-                 o.material.diffuse = {1, 0, 0};
-                 o.material.emission = {0, 0, 0};
-             }
-         }},
-        {"coefficients_swapped", anywhere,
-         [](Scene& s) {
-             for (Object& o : s.objects) o.material.specular = o.material.diffuse;
-         }},
-        {"shininess_inverted", anywhere, shininess(1)},
-        {"unnormalized_normals", anywhere, [](Scene& s) { s.shading.mode = ShadingMode::Flat; }},
-        {"normals_by_model_matrix", anywhere, rigid},
-        {"normals_flipped", anywhere,
-         [](Scene& s) {
-             for (Light& l : s.lights) l.enabled = false;
-         }},
-        {"no_normals_given", anywhere,
-         [](Scene& s) {  // a quad whose normal is (0, 0, 1) anyway
-             s.objects = {object_of(primitive(Primitive::SkewQuad, 1))};
-         }},
-        {"interpolated_normals_not_normalized", anywhere,
-         [](Scene& s) { s.shading.mode = ShadingMode::Gouraud; }},
-        {"normals_left_in_object", anywhere,
-         [](Scene& s) {
-             camera_at_origin(s);
-             for (Object& o : s.objects) o.transform = {o.transform.translate, {0, 0, 0}, {1, 1, 1}};
-         }},
-        {"normals_left_in_world", anywhere, camera_at_origin},
-        {"normals_as_points", anywhere, unlit},
-        {"some_faces_flipped", anywhere, unlit},
-        {"cross_reversed", anywhere,
-         [](Scene& s) {  // whose normals come from a formula
-             s.objects.resize(1);
-             s.objects[0].normals.source = NormalSource::Analytic;
-         }},
-        {"mirror_turns_inside_out", anywhere, [](Scene& s) { s.objects.resize(1); }},
-        {"flipped_by_view", anywhere, one_plane},
-        {"flipped_twice",
-         [](Scene& s) {  // a plane seen from behind
-             one_plane(s);
-             s.objects[0].transform.rotate_deg.x = -90;
-             s.shading.two_sided = true;
-         },
-         anywhere},
-        {"culled_by_light", anywhere, unlit},
-        {"encoded_twice", anywhere,
-         [unlit](Scene& s) {  // all is black, which stays black
-             unlit(s);
-             s.global_ambient = s.display.background = glm::vec3(0);
-             for (Object& o : s.objects) o.material.emission = glm::vec3(0);
-         }},
-        {"bytes_wrap", brightness(10), brightness(0.05f)},
-    };
-    return table;
-}
-
-}  // namespace
-
-namespace {
 
 bool Mistakes::*flag_of(std::string_view name) {
     for (const MistakeName& m : mistake_names())
@@ -267,23 +83,23 @@ TEST_CASE("what looks like a mistake is another mistake, and every group has som
 }
 
 TEST_CASE("every mistake shows where it should and is inert where it should be", "[mistakes]") {
-    REQUIRE(rows().size() == mistake_names().size());
-    for (std::size_t i = 0; i < rows().size(); ++i) {
+    REQUIRE(mistake_scenes().size() == mistake_names().size());
+    for (std::size_t i = 0; i < mistake_scenes().size(); ++i) {
         const MistakeName& mistake = mistake_names()[i];
         CAPTURE(std::string(mistake.name));
-        REQUIRE(mistake.name == rows()[i].name);
+        REQUIRE(mistake.name == mistake_scenes()[i].name);
         Scene scene = telling_scene();
-        rows()[i].where_it_shows(scene);
+        mistake_scenes()[i].where_it_shows(scene);
         CHECK(Both(scene, mistake.flag).show());
         scene = telling_scene();
-        rows()[i].where_it_is_inert(scene);
+        mistake_scenes()[i].where_it_is_inert(scene);
         CHECK(Both(scene, mistake.flag).are_the_same());
     }
 }
 
 TEST_CASE("the explanation equals the pixel under every mistake", "[mistakes][explain]") {
     Renderer renderer(2);
-    for (const Row& row : rows())
+    for (const MistakeScenes& row : mistake_scenes())
         for (const ShadingMode mode : {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong})
             for (const Reflection model :
                  {Reflection::Phong, Reflection::BlinnPhong, Reflection::CookTorrance}) {

@@ -1,0 +1,101 @@
+// glint code: a program that draws the scene, for people who learn to write one.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/arguments.h"
+#include "app/commands/command.h"
+#include "models/fields/choices.h"
+#include "models/io/file.h"
+#include "renderer/programs/program.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CodeArguments {
+    SceneArguments scene;
+    PictureSize size;
+    std::optional<Language> language;
+    std::string out;  // a directory
+};
+
+/// A directory that is made unless it is there, and that goes again where nothing is put in it.
+class NewDirectory {
+  public:
+    explicit NewDirectory(const std::string& path) : path_(path) {
+        std::error_code error;
+        const fs::file_status found = fs::status(path, error);
+        if (fs::exists(found)) {
+            if (!fs::is_directory(found)) throw refused("is not a directory");
+            if (!fs::is_empty(path, error) || error) throw refused(error ? error.message() : "is not empty");
+            return;
+        }
+        made_ = fs::create_directory(path, error);
+        if (!made_) throw refused("cannot be made: " + error.message());
+    }
+    ~NewDirectory() {
+        std::error_code ignored;
+        if (made_ && !kept_) fs::remove(path_, ignored);  // only where it is empty
+    }
+    NewDirectory(const NewDirectory&) = delete;
+    NewDirectory& operator=(const NewDirectory&) = delete;
+    void keep() { kept_ = true; }
+
+  private:
+    [[nodiscard]] Failure refused(const std::string& what) const {
+        return {ExitStatus::Impossible, {path_, "", what, "a new or an empty directory"}};
+    }
+    std::string path_;
+    bool made_ = false, kept_ = false;
+};
+
+/// The scene's name for the first line of the program.
+std::string name_of_scene(const std::string& file) {
+    return file == "-" ? "scene" : fs::path(file).filename().string();
+}
+
+Outcome code(const CodeArguments& arguments) {
+    require_file(arguments.scene);
+    if (!arguments.language)
+        throw wrong_usage("--language", "is missing",
+                          fmt::format("{}", fmt::join(names_of<Language>(), ", ")));
+    require_given(arguments.out, "-o", "a new or an empty directory");
+    const SceneDocument document = open_scene(arguments.scene);
+    Result<std::vector<ProgramFile>> program = write_program(
+        {document.scene, arguments.size, name_of_scene(arguments.scene.file)}, *arguments.language);
+    if (auto* problem = std::get_if<Problem>(&program)) problem->file = arguments.scene.file;
+    const std::vector<ProgramFile> files = take(std::move(program));
+    NewDirectory directory(arguments.out);
+    FilesTogether together;
+    for (const ProgramFile& file : files)
+        (void)take(together.add((fs::path(arguments.out) / file.name).string(), file.text));
+    (void)take(together.put_in_place());
+    directory.keep();
+    return {{}, document.warnings, ExitStatus::Done};
+}
+
+Run declare(Options& options) {
+    auto arguments = std::make_shared<CodeArguments>();
+    add_scene(options, arguments->scene);
+    options.add_value("--language", "LANGUAGE", "gl1, glsl, cpp or python",
+                      [&language = arguments->language](const std::string& text) {
+                          language =
+                              static_cast<Language>(read_word("--language", text, names_of<Language>()));
+                      });
+    add_size(options, arguments->size);
+    add_text(options, "-o", "DIR", "the directory for its files, new or empty", arguments->out);
+    return [arguments] { return code(*arguments); };
+}
+
+}  // namespace
+
+Command code_command() {
+    return {"code", "FILE --language LANGUAGE -o DIR", "writes a program that draws the scene",
+            "glint code teapot.json --language cpp -o teapot", declare};
+}
+
+}  // namespace glint

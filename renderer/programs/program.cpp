@@ -1,0 +1,200 @@
+#include "renderer/programs/program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "generated/programs/texts.h"
+#include "models/fields/choices.h"
+#include "renderer/programs/mesh_text.h"
+#include "renderer/programs/model_text.h"
+#include "renderer/programs/scene_flags.h"
+#include "renderer/programs/scene_tables.h"
+
+namespace glint {
+namespace {
+
+/// A language's files, the program first. `most_lines`: what the program may have; 0: as many as it takes.
+struct LanguageTexts {
+    struct File {
+        std::string_view name, text;
+    };
+    std::vector<File> files;
+    std::string_view comment;  // what begins one
+    std::size_t most_lines = 0;
+};
+
+LanguageTexts texts_of(Language language) {
+    switch (language) {
+    case Language::Cpp:
+        return {{{"main.cpp", cpp_text}}, "//", 400};
+    case Language::Python:
+        return {{{"main.py", python_text}}, "#", 250};
+    }
+    return {};
+}
+
+/// What no text of the language mentions, it cannot do. A model is written from its row.
+bool can(Language language, const Need& need) {
+    for (const LanguageTexts::File& file : texts_of(language).files) {
+        if (mentioned_flags(file.text).contains(need.flag)) return true;
+        if (need.flag.starts_with("reflection.") && file.text.find("@model@") != file.text.npos) return true;
+    }
+    return false;
+}
+
+/// Why the language cannot draw the scene, if it cannot.
+std::optional<Problem> missing_in(Language language, const Scene& scene) {
+    const std::vector<Need> needs = needs_of(scene);
+    const auto lacks = [&needs](Language l) {
+        return std::find_if(needs.begin(), needs.end(), [l](const Need& n) { return !can(l, n); });
+    };
+    const auto missing = lacks(language);
+    if (missing == needs.end()) return std::nullopt;
+    std::string able;
+    for (const Language other : enumerators<Language>)
+        if (lacks(other) == needs.end())
+            able += (able.empty() ? "--language " : " or ") + std::string(name_of(other));
+    return Problem{"", missing->pointer,
+                   fmt::format("{}, which {} cannot do", missing->what, name_of(language)),
+                   able.empty() ? "a scene without it: no language can" : able};
+}
+
+/// Names for a comment of any language: no control characters, no sign that continues a line or ends a
+/// comment.
+std::string for_comment(const std::string& text) {
+    std::string out = on_one_line(text);
+    std::replace(out.begin(), out.end(), '\\', '/');
+    return out;
+}
+
+/// All words of a text, which no name of the scene may be.
+Flags words_of(std::string_view text) {
+    Flags words{"Light",     "Material", "Object",   "alignas",  "and",       "asm",      "auto",
+                "bool",      "break",    "case",     "catch",    "char",      "class",    "const",
+                "constexpr", "continue", "def",      "default",  "del",       "delete",   "do",
+                "double",    "elif",     "else",     "enum",     "except",    "explicit", "extern",
+                "false",     "False",    "finally",  "float",    "for",       "friend",   "from",
+                "global",    "goto",     "if",       "import",   "in",        "inline",   "int",
+                "is",        "lambda",   "long",     "mutable",  "namespace", "new",      "None",
+                "nonlocal",  "not",      "operator", "or",       "pass",      "private",  "protected",
+                "public",    "raise",    "register", "return",   "short",     "signed",   "sizeof",
+                "static",    "struct",   "switch",   "template", "this",      "throw",    "true",
+                "True",      "try",      "typedef",  "typeid",   "typename",  "union",    "unsigned",
+                "using",     "virtual",  "void",     "volatile", "while",     "with",     "xor",
+                "yield",     "assert",   "async",    "await",    "linux",     "unix",     "j0",
+                "j1",        "jn",       "y0",       "y1",       "yn",        "gamma"};
+    std::string word;
+    for (const char c : text) {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+            word += c;
+            continue;
+        }
+        if (!word.empty()) words.insert(word);
+        word.clear();
+    }
+    return words;
+}
+
+/// The mesh files of shown() objects: objects of one mesh and one kind of normals share a file.
+struct MeshFiles {
+    std::vector<ProgramFile> files;
+    std::vector<std::string> of_object;
+};
+MeshFiles mesh_files(const Scene& scene) {
+    using Key = std::tuple<const Mesh*, NormalSource, NormalWeighting, float>;
+    std::map<Key, std::string> known;
+    Identifiers names({});
+    MeshFiles out;
+    for (const Object& o : shown(scene)) {
+        std::string& file =
+            known[{o.mesh.get(), o.normals.source, o.normals.weighting, o.normals.crease_deg}];
+        if (file.empty()) {
+            const std::string source = std::filesystem::path(source_name(o.source)).stem().string();
+            file = names.of(source, "mesh") + ".mesh";
+            out.files.push_back({file, mesh_text(o, scene.shading.mistakes)});
+        }
+        out.of_object.push_back(file);
+    }
+    return out;
+}
+
+std::string wrapped(const std::vector<ProgramFile>& files, const std::string& comment) {
+    std::string text;
+    std::size_t column = 60;
+    for (const ProgramFile& file : files) {
+        if (column + file.name.size() > 100) {
+            text += "\n" + comment + "  ";
+            column = 4;
+        }
+        text += file.name + " ";
+        column += file.name.size() + 1;
+    }
+    if (!text.empty()) text.pop_back();
+    return text.empty() ? "(no mesh)" : text;
+}
+
+/// What follows from the scene and the size for all files of the program.
+Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
+    const Scene& s = of.scene;
+    const auto vector = [language](const glm::vec3& v) { return vector_in_program(v, language); };
+    return {{"title", for_comment(of.name) + (s.about.empty() ? "" : ": " + for_comment(s.about))},
+            {"width", fmt::format("{}", of.size.width)},
+            {"height", fmt::format("{}", of.size.height)},
+            {"background", vector(s.display.background)},
+            {"global_ambient", vector(s.global_ambient)},
+            {"exposure", number_in_program(s.display.exposure)},
+            {"power_table", fmt::format("{}", s.shading.power_table)},
+            {"model_name", choice_of(s.shading.reflection).label},
+            {"cool", vector(s.npr.cool)},
+            {"warm", vector(s.npr.warm)},
+            {"alpha", number_in_program(s.npr.alpha)},
+            {"beta", number_in_program(s.npr.beta)},
+            // What is 1 or never changes is not written.
+            {"turn", flags.contains("turned") ? "turn * " : ""},
+            {"side", flags.contains("turned_normals") ? "side * " : ""},
+            {"xy", flags.contains("needs.xy") ? ", x, y" : ""},
+            {"const_frame", flags.contains("wrong.light_moved_twice") ? "" : "const "},
+            {"const_v", flags.contains("wrong.view_reversed") ? "" : "const "}};
+}
+
+}  // namespace
+
+Result<std::vector<ProgramFile>> write_program(const ProgramOf& of, Language language) {
+    if (auto problem = missing_in(language, of.scene)) return *problem;
+    const LanguageTexts texts = texts_of(language);
+    Flags flags = flags_of(of.scene, of.size);
+    const ModelText model = model_text(of.scene.shading, flags.contains("terms.diffuse"), language, "    ");
+    flags.insert(model.uses.begin(), model.uses.end());
+    for (const char* of_light : {"uses.l", "uses.n_l", "uses.l_v", "uses.S", "light.spot", "light.area"})
+        if (flags.contains(of_light)) flags.insert("needs.l");
+    const MeshFiles meshes = mesh_files(of.scene);
+    Values values = values_of(of, language, flags);
+    values["model"] = model.text;
+    values["mesh_files"] = wrapped(meshes.files, std::string(texts.comment));
+    std::string all;
+    for (const LanguageTexts::File& file : texts.files) all += file.text;
+    const SceneTables tables = scene_tables(of.scene, language, flags, meshes.of_object, words_of(all));
+    values["camera"] = tables.camera;
+    values["lights"] = tables.lights;
+    values["objects"] = tables.objects;
+
+    std::vector<ProgramFile> files;
+    for (const LanguageTexts::File& file : texts.files)
+        files.push_back({std::string(file.name), filled(file.text, flags, values)});
+    const std::string& program = files.front().text;
+    const auto lines = static_cast<std::size_t>(std::count(program.begin(), program.end(), '\n'));
+    if (texts.most_lines > 0 && lines > texts.most_lines)
+        return Problem{"", "", fmt::format("the program would have {} lines", lines),
+                       fmt::format("at most {}: fewer lights and objects", texts.most_lines)};
+    files.insert(files.end(), meshes.files.begin(), meshes.files.end());
+    return files;
+}
+
+}  // namespace glint

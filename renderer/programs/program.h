@@ -1,0 +1,47 @@
+#pragma once
+// A scene as a program that draws it: text for people who learn to write such a program, and the meshes that
+// it reads. Knows the scene, not the renderer. The programs stand in assets/programs as programs with all
+// that they may need; what a scene does not need is left out (template.h says how).
+
+#include <string>
+#include <vector>
+
+#include "models/fields/choice.h"
+#include "models/problem.h"
+#include "models/scene/scene.h"
+
+namespace glint {
+
+enum class Language { Cpp, Python };
+
+/// One row a language: the word of the command line, and what stands behind it.
+constexpr Choice choice_of(Language language) {
+    switch (language) {
+    case Language::Cpp:
+        return {"cpp", "C++", "one C++17 file without any library"};
+    case Language::Python:
+        return {"python", "Python", "one Python file with numpy"};
+    }
+    return {};
+}
+
+struct ProgramFile {
+    std::string name;  // of the file, without a folder
+    std::string text;
+    bool operator==(const ProgramFile&) const = default;
+};
+
+/// What the program is of: the scene with its meshes loaded, the picture's size, and the scene's name for the
+/// program's first line.
+struct ProgramOf {
+    const Scene& scene;
+    PictureSize size;
+    std::string name;
+};
+
+/// The files of a program that draws the scene: the program itself first, then what belongs to it. Compiled
+/// or run as its first comment says, it gives the picture of `glint render`. Problem (without a file): what
+/// the language cannot do; `expected` names the languages that can.
+[[nodiscard]] Result<std::vector<ProgramFile>> write_program(const ProgramOf& of, Language language);
+
+}  // namespace glint

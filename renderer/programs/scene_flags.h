@@ -1,0 +1,30 @@
+#pragma once
+// What of a scene decides which lines its program has. Some of it a language may lack: each such thing is one
+// row, and a language can do it where its text mentions the row's flag.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/scene/scene.h"
+#include "renderer/programs/template.h"
+
+namespace glint {
+
+/// Something that a scene asks of a program.
+struct Need {
+    std::string flag, pointer, what;  // what: "Phong shading lights each pixel"
+};
+
+/// The enabled lights and the visible objects, which are all that a program draws. A spot without a cone is a
+/// point light.
+[[nodiscard]] std::vector<Light> shining(const Scene& scene);
+[[nodiscard]] std::vector<Object> shown(const Scene& scene);
+
+/// All needs of the scene.
+[[nodiscard]] std::vector<Need> needs_of(const Scene& scene);
+
+/// The needs' flags, and those that follow from the scene and that every language knows.
+[[nodiscard]] Flags flags_of(const Scene& scene, PictureSize size);
+
+}  // namespace glint

@@ -1,0 +1,37 @@
+#pragma once
+// The scene's numbers as a program's text: camera, lights and objects under the names of the scene file, made
+// into identifiers of the language.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "renderer/programs/program.h"
+#include "renderer/programs/template.h"
+
+namespace glint {
+
+/// Identifiers for names of a scene, each used once and none of the words in `taken` (a program's own).
+class Identifiers {
+  public:
+    explicit Identifiers(Flags taken) : taken_(std::move(taken)) {}
+    /// ASCII letters, digits and single underscores, beginning with a letter: "Left lamp" is Left_lamp.
+    [[nodiscard]] std::string of(const std::string& name, const std::string& otherwise);
+
+  private:
+    Flags taken_;
+};
+
+/// A number as the scene file writes it, without ".0"; a vector as the language lists one.
+[[nodiscard]] std::string number_in_program(float x);
+[[nodiscard]] std::string vector_in_program(const glm::vec3& v, Language language);
+
+/// The lines that define camera, lights and objects, and lists of their names. `mesh_files`: of each object
+/// of shown(). `flags` say which columns there are. `words`: the program's own.
+struct SceneTables {
+    std::string camera, lights, objects;
+};
+[[nodiscard]] SceneTables scene_tables(const Scene& scene, Language language, const Flags& flags,
+                                       const std::vector<std::string>& mesh_files, Flags words);
+
+}  // namespace glint

@@ -1,0 +1,37 @@
+#pragma once
+// A written program's picture against ours.
+
+#include <string>
+#include <vector>
+
+#include "models/scene/scene.h"
+#include "renderer/renderer.h"
+#include "tests/programs/written_program.h"
+
+namespace glint::programs {
+
+/// What comparing pictures came to.
+struct Figure {
+    int scenes = 0;
+    std::size_t pixels = 0, surfaces = 0;  // compared; of these, of surfaces
+    double largest = 0;                    // difference of floats, as a share of what is allowed
+    int largest_bytes = 0;
+    std::vector<std::string> disagreements;  // the worst pixel of each scene that has one, or what failed
+};
+
+/// Draws scenes both ways. Pixels are compared whose middle lies well within one triangle, where no other
+/// surface is near, and no rule of left_out.h applies.
+class Comparison {
+  public:
+    void add(const std::string& name, const Scene& scene, PictureSize size, Language language);
+    [[nodiscard]] const Figure& figure() const { return figure_; }
+    /// The text of the program that was compared last.
+    [[nodiscard]] const std::string& text() const { return text_; }
+
+  private:
+    Renderer renderer_;
+    Figure figure_;
+    std::string text_;
+};
+
+}  // namespace glint::programs

@@ -1,0 +1,82 @@
+#include "tests/programs/written_program.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+#include "tests/support/program.h"
+
+namespace glint::programs {
+namespace {
+
+/// What follows `word` in a comment of the first lines.
+std::string line_after(const std::string& text, const std::string& word) {
+    const std::size_t at = text.find(" " + word + ": ");
+    if (at == text.npos) throw std::runtime_error("no line " + word);
+    const std::size_t begin = at + word.size() + 3;
+    return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+void replace(std::string& text, const std::string& from, const std::string& to) {
+    if (const std::size_t at = text.find(from); at != text.npos) text.replace(at, from.size(), to);
+}
+
+/// Whether the command succeeds in that folder; what it says goes to `said`. Debian's own Python comes first:
+/// it is the one with numpy.
+bool runs(const std::string& command, const TemporaryDirectory& folder, std::string& said) {
+    const std::string line =
+        fmt::format("cd '{}' && PATH=/usr/bin:$PATH && ( {} ) >../{}.log 2>&1", folder.path(), command,
+                    folder.path().substr(folder.path().rfind('/') + 1));
+    const bool ok = std::system(line.c_str()) == 0;
+    said = bytes_of(folder.path() + ".log");
+    std::remove((folder.path() + ".log").c_str());
+    return ok;
+}
+
+/// The bytes behind a header of that many lines.
+std::string behind_header(const std::string& bytes, int lines) {
+    std::size_t at = 0;
+    for (int i = 0; i < lines; ++i) at = bytes.find('\n', at) + 1;
+    return bytes.substr(at);
+}
+
+void read_pictures(Drawn& drawn, const TemporaryDirectory& folder, PictureSize size) {
+    const std::string ppm = behind_header(bytes_of(folder.path("picture.ppm")), 3);
+    drawn.bytes.assign(ppm.begin(), ppm.end());
+    if (drawn.bytes.size() != 3 * size.pixels()) drawn.failure = "picture.ppm has not the picture's size";
+    const std::string pfm = bytes_of(folder.path("picture.pfm"));
+    if (pfm.empty()) return;
+    const std::string floats = behind_header(pfm, 3);
+    drawn.linear.resize(floats.size() / sizeof(float));
+    const std::size_t row = 3 * static_cast<std::size_t>(size.width);
+    for (std::size_t y = 0; y * row < drawn.linear.size(); ++y)  // bottom row first
+        std::memcpy(&drawn.linear[drawn.linear.size() - (y + 1) * row], &floats[y * row * sizeof(float)],
+                    row * sizeof(float));
+    if (drawn.linear.size() != 3 * size.pixels()) drawn.failure = "picture.pfm has not the picture's size";
+}
+
+}  // namespace
+
+Drawn build_and_run(const ProgramOf& of, Language language) {
+    const TemporaryDirectory folder;
+    const auto files = std::get<std::vector<ProgramFile>>(write_program(of, language));
+    Drawn drawn;
+    for (const ProgramFile& file : files) {
+        (void)folder.file(file.name, file.text);
+        if (!file.name.ends_with(".mesh")) drawn.text += file.text;
+    }
+    std::string build = line_after(files.front().text, "build offscreen");
+    replace(build, "-O2", "-O1 -Wall -Wextra -Werror");
+    if (!runs(build, folder, drawn.failure) ||
+        !runs(line_after(files.front().text, "run offscreen"), folder, drawn.failure)) {
+        drawn.failure += " (failed: " + of.name + ")";
+        return drawn;
+    }
+    drawn.failure.clear();
+    read_pictures(drawn, folder, of.size);
+    return drawn;
+}
+
+}  // namespace glint::programs
