@@ -79,7 +79,7 @@ std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments,
     std::optional<Progress> progress;
     if (many) progress.emplace("picture", arguments.pictures.size());
     DiagnosisOptions options{arguments.pairs, threads, {}};
-    if (!many)
+    if (!many && arguments.pairs)
         options.progress = [&progress](std::size_t done, std::size_t all) {
             if (!progress) progress.emplace("pair", all);
             progress->at(done);

@@ -4,6 +4,9 @@
 #include <zlib.h>
 
 #include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <optional>
 
 namespace glint {
@@ -92,6 +95,23 @@ Result<std::string> png_text(std::string_view bytes, std::string_view keyword, s
                        fmt::format("at most {} bytes", max_bytes));
     }
     return problem("the picture is damaged or cut off", "a PNG that Glint wrote");
+}
+
+bool has_png_text(const std::string& path, std::string_view keyword) {
+    std::error_code failed;
+    if (!std::filesystem::is_regular_file(path, failed)) return false;
+    std::ifstream file(path, std::ios::binary);
+    std::string begin(signature.size(), ' ');
+    if (!file.read(begin.data(), std::ssize(begin)) || begin != signature) return false;
+    const std::size_t named = 8 + keyword.size() + 1;  // length, type, the keyword and the zero after it
+    for (std::string head(named, ' '); file.read(head.data(), std::ssize(head));) {
+        const std::string_view chunk(head);
+        if (chunk.substr(4, 4) == "iTXt" && chunk.substr(8, keyword.size()) == keyword && head.back() == '\0')
+            return true;
+        file.seekg(std::streamoff{big_endian(chunk)} + std::streamoff{frame_bytes} - std::ssize(head),
+                   std::ios::cur);
+    }
+    return false;
 }
 
 }  // namespace glint

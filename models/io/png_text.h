@@ -19,4 +19,8 @@ namespace glint {
 [[nodiscard]] Result<std::string> png_text(std::string_view bytes, std::string_view keyword,
                                            std::size_t max_bytes, const std::string& file);
 
+/// Whether the file is a PNG with an iTXt chunk of that keyword, whatever is in it; reads the beginnings of
+/// chunks alone, so that it takes no time. False for what cannot be read, is no file, or ends too early.
+[[nodiscard]] bool has_png_text(const std::string& path, std::string_view keyword);
+
 }  // namespace glint

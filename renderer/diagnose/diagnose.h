@@ -78,7 +78,7 @@ struct Diagnosis {
 struct DiagnosisOptions {
     bool pairs = false;
     int threads = 0;  // 0: all cores; the answer is the same for every number
-    DiagnosisProgress progress;
+    DiagnosisProgress progress;  // of the search, which takes most of the time
 };
 
 /// `wrong` has its bytes (see as_shown()). Mistakes that the scene itself makes are left out. Throws Refused.

@@ -105,12 +105,21 @@ std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhi
     constexpr int coarse_rows = 100, most_step = 8;
     const PictureSize size = exhibit.right.size;
     const PictureSize at = search_size(size, options.pairs ? pairs_pixels : singles_pixels);
+    const std::size_t drawings = drawings_of(size);
+    std::size_t tried = 0;
+    const auto search_progress = [&](std::size_t done, std::size_t of) {
+        tried = of;
+        options.progress(done, of + drawings);
+    };
     const std::vector<Hypothesis> likely =
-        likely_hypotheses(scene, exhibit.wrong, at, options.pairs, options.threads, options.progress);
+        likely_hypotheses(scene, exhibit.wrong, at, options.pairs, options.threads,
+                          options.progress ? DiagnosisProgress(search_progress) : DiagnosisProgress());
     const int step = std::clamp(size.height / coarse_rows, 1, most_step);
     std::vector<Judged> all;
-    for (std::size_t i = 0; i < std::min(drawings_of(size), likely.size()); ++i)
+    for (std::size_t i = 0; i < std::min(drawings, likely.size()); ++i) {
+        if (options.progress) options.progress(tried + i, tried + drawings);
         all.push_back(judged(renderer, scene, exhibit, likely[i], step));
+    }
     // All but the likeliest are hopeless; no mistake at all is judged with them.
     std::stable_sort(all.begin() + 1, all.end(),
                      [](const Judged& a, const Judged& b) { return a.cost < b.cost; });

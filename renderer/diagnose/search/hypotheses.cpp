@@ -71,13 +71,15 @@ std::vector<Probe> choose_probes(const Singles& s, PictureSize size) {
     return shuffled(probes);
 }
 
-Singles draw_singles(Renderer& renderer, const Scene& scene, PictureSize size) {
+Singles draw_singles(Renderer& renderer, const Scene& scene, PictureSize size,
+                     const DiagnosisProgress& progress) {
     Singles s;
     s.picture.push_back(renderer.render(under_mistakes(scene, {}), size));
     s.bare.emplace_back();
     s.mistakes.emplace_back();
     s.kinds = pixel_kinds(renderer, size);
     for (std::size_t m = 0; m < mistake_names().size(); ++m) {
+        if (progress) progress(m, mistake_names().size());
         const Picture& picture = renderer.render(under_mistakes(scene, {m}), size);
         if (picture.rgba == s.picture[0].rgba) continue;  // inert in this scene
         s.picture.push_back(picture);
@@ -213,7 +215,7 @@ double explanation_cost(double excess, double noise, std::size_t mistakes, const
 std::vector<Hypothesis> likely_hypotheses(const Scene& scene, const Picture& wrong, PictureSize at,
                                           bool pairs, int threads, const DiagnosisProgress& progress) {
     Renderer renderer(threads);
-    Singles s = draw_singles(renderer, scene, at);
+    Singles s = draw_singles(renderer, scene, at, pairs ? DiagnosisProgress() : progress);
     s.probes = choose_probes(s, at);
     for (std::size_t m = 0; m < s.mistakes.size(); ++m)
         s.drawn.push_back(drawn_at(s.probes, s.picture[m], is_bare(s.bare[m], at)));

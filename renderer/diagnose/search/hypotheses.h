@@ -23,11 +23,13 @@ struct Hypothesis {
 [[nodiscard]] double explanation_cost(double excess, double noise, std::size_t mistakes,
                                       const DisplayChange& change);
 
-/// Told how many of how many explanations are tried.
+/// Told how many of how many explanations are tried; from the thread that asked. What it throws ends the
+/// search.
 using DiagnosisProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// The explanations, likeliest first, without mistakes that change no byte. The first holds no mistake.
-/// `wrong` has any size of the picture's aspect; `at` is the size to draw at.
+/// `wrong` has any size of the picture's aspect; `at` is the size to draw at. `progress` counts mistakes, or
+/// with `pairs` the twos of them.
 [[nodiscard]] std::vector<Hypothesis> likely_hypotheses(const Scene& scene, const Picture& wrong,
                                                         PictureSize at, bool pairs, int threads,
                                                         const DiagnosisProgress& progress);
