@@ -2,7 +2,9 @@
 include(GNUInstallDirs)
 set(package_files ${PROJECT_SOURCE_DIR}/cmake/package)
 install(TARGETS glint)
-install(DIRECTORY assets DESTINATION ${CMAKE_INSTALL_DATADIR}/glint)
+# What is compiled in stays here.
+install(DIRECTORY assets DESTINATION ${CMAKE_INSTALL_DATADIR}/glint
+        PATTERN programs EXCLUDE PATTERN materials.json EXCLUDE)
 install(FILES ${package_files}/glint.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES ${package_files}/glint.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 install(FILES ${package_files}/glint-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages RENAME glint.xml)
