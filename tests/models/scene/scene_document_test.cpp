@@ -129,6 +129,19 @@ TEST_CASE("a picture that carries its scene opens as that scene", "[scene_docume
           place / "no.png: is not a PNG picture; expected one that Glint wrote");
 }
 
+TEST_CASE("whether a picture carries a scene is told without reading it all", "[scene_document]") {
+    const Place place;
+    place.write("a.png", picture_with(two_triangles));
+    place.write("plain.png", picture_with(""));
+    place.write("no.png", "nothing");
+    const std::string whole = picture_with(two_triangles);
+    place.write("cut.png", whole.substr(0, 30));
+    CHECK(has_png_text(place / "a.png", png_scene_keyword));
+    CHECK_FALSE(has_png_text(place / "a.png", "glint-scen"));
+    for (const char* name : {"plain.png", "no.png", "cut.png", "nowhere.png", "."})
+        CHECK_FALSE(has_png_text(place / name, png_scene_keyword));
+}
+
 TEST_CASE("a picture that is damaged anywhere is a problem and never a crash", "[scene_document]") {
     const std::string whole = picture_with(R"({"glint": 1})");
     const auto text_in = [](const std::string& bytes) {

@@ -3,6 +3,7 @@
 
 #include "renderer/diagnose/diagnose.h"
 #include "renderer/diagnose/diagnosis_format.h"
+#include "renderer/diagnose/search/undone.h"
 #include "tests/renderer/diagnose/wrong_pictures.h"
 #include "tests/support/catch.h"
 
@@ -108,6 +109,16 @@ TEST_CASE("a picture at another aspect is not comparable, and which aspect is sa
     INFO(d.why);
     CHECK(d.why.find("16:9") != std::string::npos);
     CHECK(d.candidates.empty());
+}
+
+TEST_CASE("what happened at the display is undone", "[diagnose]") {
+    // By hand: a row of two pixels, mirrored, red and blue exchanged, twice as bright.
+    const Picture wrong{{2, 1}, {20, 40, 60, 255, 100, 120, 140, 255}, {}};
+    DisplayChange change;
+    change.mirrored = change.red_blue = true;
+    change.gain = 2;
+    CHECK(undone(wrong, change).rgba == std::vector<std::uint8_t>{70, 60, 50, 255, 30, 20, 10, 255});
+    CHECK(undone(wrong, {}).rgba == wrong.rgba);
 }
 
 TEST_CASE("a byte may have become what the display's steps make of it", "[diagnose]") {
