@@ -90,11 +90,14 @@ void draw_label(ImDrawList& list, const CompareState& state, int part, const Pic
     list.PopClipRect();
 }
 
-/// A row of a list, which needs a stored scene where `variant` is that one. True when it was clicked.
+/// A row of a list, which needs what `variant` shows. True when it was clicked.
 bool variant_row(const CompareChoice& choice, const std::string& label, Variant variant, bool chosen) {
-    const bool can = variant.kind != Variant::Kind::Stored || choice.stored != nullptr;
+    const bool lacks_b = variant.kind == Variant::Kind::Stored && choice.stored == nullptr;
+    const bool lacks_mine = variant.kind == Variant::Kind::Mine && choice.mine == nullptr;
+    const bool can = !lacks_b && !lacks_mine;
     const bool clicked = ImGui::Selectable(label.c_str(), chosen, can ? 0 : ImGuiSelectableFlags_Disabled);
-    if (!can) tooltip(label.c_str(), "Store a scene first", "", keys_of(CommandId::StoreB));
+    if (lacks_b) tooltip(label.c_str(), "Store a scene first", "", keys_of(CommandId::StoreB));
+    if (lacks_mine) tooltip(label.c_str(), "Drop a picture on the window first");
     return clicked;
 }
 
@@ -181,7 +184,8 @@ const std::vector<Preset>& presets() {
         {"Facet, Phong", {variant_of(ShadingMode::Facet), variant_of(ShadingMode::Phong)}},
         {"Phong's and Blinn's highlight",
          {variant_of(Reflection::Phong), variant_of(Reflection::BlinnPhong)}},
-        {"As edited, B", {{}, {Variant::Kind::Stored, 0}}}};
+        {"As edited, B", {{}, {Variant::Kind::Stored, 0}}},
+        {"As edited, my picture", {{}, {Variant::Kind::Mine, 0}}}};
     return all;
 }
 

@@ -5,6 +5,7 @@
 
 #include "models/fields/choices.h"
 #include "models/saturate.h"
+#include "ui/views/fitted_picture.h"
 
 namespace glint {
 namespace {
@@ -29,6 +30,11 @@ void draw_parts(CompareState& state, const DrawnScene& drawn) {
     state.drawn_by.assign(choice.parts.size(), &drawn.renderer);
     state.ms = 0;
     for (std::size_t i = 0; i < choice.parts.size(); ++i) {
+        if (choice.parts[i].kind == Variant::Kind::Mine && choice.mine) {
+            state.fitted = fitted_picture(*choice.mine, drawn.scene, drawn.picture, choice.difference);
+            state.pictures[i] = &state.fitted;
+            continue;
+        }
         const Scene scene = scene_under(choice.parts[i], drawn.scene, choice.stored.get());
         if (scene == drawn.scene) continue;
         if (!state.renderers[i]) state.renderers[i] = std::make_unique<Renderer>(drawn.threads);
@@ -56,12 +62,13 @@ struct NamedChoice {
     const Choice* choice = nullptr;
 };
 
-/// Precondition: neither Edited nor Stored.
+/// Precondition: one of those that change a choice.
 NamedChoice choice_in(Variant variant) {
     const auto index = static_cast<std::size_t>(variant.index);
     switch (variant.kind) {
     case Variant::Kind::Edited:
     case Variant::Kind::Stored:
+    case Variant::Kind::Mine:
         break;
     case Variant::Kind::Mode:
         return {"mode", "shading", &choices<ShadingMode>[index]};
@@ -144,12 +151,14 @@ std::vector<Variant> all_variants() {
     add_variants<Reflection>(all, Variant::Kind::Reflection);
     add_variants<Interpolation>(all, Variant::Kind::Interpolation);
     all.push_back({Variant::Kind::Stored, 0});
+    all.push_back({Variant::Kind::Mine, 0});
     return all;
 }
 
 std::string word_of(Variant variant) {
     if (variant.kind == Variant::Kind::Edited) return "edited";
     if (variant.kind == Variant::Kind::Stored) return "stored";
+    if (variant.kind == Variant::Kind::Mine) return "mine";
     const NamedChoice named = choice_in(variant);
     return std::string(named.field) + " " + std::string(named.choice->word);
 }
@@ -163,6 +172,7 @@ std::optional<Variant> variant_named(const std::string& word) {
 std::string label_of(Variant variant) {
     if (variant.kind == Variant::Kind::Edited) return "As edited";
     if (variant.kind == Variant::Kind::Stored) return "B, stored";
+    if (variant.kind == Variant::Kind::Mine) return "My picture";
     const NamedChoice named = choice_in(variant);
     const std::string label = named.choice->label;
     // "Unlit" says by itself what it is.
@@ -174,6 +184,7 @@ Scene scene_under(Variant variant, const Scene& edited, const Scene* stored) {
     Scene scene = edited;
     switch (variant.kind) {
     case Variant::Kind::Edited:
+    case Variant::Kind::Mine:
         break;
     case Variant::Kind::Mode:
         scene.shading.mode = static_cast<ShadingMode>(index);

@@ -17,11 +17,11 @@
 
 namespace glint {
 
-// A variant draws the edited scene as it is, with one choice changed, or as it was when it was stored. It is
-// what the parts of a comparison differ in.
+// A variant draws the edited scene as it is, with one choice changed, or as it was when it was stored; or it
+// is a picture that somebody brought. It is what the parts of a comparison differ in.
 
 struct Variant {
-    enum class Kind { Edited, Mode, Reflection, Interpolation, Stored };
+    enum class Kind { Edited, Mode, Reflection, Interpolation, Stored, Mine };
     Kind kind = Kind::Edited;
     int index = 0;  // in choices<ShadingMode>, choices<Reflection> or choices<Interpolation>
     bool operator==(const Variant&) const = default;
@@ -30,7 +30,8 @@ struct Variant {
 [[nodiscard]] Variant variant_of(ShadingMode mode);
 [[nodiscard]] Variant variant_of(Reflection reflection);
 
-/// All there are, in the order of lists. Stored is among them whether or not there is a stored scene.
+/// All there are, in the order of lists. Stored and Mine are among them whether or not there is such a scene
+/// or picture.
 [[nodiscard]] std::vector<Variant> all_variants();
 
 /// "mode gouraud", "edited", "stored": for a file.
@@ -41,8 +42,8 @@ struct Variant {
 /// "Gouraud", "As edited", "B".
 [[nodiscard]] std::string label_of(Variant variant);
 
-/// The scene that a setting shows, seen by the edited scene's camera. Stored without a stored scene (null):
-/// as edited.
+/// The scene that a setting shows, seen by the edited scene's camera. Stored without a stored scene (null),
+/// and Mine: as edited.
 [[nodiscard]] Scene scene_under(Variant variant, const Scene& edited, const Scene* stored);
 
 /// A comparison as it is chosen; changes to it change the picture.
@@ -56,6 +57,7 @@ struct CompareChoice {
     int gain = 1;             // of the difference: 1, 2, 4 ... 64
     std::shared_ptr<const Scene> stored;  // "B": shared, as choices are copied and compared in every frame
     bool shows_stored = false;            // B alone in place of the picture
+    std::shared_ptr<const Picture> mine;  // that somebody brought, bytes; null: none
     bool operator==(const CompareChoice&) const = default;
 };
 inline constexpr int max_gain = 64;
@@ -67,6 +69,7 @@ struct CompareState {
     std::vector<std::unique_ptr<Renderer>> renderers;  // of the parts that are not the edited scene
     std::vector<const Picture*> pictures;              // one a part, of the last composing
     std::vector<const Renderer*> drawn_by;
+    Picture fitted;      // CompareChoice::mine, at the size of the others
     Picture picture;     // the composed one
     Comparison numbers;  // of the difference
     double ms = 0;       // that the parts took in the last composing
