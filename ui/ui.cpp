@@ -49,6 +49,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     take_dropped(state, input);
     run_keys(state, input);
     follow_b_key(state, input.b_held);
+    poll_my_picture(state);
     close_left_modal(state);
     ImGui::PushFont(fonts().body);
     begin_views(state);
@@ -95,6 +96,10 @@ template <class Do> void for_each_job(UiState& state, Do action) {
     with(state.examples.job);
     with(state.sensitivity.job);
     std::for_each(state.sensitivity.ending.begin(), state.sensitivity.ending.end(), with);
+    with(state.mine.reading);
+    with(state.mine.job);
+    std::for_each(state.mine.left_readings.begin(), state.mine.left_readings.end(), with);
+    std::for_each(state.mine.left_jobs.begin(), state.mine.left_jobs.end(), with);
 }
 
 bool all_done(UiState& state) {
@@ -115,8 +120,8 @@ UiRequests ui_frame(UiState& state, const UiInput& input) {
     }
 }
 
-std::array<PictureSheet*, 2> sheets_of(UiState& state) {
-    return {&state.views.grid.sheet, &state.examples.sheet};
+std::array<PictureSheet*, 3> sheets_of(UiState& state) {
+    return {&state.views.grid.sheet, &state.examples.sheet, &state.mine.sheet};
 }
 
 bool end_jobs(UiState& state, double seconds) {

@@ -14,6 +14,7 @@
 #include "renderer/renderer.h"
 #include "ui/commands/keys.h"
 #include "ui/commands/menus.h"
+#include "ui/diagnosis/my_picture.h"
 #include "ui/document/editor.h"
 #include "ui/document/file_dialog.h"
 #include "ui/document/loading.h"
@@ -63,6 +64,7 @@ struct UiState {
     InspectorState inspector;  // tab and switches
     SensitivityState sensitivity;
     ViewsState views;  // how the picture is looked at
+    MyPictureState mine;
     Notifications notifications;
     FileDialog files;
     PaletteState palette;
@@ -107,7 +109,7 @@ struct UiRequests {
 [[nodiscard]] UiRequests ui_frame(UiState& state, const UiInput& input);
 
 /// The sheets of small pictures that the window keeps as textures; they stay where they are.
-[[nodiscard]] std::array<PictureSheet*, 2> sheets_of(UiState& state);
+[[nodiscard]] std::array<PictureSheet*, 3> sheets_of(UiState& state);
 
 /// Cancels every load, export and search at once and waits for them, at most `seconds`. False when one goes
 /// on: a thread in the middle of a mesh or a picture cannot be stopped. What is cancelled begins to write no

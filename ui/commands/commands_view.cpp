@@ -131,6 +131,16 @@ std::vector<WindowCommand> comparing_commands() {
          .is_on = [](const UiState& s) { return s.views.compare.choice.on; },
          .id = CommandId::Compare,
          .changes_picture = true},
+        {.name = "Compare my picture…",
+         .menu = Menu::View,
+         .run = [](UiState& s) { s.files.ask(FilePurpose::MyPicture, s.editor.document.path); }},
+        {.name = "Put my picture away",
+         .menu = Menu::View,
+         .run = put_picture_away,
+         .why_disabled =
+             [](const UiState& s) {
+                 return unless(s.mine.shown != nullptr, "No picture was brought to compare with");
+             }},
         {.name = "Look at B, the stored scene",
          .keys = {{Key::B}},
          .menu = Menu::View,

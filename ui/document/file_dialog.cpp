@@ -35,6 +35,7 @@ std::vector<std::string> extensions(FilePurpose purpose) {
         return {".json"};
     case FilePurpose::SavePicture:
         return {".png"};
+    case FilePurpose::MyPicture:
     case FilePurpose::ExportPicture:
         return {".png", ".pfm", ".exr"};
     case FilePurpose::SaveFrames:
@@ -44,13 +45,14 @@ std::vector<std::string> extensions(FilePurpose purpose) {
 }
 
 bool saves(FilePurpose purpose) {
-    return purpose != FilePurpose::OpenScene && purpose != FilePurpose::OpenMesh;
+    return purpose != FilePurpose::OpenScene && purpose != FilePurpose::OpenMesh &&
+           purpose != FilePurpose::MyPicture;
 }
 
 bool serves(const std::string& name, FilePurpose purpose) {
     const std::vector<std::string> known = extensions(purpose);
     return std::find(known.begin(), known.end(), lower_extension(name)) != known.end() ||
-           (!saves(purpose) && is_mesh_path(name));
+           (!saves(purpose) && purpose != FilePurpose::MyPicture && is_mesh_path(name));
 }
 
 struct Words {
@@ -62,6 +64,8 @@ Words words(FilePurpose purpose) {
         return {"Open", "Open", "Scenes (.json), pictures of Glint (.png), meshes (.obj .ply .off .stl .om)"};
     case FilePurpose::OpenMesh:
         return {"Choose a mesh", "Choose", "Meshes (.obj .ply .off .stl .om)"};
+    case FilePurpose::MyPicture:
+        return {"Compare my picture", "Compare", "A picture of this scene by any program (.png .pfm .exr)"};
     case FilePurpose::SaveScene:
         return {"Save the scene", "Save", "Scene file (.json)"};
     case FilePurpose::SavePicture:
@@ -129,6 +133,8 @@ const char* nothing_words(FilePurpose purpose) {
         return "No folder and no scene here";
     case FilePurpose::OpenMesh:
         return "No folder and no mesh file here";
+    case FilePurpose::MyPicture:
+        return "No folder and no picture here";
     case FilePurpose::SaveScene:
     case FilePurpose::SavePicture:
     case FilePurpose::ExportPicture:

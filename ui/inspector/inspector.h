@@ -16,7 +16,18 @@
 namespace glint {
 
 /// One answer to "why that colour?" each; their labels and order are in ui/inspector/tabs.cpp.
-enum class InspectorTab { Equation, Vectors, Plots, Grid, Models, Sensitivity, Mistakes, Matrices, Outside };
+enum class InspectorTab {
+    Equation,
+    Vectors,
+    Plots,
+    Grid,
+    Models,
+    Sensitivity,
+    Mistakes,
+    MyPicture,
+    Matrices,
+    Outside
+};
 
 /// The point whose lights were asked: the picture (UiState::picture_serial), its pixel and corner.
 struct BlockedKey {

@@ -13,15 +13,15 @@
 #include "ui/widgets/widgets.h"
 
 namespace glint {
-namespace {
 
-/// "clamp_each_light" as a title: "Clamp each light".
 std::string title_of(const MistakeName& mistake) {
     std::string title(mistake.name);
     std::replace(title.begin(), title.end(), '_', ' ');
     if (title[0] >= 'a' && title[0] <= 'z') title[0] = static_cast<char>(title[0] - 'a' + 'A');
     return title;
 }
+
+namespace {
 
 /// The words of its tooltip: what looks like it, and who asked about it.
 std::string notes_on(const MistakeName& mistake) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "renderer/inspect/explain/explain_words.h"
+#include "ui/diagnosis/my_picture.h"
 #include "ui/inspector/equation/equation_tab.h"
 #include "ui/inspector/outside_view.h"
 #include "ui/inspector/vectors/vectors_tab.h"
@@ -32,6 +33,8 @@ constexpr std::array tabs{
                      "The same pixel under flat, facet, Gouraud and Phong shading", models_tab, true},
     InspectorTabInfo{InspectorTab::Mistakes, "Mistakes", "Mistakes that are really made, each a switch",
                      mistakes_tab, true},
+    InspectorTabInfo{InspectorTab::MyPicture, "My picture",
+                     "What is wrong in a picture of this scene that your own program drew", my_picture_tab},
     InspectorTabInfo{InspectorTab::Plots, "Plots",
                      "Falloff, highlight, cone, lobes and microfacets as curves", plots_tab},
     InspectorTabInfo{InspectorTab::Grid, "Light × term",

@@ -6,9 +6,11 @@
 #include <glm/vec4.hpp>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "models/scene/camera.h"
 #include "models/scene/light.h"
+#include "models/scene/mistakes.h"
 #include "models/scene/shading.h"
 #include "renderer/inspect/explain/explanation.h"
 #include "ui/inspector/inspector.h"
@@ -56,6 +58,8 @@ void models_tab(UiState& state, const PictureView& view);
 
 void mistakes_tab(UiState& state, const PictureView& view);
 
+/// "clamp_each_light" as a title: "Clamp each light".
+[[nodiscard]] std::string title_of(const MistakeName& mistake);
 /// How many mistakes are on.
 [[nodiscard]] int mistakes_on(const Mistakes& mistakes);
 

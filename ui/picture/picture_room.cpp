@@ -84,10 +84,16 @@ bool forget_probe(UiState& state) {
     return true;
 }
 
+bool leave_my_picture(UiState& state) {
+    if (!state.mine.shown && !state.mine.reading) return false;
+    put_picture_away(state);
+    return true;
+}
+
 /// The innermost first.
 const std::array left_by_escape{hand_tool.cancel, close_palette,     leave_dialog, close_popup,
                                 cancel_loading,   close_shortcuts,   close_wedge,  pen_tool.cancel,
-                                show_panels,      scope_tool.cancel, forget_probe};
+                                show_panels,      scope_tool.cancel, forget_probe, leave_my_picture};
 
 /// Reads the mouse over the item drawn last (the picture).
 void use_tools(UiState& state, const PictureView& view, const UiInput& input) {

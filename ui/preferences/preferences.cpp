@@ -185,6 +185,7 @@ template <class P, class Visit> void preference_fields(P& p, const Visit& visit)
 ViewPreferences views_to_remember(const UiState& state) {
     ViewPreferences memory;
     view_fields(memory, [&](const char*, auto& value, auto now) { value = now(state); });
+    if (state.mine.shown) memory.compare = state.mine.compare_before;
     memory.compare.stored.reset();  // a scene is not a preference
     memory.compare.shows_stored = false;
     return memory;
@@ -192,9 +193,11 @@ ViewPreferences views_to_remember(const UiState& state) {
 
 void recall_views(UiState& state, const ViewPreferences& memory) {
     std::shared_ptr<const Scene> stored = std::move(state.views.compare.choice.stored);
+    std::shared_ptr<const Picture> mine = std::move(state.views.compare.choice.mine);
     state.views.debug_view.set = {};  // the light of a quantity, too
     view_fields(memory, [&](const char*, const auto& value, auto now) { now(state) = value; });
     state.views.compare.choice.stored = std::move(stored);
+    state.views.compare.choice.mine = std::move(mine);
 }
 
 std::string preferences_text(const Preferences& p) {

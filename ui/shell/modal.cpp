@@ -82,6 +82,8 @@ void use_file(UiState& state, const std::string& path) {
         begin_mesh(state, MeshFile{std::filesystem::absolute(path).string()}, state.mesh_for_object);
         state.mesh_for_object = -1;
         return;
+    case FilePurpose::MyPicture:
+        return bring_picture(state, path);
     case FilePurpose::SavePicture:
         return save_picture(state, path);
     case FilePurpose::SaveFrames:
@@ -182,7 +184,11 @@ void dialogs(UiState& state, const UiInput& input) {
 
 void take_dropped(UiState& state, const UiInput& input) {
     if (input.dropped.empty()) return;
-    begin_pending(state, Pending::What::Open, input.dropped.front());
+    const std::string& path = input.dropped.front();
+    if (is_bare_picture(path))
+        bring_picture(state, path);
+    else
+        begin_pending(state, Pending::What::Open, path);
     if (input.dropped.size() > 1)
         state.notifications.add(Tone::Warning, "Several files were dropped; the first was opened");
 }

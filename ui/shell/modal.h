@@ -39,7 +39,8 @@ void close_left_modal(const UiState& state);
 /// Draws the one that is asked for, and does what it is answered. Last in a frame: ui/shell/modal.h.
 void dialogs(UiState& state, const UiInput& input);
 
-/// Files that were dropped on the window: the first is opened.
+/// Files that were dropped on the window: the first is opened, or compared where it is a picture without a
+/// scene.
 void take_dropped(UiState& state, const UiInput& input);
 
 }  // namespace glint

@@ -10,6 +10,7 @@
 #include "models/scene/reflection.h"
 #include "renderer/inspect/explain/explain_format.h"
 #include "renderer/inspect/explain/explain_words.h"
+#include "ui/diagnosis/my_picture.h"
 #include "ui/fields/field_panel.h"
 #include "ui/inspector/equation/formula.h"
 #include "ui/inspector/equation/text_line.h"
@@ -182,6 +183,7 @@ void equation_tab(UiState& state, const PictureView&) {
     if (!is_plain_front(explanation)) warning_text("The surface is seen from its " + side_words(explanation));
     sum_table(state, explanation);
     display_lines(state, explanation);
+    my_pixel(state);
     if (explanation.reflection != Reflection::None) {
         section_heading(section_title(state.inspector, explanation).c_str());
         mistakes_note(state.editor.scene());

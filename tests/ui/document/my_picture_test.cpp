@@ -1,0 +1,271 @@
+// A picture that another program drew: it is compared, diagnosed beside the window, and what is found is
+// tried.
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "models/io/file.h"
+#include "renderer/image/image_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
+#include "tests/support/program.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+const char* const flipped_switch = "/shading/mistakes/normals_flipped";
+constexpr PictureSize brought_size{160, 90};
+
+/// The open scene's picture as a program with flipped normals draws it.
+Picture flipped_picture(HeadlessWindow& bench, PictureSize size = brought_size) {
+    Scene scene = bench.scene();
+    scene.shading.mistakes.normals_flipped = true;
+    Renderer renderer(1);
+    return renderer.render(scene, size);
+}
+
+void drop(HeadlessWindow& bench, const std::string& path) {
+    UiInput input;
+    input.dropped = {path};
+    (void)bench.frame(input);
+}
+
+/// Frames until nothing is read or searched any more.
+void wait_for_answer(HeadlessWindow& bench) {
+    const MyPictureState& mine = bench.state.mine;
+    do {
+        (void)bench.frame();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    } while (mine.reading || (mine.shown && !mine.settled));
+    bench.frames(2);
+}
+
+/// Drops the picture and waits for what is found in it.
+void bring(HeadlessWindow& bench, const TemporaryDirectory& folder, const Picture& picture) {
+    drop(bench, folder.file("mine.png", png_bytes(picture, "")));
+    wait_for_answer(bench);
+}
+
+const Diagnosis& found(const HeadlessWindow& bench) {
+    REQUIRE(bench.state.mine.answer);
+    return bench.state.mine.answer->diagnosis;
+}
+
+}  // namespace
+
+TEST_CASE("a dropped picture stands beside the scene, and its mistake is named and switched by a click",
+          "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const Scene start = bench.scene();
+    const TemporaryDirectory folder;
+    bring(bench, folder, flipped_picture(bench));
+    CHECK(bench.scene() == start);
+    CHECK(bench.state.inspector.tab == InspectorTab::MyPicture);
+    CHECK(found(bench).verdict == Verdict::Mistake);
+    REQUIRE_FALSE(found(bench).candidates.empty());
+    CHECK(name_of(found(bench).candidates.front().mistakes) == "normals_flipped");
+
+    // The right half of the window shows the picture: there a lit ball is dark.
+    const CompareChoice& choice = bench.state.views.compare.choice;
+    REQUIRE(choice.on);
+    CHECK(label_of(choice.parts.back()) == "My picture");
+    const Picture& shown = *bench.state.displayed;
+    const PictureSize size = shown.size;
+    const std::size_t lit = shown.pixel(size.width * 54 / 100, size.height * 42 / 100);
+    CHECK(int{bench.state.rendered->rgba[4 * lit]} > shown.rgba[4 * lit] + 40);
+
+    const ImVec2 row = test::rest_on(bench, flipped_switch);
+    CHECK(bench.state.rendered_scene.shading.mistakes.normals_flipped);
+    CHECK(bench.scene() == start);
+    bench.click(row);
+    CHECK(bench.scene().shading.mistakes.normals_flipped);
+    CHECK(mistakes_on(bench.scene().shading.mistakes) == 1);
+    test::rest(bench);
+    CHECK(bench.state.mine.current);  // it is a mistake that is looked for: nothing is searched anew
+    bench.key(Key::Z, true);
+    CHECK(bench.scene() == start);
+    bench.click(test::in_column(bench, flipped_switch));
+    bench.click(test::in_column(bench, flipped_switch));
+    CHECK(bench.scene() == start);
+}
+
+TEST_CASE("under the mistake that it was drawn with the scene differs from the picture nowhere",
+          "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const TemporaryDirectory folder;
+    bring(bench, folder, flipped_picture(bench, {640, 360}));
+    bench.state.views.compare.choice.difference = true;
+    bench.frames(2);
+    CHECK(bench.state.views.compare.numbers.max_error > 50);
+    bench.scene().shading.mistakes.normals_flipped = true;
+    bench.frames(2);
+    CHECK(bench.state.views.compare.numbers.mean[0] < 0.5);  // pixels are not of one size
+}
+
+TEST_CASE("what happened at the display is taken away from the picture that is compared",
+          "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const TemporaryDirectory folder;
+    const Picture upright = flipped_picture(bench);
+    Picture turned = upright;
+    for (int y = 0; y < brought_size.height; ++y)
+        std::copy_n(&upright.rgba[4 * upright.pixel(0, y)], 4 * brought_size.width,
+                    &turned.rgba[4 * turned.pixel(0, brought_size.height - 1 - y)]);
+    bring(bench, folder, turned);
+    CHECK(found(bench).display.change.upside_down);
+    REQUIRE(bench.state.views.compare.choice.mine);
+    CHECK(bench.state.views.compare.choice.mine->rgba == upright.rgba);
+}
+
+TEST_CASE("the experiment is one step, picks its pixel, and shows there what it said", "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const Scene start = bench.scene();
+    const TemporaryDirectory folder;
+    bring(bench, folder, flipped_picture(bench));
+    REQUIRE(found(bench).experiment);
+    const Experiment experiment = *found(bench).experiment;
+    bench.click(test::in_column(bench, "Change the scene so"));
+    bench.frames(2);
+    const auto expected = scene_variant({start, "", "", {}}, experiment.set);
+    CHECK(bench.scene() == std::get<Scene>(expected));
+    CHECK(bench.state.viewport.probe);
+    Renderer renderer(1);
+    const Picture& drawn =
+        renderer.render(under_mistakes(bench.scene(), experiment.mistakes[0]), brought_size);
+    CHECK(rgb_at(drawn, drawn.pixel(experiment.pixel.x, experiment.pixel.y)) == experiment.shows[0]);
+    wait_for_answer(bench);
+    bench.frames(30);
+    CHECK(bench.state.mine.current);  // the picture is still of the scene before
+    bench.key(Key::Z, true);
+    CHECK(bench.scene() == start);
+    CHECK(bench.state.mine.current);
+    CHECK_FALSE(bench.state.editor.history.can_undo());
+}
+
+TEST_CASE("the search ends when it is told to, and begins anew when the scene changes",
+          "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const TemporaryDirectory folder;
+    drop(bench, folder.file("mine.png", png_bytes(flipped_picture(bench, {800, 450}), "")));
+    while (!bench.state.mine.job) (void)bench.frame();
+    bench.frames(2);
+    bench.click(test::in_column(bench, "Cancel the search"));
+    CHECK_FALSE(bench.state.mine.job);
+    wait_for_answer(bench);
+    CHECK_FALSE(bench.state.mine.answer);
+    CHECK(bench.state.notifications.list.empty());
+    REQUIRE(bench.state.mine.shown);
+    bench.scene().lights[0].intensity = 0.5f;
+    bench.frames(2);
+    wait_for_answer(bench);
+    REQUIRE(bench.state.mine.answer);
+    const Diagnosis before = bench.state.mine.answer->diagnosis;
+    bench.click(test::in_column(bench, "Put my picture away"));
+    CHECK_FALSE(bench.state.mine.shown);
+}
+
+TEST_CASE("what cannot be compared is said, and what cannot be read is one line", "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const Scene start = bench.scene();
+    const CompareChoice compared = bench.state.views.compare.choice;
+    const TemporaryDirectory folder;
+    Scene other = bench.scene();
+    Renderer renderer(1);
+    const Picture wide = renderer.render(other, {320, 180});
+    Picture narrow{{240, 180}, {}, {}};  // the same squeezed: drawn for 16:9, brought as 4:3
+    for (int y = 0; y < 180; ++y)
+        for (int x = 0; x < 240; ++x)
+            for (std::size_t c = 0; c < 4; ++c)
+                narrow.rgba.push_back(wide.rgba[4 * wide.pixel(x * 4 / 3, y) + c]);
+    bring(bench, folder, narrow);
+    CHECK(found(bench).verdict == Verdict::NotComparable);
+    bench.key(Key::Escape);
+    CHECK_FALSE(bench.state.mine.shown);
+    CHECK(bench.state.views.compare.choice == compared);
+    CHECK(bench.state.notifications.list.empty());
+
+    const std::string whole = png_bytes(wide, "");
+    drop(bench, folder.file("cut.png", whole.substr(0, whole.size() / 2)));
+    wait_for_answer(bench);
+    REQUIRE(bench.state.notifications.list.size() == 1);
+    const std::string& said = bench.state.notifications.list[0].text;
+    CHECK(said.find("cut.png: ") != std::string::npos);
+    CHECK(std::count(said.begin(), said.end(), '\n') == 0);
+    CHECK_FALSE(bench.state.mine.shown);
+    CHECK(bench.scene() == start);
+    CHECK(bench.state.views.compare.choice == compared);
+}
+
+TEST_CASE("a picture that carries its scene opens it; the command compares it all the same",
+          "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const TemporaryDirectory folder;
+    const std::string path =
+        folder.file("carries.png", png_bytes(flipped_picture(bench), scene_text(bench.scene())));
+    drop(bench, path);
+    bench.wait_for_loads();
+    CHECK(bench.state.editor.document.path == path);
+    CHECK_FALSE(bench.state.mine.shown);
+    run_command(bench.state, test::command_named("Compare my picture…"));
+    REQUIRE(bench.state.files.open);
+    bench.state.files.folder = folder.path();
+    bench.state.files.name = "carries.png";
+    bench.frames(2);
+    bench.key(Key::Enter);
+    wait_for_answer(bench);
+    CHECK(bench.state.mine.shown);
+    CHECK(found(bench).verdict == Verdict::Mistake);
+    run_command(bench.state, test::command_named("Put my picture away"));
+    CHECK_FALSE(bench.state.mine.shown);
+}
+
+TEST_CASE("a picture is read into the window in every format that has no scene", "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const TemporaryDirectory folder;
+    Renderer renderer(1);
+    Scene scene = bench.scene();
+    scene.shading.mistakes.normals_flipped = true;
+    const Picture& drawn = renderer.render(scene, brought_size, true);
+    for (const auto& [name, format] :
+         {std::pair{"mine.pfm", PictureFormat::Pfm}, {"mine.exr", PictureFormat::Exr}}) {
+        drop(bench, folder.file(name, picture_bytes(drawn, format, scene.display.exposure, "")));
+        wait_for_answer(bench);
+        CHECK(bench.state.mine.name == name);
+        REQUIRE(bench.state.mine.shown);
+        CHECK(bench.state.mine.shown->rgba == drawn.rgba);
+    }
+}
+
+TEST_CASE("the picked pixel says what the picture has, what is right and what the mistake makes of it",
+          "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const TemporaryDirectory folder;
+    const Picture picture = flipped_picture(bench, {640, 360});
+    bring(bench, folder, picture);
+    test::ask(bench, InspectorTab::Equation, {0.5, 0.45});
+    bench.frames(2);
+    const PixelOfMine pixel = *pixel_of_mine(bench.state);
+    const Explanation& e = *bench.state.explanation;
+    CHECK(pixel.right.byte == e.byte);
+    REQUIRE(pixel.mistaken);
+    // The window shows the width of a picture of 16:9, so the same share of both widths is the same place.
+    CHECK(pixel.place.x == 640 * (2 * e.x + 1) / (2 * bench.state.rendered->size.width));
+    const Rgb mine = rgb_at(picture, picture.pixel(pixel.place.x, pixel.place.y));
+    CHECK(pixel.mine == mine);
+    for (std::size_t c = 0; c < 3; ++c) CHECK(std::abs(pixel.mistaken->byte[c] - int{mine[c]}) <= 3);
+    CHECK(pixel.mistaken->byte != e.byte);
+    for (const char* line : {"right", "Normals flipped"})
+        CHECK(bench.area_of(line, test::right_column(bench)).high.y > 0);
+}

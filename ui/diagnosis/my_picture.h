@@ -1,0 +1,105 @@
+#pragma once
+// A picture that the user's own program drew of the open scene: it becomes a part of the comparison, a
+// diagnosis runs beside the window, and what it finds is listed, tried on the scene, and written into the
+// equation.
+
+#include <glm/vec2.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/diagnose/diagnose.h"
+#include "renderer/inspect/explain/explanation.h"
+#include "renderer/renderer.h"
+#include "ui/document/job.h"
+#include "ui/views/compare_view.h"
+#include "ui/widgets/picture_sheet.h"
+
+namespace glint {
+
+struct UiState;
+struct PictureView;
+
+/// What a diagnosis has to show.
+struct PictureAnswer {
+    Diagnosis diagnosis;
+    std::shared_ptr<const Picture> mine;  // bytes, with what happened at the display taken away
+    std::vector<Picture> thumbnails;      // of the scene under each candidate, as small as thumbnail_size()
+};
+
+/// An experiment that was applied to the scene, and the scene that it made, without mistakes.
+struct TriedExperiment {
+    Experiment experiment;
+    Scene scene;
+};
+
+struct MyPictureState {
+    std::string name;                      // of its file
+    std::shared_ptr<const Picture> shown;  // its bytes as the file has them; null: there is no picture
+    std::unique_ptr<Job<Picture>> reading;
+    std::unique_ptr<Job<PictureAnswer>> job;
+    std::vector<std::unique_ptr<Job<Picture>>> left_readings;  // cancelled, and not ended yet
+    std::vector<std::unique_ptr<Job<PictureAnswer>>> left_jobs;
+    Scene asked_of;                       // the open scene without mistakes, as it is diagnosed, or will be
+    double asked_since = 0;               // ImGui's time when it became so
+    bool settled = false;                 // `asked_of` was diagnosed, or somebody gave that up
+    bool current = false;                 // `answer` is of `asked_of`
+    std::optional<PictureAnswer> answer;  // the last one
+    std::optional<TriedExperiment> tried;
+    std::size_t chosen = 0;  // candidate that the equation shows
+    PictureSheet sheet;      // of the candidates
+    CompareChoice compare_before;
+    std::unique_ptr<Renderer> right, mistaken;  // what the equation asks at the picked pixel
+};
+
+/// Begins to read a picture by any program; it takes the place of the one before when it is whole. What
+/// cannot be read is a notification, and everything stays.
+void bring_picture(UiState& state, const std::string& path);
+/// Puts the picture away, and what was compared before back; what is being computed ends.
+void put_picture_away(UiState& state);
+/// Gives the diagnosis up until the scene changes, or ask_again().
+void cancel_diagnosis(MyPictureState& mine);
+void ask_again(MyPictureState& mine);
+
+/// Once a frame: takes what has come, and begins the diagnosis anew when the scene, but for its mistakes, has
+/// changed and stood still for a moment.
+void poll_my_picture(UiState& state);
+
+/// The file is a picture, and no scene that Glint could open.
+[[nodiscard]] bool is_bare_picture(const std::string& path);
+
+/// The size of a small picture of a candidate, for a picture of that size.
+[[nodiscard]] PictureSize thumbnail_size(PictureSize size);
+
+/// "Normals flipped + gamma twice", as the Mistakes tab names them.
+[[nodiscard]] std::string title_of(const MistakeSet& mistakes);
+
+/// Switches the mistakes on in place of all others; off where just these are on.
+void switch_mistakes(Scene& scene, const MistakeSet& mistakes);
+
+/// Applies the experiment to the scene, and picks the pixel that tells; one step to undo. A notification
+/// where it cannot be.
+void try_experiment(UiState& state, const Experiment& experiment);
+/// The experiment that the open scene shows now; null: none.
+[[nodiscard]] const Experiment* shown_experiment(const UiState& state);
+
+/// The tab that lists what was found. Resting on a candidate shows the scene under it, a click keeps it.
+void my_picture_tab(UiState& state, const PictureView& view);
+
+/// The picked pixel, as the picture has it, what is right there, and what the chosen candidate makes of it.
+struct PixelOfMine {
+    glm::ivec2 place{0};  // in the picture
+    Rgb mine{};           // with what happened at the display taken away
+    Explanation right;
+    std::optional<Explanation> mistaken;  // nothing without a candidate
+};
+/// Nothing while there is no picture, none is picked, or the picture does not reach there.
+[[nodiscard]] std::optional<PixelOfMine> pixel_of_mine(UiState& state);
+/// Draws it into the equation tab, term by term; nothing without a picture.
+void my_pixel(UiState& state);
+
+/// Draws a colour with its bytes, and what it is.
+void colour_line(const char* what, Rgb colour);
+
+}  // namespace glint
