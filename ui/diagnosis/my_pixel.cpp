@@ -55,7 +55,7 @@ std::vector<TermRow> term_rows(const Explanation& right, const Explanation& mist
                                    TermRow{Symbol::Diffuse, "d", x.diffuse[channel], y.diffuse[channel]},
                                    TermRow{Symbol::Specular, "s", x.specular[channel], y.specular[channel]}})
             if (row.right != row.mistaken)
-                rows.push_back({row.symbol, row.name + "  of " + x.name, row.right, row.mistaken});
+                rows.push_back({row.symbol, row.name + "  " + x.name, row.right, row.mistaken});
     }
     return rows;
 }
@@ -134,8 +134,10 @@ void my_pixel(UiState& state) {
     section_heading("In my picture");
     const std::optional<PixelOfMine> pixel = pixel_of_mine(state);
     if (!pixel) return wrapped_dim("My picture does not reach this pixel.");
-    colour_line(fmt::format("mine, at its pixel {}, {}", pixel->place.x, pixel->place.y).c_str(),
-                pixel->mine);
+    if (shown_experiment(state) != nullptr)
+        small_dim("It shows the scene before the experiment.");
+    else
+        colour_line(fmt::format("mine, pixel {}, {}", pixel->place.x, pixel->place.y).c_str(), pixel->mine);
     colour_line("right", bytes_of(pixel->right));
     if (!pixel->mistaken) return;
     colour_line(title_of(chosen_candidate(state.mine)->mistakes).c_str(), bytes_of(*pixel->mistaken));

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "models/progress.h"
 #include "models/scene/mistakes.h"
 #include "tests/renderer/diagnose/wrong_pictures.h"
 #include "tests/support/catch.h"
@@ -138,6 +139,20 @@ TEST_CASE("the answer is the same on one thread and on many", "[diagnose]") {
             CHECK(one.candidates[i].pixel == many.candidates[i].pixel);
         }
     }
+}
+
+TEST_CASE("what its progress throws ends a diagnosis", "[diagnose]") {
+    const SceneDocument document = diagnosed_scene(3);
+    Renderer renderer(1);
+    const Picture right = renderer.render(document.scene, diagnosed_size);
+    int calls = 0;
+    DiagnosisOptions options;
+    options.progress = [&calls](std::size_t done, std::size_t all) {
+        CHECK(done < all);
+        if (++calls == 5) throw LoadCancelled();
+    };
+    CHECK_THROWS_AS(diagnose(document, right, options), LoadCancelled);
+    CHECK(calls == 5);
 }
 
 TEST_CASE("the deciding pixel has the colours that the pictures have there", "[diagnose]") {

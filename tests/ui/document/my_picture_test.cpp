@@ -98,7 +98,7 @@ TEST_CASE("under the mistake that it was drawn with the scene differs from the p
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;
-    bring(bench, folder, flipped_picture(bench, {640, 360}));
+    bring(bench, folder, flipped_picture(bench, {960, 540}));
     bench.state.views.compare.choice.difference = true;
     bench.frames(2);
     CHECK(bench.state.views.compare.numbers.max_error > 50);
@@ -147,6 +147,13 @@ TEST_CASE("the experiment is one step, picks its pixel, and shows there what it 
     CHECK(bench.scene() == start);
     CHECK(bench.state.mine.current);
     CHECK_FALSE(bench.state.editor.history.can_undo());
+
+    // A change of the camera is an edit here, no look.
+    try_experiment(bench.state, {{{"/camera/eye", "[0,0.8,5]"}}, {80, 45}, {}, {}});
+    bench.frames(2);
+    CHECK(bench.scene().camera.eye.z == 5);
+    bench.key(Key::Z, true);
+    CHECK(bench.scene() == start);
 }
 
 TEST_CASE("the search ends when it is told to, and begins anew when the scene changes",
@@ -167,7 +174,6 @@ TEST_CASE("the search ends when it is told to, and begins anew when the scene ch
     bench.frames(2);
     wait_for_answer(bench);
     REQUIRE(bench.state.mine.answer);
-    const Diagnosis before = bench.state.mine.answer->diagnosis;
     bench.click(test::in_column(bench, "Put my picture away"));
     CHECK_FALSE(bench.state.mine.shown);
 }
@@ -176,6 +182,7 @@ TEST_CASE("what cannot be compared is said, and what cannot be read is one line"
     HeadlessWindow bench;
     bench.frames(2);
     const Scene start = bench.scene();
+    bench.state.views.compare.choice.gain = 4;
     const CompareChoice compared = bench.state.views.compare.choice;
     const TemporaryDirectory folder;
     Scene other = bench.scene();
@@ -252,7 +259,7 @@ TEST_CASE("the picked pixel says what the picture has, what is right and what th
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;
-    const Picture picture = flipped_picture(bench, {640, 360});
+    const Picture picture = flipped_picture(bench, {960, 540});
     bring(bench, folder, picture);
     test::ask(bench, InspectorTab::Equation, {0.5, 0.45});
     bench.frames(2);
@@ -261,7 +268,7 @@ TEST_CASE("the picked pixel says what the picture has, what is right and what th
     CHECK(pixel.right.byte == e.byte);
     REQUIRE(pixel.mistaken);
     // The window shows the width of a picture of 16:9, so the same share of both widths is the same place.
-    CHECK(pixel.place.x == 640 * (2 * e.x + 1) / (2 * bench.state.rendered->size.width));
+    CHECK(pixel.place.x == 960 * (2 * e.x + 1) / (2 * bench.state.rendered->size.width));
     const Rgb mine = rgb_at(picture, picture.pixel(pixel.place.x, pixel.place.y));
     CHECK(pixel.mine == mine);
     for (std::size_t c = 0; c < 3; ++c) CHECK(std::abs(pixel.mistaken->byte[c] - int{mine[c]}) <= 3);
