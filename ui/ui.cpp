@@ -67,6 +67,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     picture_overlay(state, layout);
     caption_line(state, layout);
     inspector_columns(state, layout, view);
+    rest_mistake_pictures(state.mistake_pictures);
     views_windows(state, layout);
     column_edges(state.layout, layout, px(1));
     loading_panel(state, layout.centre);
@@ -93,7 +94,8 @@ template <class Do> void for_each_job(UiState& state, Do action) {
     std::for_each(state.loading.left.begin(), state.loading.left.end(), with);
     with(state.exporting.job);
     with(state.animate.job);
-    with(state.examples.job);
+    with(state.examples.pictures.job);
+    with(state.mistake_pictures.pictures.job);
     with(state.sensitivity.job);
     std::for_each(state.sensitivity.ending.begin(), state.sensitivity.ending.end(), with);
     with(state.mine.reading);
@@ -120,8 +122,9 @@ UiRequests ui_frame(UiState& state, const UiInput& input) {
     }
 }
 
-std::array<PictureSheet*, 3> sheets_of(UiState& state) {
-    return {&state.views.grid.sheet, &state.examples.sheet, &state.mine.sheet};
+std::array<PictureSheet*, 4> sheets_of(UiState& state) {
+    return {&state.views.grid.sheet, &state.examples.pictures.sheet, &state.mistake_pictures.pictures.sheet,
+            &state.mine.sheet};
 }
 
 bool end_jobs(UiState& state, double seconds) {

@@ -21,6 +21,7 @@
 #include "ui/export/animation.h"
 #include "ui/export/export_picture.h"
 #include "ui/inspector/inspector.h"
+#include "ui/inspector/mistake_pictures.h"
 #include "ui/inspector/outside_view.h"
 #include "ui/inspector/sensitivity.h"
 #include "ui/lecture/examples.h"
@@ -63,6 +64,7 @@ struct UiState {
     LayoutState layout;
     InspectorState inspector;  // tab and switches
     SensitivityState sensitivity;
+    MistakePictures mistake_pictures;
     ViewsState views;  // how the picture is looked at
     MyPictureState mine;
     Notifications notifications;
@@ -109,7 +111,7 @@ struct UiRequests {
 [[nodiscard]] UiRequests ui_frame(UiState& state, const UiInput& input);
 
 /// The sheets of small pictures that the window keeps as textures; they stay where they are.
-[[nodiscard]] std::array<PictureSheet*, 3> sheets_of(UiState& state);
+[[nodiscard]] std::array<PictureSheet*, 4> sheets_of(UiState& state);
 
 /// Cancels every load, export and search at once and waits for them, at most `seconds`. False when one goes
 /// on: a thread in the middle of a mesh or a picture cannot be stopped. What is cancelled begins to write no

@@ -2,59 +2,65 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
-#include "models/scene/mistakes.h"
+#include "models/saturate.h"
 #include "ui/inspector/inspector.h"
+#include "ui/inspector/mistake_pictures.h"
+#include "ui/inspector/mistake_row.h"
 #include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/parts.h"
-#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
-
-std::string title_of(const MistakeName& mistake) {
-    std::string title(mistake.name);
-    std::replace(title.begin(), title.end(), '_', ' ');
-    if (title[0] >= 'a' && title[0] <= 'z') title[0] = static_cast<char>(title[0] - 'a' + 'A');
-    return title;
-}
-
 namespace {
 
-/// The words of its tooltip: what looks like it, and who asked about it.
-std::string notes_on(const MistakeName& mistake) {
-    std::string notes = "Rest here to see it, click to keep it.";
-    if (!mistake.look_alikes.empty()) {
-        std::string names(mistake.look_alikes);
-        std::replace(names.begin(), names.end(), ' ', '\n');
-        std::replace(names.begin(), names.end(), '_', ' ');
-        notes += "\nLooks like:\n" + names;
-    }
-    if (!mistake.sources.empty()) notes += fmt::format("\nAsked in: {}", mistake.sources);
-    return notes;
+/// Of the small pictures: four to three, a third of the column at most.
+PictureSize small_size(float room, bool keeps_width) {
+    constexpr int largest = 192;
+    const int width = std::clamp(saturated_int(std::min(px(96), room / 3)), 8, largest);
+    return {width, width * 3 / 4, keeps_width};
 }
 
-/// A switch with its words below; pointed at, the picture shows the other position of the switch.
-void mistake_row(UiState& state, const MistakeName& mistake) {
+/// Above the list, which moves below it: the picture to compare with.
+void right_row(UiState& state, const SmallLook& look) {
     Mistakes& mistakes = state.editor.scene().shading.mistakes;
-    const std::string title = title_of(mistake);
-    const std::string pointer = fmt::format("/shading/mistakes/{}", mistake.name);
+    const int on = mistakes_on(mistakes);
+    ImGui::SetCursorScreenPos(ImGui::GetCursorScreenPos() + ImVec2(small_inset(), small_inset()));
+    draw_small(look, 0, ImGui::GetCursorScreenPos());
+    ImGui::Dummy(look.extent());
+    tooltip("Without mistakes", "The open scene as it should be, to compare with");
+    ImGui::SameLine(0, px(8));
     ImGui::BeginGroup();
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(2), px(1)});
-    (void)ImGui::Checkbox(title.c_str(), &(mistakes.*mistake.flag));
-    ImGui::PopStyleVar();
-    const bool pointed = is_pointed_at();
-    tooltip(title.c_str(), notes_on(mistake).c_str(), "off by default", pointer);
-    ImGui::Indent(px(24));
-    small_dim(fmt::format("{} {}", mistake.what, mistake.looks));
-    ImGui::Unindent(px(24));
+    ImGui::TextUnformatted("Without mistakes");
+    if (!look.pictures.problem.empty()) {
+        warning_text(look.pictures.problem);
+    } else if (on == 0) {
+        small_dim("Rest on a line to see it large, click to keep it.");
+    } else {
+        warning_text(fmt::format("{} on: wrong on purpose", on));
+        if (ImGui::Button("All off")) mistakes = {};
+        tooltip("All off", "The equation as it should be");
+    }
     ImGui::EndGroup();
-    if (!pointed && !is_pointed_at(last_item())) return;
-    Scene other = state.editor.scene();
-    other.shading.mistakes.*mistake.flag ^= true;
-    show_instead(state, other, mistakes.*mistake.flag ? "without: " + title : title);
+    ImGui::Separator();
+}
+
+/// The rows below the headings of their groups. The one that is pointed at.
+const MistakeName* mistake_rows(Mistakes& mistakes, const SmallLook& look) {
+    const MistakeName* pointed = nullptr;
+    std::optional<SeenAs> group;
+    int index = 0;
+    for (const std::size_t place : mistakes_as_seen()) {
+        const MistakeName& mistake = mistake_names()[place];
+        if (group != mistake.seen_as) section_heading(std::string(heading_of(mistake.seen_as)).c_str());
+        group = mistake.seen_as;
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() - px(2));  // the rows have margins of their own
+        if (mistake_row(mistake, mistakes.*mistake.flag, look, ++index)) pointed = &mistake;
+    }
+    return pointed;
 }
 
 }  // namespace
@@ -65,22 +71,23 @@ int mistakes_on(const Mistakes& mistakes) {
         std::count_if(names.begin(), names.end(), [&](const MistakeName& m) { return mistakes.*m.flag; }));
 }
 
-void mistakes_tab(UiState& state, const PictureView&) {
+void mistakes_tab(UiState& state, const PictureView& view) {
+    const PictureSize size = small_size(ImGui::GetContentRegionAvail().x, view.map.size.keeps_width);
+    look_at_mistake_pictures(state, size);
+    const SmallLook look{state.mistake_pictures.pictures, size};
+    // In a low window it goes with the list, which would have no room left.
+    const bool stays = ImGui::GetContentRegionAvail().y > 4 * look.extent().y;
+    if (stays) right_row(state, look);
+    ImGui::BeginChild("##rows");
+    if (!stays) right_row(state, look);
     Mistakes& mistakes = state.editor.scene().shading.mistakes;
-    const int on = mistakes_on(mistakes);
-    if (on == 0) {
-        small_dim(
-            "Each switch does one thing wrong, so that it can be recognised. Rest on a line to see it.");
-    } else {
-        warning_text(fmt::format("{} on: the picture is wrong on purpose", on));
-        if (ImGui::Button("All off")) mistakes = {};
-        tooltip("All off", "The equation as it should be");
-    }
-    for (const SeenAs seen_as : all_seen_as) {
-        section_heading(std::string(heading_of(seen_as)).c_str());
-        for (const MistakeName& mistake : mistake_names())
-            if (mistake.seen_as == seen_as) mistake_row(state, mistake);
-    }
+    const MistakeName* const pointed = mistake_rows(mistakes, look);
+    ImGui::EndChild();
+    if (pointed == nullptr) return;
+    const bool on = mistakes.*pointed->flag;
+    Scene other = state.editor.scene();
+    other.shading.mistakes.*pointed->flag = !on;
+    show_instead(state, other, on ? "without: " + title_of(*pointed) : title_of(*pointed));
 }
 
 }  // namespace glint

@@ -10,7 +10,6 @@
 
 #include "models/scene/camera.h"
 #include "models/scene/light.h"
-#include "models/scene/mistakes.h"
 #include "models/scene/shading.h"
 #include "renderer/inspect/explain/explanation.h"
 #include "ui/inspector/inspector.h"
@@ -58,8 +57,6 @@ void models_tab(UiState& state, const PictureView& view);
 
 void mistakes_tab(UiState& state, const PictureView& view);
 
-/// "clamp_each_light" as a title: "Clamp each light".
-[[nodiscard]] std::string title_of(const MistakeName& mistake);
 /// How many mistakes are on.
 [[nodiscard]] int mistakes_on(const Mistakes& mistakes);
 

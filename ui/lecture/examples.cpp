@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <mutex>
 #include <optional>
 #include <sstream>
 
@@ -19,18 +18,11 @@
 
 namespace glint {
 
-/// Shared with the job that draws: it adds at the end, the window takes from the front.
-struct DrawnExamples {
-    std::mutex mutex;
-    std::vector<DrawnExample> done;
-};
-
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr PictureSize thumbnail{208, 117};
-constexpr int sheet_columns = 8;
 constexpr std::size_t longest_order = 1 << 16;
 
 std::string title_of(const std::string& path) {
@@ -41,36 +33,12 @@ std::string title_of(const std::string& path) {
     return title;
 }
 
-/// One example after the other. What cannot be read stays empty: opening it says why.
-Result<int> draw_all(const std::vector<Example>& list, DrawnExamples& drawn, const LoadProgress& progress) {
-    Renderer renderer(1);
-    for (const Example& example : list) {
-        if (progress.cancelled) return 0;
-        DrawnExample one;
-        const Result<SceneDocument> opened = open_document(example.path);
-        if (const auto* document = std::get_if<SceneDocument>(&opened)) {
-            one.about = document->scene.about;
-            one.picture = renderer.render(document->scene, thumbnail, false, 4);
-        }
-        const std::lock_guard lock(drawn.mutex);
-        drawn.done.push_back(std::move(one));
-    }
-    return static_cast<int>(list.size());
-}
-
-/// Puts what has been drawn since onto the sheet.
-void take_drawn(ExamplesState& examples) {
-    if (!examples.drawn) return;
-    const std::lock_guard lock(examples.drawn->mutex);
-    const auto done = static_cast<int>(examples.drawn->done.size());
-    for (int& i = examples.taken; i < done; ++i) {
-        DrawnExample& one = examples.drawn->done[static_cast<std::size_t>(i)];
-        examples.list[static_cast<std::size_t>(i)].about = std::move(one.about);
-        if (!one.picture.rgba.empty()) examples.sheet.put(i, one.picture);
-        one.picture = {};
-    }
-    if (examples.job && examples.job->done()) examples.job.reset();
-    if (examples.job) redraw_within(0.05);
+/// What cannot be read stays empty: opening it says why.
+SmallPicture draw_example(Renderer& renderer, const Example& example) {
+    const Result<SceneDocument> opened = open_document(example.path);
+    const auto* document = std::get_if<SceneDocument>(&opened);
+    if (document == nullptr) return {};
+    return {renderer.render(document->scene, thumbnail, false, 4), document->scene.about};
 }
 
 /// A picture with title and caption, `width` wide. True when it was clicked.
@@ -87,13 +55,14 @@ bool card(const ExamplesState& examples, int index, float width, float height) {
     const ImVec2 corner = low + ImVec2(inset, inset);
     const ImVec2 end = corner + ImVec2(wide, wide * float(thumbnail.height) / float(thumbnail.width));
     list.AddRectFilled(corner, end, to_u32(theme().surround));
-    if (index < examples.taken) examples.sheet.draw(list, index, corner, end);
+    const SmallPictures& pictures = examples.pictures;
+    if (index < pictures.taken) pictures.sheet.draw(list, index, corner, end);
     const ImVec2 words{corner.x, end.y + px(4)};
     list.AddText(words, to_u32(theme().text), example.title.c_str());
     const ImVec4 clip(low.x, low.y, low.x + width - inset, low.y + height - px(2));
     list.AddText(fonts().small, fonts().small->FontSize,
                  words + ImVec2(0, ImGui::GetTextLineHeight() + px(1)), to_u32(theme().dim_text),
-                 example.about.c_str(), nullptr, wide, &clip);
+                 pictures.words[static_cast<std::size_t>(index)].c_str(), nullptr, wide, &clip);
     ImGui::PopID();
     return clicked;
 }
@@ -117,7 +86,7 @@ std::vector<Example> examples_in(const std::string& folder) {
     std::vector<Example> list;
     for (std::string& path : paths) {
         std::string title = title_of(path);
-        list.push_back({std::move(path), std::move(title), {}});
+        list.push_back({std::move(path), std::move(title)});
     }
     return list;
 }
@@ -127,17 +96,15 @@ void open_examples(UiState& state) {
     examples.open = true;
     if (!examples.list.empty()) return;
     examples.list = examples_in(state.shipped_scenes);
-    examples.sheet.reset(thumbnail, sheet_columns, static_cast<int>(examples.list.size()));
-    examples.drawn = std::make_shared<DrawnExamples>();
-    examples.job = std::make_unique<Job<int>>(
-        "Examples", [list = examples.list, drawn = examples.drawn](const LoadProgress& progress) {
-            return draw_all(list, *drawn, progress);
-        });
+    begin_small_pictures(examples.pictures, "Examples", thumbnail, static_cast<int>(examples.list.size()),
+                         [list = examples.list](Renderer& renderer, int index) {
+                             return draw_example(renderer, list[static_cast<std::size_t>(index)]);
+                         });
 }
 
 void examples_dialog(UiState& state) {
     ExamplesState& examples = state.examples;
-    take_drawn(examples);
+    take_small_pictures(examples.pictures);
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const ImVec2 size{std::min(px(980), window.x - px(40)), std::min(px(720), window.y - px(40))};
     ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});

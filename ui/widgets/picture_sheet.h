@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "renderer/picture.h"
+#include "ui/widgets/theme.h"
 
 namespace glint {
 
@@ -35,12 +36,13 @@ struct PictureSheet {
                         picture.rgba.begin() + static_cast<std::ptrdiff_t>(4 * picture.pixel(left, top + y)));
         ++serial;
     }
-    void draw(ImDrawList& list, int index, ImVec2 low, ImVec2 high) const {
+    /// `strength` 0 to 1: 0 leaves what is there.
+    void draw(ImDrawList& list, int index, ImVec2 low, ImVec2 high, float strength = 1) const {
         const float across = 1 / float(columns), down = float(cell.height) / float(picture.size.height);
         const int whole_rows = index / columns;
         const auto column = float(index % columns), row = float(whole_rows);
         list.AddImage(texture, low, high, {column * across, row * down},
-                      {(column + 1) * across, (row + 1) * down});
+                      {(column + 1) * across, (row + 1) * down}, to_u32({1, 1, 1, 1}, strength));
     }
 };
 

@@ -70,11 +70,11 @@ TEST_CASE("an example is opened by a click on its picture", "[ui]") {
     HeadlessWindow bench;
     bench.state.shipped_scenes = scenes_folder;
     run_command(bench.state, command_named("Examples…"));
-    while (bench.state.examples.taken < 4) bench.frames(1);
+    while (bench.state.examples.pictures.taken < 4) bench.frames(1);
     bench.frames(2);
-    CHECK(bench.state.examples.list[1].about.find("camera") != std::string::npos);
+    CHECK(bench.state.examples.pictures.words[1].find("camera") != std::string::npos);
     // Two of the pictures differ, and neither is empty.
-    const PictureSheet& sheet = bench.state.examples.sheet;
+    const PictureSheet& sheet = bench.state.examples.pictures.sheet;
     const auto middle = [&sheet](int i) {
         const std::size_t at =
             sheet.picture.pixel(i * sheet.cell.width + sheet.cell.width / 2, sheet.cell.height / 2);

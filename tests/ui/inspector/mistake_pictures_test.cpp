@@ -1,0 +1,173 @@
+// The small pictures of the mistakes: what they show, when they are drawn, and when they are not.
+// Comparisons of bytes stand in two brackets, so that a failure does not print them all.
+#include "ui/inspector/mistake_pictures.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+/// Runs frames until all are drawn. The clock of ImGui goes with the frames, the job's with the machine.
+bool wait_for_pictures(HeadlessWindow& bench) {
+    const MistakePictures& m = bench.state.mistake_pictures;
+    for (int i = 0; i < 4000; ++i) {
+        bench.frames(1);
+        if (m.begun && !m.pictures.job) return m.pictures.taken == 53;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
+}
+
+/// The bytes at that place of the sheet.
+std::vector<std::uint8_t> shown(const HeadlessWindow& bench, std::size_t index) {
+    const PictureSheet& sheet = bench.state.mistake_pictures.pictures.sheet;
+    const int left = static_cast<int>(index) % sheet.columns * sheet.cell.width,
+              top = static_cast<int>(index) / sheet.columns * sheet.cell.height;
+    std::vector<std::uint8_t> bytes;
+    for (int y = 0; y < sheet.cell.height; ++y) {
+        const auto from =
+            sheet.picture.rgba.begin() + static_cast<std::ptrdiff_t>(4 * sheet.picture.pixel(left, top + y));
+        bytes.insert(bytes.end(), from, from + 4 * sheet.cell.width);
+    }
+    return bytes;
+}
+
+std::vector<std::uint8_t> drawn(const Scene& scene, PictureSize size, int samples) {
+    Renderer renderer(1);
+    return renderer.render(scene, size, false, samples).rgba;
+}
+
+/// The words at the row of that mistake.
+std::string words_at(const HeadlessWindow& bench, bool Mistakes::*flag) {
+    const auto rows = mistakes_as_seen();
+    const auto at = std::find_if(rows.begin(), rows.end(),
+                                 [&](std::size_t place) { return mistake_names()[place].flag == flag; });
+    return bench.state.mistake_pictures.pictures.words.at(static_cast<std::size_t>(at - rows.begin()) + 1);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "each small picture is the scene under its mistake, as the renderer draws it; one that changes "
+    "nothing is said to",
+    "[ui][window][why]") {
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Mistakes);
+    REQUIRE(wait_for_pictures(bench));
+    const Scene right = bench.scene();
+    const SmallPictures& pictures = bench.state.mistake_pictures.pictures;
+    const PictureSize cell = pictures.sheet.cell;
+    CHECK(cell == PictureSize{96, 72, true});
+    const auto right_bytes = drawn(right, cell, 4);
+    CHECK((shown(bench, 0) == right_bytes));
+    int without = 0;
+    for (std::size_t row = 0; row < mistakes_as_seen().size(); ++row) {
+        const MistakeName& mistake = mistake_names()[mistakes_as_seen()[row]];
+        CAPTURE(mistake.name);
+        Scene wrong = right;
+        wrong.shading.mistakes.*mistake.flag = true;
+        if (pictures.words[row + 1] == no_difference) {
+            ++without;
+            CHECK((drawn(wrong, {384, 288, true}, 1) == drawn(right, {384, 288, true}, 1)));
+            continue;
+        }
+        const auto wrong_bytes = drawn(wrong, cell, 4);
+        CHECK((shown(bench, row + 1) == wrong_bytes));
+        int levels = 0;
+        for (std::size_t i = 0; i < wrong_bytes.size(); ++i)
+            levels = std::max(levels, std::abs(wrong_bytes[i] - right_bytes[i]));
+        CHECK((pictures.words[row + 1] == hardly_differs) == (levels < 4));
+    }
+    CHECK(without > 5);
+    CHECK(without < 40);
+    // It has no spot: nothing to do for what is wrong with cones.
+    CHECK(words_at(bench, &Mistakes::cone_cosines_swapped) == no_difference);
+    CHECK(words_at(bench, &Mistakes::normals_flipped).empty());
+}
+
+TEST_CASE("small pictures wait until no button is down and the scene has stood still", "[ui][window][why]") {
+    HeadlessWindow bench;
+    ImGui::GetIO().MousePos = {5, 5};
+    ImGui::GetIO().MouseDown[0] = true;
+    test::ask(bench, InspectorTab::Mistakes);
+    const MistakePictures& m = bench.state.mistake_pictures;
+    bench.frames(60);
+    CHECK_FALSE(m.pictures.job);
+    ImGui::GetIO().MouseDown[0] = false;
+    for (int i = 0; i < 60; ++i) {  // somebody types, or the wheel turns
+        bench.scene().lights[0].intensity = 0.5f + 0.001f * float(i);
+        bench.frames(1);
+    }
+    CHECK_FALSE(m.begun);
+    CHECK(m.pictures.sheet.serial == 0);
+    REQUIRE(wait_for_pictures(bench));
+    CHECK(bench.frame().sleep_s > 1);  // and no frame is asked for any more
+}
+
+TEST_CASE("another scene, camera or size makes other small pictures; a mistake that is switched on does not",
+          "[ui][window][why]") {
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Mistakes);
+    REQUIRE(wait_for_pictures(bench));
+    const SmallPictures& pictures = bench.state.mistake_pictures.pictures;
+    const auto before = shown(bench, 0);
+    bench.scene().lights[0].intensity *= 0.5f;
+    bench.frames(1);
+    CHECK(pictures.taken == 0);          // pale: of the scene before
+    CHECK((shown(bench, 0) == before));  // but not gone
+    REQUIRE(wait_for_pictures(bench));
+    const auto darker = shown(bench, 0);
+    CHECK((darker == drawn(bench.scene(), pictures.sheet.cell, 4)));
+    CHECK((darker != before));
+    bench.scene().camera.eye.x += 0.5f;
+    REQUIRE(wait_for_pictures(bench));
+    CHECK((shown(bench, 0) != darker));
+    bench.state.layout.right_width = 230;
+    REQUIRE(wait_for_pictures(bench));
+    CHECK(pictures.sheet.cell.width < 80);
+    const auto serial = pictures.sheet.serial;
+    bench.scene().shading.mistakes.normals_flipped = true;
+    bench.frames(40);
+    CHECK(pictures.taken == 53);
+    CHECK(pictures.sheet.serial == serial);
+}
+
+TEST_CASE("nobody looks at the mistakes: none is drawn, and no mesh is kept for them", "[ui][window][why]") {
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Mistakes);
+    const MistakePictures& m = bench.state.mistake_pictures;
+    while (!m.pictures.job) bench.frames(1);
+    bench.state.inspector.tab = InspectorTab::Equation;
+    bench.frames(1);
+    CHECK_FALSE(m.begun);
+    CHECK(m.asked.objects.empty());
+    CHECK(m.seen.objects.empty());
+    if (m.pictures.job) CHECK(m.pictures.job->progress().cancelled);
+    for (int i = 0; i < 1000 && m.pictures.job; ++i) {
+        bench.frames(1);
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    CHECK_FALSE(m.pictures.job);
+    const auto serial = m.pictures.sheet.serial;
+    bench.scene().lights[0].intensity *= 0.5f;
+    bench.frames(60);
+    CHECK_FALSE(m.pictures.job);
+    CHECK(m.pictures.sheet.serial == serial);
+    bench.state.inspector.tab = InspectorTab::Mistakes;
+    CHECK(wait_for_pictures(bench));
+}
+
+TEST_CASE("a window that ends ends the small pictures", "[ui][window][why]") {
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Mistakes);
+    while (!bench.state.mistake_pictures.pictures.job) bench.frames(1);
+    CHECK(end_jobs(bench.state, 10));
+    CHECK(bench.state.mistake_pictures.pictures.job->done());
+}
