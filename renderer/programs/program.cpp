@@ -5,17 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <tuple>
 
-#include "generated/programs/texts.h"
 #include "models/fields/choices.h"
 #include "renderer/programs/mesh_text.h"
 #include "renderer/programs/model_text.h"
 #include "renderer/programs/scene_flags.h"
 #include "renderer/programs/scene_tables.h"
+#include "renderer/programs/texts.h"
 
 namespace glint {
 namespace {
@@ -32,10 +33,16 @@ struct LanguageTexts {
 
 LanguageTexts texts_of(Language language) {
     switch (language) {
+    case Language::Glsl:
+        return {{{"main.cpp", glsl_main_cpp},
+                 {"lighting.glsl", glsl_lighting_glsl},
+                 {"scene.vert", glsl_scene_vert},
+                 {"scene.frag", glsl_scene_frag}},
+                "//"};
     case Language::Cpp:
-        return {{{"main.cpp", cpp_text}}, "//", 400};
+        return {{{"main.cpp", cpp_main_cpp}}, "//", 400};
     case Language::Python:
-        return {{{"main.py", python_text}}, "#", 250};
+        return {{{"main.py", python_main_py}}, "#", 250};
     }
     return {};
 }
@@ -140,6 +147,22 @@ std::string wrapped(const std::vector<ProgramFile>& files, const std::string& co
     return text.empty() ? "(no mesh)" : text;
 }
 
+/// What the picture is cleared to: the background as the display shows it, which no shader sees.
+std::string clear_call(const Display& display, const Flags& flags) {
+    std::string text = "glClearColor(";
+    for (int c = 0; c < 3; ++c) {
+        double x =
+            std::min(1.0, static_cast<double>(display.exposure) * static_cast<double>(display.background[c]));
+        const auto srgb = [](double y) {
+            return y <= 0.0031308 ? 12.92 * y : 1.055 * std::pow(y, 1 / 2.4) - 0.055;
+        };
+        if (display.transfer == Transfer::Srgb) x = srgb(x);
+        if (flags.contains("wrong.encoded_twice")) x = srgb(x);
+        text += fmt::format("{:.7g}f, ", x);
+    }
+    return text + "1);  // the background";
+}
+
 /// What follows from the scene and the size for all files of the program.
 Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
     const Scene& s = of.scene;
@@ -152,11 +175,23 @@ Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
             {"exposure", number_in_program(s.display.exposure)},
             {"power_table", fmt::format("{}", s.shading.power_table)},
             {"model_name", choice_of(s.shading.reflection).label},
-            {"cool", vector(s.npr.cool)},
-            {"warm", vector(s.npr.warm)},
+            {"cool", language == Language::Glsl ? vector_in_program(s.npr.cool, Language::Python)
+                                                : vector(s.npr.cool)},
+            {"warm", language == Language::Glsl ? vector_in_program(s.npr.warm, Language::Python)
+                                                : vector(s.npr.warm)},
             {"alpha", number_in_program(s.npr.alpha)},
             {"beta", number_in_program(s.npr.beta)},
             // What is 1 or never changes is not written.
+            {"clear_color", clear_call(s.display, flags)},
+            {"window_title", Identifiers({}).of(of.name, "scene")},
+            {"const_n", flags.contains("wrong.no_normals_given") || flags.contains("wrong.some_faces_flipped")
+                            ? ""
+                            : "const "},
+            {"blending_normals", flags.contains("interpolation.screen") ? "noperspective" : "smooth"},
+            {"light_count", fmt::format("{}", shining(s).size())},
+            {"blending", flags.contains("mode.flat")              ? "flat"
+                         : flags.contains("interpolation.screen") ? "noperspective"
+                                                                  : "smooth"},
             {"turn", flags.contains("turned") ? "turn * " : ""},
             {"side", flags.contains("turned_normals") ? "side * " : ""},
             {"xy", flags.contains("needs.xy") ? ", x, y" : ""},
@@ -169,9 +204,10 @@ Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
 Result<std::vector<ProgramFile>> write_program(const ProgramOf& of, Language language) {
     if (auto problem = missing_in(language, of.scene)) return *problem;
     const LanguageTexts texts = texts_of(language);
-    Flags flags = flags_of(of.scene, of.size);
+    Flags flags = flags_of(of.scene);
     const ModelText model = model_text(of.scene.shading, flags.contains("terms.diffuse"), language, "    ");
     flags.insert(model.uses.begin(), model.uses.end());
+    if (language == Language::Glsl) flags.insert("shader");  // which takes the samples of an area light itself
     for (const char* of_light : {"uses.l", "uses.n_l", "uses.l_v", "uses.S", "light.spot", "light.area"})
         if (flags.contains(of_light)) flags.insert("needs.l");
     const MeshFiles meshes = mesh_files(of.scene);

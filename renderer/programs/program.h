@@ -12,11 +12,13 @@
 
 namespace glint {
 
-enum class Language { Cpp, Python };
+enum class Language { Glsl, Cpp, Python };
 
 /// One row a language: the word of the command line, and what stands behind it.
 constexpr Choice choice_of(Language language) {
     switch (language) {
+    case Language::Glsl:
+        return {"glsl", "GLSL", "C++ and OpenGL 3.3, with the shaders in files of their own"};
     case Language::Cpp:
         return {"cpp", "C++", "one C++17 file without any library"};
     case Language::Python:

@@ -83,6 +83,20 @@ bool is_capped(const Facts& f) {
            f.any_shininess([](float s) { return s > fixed_function_most; });
 }
 
+/// Whether something reaches behind the near plane, where it has no place on the screen.
+bool near_plane_cuts(const Facts& f) {
+    if (!blends_screen(f) && !blends_scanline(f)) return false;
+    const glm::dmat4 clip_from_world =
+        clip_from_view(f.scene.camera.projection, {}) * view_from_world(f.scene.camera);
+    return std::any_of(f.objects.begin(), f.objects.end(), [&clip_from_world](const Object& o) {
+        const glm::dmat4 m = clip_from_world * world_from_object(o.transform);
+        return std::any_of(o.mesh->positions.begin(), o.mesh->positions.end(), [&m](const glm::vec3& p) {
+            const glm::dvec4 c = m * glm::dvec4(glm::dvec3(p), 1);
+            return c.z < -c.w;
+        });
+    });
+}
+
 /// What some language may lack.
 constexpr std::array need_rows{
     NeedRow{"mode.phong", "/shading/mode", "normals are interpolated and lit at each pixel",
@@ -97,6 +111,8 @@ constexpr std::array need_rows{
             blends_screen},
     NeedRow{"interpolation.scanline", "/shading/interpolation", "interpolation runs along scanlines",
             blends_scanline},
+    NeedRow{"near_cut", "/shading/interpolation", "the near plane cuts what is interpolated on the screen",
+            near_plane_cuts},
     NeedRow{"light.area", "/lights", "an area light shines",
             [](const Facts& f) { return f.any_light(LightKind::Area); }},
     NeedRow{"light.spot", "/lights", "a spot shines",
@@ -142,19 +158,6 @@ constexpr std::array need_rows{
             }},
 };
 
-/// Whether something reaches behind the near plane, where it has no place on the screen.
-bool near_plane_cuts(const Facts& f, PictureSize size) {
-    const glm::dmat4 clip_from_world =
-        clip_from_view(f.scene.camera.projection, size) * view_from_world(f.scene.camera);
-    return std::any_of(f.objects.begin(), f.objects.end(), [&clip_from_world](const Object& o) {
-        const glm::dmat4 m = clip_from_world * world_from_object(o.transform);
-        return std::any_of(o.mesh->positions.begin(), o.mesh->positions.end(), [&m](const glm::vec3& p) {
-            const glm::dvec4 c = m * glm::dvec4(glm::dvec3(p), 1);
-            return c.z < -c.w;
-        });
-    });
-}
-
 void add_derived(Flags& flags, const Facts& f) {
     const auto add = [&flags](const char* flag, bool on) {
         if (on) flags.insert(flag);
@@ -181,6 +184,10 @@ void add_derived(Flags& flags, const Facts& f) {
     add("facet_normals",
         (f.lit_in(ShadingMode::Phong) && f.any_normal_missing()) || f.lit_in(ShadingMode::Facet) ||
             (f.lit_in(ShadingMode::Flat) && !f.provoking()) || (f.is_lit() && f.wrong.culled_by_light));
+    add("lights_pixels", f.lit_in(ShadingMode::Phong) || f.lit_in(ShadingMode::Facet));
+    const bool whole_faces = f.shading.mode == ShadingMode::Flat && !f.provoking();
+    add("flat_centroid", whole_faces);
+    add("facet_normals_alone", f.is_lit() && (whole_faces || f.shading.mode == ShadingMode::Facet));
     add("lights.any", f.is_lit() && !f.lights.empty());
     add("first_light", f.is_lit() && (tone || f.wrong.culled_by_light));
     add("clamped_highlight", !(f.wrong.no_clamp_of_cosine && f.uses_shininess()));
@@ -238,15 +245,12 @@ std::vector<Need> needs_of(const Scene& scene) {
     return needs;
 }
 
-Flags flags_of(const Scene& scene, PictureSize size) {
+Flags flags_of(const Scene& scene) {
     Flags flags;
     for (const Need& need : needs_of(scene)) flags.insert(need.flag);
     const Facts facts{scene};
     add_derived(flags, facts);
-    const bool on_screen = blends_screen(facts) || blends_scanline(facts);
-    const bool near_cut = on_screen && near_plane_cuts(facts, size);
-    if (near_cut) flags.insert("near_cut");
-    if (blends_scanline(facts) || near_cut) flags.insert("needs.xy");
+    if (blends_scanline(facts) || near_plane_cuts(facts)) flags.insert("needs.xy");
     return flags;
 }
 

@@ -25,6 +25,6 @@ struct Need {
 [[nodiscard]] std::vector<Need> needs_of(const Scene& scene);
 
 /// The needs' flags, and those that follow from the scene and that every language knows.
-[[nodiscard]] Flags flags_of(const Scene& scene, PictureSize size);
+[[nodiscard]] Flags flags_of(const Scene& scene);
 
 }  // namespace glint

@@ -83,9 +83,13 @@ std::string camera_text(const Camera& camera, Language language) {
     if (python)
         text = fmt::format("eye, target, up = {}, {}, {}\n", vector(camera.eye), vector(camera.target),
                            vector(camera.up));
-    else
+    else if (language == Language::Cpp)
         text = fmt::format("const vec3 eye = {}, target = {}, up = {};  // world coordinates\n",
                            vector(camera.eye), vector(camera.target), vector(camera.up));
+    else
+        text = fmt::format(
+            "vec3 eye = {};  // world coordinates; moves with the mouse\nconst vec3 target = {}, up = {};\n",
+            vector(camera.eye), vector(camera.target), vector(camera.up));
     const float near = near_of(camera.projection), far = far_of(camera.projection);
     if (const auto* p = std::get_if<Perspective>(&camera.projection))
         return text + numbers({{"fov_y_deg", p->fov_y_deg}, {"near", near}, {"far", far}});

@@ -116,3 +116,16 @@ TEST_CASE("a Python program makes every mistake as we do", "[programs]") {
 TEST_CASE("a C++ program makes every mistake as we do", "[.][programs][every-mistake]") {
     CHECK(compare_mistakes(Language::Cpp) == "");
 }
+
+TEST_CASE("an OpenGL 3.3 program draws the scenes of assets as we do", "[programs]") {
+    CHECK(compare_assets(Language::Glsl) == "silhouettes-and-creases skew-quad t-junction");
+}
+TEST_CASE("an OpenGL 3.3 program draws random scenes as we do", "[programs]") {
+    CHECK(compare_random(Language::Glsl, 0, 8) >= 7);
+}
+TEST_CASE("an OpenGL 3.3 program draws more random scenes as we do", "[.][programs]") {
+    CHECK(compare_random(Language::Glsl, 8, 32) > 24);
+}
+TEST_CASE("an OpenGL 3.3 program makes mistakes as we do", "[.][programs][every-mistake]") {
+    CHECK(compare_mistakes(Language::Glsl) == "power_zero_is_nan culled_by_light");
+}

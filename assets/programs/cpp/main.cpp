@@ -9,7 +9,8 @@
 // Needs a C++17 compiler, and beside the program, where it is run: @mesh_files@
 // Colours are linear red, green, blue. Lighting is computed in camera coordinates: the eye at the origin, x to
 // the right, y up, the view along -z.
-//@can mode.phong wrong.no_clamp_of_cosine flat.centroid exposure exponent.large lights.above_8 lights.above_32 shininess.large shininess.zero
+//@can mode.phong wrong.no_clamp_of_cosine flat.centroid exposure exponent.large lights.above_8 lights.above_32
+//@can shininess.large shininess.zero
 //@can wrong.unnormalized_half wrong.half_angle_with_phong_shininess wrong.reflect_sign wrong.reflect_of_difference
 //@can wrong.mirror_turns_inside_out wrong.falloff_forgotten
 
@@ -19,132 +20,7 @@
 #include <cstdlib>
 #include <vector>
 
-const double pi = 3.14159265358979323846;
-
-// ---- Vectors and matrices ----
-struct vec3 { double x = 0, y = 0, z = 0; };
-vec3 operator+(vec3 a, vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-vec3 operator-(vec3 a, vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-vec3 operator*(vec3 a, vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }  // of colours: channel by channel
-vec3 operator*(double s, vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
-//@if uses.f0
-vec3 operator-(double s, vec3 a) { return {s - a.x, s - a.y, s - a.z}; }
-//@end
-double dot(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-vec3 cross(vec3 a, vec3 b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-/// a / b, and 0 where there is nothing to divide by.
-double over(double a, double b) { return b == 0 ? 0 : a / b; }
-double length(vec3 a) { return std::sqrt(dot(a, a)); }
-vec3 unit(vec3 a) { return over(1, length(a)) * a; }
-
-struct mat4 { double m[4][4]; };  // m[row][column]
-mat4 operator*(const mat4& a, const mat4& b) {
-    mat4 c = {};
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j)
-            for (int k = 0; k < 4; ++k) c.m[i][j] += a.m[i][k] * b.m[k][j];
-    return c;
-}
-const mat4 identity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
-double row(const mat4& m, int i, vec3 a, double w) {
-    return m.m[i][0] * a.x + m.m[i][1] * a.y + m.m[i][2] * a.z + m.m[i][3] * w;
-}
-/// w = 1 moves a point, w = 0 a direction.
-vec3 moved(const mat4& m, vec3 a, double w) { return {row(m, 0, a, w), row(m, 1, a, w), row(m, 2, a, w)}; }
-double radians(double degrees) { return degrees * pi / 180; }
-
-// ---- The scene ----
-const int width = @width@, height = @height@;
-@camera@
-const vec3 background = @background@;
-//@if reflection.lit
-const vec3 global_ambient = @global_ambient@;
-enum Space { world, camera };
-enum Kind { directional, point, spot, area };
-struct Light {
-    Kind kind;
-    Space space;
-    vec3 position;  // of a directional light: the direction towards it
-    vec3 ambient, diffuse, specular;
-    double intensity;
-    //@if light.falloff
-    double constant, linear, quadratic;  // falloff 1 / (constant + linear r + quadratic r^2)
-    //@end
-    //@if light.spot
-    vec3 direction;             // where a spot points
-    double cutoff_deg, exponent;  // cutoff: from the axis to the edge of the cone
-    //@end
-    //@if light.area
-    vec3 edge_u, edge_v;  // half-edges of an area light
-    int cells;            // its samples are cells x cells points
-    //@end
-};
-@lights@
-struct Material {
-    vec3 ambient, diffuse, specular;  // k_a, k_d, k_s
-    //@if terms.emission
-    vec3 emission;  // k_e
-    //@end
-    //@if uses.shininess
-    double shininess;
-    //@end
-    //@if uses.roughness
-    double roughness;
-    //@end
-    //@if uses.f0
-    vec3 f0;
-    //@end
-};
-//@end
-struct Object {
-    const char* mesh;
-    vec3 translate, rotate_deg, scale;
-    //@if normals.flip
-    double side;  // -1: every normal is turned round
-    //@end
-    //@if reflection.lit
-    Material material;
-    //@end
-};
-@objects@
-
-// ---- Camera ----
-/// Topic: the view matrix. Its rows are the camera's axes u (right), v (up), w (backwards).
-mat4 view_from_world() {
-    const vec3 w = unit(eye - target), u = unit(cross(up, w)), v = cross(w, u);
-    return {{{u.x, u.y, u.z, -dot(u, eye)}, {v.x, v.y, v.z, -dot(v, eye)},
-             {w.x, w.y, w.z, -dot(w, eye)}, {0, 0, 0, 1}}};
-}
-//@if wrong.light_by_inverse_view
-mat4 world_from_view() {
-    const vec3 w = unit(eye - target), u = unit(cross(up, w)), v = cross(w, u);
-    return {{{u.x, v.x, w.x, eye.x}, {u.y, v.y, w.y, eye.y}, {u.z, v.z, w.z, eye.z}, {0, 0, 0, 1}}};
-}
-//@end
-
-/// Topic: projection. The window on the near plane becomes -1 to 1 in x and y.
-mat4 clip_from_view() {
-    //@if projection.frustum
-    const double w = right - left, h = top - bottom, depth = far - near;
-    return {{{2 * near / w, 0, (right + left) / w, 0},
-             {0, 2 * near / h, (top + bottom) / h, 0},
-             {0, 0, -(far + near) / depth, -2 * far * near / depth}, {0, 0, -1, 0}}};
-    //@else
-    const double aspect = double(width) / height, depth = far - near;
-    //@if projection.orthographic
-    const double top = view_height / 2;
-    return {{{1 / (top * aspect), 0, 0, 0}, {0, 1 / top, 0, 0},
-             {0, 0, -2 / depth, -(far + near) / depth}, {0, 0, 0, 1}}};
-    //@else
-    const double f = 1 / std::tan(radians(fov_y_deg) / 2);
-    return {{{f / aspect, 0, 0, 0}, {0, f, 0, 0},
-             {0, 0, -(far + near) / depth, -2 * far * near / depth}, {0, 0, -1, 0}}};
-    //@end
-    //@end
-}
-
+//@include scene.cpp
 // ---- Lighting ----
 //@if reflection.lit
 //@if uses.power|uses.table_power|light.spot
@@ -190,101 +66,7 @@ vec3 clamped(vec3 c) {
 }
 //@end
 
-std::vector<Light> sources;  // in camera coordinates, colours times intensity; an area light has many
-//@if first_light
-Light first_light;  // its kind and place
-bool any_light = false;
-//@end
-
-/// Topic: light sources. World lights go through the view matrix, camera lights stay with the viewer.
-void place_lights(const mat4& view) {
-    for (const Light& light : lights) {
-        Light s = light;
-        //@if wrong.last_light_only
-        sources.clear();
-        //@if first_light
-        any_light = false;
-        //@end
-        //@end
-        //@if wrong.light_in_wrong_space
-        @const_frame@mat4 to_camera = light.space == camera ? view : identity;
-        //@else
-        //@if wrong.light_by_inverse_view
-        (void)view;
-        @const_frame@mat4 to_camera = light.space == world ? world_from_view() : identity;
-        //@else
-        @const_frame@mat4 to_camera = light.space == world ? view : identity;
-        //@end
-        //@end
-        //@if wrong.light_moved_twice
-        to_camera = view * to_camera;
-        //@end
-        //@if wrong.average_of_lights
-        s.intensity /= double(lights.size());
-        //@end
-        for (vec3* color : {&s.ambient, &s.diffuse, &s.specular}) *color = s.intensity * *color;
-        s.position = moved(to_camera, light.position, light.kind == directional ? 0 : 1);
-        //@if wrong.direction_is_position
-        if (light.kind == directional) {
-            s.kind = point;
-            s.position = moved(to_camera, light.position, 1);
-        }
-        //@end
-        //@if light.directional
-        //@if wrong.unnormalized_light
-        // (the direction is not made unit)
-        //@else
-        if (s.kind == directional) s.position = unit(s.position);
-        //@end
-        //@if wrong.light_direction_reversed
-        if (s.kind == directional) s.position = -1 * s.position;
-        //@end
-        //@end
-        //@if light.falloff
-        //@if wrong.falloff_of_directional
-        if (s.kind == directional) {
-            const double r = length(light.position);
-            s.constant = light.constant + r * (light.linear + r * light.quadratic);
-            s.linear = s.quadratic = 0;
-        }
-        //@end
-        //@if wrong.falloff_without_constant
-        if (light.kind == point || light.kind == spot) s.constant = 0;
-        //@end
-        //@if wrong.falloff_forgotten
-        s.constant = 1;
-        s.linear = s.quadratic = 0;
-        //@end
-        //@end
-        //@if light.spot
-        //@if wrong.aim_stays_at_origin
-        const vec3 origin = light.space == world ? vec3{} : moved(view, {}, 1);
-        s.direction = unit(moved(to_camera, origin - light.position, 0));
-        //@else
-        s.direction = unit(moved(to_camera, light.direction, 0));
-        //@end
-        //@end
-        //@if first_light
-        if (!any_light) first_light = s;
-        any_light = true;
-        //@end
-        //@if light.area
-        // Topic: area lights: many points, each a light of its own.
-        s.edge_u = moved(to_camera, light.edge_u, 0);
-        s.edge_v = moved(to_camera, light.edge_v, 0);
-        const vec3 centre = s.position;
-        for (int i = 0; light.kind == area && i < light.cells * light.cells; ++i) {
-            const double a = (2.0 * (i / light.cells) + 1) / light.cells - 1;
-            const double b = (2.0 * (i % light.cells) + 1) / light.cells - 1;
-            s.position = centre + a * s.edge_u + b * s.edge_v;
-            sources.push_back(s);
-        }
-        if (light.kind == area) continue;
-        //@end
-        sources.push_back(s);
-    }
-}
-
+//@include lights.cpp
 /// A point to be lit, in camera coordinates: n its normal, v the direction to the eye.
 struct Point { vec3 p, n, v; };
 
@@ -448,44 +230,7 @@ vec3 lit(const Material& m, vec3 p, vec3 n) {
 }
 //@end
 
-// ---- Meshes and their place ----
-struct Corner { int position, normal; };
-struct Triangle { int face, corner[3]; };  // three corners of that polygon
-struct Mesh {
-    std::vector<vec3> positions, normals, colors;
-    std::vector<std::vector<Corner>> faces;  // polygons
-    std::vector<Triangle> triangles;
-};
-double number(FILE* file) {
-    double x = 0;
-    if (std::fscanf(file, "%lf", &x) != 1) std::exit(1);
-    return x;
-}
-int index(FILE* file) { return int(number(file)); }
-int count(FILE* file) { return std::fscanf(file, "%*s") == 0 ? index(file) : 0; }  // behind a word
-std::vector<vec3> vectors(FILE* file) {
-    std::vector<vec3> all(count(file));
-    for (vec3& v : all) v = {number(file), number(file), number(file)};
-    return all;
-}
-/// The mesh of a file, in object coordinates.
-Mesh read_mesh(const char* name) {
-    FILE* file = std::fopen(name, "r");
-    if (!file) std::exit(std::fprintf(stderr, "%s cannot be read: run the program where it lies\n", name));
-    Mesh mesh;
-    mesh.positions = vectors(file);
-    mesh.normals = vectors(file);
-    mesh.colors = vectors(file);
-    mesh.faces.resize(count(file));
-    for (std::vector<Corner>& face : mesh.faces) {
-        face.resize(index(file));
-        for (Corner& c : face) c = {index(file), index(file)};
-    }
-    mesh.triangles.resize(count(file));
-    for (Triangle& t : mesh.triangles) t = {index(file), {index(file), index(file), index(file)}};
-    std::fclose(file);
-    return mesh;
-}
+//@include meshes.cpp
 struct Clip { double x, y, z, w; };  // clip coordinates: visible is -w <= x, y, z <= w
 /// An object in camera coordinates.
 struct Placed {
@@ -501,94 +246,18 @@ struct Placed {
     //@end
 };
 std::vector<Placed> placed;
-mat4 rotation(int a, int b, double degrees) {  // from axis a towards axis b
-    mat4 m = identity;
-    m.m[a][a] = m.m[b][b] = std::cos(radians(degrees));
-    m.m[b][a] = std::sin(radians(degrees));
-    m.m[a][b] = -m.m[b][a];
-    return m;
-}
-/// M = T Rz Ry Rx S.
-mat4 transform(vec3 t, vec3 rotate, vec3 s) {
-    const mat4 move = {{{1, 0, 0, t.x}, {0, 1, 0, t.y}, {0, 0, 1, t.z}, {0, 0, 0, 1}}};
-    const mat4 scale = {{{s.x, 0, 0, 0}, {0, s.y, 0, 0}, {0, 0, s.z, 0}, {0, 0, 0, 1}}};
-    return move * rotation(0, 1, rotate.z) * rotation(2, 0, rotate.y) * rotation(1, 2, rotate.x) * scale;
-}
-//@if facet_normals
-/// Topic: facet normals. Newell's sum of cross products around the polygon, counter-clockwise outward.
-vec3 facet_normal(const Mesh& mesh, const std::vector<Corner>& face) {
-    const auto edge = [&](std::size_t i) {
-        return mesh.positions[face[i].position] - mesh.positions[face[0].position];
-    };
-    vec3 sum;
-    for (std::size_t i = 1; i + 1 < face.size(); ++i) sum = sum + cross(edge(i), edge(i + 1));
-    //@if wrong.cross_reversed
-    sum = -1 * sum;  // (and the averaged normals of the mesh file with it)
-    //@end
-    return unit(sum);
-}
-//@end
-
 void place_objects(const mat4& view) {
     for (const Object& object : objects) {
         Placed o;
         o.mesh = read_mesh(object.mesh);
-        //@if reflection.lit
-        o.material = object.material;
-        //@end
-        //@if wrong.lit_in_srgb
-        for (vec3* c : {&o.material.ambient, &o.material.diffuse, &o.material.specular}) *c = srgb(*c);
-        //@if terms.emission
-        o.material.emission = srgb(o.material.emission);
-        //@end
-        //@end
-        //@if wrong.coefficients_swapped
-        std::swap(o.material.diffuse, o.material.specular);
-        //@end
-        //@if wrong.shininess_as_fraction&uses.shininess
-        o.material.shininess /= 128;
-        //@end
-        //@if wrong.shininess_inverted&uses.shininess
-        if (o.material.shininess > 0) o.material.shininess = 1 / o.material.shininess;
-        //@end
-        //@if shininess.capped
-        o.material.shininess = std::min(o.material.shininess, 128.0);  // the most that OpenGL takes
-        //@end
+//@include material.cpp
         const mat4 to_camera = view * transform(object.translate, object.rotate_deg, object.scale);
         //@if sides|wrong.mirror_turns_inside_out
         o.mirrored = object.scale.x * object.scale.y * object.scale.z < 0;
         //@end
         //@if reflection.lit
-        //@if !wrong.normals_left_in_object&!wrong.normals_by_model_matrix&!wrong.normals_as_points
-        const vec3 scale = object.scale;
-        //@end
-        //@if wrong.normals_left_in_object
-        const mat4& for_normals = identity;
-        //@else
-        //@if wrong.normals_left_in_world
-        const mat4 for_normals = transform({}, object.rotate_deg, {1 / scale.x, 1 / scale.y, 1 / scale.z});
-        //@else
-        //@if wrong.normals_by_model_matrix|wrong.normals_as_points
-        const mat4& for_normals = to_camera;
-        //@else
-        // Topic: normals go by the inverse transpose of M: rotated like points, but scaled the other way.
-        const mat4 for_normals =
-            view * transform({}, object.rotate_deg, {1 / scale.x, 1 / scale.y, 1 / scale.z});
-        //@end
-        //@end
-        //@end
-        //@if turned_normals
-        double side = 1;  // -1: all normals are turned round
-        //@end
-        //@if normals.flip
-        side = object.side;
-        //@end
-        //@if wrong.normals_flipped
-        side = -side;
-        //@end
-        //@if wrong.mirror_turns_inside_out
-        if (o.mirrored) side = -side;
-        //@end
+//@include normals.cpp
+//@include side.cpp
         const auto camera_normal = [&](vec3 n) {
             //@if wrong.no_normals_given
             n = {0, 0, 1};

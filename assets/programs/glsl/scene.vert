@@ -1,0 +1,54 @@
+// Topic: geometry. Takes a corner from object to camera to clip coordinates.
+layout(location = 0) in vec3 position;  // object coordinates
+//@if reflection.lit
+layout(location = 1) in vec3 normal;
+//@if !lights_pixels
+layout(location = 2) in vec3 lit_at;  // where the corner is lit: under flat shading the polygon's centroid
+//@end
+//@else
+layout(location = 3) in vec3 color;  // the mesh's own
+//@end
+
+uniform mat4 camera_from_object, clip_from_camera;
+//@if reflection.lit
+uniform mat4 for_normals;  // Topic: normals go by the inverse transpose
+//@end
+
+//@if lights_pixels
+smooth out vec3 p;
+@blending_normals@ out vec3 n;
+//@else
+@blending@ out vec3 front;  // the colour seen from the front
+//@if two_sided
+@blending@ out vec3 back;  // and from the back, where the normal is turned round
+//@end
+//@end
+
+void main() {
+    vec4 place = camera_from_object * vec4(position, 1.0);
+    gl_Position = clip_from_camera * place;
+    //@if reflection.lit
+    //@if wrong.normals_as_points&!wrong.normals_left_in_object&!wrong.normals_left_in_world
+    vec3 turned = (for_normals * vec4(normal, 1.0)).xyz;
+    //@else
+    vec3 turned = mat3(for_normals) * normal;
+    //@end
+    //@if !wrong.unnormalized_normals
+    turned = dot(turned, turned) > 0.0 ? normalize(turned) : turned;
+    //@end
+    //@if lights_pixels
+    // Topic: Phong shading. The normal is interpolated, and lit at each pixel.
+    p = place.xyz;
+    n = turned;
+    //@else
+    // Topic: Gouraud and flat shading. Corners are lit, and pixels take their colours.
+    vec3 at = (camera_from_object * vec4(lit_at, 1.0)).xyz;
+    front = lit(at, turned);
+    //@if two_sided
+    back = lit(at, -turned);
+    //@end
+    //@end
+    //@else
+    front = color;  // without lighting
+    //@end
+}
