@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-using Node = Expression::Node;
+using Node = ExpressionNode;
 using Kind = ExpressionKind;
 
 JsonValue value_of(const Node& node, const NamedValues& names);

@@ -16,6 +16,8 @@ namespace glint {
 /// What the names of an expression stand for.
 using NamedValues = std::map<std::string, JsonValue, std::less<>>;
 
+struct ExpressionNode;
+
 /// Numbers, lists of them, text, true and false; + - * / ^, comparisons, and, or, not; `a.lights[0].n_dot_l`;
 /// functions. Angles are in degrees. A number and a list are combined element by element.
 class Expression {
@@ -41,11 +43,9 @@ class Expression {
     /// The names that it reads, each once.
     [[nodiscard]] std::vector<std::string> names() const;
 
-    struct Node;
-
   private:
     std::string text_;
-    std::shared_ptr<const Node> root_;
+    std::shared_ptr<const ExpressionNode> root_;
 };
 
 }  // namespace glint

@@ -23,11 +23,11 @@ enum class ExpressionKind {
     Not
 };
 
-struct Expression::Node {
+struct ExpressionNode {
     ExpressionKind kind = ExpressionKind::Literal;
     std::string word;
     JsonValue literal;
-    std::vector<Node> parts;
+    std::vector<ExpressionNode> parts;
 };
 
 /// What is wrong with an expression or with what it is given; caught before a function of Expression returns.

@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-using Node = Expression::Node;
+using Node = ExpressionNode;
 using Kind = ExpressionKind;
 
 constexpr std::size_t max_expression_bytes = 1000;
@@ -83,30 +83,41 @@ class Parser {
         return word;
     }
 
-    static Node made(Kind kind, std::string word, std::vector<Node> parts) {
-        return {kind, std::move(word), {}, std::move(parts)};
+    // Parts are parameters, not a list in braces: where the second one throws while such a list is made, GCC
+    // 12 destroys parts that are not there (its bug 66139).
+    static Node made(Kind kind, std::string word) { return {kind, std::move(word), {}, {}}; }
+    static Node made(Kind kind, std::string word, Node part) {
+        Node node = made(kind, std::move(word));
+        node.parts.push_back(std::move(part));
+        return node;
+    }
+    static Node made(Kind kind, std::string word, Node first, Node second) {
+        Node node = made(kind, std::move(word), std::move(first));
+        node.parts.push_back(std::move(second));
+        return node;
     }
 
     Node condition() {
         const Deeper deeper(depth_);
         Node left = both();
-        while (take_word("or")) left = made(Kind::Or, "or", {std::move(left), both()});
+        while (take_word("or")) left = made(Kind::Or, "or", std::move(left), both());
         return left;
     }
     Node both() {
         Node left = inverse();
-        while (take_word("and")) left = made(Kind::And, "and", {std::move(left), inverse()});
+        while (take_word("and")) left = made(Kind::And, "and", std::move(left), inverse());
         return left;
     }
     Node inverse() {
         const Deeper deeper(depth_);
-        return take_word("not") ? made(Kind::Not, "not", {inverse()}) : comparison();
+        if (take_word("not")) return made(Kind::Not, "not", inverse());
+        return comparison();
     }
     Node comparison() {
         Node left = sum();
         for (const char* const symbol : {"<=", ">=", "!=", "=", "<", ">"}) {
             if (!take(symbol)) continue;
-            Node node = made(Kind::Compare, symbol, {std::move(left), sum()});
+            Node node = made(Kind::Compare, symbol, std::move(left), sum());
             if (take_word("within")) {
                 if (node.word != "=" && node.word != "!=")
                     throw ExpressionProblem{"has a tolerance behind " + in_quotes(node.word),
@@ -122,7 +133,7 @@ class Parser {
         while (true) {
             const char* const symbol = take("+") ? "+" : take("-") ? "-" : nullptr;
             if (symbol == nullptr) return left;
-            left = made(Kind::Arithmetic, symbol, {std::move(left), product()});
+            left = made(Kind::Arithmetic, symbol, std::move(left), product());
         }
     }
     Node product() {
@@ -130,26 +141,28 @@ class Parser {
         while (true) {
             const char* const symbol = take("*") ? "*" : take("/") ? "/" : nullptr;
             if (symbol == nullptr) return left;
-            left = made(Kind::Arithmetic, symbol, {std::move(left), negative()});
+            left = made(Kind::Arithmetic, symbol, std::move(left), negative());
         }
     }
     Node negative() {
         const Deeper deeper(depth_);
-        return take("-") ? made(Kind::Negate, "-", {negative()}) : power();
+        if (take("-")) return made(Kind::Negate, "-", negative());
+        return power();
     }
     Node power() {
         Node base = postfix();
-        return take("^") ? made(Kind::Arithmetic, "^", {std::move(base), negative()}) : base;
+        if (take("^")) return made(Kind::Arithmetic, "^", std::move(base), negative());
+        return base;
     }
     Node postfix() {
         Node node = primary();
         while (true) {
             if (!rest_.empty() && rest_[0] == '.') {
                 rest_.remove_prefix(1);
-                node = made(Kind::Member, name(), {std::move(node)});
+                node = made(Kind::Member, name(), std::move(node));
             } else if (!rest_.empty() && rest_[0] == '[') {
                 rest_.remove_prefix(1);
-                node = made(Kind::Element, "", {std::move(node), condition()});
+                node = made(Kind::Element, "", std::move(node), condition());
                 require("]");
             } else {
                 return node;
@@ -162,7 +175,10 @@ class Parser {
             require(")");
             return node;
         }
-        if (take("[")) return made(Kind::List, "", listed("]"));
+        if (take("[")) {
+            std::vector<Node> parts = listed("]");
+            return {Kind::List, "", {}, std::move(parts)};
+        }
         skip_blanks();
         if (rest_.empty()) fail_here("a value");
         if (rest_[0] == '"') return quoted();
@@ -171,14 +187,15 @@ class Parser {
         std::string word = name();
         if (word == "true" || word == "false") return {Kind::Literal, "", JsonValue(word == "true"), {}};
         if (rest_.starts_with("(")) return call(std::move(word));
-        return made(Kind::Name, std::move(word), {});
+        return made(Kind::Name, std::move(word));
     }
     Node call(std::string word) {
         if (!known_function(word))
             throw ExpressionProblem{in_quotes(word) + " is not a function",
                                     in_quotes(nearest(word, function_names()))};
         rest_.remove_prefix(1);
-        return made(Kind::Call, std::move(word), listed(")"));
+        std::vector<Node> arguments = listed(")");
+        return {Kind::Call, std::move(word), {}, std::move(arguments)};
     }
     std::vector<Node> listed(std::string_view end) {
         std::vector<Node> parts;
