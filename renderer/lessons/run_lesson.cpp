@@ -67,7 +67,7 @@ std::vector<double> numbers_of(const JsonValue& value) {
 }  // namespace
 
 LessonRunner::LessonRunner(int threads, std::vector<Assignment> always)
-    : threads_(threads), always_(std::move(always)), renderer_(threads) {}
+    : always_(std::move(always)), renderer_(threads) {}
 
 Result<SceneDocument> LessonRunner::open(const Lesson& lesson) {
     if (opened_.path != lesson.scene || opened_.path.empty()) {

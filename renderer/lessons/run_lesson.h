@@ -48,7 +48,6 @@ class LessonRunner {
     Result<JsonValue> answer(const SceneDocument& document, const Lesson& lesson, const LessonRun& run,
                              NamedPictures& pictures);
 
-    int threads_;
     std::vector<Assignment> always_;
     Renderer renderer_;
     SceneDocument opened_;
