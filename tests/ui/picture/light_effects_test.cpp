@@ -32,13 +32,13 @@ Scene ball_under(LightKind kind, LightSpace space) {
 }
 
 /// A drawn scene that a light is set in.
-struct Drawing {
+struct DrawnBall {
     Scene scene;
     Renderer renderer{1};
     ScreenMap map;
     Dome dome;
 
-    explicit Drawing(const Scene& s) : scene(s), map(screen_map(s.camera, size)) {
+    explicit DrawnBall(const Scene& s) : scene(s), map(screen_map(s.camera, size)) {
         dome = sun_dome(s.camera.target, scene_bounds(s), map);
         (void)renderer.render(scene, size);
     }
@@ -52,7 +52,7 @@ struct Geometry {
     glm::dvec3 n, l, v;
     double distance = 0;
 
-    Geometry(const Drawing& stage, const Light& light, const Explanation& e)
+    Geometry(const DrawnBall& stage, const Light& light, const Explanation& e)
         : n(glm::normalize(glm::dvec3(e.at.normal.world))), v(glm::normalize(glm::dvec3(e.at.view.world))) {
         const glm::dvec3 to_light =
             light.kind == LightKind::Directional
@@ -67,7 +67,7 @@ template <class Check> void for_all_lights(Check check) {
     for (const LightKind kind : {LightKind::Directional, LightKind::Point, LightKind::Spot, LightKind::Area})
         for (const LightSpace space : {LightSpace::World, LightSpace::Camera}) {
             CAPTURE(static_cast<int>(kind), static_cast<int>(space));
-            Drawing stage(ball_under(kind, space));
+            DrawnBall stage(ball_under(kind, space));
             int checked = 0;
             for (int y = 6; y < size.height; y += 12)
                 for (int x = 6; x < size.width; x += 12) {
@@ -81,7 +81,7 @@ template <class Check> void for_all_lights(Check check) {
 }
 
 /// Whether a spot or a panel shines at a point.
-double aim_at(const Drawing& stage, const Light& light, glm::dvec3 place) {
+double aim_at(const DrawnBall& stage, const Light& light, glm::dvec3 place) {
     const glm::dvec3 way = glm::normalize(place - handle_of(light, stage.dome, stage.map));
     if (light.kind == LightKind::Spot)
         return glm::dot(way, glm::normalize(to_world(light, light.spot.direction, 0, stage.map)));
@@ -94,7 +94,7 @@ double aim_at(const Drawing& stage, const Light& light, glm::dvec3 place) {
 
 TEST_CASE("brightest here: n·l is 1 under the cursor, for every kind of light in both coordinates",
           "[ui][hands][property]") {
-    for_all_lights([](Drawing& stage, const Explanation& e, glm::dvec2 pixel) {
+    for_all_lights([](DrawnBall& stage, const Explanation& e, glm::dvec2 pixel) {
         const Light& start = stage.scene.lights[0];
         const auto light = stage.with(LightEffect::Brightest, pixel);
         REQUIRE(light);
@@ -108,7 +108,7 @@ TEST_CASE("brightest here: n·l is 1 under the cursor, for every kind of light i
 
 TEST_CASE("brightest here: the equation itself has n·l = 1 there", "[ui][hands]") {
     for (const LightKind kind : {LightKind::Directional, LightKind::Point, LightKind::Spot}) {
-        Drawing stage(ball_under(kind, LightSpace::Camera));
+        DrawnBall stage(ball_under(kind, LightSpace::Camera));
         const auto light = stage.with(LightEffect::Brightest, {115.5, 80.5});
         REQUIRE(light);
         stage.scene.lights[0] = *light;
@@ -123,7 +123,7 @@ TEST_CASE("rim light: it comes from behind at cos 75°, and all from the cursor 
           "[ui][hands][property]") {
     const double cosine = std::cos(75 * std::acos(-1.0) / 180);
     int from_behind = 0;
-    for_all_lights([&](Drawing& stage, const Explanation& e, glm::dvec2 pixel) {
+    for_all_lights([&](DrawnBall& stage, const Explanation& e, glm::dvec2 pixel) {
         const Geometry before(stage, stage.scene.lights[0], e);
         const auto light = stage.with(LightEffect::Rim, pixel);
         const double facing = glm::dot(before.n, before.v);
