@@ -77,7 +77,10 @@ void words_of(const MistakeName& mistake, bool on, bool dim, const Rect& area) {
     box({area.low.x, area.low.y + px(1)}, line - px(2), on);
     const std::string title = title_of(mistake);
     const Rect first{area.low + ImVec2(line + px(4), 0), {area.high.x, area.low.y + line}};
+    const bool fits = ImGui::CalcTextSize(title.c_str()).x <= first.size().x;
+    if (!fits) ImGui::PushFont(fonts().small);
     cut_line(list, first, dim ? theme().dim_text : theme().text, title.data(), title.data() + title.size());
+    if (!fits) ImGui::PopFont();
     ImGui::PushFont(fonts().small);
     const float last = mistake.sources.empty() ? 0 : ImGui::GetTextLineHeight();
     const float y = broken_lines(list, {{area.low.x, first.high.y + px(2)}, area.high - ImVec2(0, last)},
