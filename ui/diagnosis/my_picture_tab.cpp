@@ -11,6 +11,7 @@
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/mistake_row.h"
+#include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"

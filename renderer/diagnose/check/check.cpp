@@ -116,8 +116,8 @@ BufferCheck checked(const SceneDocument& document, const std::vector<PixelBuffer
             check.agree.push_back(mine->name);
             continue;
         }
-        const Frames frames{view_from_world(scene.camera),
-                            clip_from_view(scene.camera.projection, check.size)};
+        const CheckFrames frames{view_from_world(scene.camera),
+                                 clip_from_view(scene.camera.projection, check.size)};
         check.differs->found =
             reading_of(buffer_kind(mine->name),
                        read_points(renderer, scene, mine->name, mine->picture, ours, kinds), frames);

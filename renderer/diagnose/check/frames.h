@@ -20,10 +20,10 @@ inline constexpr std::array all_frames{Frame::Object, Frame::World, Frame::Camer
 }
 
 /// The view's rotation.
-[[nodiscard]] inline glm::dmat3 view_turn(const Frames& f) { return glm::dmat3(f.view_from_world); }
+[[nodiscard]] inline glm::dmat3 view_turn(const CheckFrames& f) { return glm::dmat3(f.view_from_world); }
 
 /// Camera coordinates from those of the frame; object coordinates are those of the object at `at`.
-[[nodiscard]] inline glm::dmat4 camera_from(Frame frame, const ReadAt& at, const Frames& f) {
+[[nodiscard]] inline glm::dmat4 camera_from(Frame frame, const ReadAt& at, const CheckFrames& f) {
     switch (frame) {
     case Frame::Object:
         return f.view_from_world * at.world_from_object;
@@ -38,23 +38,24 @@ inline constexpr std::array all_frames{Frame::Object, Frame::World, Frame::Camer
 }
 
 /// A point of camera coordinates; in clip coordinates not divided by w.
-[[nodiscard]] inline glm::dvec3 point_in(Frame frame, const ReadAt& at, const Frames& f, glm::dvec3 point) {
+[[nodiscard]] inline glm::dvec3 point_in(Frame frame, const ReadAt& at, const CheckFrames& f,
+                                         glm::dvec3 point) {
     return glm::dvec3(glm::inverse(camera_from(frame, at, f)) * glm::dvec4(point, 1));
 }
 /// In normalized device coordinates.
-[[nodiscard]] inline glm::dvec3 device_point(const ReadAt& at, const Frames& f) {
+[[nodiscard]] inline glm::dvec3 device_point(const ReadAt& at, const CheckFrames& f) {
     const glm::dvec4 clip = f.clip_from_view * glm::dvec4(at.position, 1);
     return glm::dvec3(clip) / clip.w;
 }
 /// A direction of camera coordinates, made unit.
-[[nodiscard]] inline glm::dvec3 direction_in(Frame frame, const ReadAt& at, const Frames& f,
+[[nodiscard]] inline glm::dvec3 direction_in(Frame frame, const ReadAt& at, const CheckFrames& f,
                                              glm::dvec3 direction) {
     const glm::dvec4 there = glm::inverse(camera_from(frame, at, f)) * glm::dvec4(direction, 0);
     return glm::normalize(glm::dvec3(there));
 }
 /// The normal, made unit: to object coordinates by the transpose of what takes points from there, to clip
 /// coordinates by P itself, as a program that takes it for a direction does.
-[[nodiscard]] inline glm::dvec3 normal_in(Frame frame, const ReadAt& at, const Frames& f) {
+[[nodiscard]] inline glm::dvec3 normal_in(Frame frame, const ReadAt& at, const CheckFrames& f) {
     if (frame == Frame::Clip) return direction_in(frame, at, f, at.normal);
     return glm::normalize(glm::transpose(glm::dmat3(camera_from(frame, at, f))) * at.normal);
 }

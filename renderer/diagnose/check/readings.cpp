@@ -17,58 +17,60 @@ constexpr double near = 6e-3;  // of the size of what is compared, or of 1 where
 /// object coordinates, P: clip from camera coordinates.
 struct Reading {
     std::string words;
-    std::function<glm::dvec3(const ReadAt& at, const Frames& frames)> numbers;
+    std::function<glm::dvec3(const ReadAt& at, const CheckFrames& frames)> numbers;
 };
 
 std::vector<Reading> point_readings() {
     return {
-        {"ours", [](const ReadAt& p, const Frames&) { return p.position; }},
+        {"ours", [](const ReadAt& p, const CheckFrames&) { return p.position; }},
         {"ours times V inverted: they were left in world coordinates",
-         [](const ReadAt& p, const Frames& f) { return point_in(Frame::World, p, f, p.position); }},
+         [](const ReadAt& p, const CheckFrames& f) { return point_in(Frame::World, p, f, p.position); }},
         {"ours times (V M) inverted: they were left in object coordinates",
-         [](const ReadAt& p, const Frames& f) { return point_in(Frame::Object, p, f, p.position); }},
+         [](const ReadAt& p, const CheckFrames& f) { return point_in(Frame::Object, p, f, p.position); }},
         {"ours times P: they are in clip coordinates, not divided by w",
-         [](const ReadAt& p, const Frames& f) { return point_in(Frame::Clip, p, f, p.position); }},
+         [](const ReadAt& p, const CheckFrames& f) { return point_in(Frame::Clip, p, f, p.position); }},
         {"ours times P and divided by w: they are in normalized device coordinates",
-         [](const ReadAt& p, const Frames& f) { return device_point(p, f); }},
+         [](const ReadAt& p, const CheckFrames& f) { return device_point(p, f); }},
         {"world coordinates times V with w = 0 in place of 1: the view's translation is missing",
-         [](const ReadAt& p, const Frames& f) {
+         [](const ReadAt& p, const CheckFrames& f) {
              return view_turn(f) * point_in(Frame::World, p, f, p.position);
          }},
         {"ours times V: the view was applied twice",
-         [](const ReadAt& p, const Frames& f) {
+         [](const ReadAt& p, const CheckFrames& f) {
              return glm::dvec3(f.view_from_world * glm::dvec4(p.position, 1));
          }},
     };
 }
 
 std::vector<Reading> normal_readings() {
-    const auto object = [](const ReadAt& p, const Frames& f) { return normal_in(Frame::Object, p, f); };
-    const auto world = [](const ReadAt& p, const Frames& f) { return normal_in(Frame::World, p, f); };
+    const auto object = [](const ReadAt& p, const CheckFrames& f) { return normal_in(Frame::Object, p, f); };
+    const auto world = [](const ReadAt& p, const CheckFrames& f) { return normal_in(Frame::World, p, f); };
     return {
-        {"ours", [](const ReadAt& p, const Frames&) { return p.normal; }},
+        {"ours", [](const ReadAt& p, const CheckFrames&) { return p.normal; }},
         {"ours times V transposed: they were left in world coordinates", world},
         {"ours times (V M) transposed: they were left in object coordinates", object},
         {"ours times P: they were taken on to clip coordinates",
-         [](const ReadAt& p, const Frames& f) { return normal_in(Frame::Clip, p, f); }},
+         [](const ReadAt& p, const CheckFrames& f) { return normal_in(Frame::Clip, p, f); }},
         {"by V M in place of its inverse transpose",
-         [object](const ReadAt& p, const Frames& f) {
+         [object](const ReadAt& p, const CheckFrames& f) {
              return view_turn(f) * glm::dmat3(p.world_from_object) * object(p, f);
          }},
         {"by M in place of its inverse transpose, and left in world coordinates",
-         [object](const ReadAt& p, const Frames& f) {
+         [object](const ReadAt& p, const CheckFrames& f) {
              return glm::dmat3(p.world_from_object) * object(p, f);
          }},
         {"by V M as points are, with w = 1: the translation is in them",
-         [object](const ReadAt& p, const Frames& f) {
+         [object](const ReadAt& p, const CheckFrames& f) {
              return glm::dvec3(f.view_from_world * p.world_from_object * glm::dvec4(object(p, f), 1));
          }},
         {"object coordinates times V alone: the model's matrix is missing",
-         [object](const ReadAt& p, const Frames& f) { return view_turn(f) * object(p, f); }},
+         [object](const ReadAt& p, const CheckFrames& f) { return view_turn(f) * object(p, f); }},
         {"ours times V: the view was applied twice",
-         [](const ReadAt& p, const Frames& f) { return view_turn(f) * p.normal; }},
+         [](const ReadAt& p, const CheckFrames& f) { return view_turn(f) * p.normal; }},
         {"world coordinates times V transposed in place of V",
-         [world](const ReadAt& p, const Frames& f) { return glm::transpose(view_turn(f)) * world(p, f); }},
+         [world](const ReadAt& p, const CheckFrames& f) {
+             return glm::transpose(view_turn(f)) * world(p, f);
+         }},
     };
 }
 
@@ -76,13 +78,13 @@ std::vector<Reading> depth_readings() {
     const auto all = [](double x) { return glm::dvec3(x); };
     return {
         {"ours, turned round: z itself, which is negative in front of the camera",
-         [all](const ReadAt& p, const Frames&) { return all(p.position.z); }},
+         [all](const ReadAt& p, const CheckFrames&) { return all(p.position.z); }},
         {"the distance to the eye in place of that along the line of sight",
-         [all](const ReadAt& p, const Frames&) { return all(glm::length(p.position)); }},
+         [all](const ReadAt& p, const CheckFrames&) { return all(glm::length(p.position)); }},
         {"z in normalized device coordinates, -1 to 1",
-         [all](const ReadAt& p, const Frames& f) { return all(device_point(p, f).z); }},
+         [all](const ReadAt& p, const CheckFrames& f) { return all(device_point(p, f).z); }},
         {"the depth buffer's numbers, 0 to 1",
-         [all](const ReadAt& p, const Frames& f) { return all((device_point(p, f).z + 1) / 2); }},
+         [all](const ReadAt& p, const CheckFrames& f) { return all((device_point(p, f).z + 1) / 2); }},
     };
 }
 
@@ -109,7 +111,7 @@ void add_mixed(std::vector<Reading>& readings, const Heading& to) {
             if (head == point) continue;
             readings.push_back(
                 {fmt::format("from the point in {} to {} in {}", name_of(point), to.name, name_of(head)),
-                 [to, head, point](const ReadAt& p, const Frames& f) {
+                 [to, head, point](const ReadAt& p, const CheckFrames& f) {
                      return point_in(head, p, f, to.head(p)) - point_in(point, p, f, p.position);
                  }});
         }
@@ -117,26 +119,28 @@ void add_mixed(std::vector<Reading>& readings, const Heading& to) {
         readings.push_back(
             {fmt::format("the position of {} itself, in {}: the point is not subtracted", to.name,
                          name_of(head)),
-             [to, head](const ReadAt& p, const Frames& f) { return point_in(head, p, f, to.head(p)); }});
+             [to, head](const ReadAt& p, const CheckFrames& f) { return point_in(head, p, f, to.head(p)); }});
 }
 
 std::vector<Reading> direction_readings(const Heading& to, bool has_head) {
     const auto in = [to](Frame frame) {
-        return [to, frame](const ReadAt& p, const Frames& f) {
+        return [to, frame](const ReadAt& p, const CheckFrames& f) {
             return direction_in(frame, p, f, to.direction(p));
         };
     };
     std::vector<Reading> readings{
-        {"ours", [to](const ReadAt& p, const Frames&) { return to.direction(p); }},
+        {"ours", [to](const ReadAt& p, const CheckFrames&) { return to.direction(p); }},
         {"ours times V transposed: they were left in world coordinates", in(Frame::World)},
         {"ours times (V M) inverted: they were left in object coordinates", in(Frame::Object)},
         {"ours times P: they were taken on to clip coordinates", in(Frame::Clip)},
         {"ours times V: the view was applied twice",
-         [to](const ReadAt& p, const Frames& f) { return view_turn(f) * to.direction(p); }},
+         [to](const ReadAt& p, const CheckFrames& f) { return view_turn(f) * to.direction(p); }},
         {"(0, 0, 1) everywhere: that of an eye infinitely far away",
-         [](const ReadAt&, const Frames&) { return glm::dvec3(0, 0, 1); }},
+         [](const ReadAt&, const CheckFrames&) { return glm::dvec3(0, 0, 1); }},
         {"(0, 0, 1) everywhere, in world coordinates",
-         [](const ReadAt&, const Frames& f) { return glm::transpose(view_turn(f)) * glm::dvec3(0, 0, 1); }},
+         [](const ReadAt&, const CheckFrames& f) {
+             return glm::transpose(view_turn(f)) * glm::dvec3(0, 0, 1);
+         }},
     };
     if (has_head) add_mixed(readings, to);
     return readings;
@@ -146,17 +150,18 @@ std::vector<Reading> cosine_readings() {
     const auto all = [](double x) { return glm::dvec3(x); };
     const auto right = [](const ReadAt& p) { return glm::dot(p.normal, p.to_light); };
     std::vector<Reading> readings{
-        {"ours", [=](const ReadAt& p, const Frames&) { return all(right(p)); }},
+        {"ours", [=](const ReadAt& p, const CheckFrames&) { return all(right(p)); }},
         {"ours, 0 where it is negative",
-         [=](const ReadAt& p, const Frames&) { return all(std::max(right(p), 0.0)); }},
-        {"ours without its sign", [=](const ReadAt& p, const Frames&) { return all(std::abs(right(p))); }},
+         [=](const ReadAt& p, const CheckFrames&) { return all(std::max(right(p), 0.0)); }},
+        {"ours without its sign",
+         [=](const ReadAt& p, const CheckFrames&) { return all(std::abs(right(p))); }},
         {"ours times the distance to the light: l is not of length 1",
-         [=](const ReadAt& p, const Frames&) { return all(right(p) * p.distance); }},
+         [=](const ReadAt& p, const CheckFrames&) { return all(right(p) * p.distance); }},
     };
     for (const Frame n : all_frames)
         for (const Frame l : all_frames)
             readings.push_back({fmt::format("of n in {} and l in {}", name_of(n), name_of(l)),
-                                [=](const ReadAt& p, const Frames& f) {
+                                [=](const ReadAt& p, const CheckFrames& f) {
                                     return all(
                                         glm::dot(normal_in(n, p, f), direction_in(l, p, f, p.to_light)));
                                 }});
@@ -168,8 +173,8 @@ glm::dvec3 unit(glm::dvec3 v) { return glm::dot(v, v) > 0 ? glm::normalize(v) : 
 enum class Length { Counts, Ignored };
 
 /// Whether nearly all points have what the reading says.
-bool gives(const Reading& reading, const std::vector<ReadPoint>& points, const Frames& frames, double sign,
-           Length length) {
+bool gives(const Reading& reading, const std::vector<ReadPoint>& points, const CheckFrames& frames,
+           double sign, Length length) {
     constexpr std::size_t in_a_hundred = 97;
     std::size_t agree = 0;
     for (const ReadPoint& point : points) {
@@ -185,7 +190,7 @@ bool gives(const Reading& reading, const std::vector<ReadPoint>& points, const F
 }
 
 std::string first_reading(const std::vector<Reading>& readings, const std::vector<ReadPoint>& points,
-                          const Frames& frames, Length length) {
+                          const CheckFrames& frames, Length length) {
     for (const double sign : {1.0, -1.0})
         for (const Reading& reading : readings) {
             if (!gives(reading, points, frames, sign, length)) continue;
@@ -239,7 +244,7 @@ int buffer_light(const std::string& name) {
     return digits == name.size() ? -1 : std::stoi(name.substr(digits));
 }
 
-std::string reading_of(BufferKind kind, const std::vector<ReadPoint>& points, const Frames& frames) {
+std::string reading_of(BufferKind kind, const std::vector<ReadPoint>& points, const CheckFrames& frames) {
     if (points.empty()) return {};
     std::string found;
     switch (kind) {

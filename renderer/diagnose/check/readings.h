@@ -23,7 +23,7 @@ struct ReadPoint {
     std::vector<ReadAt> at;      // what is blended
 };
 
-struct Frames {
+struct CheckFrames {
     glm::dmat4 view_from_world{1}, clip_from_view{1};
 };
 
@@ -37,6 +37,6 @@ enum class BufferKind { Point, Depth, Normal, View, ToLight, Cosine, Color };
 /// In words, what the buffer has in place of the right numbers: "ours times V transposed: they were left in
 /// world coordinates". Empty where no reading gives nearly all of them.
 [[nodiscard]] std::string reading_of(BufferKind kind, const std::vector<ReadPoint>& points,
-                                     const Frames& frames);
+                                     const CheckFrames& frames);
 
 }  // namespace glint
