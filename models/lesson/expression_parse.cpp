@@ -77,7 +77,7 @@ class Parser {
         return true;
     }
     std::string name() {
-        const std::string word(next_word());
+        std::string word(next_word());
         if (word.empty()) fail_here("a name");
         rest_.remove_prefix(word.size());
         return word;
