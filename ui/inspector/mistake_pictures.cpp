@@ -70,6 +70,8 @@ bool at_rest(const UiState& state) {
 /// Notices that other pictures are wanted than those begun last.
 void ask_again(MistakePictures& m, const Scene& scene, PictureSize size) {
     const bool same_size = m.asked_size == size;
+    // Known to be of another scene: which one, is asked when the hand lets go. Meanwhile none is copied.
+    if (same_size && !m.begun && ImGui::IsAnyMouseDown()) return;
     if (same_size && m.seen == scene) return;
     m.seen = scene;
     Scene right = under_mistakes(scene, {});

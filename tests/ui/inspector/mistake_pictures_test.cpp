@@ -111,6 +111,27 @@ TEST_CASE("small pictures wait until no button is down and the scene has stood s
     CHECK(bench.frame().sleep_s > 1);  // and no frame is asked for any more
 }
 
+TEST_CASE("small pictures are of the scene that a drag ends with, which is copied once while it lasts",
+          "[ui][window][why]") {
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Mistakes);
+    REQUIRE(wait_for_pictures(bench));
+    const MistakePictures& m = bench.state.mistake_pictures;
+    ImGui::GetIO().MousePos = {5, 5};
+    bench.button(true);
+    bench.scene().lights[0].intensity = 0.9f;
+    bench.frames(1);
+    CHECK(m.pictures.taken == 0);
+    for (const float moved : {0.8f, 0.4f, 0.2f}) {
+        bench.scene().lights[0].intensity = moved;
+        bench.frames(1);
+        CHECK(m.seen.lights[0].intensity == 0.9f);
+    }
+    bench.button(false);
+    REQUIRE(wait_for_pictures(bench));
+    CHECK((shown(bench, 0) == drawn(bench.scene(), m.pictures.sheet.cell, 4)));
+}
+
 TEST_CASE("another scene, camera or size makes other small pictures; a mistake that is switched on does not",
           "[ui][window][why]") {
     HeadlessWindow bench;
