@@ -6,6 +6,7 @@
 
 #include "models/fields/choices.h"
 #include "renderer/renderer.h"
+#include "ui/document/averaged_normals.h"
 #include "ui/document/document_actions.h"
 #include "ui/ui.h"
 
@@ -130,6 +131,7 @@ void poll_meshes(UiState& state) {
                 for (const Object& object : loaded.scene.objects)
                     if (object.source == awaited.wanted && object.mesh != awaited.mesh_before) {
                         give_mesh(state, awaited, object.mesh);
+                        say_averaged(state, object);
                         return true;
                     }
                 return false;  // wanted only since the load began
@@ -150,6 +152,7 @@ void take_loaded(UiState& state, SceneDocument document) {
     if (recovery) drop_autosave(state);
     take_scene(state, std::move(document));
     state.notifications.add(state.editor.document.warnings);
+    tell_averaged_normals(state);
     if (!recovery) return;
     state.editor.saved = *recovery->in_file;
     keep_orphan(state, recovery->autosave);

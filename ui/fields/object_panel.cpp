@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <string>
 
+#include "ui/document/averaged_normals.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
 #include "ui/widgets/fonts.h"
@@ -132,12 +133,15 @@ void mesh_facts(const Object& object) {
     }
     dim_text(
         fmt::format("{} {}", with_thousands(triangles), triangles == 1 ? "triangle" : "triangles").c_str());
-    for (const std::string& warning : mesh.warnings) {
+    const auto line = [](const std::string& words) {
         label_cell("");
         ImGui::PushTextWrapPos(0);
-        dim_text(warning.c_str());
+        dim_text(words.c_str());
         ImGui::PopTextWrapPos();
-    }
+    };
+    for (const std::string& warning : mesh.warnings) line(warning);
+    if (smooths_every_edge(object))
+        line("No normals of its own: averaged over all edges. Crease keeps edges sharp:");
 }
 
 /// One number for all three scales: they keep their ratio, and their signs. It is the largest of them.
@@ -195,6 +199,10 @@ bool object_panel(Object& object, const std::string& pointer, Reflection reflect
     bool edited = source_field(object, pointer, requests);
     edited |= detail_field(object, pointer);
     mesh_facts(object);
+    const auto normals = [&] { panel.group("normals", object.normals, field_rows<NormalOptions>); };
+    // Of a mesh without normals they are what one looks for first.
+    const bool brings_normals = !object.mesh || object.mesh->given_normals != GivenNormals::None;
+    if (!brings_normals) normals();
     panel.group("material", object.material, [&](Material& material, const std::string& at) {
         return material_panel(material, at, reflection);
     });
@@ -203,7 +211,7 @@ bool object_panel(Object& object, const std::string& pointer, Reflection reflect
         const bool moved = field_rows(transform, at);
         return uniform_scale_field(transform.scale, at + "/scale") || moved;
     });
-    panel.group("normals", object.normals, field_rows<NormalOptions>);
+    if (brings_normals) normals();
     edited |= panel.rest().edited();
     return edited && keep_valid(object, before);
 }

@@ -1,4 +1,5 @@
 // Loads that do not hold up the window.
+#include <algorithm>
 #include <filesystem>
 #include <future>
 
@@ -71,6 +72,36 @@ TEST_CASE("what is being loaded is said over the picture, and covers no row of b
     CHECK(panel->Pos.x + panel->Size.x <= picture.high.x);
     gate.open.set_value();
     bench.wait_for_loads();
+}
+
+TEST_CASE("of a mesh without normals it is said that they are averaged, where its creases can be kept",
+          "[ui][loading]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("square.obj", square_obj);
+    HeadlessWindow bench;
+    UiInput drop;
+    drop.dropped = {path};
+    (void)bench.frame(drop);
+    bench.wait_for_loads();
+    bench.frames(2);
+    const auto said = [&bench] {
+        const auto& list = bench.state.notifications.list;
+        return std::any_of(list.begin(), list.end(), [](const Notification& note) {
+            return note.text.find("brings no normals") != std::string::npos;
+        });
+    };
+    CHECK(said());
+    CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, 0});
+    const Rect crease = bench.area_of("/objects/0/normals/crease_deg");  // in sight, without scrolling
+    CHECK(crease.low.y < bench.area_of("/objects/0/material/ambient").low.y);
+    // With normals of its own there is nothing to say.
+    bench.state.notifications.list.clear();
+    drop.dropped = {folder.file("with.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n")};
+    (void)bench.frame(drop);
+    bench.wait_for_loads();
+    bench.frames(2);
+    REQUIRE(bench.scene().objects[0].mesh->given_normals == GivenNormals::File);
+    CHECK_FALSE(said());
 }
 
 TEST_CASE("Escape ends a load, and what it would have brought is dropped", "[ui][loading]") {
