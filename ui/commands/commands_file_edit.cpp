@@ -8,6 +8,7 @@
 #include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
 #include "ui/export/clipboard.h"
+#include "ui/export/save_with_command.h"
 #include "ui/picture/draw_picture.h"
 
 namespace glint {
@@ -21,6 +22,11 @@ void ask_scene(UiState& state) {
     const bool fits = std::any_of(state.files.entries.begin(), state.files.entries.end(), is_file);
     if (!fits && !state.shipped_scenes.empty())
         state.files.ask(FilePurpose::OpenScene, state.shipped_scenes + "/");
+}
+
+/// What keys said that they did is no longer so.
+void forget_told(Notifications& notifications) {
+    std::erase_if(notifications.list, [](const Notification& note) { return note.of_key; });
 }
 
 std::string copy_disabled_reason(const UiState& state) {
@@ -113,6 +119,14 @@ std::vector<WindowCommand> file_commands() {
          .run = [](UiState& s) { s.files.ask(FilePurpose::SavePicture, offered_name(s, ".png")); },
          .why_disabled = [](const UiState& s) { return unless_drawn(s.rendered); },
          .line_above = true},
+        {.name = "Save picture here and copy its command",
+         .keys = {{Key::F12, !ctrl, shift}},
+         .menu = Menu::File,
+         .run = save_with_command,
+         .why_disabled =
+             [](const UiState& s) {
+                 return s.rendered == nullptr ? unless_drawn(nullptr) : unless_busy(bool(s.exporting.job));
+             }},
         {.name = "Export picture…",
          .keys = {{Key::E, ctrl}},
          .menu = Menu::File,
@@ -143,14 +157,22 @@ std::vector<WindowCommand> edit_commands() {
         {.name = "Undo",
          .keys = {{Key::Z, ctrl}},
          .menu = Menu::Edit,
-         .run = [](UiState& s) { undo(s.editor); },
+         .run =
+             [](UiState& s) {
+                 forget_told(s.notifications);
+                 undo(s.editor);
+             },
          .why_disabled =
              [](const UiState& s) { return unless(s.editor.history.can_undo(), "Nothing to undo"); },
          .id = CommandId::Undo},
         {.name = "Redo",
          .keys = {{Key::Z, ctrl, shift}, {Key::Y, ctrl}},
          .menu = Menu::Edit,
-         .run = [](UiState& s) { redo(s.editor); },
+         .run =
+             [](UiState& s) {
+                 forget_told(s.notifications);
+                 redo(s.editor);
+             },
          .why_disabled =
              [](const UiState& s) { return unless(s.editor.history.can_redo(), "Nothing to redo"); },
          .id = CommandId::Redo},

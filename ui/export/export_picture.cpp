@@ -14,6 +14,7 @@
 #include "ui/commands/command.h"
 #include "ui/document/document_actions.h"
 #include "ui/export/clipboard.h"
+#include "ui/export/save_with_command.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
 #include "ui/widgets/named_controls.h"
@@ -177,6 +178,15 @@ void export_dialog(UiState& state) {
     ImGui::Dummy({0, px(4)});
     dim_text(".png carries its scene; .pfm and .exr hold linear float numbers");
     ImGui::Dummy({0, px(4)});
+    ImGui::BeginDisabled(state.rendered == nullptr || exporting.job);
+    if (ImGui::Button("Save here and copy its command", {-1, 0})) {
+        exporting.open = false;
+        save_with_command(state, exporting.options);
+    }
+    ImGui::EndDisabled();
+    tooltip(
+        "Save here and copy its command",
+        "Into a new file of the working directory; the command line that writes it goes onto the clipboard");
     if (ImGui::Button("Choose a name…", {px(150), 0})) {
         exporting.open = false;
         state.files.ask(FilePurpose::ExportPicture, offered_name(state, ".png"));

@@ -1,7 +1,10 @@
 // The command that draws what was exported.
+#include <fmt/core.h>
+
 #include <filesystem>
 #include <string>
 
+#include "renderer/image/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
@@ -62,6 +65,30 @@ TEST_CASE("the export dialog copies the command of what it would write", "[ui][w
     bench.click(bench.control("Copy as command"));
     CHECK(bench.copied("--size 333x222 --samples 8"));
     CHECK(bench.state.exporting.open);  // the picture can still be written
+}
+
+TEST_CASE("one key saves the picture under a free name and copies the command that draws it",
+          "[ui][window][export]") {
+    const TemporaryDirectory folder;
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path(""));
+    {
+        HeadlessWindow bench;
+        bench.frames(2);
+        for (const char* name : {"scene.png", "scene-2.png"}) {
+            bench.key(Key::F12, false, true);
+            const std::string command = ImGui::GetClipboardText();
+            CHECK(command.ends_with(std::string(" -o ") + name));
+            const PictureSize size = bench.state.rendered->size;
+            CHECK(command.find(fmt::format(" --size {}x{} ", size.width, size.height)) != std::string::npos);
+            while (bench.state.exporting.job) bench.frames(1);
+            const auto picture = read_png(folder.path(name));
+            REQUIRE(problem_of(picture) == nullptr);
+            CHECK(std::get<Picture>(picture).size.width == size.width);
+            CHECK(std::get<Picture>(picture).size.height == size.height);
+        }
+    }
+    std::filesystem::current_path(before);
 }
 
 TEST_CASE("the sizes that an export offers are equally wide", "[ui][window][export]") {
