@@ -54,6 +54,25 @@ TEST_CASE("a right click on a number that is only read copies it, or its whole l
     CHECK(bench.scene() == start);
 }
 
+TEST_CASE("a value of the equation stays on one line with its name, however narrow the column",
+          "[ui][window][why]") {
+    HeadlessWindow bench({1280, 1400});
+    int seen = 0;
+    for (float width = 222; width < 420; width += 11) {
+        bench.state.layout.right_width = width;
+        test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
+        bench.frames(2);
+        for (const NamedControl& control : bench.controls()) {
+            if (control.name.find("angle ") != 0) continue;
+            ++seen;
+            CAPTURE(width, control.name);
+            CHECK(control.at.high.x > control.at.low.x);
+            CHECK(control.at.size().y < 1.6f * ImGui::GetTextLineHeight());
+        }
+    }
+    CHECK(seen > 30);
+}
+
 TEST_CASE("the distance in the equation moves its light towards the point, in its direction",
           "[ui][window][why]") {
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera}) {

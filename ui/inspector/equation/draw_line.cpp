@@ -76,16 +76,19 @@ bool draw_line(const EquationLine& term, Scene& scene, int channel) {
                                term.left_out.empty() ? " = " + trimmed(result) : ""));
     line.symbol(term.term).gap(4).plain("=").gap(4);
     LinePieces pieces(line, scene, channel);
-    for (std::size_t i = 0; i < term.factors.size(); ++i) {
-        if (i > 0 && term.factors[i].divides) line.gap(3).plain("/").gap(3);
-        if (i > 0 && !term.factors[i].divides) line.times();
-        pieces.factor(term.factors[i], decimals.value[i], decimals.exponent[i]);
-    }
+    for (std::size_t i = 0; i < term.factors.size(); ++i)
+        line.together([&] {
+            if (i > 0 && term.factors[i].divides) line.gap(3).plain("/").gap(3);
+            if (i > 0 && !term.factors[i].divides) line.times();
+            pieces.factor(term.factors[i], decimals.value[i], decimals.exponent[i]);
+        });
     if (!term.left_out.empty()) {
-        line.gap(4).plain("=").number(shown(term.product(channel)), theme().dim_text);
-        line.plain(", ").plain(term.left_out, theme().warning);
+        line.together([&] {
+            line.gap(4).plain("=").number(shown(term.product(channel)), theme().dim_text).plain(", ");
+        });
+        line.plain(term.left_out, theme().warning);
     }
-    for (const std::string& pointer : term.made_by) pieces.made_by(pointer);
+    for (const std::string& pointer : term.made_by) line.together([&] { pieces.made_by(pointer); });
     line.result(result, term.result[channel] == 0 ? theme().disabled_text : theme()[colour_of(term.term)]);
     return pieces.edited();
 }

@@ -7,19 +7,19 @@
 namespace glint {
 namespace {
 
-void power(TextLine& f, Quantity cosine) { f.plain("(").symbol(cosine).plain(")").symbol(Quantity::Power); }
-
+/// The highlight's factor.
 void highlight(TextLine& f, Reflection reflection) {
     const ReflectionInfo info = info_of(reflection);
-    if (!info.has_highlight) return;
-    f.plain("+").symbol(Quantity::MaterialSpecular).symbol(Quantity::LightSpecular);
+    const auto power = [&f](Quantity cosine) {
+        f.plain("(").symbol(cosine).plain(")").symbol(Quantity::Power);
+    };
     switch (info.cosine) {
     case HighlightCosine::RV:
-        return power(f, Quantity::RV);
+        return power(Quantity::RV);
     case HighlightCosine::NH:
-        return power(f, Quantity::NH);
+        return power(Quantity::NH);
     case HighlightCosine::LV:
-        return power(f, Quantity::LV);
+        return power(Quantity::LV);
     case HighlightCosine::None:
         break;
     }
@@ -31,17 +31,26 @@ void highlight(TextLine& f, Reflection reflection) {
 }  // namespace
 
 void formula(Reflection reflection) {
-    if (!info_of(reflection).is_lit) return dim_text("No lighting: the mesh's own colours.");
+    const ReflectionInfo info = info_of(reflection);
+    if (!info.is_lit) return dim_text("No lighting: the mesh's own colours.");
     TextLine f(20);
     f.symbol(Quantity::Result).plain(" = ").symbol(Quantity::MaterialEmission);
-    f.plain("+").symbol(Quantity::MaterialAmbient).symbol(Quantity::GlobalAmbient);
-    f.plain("+Σ").symbol(Quantity::Share);
-    f.plain("(").symbol(Quantity::MaterialAmbient).symbol(Quantity::LightAmbient);
-    f.plain("+").symbol(Quantity::MaterialDiffuse).symbol(Quantity::LightDiffuse);
-    f.symbol(Quantity::NL);
-    if (info_of(reflection).rough_diffuse) f.symbol(Quantity::Rough);
-    highlight(f, reflection);
-    f.plain(")");
+    f.together([&] { f.plain("+").symbol(Quantity::MaterialAmbient).symbol(Quantity::GlobalAmbient); });
+    f.together([&] {
+        f.plain("+Σ").symbol(Quantity::Share).plain("(");
+        f.symbol(Quantity::MaterialAmbient).symbol(Quantity::LightAmbient);
+    });
+    f.together([&] {
+        f.plain("+").symbol(Quantity::MaterialDiffuse).symbol(Quantity::LightDiffuse).symbol(Quantity::NL);
+        if (info.rough_diffuse) f.symbol(Quantity::Rough);
+        if (!info.has_highlight) f.plain(")");
+    });
+    if (!info.has_highlight) return;
+    f.together([&] {
+        f.plain("+").symbol(Quantity::MaterialSpecular).symbol(Quantity::LightSpecular);
+        highlight(f, reflection);
+        f.plain(")");
+    });
 }
 
 }  // namespace glint

@@ -30,9 +30,12 @@ namespace {
 
 /// "n·l 0.713 44.5°": a cosine with its angle. Pointing at it lights up the arrow `to` in the picture.
 void angle(TextLine& line, UiState& state, Quantity cosine, Symbol to, float value) {
-    line.symbol(cosine);
-    const ImVec2 low = last_item().low - ImVec2(px(14), 0);
-    line.gap(4).number(fmt::format("{} {:5.1f}°", shown_number(value), angle_deg(value)), theme().text);
+    ImVec2 low;
+    line.together([&] {
+        line.symbol(cosine);
+        low = last_item().low - ImVec2(px(14), 0);
+        line.gap(4).number(fmt::format("{} {:5.1f}°", shown_number(value), angle_deg(value)), theme().text);
+    });
     const Rect area{low, last_item().high};
     line.gap(8);
     list_control(fmt::format("angle {}", row_of(cosine).letter).c_str(), "", area);
@@ -89,16 +92,26 @@ bool falloff_line(Scene& scene, const ExplainedLight& explained) {
         [](std::span<const double> v) { return 1 / (v[0] + v[1] * v[3] + v[2] * v[3] * v[3]); },
         0.45 * last_digit);
     TextLine line;
-    line.gap(14).symbol(Quantity::Falloff).plain(" = 1/(");
-    bool edited =
-        line.handle(light_number(scene, explained.index, "falloff/constant", decimals[0]), theme().text);
-    line.plain("+");
-    edited |= line.handle(light_number(scene, explained.index, "falloff/linear", decimals[1]), theme().text);
-    line.symbol(Quantity::Distance).plain(" +");
-    edited |=
-        line.handle(light_number(scene, explained.index, "falloff/quadratic", decimals[2]), theme().text);
-    line.symbol(Quantity::Distance).plain("²),  ");
-    return distance_handle(line, scene, explained, decimals[3]) || edited;
+    bool edited = false;
+    const auto number = [&](const char* key, int places) {
+        edited |= line.handle(light_number(scene, explained.index, key, places), theme().text);
+    };
+    line.gap(14).together([&] {
+        line.symbol(Quantity::Falloff).plain(" = 1/(");
+        number("falloff/constant", decimals[0]);
+    });
+    line.together([&] {
+        line.plain("+");
+        number("falloff/linear", decimals[1]);
+        line.symbol(Quantity::Distance);
+    });
+    line.together([&] {
+        line.plain(" +");
+        number("falloff/quadratic", decimals[2]);
+        line.symbol(Quantity::Distance).plain("²),  ");
+    });
+    line.together([&] { edited |= distance_handle(line, scene, explained, decimals[3]); });
+    return edited;
 }
 
 /// "spot = (cos angle)^exponent within cutoff": its numbers.
@@ -112,14 +125,19 @@ bool cone_line(Scene& scene, const ExplainedLight& explained) {
         [](std::span<const double> v) { return std::pow(std::cos(v[0] * std::numbers::pi / 180), v[1]); },
         explained.spot > 0 ? 0.45 * last_digit : 1);
     TextLine line;
-    line.gap(14).symbol(Quantity::Spot).plain(" = (cos ");
-    line.number(decimal_text(values[0], decimals[0]) + "°", theme().text).plain(")");
-    bool edited =
-        line.exponent(light_number(scene, explained.index, "spot/exponent", decimals[1]), theme().text);
-    line.plain(" within");
+    bool edited = false;
+    line.gap(14).together([&] {
+        line.symbol(Quantity::Spot).plain(" = (cos ");
+        line.number(decimal_text(values[0], decimals[0]) + "°", theme().text).plain(")");
+        edited |=
+            line.exponent(light_number(scene, explained.index, "spot/exponent", decimals[1]), theme().text);
+    });
     NumberHandle cutoff = light_number(scene, explained.index, "spot/cutoff_deg", 1);
     cutoff.number.kind.format = "%.1f°";
-    edited |= line.handle(cutoff, theme().text);
+    line.together([&] {
+        line.plain(" within");
+        edited |= line.handle(cutoff, theme().text);
+    });
     if (explained.spot == 0) line.plain(", else 0");
     return edited;
 }

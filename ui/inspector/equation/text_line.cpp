@@ -59,6 +59,7 @@ void TextLine::place(float width) {
 }
 
 void TextLine::keep_together(float width) {
+    if (measures_) return;
     if (x_ + width <= right_ || x_ <= left_ + indent_) return;
     x_ = left_ + indent_;
     y_ += height();
@@ -67,6 +68,11 @@ void TextLine::keep_together(float width) {
 TextLine& TextLine::piece(const std::string& text, const ImVec4& colour, ImFont* font, float down) {
     ImGui::PushFont(font);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    if (measures_) {
+        x_ += size.x;
+        ImGui::PopFont();
+        return *this;
+    }
     place(size.x);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddText({at.x, at.y + (height() - size.y) / 2 + down}, to_u32(colour),
@@ -92,6 +98,7 @@ TextLine& TextLine::raised(const std::string& text, const ImVec4& colour) {
 }
 
 void TextLine::menu_of(const std::string& number) {
+    if (measures_) return;
     // Lines begin at places of their own.
     ImGui::PushID(saturated_int(left_));
     ImGui::PushID(saturated_int(y_ - ImGui::GetWindowPos().y + ImGui::GetScrollY()));
@@ -108,7 +115,7 @@ TextLine& TextLine::symbol(Quantity quantity) {
     const QuantityRow& row = row_of(quantity);
     const auto letter = [&](Quantity q) {
         piece(row_of(q).letter, theme()[colour_of(q)], fonts().body, 0);
-        tooltip(text_of(q).c_str(), row_of(q).meaning);
+        if (!measures_) tooltip(text_of(q).c_str(), row_of(q).meaning);
     };
     if (is_cosine(quantity)) {
         const auto vectors = vectors_of(quantity);
@@ -117,14 +124,14 @@ TextLine& TextLine::symbol(Quantity quantity) {
         ImGui::PopFont();
         letter(vectors.first);
         plain("·");
-        tooltip(row.letter, row.meaning);
+        if (!measures_) tooltip(row.letter, row.meaning);
         letter(vectors.second);
         return *this;
     }
     letter(quantity);
     if (*row.index == 0) return *this;
     piece(row.index, theme()[colour_of(quantity)], fonts().small, px(3));
-    tooltip(text_of(quantity).c_str(), row.meaning);
+    if (!measures_) tooltip(text_of(quantity).c_str(), row.meaning);
     return *this;
 }
 
@@ -138,6 +145,10 @@ TextLine& TextLine::gap(float width) {
 bool TextLine::edit(const NumberHandle& handle, const ImVec4& colour, float down) {
     const float width = handle_width(handle);
     const SceneNumber& n = handle.number;
+    if (measures_) {
+        x_ += width;
+        return false;
+    }
     place(width);
     ImGui::SetCursorScreenPos(ImGui::GetCursorScreenPos() + ImVec2(0, down));
     ImGui::PushStyleColor(ImGuiCol_FrameBg, {0, 0, 0, 0});

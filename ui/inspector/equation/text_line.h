@@ -35,6 +35,19 @@ class TextLine {
     /// At the right edge of the column.
     void result(const std::string& text, const ImVec4& colour);
     TextLine& gap(float width);
+    /// What draw() draws on this line stays on one line where it fits into one: a value with its name. draw()
+    /// is called twice, the first time to measure, when handles answer false.
+    template <class Draw> TextLine& together(const Draw& draw) {
+        const float x = x_;
+        measures_ = true;
+        draw();
+        measures_ = false;
+        const float width = x_ - x;
+        x_ = x;
+        keep_together(width);
+        draw();
+        return *this;
+    }
 
     [[nodiscard]] static float height();
 
@@ -50,6 +63,7 @@ class TextLine {
     float x_, y_, left_, right_, indent_;
     std::string line_;
     int numbers_ = 0;
+    bool measures_ = false;  // nothing is drawn: only x_ goes on
 };
 
 }  // namespace glint

@@ -102,6 +102,16 @@ bool end_typing(float& value, const Range& range) {
     return false;
 }
 
+/// Over its neighbours where the text is wider than the number's place.
+ImRect frame_for_typing(const ImRect& frame) {
+    const float wanted =
+        ImGui::CalcTextSize(hand.typing.text.data()).x + 2 * ImGui::GetStyle().FramePadding.x + px(12);
+    const ImRect room = ImGui::GetCurrentWindow()->WorkRect;
+    const float width = std::max(frame.GetWidth(), std::min(wanted, room.GetWidth()));
+    const float left = std::max(std::min(frame.Min.x, room.Max.x - width), room.Min.x);
+    return {{std::min(left, frame.Min.x), frame.Min.y}, {std::max(left + width, frame.Max.x), frame.Max.y}};
+}
+
 bool type_text(ImGuiID id, const ImRect& frame, const char* label, float& value, const Range& range) {
     hand.frame = ImGui::GetFrameCount();
     bool edited = false;
@@ -260,7 +270,7 @@ bool number_input(const char* label, float& value, const NumberInput& input) {
     if (!is_held(id)) take_in_hand(id, value, input, hovered);
     if (is_held(id) && !hand.types) edited |= hold(id, value, input, hovered);
     if (is_held(id) && hand.types)
-        edited |= type_text(id, frame, label, value, input.kind.range);
+        edited |= type_text(id, frame_for_typing(frame), label, value, input.kind.range);
     else
         draw_number(id, frame, value, input, hovered);
     if ((hovered || is_held(id)) && !hand.types) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
