@@ -202,7 +202,12 @@ std::vector<EquationLine> light_lines(const LightOfEquation& in) {
         specular_line(in, common_factors(in, Quantity::LightSpecular, Quantity::MaterialSpecular,
                                          &Light::specular, &Material::specular, "specular"));
     if (!on.specular) specular.left_out = switched_off;
-    if (in.scene.npr.cool_to_warm) return {specular};
+    const bool has_highlight =
+        info_of(in.explanation.reflection).has_highlight || in.light.specular != glm::vec3(0);
+    std::vector<EquationLine> lines;
+    if (has_highlight)
+        lines.push_back(std::move(specular));  // a factor that the model does not have is no line
+    if (in.scene.npr.cool_to_warm) return lines;
     EquationLine ambient{Quantity::AmbientTerm,
                          common_factors(in, Quantity::LightAmbient, Quantity::MaterialAmbient,
                                         &Light::ambient, &Material::ambient, "ambient"),
@@ -214,7 +219,8 @@ std::vector<EquationLine> light_lines(const LightOfEquation& in) {
     add_cosine(diffuse, in);
     if (!on.ambient) ambient.left_out = switched_off;
     if (!on.diffuse) diffuse.left_out = switched_off;
-    return {ambient, diffuse, specular};
+    lines.insert(lines.begin(), {ambient, diffuse});
+    return lines;
 }
 
 std::vector<EquationLine> unlit_lines(const Scene& scene, const Explanation& explanation,

@@ -59,7 +59,8 @@ struct LightOfEquation {
 
 /// f = intensity × falloff × spot; of an area light intensity × form.
 [[nodiscard]] EquationLine share_line(const LightOfEquation& in);
-/// Ambient, diffuse and specular, in this order; under cool-to-warm shading the specular one alone.
+/// Ambient, diffuse and, of a model with a highlight, specular, in this order; under cool-to-warm shading the
+/// specular one alone.
 [[nodiscard]] std::vector<EquationLine> light_lines(const LightOfEquation& in);
 /// Emission, and the ambient light that is there without a light. Precondition: no cool-to-warm shading.
 [[nodiscard]] std::vector<EquationLine> unlit_lines(const Scene& scene, const Explanation& explanation,

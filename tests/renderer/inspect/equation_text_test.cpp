@@ -190,6 +190,22 @@ TEST_CASE("what is written of 500 pixels under every kind of light and model mul
     CHECK(terms > 2500);
 }
 
+TEST_CASE("a model without a highlight has no line for one", "[explain][why]") {
+    Scene scene = test::busy_scene();
+    Renderer renderer(1);
+    for (const Reflection reflection : enumerators<Reflection>) {
+        scene.shading.reflection = reflection;
+        (void)renderer.render(scene, {96, 72});
+        const Explanation e = renderer.explain(48, 36);
+        REQUIRE(e.hit);
+        for (const ExplainedLight& light : e.at.lights) {
+            const std::size_t expected = info_of(reflection).has_highlight ? 3 : 2;
+            CAPTURE(choice_of(reflection).label);
+            CHECK(light_lines({scene, e, light}).size() == expected);
+        }
+    }
+}
+
 TEST_CASE("a highlight behind the surface is written as what is dropped, and not as a product with n·l",
           "[explain][why]") {
     Scene scene = test::busy_scene();
