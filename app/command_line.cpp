@@ -30,7 +30,7 @@ std::size_t first_word(const Arguments& arguments) {
 std::string general_help() {
     std::string text =
         "Glint: light a scene, see the picture, ask for every number behind a pixel.\n\n"
-        "  glint [FILE]                    opens the window\n";
+        "  glint [FILE...]                 opens the window\n";
     for (const Command& command : named_commands()) {
         const std::string line = command.name + " " + command.usage;
         text += fmt::format("  glint {:<26}{}{}\n", line, line.size() < 26 ? "" : "\n" + std::string(34, ' '),

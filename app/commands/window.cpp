@@ -1,25 +1,48 @@
-// glint [FILE]: the window.
+// glint [FILE...]: the window.
 #include "app/window/window.h"
 
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
+#include "app/failure.h"
 
 namespace glint {
 namespace {
 
+/// What PgDn would only later find missing is said at once.
+void require_all(const std::vector<std::string>& files) {
+    for (const std::string& file : files) {
+        std::error_code failed;
+        if (!std::filesystem::exists(file, failed))
+            throw Failure{ExitStatus::Impossible,
+                          {.file = file,
+                           .pointer = {},
+                           .what = "cannot read: no such file or directory",
+                           .expected = "scenes, meshes, or pictures that Glint wrote"}};
+    }
+}
+
 Run declare(Options& options) {
     auto arguments = std::make_shared<SceneArguments>();
+    auto more = std::make_shared<std::vector<std::string>>();
     add_scene(options, *arguments);
-    return [arguments]() -> Outcome {
-        run_window({arguments->file, arguments->assignments, arguments->threads});
+    options.add_words("MORE", "further files: PgDn and PgUp go through all of them, in this order",
+                      [more](const std::string& text) { more->push_back(text); });
+    return [arguments, more]() -> Outcome {
+        require_all(*more);
+        std::vector<std::string> files{arguments->file};
+        files.insert(files.end(), more->begin(), more->end());
+        run_window({arguments->file, arguments->assignments, arguments->threads, files});
         return {};
     };
 }
 
 }  // namespace
 
-Command window_command() { return {"", "[FILE]", "opens the window", "glint teapot.json", declare}; }
+Command window_command() { return {"", "[FILE...]", "opens the window", "glint teapot.json", declare}; }
 
 }  // namespace glint

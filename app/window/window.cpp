@@ -21,6 +21,8 @@
 #include "app/window/texture.h"
 #include "app/window/window_input.h"
 #include "app/window/x_errors.h"
+#include "ui/document/averaged_normals.h"
+#include "ui/lecture/given_scenes.h"
 #include "ui/preferences/persistence.h"
 #include "ui/shell/frame_changes.h"
 #include "ui/ui.h"
@@ -319,6 +321,7 @@ void run_window(const WindowOptions& options) {
     UiState state(options.threads);
     take_document(state.editor, take(first_document(options)));
     state.shipped_scenes = asset_path("scenes");
+    if (options.files.size() > 1) give_scenes(options.files);
     for (const std::string& warning : state.editor.document.warnings) say_warning(warning);
     begin_persistence(state, state_folder());
     const Glfw glfw;
@@ -330,6 +333,7 @@ void run_window(const WindowOptions& options) {
     handle_x_errors(end_without_display);
     Window window(handle, state);
     if (!window.ready()) throw impossible("the display has no OpenGL 3.0");
+    tell_averaged_normals(state);
     window.run();
     open_state = nullptr;  // all is answered: what is not saved was not to be
     end_persistence(state);

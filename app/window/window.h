@@ -12,6 +12,7 @@ struct WindowOptions {
     std::string file;                     // what open_document() takes; empty: the default scene
     std::vector<Assignment> assignments;  // applied to the file as it is opened
     int threads = 0;                      // 0: all cores
+    std::vector<std::string> files;       // `file` and those that PgDn shows after it
 };
 
 /// Opens the window and stays until it is closed. Throws Failure (app/failure.h), for the one line on

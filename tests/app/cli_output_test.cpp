@@ -106,6 +106,19 @@ TEST_CASE("of a file that is not there it is said that it is not there, whatever
           std::string::npos);
 }
 
+TEST_CASE("of several files for the window one that is not there is named before it opens",
+          "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string there = directory.file("there.json", R"({"glint": 1})"),
+                      gone = directory.path("gone.json");
+    const auto run = run_glint({there, gone});
+    CHECK(run.err ==
+          "glint: error: " + gone +
+              ": cannot read: no such file or directory; expected scenes, meshes, or pictures that "
+              "Glint wrote\n");
+    CHECK(run.status == 1);
+}
+
 TEST_CASE("render --no-scene leaves the scene out of a PNG, and nothing else", "[cli]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", ball), with = directory.path("with.png"),

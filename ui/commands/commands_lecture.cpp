@@ -1,14 +1,17 @@
 // The commands of the menus Lecture and Help.
 #include "ui/commands/command_rows.h"
 #include "ui/document/document_actions.h"
+#include "ui/lecture/given_scenes.h"
 #include "ui/lecture/lecture.h"
 
 namespace glint {
 namespace {
 
-/// From a scene without a file: through those that come with the program.
+/// Through the scenes that the program was given, else through the folder's; from a scene without a file
+/// through those that come with the program.
 std::string other_scene(const UiState& state, int step) {
     const std::string& path = state.editor.document.path;
+    if (const auto given = given_scene_beside(path, step)) return *given;
     if (!path.empty() && path != "-") return scene_beside(path, step);
     const auto scenes = folder_scenes(state.shipped_scenes);
     if (state.shipped_scenes.empty() || scenes.empty()) return {};
@@ -17,7 +20,8 @@ std::string other_scene(const UiState& state, int step) {
 
 void open_other(UiState& state, int step) {
     const std::string path = other_scene(state, step);
-    if (path.empty()) return;
+    if (path.empty())
+        return state.notifications.tell(step > 0 ? "This is the last scene" : "This is the first scene");
     begin_pending(state, Pending::What::Open, path);
 }
 

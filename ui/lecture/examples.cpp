@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 
-#include "models/io/file.h"
 #include "renderer/renderer.h"
 #include "ui/document/document_actions.h"
 #include "ui/lecture/lecture.h"
@@ -23,7 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr PictureSize thumbnail{208, 117};
-constexpr std::size_t longest_order = 1 << 16;
 
 std::string title_of(const std::string& path) {
     std::string title = fs::path(path).stem().string();
@@ -70,21 +67,8 @@ bool card(const ExamplesState& examples, int index, float width, float height) {
 }  // namespace
 
 std::vector<Example> examples_in(const std::string& folder) {
-    std::vector<std::string> paths = folder_scenes(folder);
-    const Result<std::string> order =
-        read_file((fs::path(folder) / "lecture_order.txt").string(), longest_order);
-    std::vector<std::string> names;
-    if (const auto* text = std::get_if<std::string>(&order)) {
-        std::istringstream lines(*text);
-        for (std::string name; std::getline(lines, name);) names.push_back(name);
-    }
-    const auto place_of = [&names](const std::string& path) {
-        return std::find(names.begin(), names.end(), fs::path(path).stem().string()) - names.begin();
-    };
-    std::stable_sort(paths.begin(), paths.end(),
-                     [&](const std::string& a, const std::string& b) { return place_of(a) < place_of(b); });
     std::vector<Example> list;
-    for (std::string& path : paths) {
+    for (std::string& path : folder_scenes(folder)) {
         std::string title = title_of(path);
         list.push_back({std::move(path), std::move(title)});
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 #include "models/io/file.h"
 #include "ui/ui.h"
@@ -131,6 +132,29 @@ bool natural_less(std::string_view a, std::string_view b) {
     return order != 0 ? order < 0 : a < b;  // "a1" and "a01" are in some order, always the same
 }
 
+namespace {
+
+constexpr std::size_t longest_order = 1 << 16;  // bytes
+
+/// The names that the folder's lecture_order.txt lists come first, in its order.
+void sort_for_lecture(std::vector<std::string>& names, const std::string& folder) {
+    std::sort(names.begin(), names.end(), natural_less);
+    const Result<std::string> order =
+        read_file((fs::path(folder) / "lecture_order.txt").string(), longest_order);
+    std::vector<std::string> listed;
+    if (const auto* text = std::get_if<std::string>(&order)) {
+        std::istringstream lines(*text);
+        for (std::string name; std::getline(lines, name);) listed.push_back(name);
+    }
+    const auto place_of = [&listed](const std::string& name) {
+        return std::find(listed.begin(), listed.end(), fs::path(name).stem().string()) - listed.begin();
+    };
+    std::stable_sort(names.begin(), names.end(),
+                     [&](const std::string& a, const std::string& b) { return place_of(a) < place_of(b); });
+}
+
+}  // namespace
+
 std::vector<std::string> folder_scenes(const std::string& folder) {
     std::vector<std::string> names;
     std::error_code failed;
@@ -141,24 +165,21 @@ std::vector<std::string> folder_scenes(const std::string& folder) {
         if (lower_extension(name) == ".json" && !name.starts_with(".") && it->is_regular_file(unknown))
             names.push_back(name);
     }
-    std::sort(names.begin(), names.end(), natural_less);
+    sort_for_lecture(names, folder);
     for (std::string& name : names) name = (fs::path(folder) / name).string();
     return names;
 }
 
 std::string scene_beside(const std::string& path, int step) {
     const fs::path file(path);
-    const std::string name = file.filename().string();
-    const std::vector<std::string> scenes = folder_scenes(file.parent_path().string());
-    const auto less = [](const std::string& scene, const std::string& other) {
-        return natural_less(fs::path(scene).filename().string(), other);
-    };
-    auto at = std::lower_bound(scenes.begin(), scenes.end(), name, less) - scenes.begin();
-    const auto count = static_cast<std::ptrdiff_t>(scenes.size());
-    const bool there = at < count && fs::path(scenes[static_cast<std::size_t>(at)]).filename() == name;
-    if (!there && step > 0) --at;  // the one in its place is the next one
-    at += step;
-    return at >= 0 && at < count ? scenes[static_cast<std::size_t>(at)] : "";
+    std::vector<std::string> scenes = folder_scenes(file.parent_path().string());
+    const std::string own = (file.parent_path() / file.filename()).string();
+    if (std::find(scenes.begin(), scenes.end(), own) == scenes.end()) {
+        const auto is_after = [&own](const std::string& scene) { return natural_less(own, scene); };
+        scenes.insert(std::find_if(scenes.begin(), scenes.end(), is_after), own);
+    }
+    const std::ptrdiff_t at = std::find(scenes.begin(), scenes.end(), own) - scenes.begin() + step;
+    return at >= 0 && at < std::ssize(scenes) ? scenes[static_cast<std::size_t>(at)] : "";
 }
 
 }  // namespace glint

@@ -4,9 +4,10 @@
 #include "models/io/file.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
-#include "tests/support/headless_window.h"
+#include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
 #include "ui/commands/command.h"
+#include "ui/lecture/given_scenes.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -52,6 +53,54 @@ TEST_CASE("PgDn and PgUp go through a folder's scenes in that order, and stop at
     CHECK(bench.scene().lights[0].name == "s2.json");
 }
 
+TEST_CASE(
+    "the scenes of a folder follow its lecture_order.txt, and at the last one PgDn says that it is the last",
+    "[ui][lecture]") {
+    const TemporaryDirectory folder;
+    for (const char* name : {"a.json", "b.json", "c.json"})
+        (void)folder.file(name, scene_text(first_scene().scene));
+    (void)folder.file("lecture_order.txt", "c\na\n");
+    CHECK(folder_scenes(folder.path("")) ==
+          std::vector<std::string>{folder.path("c.json"), folder.path("a.json"), folder.path("b.json")});
+    HeadlessWindow bench;
+    UiInput drop;
+    drop.dropped = {folder.path("c.json")};
+    (void)bench.frame(drop);
+    bench.wait_for_loads();
+    for (const char* name : {"a.json", "b.json", "b.json"}) {
+        bench.state.notifications.list.clear();
+        bench.key(Key::PageDown);
+        bench.wait_for_loads();
+        CHECK(bench.state.editor.document.path == folder.path(name));
+    }
+    REQUIRE(bench.state.notifications.list.size() == 1);
+    CHECK(bench.state.notifications.list[0].text == "This is the last scene");
+}
+
+TEST_CASE("PgDn goes through the scenes that the program was given, in their order", "[ui][lecture]") {
+    const TemporaryDirectory folder;
+    std::vector<std::string> given;
+    for (const char* name : {"z.json", "a.json"})
+        given.push_back(folder.file(name, scene_text(first_scene().scene)));
+    (void)folder.file("b.json", scene_text(first_scene().scene));
+    HeadlessWindow bench;
+    give_scenes(given);
+    UiInput drop;
+    drop.dropped = {given[0]};
+    (void)bench.frame(drop);
+    bench.wait_for_loads();
+    bench.key(Key::PageDown);
+    bench.wait_for_loads();
+    CHECK(bench.state.editor.document.path == given[1]);
+    bench.key(Key::PageDown);
+    bench.wait_for_loads();
+    CHECK(bench.state.editor.document.path == given[1]);  // not b.json, which the folder has
+    bench.key(Key::PageUp);
+    bench.wait_for_loads();
+    CHECK(bench.state.editor.document.path == given[0]);
+    give_scenes({});
+}
+
 TEST_CASE("on the projector everything to be read has a contrast of 7 to 1", "[ui][lecture]") {
     for (const bool dark : {true, false}) {
         const Theme& t = projector_theme(dark);
@@ -83,6 +132,17 @@ TEST_CASE("a clean picture has no bars and no columns, and Escape brings them ba
     bench.key(Key::Escape);
     bench.frames(2);
     CHECK(bench.state.rendered->size == before);
+}
+
+TEST_CASE("over a clean picture nothing is said but what needs an eye", "[ui][lecture]") {
+    HeadlessWindow bench;
+    bench.key(Key::F10);
+    bench.state.notifications.add(Tone::Done, "Saved");
+    bench.frames(3);
+    CHECK(test::window_named("##note") == nullptr);
+    bench.state.notifications.add(Tone::Warning, "Look");
+    bench.frames(3);
+    CHECK(test::window_named("##note") != nullptr);
 }
 
 TEST_CASE("a frozen picture stays whatever is edited", "[ui][lecture]") {
