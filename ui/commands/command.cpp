@@ -96,8 +96,14 @@ void run_keys(UiState& state, const UiInput& input) {
         };
         const auto found = std::find_if(commands().begin(), commands().end(), has_key);
         if (found == commands().end()) continue;
+        const auto told = [&state] {
+            const auto& list = state.notifications.list;
+            return std::any_of(list.begin(), list.end(), [](const Notification& n) { return n.of_key; });
+        };
+        if (is_one_letter(press))
+            std::erase_if(state.notifications.list, [](const Notification& n) { return n.of_key; });
         run_command(state, *found);
-        if (is_one_letter(press)) tell(state, *found, press);
+        if (is_one_letter(press) && !told()) tell(state, *found, press);  // some say it better themselves
     }
 }
 

@@ -20,7 +20,12 @@ void switch_magnifier(UiState& state) {
 }
 
 void step_debug_view(UiState& state, int steps) {
-    show_quantity(state.views, debug_view_after(state.views.debug_view.set.choice.view, steps));
+    const DebugView shown = debug_view_after(state.views.debug_view.set.choice.view, steps);
+    show_quantity(state.views, shown);
+    const std::string what = shown == DebugView::Picture
+                                 ? "The picture again"
+                                 : std::string(info_of(shown).label) + " in place of the picture";
+    state.notifications.tell(what + " (" + keys_of(CommandId::NextDebugView) + ")");
 }
 
 bool shows_orientation(const UiState& state) {

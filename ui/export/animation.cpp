@@ -122,9 +122,11 @@ void animate_panel(UiState& state) {
     AnimateState& animate = state.animate;
     if (!animate.open) return;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({window.x / 2, px(top_height + 40)}, ImGuiCond_Appearing, {0.5f, 0});
+    ImGui::SetNextWindowPos({window.x / 2, px(top_height + views_height + 44)}, ImGuiCond_Appearing,
+                            {0.5f, 0});
     ImGui::SetNextWindowSize({std::min(px(400), window.x - px(20)), 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(8));
     if (ImGui::Begin("Animate", &animate.open,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_AlwaysAutoResize)) {
@@ -143,7 +145,7 @@ void animate_panel(UiState& state) {
         write_buttons(state);
     }
     ImGui::End();
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
     if (!animate.open) animate.playing = false;
 }
 

@@ -12,6 +12,7 @@
 #include "ui/picture/tool.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
+#include "ui/views/debug_view_legend.h"
 #include "ui/views/views.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
@@ -22,7 +23,9 @@ namespace {
 
 /// Says what can be done: in one line, or in three where the picture is too narrow for that.
 void first_hints(const UiState& state, const PictureView& view) {
-    if (state.viewport.touched || state.views.debug_view.set.choice.view != DebugView::Picture) return;
+    const bool covered = !state.notifications.list.empty();
+    if (covered || state.viewport.touched || state.views.debug_view.set.choice.view != DebugView::Picture)
+        return;
     const char* text =
         "Drag a light or a highlight   ·   Click a pixel to ask why   ·   Drag elsewhere to orbit";
     if (ImGui::CalcTextSize(text).x + px(40) > view.end().x - view.origin.x)
@@ -75,6 +78,7 @@ bool cancel_loading(UiState& state) {
 }
 
 bool close_shortcuts(UiState& state) { return std::exchange(state.shows_shortcuts, false); }
+bool close_animate(UiState& state) { return std::exchange(state.animate.open, false); }
 bool close_wedge(UiState& state) { return std::exchange(state.lecture.wedge.open, false); }
 bool show_panels(UiState& state) { return std::exchange(state.layout.hides_all, false); }
 
@@ -91,9 +95,10 @@ bool leave_my_picture(UiState& state) {
 }
 
 /// The innermost first.
-const std::array left_by_escape{hand_tool.cancel, close_palette,     leave_dialog, close_popup,
-                                cancel_loading,   close_shortcuts,   close_wedge,  pen_tool.cancel,
-                                show_panels,      scope_tool.cancel, forget_probe, leave_my_picture};
+const std::array left_by_escape{hand_tool.cancel, close_palette,   leave_dialog,      close_popup,
+                                cancel_loading,   close_shortcuts, close_wedge,       close_animate,
+                                pen_tool.cancel,  show_panels,     scope_tool.cancel, forget_probe,
+                                leave_my_picture};
 
 /// Reads the mouse over the item drawn last (the picture).
 void use_tools(UiState& state, const PictureView& view, const UiInput& input) {
@@ -192,8 +197,13 @@ void picture_overlay(UiState& state, const Layout& layout) {
     list.PopClipRect();
     ImGui::End();
     pen_bar(state.lecture.pen, view);
+    // Over a clean picture only what needs an eye is said.
+    if (state.layout.hides_all)
+        std::erase_if(state.notifications.list, [](const Notification& n) { return n.tone == Tone::Done; });
+    // Beside the legend of a false colour, which is read while they stand.
+    const float legend = state.layout.hides_all ? 0 : legend_width(state.views.debug_view);
     draw_notifications(state.notifications, layout.centre.high - px(18) * ImVec2(1, 1),
-                       layout.centre.size().x - px(36));
+                       std::max(layout.centre.size().x - px(36) - legend, px(160)));
 }
 
 std::string tools_hint(const UiState& state) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/plots/plot.h"
+#include "ui/views/debug_view_legend.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
@@ -194,6 +195,12 @@ bool debug_view_controls(DebugViewState& state, const Scene& scene) {
     return chosen;
 }
 
+float legend_width(const DebugViewState& state) {
+    const DebugView shown = state.set.choice.view;
+    if (shown == DebugView::Picture || !state.painter) return 0;
+    return px(samples_of(shown).empty() ? 236 : 256);
+}
+
 void draw_debug_view_legend(ImDrawList& list, const DebugViewState& state, const Scene& scene,
                             const PictureView& view, std::optional<glm::ivec2> picked) {
     const DebugView shown = state.set.choice.view;
@@ -202,7 +209,7 @@ void draw_debug_view_legend(ImDrawList& list, const DebugViewState& state, const
     const float samples = samples_of(shown).empty() ? 0 : 2 * sample_radius(shown) + px(6);
     const std::vector<Reading> readings = readings_of(state, view, picked);
     const float line = small_text_height() + px(3);
-    const ImVec2 size{px(samples > 0 ? 256 : 236),
+    const ImVec2 size{legend_width(state),
                       px(14) + line * float(1 + readings.size()) + (has_bar ? px(32) : 0) + samples};
     const ImVec2 low{view.origin.x + px(8), view.end().y - px(8) - size.y};
     badge_ground(list, {low, low + size});

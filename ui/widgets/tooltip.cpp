@@ -4,7 +4,9 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/named_controls.h"
@@ -28,7 +30,24 @@ struct Resting {
     bool clicked = false;  // what it says is known: it stays silent until the pointer has left it
 };
 Resting resting;
+/// Where a click silenced tooltips: what it opened there is not covered until the pointer moves.
+std::optional<ImVec2> silenced;
 std::vector<NamedControl>* listed = nullptr;
+
+/// Whether text is typed in another window, such as the list of actions, over which a tooltip would lie.
+bool types_elsewhere() {
+    const ImGuiWindow* const typed = GImGui->ActiveIdWindow;
+    return ImGui::GetIO().WantTextInput && GImGui->ActiveId != 0 && typed != nullptr &&
+           typed->RootWindow != ImGui::GetCurrentWindow()->RootWindow;
+}
+
+void follow_clicks() {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (ImGui::IsAnyMouseDown())
+        silenced = mouse;
+    else if (silenced && std::abs(mouse.x - silenced->x) + std::abs(mouse.y - silenced->y) > px(4))
+        silenced.reset();
+}
 
 /// Follows the pointer on the item drawn last: whether it rested there long enough to be told what it is.
 bool is_due() {
@@ -41,7 +60,7 @@ bool is_due() {
         resting = {item, at, ImGui::GetTime(), frame, false};
     resting.frame = frame;
     if (ImGui::IsAnyMouseDown()) resting.clicked = true;
-    if (resting.clicked) return false;
+    if (resting.clicked || silenced || types_elsewhere()) return false;
     const double rested = ImGui::GetTime() - resting.since;
     if (rested < rest_before_tooltip) redraw_within(rest_before_tooltip - rested + 0.01);
     return rested >= rest_before_tooltip;
@@ -71,6 +90,7 @@ double next_redraw() { return earliest_redraw; }
 
 void tooltip(const char* title, const char* what, const std::string& range, const std::string& key) {
     list_control(title, key, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
+    follow_clicks();
     if (!is_due()) return;
     const float width = place_tooltip();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10), px(8)});

@@ -156,3 +156,12 @@ TEST_CASE("what plays is shown and leaves the scene and its history alone", "[ui
     bench.frames(3);
     CHECK(bench.state.rendered_scene == before);
 }
+
+TEST_CASE("Escape closes Animate", "[ui][animate]") {
+    HeadlessWindow bench;
+    bench.key(Key::T, true);
+    bench.frames(2);
+    REQUIRE(bench.state.animate.open);
+    bench.key(Key::Escape);
+    CHECK_FALSE(bench.state.animate.open);
+}

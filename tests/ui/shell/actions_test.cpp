@@ -124,6 +124,21 @@ TEST_CASE("hints for beginners go when a command shows something over the pictur
     CHECK(bench.state.viewport.touched);
 }
 
+TEST_CASE("a key says which quantity it shows, and undo takes back what keys said", "[ui][commands]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.key(Key::I);
+    const auto& list = bench.state.notifications.list;
+    REQUIRE(list.size() == 1);
+    CHECK(list[0].text == "Normals in place of the picture (I)");
+    bench.key(Key::L);
+    bench.frames(2);
+    REQUIRE(list.size() == 1);
+    CHECK(list[0].text.find("(L)") != std::string::npos);
+    bench.key(Key::Z, true);
+    CHECK(list.empty());
+}
+
 TEST_CASE("every command is found by the palette or opens it, once", "[ui][commands]") {
     HeadlessWindow bench;
     const auto entries = palette_entries(bench.state);

@@ -47,6 +47,19 @@ TEST_CASE("a tooltip does not come back over what was clicked until the mouse ha
     CHECK(shown_tooltip() != nullptr);
 }
 
+TEST_CASE("a key takes the tooltip away: it does not lie over what the key opened", "[ui][window][tooltip]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const ImVec2 at = test::in_column(bench, "Vectors");
+    bench.move(at);
+    wait(bench);
+    CHECK(shown_tooltip() != nullptr);
+    bench.key(Key::K, true);
+    wait(bench);
+    CHECK(bench.state.palette.open);
+    CHECK(shown_tooltip() == nullptr);
+}
+
 TEST_CASE("a field's tooltip stays in its column and leaves the picture free", "[ui][window][tooltip]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Object, 0};
