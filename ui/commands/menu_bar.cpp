@@ -178,12 +178,16 @@ void shortcuts_sheet(UiState& state) {
     if (ImGui::Begin("Keys and mouse", &state.shows_shortcuts, flags)) {
         ImGui::PushFont(fonts().small);
         const Lines lines = all_lines();
+        const bool roomy = window.x > px(1180);
+        // Two columns are long: their lines stand closer.
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(8), px(roomy ? 4 : 0)});
         std::size_t from = 0;
-        for (const std::size_t end : column_ends(lines, window.x > px(1180) ? 3 : 2)) {
-            if (from > 0) ImGui::SameLine(0, px(28));
+        for (const std::size_t end : column_ends(lines, roomy ? 3 : 2)) {
+            if (from > 0) ImGui::SameLine(0, px(roomy ? 28 : 14));
             sheet(lines, from, end);
             from = end;
         }
+        ImGui::PopStyleVar();
         ImGui::PopFont();
     }
     ImGui::End();

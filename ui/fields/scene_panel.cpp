@@ -34,6 +34,7 @@ bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float in
     const ImVec2 from{low.x + indent + 1.15f * height, low.y + ImGui::GetStyle().FramePadding.y};
     ImGui::RenderTextEllipsis(&list, from, {right, from.y + ImGui::GetTextLineHeight()}, right, right, name,
                               name + std::strlen(name), nullptr);
+    if (from.x + ImGui::CalcTextSize(name).x > right) tooltip(name, "");
     return clicked;
 }
 

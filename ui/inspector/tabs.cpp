@@ -67,6 +67,16 @@ void nothing_picked(const Square& square) {
     ImGui::EndGroup();
 }
 
+/// What of the parts has room beside the cross: the place always.
+void pixel_line(const std::string& what, const std::string& place, const std::string& bytes) {
+    ImGui::PushFont(fonts().figures);
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - px(4);
+    const auto fits = [room](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x <= room; };
+    const std::string all = what + place + bytes, bare = place + bytes;
+    ImGui::TextUnformatted((fits(all) ? all : fits(bare) ? bare : place).c_str());
+    ImGui::PopFont();
+}
+
 void picked(UiState& state, const Explanation& explanation, const Square& square) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto [r, g, b] = explanation.byte;
@@ -77,8 +87,8 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
             fmt::format("{} {} {}   #{:02x}{:02x}{:02x}", r, g, b, r, g, b));
     ImGui::SameLine(0, px(10));
     ImGui::BeginGroup();
-    mono_text(fmt::format("{} {}, {}   {} {} {}", ImGui::GetIO().KeyAlt ? "at the cursor" : "pixel",
-                          state.asked.x, state.asked.y, r, g, b));
+    pixel_line(fmt::format("{} ", ImGui::GetIO().KeyAlt ? "at the cursor" : "pixel"),
+               fmt::format("{}, {}", state.asked.x, state.asked.y), fmt::format("   {} {} {}", r, g, b));
     if (explanation.hit) {
         const char* const side = explanation.front_facing ? "front side" : "back side";
         const float room = ImGui::GetContentRegionAvail().x - px(26) - ImGui::CalcTextSize(side).x - px(12);

@@ -101,6 +101,7 @@ void pen_bar(PenState& pen, const PictureView& view) {
         const ImVec2 middle = last_item().middle();
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.AddCircleFilled(middle, size * 0.32f, to_u32(pen_colour(i)));
+        list.AddCircle(middle, size * 0.32f, to_u32(theme().dim_text), 0, px(1));  // so that white is seen on white
         if (pen.colour == i) list.AddCircle(middle, size * 0.45f, to_u32(theme().text), 0, px(1.5f));
         tooltip("Pen", "Draws in this colour over the picture");
         ImGui::PopID();

@@ -1,6 +1,8 @@
 // The row at the bottom.
 #include <fmt/core.h>
+#include <imgui_internal.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -85,9 +87,9 @@ void status_line(UiState& state, const Rect& area) {
         const float right = area.high.x - width - px(10);
         const float mark = mistakes_mark(state, {right, left.y});
         const std::string hint = tools_hint(state);
-        const ImVec4 room{left.x, area.low.y, right - mark - px(16), area.high.y};
-        ImGui::GetWindowDrawList()->AddText(nullptr, 0, left, to_u32(theme().text), hint.c_str(), nullptr, 0,
-                                            &room);
+        const float end = std::max(right - mark - px(16), left.x);
+        ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), left, {end, area.high.y}, end, end, hint.data(),
+                                  hint.data() + hint.size(), nullptr);
         ImGui::SetCursorScreenPos({right, left.y});
         dim_text(stats.c_str());
         ImGui::PopFont();

@@ -159,6 +159,20 @@ std::string compare_hint(const UiState& ui) {
     return state.label_under >= 0 ? "Click: what this part shows" : "";
 }
 
+/// What the picture shows, which without a word is black.
+void difference_caption(ImDrawList& list, const CompareState& state, const PictureView& view) {
+    const CompareChoice& choice = state.choice;
+    std::string text =
+        fmt::format("|{} − {}|", label_of(choice.parts.front()), label_of(choice.parts.back()));
+    if (choice.gain > 1) text += fmt::format(" × {}", choice.gain);
+    text += state.numbers.differing_pixels == 0
+                ? ": no pixel differs"
+                : fmt::format(": at most {} of 255, black where they agree", state.numbers.max_error);
+    ImGui::PushFont(fonts().small);
+    (void)badge(list, view.top() + ImVec2(0, px(8)), text, {0.5f, 0});
+    ImGui::PopFont();
+}
+
 /// Lines and labels; the list of a part's settings once its label was clicked.
 void draw_compare(ImDrawList& list, UiState& ui, const PictureView& view) {
     CompareState& state = ui.views.compare;
@@ -168,6 +182,7 @@ void draw_compare(ImDrawList& list, UiState& ui, const PictureView& view) {
         for (int i = 0; i < static_cast<int>(state.choice.parts.size()); ++i)
             draw_label(list, state, i, view);
     }
+    if (state.choice.difference) difference_caption(list, state, view);
     settings_popup(state);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -83,6 +84,9 @@ float segments_width(std::span<const Choice> options) {
 int segments(const char* id, int chosen, std::span<const Choice> options, const Help& help) {
     ImGui::PushID(id);
     int result = chosen;
+    // Where the words do not fit they are smaller: none is cut.
+    const bool crowded = segment_padding(options) < px(4);
+    if (crowded) ImGui::PushFont(fonts().small);
     const float padding = segment_padding(options);
     for (int i = 0; i < static_cast<int>(options.size()); ++i) {
         ImGui::PushID(i);  // words may be empty
@@ -96,6 +100,7 @@ int segments(const char* id, int chosen, std::span<const Choice> options, const 
         option_tooltip(option, help);
         ImGui::PopID();
     }
+    if (crowded) ImGui::PopFont();
     ImGui::PopID();
     return result;
 }

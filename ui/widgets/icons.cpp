@@ -180,7 +180,12 @@ ImVec4 colour_of(const Light& light) {
 
 ImVec4 legible(ImVec4 colour) {
     constexpr double enough = 3;  // of a sign, which is larger than text. Source: WCAG 2.1, 1.4.11
-    while (!theme().dark && contrast(colour, theme().panel) < enough)
+    // On a chosen row of a list, too, which is darker than the panel.
+    constexpr float tint = 0.3f;
+    const ImVec4 &panel = theme().panel, &accent = theme().accent;
+    const auto mixed = [](float a, float b) { return (1 - tint) * a + tint * b; };
+    const ImVec4 chosen{mixed(panel.x, accent.x), mixed(panel.y, accent.y), mixed(panel.z, accent.z), 1};
+    while (!theme().dark && contrast(colour, chosen) < enough)
         colour = {0.93f * colour.x, 0.93f * colour.y, 0.93f * colour.z, colour.w};
     return colour;
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <utility>
 
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
@@ -23,6 +25,29 @@ template <class Button> bool with_choice(bool chosen, const Button& button) {
     const bool clicked = button();
     ImGui::PopStyleColor(4);
     return clicked;
+}
+
+/// With line ends between words where a line of `width` is full. ImGui would break after a decimal point,
+/// too.
+std::string in_lines(const std::string& text, float width) {
+    std::string lines, line;
+    const auto end_line = [&] { lines += (lines.empty() ? "" : "\n") + std::exchange(line, {}); };
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, ' ');) {
+        const std::string longer = line.empty() ? word : line + " " + word;
+        const bool fits = ImGui::CalcTextSize(longer.c_str()).x <= width;
+        if (!fits && !line.empty()) end_line();
+        line = line.empty() ? word : longer;
+    }
+    end_line();
+    return lines;
+}
+
+/// As ImGui's wrapped text, with in_lines().
+void wrapped(const ImVec4& colour, const std::string& text) {
+    ImGui::PushTextWrapPos(0);  // for a word that is longer than a line
+    coloured(colour, in_lines(text, ImGui::GetContentRegionAvail().x));
+    ImGui::PopTextWrapPos();
 }
 
 bool nothing_dragged() { return !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive(); }
@@ -50,17 +75,9 @@ void legend(std::initializer_list<std::pair<Symbol, std::string>> words) {
     }
 }
 
-void warning_text(const std::string& text) {
-    ImGui::PushTextWrapPos(0);
-    coloured(theme().warning, text);
-    ImGui::PopTextWrapPos();
-}
+void warning_text(const std::string& text) { wrapped(theme().warning, text); }
 
-void wrapped_dim(const std::string& text) {
-    ImGui::PushTextWrapPos(0);
-    dim_text(text.c_str());
-    ImGui::PopTextWrapPos();
-}
+void wrapped_dim(const std::string& text) { wrapped(theme().dim_text, text); }
 
 void small_dim(const std::string& text) {
     ImGui::PushFont(fonts().small);
@@ -158,13 +175,14 @@ bool fold(const char* title, bool open_at_first, bool opens) {
     ImGui::PushID(title);
     bool* const open = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("##open"), open_at_first);
     *open |= opens;
-    const float height = ImGui::GetTextLineHeight() + px(6);
-    if (hit_area("##fold", {ImGui::GetContentRegionAvail().x, height})) *open = !*open;
+    const float width = ImGui::GetContentRegionAvail().x, words_width = std::max(width - px(14), 1.0f);
+    const float height = ImGui::CalcTextSize(title, nullptr, true, words_width).y + px(6);
+    if (hit_area("##fold", {width, height})) *open = !*open;
     const Rect row = last_item();
     list_control(title, "", row);
     const ImVec4& ink = ImGui::IsItemHovered() ? theme().text : theme().dim_text;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 middle{row.low.x + px(5), row.middle().y};
+    const ImVec2 middle{row.low.x + px(5), row.low.y + px(3) + ImGui::GetTextLineHeight() / 2};
     const float r = px(4);
     if (*open)
         list.AddTriangleFilled(middle + ImVec2(-r, -r / 2), middle + ImVec2(r, -r / 2),
@@ -172,8 +190,8 @@ bool fold(const char* title, bool open_at_first, bool opens) {
     else
         list.AddTriangleFilled(middle + ImVec2(-r / 2, -r), middle + ImVec2(r * 0.7f, 0),
                                middle + ImVec2(-r / 2, r), to_u32(ink));
-    list.AddText({row.low.x + px(14), row.low.y + px(3)}, to_u32(ink), title,
-                 ImGui::FindRenderedTextEnd(title));
+    list.AddText(nullptr, 0, {row.low.x + px(14), row.low.y + px(3)}, to_u32(ink), title,
+                 ImGui::FindRenderedTextEnd(title), words_width);
     ImGui::PopID();
     return *open;
 }

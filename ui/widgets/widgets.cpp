@@ -125,7 +125,8 @@ bool name_field(const char* label, std::string& name, const Help& help) {
     ImGui::PushID(label);
     ImGui::SetNextItemWidth(label_cell(label));
     const bool changed = ImGui::InputText("##name", &name);
-    tooltip(label, help.what, "", help.pointer);
+    const bool is_cut = ImGui::CalcTextSize(name.c_str()).x > ImGui::GetItemRectSize().x - px(12);
+    tooltip(label, help.what, is_cut ? name : "", help.pointer);
     ImGui::PopID();
     return changed;
 }
@@ -133,11 +134,14 @@ bool name_field(const char* label, std::string& name, const Help& help) {
 void section_heading(const char* title) {
     ImGui::Dummy({0, px(3)});
     ImGui::PushFont(fonts().small);
+    ImGui::PushTextWrapPos(0);
     dim_text(title);
+    ImGui::PopTextWrapPos();
     ImGui::PopFont();
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const float y = (low.y + high.y) / 2, right = low.x + ImGui::GetContentRegionAvail().x;
-    ImGui::GetWindowDrawList()->AddLine({high.x + px(6), y}, {right, y}, to_u32(theme().line));
+    if (high.x + px(6) < right)
+        ImGui::GetWindowDrawList()->AddLine({high.x + px(6), y}, {right, y}, to_u32(theme().line));
 }
 
 void dim_text(const char* text) {
