@@ -29,3 +29,37 @@ TEST_CASE("the inspector names the object that stands before a light, and only t
     bench.scene().objects.resize(1);
     CHECK(words_at({652, 558}).empty());
 }
+
+TEST_CASE("an object that only marks where a light is does not stand in its way", "[ui][why][lecture]") {
+    HeadlessWindow bench;
+    SceneDocument document = first_scene();
+    Scene& scene = document.scene;
+    scene.lights.resize(1);
+    scene.lights[0].kind = LightKind::Point;
+    scene.lights[0].space = LightSpace::World;
+    scene.lights[0].enabled = true;
+    const glm::vec3 light = scene.camera.eye + glm::vec3(0, 2, 0);  // the middle of what is seen is lit
+    scene.lights[0].position = glm::vec4(light, 1);
+    Object marker = scene.objects[0];
+    marker.source = PrimitiveMesh{Primitive::Icosphere, 2};
+    marker.mesh = nullptr;
+    marker.transform = {};
+    marker.transform.scale = glm::vec3(0.02f);
+    marker.transform.translate = light;
+    scene.objects.push_back(marker);
+    REQUIRE(problem_of(load_meshes(scene, "", "")) == nullptr);
+    take_document(bench.state.editor, std::move(document));
+    test::ask(bench, InspectorTab::Equation, {0.5, 0.5});
+    REQUIRE(bench.state.explanation);
+    REQUIRE(bench.state.explanation->hit);
+    const Explanation why = *bench.state.explanation;
+    const auto words = [&] {
+        return blocked_words(bench.state, why, asked_point(bench.state.inspector, why), 0);
+    };
+    CHECK(words().empty());
+    // Halfway it is an obstacle like any other.
+    bench.scene().objects.back().transform.translate = 0.5f * (light + why.spaces.world);
+    bench.frames(2);
+    INFO(words());
+    CHECK(words().find("stands in the way") != std::string::npos);
+}

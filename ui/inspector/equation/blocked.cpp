@@ -2,6 +2,10 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+
+#include "models/scene/transform.h"
 #include "renderer/inspect/debug_views/blocker.h"
 #include "ui/inspector/equation/equation_tab.h"
 #include "ui/inspector/inspector.h"
@@ -19,6 +23,15 @@ std::size_t triangle_count(const Scene& scene) {
     return count;
 }
 
+/// Whether the object only shows where a light is: the light stands in its middle.
+bool marks(const Object& object, glm::vec3 light) {
+    const Bounds& box = object.mesh->bounds;
+    const glm::vec3 middle =
+        glm::vec3(world_from_object(object.transform) * glm::vec4((box.min + box.max) / 2.0f, 1));
+    const float size = glm::length(object.transform.scale * (box.max - box.min));
+    return glm::distance(middle, light) < 0.1f * size;
+}
+
 /// The object between the point and the light, or -1.
 int blocker_index(const Scene& scene, const ExplainedPoint& point, const ExplainedLight& light) {
     const bool area = scene.lights[static_cast<std::size_t>(light.index)].kind == LightKind::Area;
@@ -26,7 +39,9 @@ int blocker_index(const Scene& scene, const ExplainedPoint& point, const Explain
     const ExplainedLight& asked =
         area && !light.samples.empty() ? light.samples[light.samples.size() / 2] : light;
     if (!(asked.n_dot_l > 0)) return -1;
-    return blocker(scene, point.point.world, asked.l.world, double(asked.distance)).value_or(-1);
+    const int found = blocker(scene, point.point.world, asked.l.world, double(asked.distance)).value_or(-1);
+    const glm::vec3 place = point.point.world + asked.distance * asked.l.world;
+    return found >= 0 && marks(scene.objects[static_cast<std::size_t>(found)], place) ? -1 : found;
 }
 
 /// Per light of the point.
