@@ -70,7 +70,10 @@ TEST_CASE("the export dialog copies the command of what it would write", "[ui][w
 TEST_CASE("one key saves the picture under a free name and copies the command that draws it",
           "[ui][window][export]") {
     const TemporaryDirectory folder;
-    const std::filesystem::path before = std::filesystem::current_path();
+    struct Here {
+        std::filesystem::path before = std::filesystem::current_path();
+        ~Here() { std::filesystem::current_path(before); }
+    } const here;
     std::filesystem::current_path(folder.path(""));
     {
         HeadlessWindow bench;
@@ -88,7 +91,6 @@ TEST_CASE("one key saves the picture under a free name and copies the command th
             CHECK(std::get<Picture>(picture).size.height == size.height);
         }
     }
-    std::filesystem::current_path(before);
 }
 
 TEST_CASE("the sizes that an export offers are equally wide", "[ui][window][export]") {
