@@ -181,7 +181,6 @@ void begin_persistence(UiState& state, const std::string& folder) {
     memory.preferences = memory.written = read_preferences(text_of(memory, "window.json"));
     state.dark = memory.preferences.dark;
     state.layout = memory.preferences.layout;
-    state.views.scope.open = state.layout.scope;
     recall_views(state, memory.preferences.views);
     memory.orphans = orphaned_autosaves(folder);
 }
@@ -238,6 +237,9 @@ void reset_layout(UiState& state) {
     state.views.scope.open = false;
     ViewPreferences first_day;
     first_day.kept = state.kept_views;
+    state.views.compare.choice.on = false;
+    state.views.debug_view.set = {};
+    state.views.lit = {};
     recall_views(state, first_day);
     state.persistence.preferences.width = state.persistence.preferences.height = 0;
     state.persistence.preferences.maximized = false;

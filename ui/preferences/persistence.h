@@ -11,7 +11,6 @@
 #include "ui/preferences/autosave.h"
 #include "ui/shell/layout.h"
 #include "ui/views/compare_view.h"
-#include "ui/views/debug_view_controls.h"
 
 namespace glint {
 
@@ -20,11 +19,11 @@ struct UiState;
 // What the window remembers from one day to the next: theme, columns, its size, how the picture is looked at.
 // It stands in a small JSON file, which is read as untrusted.
 
-/// How the picture is looked at, and the views that were kept by hand.
+/// How it is looked at where one asks for it, and the views that were kept by hand. What stands in place of
+/// the picture or over it (comparison, scope, false colours, needles) is asked for anew in each window: a
+/// picture that begins in false colours reads as a broken one.
 struct ViewPreferences {
-    CompareChoice compare;  // without its B: a scene is not a preference
-    DebugView debug_view = DebugView::Picture;
-    bool over_range = false, dots = false, needles = false;
+    CompareChoice compare;  // off, and without its B: a scene is not a preference
     glm::dvec2 scope_from{0.02, 0.5}, scope_to{0.98, 0.5};  // shares of the picture's size
     bool scope_channels = false, scope_eye = false;
     std::vector<Camera> kept;  // at most max_views

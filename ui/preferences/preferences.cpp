@@ -57,8 +57,7 @@ void read_share(const Json& json, const char* name, glm::dvec2& value) {
 Json compare_json(const CompareChoice& choice) {
     Json parts = Json::array();
     for (const Variant& part : choice.parts) parts.push_back(word_of(part));
-    return {{"on", choice.on},
-            {"parts", parts},
+    return {{"parts", parts},
             {"lines", choice.wipes},
             {"stacked", choice.stacked},
             {"difference", choice.difference},
@@ -81,7 +80,6 @@ void read_lines(const Json& json, CompareChoice& choice) {
 CompareChoice read_compare(const Json& json) {
     CompareChoice choice;
     if (!json.is_object()) return choice;
-    read(json, "on", choice.on);
     read(json, "stacked", choice.stacked);
     read(json, "difference", choice.difference);
     int gain = 1;
@@ -99,7 +97,6 @@ CompareChoice read_compare(const Json& json) {
 
 Json to_json(bool on) { return on; }
 Json to_json(glm::dvec2 share) { return {share.x, share.y}; }
-Json to_json(DebugView view) { return info_of(view).label; }
 Json to_json(const CompareChoice& choice) { return compare_json(choice); }
 Json to_json(const std::vector<Camera>& cameras) {
     Json all = Json::array();
@@ -109,11 +106,6 @@ Json to_json(const std::vector<Camera>& cameras) {
 
 void read_from(const Json& json, const char* name, bool& on) { read(json, name, on); }
 void read_from(const Json& json, const char* name, glm::dvec2& share) { read_share(json, name, share); }
-void read_from(const Json& json, const char* name, DebugView& view) {
-    if (const Json* found = json.find(name))
-        for (int i = 0; i < debug_view_count; ++i)
-            if (*found == info_of(static_cast<DebugView>(i)).label) view = static_cast<DebugView>(i);
-}
 void read_from(const Json& json, const char* name, CompareChoice& choice) {
     if (const Json* found = json.find(name)) choice = read_compare(*found);
 }
@@ -128,14 +120,6 @@ void read_from(const Json& json, const char* name, std::vector<Camera>& cameras)
 template <class Memory, class Visit> void view_fields(Memory& m, const Visit& visit) {
     visit(
         "compare", m.compare, [](auto& s) -> auto& { return s.views.compare.choice; });
-    visit(
-        "look", m.debug_view, [](auto& s) -> auto& { return s.views.debug_view.set.choice.view; });
-    visit(
-        "over_range", m.over_range, [](auto& s) -> auto& { return s.views.debug_view.set.over_range; });
-    visit(
-        "dots", m.dots, [](auto& s) -> auto& { return s.views.lit.dots; });
-    visit(
-        "needles", m.needles, [](auto& s) -> auto& { return s.views.lit.needles; });
     visit(
         "scope_from", m.scope_from, [](auto& s) -> auto& { return s.views.scope.from; });
     visit(
@@ -172,7 +156,6 @@ template <class P, class Visit> void preference_fields(P& p, const Visit& visit)
     visit("why_column", p.layout.right);
     visit("scene_width", p.layout.left_width, column);
     visit("why_width", p.layout.right_width, column);
-    visit("scope", p.layout.scope);
     visit("caption", p.layout.caption);
     visit("scope_height", p.layout.scope_height, Limits{80, 1000});
     visit("width", p.width, window);
@@ -187,14 +170,13 @@ ViewPreferences views_to_remember(const UiState& state) {
     view_fields(memory, [&](const char*, auto& value, auto now) { value = now(state); });
     if (state.mine.shown) memory.compare = state.mine.compare_before;
     memory.compare.stored.reset();  // a scene is not a preference
-    memory.compare.shows_stored = false;
+    memory.compare.shows_stored = memory.compare.on = false;
     return memory;
 }
 
 void recall_views(UiState& state, const ViewPreferences& memory) {
     std::shared_ptr<const Scene> stored = std::move(state.views.compare.choice.stored);
     std::shared_ptr<const Picture> mine = std::move(state.views.compare.choice.mine);
-    state.views.debug_view.set = {};  // the light of a quantity, too
     view_fields(memory, [&](const char*, const auto& value, auto now) { now(state) = value; });
     state.views.compare.choice.stored = std::move(stored);
     state.views.compare.choice.mine = std::move(mine);

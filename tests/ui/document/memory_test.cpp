@@ -50,12 +50,11 @@ void copy_again(HeadlessWindow& bench, float intensity) {
 /// Nothing of it as on the first day.
 ViewPreferences odd_views() {
     ViewPreferences views;
-    views.compare.on = views.compare.stacked = views.compare.difference = true;
+    views.compare.stacked = views.compare.difference = true;
     set_parts(views.compare, {variant_of(Reflection::BlinnPhong), {}, {Variant::Kind::Stored, 0}});
     views.compare.wipes = {0.2, 0.75};
     views.compare.gain = 16;
-    views.debug_view = DebugView::Depth;
-    views.over_range = views.dots = views.needles = views.scope_channels = views.scope_eye = true;
+    views.scope_channels = views.scope_eye = true;
     views.scope_from = {0.1, 0.2};
     views.scope_to = {0.3, 0.9};
     views.kept = {Camera{}, Camera{}};
@@ -84,7 +83,7 @@ TEST_CASE("the list of recent files takes nothing but whole paths, each once", "
 }
 
 TEST_CASE("settings are read back equal, and from nonsense what makes sense is taken", "[ui][memory]") {
-    Preferences settings{false,      {true, false, false, false, 300, 401.5f, true, 222}, 1111, 777, true,
+    Preferences settings{false,      {true, false, false, false, 300, 401.5f, false, 222}, 1111, 777, true,
                          odd_views()};
     CHECK(read_preferences(preferences_text(settings)) == settings);
     CHECK(read_preferences("") == Preferences());
@@ -110,14 +109,19 @@ TEST_CASE("settings are read back equal, and from nonsense what makes sense is t
     }
 }
 
-TEST_CASE("how the picture was looked at is there again in the next window, B aside", "[ui][memory]") {
+TEST_CASE(
+    "what is compared, the scope's line and kept views are there again in the next window; comparison, "
+    "scope and false colours begin off",
+    "[ui][memory]") {
     const TemporaryDirectory folder;
     {
         HeadlessWindow bench;
         begin_persistence(bench.state, folder.path("state"));
         bench.frames(2);
         recall_views(bench.state, odd_views());
-        bench.state.views.scope.open = true;
+        bench.state.views.scope.open = bench.state.views.compare.choice.on = true;
+        bench.state.views.debug_view.set = {{DebugView::Depth, 0}, true};
+        bench.state.views.lit.dots = bench.state.views.lit.needles = true;
         bench.key(Key::B, true);
         bench.frames(2);
         end_persistence(bench.state);
@@ -126,7 +130,12 @@ TEST_CASE("how the picture was looked at is there again in the next window, B as
     begin_persistence(bench.state, folder.path("state"));
     bench.frames(2);
     CHECK(views_to_remember(bench.state) == odd_views());
-    CHECK(bench.state.views.scope.open);
+    CHECK_FALSE(bench.state.views.scope.open);
+    CHECK_FALSE(bench.state.views.compare.choice.on);
+    CHECK(bench.state.views.debug_view.set.choice.view == DebugView::Picture);
+    CHECK_FALSE(bench.state.views.debug_view.set.over_range);
+    CHECK_FALSE(bench.state.views.lit.dots);
+    CHECK_FALSE(bench.state.views.lit.needles);
     CHECK_FALSE(bench.state.views.compare.choice.stored);
     bench.key(Key::U);
     CHECK(bench.scene().camera == odd_views().kept[0]);
