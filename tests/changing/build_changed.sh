@@ -10,6 +10,7 @@ trap 'rm -rf "$new"' EXIT
 mkdir "$new/assets"
 cp -R "$source"/{models,renderer,cmake} "$new"
 cp "$source/assets/materials.json" "$new/assets"
+cp -R "$source/assets/programs" "$new/assets"
 mkdir -p "$new/tests/support" "$new/tests/changing"
 cp "$source/tests/support/catch.h" "$new/tests/support"
 cp "$here/changed_test.cpp" "$new/tests/changing"
