@@ -37,7 +37,7 @@ template <class Part> std::size_t count_of(const Lesson& lesson) {
 
 std::string list_text(const std::vector<Lesson>& lessons) {
     std::string text;
-    for (const Lesson& l : lessons) text += fmt::format("{:<24}{}\n{:24}{}\n", l.name, l.title, "", l.topic);
+    for (const Lesson& l : lessons) text += fmt::format("{:<28}{}\n{:28}{}\n", l.name, l.title, "", l.topic);
     return text;
 }
 

@@ -34,7 +34,9 @@ std::string in_lines(const std::string& text, float width) {
     const auto end_line = [&] { lines += (lines.empty() ? "" : "\n") + std::exchange(line, {}); };
     std::istringstream words(text);
     for (std::string word; std::getline(words, word, ' ');) {
-        const std::string longer = line.empty() ? word : line + " " + word;
+        std::string longer = line;
+        if (!longer.empty()) longer += ' ';
+        longer += word;
         const bool fits = ImGui::CalcTextSize(longer.c_str()).x <= width;
         if (!fits && !line.empty()) end_line();
         line = line.empty() ? word : longer;
