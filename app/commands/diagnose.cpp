@@ -32,22 +32,6 @@ struct DiagnoseArguments {
     Format format = Format::Text;
 };
 
-Picture read_picture(const std::string& path) {
-    const Result<PictureFormat> format = picture_format(path);
-    if (problem_of(format) != nullptr)
-        throw Failure{ExitStatus::Impossible,
-                      {path, "", "cannot be read", "a picture whose name ends in .png, .pfm or .exr"}};
-    switch (std::get<PictureFormat>(format)) {
-    case PictureFormat::Png:
-        return take(read_png(path));
-    case PictureFormat::Pfm:
-        return take(read_pfm(path));
-    case PictureFormat::Exr:
-        return take(read_exr(path));
-    }
-    return {};  // not reached
-}
-
 void write_sheet(const DiagnoseArguments& arguments, const Font& font, const Diagnosis& found,
                  const Scene& scene, const Picture& wrong) {
     const PictureSize size = diagnosis_sheet_size(found, font);
@@ -87,7 +71,7 @@ std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments,
     std::vector<DiagnosedPicture> all;
     for (const std::string& path : arguments.pictures) {
         if (many) progress->at(all.size() + 1);
-        Picture picture = read_picture(path);
+        Picture picture = take(read_picture(path));
         const MemoryShare share(memory_need(MemoryUse::Pixels, picture_memory(picture.size)));
         const Picture wrong = as_shown(std::move(picture), document.scene.display);
         Diagnosis found = glint::diagnose(document, wrong, options);

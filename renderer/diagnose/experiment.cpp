@@ -7,6 +7,9 @@
 #include <cstdlib>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <utility>
+
+#include "models/progress.h"
 
 namespace glint {
 namespace {
@@ -84,6 +87,40 @@ int channels_apart(const Picture& a, const Picture& b, std::size_t pixel) {
     return sum;
 }
 
+/// How far the two nearest of the pictures are apart at a pixel.
+int least_apart_at(const std::vector<Picture>& pictures, std::size_t pixel) {
+    int least = channels_apart(pictures[0], pictures[1], pixel);
+    for (std::size_t i = 2; i < pictures.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            least = std::min(least, channels_apart(pictures[k], pictures[i], pixel));
+    return least;
+}
+
+/// Where the two nearest of the pictures are farthest apart, all around included: a pixel on an outline or on
+/// a highlight's rim would be another one in a program that rounds otherwise.
+glm::ivec2 telling_pixel(const std::vector<Picture>& pictures) {
+    const PictureSize size = pictures[0].size;
+    std::vector<int> least(size.pixels());
+    for (std::size_t i = 0; i < least.size(); ++i) least[i] = least_apart_at(pictures, i);
+    const auto least_around = [&](int x, int y) {
+        int around = least[size.index(x, y)];
+        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, size.height - 1); ++v)
+            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, size.width - 1); ++u)
+                around = std::min(around, least[size.index(u, v)]);
+        return around;
+    };
+    glm::ivec2 best{0};
+    std::pair<int, int> most{-1, -1};
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const std::pair here{least_around(x, y), least[size.index(x, y)]};
+            if (here <= most) continue;
+            most = here;
+            best = {x, y};
+        }
+    return best;
+}
+
 /// RMS of the differences over all pixels, in levels.
 double apart(const Picture& a, const Picture& b) {
     double sum = 0;
@@ -120,19 +157,7 @@ PictureSize small_size(PictureSize size) {
 Experiment shown_at_full_size(Renderer& renderer, const Scene& scene, PictureSize size,
                               const std::vector<MistakeSet>& mistakes, const Assignment& set) {
     const std::vector<Picture> pictures = drawn_under(renderer, scene, size, mistakes);
-    Experiment experiment{{set}, {}, mistakes, {}};
-    int most = -1;
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            const std::size_t pixel = size.index(x, y);
-            int least = channels_apart(pictures[0], pictures[1], pixel);
-            for (std::size_t i = 2; i < pictures.size(); ++i)
-                for (std::size_t k = 0; k < i; ++k)
-                    least = std::min(least, channels_apart(pictures[k], pictures[i], pixel));
-            if (least <= most) continue;
-            most = least;
-            experiment.pixel = {x, y};
-        }
+    Experiment experiment{{set}, telling_pixel(pictures), mistakes, {}};
     const std::size_t pixel = size.index(experiment.pixel.x, experiment.pixel.y);
     for (const Picture& picture : pictures) experiment.shows.push_back(rgb_at(picture, pixel));
     return experiment;
@@ -149,6 +174,7 @@ std::optional<Experiment> find_experiment(const SceneDocument& document, Picture
     Scene best_scene;
     double most = least_levels;
     for (const Assignment& change : changes_of(document.scene)) {
+        if (load_cancelled()) throw LoadCancelled();
         Result<Scene> varied = scene_variant(document, {change});
         if (problem_of(varied) != nullptr) continue;
         const Scene& scene = std::get<Scene>(varied);

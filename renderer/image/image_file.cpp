@@ -136,6 +136,21 @@ Result<PictureFormat> picture_format(const std::string& path) {
     return Problem{path, "", "cannot be written", "a name that ends in .png, .pfm or .exr"};
 }
 
+Result<Picture> read_picture(const std::string& path) {
+    const Result<PictureFormat> format = picture_format(path);
+    if (problem_of(format) != nullptr)
+        return Problem{path, "", "cannot be read", "a picture whose name ends in .png, .pfm or .exr"};
+    switch (std::get<PictureFormat>(format)) {
+    case PictureFormat::Png:
+        return read_png(path);
+    case PictureFormat::Pfm:
+        return read_pfm(path);
+    case PictureFormat::Exr:
+        return read_exr(path);
+    }
+    return Picture{};  // not reached
+}
+
 std::uint64_t file_memory(PictureFormat format, PictureSize size) {
     switch (format) {
     case PictureFormat::Png:

@@ -54,6 +54,9 @@ enum class PictureFormat { Png, Pfm, Exr };
 [[nodiscard]] Result<Picture> read_pfm(const std::string& path);
 [[nodiscard]] Result<Picture> read_exr(const std::string& path);
 
+/// Reads a picture of whichever of these formats the name of the file ends in.
+[[nodiscard]] Result<Picture> read_picture(const std::string& path);
+
 // Moving pictures as GIF, for slides that show nothing else. A frame has at most 256 colours: steps that are
 // not in the picture appear in its gradients. Where it can be, a row of PNG files is the better choice.
 

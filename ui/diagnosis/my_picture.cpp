@@ -23,21 +23,6 @@ namespace {
 constexpr double stillness = 0.3;    // seconds before a diagnosis begins
 constexpr double look_again = 0.05;  // seconds between looks at its progress
 
-Result<Picture> read_picture(const std::string& path) {
-    const Result<PictureFormat> format = picture_format(path);
-    if (problem_of(format) != nullptr)
-        return Problem{path, "", "cannot be compared", "a picture whose name ends in .png, .pfm or .exr"};
-    switch (std::get<PictureFormat>(format)) {
-    case PictureFormat::Png:
-        return read_png(path);
-    case PictureFormat::Pfm:
-        return read_pfm(path);
-    case PictureFormat::Exr:
-        return read_exr(path);
-    }
-    return Picture{};  // not reached
-}
-
 /// The window keeps a core for itself.
 int threads_beside() {
     const unsigned cores = std::thread::hardware_concurrency();
@@ -45,9 +30,10 @@ int threads_beside() {
 }
 
 /// Reports to the job's own progress, and ends the diagnosis when that is cancelled.
-PictureAnswer answer_of(const SceneDocument& document, const Picture& wrong, LoadProgress& progress) {
+PictureAnswer answer_of(const SceneDocument& document, const Picture& wrong, bool pairs,
+                        LoadProgress& progress) {
     const MemoryShare share(memory_need(MemoryUse::Pixels, 2 * picture_memory(wrong.size)));
-    DiagnosisOptions options{false, threads_beside(), {}};
+    DiagnosisOptions options{pairs, threads_beside(), {}};
     options.progress = [&progress](std::size_t done, std::size_t all) {
         progress.total = all;
         progress.done = done;
@@ -82,14 +68,23 @@ void show_answer(UiState& state, PictureAnswer answer) {
     mine.current = true;
 }
 
+BroughtPicture brought(const std::string& path, std::shared_ptr<const Picture> file, const Display& display) {
+    if (!file->rgba.empty()) return {path, file, file, display};
+    return {path, file, std::make_shared<const Picture>(as_shown(*file, display)), display};
+}
+
 /// Puts a picture that was read beside the scene, and its tab into sight.
-void take_picture(UiState& state, Picture picture) {
+void take_picture(UiState& state, BroughtPicture picture) {
     MyPictureState& mine = state.mine;
     CompareChoice& choice = state.views.compare.choice;
     leave(mine.job, mine.left_jobs);
     if (!mine.shown) mine.compare_before = choice;
+    mine.path = picture.path;
     mine.name = mine.reading->name();
-    mine.shown = std::make_shared<const Picture>(std::move(picture));
+    mine.shown = std::move(picture.shown);
+    mine.file = std::move(picture.file);
+    mine.display = picture.display;
+    mine.pairs = false;
     mine.answer.reset();
     mine.tried.reset();
     ask_again(mine);
@@ -108,11 +103,11 @@ void poll_reading(UiState& state) {
     if (!mine.reading) return;
     redraw_within(look_again);
     if (!mine.reading->done()) return;
-    Result<Picture> read = mine.reading->take();
+    Result<BroughtPicture> read = mine.reading->take();
     if (const Problem* problem = problem_of(read))
         state.notifications.add(*problem);
     else
-        take_picture(state, std::get<Picture>(std::move(read)));
+        take_picture(state, std::get<BroughtPicture>(std::move(read)));
     mine.reading.reset();
 }
 
@@ -120,11 +115,20 @@ void begin_diagnosis(UiState& state) {
     MyPictureState& mine = state.mine;
     SceneDocument document = state.editor.document;
     document.scene = mine.asked_of;
-    mine.job = std::make_unique<Job<PictureAnswer>>(mine.name,
-                                                    [document = std::move(document), wrong = mine.shown](
-                                                        LoadProgress& progress) -> Result<PictureAnswer> {
-                                                        return answer_of(document, *wrong, progress);
-                                                    });
+    mine.job = std::make_unique<Job<PictureAnswer>>(
+        mine.name,
+        [document = std::move(document), wrong = mine.shown, pairs = mine.pairs](LoadProgress& progress)
+            -> Result<PictureAnswer> { return answer_of(document, *wrong, pairs, progress); });
+}
+
+/// The bytes of a linear picture are what the open scene's display makes of its numbers.
+void keep_shown_by_the_display(UiState& state) {
+    MyPictureState& mine = state.mine;
+    const Display& display = state.editor.scene().display;
+    if (!mine.file->rgba.empty() || display.transfer == mine.display.transfer) return;
+    mine.shown = brought(mine.path, mine.file, display).shown;
+    mine.display = display;
+    state.views.compare.choice.mine = mine.shown;
 }
 
 }  // namespace
@@ -140,11 +144,13 @@ void bring_picture(UiState& state, const std::string& path) {
     MyPictureState& mine = state.mine;
     leave(mine.reading, mine.left_readings);
     const Display display = state.editor.scene().display;
-    mine.reading = std::make_unique<Job<Picture>>(
-        std::filesystem::path(path).filename().string(), [path, display](LoadProgress&) -> Result<Picture> {
+    mine.reading = std::make_unique<Job<BroughtPicture>>(
+        std::filesystem::path(path).filename().string(),
+        [path, display](LoadProgress&) -> Result<BroughtPicture> {
             Result<Picture> read = read_picture(path);
-            if (problem_of(read) != nullptr) return read;
-            return as_shown(std::get<Picture>(std::move(read)), display);
+            if (const Problem* problem = problem_of(read)) return *problem;
+            return brought(path, std::make_shared<const Picture>(std::get<Picture>(std::move(read))),
+                           display);
         });
 }
 
@@ -157,6 +163,7 @@ void put_picture_away(UiState& state) {
     mine.compare_before.stored = choice.stored;
     choice = mine.compare_before;
     mine.shown.reset();
+    mine.file.reset();
     mine.answer.reset();
     mine.tried.reset();
     mine.right.reset();
@@ -174,11 +181,17 @@ void ask_again(MyPictureState& mine) {
     mine.asked_since = ImGui::GetTime() - stillness;
 }
 
+void ask_for_pairs(MyPictureState& mine) {
+    mine.pairs = true;
+    ask_again(mine);
+}
+
 void poll_my_picture(UiState& state) {
     poll_reading(state);
     MyPictureState& mine = state.mine;
     std::erase_if(mine.left_jobs, [](const auto& old) { return old->done(); });
     if (!mine.shown) return;
+    keep_shown_by_the_display(state);
     const Scene now = under_mistakes(state.editor.scene(), {});
     if (!(now == mine.asked_of) && !(mine.tried && now == mine.tried->scene)) {
         leave(mine.job, mine.left_jobs);

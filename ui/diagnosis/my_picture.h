@@ -34,12 +34,22 @@ struct TriedExperiment {
     Scene scene;
 };
 
+/// A picture as its file has it, and with its bytes (see as_shown()): the same where it has bytes.
+struct BroughtPicture {
+    std::string path;
+    std::shared_ptr<const Picture> file, shown;
+    Display display;  // that made the bytes
+};
+
 struct MyPictureState {
-    std::string name;                      // of its file
-    std::shared_ptr<const Picture> shown;  // its bytes as the file has them; null: there is no picture
-    std::unique_ptr<Job<Picture>> reading;
+    std::string path, name;                // of the file that was brought last; empty: none was
+    std::shared_ptr<const Picture> shown;  // its bytes; null: there is no picture
+    std::shared_ptr<const Picture> file;   // as the file has it
+    Display display;                       // that made the bytes of a linear one
+    bool pairs = false;                    // two mistakes at once are looked for, too
+    std::unique_ptr<Job<BroughtPicture>> reading;
     std::unique_ptr<Job<PictureAnswer>> job;
-    std::vector<std::unique_ptr<Job<Picture>>> left_readings;  // cancelled, and not ended yet
+    std::vector<std::unique_ptr<Job<BroughtPicture>>> left_readings;  // cancelled, and not ended yet
     std::vector<std::unique_ptr<Job<PictureAnswer>>> left_jobs;
     Scene asked_of;                       // the open scene without mistakes, as it is diagnosed, or will be
     double asked_since = 0;               // ImGui's time when it became so
@@ -61,6 +71,8 @@ void put_picture_away(UiState& state);
 /// Gives the diagnosis up until the scene changes, or ask_again().
 void cancel_diagnosis(MyPictureState& mine);
 void ask_again(MyPictureState& mine);
+/// The diagnosis anew, of every two mistakes at once, which takes longer.
+void ask_for_pairs(MyPictureState& mine);
 
 /// Once a frame: takes what has come, and begins the diagnosis anew when the scene, but for its mistakes, has
 /// changed and stood still for a moment.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 #include "renderer/diagnose/diagnosis_format.h"
 #include "ui/commands/command.h"
@@ -110,6 +111,13 @@ void verdict(const Diagnosis& d, const Scene& scene) {
     ImGui::Dummy({0, px(2)});
 }
 
+/// Where no single mistake explains the picture, two at once may.
+void offer_pairs(MyPictureState& mine) {
+    if (mine.pairs || !mine.current || mine.answer->diagnosis.verdict != Verdict::NotInCatalogue) return;
+    if (ImGui::Button("Look for two at once")) ask_for_pairs(mine);
+    tooltip("Look for two mistakes at once", "Every two of the catalogue are tried: some seconds");
+}
+
 /// Draws a candidate's small picture and its words, in rows as high as they need.
 void candidate_row(UiState& state, const Candidate& candidate, std::size_t index) {
     MyPictureState& mine = state.mine;
@@ -185,10 +193,16 @@ void experiment(UiState& state) {
         colour_line(title_of(e->mistakes[i]).c_str(), e->shows[i]);
 }
 
-void nothing_brought() {
+void nothing_brought(UiState& state) {
     inspector_empty_state(
         "Drop a picture of this scene on the window that your own program drew (.png, .pfm, .exr): Glint "
         "names the mistake in it.");
+    const std::string& path = state.mine.path;
+    if (path.empty()) return;
+    const std::string again =
+        fmt::format("Compare {} again", std::filesystem::path(path).filename().string());
+    if (ImGui::Button(again.c_str())) bring_picture(state, path);
+    tooltip(again.c_str(), "The picture that was compared last");
 }
 
 }  // namespace
@@ -218,13 +232,14 @@ void my_picture_tab(UiState& state, const PictureView&) {
     MyPictureState& mine = state.mine;
     if (!mine.shown) {
         if (mine.reading) return wrapped_dim("Reading " + mine.reading->name());
-        return nothing_brought();
+        return nothing_brought(state);
     }
     heading(state);
     if (!mine.shown) return;  // it was put away
     progress(mine);
     if (!mine.answer) return;
     verdict(mine.answer->diagnosis, state.editor.scene());
+    offer_pairs(mine);
     candidates(state);
     experiment(state);
 }

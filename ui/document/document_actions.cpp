@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "models/memory_limit.h"
+#include "ui/diagnosis/my_picture.h"
 #include "ui/ui.h"
 
 namespace glint {
@@ -99,6 +100,7 @@ void begin_pending(UiState& state, Pending::What what, const std::string& path) 
 }
 
 void take_scene(UiState& state, SceneDocument document) {
+    if (document.path != state.editor.document.path) put_picture_away(state);  // it shows another scene
     (void)cancel_gesture(state.viewport, state.editor.scene());
     take_document(state.editor, std::move(document));
     state.viewport.probe.reset();

@@ -9,6 +9,7 @@
 
 #include "models/progress.h"
 #include "models/scene/mistakes.h"
+#include "renderer/diagnose/experiment.h"
 #include "tests/renderer/diagnose/wrong_pictures.h"
 #include "tests/support/catch.h"
 
@@ -153,6 +154,33 @@ TEST_CASE("what its progress throws ends a diagnosis", "[diagnose]") {
     };
     CHECK_THROWS_AS(diagnose(document, right, options), LoadCancelled);
     CHECK(calls == 5);
+}
+
+TEST_CASE("the pixel of an experiment tells its mistakes apart by every pixel around it, too", "[diagnose]") {
+    const std::vector<MistakeSet> sets{{place_of("normals_left_in_world")}, {place_of("view_reversed")}};
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+        const SceneDocument document = diagnosed_scene(seed);
+        const auto e = find_experiment(document, diagnosed_size, sets, 1);
+        if (!e) continue;
+        const auto changed = scene_variant(document, e->set);
+        REQUIRE(problem_of(changed) == nullptr);
+        const Picture a = picture_under(std::get<Scene>(changed), sets[0]);
+        const Picture b = picture_under(std::get<Scene>(changed), sets[1]);
+        CHECK(rgb_at(a, a.pixel(e->pixel.x, e->pixel.y)) == e->shows[0]);
+        for (int y = e->pixel.y - 1; y <= e->pixel.y + 1; ++y)
+            for (int x = e->pixel.x - 1; x <= e->pixel.x + 1; ++x)
+                if (x >= 0 && y >= 0 && x < diagnosed_size.width && y < diagnosed_size.height)
+                    CHECK(rgb_at(a, a.pixel(x, y)) != rgb_at(b, b.pixel(x, y)));
+    }
+}
+
+TEST_CASE("a search for an experiment ends when its load is cancelled", "[diagnose]") {
+    LoadProgress progress;
+    const ProgressScope scope(progress);
+    const std::vector<MistakeSet> sets{{place_of("normals_flipped")}, {place_of("encoded_twice")}};
+    CHECK(find_experiment(diagnosed_scene(3), diagnosed_size, sets, 1));
+    progress.cancelled = true;
+    CHECK_THROWS_AS(find_experiment(diagnosed_scene(3), diagnosed_size, sets, 1), LoadCancelled);
 }
 
 TEST_CASE("the deciding pixel has the colours that the pictures have there", "[diagnose]") {

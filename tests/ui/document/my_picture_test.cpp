@@ -10,6 +10,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
+#include "ui/document/document_actions.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -275,4 +276,64 @@ TEST_CASE("the picked pixel says what the picture has, what is right and what th
     CHECK(pixel.mistaken->byte != e.byte);
     for (const char* line : {"right", "Normals flipped"})
         CHECK(bench.area_of(line, test::right_column(bench)).high.y > 0);
+}
+
+TEST_CASE("two mistakes at once are looked for when it is asked, and named together", "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    Scene wrong = bench.scene();
+    wrong.shading.mistakes.absolute_cosine = wrong.shading.mistakes.light_in_wrong_space = true;
+    Renderer renderer(1);
+    const TemporaryDirectory folder;
+    bring(bench, folder, renderer.render(wrong, brought_size));
+    CHECK(found(bench).verdict == Verdict::NotInCatalogue);
+    bench.click(test::in_column(bench, "Look for two mistakes at once"));
+    wait_for_answer(bench);
+    CHECK(found(bench).verdict == Verdict::Mistake);
+    REQUIRE_FALSE(found(bench).candidates.empty());
+    INFO(name_of(found(bench).candidates[0].mistakes));
+    CHECK(under_mistakes(bench.scene(), found(bench).candidates[0].mistakes) == wrong);
+}
+
+TEST_CASE("a picture is put away when another scene comes, and compared again by a click",
+          "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const TemporaryDirectory folder;
+    const SceneDocument first = bench.state.editor.document;
+    bring(bench, folder, flipped_picture(bench));
+    SceneDocument other = first;
+    other.path = folder.path() + "/other.json";
+    take_scene(bench.state, other);
+    bench.frames(2);
+    CHECK_FALSE(bench.state.mine.shown);
+    CHECK_FALSE(bench.state.views.compare.choice.on);
+    bench.state.inspector.tab = InspectorTab::MyPicture;
+    bench.frames(2);
+    bench.click(test::in_column(bench, "Compare mine.png again"));
+    wait_for_answer(bench);
+    CHECK(found(bench).verdict == Verdict::Mistake);
+    take_scene(bench.state, other);  // the same file, read again
+    bench.frames(2);
+    CHECK(bench.state.mine.shown);
+}
+
+TEST_CASE("the bytes of a picture of linear numbers follow the display of the scene", "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const TemporaryDirectory folder;
+    Renderer renderer(1);
+    Scene scene = bench.scene();
+    scene.shading.mistakes.normals_flipped = true;
+    const Picture drawn = renderer.render(scene, brought_size, true);
+    drop(bench,
+         folder.file("mine.pfm", picture_bytes(drawn, PictureFormat::Pfm, scene.display.exposure, "")));
+    wait_for_answer(bench);
+    const Transfer other = scene.display.transfer == Transfer::Srgb ? Transfer::None : Transfer::Srgb;
+    scene.display.transfer = bench.scene().display.transfer = other;
+    bench.frames(2);
+    wait_for_answer(bench);
+    CHECK(bench.state.mine.shown->rgba == renderer.render(scene, brought_size).rgba);
+    CHECK(found(bench).verdict == Verdict::Mistake);
+    CHECK(found(bench).display.change.encodings() == 0);
 }
