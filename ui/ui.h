@@ -20,6 +20,7 @@
 #include "ui/document/loading.h"
 #include "ui/export/animation.h"
 #include "ui/export/export_picture.h"
+#include "ui/fields/highlight_share.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/mistake_pictures.h"
 #include "ui/inspector/outside_view.h"
@@ -65,6 +66,7 @@ struct UiState {
     InspectorState inspector;  // tab and switches
     SensitivityState sensitivity;
     MistakePictures mistake_pictures;
+    HighlightShareState highlight_share;  // of the selected object
     ViewsState views;  // how the picture is looked at
     MyPictureState mine;
     Notifications notifications;

@@ -22,7 +22,6 @@
 #include "app/window/window_input.h"
 #include "app/window/x_errors.h"
 #include "ui/document/averaged_normals.h"
-#include "ui/lecture/given_scenes.h"
 #include "ui/preferences/persistence.h"
 #include "ui/shell/frame_changes.h"
 #include "ui/ui.h"
@@ -321,7 +320,7 @@ void run_window(const WindowOptions& options) {
     UiState state(options.threads);
     take_document(state.editor, take(first_document(options)));
     state.shipped_scenes = asset_path("scenes");
-    if (options.files.size() > 1) give_scenes(options.files);
+    if (options.files.size() > 1) state.lecture.given_scenes = options.files;
     for (const std::string& warning : state.editor.document.warnings) say_warning(warning);
     begin_persistence(state, state_folder());
     const Glfw glfw;

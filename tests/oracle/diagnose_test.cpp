@@ -200,7 +200,7 @@ TEST_CASE("two mistakes in one OpenGL program's text are named together", "[orac
     Named named;
     const std::span<const WrongProgram> programs = wrong_programs();
     const std::vector<NumberedScene> usual = usual_scenes(120);
-    constexpr std::size_t wanted = 16;  // of 40 and more: docs/diagnose.md
+    constexpr std::size_t wanted = 16;  // each takes two seconds
     for (std::size_t k = 0; k < 8 * wanted && named.all < static_cast<int>(wanted); ++k) {
         const WrongProgram& a = programs[7 * k % programs.size()];
         const WrongProgram& b = programs[(7 * k + 1 + k % 11) % programs.size()];

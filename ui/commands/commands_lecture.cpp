@@ -1,7 +1,6 @@
 // The commands of the menus Lecture and Help.
 #include "ui/commands/command_rows.h"
 #include "ui/document/document_actions.h"
-#include "ui/lecture/given_scenes.h"
 #include "ui/lecture/lecture.h"
 
 namespace glint {
@@ -11,7 +10,7 @@ namespace {
 /// through those that come with the program.
 std::string other_scene(const UiState& state, int step) {
     const std::string& path = state.editor.document.path;
-    if (const auto given = given_scene_beside(path, step)) return *given;
+    if (const auto given = given_scene_beside(state.lecture.given_scenes, path, step)) return *given;
     if (!path.empty() && path != "-") return scene_beside(path, step);
     const auto scenes = folder_scenes(state.shipped_scenes);
     if (state.shipped_scenes.empty() || scenes.empty()) return {};

@@ -20,7 +20,7 @@ constexpr Choice choice_of(Motion motion) {
     case Motion::Turntable:
         return {"turntable", "Turntable", "The camera once round its target"};
     case Motion::PingPong:
-        return {"to-and-fro", "To and fro", "One number of the scene between two values"};
+        return {"to-and-fro", "Back and forth", "One number of the scene between two values"};
     }
     return {};
 }

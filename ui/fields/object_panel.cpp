@@ -121,7 +121,7 @@ bool detail_field(Object& object, const std::string& pointer) {
     return true;
 }
 
-void mesh_facts(const Object& object) {
+void mesh_facts(const Object& object, const std::string& about_mesh) {
     if (!object.mesh) return;
     const Mesh& mesh = *object.mesh;
     const std::size_t faces = mesh.face_count(), triangles = mesh.triangles.size();
@@ -140,6 +140,7 @@ void mesh_facts(const Object& object) {
         ImGui::PopTextWrapPos();
     };
     for (const std::string& warning : mesh.warnings) line(warning);
+    if (!about_mesh.empty()) line(about_mesh);
     if (smooths_every_edge(object))
         line("No normals of its own: averaged over all edges. Crease keeps edges sharp:");
 }
@@ -198,7 +199,7 @@ bool object_panel(Object& object, const std::string& pointer, Reflection reflect
     panel.draw({"name", "visible"});
     bool edited = source_field(object, pointer, requests);
     edited |= detail_field(object, pointer);
-    mesh_facts(object);
+    mesh_facts(object, requests.about_mesh);
     const auto normals = [&] { panel.group("normals", object.normals, field_rows<NormalOptions>); };
     // Of a mesh without normals they are what one looks for first.
     const bool brings_normals = !object.mesh || object.mesh->given_normals != GivenNormals::None;

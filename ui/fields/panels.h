@@ -39,10 +39,11 @@ bool npr_panel(Npr& npr);
 /// the picture.
 [[nodiscard]] Projection as_projection(const Camera& camera, ProjectionKind kind, PictureSize size);
 
-/// What a panel asks of its caller beside an edit.
+/// What a panel asks of its caller beside an edit, and what it is told.
 struct ObjectRequests {
     bool browse_mesh = false;           // choose a mesh file
     GizmoMode gizmo = GizmoMode::Move;  // in the picture: what it is, and what it shall be
+    std::string about_mesh;             // to be said beside the mesh's numbers
 };
 
 /// `pointer`: "/objects/0". A changed mesh source leaves

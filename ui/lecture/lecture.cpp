@@ -170,6 +170,14 @@ std::vector<std::string> folder_scenes(const std::string& folder) {
     return names;
 }
 
+std::optional<std::string> given_scene_beside(const std::vector<std::string>& given, const std::string& path,
+                                              int step) {
+    const auto found = std::find(given.begin(), given.end(), path);
+    if (found == given.end()) return {};
+    const std::ptrdiff_t at = found - given.begin() + step;
+    return at >= 0 && at < std::ssize(given) ? given[static_cast<std::size_t>(at)] : "";
+}
+
 std::string scene_beside(const std::string& path, int step) {
     const fs::path file(path);
     std::vector<std::string> scenes = folder_scenes(file.parent_path().string());

@@ -80,6 +80,11 @@ void step_wedge(WedgeState& wedge);
 /// the list the one that would be next to it. Empty when there is none.
 [[nodiscard]] std::string scene_beside(const std::string& path, int step);
 
+/// The scene `step` places after `path` (before it, when negative) among those that the program was given,
+/// empty where there is none; nothing where `path` was not given.
+[[nodiscard]] std::optional<std::string> given_scene_beside(const std::vector<std::string>& given,
+                                                            const std::string& path, int step);
+
 /// Type and widgets are so many times larger: the smallest type, 13 units, becomes 18.
 inline constexpr float projector_scale = 1.4f;
 
@@ -89,6 +94,9 @@ struct LectureState {
     std::optional<Scene> frozen;                   // shown whatever is edited
     PenState pen;
     WedgeState wedge;
+    /// The scenes of the command line, a lecture in an order of one's own: PgDn and PgUp go through these
+    /// while one of them is open, else through the open scene's folder.
+    std::vector<std::string> given_scenes;
 };
 
 }  // namespace glint

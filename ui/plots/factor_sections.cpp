@@ -143,7 +143,6 @@ void falloff_section(const PlotSubject& subject) {
     const std::vector<glm::dvec2> law = inverse_square(curve, subject.point);
     draw_curve(list, area, law, theme().dim_text, 1);
     draw_curve(list, area, curve, theme()[Symbol::L]);
-    draw_y_name(list, area, {"falloff", ""});
     if (subject.point.light != nullptr)
         draw_mark(list, area, falloff_mark(subject.point), theme()[Symbol::L]);
     draw_reading(list, area, {{curve, theme()[Symbol::L]}, {law, theme().dim_text}});
@@ -163,7 +162,6 @@ void spot_section(const PlotSubject& subject) {
     for (const float side : {-1.0f, 1.0f})
         draw_upright(list, area, double(side * light.spot.cutoff_deg), theme().dim_text);
     draw_curve(list, area, curve, theme()[Symbol::L]);
-    draw_y_name(list, area, {"spot", ""});
     if (subject.point.light != nullptr) draw_mark(list, area, spot_mark(subject.point), theme()[Symbol::L]);
     draw_reading(list, area, {{curve, theme()[Symbol::L]}});
 }

@@ -80,7 +80,6 @@ void highlight_section(PlotsState& plots, const PlotSubject& subject) {
     draw_curve(list, area, blinn, theme()[Symbol::H]);
     draw_curve(list, area, phong, theme()[Symbol::R], 2.6f);
     draw_curve(list, area, close, theme().text, 1);
-    draw_y_name(list, area, {"S", ""});
     const Reflection reflection = subject.scene.shading.reflection;
     if (subject.point.light != nullptr && raises_a_cosine(reflection))
         draw_mark(list, area, highlight_mark(subject.point, reflection),
@@ -134,7 +133,6 @@ void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subjec
     const auto fit = fitted_highlight(model, drawn);
     if (fit)
         draw_curve(list, area, half_highlight(model, static_cast<float>(fit->shininess)), theme().text, 1);
-    draw_y_name(list, area, {"S", ""});
     legend({{symbol, fmt::format("{}^{:.4g}", model == Reflection::Phong ? "(r·v)" : "(n·h)", n)},
             {Symbol::L, "Gaussian"}});
     ImGui::SameLine(0, px(8));

@@ -26,12 +26,12 @@ constexpr std::array columns{
     Column{"viewer", &Moved::viewer, "the viewer's place: aside by a tenth of its distance"},
     Column{"surface", &Moved::surface, "the surface's angle: turned by 1°"}};
 
-/// The letter of a term that moves, or a dash in its place.
-void letter(Symbol symbol, float moved) {
-    if (moved > 0)
-        coloured(symbol, letter_of(symbol));
-    else
-        coloured(theme().disabled_text, "–");
+/// Names the terms that move.
+void moved_words(float diffuse, float specular) {
+    if (diffuse > 0 && specular > 0) return ImGui::TextUnformatted("both");
+    if (diffuse > 0) return coloured(Symbol::Diffuse, "diffuse");
+    if (specular > 0) return coloured(Symbol::Specular, "specular");
+    coloured(theme().disabled_text, "none");
 }
 
 std::string moved_text(const char* term, float moved) {
@@ -48,9 +48,9 @@ bool table_fails(LightKind kind, const Column& column, const LightSensitivity& s
 bool cell(LightKind kind, const Column& column, const LightSensitivity& sensitivity) {
     ImGui::TableNextColumn();
     ImGui::BeginGroup();
-    letter(Symbol::Diffuse, sensitivity.diffuse.*column.moved);
-    ImGui::SameLine(0, px(6));
-    letter(Symbol::Specular, sensitivity.specular.*column.moved);
+    ImGui::PushFont(fonts().small);
+    moved_words(sensitivity.diffuse.*column.moved, sensitivity.specular.*column.moved);
+    ImGui::PopFont();
     const bool starred = table_fails(kind, column, sensitivity);
     if (starred) {
         ImGui::SameLine(0, px(4));
@@ -113,9 +113,8 @@ void kinds_section(const PlotSubject& subject, const PictureView& view) {
     }
     ImGui::EndTable();
     small_dim(
-        "Does the diffuse term (d), the specular term (s) move when this does? – stays as it is. The light "
-        "is "
-        "tried as every kind, white, where it stands, a lamp aimed at the point.");
+        "Which term changes when the light, the viewer, the surface moves? The light is tried as every kind, "
+        "white, where it stands, a spot aimed at the point.");
     if (starred)
         small_dim(
             "* The lecture's table says that a sun's light does not depend on the viewer: that is true of "

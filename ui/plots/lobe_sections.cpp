@@ -70,14 +70,6 @@ void lobe_legend(bool with_ambient) {
     coloured(theme().accent, "sum");
 }
 
-/// Computes again what takes some milliseconds, but not while the mouse drags something.
-template <class Key, class Value, class Compute>
-void update_at_rest(Kept<Key, Value>& kept, const Key& key, const Compute& compute) {
-    if (kept.is_of(key)) return;
-    if (ImGui::IsAnyMouseDown()) return redraw_within(0.1);
-    kept.keep(key, compute());
-}
-
 void energy_line(const LobeEnergy& energy, double light_deg) {
     const double specular = intensity_of(glm::vec3(energy.specular)),
                  albedo = intensity_of(glm::vec3(energy.albedo));
@@ -183,7 +175,6 @@ void brdf_section(PlotsState& plots, const PlotSubject& subject) {
     draw_upright(list, area, light_deg, theme()[Symbol::R], 0.4f);
     draw_curve(list, area, curves.backwards, theme()[Symbol::L], 1.2f);
     draw_curve(list, area, curves.forwards, theme()[Symbol::V], 2.2f);
-    draw_y_name(list, area, up);
     draw_reading(list, area, {{curves.forwards, theme()[Symbol::V]}, {curves.backwards, theme()[Symbol::L]}});
     if (picked) {
         const LocalDirections local = local_directions(subject.point);

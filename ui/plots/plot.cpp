@@ -68,6 +68,9 @@ void draw_x_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
 }
 
 void draw_y_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
+    if (*text.name != 0)  // above the curves' room, so that it lies over none
+        plot_text(list, {area.rect.low.x, area.rect.low.y - small_text_height() - px(1)}, theme().text,
+                  axis_title(text));
     const int most = std::max(2, static_cast<int>(area.rect.size().y / px(24)));
     const float line = small_text_height();
     for (const double v : ticks(area.y, most)) {
@@ -153,21 +156,14 @@ void plot_text(ImDrawList& list, ImVec2 at, const ImVec4& colour, const std::str
     list.AddText(fonts().small, small_text_height(), low, to_u32(colour), text.c_str());
 }
 
-void draw_y_name(ImDrawList& list, const PlotArea& area, const AxisText& text) {
-    if (*text.name == 0) return;
-    const std::string title = axis_title(text);
-    const ImVec2 at = area.rect.low + px(1) * ImVec2(4, 1);
-    list.AddRectFilled(at, at + text_size(title), to_u32(theme().window, 0.8f));
-    plot_text(list, at, theme().text, title);
-}
-
 PlotArea area_within(const Rect& all, Interval x, Interval y, const AxisText& x_text,
                      const AxisText& y_text) {
     const float left = y_text.numbers ? px(56) : px(4);  // "−0.00025" and its distance to the axis
     const float below = (x_text.numbers ? small_text_height() + px(3) : 0) +
                         (*x_text.name != 0 ? small_text_height() + px(2) : px(2));
+    const float above = *y_text.name != 0 ? small_text_height() + px(2) : px(2);
     PlotArea area{
-        {{all.low.x + left, all.low.y + px(2)}, {all.high.x - right_margin(), all.high.y - below}}, x, y};
+        {{all.low.x + left, all.low.y + above}, {all.high.x - right_margin(), all.high.y - below}}, x, y};
     area.rect.high.x = std::max(area.rect.high.x, area.rect.low.x + 1);
     area.rect.high.y = std::max(area.rect.high.y, area.rect.low.y + 1);
     return area;

@@ -52,12 +52,9 @@ struct PlotArea {
 [[nodiscard]] PlotArea area_within(const Rect& all, Interval x, Interval y, const AxisText& x_text,
                                    const AxisText& y_text);
 
-/// Draws frame, grid, ticks and numbers inside `all`; returns what is left for curves.
+/// Draws frame, grid, ticks, numbers and names inside `all`; returns what is left for curves.
 [[nodiscard]] PlotArea draw_axes(ImDrawList& list, const Rect& all, Interval x, Interval y,
                                  const AxisText& x_text, const AxisText& y_text);
-
-/// The name of the y axis, in the area's upper left corner: after the curves, so that it can be read.
-void draw_y_name(ImDrawList& list, const PlotArea& area, const AxisText& y_text);
 
 /// A line through points sorted by x, cut to the area. Where there are more than the screen can show, each
 /// piece keeps its lowest and highest.

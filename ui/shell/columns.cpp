@@ -37,6 +37,7 @@ void selected_panel(UiState& state, const PictureView& view) {
         (void)light_panel(scene.lights[index], "/lights/" + number, scene.camera, view.dome, view.map);
         break;
     case Selection::Kind::Object:
+        requests.about_mesh = highlight_words(state.highlight_share, scene, index, view.map.size);
         (void)object_panel(scene.objects[index], "/objects/" + number, scene.shading.reflection, requests);
         break;
     case Selection::Kind::Shading:

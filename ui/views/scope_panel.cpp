@@ -57,7 +57,7 @@ struct Strip {
 };
 
 PlotArea begin_strip(ImDrawList& list, const Strip& strip, Interval y, const ScopeState& scope) {
-    const PlotArea area = draw_axes(list, strip.rect, strip.x, y, {"", "", strip.last}, strip.y);
+    const PlotArea area = draw_axes(list, strip.rect, strip.x, y, {"", "", strip.last}, {});
     const std::vector<ScopeEdge> edges = edges_along(scope.samples);
     // Closer together they would be grey hatching, and the curve would drown in them.
     const bool roomy = static_cast<float>(edges.size()) * px(7) <= area.rect.size().x;
@@ -129,7 +129,7 @@ std::vector<ZeroCurve> zero_curves(const ScopeState& scope) {
 /// The sample nearest to the cursor, or -1 when it is not over the strips.
 int sample_under(const ScopeState& scope, const Rect& strips, Interval x) {
     if (!ImGui::IsItemHovered() || scope.samples.empty()) return -1;
-    const PlotArea area = area_within(strips, x, {}, {"", ""}, {"I", ""});
+    const PlotArea area = area_within(strips, x, {}, {}, {});
     const double at = area.value(ImGui::GetIO().MousePos).x;
     const auto nearer = [at](const ProfileSample& a, const ProfileSample& b) {
         return std::abs(a.position - at) < std::abs(b.position - at);

@@ -1,8 +1,12 @@
 #pragma once
 // A result that takes long to compute, with what it was computed from.
 
+#include <imgui.h>
+
 #include <optional>
 #include <utility>
+
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 
@@ -29,5 +33,13 @@ template <class Key, class Value> class Kept {
     std::optional<Key> key_;
     Value value_{};
 };
+
+/// Computes again what takes some milliseconds, but not while the mouse drags something.
+template <class Key, class Value, class Compute>
+void update_at_rest(Kept<Key, Value>& kept, const Key& key, const Compute& compute) {
+    if (kept.is_of(key)) return;
+    if (ImGui::IsAnyMouseDown()) return redraw_within(0.1);
+    kept.keep(key, compute());
+}
 
 }  // namespace glint

@@ -7,7 +7,6 @@
 #include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
 #include "ui/commands/command.h"
-#include "ui/lecture/given_scenes.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -84,7 +83,7 @@ TEST_CASE("PgDn goes through the scenes that the program was given, in their ord
         given.push_back(folder.file(name, scene_text(first_scene().scene)));
     (void)folder.file("b.json", scene_text(first_scene().scene));
     HeadlessWindow bench;
-    give_scenes(given);
+    bench.state.lecture.given_scenes = given;
     UiInput drop;
     drop.dropped = {given[0]};
     (void)bench.frame(drop);
@@ -98,7 +97,6 @@ TEST_CASE("PgDn goes through the scenes that the program was given, in their ord
     bench.key(Key::PageUp);
     bench.wait_for_loads();
     CHECK(bench.state.editor.document.path == given[0]);
-    give_scenes({});
 }
 
 TEST_CASE("on the projector everything to be read has a contrast of 7 to 1", "[ui][lecture]") {

@@ -137,8 +137,8 @@ bool cone_line(Scene& scene, const ExplainedLight& explained) {
     line.together([&] {
         line.plain(" within");
         edited |= line.handle(cutoff, theme().text);
+        if (explained.spot == 0) line.plain(", else 0");
     });
-    if (explained.spot == 0) line.plain(", else 0");
     return edited;
 }
 
