@@ -10,6 +10,7 @@
 #include "ui/document/document_actions.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
+#include "ui/inspector/tabs.h"
 #include "ui/picture/handles/light_place.h"
 
 namespace glint {
@@ -101,6 +102,15 @@ void add_items(Entries& entries, const UiState& state) {
         select(scene.objects[i].name, {Selection::Kind::Object, static_cast<int>(i)});
 }
 
+void add_tabs(Entries& entries) {
+    for (const InspectorTabInfo& info : inspector_tabs())
+        entries.push_back(
+            {fmt::format("Why: {}", info.label), "Column", "", "", [tab = info.tab](UiState& s) {
+                 s.inspector.tab = tab;
+                 s.left_shows_inspector = s.layout.right = true;
+             }});
+}
+
 void add_open(Entries& entries, std::string name, std::string group, const std::string& path) {
     entries.push_back({std::move(name), std::move(group), "", "",
                        [path](UiState& s) { begin_pending(s, Pending::What::Open, path); }});
@@ -138,6 +148,7 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
     add_mistakes(entries, state);
     add_light_choices(entries, state);
     add_items(entries, state);
+    add_tabs(entries);
     add_presets(entries, state);
     add_scenes(entries, state);
     return entries;

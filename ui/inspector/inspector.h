@@ -26,7 +26,8 @@ enum class InspectorTab {
     Mistakes,
     MyPicture,
     Matrices,
-    Outside
+    Outside,
+    Program
 };
 
 /// The point whose lights were asked: the picture (UiState::picture_serial), its pixel and corner.
@@ -45,6 +46,7 @@ struct InspectorState {
     bool world_frame = false;                        // vectors are listed in world coordinates, else camera
     int mirror_step = 0;      // 1 to 4: r is built up in the picture; 0: r is simply shown
     float normal_length = 1;  // of the n that r is built from
+    float look_at_y = 0;      // of the line gluLookAt() in the tab Program, as it was drawn last
     // What the mouse points at in the column, of the last frame: its arrow is drawn thick.
     std::optional<Symbol> pointed_vector;
     int pointed_light = -1;

@@ -35,6 +35,8 @@ constexpr std::array tabs{
                      mistakes_tab, true},
     InspectorTabInfo{InspectorTab::MyPicture, "My picture",
                      "What is wrong in a picture of this scene that your own program drew", my_picture_tab},
+    InspectorTabInfo{InspectorTab::Program, "Program",
+                     "The calls by which OpenGL draws this scene, every number to be dragged", program_tab},
     InspectorTabInfo{InspectorTab::Plots, "Plots",
                      "Falloff, highlight, cone, lobes and microfacets as curves", plots_tab},
     InspectorTabInfo{InspectorTab::Grid, "Light × term",

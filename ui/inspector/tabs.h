@@ -73,6 +73,11 @@ struct CarriedLight {
 };
 [[nodiscard]] CarriedLight carried(const Light& light, const Camera& camera, const Mistakes& mistakes = {});
 
+// The program tab shows the calls by which OpenGL draws the scene: every number can be dragged where it
+// stands, and a light's place can be dragged to the other side of gluLookAt().
+
+void program_tab(UiState& state, const PictureView& view);
+
 // The sensitivity tab sorts every number of the scene by how much the picked pixel moves with it.
 
 void sensitivity_tab(UiState& state, const PictureView& view);

@@ -6,6 +6,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "ui/commands/menus.h"
+#include "ui/inspector/tabs.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -178,4 +179,15 @@ TEST_CASE("each letter that is a command says something", "[ui][window][commands
             CHECK(bench.state.notifications.list.back().text.find("(" + text_of(press) + ")") !=
                   std::string::npos);
         }
+}
+
+TEST_CASE("the palette leads to every tab of the column", "[ui][palette]") {
+    HeadlessWindow bench;
+    for (const InspectorTabInfo& info : inspector_tabs()) {
+        bench.state.layout.right = false;
+        for (const PaletteEntry& entry : palette_entries(bench.state))
+            if (entry.name == std::string("Why: ") + info.label) entry.run(bench.state);
+        CHECK(bench.state.inspector.tab == info.tab);
+        CHECK(bench.state.layout.right);
+    }
 }

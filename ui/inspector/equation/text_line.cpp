@@ -86,6 +86,9 @@ TextLine& TextLine::plain(const std::string& text) { return plain(text, theme().
 TextLine& TextLine::plain(const std::string& text, const ImVec4& colour) {
     return piece(text, colour, fonts().body, 0);
 }
+TextLine& TextLine::code(const std::string& text, const ImVec4& colour) {
+    return piece(text, colour, fonts().figures, 0);
+}
 TextLine& TextLine::number(const std::string& text, const ImVec4& colour) {
     piece(text, colour, fonts().figures, 0);
     menu_of(text);

@@ -20,6 +20,8 @@ class TextLine {
 
     TextLine& plain(const std::string& text);
     TextLine& plain(const std::string& text, const ImVec4& colour);
+    /// Text of a program, in letters of equal width.
+    TextLine& code(const std::string& text, const ImVec4& colour);
     /// Figures of equal width; a right click copies them.
     TextLine& number(const std::string& text, const ImVec4& colour);
     /// Its letter; of a cosine each in its vector's colour. Resting on it tells what it stands for.

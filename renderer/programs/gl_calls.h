@@ -1,0 +1,44 @@
+#pragma once
+// The calls by which fixed-function OpenGL draws a scene, as the lecture writes them, in the order that
+// matters: a light's place given before gluLookAt() stays with the camera, after it with the world.
+// Knows the scene, not the renderer. Source: OpenGL 2.1, section 2.14; the OpenGL utility library's
+// gluLookAt.
+
+#include <string>
+#include <vector>
+
+#include "models/scene/scene.h"
+
+namespace glint {
+
+/// A piece of a call's text: punctuation, or a number of the scene with its place.
+struct CallPiece {
+    std::string text;
+    std::string pointer;  // "/lights/0/position/1"; empty: no number of the scene
+    bool operator==(const CallPiece&) const = default;
+};
+
+struct GlCall {
+    std::vector<CallPiece> pieces;
+    std::string about;        // pointer of what it sets, "/lights/0", "/objects/1/material"; or empty
+    int place_of_light = -1;  // the light whose place it sets: whether gluLookAt() comes before it counts
+    bool is_look_at = false;  // gluLookAt()
+    bool is_remark = false;   // what fixed-function OpenGL cannot do, and what can
+};
+
+/// Calls that belong together; `about` as of a call, empty where it is of several things.
+struct GlCallGroup {
+    std::string title, about;
+    std::vector<GlCall> calls;
+};
+
+/// All calls for the scene's lights that are on and objects that can be seen, and with them a remark where
+/// the scene asks for more than fixed-function OpenGL has: Phong shading, an area light, another reflection
+/// than Blinn-Phong. `rgb(r, g, b)` and its product with a number stand for arrays of four floats whose alpha
+/// is 1.
+[[nodiscard]] std::vector<GlCallGroup> gl_calls(const Scene& scene);
+
+/// The call's text in one line.
+[[nodiscard]] std::string call_text(const GlCall& call);
+
+}  // namespace glint
