@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <new>
@@ -34,18 +35,38 @@ void occupy_closed_descriptors() {
     }
 }
 
-/// What nobody could catch, such as a thread that the system refuses to the library that asked for it, is
-/// told in one line like any other error. Leaves at once: other threads may still be at work.
-[[noreturn]] void end_without_a_trace() {
-    std::string what = "the program cannot go on";
+bool has_said_why = false;  // one line ends the program
+
+/// Says, in one line like any other error, what exception is in hand; where memory does not even suffice for
+/// that line, in a line that needs none. `before` stands before an exception's own words. Returns the exit
+/// status.
+int say_what_ended_it(const char* before = "") noexcept {
+    has_said_why = true;
     try {
-        if (std::current_exception()) std::rethrow_exception(std::current_exception());
-    } catch (const std::exception& error) {
-        what.append(": ").append(error.what());
+        try {
+            throw;
+        } catch (const Failure& failure) {
+            say("error", failure.problem);
+            return static_cast<int>(failure.status);
+        } catch (const std::bad_alloc& error) {
+            say("error", memory_problem(error));
+        } catch (const std::exception& error) {
+            say("error",
+                {.file = {}, .pointer = {}, .what = before + std::string(error.what()), .expected = {}});
+        }
     } catch (...) {
-        what += ": an error of unknown kind";
+        (void)std::fputs("glint: error: there is not enough memory\n", stderr);
     }
-    say("error", {.file = {}, .pointer = {}, .what = what, .expected = {}});
+    return static_cast<int>(ExitStatus::Impossible);
+}
+
+/// For what nobody could catch, such as a thread that the system refuses to the library that asked for it.
+/// Leaves at once: other threads may still be at work.
+[[noreturn]] void end_without_a_trace() {
+    const bool was_said = has_said_why;  // and then there was no memory to end with
+    if (!was_said && std::current_exception()) (void)say_what_ended_it("the program cannot go on: ");
+    if (!was_said && !std::current_exception())
+        (void)std::fputs("glint: error: the program cannot go on\n", stderr);
     remove_temporaries();
     std::_Exit(static_cast<int>(ExitStatus::Impossible));
 }
@@ -82,13 +103,7 @@ int main(int argc, char** argv) {
     std::at_quick_exit(remove_temporaries);
     try {
         return run({argv + 1, argv + argc});
-    } catch (const Failure& failure) {
-        say("error", failure.problem);
-        return static_cast<int>(failure.status);
-    } catch (const std::bad_alloc& error) {
-        say("error", memory_problem(error));
-    } catch (const std::exception& error) {
-        say("error", {.file = {}, .pointer = {}, .what = error.what(), .expected = {}});
+    } catch (...) {
+        return say_what_ended_it();
     }
-    return static_cast<int>(ExitStatus::Impossible);
 }

@@ -25,9 +25,12 @@ using Clock = std::chrono::steady_clock;
 constexpr int max_threads = 256;
 
 /// Lets the library start more threads than there are cores, when asked for. One for the whole process,
-/// because of several the smallest would count.
+/// because of several the smallest would count. Never destroyed: where memory ran out as the library began,
+/// its destructor waits for ever.
 void allow_threads() {
-    static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, max_threads);
+    static const auto* const allowed =
+        new tbb::global_control(tbb::global_control::max_allowed_parallelism, max_threads);  // NOLINT
+    (void)allowed;
 }
 
 double ms_since(Clock::time_point start) {

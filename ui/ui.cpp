@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <new>
 #include <thread>
+#include <utility>
 
 #include "ui/commands/command.h"
 #include "ui/commands/menus.h"
@@ -31,8 +33,6 @@ void remember(UiState& state, bool in_hand) {
 
 UiRequests requests(UiState& state) {
     UiRequests wants;
-    wants.quit = state.quits;
-    state.quits = false;
     wants.title = fmt::format("{}{} – Glint", state.editor.unsaved() ? "● " : "", state.editor.title());
     wants.sleep_s = next_redraw();
     const std::optional<Scene> preview = preview_of(state);
@@ -40,6 +40,7 @@ UiRequests requests(UiState& state) {
     if (!(next == state.rendered_scene))
         wants.sleep_s = 0;  // edited or previewed after the picture was drawn
     if (ImGui::GetIO().WantTextInput) wants.sleep_s = std::min(wants.sleep_s, 0.3);  // the text cursor blinks
+    wants.quit = std::exchange(state.quits, false);
     return wants;
 }
 
@@ -117,8 +118,14 @@ UiRequests ui_frame(UiState& state, const UiInput& input) {
         return whole_frame(state, input);
     } catch (const std::exception& error) {  // most of all, that there is no memory
         give_up_frame(state, error);
-        redraw_within(0);
+    }
+    redraw_within(0);
+    try {
         return requests(state);
+    } catch (const std::bad_alloc&) {
+        UiRequests once_more;
+        once_more.sleep_s = 0;
+        return once_more;
     }
 }
 

@@ -104,7 +104,7 @@ struct UiState {
 
 struct UiRequests {
     bool quit = false;
-    std::string title;
+    std::string title;  // of the window; empty: as it is
     double sleep_s = std::numeric_limits<double>::infinity();  // until the next frame, if no event comes
 };
 

@@ -224,8 +224,10 @@ class Window {
         upload_sheets();
         const std::vector<Rect> changed = changes_.update(*ImGui::GetDrawData());
         shows_ = draw(changed);
-        if (wants.title != title_) glfwSetWindowTitle(window_, wants.title.c_str());
-        title_ = wants.title;
+        if (!wants.title.empty() && wants.title != title_) {
+            title_ = wants.title;
+            glfwSetWindowTitle(window_, title_.c_str());
+        }
         return wants;
     }
 
@@ -333,7 +335,12 @@ void run_window(const WindowOptions& options) {
     Window window(handle, state);
     if (!window.ready()) throw impossible("the display has no OpenGL 3.0");
     tell_averaged_normals(state);
-    window.run();
+    try {
+        window.run();
+    } catch (...) {
+        (void)keep_unsaved_work(state);
+        throw;
+    }
     open_state = nullptr;  // all is answered: what is not saved was not to be
     end_persistence(state);
     // What was begun and nobody waits for any more. All that was to be kept is written.

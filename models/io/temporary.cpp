@@ -16,6 +16,7 @@
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <exception>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -125,7 +126,7 @@ void remove_if_left(int directory, const char* name) {
     ::close(file);
 }
 
-void remove_left(const std::string& directory) {
+void remove_all_left(const std::string& directory) {
     static std::mutex one_at_a_time;
     static std::set<std::string> seen;
     const std::lock_guard lock(one_at_a_time);
@@ -137,6 +138,14 @@ void remove_left(const std::string& directory) {
         if (maker && is_gone(*maker)) remove_if_left(::dirfd(entries), entry->d_name);
     }
     ::closedir(entries);
+}
+
+/// Where there is no memory for that, it is left to a later process.
+void remove_left(const std::string& directory) noexcept {
+    try {
+        remove_all_left(directory);
+    } catch (const std::exception&) {
+    }
 }
 
 }  // namespace
@@ -154,6 +163,7 @@ Temporary::Temporary(const std::string& target, mode_t mode) {
 /// False with error_ set; EEXIST where another name will do.
 bool Temporary::make(const std::string& path, mode_t mode) {
     const NoEndHere no_end_here;
+    path_ = path;  // from here on nothing asks for memory
     slot_ = claim_slot(path);
     if (ending) {
         set_slot(slot_, Slot::Free);
@@ -172,7 +182,6 @@ bool Temporary::make(const std::string& path, mode_t mode) {
         error_ = EEXIST;
     }
     is_there_ = error_ == 0;
-    if (is_there_) path_ = path;
     set_slot(slot_, is_there_ ? Slot::There : Slot::Free);
     if (!is_there_) slot_ = -1;
     return is_there_;

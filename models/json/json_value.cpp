@@ -127,6 +127,12 @@ void append(std::string& text, const JsonValue& json, std::size_t indent) {
 
 }  // namespace
 
+/// Not the variant's own copying: where every alternative moves without throwing, libstdc++ 12 takes a
+/// variant for whole whose copying ran out of memory, and destroys what is not there.
+JsonValue::JsonValue(const JsonValue& other) {
+    std::visit([this](auto copy) { value_ = std::move(copy); }, other.value_);
+}
+
 JsonValue::JsonValue(std::initializer_list<JsonValue> values) {
     const bool is_object = std::all_of(values.begin(), values.end(), [](const JsonValue& v) {
         return v.elements().size() == 2 && v.elements().front().is_string();

@@ -23,6 +23,11 @@ class JsonValue {
     using Members = std::vector<std::pair<std::string, JsonValue>>;  // in the order in which they were set
 
     JsonValue() = default;  // null
+    JsonValue(const JsonValue& other);
+    JsonValue(JsonValue&& other) noexcept = default;
+    JsonValue& operator=(const JsonValue& other) { return *this = JsonValue(other); }
+    JsonValue& operator=(JsonValue&& other) noexcept = default;
+    ~JsonValue() = default;
     template <class Number>
     requires std::is_arithmetic_v<Number> JsonValue(Number value) {
         if constexpr (std::is_same_v<Number, bool>)

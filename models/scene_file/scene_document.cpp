@@ -121,11 +121,13 @@ Result<SceneDocument> open_by_extension(const std::string& path, const std::vect
                    known_extensions};
 }
 
-/// The directory without links and dots, as far as it exists; the working directory when it is empty.
-fs::path canonical_directory(const std::string& directory) {
+/// The directory without links and dots, as far as it exists; the working directory when it is empty. Where
+/// the system does not let us look for links, without dots.
+fs::path canonical_directory(const fs::path& directory) {
     std::error_code error;
-    fs::path path = fs::weakly_canonical(directory.empty() ? "." : directory, error);
-    return error ? fs::path(directory) : path;
+    const fs::path given = directory.empty() ? "." : directory;
+    fs::path path = fs::weakly_canonical(given, error);
+    return error ? fs::absolute(given, error).lexically_normal() : path;
 }
 
 }  // namespace
@@ -140,10 +142,9 @@ Scene with_mesh_paths_from(Scene scene, const std::string& old_directory, const 
     for (Object& object : scene.objects) {
         auto* named = std::get_if<MeshFile>(&object.source);
         if (named == nullptr || fs::path(named->path).is_absolute()) continue;
-        std::error_code error;
-        const fs::path place = fs::weakly_canonical((before / named->path).parent_path(), error);
+        const fs::path place = canonical_directory((before / named->path).parent_path());
         const fs::path relative = place.lexically_relative(after) / fs::path(named->path).filename();
-        if (!error && !place.empty()) named->path = relative.lexically_normal().generic_string();
+        if (!place.empty()) named->path = relative.lexically_normal().generic_string();
     }
     return scene;
 }

@@ -2,32 +2,23 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
+#include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 
+#include <new>
+
+#include "renderer/image/exr_stream.h"
 #include "renderer/image/image_file.h"
 
 namespace glint {
 namespace {
 
-/// A file in memory.
-class Bytes : public Imf::OStream {
-  public:
-    Bytes() : OStream("picture") {}
-    void write(const char c[], int n) override {
-        const auto size = static_cast<std::size_t>(n);
-        if (at_ + size > bytes.size()) bytes.resize(at_ + size);
-        bytes.replace(at_, size, c, size);
-        at_ += size;
-    }
-    std::uint64_t tellp() override { return at_; }
-    void seekp(std::uint64_t position) override { at_ = position; }
-
-    std::string bytes;
-
-  private:
-    std::size_t at_ = 0;
-};
+/// Whether no block of lines is missing. Where memory runs out inside the library's tasks, or as it closes a
+/// file, it says nothing.
+bool is_whole(const std::string& bytes) {
+    ExrSource source(bytes);
+    return Imf::InputFile(source, 0).isComplete();
+}
 
 }  // namespace
 
@@ -45,12 +36,13 @@ std::string exr_bytes(const Picture& picture, float exposure) {
         frame.insert(names[c],
                      Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(exposed.data() + c), pixel, row));
     }
-    Bytes out;
+    ExrSink out;
     {
         Imf::OutputFile file(out, header, 0);  // the table of lines is written when the file is closed
         file.setFrameBuffer(frame);
         file.writePixels(picture.size.height);
     }
+    if (!is_whole(out.bytes)) throw std::bad_alloc();
     return std::move(out.bytes);
 }
 

@@ -2,7 +2,6 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfInputFile.h>
 
 #include <algorithm>
@@ -12,10 +11,10 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
-#include <stdexcept>
 
 #include "models/io/file.h"
 #include "models/memory_limit.h"
+#include "renderer/image/exr_stream.h"
 #include "renderer/image/image_file.h"
 
 namespace glint {
@@ -79,28 +78,9 @@ float pfm_number(const char* at, bool little) {
     return std::bit_cast<float>(bits);
 }
 
-/// A file in memory.
-class Bytes : public Imf::IStream {
-  public:
-    explicit Bytes(const std::string& bytes) : IStream("picture"), bytes_(bytes) {}
-    bool read(char c[], int n) override {
-        const auto size = static_cast<std::size_t>(n);
-        if (size > bytes_.size() - std::min(at_, bytes_.size())) throw std::runtime_error("ends too early");
-        std::memcpy(c, bytes_.data() + at_, size);
-        at_ += size;
-        return at_ < bytes_.size();
-    }
-    std::uint64_t tellg() override { return at_; }
-    void seekg(std::uint64_t position) override { at_ = position; }
-
-  private:
-    const std::string& bytes_;
-    std::size_t at_ = 0;
-};
-
 /// Throws what the library throws for a file that is not whole.
 Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path) {
-    Bytes source(bytes);
+    ExrSource source(bytes);
     Imf::InputFile file(source, 0);
     const auto window = file.header().dataWindow();
     const long long width = 1LL + window.max.x - window.min.x, height = 1LL + window.max.y - window.min.y;

@@ -84,12 +84,21 @@ void draw_what_can_be(UiState& state, PictureSize full) {
 }
 
 /// The words for an exception that ends a piece of the window's work.
-void say_what_failed(UiState& state, const std::exception& error) {
+void add_what_failed(UiState& state, const std::exception& error) {
     if (const auto* no_memory = dynamic_cast<const std::bad_alloc*>(&error))
         return state.notifications.add(memory_problem(*no_memory));
     if (dynamic_cast<const std::length_error*>(&error) != nullptr)  // more than any machine has
         return state.notifications.add(memory_problem(std::bad_alloc()));
     state.notifications.add({.file = {}, .pointer = {}, .what = error.what(), .expected = {}});
+}
+
+/// Says them, in a later frame where there is not even memory for words.
+void say_what_failed(UiState& state, const std::exception& error) {
+    try {
+        add_what_failed(state, error);
+    } catch (const std::bad_alloc&) {
+        state.notifications.owes_no_memory = true;
+    }
 }
 
 }  // namespace
@@ -199,12 +208,12 @@ void take_back(UiState& state, const std::exception& error, PictureSize full, bo
 
 void give_up_frame(UiState& state, const std::exception& error) {
     if (state.rendered == nullptr) throw;
-    say_what_failed(state, error);
     // Fonts of windows that are open, which the windows' ends would miss.
     GImGui->FontStack.resize(0);
     ImGui::SetCurrentFont(ImGui::GetDefaultFont());
     ImGui::ErrorCheckEndFrameRecover(nullptr);
     put_views_away(state);
+    say_what_failed(state, error);
 }
 
 }  // namespace glint

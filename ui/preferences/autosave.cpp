@@ -57,35 +57,43 @@ std::optional<Copy> read_copy(const std::string& path) {
 }  // namespace
 
 std::optional<AutosaveLock> AutosaveLock::take(const std::string& path) {
-    const std::string lock = lock_path(path);
-    const int descriptor = ::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+    std::optional<AutosaveLock> lock(AutosaveLock{path});  // from here on nothing asks for memory
+    const int descriptor = ::open(lock->lock_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
     if (descriptor < 0) return {};
     struct stat ours {
     }, named{};
     // Whoever held it may have removed the file between our opening and our locking.
     const bool held = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &ours) == 0 &&
-                      ::stat(lock.c_str(), &named) == 0 && ours.st_ino == named.st_ino;
-    if (held) return AutosaveLock(path, descriptor);
+                      ::stat(lock->lock_.c_str(), &named) == 0 && ours.st_ino == named.st_ino;
+    if (held) {
+        lock->descriptor_ = descriptor;
+        return lock;
+    }
     ::close(descriptor);
     return {};
 }
 
+AutosaveLock::AutosaveLock(const std::string& path) : path_(path), lock_(lock_path(path)) {}
+
 AutosaveLock::AutosaveLock(AutosaveLock&& other) noexcept
-    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+    : path_(std::move(other.path_)),
+      lock_(std::move(other.lock_)),
+      descriptor_(std::exchange(other.descriptor_, -1)) {}
 
 AutosaveLock& AutosaveLock::operator=(AutosaveLock&& other) noexcept {
     if (this == &other) return *this;
     release();
     path_ = std::move(other.path_);
+    lock_ = std::move(other.lock_);
     descriptor_ = std::exchange(other.descriptor_, -1);
     return *this;
 }
 
 AutosaveLock::~AutosaveLock() { release(); }
 
-void AutosaveLock::release() {
+void AutosaveLock::release() noexcept {
     if (descriptor_ < 0) return;
-    ::unlink(lock_path(path_).c_str());  // before letting go: nobody else's can be in its place yet
+    ::unlink(lock_.c_str());  // before letting go: nobody else's can be in its place yet
     ::close(descriptor_);
     descriptor_ = -1;
 }

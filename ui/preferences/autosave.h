@@ -26,10 +26,10 @@ class AutosaveLock {
     [[nodiscard]] const std::string& path() const { return path_; }
 
   private:
-    AutosaveLock(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
-    void release();
+    explicit AutosaveLock(const std::string& path);
+    void release() noexcept;
 
-    std::string path_;
+    std::string path_, lock_;  // of the copy and of the lock's file
     int descriptor_ = -1;
 };
 

@@ -6,11 +6,13 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <new>
 #include <thread>
 #include <utility>
 
 #include "models/io/file.h"
 #include "models/json/json_value.h"
+#include "models/memory_limit.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
 
@@ -95,12 +97,21 @@ void tell_failed_autosave(UiState& state, const Problem& problem) {
                                         problem.text()));
 }
 
+/// What has come of it, as a problem where there was no memory for it. Precondition: it is valid.
+Result<std::monostate> result_of(std::future<Result<std::monostate>>& writing) {
+    try {
+        return writing.get();
+    } catch (const std::bad_alloc& error) {
+        return memory_problem(error);
+    }
+}
+
 /// The result of the copy that was being written, when it has come to its end. False while it has not.
 bool take_written_autosave(UiState& state) {
     Persistence& memory = state.persistence;
     if (!memory.autosave_writing.valid()) return true;
     if (memory.autosave_writing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
-    const Result<std::monostate> written = memory.autosave_writing.get();
+    const Result<std::monostate> written = result_of(memory.autosave_writing);
     if (const Problem* problem = problem_of(written))
         tell_failed_autosave(state, *problem);
     else
@@ -119,13 +130,13 @@ void write_autosave(UiState& state) {
     memory.autosaved_at = ImGui::GetTime();
     if (!has_autosave_name(memory))
         return tell_failed_autosave(state, {memory.folder, "", "cannot be written", "a folder of your own"});
-    memory.autosaved_scene = state.editor.scene();
     // Writing waits for the disk: not here.
     memory.autosave_writing = std::async(
         std::launch::async,
         [document = state.editor.document, folder = memory.folder, path = memory.autosave->path()] {
             return write_file(path, autosave_text(document, folder));
         });
+    memory.autosaved_scene = state.editor.scene();
 }
 
 void note_autosave(UiState& state) {
@@ -195,7 +206,7 @@ void poll_persistence(UiState& state) {
 void drop_autosave(UiState& state) {
     Persistence& memory = state.persistence;
     if (!memory.autosave) return;
-    if (memory.autosave_writing.valid()) (void)memory.autosave_writing.get();
+    if (memory.autosave_writing.valid()) (void)result_of(memory.autosave_writing);
     std::error_code failed;
     fs::remove(memory.autosave->path(), failed);
     memory.autosave.reset();
@@ -207,8 +218,8 @@ void keep_orphan(UiState& state, const std::string& path) {
     const auto copy = std::find_if(memory.orphans.begin(), memory.orphans.end(),
                                    [&path](const OrphanedAutosave& o) { return o.lock.path() == path; });
     if (copy == memory.orphans.end()) return;
-    memory.autosave = std::move(copy->lock);
     memory.autosaved_scene = state.editor.scene();
+    memory.autosave = std::move(copy->lock);
     memory.orphans.erase(copy);
 }
 
@@ -226,9 +237,13 @@ bool keep_unsaved_work(UiState& state) {
     Persistence& memory = state.persistence;
     if (memory.folder.empty() || !state.editor.unsaved()) return false;
     if (memory.autosave_writing.valid()) memory.autosave_writing.wait();  // it writes the same file
-    if (!has_autosave_name(memory)) return false;
-    const std::string text = autosave_text(state.editor.document, memory.folder);
-    return problem_of(write_file(memory.autosave->path(), text)) == nullptr;
+    try {
+        if (!has_autosave_name(memory)) return false;
+        const std::string text = autosave_text(state.editor.document, memory.folder);
+        return problem_of(write_file(memory.autosave->path(), text)) == nullptr;
+    } catch (const std::bad_alloc&) {
+        return false;
+    }
 }
 
 void reset_layout(UiState& state) {

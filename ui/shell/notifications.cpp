@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 
+#include "models/memory_limit.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -76,6 +78,8 @@ void Notifications::add(const Warnings& warnings) {
 
 void draw_notifications(Notifications& notifications, ImVec2 low_right, float max_width) {
     auto& list = notifications.list;
+    if (notifications.owes_no_memory) notifications.add(memory_problem(std::bad_alloc()));
+    notifications.owes_no_memory = false;
     const double now = ImGui::GetTime();
     list.erase(
         std::remove_if(list.begin(), list.end(), [now](const Notification& n) { return n.until <= now; }),

@@ -22,6 +22,7 @@ struct Notification {
 
 struct Notifications {
     std::vector<Notification> list;
+    bool owes_no_memory = false;  // that memory ran out, when it did not suffice to say so
 
     void add(Tone tone, const std::string& text);
     /// What a key did, for a moment, in place of what the key before it did.

@@ -1,0 +1,75 @@
+// The commands while what they ask of the system fails: each call in turn, and all from each on.
+#include <climits>
+
+#include "tests/faults/failing_program.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+using namespace glint::faults;
+
+namespace {
+
+const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n";
+const std::string scene =
+    R"({"glint": 1, "lights": [{"name": "Bulb", "position": [-1, 1, 2]}], "objects": [{"mesh": {"file": "mesh.obj"}}]})";
+
+/// Two files in a folder, and the commands on them.
+struct Room {
+    TemporaryDirectory folder;
+    std::string mesh_file = folder.file("mesh.obj", mesh), scene_file = folder.file("scene.json", scene);
+    std::string png = folder.path("out/picture.png"), exr = folder.path("out/picture.exr");
+    std::vector<Command> commands{
+        {"render", {"render", scene_file, "-o", png, "--size", "48x32", "--threads", "1"}, png},
+        {"explain", {"explain", scene_file, "--pixel", "24,16", "--size", "48x32", "--threads", "1"}, ""},
+        {"info", {"info", mesh_file, "--memory", "1G"}, ""},
+        {"render exr", {"render", scene_file, "-o", exr, "--size", "48x32", "--threads", "2"}, exr},
+    };
+};
+
+long count_of(const Calls& calls, Kind kind) { return calls.counts[static_cast<std::size_t>(kind)]; }
+
+/// Lets calls of the kind fail in turn: once, and from there on for ever.
+void fail_in_turn(Kind kind, long most) {
+    Room room;
+    for (const Command& command : room.commands) {
+        if (kind == Kind::Memory && command.name == "render exr") continue;
+        const Made right = made_by(command);
+        const long count = count_of(calls_of(command), kind);
+        for (const long number : numbers(count, most))
+            for (const long in_a_row : {1L, LONG_MAX}) {
+                const std::string wrong = wrong_end(command, {kind, number, in_a_row, 0}, right);
+                CHECK(wrong == "");
+            }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("what fails is counted: the program opens, reads, writes and renames", "[faults]") {
+    Room room;
+    const Calls calls = calls_of(room.commands.front());
+    CHECK(count_of(calls, Kind::Memory) > 100);
+    for (const Kind kind : {Kind::Open, Kind::Read, Kind::Write, Kind::Fsync, Kind::Rename, Kind::Close})
+        CHECK(count_of(calls, kind) >= 1);
+    CHECK(made_by(room.commands.front()).file.starts_with("\x89PNG"));
+}
+
+TEST_CASE("whatever of files fails, a command ends in one line and the old file is whole", "[faults]") {
+    const Kind kind = GENERATE(Kind::Open, Kind::Read, Kind::Write, Kind::Fsync, Kind::Close, Kind::Rename,
+                               Kind::Stat, Kind::Lock, Kind::Mode, Kind::Unlink, Kind::Thread);
+    fail_in_turn(kind, 1000);
+}
+
+/// OpenEXR's library waits for ever where there is no memory for one of its tasks: not asked of it.
+TEST_CASE("wherever memory ends, a command ends in one line and the old file is whole", "[faults]") {
+    fail_in_turn(Kind::Memory, 40);
+}
+
+TEST_CASE("an OpenEXR file that is not whole is not said to be done", "[faults]") {
+    Room room;
+    const Command& command = room.commands.back();
+    const Made right = made_by(command);
+    const long count = count_of(calls_of(command), Kind::Memory);
+    for (long number = count - 88; number < count; ++number)
+        CHECK(wrong_end(command, {Kind::Memory, number, 1, 0}, right) == "");
+}

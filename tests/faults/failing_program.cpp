@@ -1,0 +1,151 @@
+#include "tests/faults/failing_program.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+
+namespace glint::faults {
+namespace {
+
+constexpr unsigned longest_run_s = 10;
+const std::string old_bytes = "the old file";
+
+std::string folder_of(const Command& command) {
+    return std::filesystem::path(command.out).parent_path().string();
+}
+
+void put_old_file(const Command& command) {
+    if (command.out.empty()) return;
+    const std::filesystem::path out(command.out);
+    std::filesystem::create_directories(out.parent_path());
+    for (const auto& entry : std::filesystem::directory_iterator(out.parent_path())) remove_all(entry.path());
+    const int file = ::open(command.out.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+    (void)!::write(file, old_bytes.data(), old_bytes.size());
+    ::close(file);
+}
+
+void send_to(int descriptor, const std::string& path) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    ::dup2(file, descriptor);
+    ::close(file);
+}
+
+/// In the child process: becomes the program.
+[[noreturn]] void become(const Command& command, const std::string& fault, const TemporaryDirectory& notes) {
+    ::setenv("LD_PRELOAD", GLINT_FAILING_CALLS, 1);
+    ::setenv("GLINT_FAULT", fault.c_str(), 1);
+    ::setenv("GLINT_FAULT_LOG", notes.path("calls").c_str(), 1);
+    for (const char* const name : {"DISPLAY", "WAYLAND_DISPLAY"}) ::unsetenv(name);
+    send_to(STDOUT_FILENO, notes.path("out"));
+    send_to(STDERR_FILENO, notes.path("err"));
+    std::vector<char*> arguments{const_cast<char*>("glint")};  // NOLINT: as exec takes them
+    for (const std::string& argument : command.arguments)
+        arguments.push_back(const_cast<char*>(argument.c_str()));  // NOLINT
+    arguments.push_back(nullptr);
+    ::alarm(longest_run_s);
+    ::execv(GLINT_PROGRAM, arguments.data());
+    ::_exit(127);
+}
+
+/// Without the line that says how long it took.
+std::string without_times(std::string out) {
+    const std::size_t at = out.find("\"load_ms\"");
+    return at == std::string::npos ? out : out.erase(at, out.find('\n', at) - at);
+}
+
+Ended run(const Command& command, const std::string& fault, const TemporaryDirectory& notes) {
+    put_old_file(command);
+    const pid_t child = ::fork();
+    if (child == 0) become(command, fault, notes);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+            without_times(bytes_of(notes.path("out"))), bytes_of(notes.path("err"))};
+}
+
+std::string text_of(const Fault& fault) {
+    const auto kind = static_cast<std::size_t>(fault.kind);
+    return fmt::format("{} {} {} {}", kind_names[kind], fault.first, fault.count, fault.error);
+}
+
+/// What is wrong with the folder of the file, which is alone in it.
+std::string wrong_folder(const Command& command) {
+    if (command.out.empty()) return {};
+    for (const auto& entry : std::filesystem::directory_iterator(folder_of(command)))
+        if (entry.path() != command.out) return "left behind: " + entry.path().string();
+    return {};
+}
+
+std::string wrong_failure(const Command& command, const Ended& ended, const Made& right) {
+    const std::string file = command.out.empty() ? "" : bytes_of(command.out);
+    const auto lines = std::count(ended.err.begin(), ended.err.end(), '\n');
+    if (ended.status != 1) return fmt::format("exit status {}", ended.status);
+    if (lines != 1 || !ended.err.starts_with("glint: error: ")) return "not one line of an error";
+    if (!right.out.starts_with(ended.out)) return "other output";
+    if (!command.out.empty() && file != old_bytes && file != right.file)
+        return "neither the old nor the new file";
+    return {};
+}
+
+}  // namespace
+
+Calls calls_of(const Command& command) {
+    const TemporaryDirectory notes;
+    (void)run(command, "memory 9999999999 0 0", notes);
+    Calls calls;
+    std::istringstream lines(bytes_of(notes.path("calls")));
+    for (std::string line; std::getline(lines, line);) {
+        calls.lines.push_back(line);
+        std::istringstream words(line);
+        std::string first, kind;
+        long count = 0;
+        words >> first >> kind >> count;
+        for (std::size_t i = 0; i < kind_names.size(); ++i)
+            if (first == "calls" && kind == kind_names[i]) calls.counts[i] = count;
+    }
+    return calls;
+}
+
+Made made_by(const Command& command) {
+    const TemporaryDirectory notes;
+    const Ended ended = run(command, "memory 9999999999 0 0", notes);
+    if (ended.status != 0) return {"failed: " + ended.err, {}};
+    return {ended.out, command.out.empty() ? "" : bytes_of(command.out)};
+}
+
+std::string wrong_end(const Command& command, const Fault& fault, const Made& right) {
+    const TemporaryDirectory notes;
+    const Ended ended = run(command, text_of(fault), notes);
+    const Made made{ended.out, command.out.empty() ? "" : bytes_of(command.out)};
+    std::string wrong;
+    if (ended.status != 0)
+        wrong = wrong_failure(command, ended, right);
+    else if (!(made == right))
+        wrong = "says that it is done, and made something else";
+    if (wrong.empty() && fault.kind != Kind::Unlink) wrong = wrong_folder(command);
+    if (wrong.empty()) return {};
+    return fmt::format("{}, {}: {}\n{}", command.name, words_of(fault), wrong, ended.err.substr(0, 500));
+}
+
+std::string words_of(const Fault& fault) { return text_of(fault); }
+
+std::vector<long> numbers(long count, long most) {
+    const char* const asked = std::getenv("GLINT_FAULTS");
+    if (asked != nullptr && std::strcmp(asked, "all") == 0) most = LONG_MAX;
+    std::vector<long> list;
+    if (count <= most)
+        for (long i = 0; i < count; ++i) list.push_back(i);
+    else
+        for (long i = 0; i < most; ++i) list.push_back(i * (count - 1) / (most - 1));
+    return list;
+}
+
+}  // namespace glint::faults
