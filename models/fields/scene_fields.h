@@ -96,17 +96,33 @@ template <Of<Light> L, class Visit> void fields(L& l, Visit&& visit) {
           Group{}, l.area);
 }
 
+/// Of every mesh.
+template <class M, class Visit> void fineness_fields(M& m, Visit&& visit) {
+    visit(Row{"decimate", "Decimate",
+              "Triangles at most: the mesh is made coarser, the least quadric error first; 0: as many as it "
+              "has"}
+              .omitted_by_default(),
+          Count{.low = 0, .high = max_faces_wanted, .zero = "all"}, m.decimate);
+    visit(Row{"subdivide", "Subdivide",
+              "How many times each face is then cut into 4, by Loop where all are triangles, else by Catmull "
+              "and Clark"}
+              .omitted_by_default(),
+          Count{0, max_subdivisions}, m.subdivide);
+}
+
 template <Of<MeshFile> M, class Visit> void fields(M& m, Visit&& visit) {
     visit(Row{"file", "File",
               "A mesh file, its path relative to the scene file; a byte that is not UTF-8 is written U+EF00 "
               "+ byte"},
           Path{}, m.path);
+    fineness_fields(m, visit);
 }
 
 template <Of<PrimitiveMesh> M, class Visit> void fields(M& m, Visit&& visit) {
     visit(Row{"primitive", "Mesh", "A shape that needs no file"}, OneOf{}, m.primitive);
     visit(Row{"detail", "Detail", "How finely the shape is cut into polygons"},
           Count{1, info_of(m.primitive).max_detail}, m.detail);
+    fineness_fields(m, visit);
 }
 
 template <Of<Transform> T, class Visit> void fields(T& t, Visit&& visit) {

@@ -47,6 +47,8 @@ struct Mesh {
     Bounds bounds;                             // of the positions that faces use
     Warnings warnings;                         // what was tolerated while reading and cutting
     double load_ms = 0;                        // time to read or make it
+    std::size_t given_triangles = 0;           // of the mesh that this one was made of, finer or coarser
+                                               // (models/fineness/fineness.h); 0: it is as it was given
 
     [[nodiscard]] std::size_t face_count() const {
         return first_corner.empty() ? 0 : first_corner.size() - 1;

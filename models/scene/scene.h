@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "models/fineness/fineness.h"
 #include "models/mesh/mesh.h"
 #include "models/mesh/normals.h"
 #include "models/primitives/primitives.h"
@@ -23,15 +24,27 @@ namespace glint {
 inline constexpr std::size_t max_scene_triangles = std::size_t{1} << 30;
 
 struct MeshFile {
-    std::string path;  // as written in the scene file: relative to it, or absolute
+    std::string path;                 // as written in the scene file: relative to it, or absolute
+    int decimate = 0, subdivide = 0;  // of Fineness
     bool operator==(const MeshFile&) const = default;
 };
 struct PrimitiveMesh {
     Primitive primitive = Primitive::Sphere;
     int detail = 48;
+    int decimate = 0, subdivide = 0;  // of Fineness
     bool operator==(const PrimitiveMesh&) const = default;
 };
 using MeshSource = std::variant<PrimitiveMesh, MeshFile>;
+
+/// How much finer or coarser than it is given, read or made, the mesh shall be; and the source of it as
+/// given.
+[[nodiscard]] inline Fineness fineness_of(const MeshSource& source) {
+    return std::visit([](const auto& s) { return Fineness{s.decimate, s.subdivide}; }, source);
+}
+[[nodiscard]] inline MeshSource as_given(MeshSource source) {
+    std::visit([](auto& s) { s.decimate = s.subdivide = 0; }, source);
+    return source;
+}
 
 struct Object {
     std::string name = "Object";

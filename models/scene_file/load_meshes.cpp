@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "models/fields/choices.h"
+#include "models/fineness/fineness.h"
 #include "models/io/file.h"
 #include "models/mesh/mesh_memory.h"
 #include "models/mesh_formats/mesh_file.h"
@@ -57,11 +58,29 @@ Result<MeshPtr> load(const MeshSource& source, const std::string& mesh_dir) {
     }
 }
 
-/// What tells meshes apart: the name of a primitive and its detail, or the file itself, whatever path leads
-/// to it, and the extension by which it is read.
-using MeshKey = std::tuple<std::string, int, dev_t, ino_t>;
+/// What a mesh that is made finer or coarser is made of: `given`, as it is when that does.
+Result<MeshPtr> refined(const MeshPtr& given, const Fineness& wanted) {
+    if (is_fine_as_it_is(*given, wanted)) return given;
+    try {
+        Result<Mesh> made = with_fineness(*given, wanted);
+        if (const Problem* problem = problem_of(made)) return *problem;
+        return share_mesh(std::get<Mesh>(std::move(made)));
+    } catch (const LoadCancelled&) {
+        return Problem{"", "", cancelled_words, ""};
+    } catch (const Refused& refused) {
+        return memory_problem(refused);
+    } catch (const std::bad_alloc&) {
+        return Problem{"", "", "the mesh does not fit in memory", "fewer faces"};
+    }
+}
 
-MeshKey key_of_file(const std::string& path) {
+/// What tells meshes apart as they are given: the name of a primitive and its detail, or the file itself,
+/// whatever path leads to it, and the extension by which it is read.
+using GivenKey = std::tuple<std::string, int, dev_t, ino_t>;
+/// And how much finer or coarser they are made.
+using MeshKey = std::tuple<GivenKey, int, int>;
+
+GivenKey key_of_file(const std::string& path) {
     struct stat status {};
     if (path.find('\0') != std::string::npos || ::stat(path.c_str(), &status) != 0) return {path, 0, 0, 0};
     return {lower_extension(path), 0, status.st_dev, status.st_ino};
@@ -78,24 +97,17 @@ class Loader {
         const auto* named = std::get_if<MeshFile>(&object.source);
         MeshPtr& known = known_[key_of(object.source)];
         if (known) return known;
-        if (named != nullptr) {
-            const std::string why = why_no_file(resolved(named->path, mesh_dir_));
-            if (!why.empty())
-                return Problem{file_, pointer + "/file",
-                               fmt::format("cannot read \"{}\": {}", named->path, why), "a mesh file"};
-            if (!is_mesh_path(named->path))
-                return Problem{file_, pointer + "/file",
-                               fmt::format("\"{}\" has another extension", named->path),
-                               ".obj, .ply, .off, .stl or .om"};
+        Result<MeshPtr> given = given_mesh(object.source, pointer);
+        if (problem_of(given) != nullptr) return given;
+        Result<MeshPtr> made = refined(std::get<MeshPtr>(given), fineness_of(object.source));
+        if (const Problem* problem = problem_of(made))
+            return Problem{file_, pointer + problem->pointer, problem->what, problem->expected};
+        known = std::get<MeshPtr>(std::move(made));
+        for (const std::string& warning : known->warnings) {
+            const std::string line = named != nullptr ? named->path + ": " + warning : warning;
+            if (std::find(warnings_.begin(), warnings_.end(), line) == warnings_.end())
+                warnings_.push_back(line);
         }
-        Result<MeshPtr> loaded = load(object.source, mesh_dir_);
-        if (const Problem* problem = problem_of(loaded)) {
-            if (!problem->file.empty()) return *problem;
-            return Problem{file_, pointer, problem->what, problem->expected};
-        }
-        known = std::get<MeshPtr>(std::move(loaded));
-        for (const std::string& warning : known->warnings)
-            warnings_.push_back(named != nullptr ? named->path + ": " + warning : warning);
         return known;
     }
 
@@ -113,7 +125,7 @@ class Loader {
         for (std::size_t i = 0; i < objects.size(); ++i) {
             const auto* mesh = std::get_if<PrimitiveMesh>(&objects[i].source);
             if (objects[i].mesh || mesh == nullptr) continue;
-            const MeshKey key = key_of(objects[i].source);
+            const MeshKey key = key_of(as_given(objects[i].source));
             if (known_.contains(key) || !counted.insert(key).second) continue;
             const std::uint64_t kept = bytes_once_made(mesh->primitive, mesh->detail);
             const std::uint64_t made = bytes_to_make(mesh->primitive, mesh->detail);
@@ -134,7 +146,35 @@ class Loader {
     Warnings take_warnings() { return std::move(warnings_); }
 
   private:
+    /// The mesh as it is read or made.
+    Result<MeshPtr> given_mesh(const MeshSource& source, const std::string& pointer) {
+        const auto* named = std::get_if<MeshFile>(&source);
+        MeshPtr& known = known_[key_of(as_given(source))];
+        if (known) return known;
+        if (named != nullptr) {
+            const std::string why = why_no_file(resolved(named->path, mesh_dir_));
+            if (!why.empty())
+                return Problem{file_, pointer + "/file",
+                               fmt::format("cannot read \"{}\": {}", named->path, why), "a mesh file"};
+            if (!is_mesh_path(named->path))
+                return Problem{file_, pointer + "/file",
+                               fmt::format("\"{}\" has another extension", named->path),
+                               ".obj, .ply, .off, .stl or .om"};
+        }
+        Result<MeshPtr> loaded = load(source, mesh_dir_);
+        if (const Problem* problem = problem_of(loaded)) {
+            if (!problem->file.empty()) return *problem;
+            return Problem{file_, pointer, problem->what, problem->expected};
+        }
+        known = std::get<MeshPtr>(std::move(loaded));
+        return known;
+    }
+
     MeshKey key_of(const MeshSource& source) {
+        const Fineness wanted = fineness_of(source);
+        return {given_key_of(source), wanted.decimate, wanted.subdivide};
+    }
+    GivenKey given_key_of(const MeshSource& source) {
         if (const auto* mesh = std::get_if<PrimitiveMesh>(&source))
             return {std::string(name_of(mesh->primitive)), mesh->detail, 0, 0};  // details begin at 1
         const std::string path = resolved(std::get<MeshFile>(source).path, mesh_dir_);
@@ -146,7 +186,7 @@ class Loader {
     const std::string& file_;
     const std::string& mesh_dir_;
     std::map<MeshKey, MeshPtr> known_;
-    std::map<std::string, MeshKey> key_of_path_;  // each is asked for once
+    std::map<std::string, GivenKey> key_of_path_;  // each is asked for once
     Warnings warnings_;
 };
 

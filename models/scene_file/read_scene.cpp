@@ -139,7 +139,8 @@ void Reader::operator()(const Row& row, const OneMesh&, MeshSource& to) const {
         PrimitiveMesh primitive;
         MeshFile file;
         std::vector<std::string> keys = keys_of(file);
-        for (std::string& key : keys_of(primitive)) keys.push_back(std::move(key));
+        for (std::string& key : keys_of(primitive))
+            if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(std::move(key));
         node.allow_keys(keys);
         if (node.has("file") && node.has("primitive"))
             node.fail("both \"file\" and \"primitive\"", "one of the two");

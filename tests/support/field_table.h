@@ -89,9 +89,8 @@ class FieldTable {
             if (row.key == "primitive")
                 line(key + "/primitive", fmt::format("`{}`", name_of(mesh.primitive)), "of the list below",
                      row.help);
-            else
-                line(key + "/" + std::string(row.key), "of the primitive",
-                     "from 1, to the most of the primitive", row.help);
+            else if (row.key == "detail")
+                line(key + "/detail", "of the primitive", "from 1, to the most of the primitive", row.help);
         });
     }
     template <class T> void add(const std::string&, const Row&, const List&, const std::vector<T>&) {}

@@ -189,10 +189,12 @@ void begin_document(UiState& state, const std::string& name, LoadJob::Work work,
 }  // namespace
 
 bool is_quick(const PrimitiveMesh& mesh) {
+    if (mesh.decimate > 0 || mesh.subdivide > 3) return false;
     // Triangles go with the square of the detail; a largest one has about 8 million
     // (models/primitives/primitives.cpp).
-    const int most = info_of(mesh.primitive).max_detail;
-    if (mesh.primitive == Primitive::Icosphere) return mesh.detail <= 6;  // there with its power of 4
+    const int most = info_of(mesh.primitive).max_detail >> (mesh.subdivide > 0 ? mesh.subdivide + 1 : 0);
+    if (mesh.primitive == Primitive::Icosphere)
+        return mesh.detail + mesh.subdivide <= 6;  // there with its power of 4
     return most <= 8 || mesh.detail <= most / 6;
 }
 

@@ -3,9 +3,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <string>
+#include <type_traits>
 
+#include "models/saturate.h"
 #include "ui/document/averaged_normals.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
@@ -107,18 +110,42 @@ bool source_field(Object& object, const std::string& pointer, ObjectRequests& re
     return edited;
 }
 
-bool detail_field(Object& object, const std::string& pointer) {
-    auto* primitive = std::get_if<PrimitiveMesh>(&object.source);
-    if (primitive == nullptr) return false;
-    FieldPanel panel(*primitive, pointer + "/mesh");
-    panel.skip("primitive").draw_as("detail", [&](const Row& row, const Help& help, const auto&) {
-        const PrimitiveInfo info = info_of(primitive->primitive);
-        return integer_field(row.label, primitive->detail, Count{1, info.max_detail}, info.default_detail,
-                             help);
-    });
-    if (!panel.rest().edited()) return false;
-    object.mesh = nullptr;
+/// A slider to as many triangles as the mesh is given with, where it says "all".
+bool decimate_field(const Row& row, int& decimate, const Mesh* mesh, const Help& help) {
+    constexpr std::size_t when_not_known = 1'000'000;
+    const std::size_t given = mesh == nullptr             ? when_not_known
+                              : mesh->given_triangles > 0 ? mesh->given_triangles
+                                                          : mesh->triangles.size();
+    const auto all = static_cast<float>(std::max<std::size_t>(given, 2));
+    const Real kind{.range = {1, double(all), "1 to all"},
+                    .format = decimate == 0 ? "all" : "%.0f",
+                    .usual_max = all,
+                    .logarithmic = true};
+    float wanted = decimate == 0 ? all : std::min(static_cast<float>(decimate), all);
+    if (!number_field(row.label, wanted, kind, all, help)) return false;
+    decimate = wanted >= all ? 0 : std::max(saturated_int(std::round(wanted)), 1);
     return true;
+}
+
+/// How finely the mesh is cut.
+bool detail_fields(Object& object, const std::string& pointer) {
+    const bool edited = std::visit(
+        [&](auto& source) {
+            FieldPanel panel(source, pointer + "/mesh");
+            if constexpr (std::is_same_v<std::decay_t<decltype(source)>, PrimitiveMesh>)
+                panel.skip("primitive").draw_as("detail", [&](const Row& row, const Help& help, const auto&) {
+                    const PrimitiveInfo info = info_of(source.primitive);
+                    return integer_field(row.label, source.detail, Count{1, info.max_detail},
+                                         info.default_detail, help);
+                });
+            panel.draw_as("decimate", [&](const Row& row, const Help& help, const auto&) {
+                return decimate_field(row, source.decimate, object.mesh.get(), help);
+            });
+            return panel.rest().edited();
+        },
+        object.source);
+    if (edited) object.mesh = nullptr;
+    return edited;
 }
 
 void mesh_facts(const Object& object, const std::string& about_mesh) {
@@ -131,8 +158,13 @@ void mesh_facts(const Object& object, const std::string& about_mesh) {
         dim_text(fmt::format("{} {}", with_thousands(faces), faces == 1 ? "face" : "faces").c_str());
         label_cell("");
     }
-    dim_text(
-        fmt::format("{} {}", with_thousands(triangles), triangles == 1 ? "triangle" : "triangles").c_str());
+    const std::string count =
+        fmt::format("{} {}", with_thousands(triangles), triangles == 1 ? "triangle" : "triangles");
+    dim_text(count.c_str());
+    if (mesh.given_triangles > 0) {
+        label_cell("");
+        dim_text(fmt::format("of a mesh of {}", with_thousands(mesh.given_triangles)).c_str());
+    }
     const auto line = [](const std::string& words) {
         label_cell("");
         ImGui::PushTextWrapPos(0);
@@ -198,7 +230,7 @@ bool object_panel(Object& object, const std::string& pointer, Reflection reflect
     FieldPanel panel(object, pointer);
     panel.draw({"name", "visible"});
     bool edited = source_field(object, pointer, requests);
-    edited |= detail_field(object, pointer);
+    edited |= detail_fields(object, pointer);
     mesh_facts(object, requests.about_mesh);
     const auto normals = [&] { panel.group("normals", object.normals, field_rows<NormalOptions>); };
     // Of a mesh without normals they are what one looks for first.

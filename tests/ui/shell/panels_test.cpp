@@ -81,12 +81,20 @@ void act(HeadlessWindow& bench, Hand& hand) {
 
 /// Keeps a random detail from building millions of faces.
 void tame(HeadlessWindow& bench) {
-    for (Object& object : bench.scene().objects)
+    for (Object& object : bench.scene().objects) {
+        std::visit(
+            [&object](auto& source) {
+                if (source.subdivide <= 1) return;
+                source.subdivide = 1;
+                object.mesh = nullptr;
+            },
+            object.source);
         if (auto* primitive = std::get_if<PrimitiveMesh>(&object.source);
             primitive != nullptr && primitive->detail > 12) {
             primitive->detail = 2;
             object.mesh = nullptr;
         }
+    }
 }
 
 bool finite(const Scene& scene) {

@@ -1,0 +1,91 @@
+// Subdivision: C. Loop, "Smooth Subdivision Surfaces Based on Triangles", 1987; E. Catmull and J. Clark,
+// "Recursively generated B-spline surfaces on arbitrary topological meshes", 1978.
+#include <algorithm>
+
+#include "models/fineness/fineness.h"
+#include "models/fineness/half_edges.h"
+#include "models/progress.h"
+
+// They need a mesh of OpenMesh's to be known.
+#include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
+
+namespace glint {
+namespace {
+
+using OpenMesh::Subdivider::Uniform::CatmullClarkT;
+using OpenMesh::Subdivider::Uniform::LoopT;
+
+OpenMesh::Vec3d double_place(const glm::vec3& v) { return {double(v.x), double(v.y), double(v.z)}; }
+glm::vec3 float_place(const OpenMesh::Vec3d& v) { return {float(v[0]), float(v[1]), float(v[2])}; }
+
+/// One step at a time, as a load may be ended between two.
+template <class Subdivider, class HalfEdges> void subdivide(HalfEdges& mesh, int times) {
+    for (int step = 0; step < times; ++step) {
+        report_or_leave(LoadStage::Building, mesh.n_faces());
+        Subdivider subdivider;
+        subdivider.attach(mesh);
+        subdivider(1);
+        subdivider.detach();
+    }
+}
+
+template <class HalfEdges> std::vector<glm::vec3> places_in(const HalfEdges& mesh) {
+    std::vector<glm::vec3> places;
+    places.reserve(mesh.n_vertices());
+    for (const auto v : mesh.vertices()) places.push_back(float_place(mesh.point(v)));
+    return places;
+}
+
+template <class HalfEdges> void copy_faces(const HalfEdges& from, Mesh& to) {
+    to.first_corner.push_back(0);
+    for (const auto f : from.faces()) {
+        for (const auto v : from.fv_range(f))
+            to.corner_position.push_back(static_cast<std::uint32_t>(v.idx()));
+        to.first_corner.push_back(static_cast<std::uint32_t>(to.corner_position.size()));
+    }
+}
+
+/// Places and colours go the same way, by the same weights.
+template <class HalfEdges, class Subdivider> Mesh subdivided_by(const Mesh& mesh, int times) {
+    const Fans fans = fans_of(mesh);
+    Mesh out;
+    {
+        HalfEdges half_edges;
+        Fans split = fans;
+        add_faces(
+            mesh, split, [&](std::uint32_t v) { return double_place(mesh.positions[v]); }, half_edges);
+        subdivide<Subdivider>(half_edges, times);
+        out.positions = places_in(half_edges);
+        copy_faces(half_edges, out);
+        warn(out.warnings, split.split_count,
+             "vertex where edges of three faces and more, or several fans, meet came apart as it was "
+             "subdivided",
+             "vertices where edges of three faces and more, or several fans, meet came apart as they were "
+             "subdivided");
+    }
+    if (!mesh.colors.empty()) {
+        HalfEdges half_edges;
+        Fans split = fans;
+        add_faces(
+            mesh, split, [&](std::uint32_t v) { return double_place(mesh.colors[v]); }, half_edges);
+        subdivide<Subdivider>(half_edges, times);
+        out.colors = places_in(half_edges);
+    }
+    return out;
+}
+
+}  // namespace
+
+Mesh subdivided(const Mesh& mesh, int times) {
+    const Mesh clean = without_repeated_corners(mesh);
+    bool triangles = true;
+    for (std::size_t f = 0; f < clean.face_count(); ++f)
+        triangles = triangles && clean.corners_of(f).size() == 3;
+    Mesh out = triangles ? subdivided_by<TriangleHalfEdges, LoopT<TriangleHalfEdges>>(clean, times)
+                         : subdivided_by<PolygonHalfEdges, CatmullClarkT<PolygonHalfEdges>>(clean, times);
+    out.warnings.insert(out.warnings.begin(), mesh.warnings.begin(), mesh.warnings.end());
+    return out;
+}
+
+}  // namespace glint

@@ -1,0 +1,294 @@
+// Against what holds for any mesh: Euler's formula, counts of faces, the closed form of a limit, areas.
+#include "models/fineness/fineness.h"
+
+#include <glm/geometric.hpp>
+#include <map>
+#include <set>
+
+#include "models/mesh/normals.h"
+#include "models/primitives/primitives.h"
+#include "models/scene_file/scene_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/mesh_helpers.h"
+
+using namespace glint;
+using test::make_mesh;
+
+namespace {
+
+Mesh refined(const Mesh& mesh, const Fineness& wanted) {
+    Result<Mesh> made = with_fineness(mesh, wanted);
+    if (const Problem* problem = problem_of(made)) FAIL(problem->text());
+    return std::get<Mesh>(std::move(made));
+}
+
+/// Vertices that faces use, less edges, plus faces.
+int euler(const Mesh& mesh) {
+    const std::set<std::uint32_t> used(mesh.corner_position.begin(), mesh.corner_position.end());
+    return static_cast<int>(used.size()) - static_cast<int>(mesh_info(mesh).edges) +
+           static_cast<int>(mesh.face_count());
+}
+
+bool is_closed(const Mesh& mesh) {
+    const MeshInfo info = mesh_info(mesh);
+    return info.boundary_edges == 0 && info.non_manifold_edges == 0 && info.inconsistent_edges == 0;
+}
+
+double area(const Mesh& mesh, glm::dvec3* normals = nullptr) {
+    double sum = 0;
+    for (const Triangle& t : mesh.triangles) {
+        const auto at = [&](int i) { return glm::dvec3(mesh.positions[mesh.corner_position[t.corner[i]]]); };
+        const glm::dvec3 across = glm::cross(at(1) - at(0), at(2) - at(0)) / 2.0;
+        sum += glm::length(across);
+        if (normals != nullptr) *normals += across;
+    }
+    return sum;
+}
+
+/// The distance from p to the triangle a, b, c; C. Ericson, Real-Time Collision Detection, 5.1.5, by the
+/// plane where p is above the triangle, else by the three sides.
+double distance(const glm::dvec3& p, const std::array<glm::dvec3, 3>& t) {
+    const glm::dvec3 n = glm::cross(t[1] - t[0], t[2] - t[0]);
+    bool inside = true;
+    double least = 1e30;
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 a = t[i], b = t[(i + 1) % 3];
+        inside = inside && glm::dot(glm::cross(b - a, p - a), n) >= 0;
+        const double s = std::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
+        least = std::min(least, glm::length(p - a - s * (b - a)));
+    }
+    return inside ? std::abs(glm::dot(p - t[0], n)) / glm::length(n) : least;
+}
+
+double distance(const glm::dvec3& p, const Mesh& mesh) {
+    double least = 1e30;
+    for (const Triangle& t : mesh.triangles) {
+        std::array<glm::dvec3, 3> corners;
+        for (int i = 0; i < 3; ++i) corners[i] = mesh.positions[mesh.corner_position[t.corner[i]]];
+        least = std::min(least, distance(p, corners));
+    }
+    return least;
+}
+
+/// n x n quads in x and z from -1 to 1, at the height `y(x, z)`.
+template <class Height> Mesh height_field(int n, const Height& y) {
+    std::vector<glm::vec3> places;
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i) {
+            const float x = 2.0f * float(i) / float(n) - 1, z = 2.0f * float(j) / float(n) - 1;
+            places.emplace_back(x, y(x, z), z);
+        }
+    const auto at = [n](int i, int j) { return static_cast<std::uint32_t>(j * (n + 1) + i); };
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) faces.push_back({at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)});
+    return make_mesh(places, faces);
+}
+
+/// The furthest that the mesh reaches along a direction.
+double reach(const Mesh& mesh, const glm::dvec3& direction) {
+    double most = -1e30;
+    for (const glm::vec3& p : mesh.positions) most = std::max(most, glm::dot(glm::dvec3(p), direction));
+    return most;
+}
+
+}  // namespace
+
+TEST_CASE("subdividing triangles makes four of each, and Euler's formula goes on to hold", "[fineness]") {
+    const Mesh ball = make_primitive(Primitive::Icosphere, 1);
+    for (int n = 1; n <= 3; ++n) {
+        const Mesh fine = refined(ball, {0, n});
+        CHECK(fine.face_count() == std::size_t{80} << 2 * n);
+        CHECK(fine.triangles.size() == fine.face_count());
+        CHECK(is_closed(fine));
+        CHECK(euler(fine) == 2);
+        CHECK(fine.given_triangles == 80);
+    }
+}
+
+TEST_CASE("a subdivided cube tends to the limit that Catmull's and Clark's surface has", "[fineness]") {
+    const Mesh cube = make_primitive(Primitive::Cube, 1);
+    for (int n = 1; n <= 4; ++n) {
+        const Mesh fine = refined(cube, {0, n});
+        CHECK(fine.face_count() == std::size_t{6} << 2 * n);
+        CHECK(mesh_info(fine).quads == fine.face_count());
+        CHECK(is_closed(fine));
+        CHECK(euler(fine) == 2);
+    }
+    // Of a vertex v of n edges with the vertices e and, across its faces, f: (n^2 v + 4 sum e + sum f)/(n(n +
+    // 5)). The cube's corner (1, 1, 1): (9 + 4 - 1)/24 = 1/2. The middle of a side, after one step: v = 1, e
+    // = 3/4, f = 5/9, so (16 + 4 * 3 + 4 * 5/9)/36 = 68/81.
+    const Mesh fine = refined(cube, {0, 7});
+    CHECK(reach(fine, {0, 1, 0}) == Approx(68.0 / 81).margin(2e-4));
+    CHECK(reach(fine, glm::normalize(glm::dvec3(1, 1, 1))) == Approx(0.5 * std::sqrt(3)).margin(1e-3));
+}
+
+TEST_CASE("of a polygon there are as many quads as it has corners", "[fineness]") {
+    const Mesh fan = make_mesh({{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {1, 3, 0}, {-1, 1, 0}, {0, 0, 1}},
+                               {{0, 1, 2, 3, 4}, {0, 5, 1}});
+    CHECK(refined(fan, {0, 1}).face_count() == 5 + 3);
+    CHECK(refined(fan, {0, 3}).face_count() == (5 + 3) * 16);
+}
+
+TEST_CASE("a flat grid stays flat, whether it is made finer or coarser", "[fineness]") {
+    const Mesh grid = height_field(12, [](float, float) { return 0.25f; });
+    for (const Fineness wanted : {Fineness{0, 2}, Fineness{40, 0}, Fineness{8, 0}, Fineness{40, 2}}) {
+        CAPTURE(wanted.decimate, wanted.subdivide);
+        const Mesh made = refined(grid, wanted);
+        for (const glm::vec3& p : made.positions) CHECK(p.y == 0.25f);
+        glm::dvec3 sum(0);
+        const double whole = area(made, &sum);
+        CHECK(sum.y == Approx(whole));  // no face turned over
+        if (wanted.subdivide == 0) {
+            CHECK(whole == Approx(4));  // and none is missing, nor any corner of the square
+            CHECK(made.triangles.size() <= static_cast<std::size_t>(wanted.decimate));
+        }
+    }
+}
+
+TEST_CASE("a slanted plane loses vertices as an upright one does", "[fineness]") {
+    // Errors that rounding brings below 0 are no errors.
+    const Mesh slanted = height_field(16, [](float x, float z) { return 0.3f * x - 0.7f * z; });
+    const Mesh made = refined(slanted, {60, 0});
+    CHECK(made.triangles.size() <= 60);
+    CHECK(area(made) == Approx(area(slanted)));
+}
+
+TEST_CASE("a decimated closed surface stays closed, and near the one it was", "[fineness]") {
+    const Mesh knot = make_primitive(Primitive::Knot, 160);
+    const Mesh coarse = refined(knot, {2000, 0});
+    CHECK(coarse.triangles.size() <= 2000);
+    CHECK(coarse.triangles.size() >= 1998);
+    CHECK(is_closed(coarse));
+    CHECK(euler(coarse) == 0);  // as a torus
+    CHECK(coarse.given_normals == GivenNormals::None);
+    std::set<std::array<float, 3>> given;
+    for (const glm::vec3& p : knot.positions) given.insert({p.x, p.y, p.z});
+    for (const glm::vec3& p : coarse.positions) CHECK(given.count({p.x, p.y, p.z}) == 1);
+    double furthest = 0;
+    for (std::size_t v = 0; v < knot.positions.size(); v += 7)
+        furthest = std::max(furthest, distance(glm::dvec3(knot.positions[v]), coarse));
+    CHECK(furthest < 0.02);  // its tube has a radius of 0.25
+}
+
+TEST_CASE("decimating keeps a boundary, but for vertices on its straight parts", "[fineness]") {
+    // Two sides are parabolas, two are straight.
+    const Mesh bent = height_field(20, [](float x, float) { return x * x; });
+    const Mesh coarse = refined(bent, {100, 0});
+    std::map<std::array<float, 3>, int> kept;
+    for (const glm::vec3& p : coarse.positions) ++kept[{p.x, p.y, p.z}];
+    int on_parabolas = 0;
+    for (const glm::vec3& p : bent.positions)
+        if (std::abs(p.z) == 1) on_parabolas += kept.count({p.x, p.y, p.z}) == 1 ? 1 : 0;
+    CHECK(on_parabolas == 42);
+    int on_straight = 0;
+    for (const auto& [p, count] : kept) {
+        CHECK(count == 1);
+        on_straight += std::abs(p[0]) == 1 && std::abs(p[2]) < 1 ? 1 : 0;
+    }
+    CHECK(on_straight < 38);
+    const Mesh least = refined(bent, {4, 0});
+    CHECK(least.triangles.size() > 4);
+    REQUIRE(least.warnings.size() == 1);
+    CHECK(least.warnings[0].find("triangles are left, not 4") != std::string::npos);
+}
+
+TEST_CASE("where three faces meet at an edge the mesh stays when decimated, comes apart when subdivided",
+          "[fineness]") {
+    // Three leaves of a book with 6 x 6 quads each; its back is the y axis.
+    std::vector<glm::vec3> places;
+    std::vector<std::vector<std::uint32_t>> faces;
+    constexpr std::uint32_t n = 6;
+    for (std::uint32_t j = 0; j <= n; ++j) places.emplace_back(0, j, 0);
+    for (int leaf = 0; leaf < 3; ++leaf) {
+        const auto begin = static_cast<std::uint32_t>(places.size());
+        const glm::vec3 out = leaf == 0   ? glm::vec3(1, 0, 0)
+                              : leaf == 1 ? glm::vec3(-0.5f, 0, 1)
+                                          : glm::vec3(-0.5f, 0, -1);
+        for (std::uint32_t i = 1; i <= n; ++i)
+            for (std::uint32_t j = 0; j <= n; ++j) places.push_back(float(i) * out + glm::vec3(0, j, 0));
+        const auto at = [&](std::uint32_t i, std::uint32_t j) {
+            return i == 0 ? j : begin + (i - 1) * (n + 1) + j;
+        };
+        for (std::uint32_t i = 0; i < n; ++i)
+            for (std::uint32_t j = 0; j < n; ++j)
+                faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+    const Mesh book = make_mesh(places, faces);
+    const Mesh coarse = refined(book, {60, 0});
+    CHECK(coarse.triangles.size() <= 60);
+    CHECK(area(coarse) == Approx(area(book)));
+    CHECK(mesh_info(coarse).non_manifold_edges == n);
+    const Mesh fine = refined(book, {0, 1});
+    REQUIRE(fine.warnings.size() == 1);
+    CHECK(fine.warnings[0].starts_with("7 vertices"));
+    CHECK(fine.face_count() == 4 * book.face_count());
+}
+
+TEST_CASE("colours of vertices stay where vertices stay, and are blended where there are new ones",
+          "[fineness]") {
+    Mesh grid = height_field(10, [](float, float) { return 0.0f; });
+    for (const glm::vec3& p : grid.positions) grid.colors.emplace_back(p.x / 2 + 0.5f, 0.5f, p.z / 2 + 0.5f);
+    for (const Fineness wanted : {Fineness{50, 0}, Fineness{0, 2}}) {
+        const Mesh made = refined(grid, wanted);
+        REQUIRE(made.colors.size() == made.positions.size());
+        for (std::size_t v = 0; v < made.positions.size(); ++v) {  // places go by the same weights
+            CHECK(made.colors[v].x == Approx(made.positions[v].x / 2 + 0.5f).margin(1e-6));
+            CHECK(made.colors[v].z == Approx(made.positions[v].z / 2 + 0.5f).margin(1e-6));
+        }
+    }
+}
+
+TEST_CASE("what would have too many faces is refused in one line", "[fineness]") {
+    const auto refused = [](const Mesh& mesh, const Fineness& wanted) {
+        const Result<Mesh> made = with_fineness(mesh, wanted);
+        REQUIRE(problem_of(made) != nullptr);
+        return problem_of(made)->text();
+    };
+    const Mesh ball = make_primitive(Primitive::Icosphere, 5);  // 20 * 4^5 faces
+    CHECK(refused(ball, {0, 5}) ==
+          "/subdivide: subdivided 5 times the mesh has 20971520 faces; expected at most 8388608");
+    const Mesh cone = make_primitive(Primitive::Cone, 9000);
+    CHECK(refused(cone, {0, 1}) ==
+          "/subdivide: 9000 faces meet at one vertex of the mesh; expected at most 8192 where it is made "
+          "finer or coarser");
+    CHECK(refused(cone, {100, 0}).starts_with("/decimate: 9000 faces"));
+}
+
+TEST_CASE("a mesh of one fineness is made once, and another one is another mesh", "[fineness]") {
+    const auto scene_of = [](const std::vector<std::string>& meshes) {
+        std::string objects;
+        for (const std::string& mesh : meshes)
+            objects += std::string(objects.empty() ? "" : ", ") + "{\"mesh\": {" + mesh + "}}";
+        Scene scene =
+            std::get<Scene>(parse_scene("{\"glint\": 1, \"objects\": [" + objects + "]}", "s.json"));
+        const auto loaded = load_meshes(scene, "s.json", "");
+        if (const Problem* problem = problem_of(loaded)) FAIL(problem->text());
+        return scene;
+    };
+    const std::string torus = "\"primitive\": \"torus\", \"detail\": 24";
+    const Scene scene = scene_of(
+        {torus, torus + ", \"subdivide\": 1", torus + ", \"decimate\": 100", torus + ", \"subdivide\": 1",
+         torus + ", \"decimate\": 100, \"subdivide\": 1", torus + ", \"decimate\": 100000"});
+    const auto mesh = [&scene](int i) { return scene.objects[static_cast<std::size_t>(i)].mesh; };
+    CHECK(mesh(0)->face_count() == 24 * 12);
+    CHECK(mesh(1)->face_count() == 4 * 24 * 12);
+    CHECK(mesh(2)->face_count() == 100);
+    CHECK(mesh(3) == mesh(1));
+    CHECK(mesh(4)->face_count() == 400);
+    CHECK(mesh(5) == mesh(0));  // which has fewer
+    // What is written reads back, and what is as given is not written.
+    CHECK(scene_text(scene).find("\"detail\": 24, \"decimate\": 100, \"subdivide\": 1}") !=
+          std::string::npos);
+    CHECK(scene_text(scene).find("\"detail\": 24},") != std::string::npos);
+    CHECK(same_description(std::get<Scene>(parse_scene(scene_text(scene), "s.json")), scene));
+
+    Scene refused = std::get<Scene>(parse_scene(
+        R"({"glint": 1, "objects": [{"mesh": {"primitive": "icosphere", "detail": 8, "subdivide": 4}}]})",
+        "s.json"));
+    const auto loaded = load_meshes(refused, "s.json", "");
+    REQUIRE(problem_of(loaded) != nullptr);
+    CHECK(problem_of(loaded)->text() ==
+          "s.json: /objects/0/mesh/subdivide: subdivided 4 times the mesh has "
+          "335544320 faces; expected at most 8388608");
+}
