@@ -18,7 +18,7 @@ Shortfall text_of(const Problem* problem) {
 class Checker {
   public:
     Checker(LessonRunner& runner, const Lesson& lesson, SceneDocument document)
-        : runner_(runner), lesson_(lesson), document_(std::move(document)) {}
+        : runner_(runner), lesson_(lesson), document_(document), tried_on_(std::move(document)) {}
 
     Shortfall operator()(const Claim& claim) {
         const Result<NamedValues> run = runner_.answers(document_, lesson_, claim.runs);
@@ -28,7 +28,14 @@ class Checker {
         return {};
     }
 
+    /// What is to be done behind it begins with what it leaves, as in the window.
+    void follow(const Reveal& reveal) {
+        Result<SceneDocument> shown = LessonRunner::with(document_, reveal.set, lesson_, reveal.line);
+        if (problem_of(shown) == nullptr) tried_on_ = std::get<SceneDocument>(std::move(shown));
+    }
+
     Shortfall operator()(const Prediction& p) {
+        tried_on_ = document_;
         const Result<RightAnswer> right = right_answer(runner_, document_, lesson_, p);
         if (const Problem* problem = problem_of(right)) return text_of(problem);
         const auto& [value, tolerance] = std::get<RightAnswer>(right);
@@ -40,9 +47,9 @@ class Checker {
 
     Shortfall operator()(const Task& task) {
         if (task.solution.empty()) return "no solution is given; expected lines solution:";
-        Shortfall before = done(task, document_, false);
+        Shortfall before = done(task, tried_on_, false);
         if (before) return before;
-        const Result<SceneDocument> solved = LessonRunner::with(document_, task.solution, lesson_, task.line);
+        const Result<SceneDocument> solved = LessonRunner::with(tried_on_, task.solution, lesson_, task.line);
         if (const Problem* problem = problem_of(solved)) return text_of(problem);
         return done(task, std::get<SceneDocument>(solved), true);
     }
@@ -109,7 +116,7 @@ class Checker {
 
     LessonRunner& runner_;
     const Lesson& lesson_;
-    SceneDocument document_;
+    SceneDocument document_, tried_on_;
 };
 
 /// What is checked of a part: its kind, its line, its words. Nothing for text and reveals.
@@ -171,6 +178,7 @@ Result<std::vector<Checked>> check_lesson(LessonRunner& runner, const Lesson& le
         if (std::optional<Problem> problem = wrong_reveal(lesson, step, document)) return *problem;
         Checker checker(runner, lesson, document);
         for (const LessonPart& part : step.parts) {
+            if (const auto* reveal = std::get_if<Reveal>(&part)) checker.follow(*reveal);
             std::optional<Checked> checked = described(part);
             if (!checked || (claims_only && checked->kind != CheckedKind::Claim)) continue;
             const Shortfall shortfall = std::visit(
