@@ -132,6 +132,13 @@ Result<std::string> quiz_html(LessonRunner& runner, const Lesson& lesson, bool k
     return page_html(lesson.title, body);
 }
 
+JsonValue answers_json(const Lesson& lesson, const QuizAnswers& answers) {
+    JsonValue options = JsonValue::array();
+    for (const std::optional<std::size_t>& option : answers.options)
+        options.push_back(option ? JsonValue(*option) : JsonValue());
+    return {{"quiz", lesson.title}, {"when", answers.after ? "after" : "before"}, {"answers", options}};
+}
+
 Result<QuizAnswers> read_answers(const Lesson& lesson, std::string_view text, const std::string& file) {
     const std::vector<Posed> questions = questions_of(lesson);
     const std::optional<JsonValue> json = JsonValue::parse(text);

@@ -21,6 +21,8 @@ struct QuizAnswers {
         options;  // of each question, from 0; nothing where none was taken
 };
 
+/// What read_answers() reads: the form in which the page saves them.
+[[nodiscard]] JsonValue answers_json(const Lesson& lesson, const QuizAnswers& answers);
 /// Reads what the page has saved. `file` is for messages. A problem where it is anything else.
 [[nodiscard]] Result<QuizAnswers> read_answers(const Lesson& lesson, std::string_view text,
                                                const std::string& file);

@@ -107,6 +107,18 @@ TEST_CASE("answers are read as the page saves them, and nothing else is", "[less
     }
 }
 
+TEST_CASE("answers that the window writes read back as they were given", "[lesson][quiz]") {
+    const Lesson lesson = inventory();
+    QuizAnswers given{true, {}};
+    for (std::size_t i = 0; i < 24; ++i)
+        given.options.push_back(i == 7 ? std::nullopt : std::optional<std::size_t>(i % 4));
+    const std::string text = answers_json(lesson, given).text();
+    CHECK(text.find("\"quiz\":\"" + lesson.title + "\"") != std::string::npos);
+    const auto read = std::get<QuizAnswers>(read_answers(lesson, text, "answers.json"));
+    CHECK(read.after);
+    CHECK(read.options == given.options);
+}
+
 TEST_CASE("a class's statistics count options and give the gain", "[lesson][quiz]") {
     // Which option is right is read off the statistics of nobody.
     const JsonValue none = statistics({});
