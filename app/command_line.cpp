@@ -18,7 +18,7 @@ std::size_t first_word(const Arguments& arguments) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string& a = arguments[i];
         if (a == "--") break;  // from here on all are files
-        if (a == "-j" || a == "--threads" || a == "--set" || a == "--memory") {
+        if (a == "-j" || a == "--threads" || a == "--set" || a == "--memory" || a == "--lesson") {
             ++i;
         } else if (a.size() < 2 || a[0] != '-') {
             return i;

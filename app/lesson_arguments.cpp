@@ -50,11 +50,13 @@ std::vector<std::string> named_lessons(const std::vector<std::string>& words) {
     return files;
 }
 
-Lesson open_lesson(const std::string& word) {
+std::string lesson_file(const std::string& word) {
     const std::vector<std::string> files = named_lessons({word});
     if (files.size() != 1)
         throw wrong_usage(word, std::to_string(files.size()) + " lessons are named", "one of them");
-    return take(read_lesson(files[0]));
+    return files[0];
 }
+
+Lesson open_lesson(const std::string& word) { return take(read_lesson(lesson_file(word))); }
 
 }  // namespace glint

@@ -33,7 +33,9 @@ void remember(UiState& state, bool in_hand) {
 
 UiRequests requests(UiState& state) {
     UiRequests wants;
-    wants.title = fmt::format("{}{} – Glint", state.editor.unsaved() ? "● " : "", state.editor.title());
+    const Course* course = state.lesson.course.get();
+    wants.title = fmt::format("{}{} – Glint", state.editor.unsaved() ? "● " : "",
+                              course != nullptr ? course->lesson.title : state.editor.title());
     wants.sleep_s = next_redraw();
     const std::optional<Scene> preview = preview_of(state);
     const Scene& next = preview ? *preview : state.editor.scene();
@@ -54,6 +56,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     close_left_modal(state);
     ImGui::PushFont(fonts().body);
     begin_views(state);
+    state.layout.lesson = state.lesson.course != nullptr || state.match.on;
     const Layout layout = window_layout(state);
     if (!state.layout.hides_all) toolbar(state, layout.top);
     const bool in_hand = picture_room(state, layout, input);
@@ -61,8 +64,11 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     left_column(state, layout, picture_view(layout.centre, state));
     shortcuts_sheet(state);
     palette(state, input);
+    hold_lesson(state);
     const PictureView view = picture_view(layout.centre, state);
     draw_picture(state, view);
+    poll_prediction(state);
+    poll_match(state);
     update_views(state);
     learn_pace(state);
     picture_overlay(state, layout);
@@ -80,6 +86,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     if (const std::string said = take_said(); !said.empty()) state.notifications.add(Tone::Done, said);
     remember(state, in_hand);
     poll_persistence(state);
+    poll_lesson(state);
     poll_animation(state);
     ImGui::PopFont();
     return requests(state);
@@ -99,6 +106,8 @@ template <class Do> void for_each_job(UiState& state, Do action) {
     with(state.mistake_pictures.pictures.job);
     with(state.sensitivity.job);
     std::for_each(state.sensitivity.ending.begin(), state.sensitivity.ending.end(), with);
+    with(state.lesson.watching);
+    with(state.quiz.loading);
     with(state.mine.reading);
     with(state.mine.job);
     std::for_each(state.mine.left_readings.begin(), state.mine.left_readings.end(), with);
@@ -129,9 +138,13 @@ UiRequests ui_frame(UiState& state, const UiInput& input) {
     }
 }
 
-std::array<PictureSheet*, 4> sheets_of(UiState& state) {
-    return {&state.views.grid.sheet, &state.examples.pictures.sheet, &state.mistake_pictures.pictures.sheet,
-            &state.mine.sheet};
+std::array<PictureSheet*, 6> sheets_of(UiState& state) {
+    return {&state.views.grid.sheet,
+            &state.examples.pictures.sheet,
+            &state.mistake_pictures.pictures.sheet,
+            &state.mine.sheet,
+            &state.quiz.sheet,
+            &state.match.sheet};
 }
 
 bool end_jobs(UiState& state, double seconds) {

@@ -21,12 +21,17 @@
 #include "ui/export/animation.h"
 #include "ui/export/export_picture.h"
 #include "ui/fields/highlight_share.h"
+#include "ui/games/match.h"
+#include "ui/games/quiz.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/mistake_pictures.h"
 #include "ui/inspector/outside_view.h"
 #include "ui/inspector/sensitivity.h"
 #include "ui/lecture/examples.h"
 #include "ui/lecture/lecture.h"
+#include "ui/lessons/lesson.h"
+#include "ui/lessons/lessons_dialog.h"
+#include "ui/lessons/predict_mode.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/tool.h"
 #include "ui/picture/viewport.h"
@@ -39,9 +44,9 @@ namespace glint {
 
 /// What waits for the answer to "save changes?".
 struct Pending {
-    enum class What { Nothing, New, Open, Recover, Quit };
+    enum class What { Nothing, New, Open, Recover, Match, Quit };
     What what = What::Nothing;
-    std::string path;     // to open; of the copy to take up
+    std::string path;     // to open; of the copy to take up; the seed of a match
     bool asking = false;  // the question is on the screen; else the changes are being saved
 };
 
@@ -77,6 +82,11 @@ struct UiState {
     ExportState exporting;
     LectureState lecture;
     ExamplesState examples;
+    LessonState lesson;
+    LessonListState lessons;
+    PredictState predict;
+    QuizState quiz;
+    MatchState match;
     AnimateState animate;
     Pending pending;
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
@@ -113,7 +123,7 @@ struct UiRequests {
 [[nodiscard]] UiRequests ui_frame(UiState& state, const UiInput& input);
 
 /// The sheets of small pictures that the window keeps as textures; they stay where they are.
-[[nodiscard]] std::array<PictureSheet*, 4> sheets_of(UiState& state);
+[[nodiscard]] std::array<PictureSheet*, 6> sheets_of(UiState& state);
 
 /// Cancels every load, export and search at once and waits for them, at most `seconds`. False when one goes
 /// on: a thread in the middle of a mesh or a picture cannot be stopped. What is cancelled begins to write no

@@ -9,6 +9,8 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "app/failure.h"
+#include "app/lesson_arguments.h"
+#include "ui/lessons/course.h"
 
 namespace glint {
 namespace {
@@ -29,14 +31,25 @@ void require_all(const std::vector<std::string>& files) {
 Run declare(Options& options) {
     auto arguments = std::make_shared<SceneArguments>();
     auto more = std::make_shared<std::vector<std::string>>();
+    auto lesson = std::make_shared<std::string>();
     add_scene(options, *arguments);
+    add_text(options, "--lesson", "NAME", "open a lesson: by its name or number, or its file (.md)", *lesson);
     options.add_words("MORE", "further files: PgDn and PgUp go through all of them, in this order",
                       [more](const std::string& text) { more->push_back(text); });
-    return [arguments, more]() -> Outcome {
+    return [arguments, more, lesson]() -> Outcome {
         require_all(*more);
         std::vector<std::string> files{arguments->file};
         files.insert(files.end(), more->begin(), more->end());
-        run_window({arguments->file, arguments->assignments, arguments->threads, files});
+        if (lesson->empty() && is_lesson_file(arguments->file)) std::swap(*lesson, arguments->file);
+        if (lesson->empty()) {
+            run_window({arguments->file, arguments->assignments, arguments->threads, files, ""});
+            return {};
+        }
+        if (!arguments->file.empty())
+            throw wrong_usage("--lesson", "stands beside " + arguments->file, "one of the two");
+        if (!arguments->assignments.empty())
+            throw wrong_usage("--set", "stands beside a lesson, which sets its own scene", "one of the two");
+        run_window({"", {}, arguments->threads, {}, lesson_file(*lesson)});
         return {};
     };
 }

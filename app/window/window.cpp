@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,7 @@
 #include "app/window/window_input.h"
 #include "app/window/x_errors.h"
 #include "ui/document/averaged_normals.h"
+#include "ui/lessons/lesson.h"
 #include "ui/preferences/persistence.h"
 #include "ui/shell/frame_changes.h"
 #include "ui/ui.h"
@@ -320,8 +322,12 @@ class Window {
 
 void run_window(const WindowOptions& options) {
     UiState state(options.threads);
-    take_document(state.editor, take(first_document(options)));
+    std::shared_ptr<const Course> course;
+    if (!options.lesson.empty()) course = take(open_course(options.lesson));
+    take_document(state.editor, course ? course->document : take(first_document(options)));
     state.shipped_scenes = asset_path("scenes");
+    state.lesson.folder = asset_path("lessons");
+    state.lesson.inventory = asset_path("inventory.md");
     if (options.files.size() > 1) state.lecture.given_scenes = options.files;
     for (const std::string& warning : state.editor.document.warnings) say_warning(warning);
     begin_persistence(state, state_folder());
@@ -335,6 +341,7 @@ void run_window(const WindowOptions& options) {
     Window window(handle, state);
     if (!window.ready()) throw impossible("the display has no OpenGL 3.0");
     tell_averaged_normals(state);
+    if (course) begin_lesson(state, course);
     try {
         window.run();
     } catch (...) {

@@ -13,6 +13,7 @@ struct WindowOptions {
     std::vector<Assignment> assignments;  // applied to the file as it is opened
     int threads = 0;                      // 0: all cores
     std::vector<std::string> files;       // `file` and those that PgDn shows after it
+    std::string lesson;                   // its file; then no other file is opened
 };
 
 /// Opens the window and stays until it is closed. Throws Failure (app/failure.h), for the one line on

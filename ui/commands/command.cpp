@@ -35,7 +35,10 @@ std::vector<WindowCommand> all_commands() {
     std::vector<WindowCommand> all;
     for (const auto rows : {file_commands, edit_commands, hand_commands, camera_commands, view_commands,
                             lecture_commands, shading_commands})
-        for (WindowCommand& row : rows()) all.push_back(std::move(row));
+        for (WindowCommand& row : rows()) {
+            row.quiet |= row.menu == Menu::File || row.menu == Menu::Help;
+            all.push_back(std::move(row));
+        }
     return all;
 }
 
@@ -68,6 +71,7 @@ std::string keys_of_value(std::string_view value) {
 }
 
 std::string why_disabled(const UiState& state, const WindowCommand& command) {
+    if (is_held(state) && !command.quiet) return "First answer the lesson's question";
     return command.why_disabled == nullptr ? std::string() : command.why_disabled(state);
 }
 
@@ -88,9 +92,10 @@ void run_keys(UiState& state, const UiInput& input) {
     for (const KeyPress& press : input.presses) {
         if (press.key == Key::Escape && !number_in_hand()) escape(state);
         if (busy || state.palette.open || modal_of(state) != Modal::None) continue;
-        // While text is typed its keys are text; Ctrl+S still saves.
+        // While text is typed its keys are text; Ctrl+S still saves, and pages are turned.
         const bool typing = ImGui::GetIO().WantTextInput;
-        if (typing && !(press.ctrl && press.key == Key::S)) continue;
+        const bool leads_on = press.key == Key::PageDown || press.key == Key::PageUp;
+        if (typing && !leads_on && !(press.ctrl && press.key == Key::S)) continue;
         const auto has_key = [&press](const WindowCommand& command) {
             return std::find(command.keys.begin(), command.keys.end(), press) != command.keys.end();
         };

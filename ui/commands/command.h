@@ -28,6 +28,7 @@ struct WindowCommand {
     CommandId id = CommandId::None;
     bool line_above = false;       // in the menu
     bool changes_picture = false;  // over it or in place of it, where hints would be in the way
+    bool quiet = false;            // neither changes the scene nor tells of it: a question may wait
     const char* noun = "";         // what is on or off, where that is not the name
     const char* sets = "";         // what it sets of the scene, as keys_of_value() takes it
 };

@@ -104,6 +104,15 @@ std::vector<WindowCommand> file_commands() {
              [](const UiState& s) {
                  return unless(!s.shipped_scenes.empty(), "The scenes of Glint are not installed");
              }},
+        {.name = "Lessons…",
+         .keys = {{Key::L, ctrl}},
+         .menu = Menu::File,
+         .run = open_lessons,
+         .why_disabled =
+             [](const UiState& s) {
+                 return unless(!s.lesson.folder.empty() || s.lesson.course,
+                               "The lessons of Glint are not installed");
+             }},
         {.name = "Save",
          .keys = {{Key::S, ctrl}},
          .menu = Menu::File,

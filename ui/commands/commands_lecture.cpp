@@ -2,6 +2,7 @@
 #include "ui/commands/command_rows.h"
 #include "ui/document/document_actions.h"
 #include "ui/lecture/lecture.h"
+#include "ui/lessons/lesson_parts.h"
 
 namespace glint {
 namespace {
@@ -18,10 +19,17 @@ std::string other_scene(const UiState& state, int step) {
 }
 
 void open_other(UiState& state, int step) {
+    if (state.lesson.course) return page_lesson(state, step);
     const std::string path = other_scene(state, step);
     if (path.empty())
         return state.notifications.tell(step > 0 ? "This is the last scene" : "This is the first scene");
     begin_pending(state, Pending::What::Open, path);
+}
+
+/// Another one than the last, so that the command played twice plays two.
+void new_match(UiState& state) {
+    if (state.match.on) return begin_match(state, state.match.seed + 1);
+    begin_pending(state, Pending::What::Match, std::to_string(state.match.seed));
 }
 
 void switch_projector(UiState& state) {
@@ -32,10 +40,10 @@ void switch_projector(UiState& state) {
         lecture.left_before = layout.left;
         lecture.right_before = layout.right;
     }
-    // The equation stays, larger, and has the room of the scene's list.
+    // The equation stays, larger, and has the room of the scene's list; a lesson keeps its own.
     layout.left = !lecture.projector && lecture.left_before;
     layout.right = lecture.projector || lecture.right_before;
-    state.left_shows_inspector |= lecture.projector;
+    if (!state.layout.lesson) state.left_shows_inspector |= lecture.projector;
 }
 
 void switch_frozen(UiState& state) {
@@ -58,22 +66,50 @@ std::vector<WindowCommand> lecture_commands() {
         {.name = "Next scene of the folder",
          .keys = {{Key::PageDown}},
          .menu = Menu::Lecture,
-         .run = [](UiState& s) { open_other(s, 1); }},
+         .run = [](UiState& s) { open_other(s, 1); },
+         .quiet = true},
         {.name = "Previous scene of the folder",
          .keys = {{Key::PageUp}},
          .menu = Menu::Lecture,
-         .run = [](UiState& s) { open_other(s, -1); }},
+         .run = [](UiState& s) { open_other(s, -1); },
+         .quiet = true},
+        {.name = "Predict a colour: the picture stands still",
+         .keys = {{Key::Q}},
+         .menu = Menu::Lecture,
+         .run = switch_prediction,
+         .is_on = [](const UiState& s) { return s.predict.stage != PredictStage::Off; },
+         .why_disabled = [](const UiState& s) { return unless_drawn(s.rendered); },
+         .line_above = true,
+         .noun = "Predict a colour"},
+        {.name = "Match the target: a game", .menu = Menu::Lecture, .run = new_match},
+        {.name = "Quiz: what do you believe about lighting?",
+         .menu = Menu::Lecture,
+         .run = open_quiz,
+         .why_disabled =
+             [](const UiState& s) {
+                 return unless(!s.lesson.inventory.empty(), "The quiz of Glint is not installed");
+             },
+         .quiet = true},
+        {.name = "Lecturer: a lesson's questions without its answers",
+         .menu = Menu::Lecture,
+         .run = switch_lecturer,
+         .is_on = [](const UiState& s) { return s.lesson.lecturer; },
+         .why_disabled =
+             [](const UiState& s) { return unless(s.lesson.course != nullptr, "No lesson is open"); },
+         .quiet = true},
         {.name = "Projector: large type, strong contrast",
          .keys = {{Key::F9}},
          .menu = Menu::Lecture,
          .run = switch_projector,
          .is_on = [](const UiState& s) { return s.lecture.projector; },
-         .line_above = true},
+         .line_above = true,
+         .quiet = true},
         {.name = "Clean picture: no handles, no panels",
          .keys = {{Key::F10}},
          .menu = Menu::Lecture,
          .run = [](UiState& s) { s.layout.hides_all ^= true; },
-         .is_on = [](const UiState& s) { return s.layout.hides_all; }},
+         .is_on = [](const UiState& s) { return s.layout.hides_all; },
+         .quiet = true},
         {.name = "Freeze the picture",
          .keys = {{Key::F8}},
          .menu = Menu::Lecture,
@@ -87,14 +123,16 @@ std::vector<WindowCommand> lecture_commands() {
          .run = [](UiState& s) { s.lecture.pen.on ^= true; },
          .is_on = [](const UiState& s) { return s.lecture.pen.on; },
          .id = CommandId::Pen,
-         .line_above = true},
+         .line_above = true,
+         .quiet = true},
         {.name = "Wipe what the pen drew",
          .keys = {{Key::W, !ctrl, shift}},
          .menu = Menu::Lecture,
          .run = [](UiState& s) { s.lecture.pen.lines.clear(); },
          .why_disabled =
              [](const UiState& s) { return unless(!s.lecture.pen.lines.empty(), "Nothing is drawn"); },
-         .id = CommandId::WipePen},
+         .id = CommandId::WipePen,
+         .quiet = true},
         {.name = "Animate: turntable, numbers to and fro…",
          .keys = {{Key::T, ctrl}},
          .menu = Menu::Lecture,
@@ -105,7 +143,8 @@ std::vector<WindowCommand> lecture_commands() {
          .menu = Menu::Lecture,
          .run = [](UiState& s) { s.lecture.wedge.open ^= true; },
          .is_on = [](const UiState& s) { return s.lecture.wedge.open; },
-         .line_above = true},
+         .line_above = true,
+         .quiet = true},
         {.name = "Keys and mouse",
          .keys = {{Key::F1}, {Key::Question, !ctrl, shift}},
          .menu = Menu::Help,

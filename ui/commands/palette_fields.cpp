@@ -28,6 +28,7 @@ void show_field(UiState& state, const Selection& selection, const std::string& p
     state.editor.selection = selection;
     state.layout.left = true;
     state.layout.hides_columns = state.left_shows_inspector = false;
+    state.lesson.shows_scene = true;
     ask_for_field(pointer);
 }
 

@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <new>
@@ -110,6 +111,9 @@ void begin_pending(UiState& state, Pending::What what, const std::string& path) 
 
 void take_scene(UiState& state, SceneDocument document) {
     if (document.path != state.editor.document.path) put_picture_away(state);  // it shows another scene
+    leave_lesson(state);
+    end_prediction(state);
+    end_match(state);
     (void)cancel_gesture(state.viewport, state.editor.scene());
     take_document(state.editor, std::move(document));
     state.viewport.probe.reset();
@@ -132,6 +136,7 @@ void finish_pending(UiState& state) {
     }
     if (now.what == Pending::What::Recover) recover_autosave(state, now.path);
     if (now.what == Pending::What::Open) begin_open(state, now.path);
+    if (now.what == Pending::What::Match) begin_match(state, std::strtoull(now.path.c_str(), nullptr, 10));
 }
 
 std::string offered_name(const UiState& state, const char* ending) {

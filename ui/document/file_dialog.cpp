@@ -28,10 +28,11 @@ std::string lower(std::string text) {
 std::vector<std::string> extensions(FilePurpose purpose) {
     switch (purpose) {
     case FilePurpose::OpenScene:
-        return {".json", ".png"};
+        return {".json", ".png", ".md"};
     case FilePurpose::OpenMesh:
         return {};
     case FilePurpose::SaveScene:
+    case FilePurpose::SaveAnswers:
         return {".json"};
     case FilePurpose::SavePicture:
         return {".png"};
@@ -61,13 +62,16 @@ struct Words {
 Words words(FilePurpose purpose) {
     switch (purpose) {
     case FilePurpose::OpenScene:
-        return {"Open", "Open", "Scenes (.json), pictures of Glint (.png), meshes (.obj .ply .off .stl .om)"};
+        return {"Open", "Open",
+                "Scenes (.json), pictures of Glint (.png), meshes (.obj .ply .off .stl .om), lessons (.md)"};
     case FilePurpose::OpenMesh:
         return {"Choose a mesh", "Choose", "Meshes (.obj .ply .off .stl .om)"};
     case FilePurpose::MyPicture:
         return {"Compare my picture", "Compare", "A picture of this scene by any program (.png .pfm .exr)"};
     case FilePurpose::SaveScene:
         return {"Save the scene", "Save", "Scene file (.json)"};
+    case FilePurpose::SaveAnswers:
+        return {"Save my answers", "Save", "Answers (.json), which `glint quiz` counts"};
     case FilePurpose::SavePicture:
         return {"Save the picture", "Save", "Picture (.png), which carries its scene"};
     case FilePurpose::SaveFrames:
@@ -139,6 +143,7 @@ const char* nothing_words(FilePurpose purpose) {
     case FilePurpose::SavePicture:
     case FilePurpose::ExportPicture:
     case FilePurpose::SaveFrames:
+    case FilePurpose::SaveAnswers:
         return "No folder and no file of this kind here yet";
     }
     return "";  // not reached

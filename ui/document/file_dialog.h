@@ -7,7 +7,16 @@
 
 namespace glint {
 
-enum class FilePurpose { OpenScene, OpenMesh, MyPicture, SaveScene, SavePicture, ExportPicture, SaveFrames };
+enum class FilePurpose {
+    OpenScene,
+    OpenMesh,
+    MyPicture,
+    SaveScene,
+    SavePicture,
+    ExportPicture,
+    SaveFrames,
+    SaveAnswers
+};
 
 /// An entry of a folder; folders first, then by name without regard to case. Hidden ones are left out.
 struct FolderEntry {

@@ -153,6 +153,7 @@ void take_loaded(UiState& state, SceneDocument document) {
     take_scene(state, std::move(document));
     state.notifications.add(state.editor.document.warnings);
     tell_averaged_normals(state);
+    if (const auto course = std::exchange(loading.course, nullptr)) begin_lesson(state, *course);
     if (!recovery) return;
     state.editor.saved = *recovery->in_file;
     keep_orphan(state, recovery->autosave);
@@ -170,17 +171,19 @@ void poll_document(UiState& state) {
         return take_loaded(state, std::move(document));
     // Work went on while it was loading: it is not thrown away unasked.
     state.pending = loading.recovery ? Pending{Pending::What::Recover, loading.recovery->autosave, true}
-                                     : Pending{Pending::What::Open, document.path, true};
+                                     : Pending{Pending::What::Open, loading.path, true};
     loading.loaded = std::move(document);
 }
 
 /// Begins to load a document, in place of the one that was being loaded.
-void begin_document(UiState& state, const std::string& name, LoadJob::Work work,
+void begin_document(UiState& state, const std::string& path, const std::string& name, LoadJob::Work work,
                     std::optional<Recovery> recovery) {
     Loading& loading = state.loading;
     leave(loading, loading.document);
     loading.loaded.reset();
     loading.recovery = std::move(recovery);
+    loading.course.reset();
+    loading.path = path;
     loading.scene_then = state.editor.scene();
     loading.since = ImGui::GetTime();
     loading.document = std::make_unique<LoadJob>(name, std::move(work));
@@ -200,10 +203,20 @@ bool is_quick(const PrimitiveMesh& mesh) {
 
 void begin_open(UiState& state, const std::string& path) {
     Loading& loading = state.loading;
-    if (loading.loaded && !loading.recovery && loading.loaded->path == path)
+    if (loading.loaded && !loading.recovery && loading.path == path)
         return take_loaded(state, *std::exchange(loading.loaded, std::nullopt));
-    begin_document(state, fs::path(path).filename().string(),
-                   [path](LoadProgress&) { return open_document(path); }, {});
+    const std::string name = fs::path(path).filename().string();
+    if (!is_lesson_file(path))
+        return begin_document(state, path, name, [path](LoadProgress&) { return open_document(path); }, {});
+    const auto course = std::make_shared<std::shared_ptr<const Course>>();
+    const auto work = [path, course](LoadProgress&) -> Result<SceneDocument> {
+        Result<std::shared_ptr<const Course>> opened = open_course(path);
+        if (const Problem* problem = problem_of(opened)) return *problem;
+        *course = std::get<std::shared_ptr<const Course>>(std::move(opened));
+        return (*course)->document;
+    };
+    begin_document(state, path, name, work, {});
+    state.loading.course = course;
 }
 
 void recover_autosave(UiState& state, const std::string& path) {
@@ -218,7 +231,7 @@ void recover_autosave(UiState& state, const std::string& path) {
         if (const auto* document = std::get_if<SceneDocument>(&file)) *in_file = document->scene;
         return copy;
     };
-    begin_document(state, "Copy of the unsaved work", work, Recovery{path, in_file});
+    begin_document(state, path, "Copy of the unsaved work", work, Recovery{path, in_file});
 }
 
 void begin_mesh(UiState& state, const MeshSource& source, int index) {

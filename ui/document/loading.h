@@ -9,6 +9,7 @@
 
 #include "ui/document/editor.h"
 #include "ui/document/job.h"
+#include "ui/lessons/course.h"
 #include "ui/shell/layout.h"
 
 namespace glint {
@@ -28,9 +29,12 @@ struct Recovery {
 };
 
 struct Loading {
-    std::unique_ptr<LoadJob> document;    // to be opened
-    std::optional<Recovery> recovery;     // where `document` or `loaded` is a copy
-    Scene scene_then;                     // what was in hand when it began
+    std::unique_ptr<LoadJob> document;                      // to be opened
+    std::optional<Recovery> recovery;                       // where `document` or `loaded` is a copy
+    std::shared_ptr<std::shared_ptr<const Course>> course;  // where `document` or `loaded` is a lesson's: it
+                                                            // is there when the job has ended
+    std::string path;                                       // of what is being opened, or was
+    Scene scene_then;                                       // what was in hand when it began
     std::optional<SceneDocument> loaded;  // whole, and waiting for the answer to "save changes?"
     std::unique_ptr<LoadJob> meshes;      // of `awaited`
     std::vector<AwaitedMesh> awaited;

@@ -10,6 +10,7 @@
 
 #include "models/scene/scene.h"
 #include "renderer/inspect/explain/explanation.h"
+#include "renderer/inspect/explain/quantity.h"
 #include "ui/widgets/kept.h"
 #include "ui/widgets/theme.h"
 
@@ -38,6 +39,13 @@ struct BlockedKey {
     bool operator==(const BlockedKey&) const = default;
 };
 
+/// A number of the equation to which one was led.
+struct MarkedQuantity {
+    Quantity quantity = Quantity::Result;
+    int light = -1;                       // whose it is; -1: no light's
+    double scrolls_until = 0, until = 0;  // ImGui's time: brought into sight; marked
+};
+
 struct InspectorState {
     InspectorTab tab = InspectorTab::Equation;
     int corner = 0;                                  // whose numbers are listed under Gouraud and flat
@@ -54,7 +62,8 @@ struct InspectorState {
     // The scene that the next picture shows in place of the edited one, while the mouse points at a line that
     // asks for it (a term alone, another model, a mistake).
     std::optional<Scene> instead;
-    std::string preview_name;  // over it; or empty
+    std::string preview_name;              // over it; or empty
+    std::optional<MarkedQuantity> marked;  // shown in the equation for a moment
 };
 
 struct UiState;

@@ -45,7 +45,8 @@ void draw_surround(ImDrawList& list, const Rect& room, const Rect& picture) {
     fill({picture.high.x, picture.low.y}, {room.high.x, picture.high.y});
 }
 
-constexpr std::array asked_for_the_mouse{&pen_tool, &magnifier_tool, &compare_tool, &scope_tool, &hand_tool};
+constexpr std::array asked_for_the_mouse{&pen_tool,     &lesson_tool, &magnifier_tool,
+                                         &compare_tool, &scope_tool,  &hand_tool};
 
 void drag_held_tool(ToolFrame& frame) {
     ToolCapture& held = frame.state.capture;
@@ -88,6 +89,12 @@ bool forget_probe(UiState& state) {
     return true;
 }
 
+bool leave_prediction(UiState& state) {
+    if (state.predict.stage == PredictStage::Off) return false;
+    end_prediction(state);
+    return true;
+}
+
 bool leave_my_picture(UiState& state) {
     if (!state.mine.shown && !state.mine.reading) return false;
     put_picture_away(state);
@@ -97,8 +104,8 @@ bool leave_my_picture(UiState& state) {
 /// The innermost first.
 const std::array left_by_escape{hand_tool.cancel, close_palette,   leave_dialog,      close_popup,
                                 cancel_loading,   close_shortcuts, close_wedge,       close_animate,
-                                pen_tool.cancel,  show_panels,     scope_tool.cancel, forget_probe,
-                                leave_my_picture};
+                                pen_tool.cancel,  show_panels,     scope_tool.cancel, leave_prediction,
+                                forget_probe,     leave_my_picture};
 
 /// Reads the mouse over the item drawn last (the picture).
 void use_tools(UiState& state, const PictureView& view, const UiInput& input) {
@@ -120,6 +127,7 @@ void use_tools(UiState& state, const PictureView& view, const UiInput& input) {
 
 /// Draws what the tools show over the picture, but for the pen's lines.
 void draw_tools(ImDrawList& list, UiState& state, const PictureView& view) {
+    if (is_held(state)) return lesson_tool.draw(list, state, view);  // there is nothing to take hold of
     hand_tool.draw(list, state, view);
     magnifier_tool.draw(list, state, view);
     draw_lit_dots(list, state.views.lit, *state.renderer, state.rendered_scene, view);
@@ -127,6 +135,7 @@ void draw_tools(ImDrawList& list, UiState& state, const PictureView& view) {
     draw_debug_view_legend(list, state.views.debug_view, state.rendered_scene, view,
                            probe_pixel(state.viewport, view.map.size));
     scope_tool.draw(list, state, view);
+    lesson_tool.draw(list, state, view);
 }
 
 }  // namespace

@@ -72,7 +72,8 @@ void note_preferences(UiState& state) {
     now.dark = state.dark;
     now.layout = state.layout;
     now.views = views_to_remember(state);
-    now.layout.hides_columns = now.layout.hides_all = false;  // the picture alone is for a moment
+    now.layout.lesson = now.layout.hides_columns = now.layout.hides_all =
+        false;  // the picture alone is for a moment
     if (state.lecture.projector) {
         now.layout.left = state.lecture.left_before;
         now.layout.right = state.lecture.right_before;

@@ -155,6 +155,7 @@ template <class P, class Visit> void preference_fields(P& p, const Visit& visit)
     visit("scene_column", p.layout.left);
     visit("why_column", p.layout.right);
     visit("scene_width", p.layout.left_width, column);
+    visit("lesson_width", p.layout.lesson_width, column);
     visit("why_width", p.layout.right_width, column);
     visit("caption", p.layout.caption);
     visit("scope_height", p.layout.scope_height, Limits{80, 1000});

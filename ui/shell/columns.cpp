@@ -6,9 +6,13 @@
 
 #include "ui/fields/panels.h"
 #include "ui/inspector/tabs.h"
+#include "ui/lessons/lesson_parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/area.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/named_controls.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -116,7 +120,10 @@ namespace {
 constexpr float caption_margin = 12;  // logical pixels, on both sides
 
 std::string caption_of(const UiState& state) {
-    return state.layout.caption && !state.layout.hides_all ? state.editor.scene().about : std::string();
+    if (!state.layout.caption || state.layout.hides_all) return {};
+    // The lesson says what is to be said of its scene: in its column, or here where that is hidden.
+    if (state.lesson.course) return state.layout.hides_columns ? lesson_caption(state) : std::string();
+    return state.editor.scene().about;
 }
 
 }  // namespace
@@ -141,25 +148,93 @@ void caption_line(const UiState& state, const Layout& layout) {
     ImGui::End();
 }
 
+namespace {
+
+/// What the left column holds: tabs where it is more than one.
+enum class LeftPart { Lesson, Scene, Why };
+
+LeftPart left_part(const UiState& state, const Layout& layout) {
+    const bool held = is_held(state);  // there is nothing to be edited then, and nothing to be asked
+    if (layout.inspector_in_left && state.left_shows_inspector && !held) return LeftPart::Why;
+    return state.layout.lesson && (held || !state.lesson.shows_scene) ? LeftPart::Lesson : LeftPart::Scene;
+}
+
+void left_tabs(UiState& state, const Layout& layout) {
+    const LeftPart shown = left_part(state, layout);
+    const auto tab = [&](const char* name, LeftPart part) {
+        bool wanted = false;
+        column_tab(name, shown == part, wanted);
+        list_control(name, "tab", last_item());
+        ImGui::SameLine(0, px(2));
+        if (!wanted) return;
+        state.left_shows_inspector = part == LeftPart::Why;
+        state.lesson.shows_scene = part == LeftPart::Scene;
+    };
+    if (state.layout.lesson) tab(state.match.on ? "Game" : "Lesson", LeftPart::Lesson);
+    ImGui::BeginDisabled(is_held(state));
+    tab("Scene", LeftPart::Scene);
+    if (layout.inspector_in_left) tab("Why", LeftPart::Why);
+    ImGui::EndDisabled();
+    if (!state.layout.lesson) return ImGui::NewLine();
+    const float right = ImGui::GetWindowContentRegionMax().x;
+    if (state.lesson.course) {
+        const float width = ImGui::CalcTextSize("Lecturer").x + px(16);
+        ImGui::SameLine(right - width - ImGui::GetFrameHeight() - px(4));
+        if (chosen_button("Lecturer", state.lesson.lecturer, width)) switch_lecturer(state);
+        tooltip("Lecturer", "Shows questions without a way to answer them, for a room; nothing is noted");
+    }
+    ImGui::SameLine(right - ImGui::GetFrameHeight());
+    if (icon_button("##leave", Icon::Close)) {
+        leave_lesson(state);
+        end_match(state);
+    }
+    tooltip("Leave", "The scene stays as it is");
+}
+
+}  // namespace
+
 void left_column(UiState& state, const Layout& layout, const PictureView& view) {
     if (!layout.has_left) return;
     begin_area("##left", layout.left);
-    if (layout.inspector_in_left) {
-        bool scene = false, inspector = false;
-        column_tab("Scene", !state.left_shows_inspector, scene);
-        ImGui::SameLine(0, px(2));
-        column_tab("Why", state.left_shows_inspector, inspector);
-        if (scene || inspector) state.left_shows_inspector = inspector;
+    if (state.types_into_panel) state.lesson.shows_scene = true;
+    const bool in_two = state.layout.lesson || layout.inspector_in_left;
+    if (in_two)
+        left_tabs(state, layout);
+    else
+        column_heading("SCENE");
+    switch (left_part(state, layout)) {
+    case LeftPart::Lesson:
+        state.match.on ? match_column(state) : lesson_column(state);
+        break;
+    case LeftPart::Scene:
+        scene_column(state, view);
+        break;
+    case LeftPart::Why:
+        break;  // after the picture was drawn: inspector_columns()
     }
-    if (!layout.inspector_in_left) column_heading("SCENE");
-    if (!layout.inspector_in_left || !state.left_shows_inspector) scene_column(state, view);
     ImGui::End();
 }
+
+namespace {
+
+/// In place of all numbers, which would tell the answer.
+void held_note() {
+    ImGui::Dummy({0, px(8)});
+    ImGui::PushFont(fonts().title);
+    ImGui::TextUnformatted("First say what will happen");
+    ImGui::PopFont();
+    ImGui::Dummy({0, px(4)});
+    wrapped_dim(
+        "The lesson asks. The numbers behind every pixel stand here as soon as your answer is locked in.");
+}
+
+}  // namespace
 
 void inspector_columns(UiState& state, const Layout& layout, const PictureView& view) {
     state.inspector.instead.reset();
     state.inspector.preview_name.clear();
-    const bool in_left = layout.inspector_in_left && layout.has_left && state.left_shows_inspector;
+    const bool in_left =
+        layout.inspector_in_left && layout.has_left && left_part(state, layout) == LeftPart::Why;
     if (!layout.has_right && !in_left) return;
     if (in_left)
         resume_area("##left");
@@ -167,7 +242,10 @@ void inspector_columns(UiState& state, const Layout& layout, const PictureView& 
         begin_area("##right", layout.right);
         column_heading("WHY");
     }
-    inspector(state, view);
+    if (is_held(state))
+        held_note();
+    else if (predict_panel(state))
+        inspector(state, view);
     state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
     ImGui::End();
 }

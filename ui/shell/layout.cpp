@@ -26,18 +26,24 @@ void share_centre(Layout& layout, const LayoutState& state, float scale) {
 
 }  // namespace
 
+namespace {
+
+float left_width(const LayoutState& state) { return state.lesson ? state.lesson_width : state.left_width; }
+
+}  // namespace
+
 Layout lay_out(ImVec2 window, const LayoutState& state, float scale) {
     const float width = std::max(window.x, 1.0f), height = std::max(window.y, 1.0f);
     Layout layout;
     layout.inspector_in_left = is_narrow(window, scale);
     const bool columns = !state.hides_columns && !state.hides_all;
-    layout.has_left = columns && (state.left || (layout.inspector_in_left && state.right));
+    layout.has_left = columns && (state.left || state.lesson || (layout.inspector_in_left && state.right));
     layout.has_right = columns && state.right && !layout.inspector_in_left;
     const float bars = state.hides_all ? 0 : scale;
     const float top = std::round(std::min(top_height * bars, height / 3));
     const float bottom = std::round(height - std::min(status_height * bars, height / 3));
     // Columns take at most two thirds of the width together.
-    const float wanted_left = layout.has_left ? state.left_width * scale : 0;
+    const float wanted_left = layout.has_left ? left_width(state) * scale : 0;
     const float wanted_right = layout.has_right ? state.right_width * scale : 0;
     const float shrink = std::min(1.0f, width * 2 / 3 / std::max(wanted_left + wanted_right, 1.0f));
     const float left = std::round(wanted_left * shrink), right = std::round(width - wanted_right * shrink);
@@ -105,7 +111,9 @@ void edge(const char* id, float x, const Rect& column, float outwards, float ini
 void column_edges(LayoutState& state, const Layout& layout, float scale) {
     const LayoutState initial;
     if (layout.has_left)
-        edge("##left edge", layout.left.high.x, layout.left, 1, initial.left_width, state.left_width, scale);
+        edge("##left edge", layout.left.high.x, layout.left, 1,
+             state.lesson ? initial.lesson_width : initial.left_width,
+             state.lesson ? state.lesson_width : state.left_width, scale);
     if (layout.has_right)
         edge("##right edge", layout.right.low.x, layout.right, -1, initial.right_width, state.right_width,
              scale);

@@ -11,7 +11,9 @@ struct LayoutState {
     bool hides_columns = false;                 // F11: the picture alone
     bool hides_all = false;                     // F10: and no bars
     float left_width = 280, right_width = 340;  // logical pixels
-    bool scope = false;                         // the panel below the picture is open
+    bool lesson = false;  // the left column holds a lesson or a game, and is as wide as those need
+    float lesson_width = 350;
+    bool scope = false;  // the panel below the picture is open
     float scope_height = 210;
     bool caption = true;  // what the scene says of itself stands below the picture
     bool operator==(const LayoutState&) const = default;

@@ -86,6 +86,8 @@ void use_file(UiState& state, const std::string& path) {
         return bring_picture(state, path);
     case FilePurpose::SavePicture:
         return save_picture(state, path);
+    case FilePurpose::SaveAnswers:
+        return save_answers(state, path);
     case FilePurpose::SaveFrames:
         return begin_frames(state, path, state.exporting.options.size, state.exporting.options.samples);
     case FilePurpose::ExportPicture:
@@ -108,6 +110,8 @@ Modal modal_of(const UiState& state) {
     if (state.files.open) return Modal::Files;
     if (state.exporting.open) return Modal::Export;
     if (state.examples.open) return Modal::Examples;
+    if (state.lessons.open) return Modal::Lessons;
+    if (state.quiz.open) return Modal::Quiz;
     return Modal::None;
 }
 
@@ -131,6 +135,12 @@ void leave_modal(UiState& state) {
         return;
     case Modal::Examples:
         state.examples.open = false;
+        return;
+    case Modal::Lessons:
+        state.lessons.open = false;
+        return;
+    case Modal::Quiz:
+        state.quiz.open = false;
         return;
     }
 }
@@ -174,6 +184,12 @@ void dialogs(UiState& state, const UiInput& input) {
         break;
     case Modal::Examples:
         examples_dialog(state);
+        break;
+    case Modal::Lessons:
+        lessons_dialog(state);
+        break;
+    case Modal::Quiz:
+        quiz_dialog(state);
         break;
     }
     if (modal_of(state) != modal) redraw_within(0);  // the next one, or what lay below

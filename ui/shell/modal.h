@@ -15,7 +15,7 @@ namespace glint {
 struct UiState;
 
 /// In the order in which they come when several are asked for; the others wait.
-enum class Modal { None, Unsaved, Changed, Files, Export, Examples };
+enum class Modal { None, Unsaved, Changed, Files, Export, Examples, Lessons, Quiz };
 
 /// The dialog that is on the screen, or will be at the end of this frame.
 [[nodiscard]] Modal modal_of(const UiState& state);

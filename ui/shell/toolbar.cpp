@@ -122,7 +122,9 @@ void toolbar(UiState& state, const Rect& area) {
     if (open) menu_bar(state);
     ImGui::PopStyleVar(2);
     if (open) {
+        ImGui::BeginDisabled(is_held(state));
         switches(state, area);
+        ImGui::EndDisabled();
         ImGui::EndMenuBar();
     }
     ImGui::End();

@@ -135,7 +135,9 @@ void update_views(UiState& state) {
 void views_windows(UiState& state, const Layout& layout) {
     if (layout.has_views) {
         begin_area("##views", layout.views, ImGuiWindowFlags_NoScrollWithMouse);
+        ImGui::BeginDisabled(is_held(state));
         views_bar(state);
+        ImGui::EndDisabled();
         ImGui::End();
     }
     if (layout.has_scope && state.rendered != nullptr) {

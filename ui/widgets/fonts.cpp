@@ -88,7 +88,7 @@ void load_fonts(const FontFiles& files, float scale, float dots_per_unit) {
         ImFontConfig config;
         config.SizePixels = 13 * dots;
         ImFont* only = atlas.AddFontDefault(&config);
-        loaded = {only, only, only, only};
+        loaded = {only, only, only, only, only, only};
         atlas.Build();
         stand_in(*only);
         return;
@@ -96,7 +96,8 @@ void load_fonts(const FontFiles& files, float scale, float dots_per_unit) {
     const auto add = [&](const std::string& path, float size) {
         return atlas.AddFontFromFileTTF(path.c_str(), size * dots, nullptr, glyphs.data());
     };
-    loaded = {add(files.text, 15), add(files.text, 13), add(files.bold, 15), add(files.figures, 14)};
+    loaded = {add(files.text, 15),    add(files.text, 13), add(files.bold, 15),
+              add(files.figures, 14), add(files.text, 17), add(files.bold, 18)};
     atlas.Build();
 }
 

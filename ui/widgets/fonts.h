@@ -1,5 +1,5 @@
 #pragma once
-// Type: one family in three sizes, and figures of equal width so that numbers do not dance while dragged.
+// Type: one family in a few sizes, and figures of equal width so that numbers do not dance while dragged.
 // Found at run time among the system's fonts; ImGui's own where there is none.
 
 #include <imgui.h>
@@ -13,6 +13,8 @@ struct Fonts {
     ImFont* small = nullptr;
     ImFont* title = nullptr;
     ImFont* figures = nullptr;  // every character as wide as every other
+    ImFont* reading = nullptr;  // of long texts
+    ImFont* heading = nullptr;  // bold, over them
 };
 
 /// Paths of the fonts to use; empty when none was found.

@@ -108,6 +108,9 @@ void tone_line(const ExplainedTone& tone, int channel) {
 
 void unlit(UiState& state, const Explanation& explanation, const ExplainedPoint& point) {
     const int channel = state.inspector.channel;
+    const auto& marked = state.inspector.marked;
+    const bool is_marked = marked && marked->light < 0;
+    const QuantityMark mark(is_marked ? std::optional(marked->quantity) : std::nullopt, false);
     if (point.cool_to_warm.used) return tone_line(point.cool_to_warm, channel);
     for (const EquationLine& line : unlit_lines(state.editor.scene(), explanation, point)) {
         ImGui::PushID(static_cast<int>(line.term));
@@ -128,6 +131,16 @@ std::string section_title(const InspectorState& state, const Explanation& explan
     constexpr std::array channels{"red", "green", "blue"};
     return fmt::format("In {}, under {} shading", channels[static_cast<std::size_t>(state.channel)],
                        choice_of(explanation.mode).label);
+}
+
+/// A mark is seen for a few seconds.
+void forget_old_mark(InspectorState& inspector) {
+    if (!inspector.marked) return;
+    const double rest = inspector.marked->until - ImGui::GetTime();
+    if (rest <= 0)
+        inspector.marked.reset();
+    else
+        redraw_within(rest);
 }
 
 struct Format {
@@ -177,6 +190,7 @@ void equation_tab(UiState& state, const PictureView&) {
             "why a "
             "light that you expect adds nothing.");
     const Explanation& explanation = *state.explanation;
+    forget_old_mark(state.inspector);
     if (!explanation.hit) return wrapped_dim("No object shows here: the pixel has the background's colour.");
     if (static_cast<std::size_t>(explanation.object_index) >= state.editor.scene().objects.size()) return;
     formula(explanation.reflection);

@@ -214,6 +214,10 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
     const auto index = static_cast<std::size_t>(explained.index);
     if (index >= scene.lights.size()) return;
     const Light before = scene.lights[index];
+    const auto& marked = state.inspector.marked;
+    const bool is_marked = marked && marked->light == explained.index;
+    const QuantityMark mark(is_marked ? std::optional(marked->quantity) : std::nullopt,
+                            is_marked && ImGui::GetTime() < marked->scrolls_until);
     bool edited = false;
     ImGui::PushID(explained.index);
     ImGui::BeginGroup();

@@ -8,10 +8,15 @@
 #include "ui/inspector/equation/copy_menu.h"
 #include "ui/inspector/equation/quantity_look.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/named_controls.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
+
+// Of the light whose card is drawn, for no longer than that (ui/inspector/equation/text_line.h).
+std::optional<Quantity> marked;
+bool marked_scrolls = false;
 
 constexpr float padding_x = 2, padding_y = 1;  // of a handle, logical pixels
 
@@ -114,7 +119,26 @@ TextLine& TextLine::copied_as(std::string line) {
     return *this;
 }
 
+QuantityMark::QuantityMark(std::optional<Quantity> quantity, bool scrolls) {
+    marked = quantity;
+    marked_scrolls = scrolls;
+}
+QuantityMark::~QuantityMark() { marked.reset(); }
+
 TextLine& TextLine::symbol(Quantity quantity) {
+    letters(quantity);
+    if (measures_ || marked != quantity) return *this;
+    marked.reset();
+    const Rect letter = last_item();
+    const ImVec2 low = letter.low - px(1) * ImVec2(is_cosine(quantity) ? 22 : 5, 2);
+    ImGui::GetWindowDrawList()->AddRect(low, letter.high + px(1) * ImVec2(62, 2), to_u32(theme().accent),
+                                        px(4), 0, px(2));
+    list_control("Marked number", row_of(quantity).letter, letter);
+    if (marked_scrolls) ImGui::SetScrollHereY(0.4f);
+    return *this;
+}
+
+void TextLine::letters(Quantity quantity) {
     const QuantityRow& row = row_of(quantity);
     const auto letter = [&](Quantity q) {
         piece(row_of(q).letter, theme()[colour_of(q)], fonts().body, 0);
@@ -129,13 +153,12 @@ TextLine& TextLine::symbol(Quantity quantity) {
         plain("·");
         if (!measures_) tooltip(row.letter, row.meaning);
         letter(vectors.second);
-        return *this;
+        return;
     }
     letter(quantity);
-    if (*row.index == 0) return *this;
+    if (*row.index == 0) return;
     piece(row.index, theme()[colour_of(quantity)], fonts().small, px(3));
     if (!measures_) tooltip(text_of(quantity).c_str(), row.meaning);
-    return *this;
 }
 
 TextLine& TextLine::times() { return gap(2).plain("×").gap(2); }

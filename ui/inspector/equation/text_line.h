@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <optional>
 #include <string>
 
 #include "renderer/inspect/explain/quantity.h"
@@ -12,6 +13,16 @@
 #include "ui/widgets/theme.h"
 
 namespace glint {
+
+/// While it lives, the first letter of that quantity is framed, with the number behind it. `scrolls`: and
+/// brought into sight.
+class QuantityMark {
+  public:
+    QuantityMark(std::optional<Quantity> quantity, bool scrolls);
+    ~QuantityMark();
+    QuantityMark(const QuantityMark&) = delete;
+    QuantityMark& operator=(const QuantityMark&) = delete;
+};
 
 class TextLine {
   public:
@@ -61,6 +72,7 @@ class TextLine {
     bool edit(const NumberHandle& number, const ImVec4& colour, float down);
 
     void menu_of(const std::string& number);
+    void letters(Quantity quantity);
 
     float x_, y_, left_, right_, indent_;
     std::string line_;

@@ -1,0 +1,75 @@
+#pragma once
+// What tests of lessons in the window share: a window with a lesson open, and a student who answers by hand.
+
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include "tests/support/headless_window.h"
+
+namespace glint::test {
+
+/// The file of a lesson that comes with the program.
+inline std::string shipped_lesson(const std::string& name) {
+    return (std::filesystem::path(GLINT_SOURCE_DIR) / "assets/lessons" / (name + ".md")).string();
+}
+
+inline void drop(HeadlessWindow& bench, const std::string& path) {
+    UiInput input;
+    input.dropped = {path};
+    (void)bench.frame(input);
+    bench.wait_for_loads();
+    bench.frames(3);
+}
+
+inline void type(HeadlessWindow& bench, const std::string& text) {
+    for (const char c : text) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(c));
+    (void)bench.frame();
+}
+
+/// Frames until what is to be done has been asked of the scene in hand.
+inline void wait_for_tasks(HeadlessWindow& bench) {
+    const LessonState& lesson = bench.state.lesson;
+    do {
+        (void)bench.frame();
+        std::this_thread::yield();
+    } while (lesson.watching || !lesson.watched || !(lesson.watched->of == bench.scene()));
+    bench.frames(2);
+}
+
+/// The first question that waits for an answer. Precondition: there is one.
+inline const StationQuestion& asked(const HeadlessWindow& bench) {
+    const LessonState& lesson = bench.state.lesson;
+    return lesson.station().questions[open_question(lesson).value()];
+}
+
+/// Gives an answer with mouse and keys, the right one where that can be met so, and does not lock it in.
+inline void give_answer(HeadlessWindow& bench) {
+    const StationQuestion& question = asked(bench);
+    const JsonValue& right = question.right.value;
+    switch (question.asks->kind) {
+    case PredictionKind::Number:
+        bench.click(bench.control("Your answer"));
+        return type(bench, std::to_string(right.number()));
+    case PredictionKind::Choice:
+        return bench.click(
+            bench.control(question.asks->options[static_cast<std::size_t>(right.number())].text));
+    case PredictionKind::Click: {
+        const glm::dvec2 place{right.elements()[0].number(), right.elements()[1].number()};
+        const PictureSize size = bench.state.rendered->size;
+        return bench.click(
+            bench.at_pixel(share_of_lesson_pixel(bench.state, place) * glm::dvec2(size.width, size.height)));
+    }
+    case PredictionKind::Sketch: {
+        const Rect plot = bench.area_of("Sketch");
+        const float y = (plot.low.y + plot.high.y) / 2;
+        return bench.drag({plot.low.x + 1, y}, {plot.high.x - 1, y});
+    }
+    case PredictionKind::Colour: {
+        const Rect picker = bench.area_of("Colour to predict");
+        return bench.click(picker.low + ImVec2(40, 40));
+    }
+    }
+}
+
+}  // namespace glint::test

@@ -1,0 +1,183 @@
+// The quiz in the window, and *Match the target*.
+#include <algorithm>
+#include <set>
+#include <thread>
+
+#include "models/fields/scene_numbers.h"
+#include "models/io/file.h"
+#include "renderer/lessons/quiz.h"
+#include "tests/support/lesson_window.h"
+#include "tests/support/program.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+/// The numbers in which two scenes differ.
+std::set<std::string> differing_numbers(const Scene& a, const Scene& b) {
+    const std::vector<SceneNumber> of_a = numbers_of(a), of_b = numbers_of(b);
+    REQUIRE(of_a.size() == of_b.size());
+    std::set<std::string> differ;
+    for (std::size_t i = 0; i < of_a.size(); ++i)
+        if (of_a[i].value != of_b[i].value) differ.insert(of_a[i].pointer);
+    return differ;
+}
+
+void open_game(HeadlessWindow& bench, std::uint64_t seed) {
+    bench.frames(2);
+    begin_match(bench.state, seed);
+    bench.frames(3);
+}
+
+}  // namespace
+
+TEST_CASE("a target differs from its beginning in the named numbers alone, the same for the same seed",
+          "[ui][match]") {
+    Renderer renderer(1);
+    for (std::uint64_t seed = 1; seed <= 21; ++seed) {
+        CAPTURE(seed);
+        const MatchTask task = match_task(seed);
+        const std::set<std::string> differ = differing_numbers(task.start, task.target);
+        CHECK_FALSE(differ.empty());
+        for (const std::string& number : differ)
+            CHECK(std::find(task.numbers.begin(), task.numbers.end(), number) != task.numbers.end());
+        CHECK(same_description(match_task(seed).target, task.target));
+        // Solvable by construction: the numbers, set one by one, are the target; and not solved at first.
+        Scene scene = task.start;
+        for (const std::string& number : task.numbers)
+            CHECK_FALSE(set_number(scene, number, number_at(task.target, number)->value));
+        CHECK(scene == task.target);
+        const Picture target = renderer.render(task.target, match_size);
+        const Picture start = renderer.render(task.start, match_size);
+        CHECK(apart_of(start, target) > 2 * match_tolerance);
+    }
+    CHECK_FALSE(match_task(1).target == match_task(8).target);
+}
+
+TEST_CASE("the difference falls while the hand comes closer, wherever one looks from, and ends at the target",
+          "[ui][window][match]") {
+    HeadlessWindow bench({1280, 1000});
+    open_game(bench, 2);  // the exponent alone
+    const MatchState& match = bench.state.match;
+    REQUIRE(match.on);
+    CHECK(match.now == match.first);
+    const float wanted = match.task.target.objects[0].material.shininess;
+    float& shininess = bench.scene().objects[0].material.shininess;
+    const double first = match.now;
+    shininess = (shininess + wanted) / 2;
+    bench.frames(2);
+    CHECK(match.now < first);
+    CHECK_FALSE(match.solved);
+    const double half = match.now;
+    bench.scene().camera.eye.x += 1;
+    bench.frames(2);
+    CHECK(match.now == half);
+    bench.scene().objects[0].material.shininess = wanted;
+    bench.frames(2);
+    CHECK(match.now == 0);
+    CHECK(match.solved);
+}
+
+TEST_CASE("a light within a few degrees is near enough, one ten degrees off is not", "[ui][match]") {
+    const MatchTask task = match_task(1);
+    Renderer renderer(1);
+    const Picture target = renderer.render(task.target, match_size);
+    const auto apart_at = [&](float degrees) {
+        Scene scene = task.target;
+        const float angle = degrees * 3.14159265f / 180;
+        const glm::vec4 p = scene.lights[0].position;
+        scene.lights[0].position.x = p.x * std::cos(angle) + p.z * std::sin(angle);
+        scene.lights[0].position.z = p.z * std::cos(angle) - p.x * std::sin(angle);
+        return apart_of(renderer.render(scene, match_size), target);
+    };
+    CAPTURE(apart_at(2), apart_at(3), apart_at(5), apart_at(10));
+    CHECK(apart_at(2) < match_tolerance);
+    CHECK(apart_at(10) > match_tolerance);
+}
+
+TEST_CASE("a hint names the term that is off, and how", "[ui][match]") {
+    Renderer renderer(1);
+    const MatchTask task = match_task(1);
+    Scene scene = task.target;
+    CHECK(match_hint(renderer, scene, task.target) == "Nothing is off.");
+    scene.objects[0].material.shininess *= 4;
+    CHECK(match_hint(renderer, scene, task.target) ==
+          "The specular term is off most: its highlight is too small.");
+    scene = task.target;
+    scene.objects[0].material.diffuse *= 0.6f;
+    CHECK(match_hint(renderer, scene, task.target) == "The diffuse term is off most: its light is too dark.");
+    scene = task.target;
+    scene.global_ambient *= 3.0f;
+    CHECK(match_hint(renderer, scene, task.target) == "The ambient term is off most: it is too bright.");
+    scene = task.target;
+    scene.lights[0].position.x = -scene.lights[0].position.x;
+    CHECK(match_hint(renderer, scene, task.target).find("elsewhere") != std::string::npos);
+}
+
+TEST_CASE("the game is played by its buttons: hint, target beside, again, another, leave",
+          "[ui][window][match]") {
+    HeadlessWindow bench({1280, 1000});
+    open_game(bench, 2);
+    bench.click(bench.control("A hint"));
+    bench.frames(1);
+    CHECK(bench.state.match.hint.find("specular term") != std::string::npos);
+    bench.click(bench.control("Target beside it"));
+    bench.frames(2);
+    CHECK(bench.state.views.compare.choice.on);
+    CHECK(*bench.state.views.compare.choice.stored == bench.state.match.task.target);
+    bench.scene().objects[0].material.shininess = 3;
+    bench.frames(2);
+    bench.click(bench.control("Begin again"));
+    bench.frames(2);
+    CHECK(bench.scene() == bench.state.match.task.start);
+    bench.scene().objects[0].material.shininess = 3;
+    bench.frames(2);
+    bench.click(bench.control("Another"));
+    bench.frames(2);
+    CHECK(bench.state.match.seed == 3);
+    CHECK_FALSE(bench.state.pending.asking);  // it was play, and nobody's work
+    bench.click(bench.control("Leave"));
+    bench.frames(2);
+    CHECK_FALSE(bench.state.match.on);
+    CHECK_FALSE(bench.state.views.compare.choice.on);
+}
+
+TEST_CASE("the quiz is answered in the window, and what it saves is counted by glint quiz",
+          "[ui][window][quiz][long]") {
+    const std::string inventory = std::string(GLINT_SOURCE_DIR) + "/assets/inventory.md";
+    HeadlessWindow bench({1280, 1000});
+    bench.state.lesson.inventory = inventory;
+    bench.frames(2);
+    test::command_named("Quiz: what do you believe about lighting?").run(bench.state);
+    QuizState& quiz = bench.state.quiz;
+    do {
+        (void)bench.frame();
+        std::this_thread::yield();
+    } while (!quiz.pages);
+    bench.frames(2);
+    REQUIRE(quiz.pages->pages.size() == 24);
+    for (std::size_t i = 0; i < 24; ++i) {
+        CAPTURE(i);
+        REQUIRE(quiz.at == i);
+        const QuizPage& page = quiz.pages->pages[i];
+        REQUIRE(page.options.size() == 4);
+        if (i != 5) bench.click(bench.control(page.options[i % 4]));  // one is left out
+        bench.click(bench.control("Next question"));
+        bench.frames(2);
+    }
+    quiz.after = true;
+    const TemporaryDirectory folder;
+    save_answers(bench.state, folder.path("answers.json"));
+    const auto text = std::get<std::string>(read_file(folder.path("answers.json"), 10000));
+    const auto lesson = std::get<Lesson>(read_lesson(inventory));
+    const auto read = std::get<QuizAnswers>(read_answers(lesson, text, "answers.json"));
+    CHECK(read.after);
+    CHECK(read.options == quiz.taken);
+    CHECK(read.options[0] == 0u);
+    CHECK_FALSE(read.options[5]);
+    CHECK(read.options[7] == 3u);
+    const Ended ended = run_glint({"quiz", folder.path("answers.json")});
+    CHECK(ended.status == 0);
+    CHECK(ended.out.find("\"after\": 1") != std::string::npos);
+}

@@ -1,0 +1,275 @@
+// A lesson in the window: how it is opened and left, what is kept, what a lecturer sees.
+#include "ui/lessons/lesson.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "models/io/file.h"
+#include "tests/support/headless_inspector.h"
+#include "tests/support/lesson_window.h"
+#include "tests/support/program.h"
+#include "ui/document/document_actions.h"
+#include "ui/lessons/prose.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+/// A window with Lambert's lesson at its second station, which asks for a number.
+struct LambertWindow : HeadlessWindow {
+    explicit LambertWindow(ImVec2 size = {1280, 1000}) : HeadlessWindow(size) {
+        frames(2);
+        test::drop(*this, test::shipped_lesson("05-lambert"));
+        (void)key(Key::PageDown);
+        frames(3);
+    }
+    LessonState& lesson() { return state.lesson; }
+    void answer(const std::string& text) {
+        click(control("Your answer"));
+        test::type(*this, text);
+        click(control("Lock it in"));
+        frames(3);
+    }
+};
+
+bool says(const HeadlessWindow& bench, const std::string& part) {
+    const auto& list = bench.state.notifications.list;
+    return std::any_of(list.begin(), list.end(),
+                       [&](const Notification& n) { return n.text.find(part) != std::string::npos; });
+}
+
+/// A lesson of one's own, with that block in its only step.
+std::string own_lesson(const std::string& block) {
+    return "# Mine\n\n```lesson\ntopic: Own\nscene: ball.json\nsize: 32x32\n```\n\n## One\n\n" + block;
+}
+const char* const ball = R"({"glint": 1, "objects": [{"name": "Ball"}]})";
+
+}  // namespace
+
+TEST_CASE("an answer stands beside the right one, and its number is marked in the equation",
+          "[ui][window][lesson]") {
+    LambertWindow bench;
+    CHECK_FALSE(bench.state.explanation);
+    bench.answer("0.7");
+    REQUIRE(bench.lesson().given()[0].locked);
+    CHECK(bench.lesson().given()[0].value == JsonValue(0.7));
+    CHECK_FALSE(is_right(bench.lesson().station().questions[0], bench.lesson().given()[0]));
+    // The plate at 60 degrees: a half of the light. The number is the cosine, in the right column.
+    REQUIRE(bench.state.explanation);
+    CHECK(bench.state.explanation->object == "60 degrees");
+    CHECK(bench.state.explanation->sum.x == Approx(0.5));
+    const Rect yours = bench.area_of("You said"), right = bench.area_of("It is");
+    CHECK(yours.high.x <= right.low.x);
+    CHECK(yours.low.y == right.low.y);
+    const Rect column = test::right_column(bench);
+    const ImVec2 mark = bench.control("Marked number");
+    CHECK(column.holds(mark));
+    // It goes after a while, and a click brings it back.
+    bench.state.inspector.marked.reset();
+    bench.state.inspector.tab = InspectorTab::Mistakes;
+    bench.frames(1);
+    bench.click(bench.control("Where it stands in the equation"));
+    bench.frames(2);
+    CHECK(bench.state.inspector.tab == InspectorTab::Equation);
+    CHECK(column.holds(bench.control("Marked number")));
+}
+
+TEST_CASE("an answer is right within the question's tolerance, and typed as a calculation",
+          "[ui][window][lesson]") {
+    LambertWindow bench;
+    bench.answer("cos(60*deg)+0.02");
+    CHECK(is_right(bench.lesson().station().questions[0], bench.lesson().given()[0]));
+}
+
+TEST_CASE("the answer can be looked at without a prediction, which is noted", "[ui][window][lesson]") {
+    LambertWindow bench;
+    bench.click(bench.control("Show it without"));
+    bench.frames(2);
+    CHECK(bench.lesson().given()[0].skipped);
+    CHECK(bench.state.explanation);
+    CHECK(score_of(*bench.lesson().course, bench.lesson().progress).locked == 0);
+}
+
+TEST_CASE("what was explored is put back to the lesson's scene, and undo brings it again",
+          "[ui][window][lesson]") {
+    LambertWindow bench;
+    bench.answer("0.5");
+    const Scene lesson = bench.scene();
+    bench.scene().lights[0].intensity = 0.25f;
+    bench.frames(2);
+    CHECK(bench.state.editor.unsaved());
+    bench.click(bench.control("Back to the lesson's scene"));
+    CHECK(bench.scene() == lesson);
+    CHECK_FALSE(bench.state.editor.unsaved());
+    bench.key(Key::Z, true);
+    CHECK(bench.scene().lights[0].intensity == 0.25f);
+}
+
+TEST_CASE("PgDn and PgUp turn the lesson's pages while a number is typed, and each begins with its scene",
+          "[ui][window][lesson]") {
+    LambertWindow bench;
+    bench.click(bench.control("Your answer"));
+    test::type(bench, "0.");
+    bench.key(Key::PageDown);
+    bench.frames(2);
+    CHECK(bench.lesson().progress.station == 2);
+    CHECK(bench.scene() == bench.lesson().station().asked);
+    bench.key(Key::PageUp);
+    bench.key(Key::PageUp);
+    bench.frames(2);
+    CHECK(bench.lesson().progress.station == 0);
+    CHECK_FALSE(bench.lesson().given().size() > 0);
+    bench.key(Key::PageUp);
+    CHECK(bench.lesson().progress.station == 0);
+    CHECK(says(bench, "begins"));
+}
+
+TEST_CASE("a lesson asks before unsaved edits are lost, and the answer no leaves all as it was",
+          "[ui][window][lesson]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.scene().lights[0].intensity = 0.3f;
+    bench.frames(2);
+    const Scene edited = bench.scene();
+    test::drop(bench, test::shipped_lesson("05-lambert"));
+    CHECK(bench.state.pending.asking);
+    CHECK_FALSE(bench.state.lesson.course);
+    bench.key(Key::Escape);
+    bench.frames(2);
+    CHECK(bench.scene() == edited);
+    CHECK_FALSE(bench.state.lesson.course);
+    test::drop(bench, test::shipped_lesson("05-lambert"));
+    finish_pending(bench.state);
+    bench.wait_for_loads();
+    CHECK(bench.state.lesson.course);
+    // And the lesson's scene is nobody's file: it is saved under a name of one's own.
+    CHECK(bench.state.editor.document.path.empty());
+}
+
+TEST_CASE("an error in a lesson is one line with its number, and the open scene stays",
+          "[ui][window][lesson]") {
+    const TemporaryDirectory folder;
+    (void)folder.file("ball.json", ball);
+    HeadlessWindow bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    test::drop(bench, folder.file("wrong.md", own_lesson("```predict number\nquestion: How?\nanswer: f.x\n"
+                                                         "tolerance: 1\n```\n")));
+    CHECK(says(bench, "wrong.md:13:"));
+    CHECK(bench.scene() == before);
+    CHECK_FALSE(bench.state.lesson.course);
+    // What only shows when it is run, too.
+    test::drop(bench, folder.file("late.md", own_lesson("```scene\nset: /lights/9/intensity=1\n```\n")));
+    CHECK(says(bench, "late.md:11:"));
+    CHECK(bench.scene() == before);
+    // And one that is right opens from anybody's folder.
+    test::drop(bench, folder.file("right.md", own_lesson("Look.\n")));
+    REQUIRE(bench.state.lesson.course);
+    CHECK(bench.scene().objects[0].name == "Ball");
+}
+
+TEST_CASE("progress is kept with every answer, and a lesson goes on where it was left",
+          "[ui][window][lesson]") {
+    const TemporaryDirectory folder;
+    {
+        HeadlessWindow bench({1280, 1000});
+        begin_persistence(bench.state, folder.path());
+        bench.frames(2);
+        test::drop(bench, test::shipped_lesson("05-lambert"));
+        bench.key(Key::PageDown);
+        bench.frames(2);
+        bench.click(bench.control("Your answer"));
+        test::type(bench, "0.4");
+        bench.click(bench.control("Lock it in"));
+        bench.frames(3);
+    }
+    HeadlessWindow bench({1280, 1000});
+    bench.state.lesson.folder = std::filesystem::path(test::shipped_lesson("x")).parent_path().string();
+    begin_persistence(bench.state, folder.path());
+    bench.frames(2);
+    // It was the lesson of a folder that the window did not know as the program's: by its whole path.
+    const auto text = read_file(folder.path("lessons.json"), 100000);
+    CHECK(std::get<std::string>(text).find("lessons/05-lambert.md") != std::string::npos);
+    bench.state.lesson.folder.clear();
+    test::drop(bench, test::shipped_lesson("05-lambert"));
+    CHECK(bench.state.lesson.progress.station == 1);
+    CHECK(bench.state.lesson.given()[0].value == JsonValue(0.4));
+    CHECK(bench.scene() == bench.state.lesson.station().revealed);
+    open_lessons(bench.state);
+    bench.frames(2);
+    REQUIRE(bench.state.lessons.beside.size() >= 17);
+    REQUIRE(bench.state.lessons.beside[4].record);
+    CHECK(bench.state.lessons.beside[4].record->score.locked == 1);
+    CHECK(bench.state.lessons.beside[4].record->at == 1);
+}
+
+TEST_CASE("a lecturer's questions cannot be answered by mistake, and PgDn shows the answer first",
+          "[ui][window][lesson]") {
+    LambertWindow bench;
+    bench.click(bench.control("Lecturer"));
+    bench.frames(2);
+    CHECK(open_question(bench.lesson()));
+    CHECK_FALSE(bench.state.explanation);
+    const auto& controls = bench.controls();
+    CHECK(std::none_of(controls.begin(), controls.end(), [](const NamedControl& c) {
+        return c.name == "Your answer" || c.name == "Lock it in" || c.name == "It is";
+    }));
+    bench.key(Key::PageDown);
+    bench.frames(3);
+    CHECK(bench.lesson().progress.station == 1);
+    CHECK(bench.state.explanation);
+    (void)bench.control("It is");
+    bench.key(Key::PageDown);
+    CHECK(bench.lesson().progress.station == 2);
+}
+
+TEST_CASE("the lesson stays on a projector, in a narrow window, and over a picture alone",
+          "[ui][window][lesson]") {
+    LambertWindow bench({1024, 900});
+    (void)bench.control("Your answer");
+    bench.key(Key::F9);
+    bench.frames(2);
+    (void)bench.control("Your answer");
+    bench.key(Key::F9);
+    bench.answer("0.5");
+    bench.click(bench.control("Why"));
+    bench.frames(2);
+    CHECK(test::window_named("Equation") != nullptr);
+    bench.click(bench.control("Lesson"));
+    bench.frames(2);
+    (void)bench.control("It is");
+    bench.key(Key::F11);
+    bench.frames(2);
+    CHECK(window_layout(bench.state).has_caption);
+    CHECK(lesson_caption(bench.state) == "Tilted by 60 degrees");
+}
+
+TEST_CASE("another scene ends the lesson, and so does its cross", "[ui][window][lesson]") {
+    LambertWindow bench;
+    bench.click(bench.control("Leave"));
+    bench.frames(2);
+    CHECK_FALSE(bench.state.lesson.course);
+    CHECK(bench.scene().objects.size() == 7);
+    test::drop(bench, test::shipped_lesson("05-lambert"));
+    REQUIRE(bench.state.lesson.course);
+    bench.key(Key::N, true);
+    bench.frames(2);
+    CHECK_FALSE(bench.state.lesson.course);
+}
+
+TEST_CASE("letters beside a dot and with an index have the equation's colours, words have not",
+          "[ui][lesson]") {
+    const auto symbols = [](const char* word) {
+        std::string text;
+        for (const ColouredPiece& piece : coloured_pieces(word))
+            if (piece.is_symbol) text += std::string(piece.text) + " ";
+        return text;
+    };
+    CHECK(symbols("max(n·l,") == "n l ");
+    CHECK(symbols("(v·r)ⁿ") == "v r ");
+    CHECK(symbols("k_d") == "k_d ");
+    CHECK(symbols("n") == "");
+    CHECK(symbols("small") == "");
+    CHECK(symbols("r²)") == "");
+}

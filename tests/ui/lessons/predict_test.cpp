@@ -1,0 +1,70 @@
+// *Predict*: the picture stands still until somebody has said what a pixel's colour will be.
+#include "tests/support/headless_inspector.h"
+#include "tests/support/lesson_window.h"
+#include "ui/lessons/predict_mode.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+/// The ball's middle is picked, and the picture stopped.
+struct PredictWindow : HeadlessWindow {
+    PredictWindow() : HeadlessWindow({1280, 1000}) {
+        frames(2);
+        (void)key(Key::Q);
+        CHECK(state.predict.stage == PredictStage::Pick);
+        const PictureSize size = state.rendered->size;
+        click(at_pixel({size.width / 2.0, size.height / 2.0}));
+        frames(2);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a picked pixel stands still while the scene changes, and shows then what it is",
+          "[ui][window][lesson]") {
+    PredictWindow bench;
+    REQUIRE(bench.state.predict.stage == PredictStage::Change);
+    const Scene before = bench.state.rendered_scene;
+    const std::array<int, 3> was = bench.state.predict.before;
+    bench.scene().lights.clear();
+    bench.scene().global_ambient = {};
+    bench.frames(3);
+    CHECK(bench.state.rendered_scene == before);
+    // No tab of the column tells what it will be.
+    CHECK(test::window_named("Equation") == nullptr);
+    CHECK(test::window_named("Models") == nullptr);
+    const Rect picker = bench.area_of("Colour to predict");
+    bench.click(picker.low + ImVec2(30, 30));
+    REQUIRE(bench.state.predict.mine != JsonValue());
+    bench.click(bench.control("Lock the colour in"));
+    bench.frames(4);
+    CHECK(bench.state.predict.stage == PredictStage::Revealed);
+    CHECK(bench.state.rendered_scene == bench.scene());
+    REQUIRE(bench.state.predict.answer);
+    CHECK(was[0] > 20);
+    CHECK(*bench.state.predict.answer == std::array<int, 3>{0, 0, 0});  // no light at all
+    (void)bench.control("You said");
+    (void)bench.control("It is");
+    CHECK(test::window_named("Equation") != nullptr);
+}
+
+TEST_CASE("Esc, the key itself and another scene give a prediction up", "[ui][window][lesson]") {
+    PredictWindow bench;
+    bench.scene().lights.clear();
+    bench.frames(2);
+    bench.key(Key::Escape);
+    bench.frames(2);
+    CHECK(bench.state.predict.stage == PredictStage::Off);
+    CHECK_FALSE(bench.state.lecture.frozen);
+    CHECK(bench.state.rendered_scene == bench.scene());
+    bench.key(Key::Q);
+    CHECK(bench.state.predict.stage == PredictStage::Change);  // the pixel is still picked
+    bench.key(Key::Q);
+    CHECK_FALSE(bench.state.lecture.frozen);
+    bench.key(Key::Q);
+    test::drop(bench, test::shipped_lesson("05-lambert"));
+    bench.state.pending.asking = false;
+    bench.frames(2);
+}

@@ -1,0 +1,121 @@
+// Every lesson that comes with the program is walked through by hand from beginning to end.
+#include <algorithm>
+#include <filesystem>
+
+#include "tests/support/lesson_window.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+/// While a question waits, nothing that a hand does changes the scene, and nothing is read off the picture.
+void check_held(HeadlessWindow& bench) {
+    const Station& station = bench.state.lesson.station();
+    REQUIRE(bench.scene() == station.asked);
+    for (const Key key : {Key::Digit1, Key::D, Key::L, Key::P, Key::C, Key::I}) bench.key(key);
+    const ImVec2 middle = bench.at_pixel({double(bench.state.rendered->size.width) / 2, 120});
+    bench.drag(middle, middle + ImVec2(90, 40));
+    bench.frames(1);
+    CHECK(bench.scene() == station.asked);
+    CHECK(bench.state.rendered_scene == station.asked);
+    CHECK_FALSE(bench.state.explanation);
+    CHECK_FALSE(bench.state.views.scope.open);
+    CHECK_FALSE(bench.state.views.compare.choice.on);
+    CHECK(bench.state.views.debug_view.set == DebugViewSet{});
+}
+
+void answer_all(HeadlessWindow& bench) {
+    LessonState& lesson = bench.state.lesson;
+    while (const auto open = open_question(lesson)) {
+        CAPTURE(test::asked(bench).asks->question);
+        check_held(bench);
+        // A click is what check_held() has already done in the picture: all other answers are yet to be
+        // given.
+        if (test::asked(bench).asks->kind != PredictionKind::Click) CHECK_FALSE(can_lock(lesson));
+        test::give_answer(bench);
+        REQUIRE(can_lock(lesson));
+        CHECK(bench.scene() == lesson.station().asked);
+        bench.click(bench.control("Lock it in"));
+        bench.frames(3);
+        REQUIRE(lesson.given()[*open].locked);
+        if (open_question(lesson)) CHECK(bench.scene() == lesson.station().asked);
+    }
+}
+
+void check_revealed(HeadlessWindow& bench) {
+    const Station& station = bench.state.lesson.station();
+    if (!bench.state.animate.playing) CHECK(bench.state.rendered_scene == station.revealed);
+    bench.state.animate.playing = false;
+    bench.frames(2);
+    CHECK(bench.scene() == station.revealed);
+    if (station.reveal == nullptr) return;
+    CHECK(bench.state.views.scope.open == station.reveal->along.has_value());
+    if (!station.reveal->pick) return;
+    REQUIRE(bench.state.explanation);
+    CHECK(bench.state.inspector.tab != InspectorTab::MyPicture);
+}
+
+/// By what the lesson says is a way to do it.
+void do_tasks(HeadlessWindow& bench) {
+    LessonState& lesson = bench.state.lesson;
+    const Station& station = lesson.station();
+    std::size_t number = 0;
+    for (const StationPart& part : station.after) {
+        if (part.task == nullptr) continue;
+        CAPTURE(part.task->drag);
+        test::wait_for_tasks(bench);
+        CHECK_FALSE(lesson.progress.tasks[lesson.progress.station][number]);
+        (void)bench.control("Task open");
+        SceneDocument document = lesson.course->document;
+        document.scene = bench.scene();
+        bench.scene() = std::get<Scene>(scene_variant(document, part.task->solution));
+        bench.state.editor.edits_camera = true;
+        test::wait_for_tasks(bench);
+        CHECK(lesson.progress.tasks[lesson.progress.station][number]);
+        CHECK(has_strayed(bench.state));
+        bench.click(bench.control("Back to the lesson's scene"));
+        CHECK(bench.scene() == station.revealed);
+        ++number;
+    }
+}
+
+}  // namespace
+
+TEST_CASE("every lesson is walked through by hand: held, predicted, revealed, done, and on",
+          "[ui][window][lesson][long]") {
+    std::vector<std::string> files;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(GLINT_SOURCE_DIR) / "assets/lessons"))
+        if (entry.path().extension() == ".md") files.push_back(entry.path().string());
+    REQUIRE(files.size() >= 17);
+    std::sort(files.begin(), files.end());
+    HeadlessWindow bench({1280, 1500});
+    bench.frames(2);
+    LessonState& lesson = bench.state.lesson;
+    int answered = 0, done = 0;
+    for (const std::string& file : files) {
+        CAPTURE(file);
+        test::drop(bench, file);
+        REQUIRE(lesson.course);
+        CHECK(lesson.course->lesson.path == file);
+        const std::size_t count = lesson.course->stations.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            CAPTURE(i);
+            REQUIRE(lesson.progress.station == i);
+            answer_all(bench);
+            check_revealed(bench);
+            do_tasks(bench);
+            bench.key(Key::PageDown);
+            bench.frames(3);
+        }
+        const CourseScore score = score_of(*lesson.course, lesson.progress);
+        CHECK(score.locked == score.questions);
+        CHECK(score.done == score.tasks);
+        answered += score.questions;
+        done += score.tasks;
+        CHECK_FALSE(bench.state.editor.unsaved());
+    }
+    CHECK(answered >= 60);
+    CHECK(done == 17);
+}

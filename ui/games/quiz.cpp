@@ -1,0 +1,188 @@
+#include "ui/games/quiz.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "models/io/file.h"
+#include "renderer/lessons/quiz.h"
+#include "ui/lessons/lesson_parts.h"
+#include "ui/lessons/prose.h"
+#include "ui/shell/modal.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// A picture as the sheet of questions on paper has it, twice as large for fine displays.
+Result<QuizPage> page_of(LessonRunner& runner, const SceneDocument& document, const Lesson& lesson,
+                         const LessonStep& step, const Prediction& question) {
+    QuizPage page;
+    page.title = step.title;
+    page.question = question.question;
+    for (const LessonOption& option : question.options) page.options.push_back(option.text);
+    for (const LessonPart& part : step.parts)
+        if (const auto* text = std::get_if<std::vector<ProseBlock>>(&part))
+            page.text.insert(page.text.end(), text->begin(), text->end());
+    const Result<SceneDocument> set = LessonRunner::with(document, step.set, lesson, step.line);
+    if (const Problem* problem = problem_of(set)) return *problem;
+    const Result<SceneDocument> shown =
+        LessonRunner::for_paper(std::get<SceneDocument>(set), step, lesson, false);
+    if (const Problem* problem = problem_of(shown)) return *problem;
+    const PictureSize size{2 * lesson.size.width, 2 * lesson.size.height};
+    Result<Picture> picture = runner.picture(std::get<SceneDocument>(shown), lesson, size, 4);
+    if (const Problem* problem = problem_of(picture)) return *problem;
+    page.picture = std::get<Picture>(std::move(picture));
+    return page;
+}
+
+Result<QuizPages> read_pages(const std::string& path, LoadProgress& progress) {
+    Result<Lesson> read = read_lesson(path);
+    if (const Problem* problem = problem_of(read)) return *problem;
+    QuizPages quiz;
+    quiz.lesson = std::get<Lesson>(std::move(read));
+    LessonRunner runner(1);
+    const Result<SceneDocument> opened = runner.open(quiz.lesson);
+    if (const Problem* problem = problem_of(opened)) return *problem;
+    for (const LessonStep& step : quiz.lesson.steps)
+        for (const LessonPart& part : step.parts) {
+            if (progress.cancelled) throw LoadCancelled();
+            const auto* p = std::get_if<Prediction>(&part);
+            if (p == nullptr || p->kind != PredictionKind::Choice) continue;
+            Result<QuizPage> page = page_of(runner, std::get<SceneDocument>(opened), quiz.lesson, step, *p);
+            if (const Problem* problem = problem_of(page)) return *problem;
+            quiz.pages.push_back(std::get<QuizPage>(std::move(page)));
+        }
+    return quiz;
+}
+
+void take_pages(UiState& state) {
+    QuizState& quiz = state.quiz;
+    Result<QuizPages> read = quiz.loading->take();
+    quiz.loading.reset();
+    if (const Problem* problem = problem_of(read)) {
+        quiz.open = false;
+        return state.notifications.add(*problem);
+    }
+    quiz.pages = std::get<QuizPages>(std::move(read));
+    const std::vector<QuizPage>& pages = quiz.pages->pages;
+    quiz.taken.assign(pages.size(), {});
+    if (pages.empty()) return;
+    quiz.sheet.reset(pages.front().picture.size, 4, static_cast<int>(pages.size()));
+    for (std::size_t i = 0; i < pages.size(); ++i) quiz.sheet.put(static_cast<int>(i), pages[i].picture);
+}
+
+std::size_t count_taken(const QuizState& quiz) {
+    return static_cast<std::size_t>(
+        std::count_if(quiz.taken.begin(), quiz.taken.end(), [](const auto& t) { return t.has_value(); }));
+}
+
+void page(QuizState& quiz) {
+    const QuizPage& page = quiz.pages->pages[quiz.at];
+    ImGui::PushFont(fonts().heading);
+    ImGui::TextUnformatted(page.title.c_str());
+    ImGui::PopFont();
+    const float width = std::min(ImGui::GetContentRegionAvail().x, px(361));
+    const PictureSize cell = quiz.sheet.cell;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 size{width, width * float(cell.height) / float(cell.width)};
+    quiz.sheet.draw(*ImGui::GetWindowDrawList(), static_cast<int>(quiz.at), low, low + size);
+    ImGui::Dummy(size);
+    ImGui::Dummy({0, px(4)});
+    prose(page.text);
+    prose({{ProseKind::Heading, 3, -1, {{.text = page.question, .link = {}}}}});
+    for (std::size_t i = 0; i < page.options.size(); ++i) {
+        const bool taken = quiz.taken[quiz.at] == i;
+        if (option_card(letter_of_option(i), page.options[i], taken ? OptionLook::Taken : OptionLook::Open))
+            quiz.taken[quiz.at] = i;
+    }
+}
+
+void last_page(UiState& state) {
+    QuizState& quiz = state.quiz;
+    prose_line(fmt::format("You answered {} of {} questions.", count_taken(quiz), quiz.taken.size()));
+    prose_line("Nobody says here what is right: the lessons do, and after them you are asked once more.");
+    ImGui::Dummy({0, px(6)});
+    if (ImGui::RadioButton("before the lessons", !quiz.after)) quiz.after = false;
+    ImGui::SameLine(0, px(16));
+    if (ImGui::RadioButton("after them", quiz.after)) quiz.after = true;
+    ImGui::Dummy({0, px(6)});
+    if (main_button("Save my answers…"))
+        state.files.ask(FilePurpose::SaveAnswers, quiz.after ? "answers-after.json" : "answers-before.json");
+    tooltip("Save my answers", "As a file that `glint quiz ANSWERS.json...` counts for a class");
+    small_dim("The file has no name in it but the one that you give it.");
+}
+
+void ways_on(QuizState& quiz) {
+    const std::size_t count = quiz.pages->pages.size();
+    ImGui::Separator();
+    const float width = px(92), right = ImGui::GetWindowContentRegionMax().x;
+    ImGui::BeginDisabled(quiz.at == 0);
+    if (ImGui::Button("‹ Back##quiz", {width, 0})) --quiz.at;
+    ImGui::EndDisabled();
+    tooltip("Question before", "");
+    const std::string place = quiz.at < count ? fmt::format("{} of {}", quiz.at + 1, count) : "the end";
+    ImGui::SameLine((right - ImGui::CalcTextSize(place.c_str()).x) / 2);
+    dim_text(place.c_str());
+    if (quiz.at >= count) return;
+    ImGui::SameLine(right - width);
+    if (chosen_button("Next ›##quiz", quiz.taken[quiz.at].has_value(), width)) ++quiz.at;
+    tooltip("Next question", "");
+}
+
+}  // namespace
+
+void open_quiz(UiState& state) {
+    QuizState& quiz = state.quiz;
+    quiz.open = true;
+    if (quiz.pages || quiz.loading) return;
+    quiz.loading = std::make_unique<Job<QuizPages>>(
+        "Quiz",
+        [path = state.lesson.inventory](LoadProgress& progress) { return read_pages(path, progress); });
+}
+
+void quiz_dialog(UiState& state) {
+    QuizState& quiz = state.quiz;
+    if (quiz.loading && quiz.loading->done()) take_pages(state);
+    if (quiz.loading) redraw_within(0.05);
+    if (!quiz.open) return;
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const ImVec2 size{std::min(px(640), window.x - px(40)), std::min(px(700), window.y - px(30))};
+    ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize(size);
+    if (!begin_modal("What do you believe about lighting?##quiz", &quiz.open,
+                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+        return;
+    if (!quiz.pages) {
+        dim_text("The pictures are drawn …");
+    } else {
+        ImGui::PushID(static_cast<int>(quiz.at));  // each page its own place of scrolling
+        ImGui::BeginChild("##page", {0, -ImGui::GetFrameHeightWithSpacing() - px(8)});
+        if (quiz.at < quiz.pages->pages.size())
+            page(quiz);
+        else
+            last_page(state);
+        ImGui::EndChild();
+        ImGui::PopID();
+        ways_on(quiz);
+    }
+    if (!quiz.open || state.files.open) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+void save_answers(UiState& state, const std::string& path) {
+    const QuizState& quiz = state.quiz;
+    const auto written =
+        write_file(path, json_text(answers_json(quiz.pages->lesson, {quiz.after, quiz.taken})));
+    if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
+    state.notifications.add(Tone::Done,
+                            fmt::format("Saved {}", std::filesystem::path(path).filename().string()));
+}
+
+}  // namespace glint

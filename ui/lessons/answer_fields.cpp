@@ -1,0 +1,208 @@
+// The ways to answer a question, one a kind; and the answer beside the right one.
+#include <fmt/core.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/lessons/lesson_parts.h"
+#include "ui/lessons/prose.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/named_controls.h"
+#include "ui/widgets/numbers/expression.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// True when Enter ended the typing.
+bool number_answer(LessonState& lesson, const Prediction& question) {
+    ImGui::PushFont(fonts().reading);
+    ImGui::SetNextItemWidth(px(130));
+    if (std::exchange(lesson.takes_keys, false)) ImGui::SetKeyboardFocusHere();
+    const bool entered =
+        ImGui::InputTextWithHint("##answer", "a number", &lesson.typed, ImGuiInputTextFlags_EnterReturnsTrue);
+    tooltip("Your answer", "A number, or a calculation such as 1/2 or cos(30*deg)");
+    if (!question.unit.empty()) {
+        ImGui::SameLine(0, px(8));
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(question.unit.c_str());
+    }
+    ImGui::PopFont();
+    if (!lesson.typed.empty() && !can_lock(lesson)) small_dim(calculated(lesson.typed, 0).problem);
+    return entered;
+}
+
+void choice_answer(LessonState& lesson, const Prediction& question) {
+    for (std::size_t i = 0; i < question.options.size(); ++i) {
+        const bool taken = lesson.chosen == JsonValue(i);
+        if (option_card(letter_of_option(i), question.options[i].text,
+                        taken ? OptionLook::Taken : OptionLook::Open))
+            lesson.chosen = JsonValue(i);
+    }
+}
+
+void sketch_answer(LessonState& lesson, const Prediction& question) {
+    small_dim("Draw the curve with the mouse, along the line from A to B in the picture.");
+    sketch_plot(lesson, question, lesson.chosen, nullptr);
+    if (lesson.chosen != JsonValue() && ImGui::SmallButton("Wipe")) lesson.chosen = {};
+}
+
+/// Whose answer it is, in a row of two; a large figure under a small word.
+void figure(const char* word, const std::string& text, const ImVec4& colour) {
+    ImGui::BeginGroup();
+    small_dim(word);
+    ImGui::PushFont(fonts().heading);
+    coloured(colour, text);
+    ImGui::PopFont();
+    ImGui::EndGroup();
+    list_control(word, "", last_item());
+}
+
+/// Both side by side where they fit.
+void two_figures(const std::string& mine, const std::string& right, bool counts) {
+    const float left = ImGui::GetCursorPosX(), half = ImGui::GetContentRegionAvail().x / 2;
+    if (!mine.empty()) {
+        figure("You said", mine, counts ? theme().accent : theme().warning);
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(left + half);
+    }
+    figure("It is", right, theme().accent);
+}
+
+std::string off_words(const Prediction& question, double off, double right) {
+    switch (question.kind) {
+    case PredictionKind::Number: {
+        const std::string by = "Off by " + answer_text(off, question.unit);
+        return right == 0 ? by : fmt::format("{}, {:.0f} % of it", by, 100 * off / std::abs(right));
+    }
+    case PredictionKind::Click:
+        return fmt::format("{:.0f} of the lesson's pixels beside it", off);
+    case PredictionKind::Sketch:
+        return fmt::format("{:.2f} apart (root of the mean square)", off);
+    case PredictionKind::Colour:
+        return fmt::format("At most {:.0f} of 255 apart in a channel", 255 * off);
+    case PredictionKind::Choice:
+        break;
+    }
+    return {};
+}
+
+void revealed_choice(const StationQuestion& question, const GivenAnswer& given) {
+    const std::vector<LessonOption>& options = question.asks->options;
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        const bool right = question.right.value == JsonValue(i);
+        const bool taken = given.locked && given.value == JsonValue(i);
+        const OptionLook look = taken ? (right ? OptionLook::TakenRight : OptionLook::TakenWrong)
+                                      : (right ? OptionLook::Right : OptionLook::Other);
+        (void)option_card(letter_of_option(i), options[i].text, look);
+        if (look == OptionLook::TakenWrong && !options[i].thinks.empty())
+            small_dim("Behind it: " + options[i].thinks);
+    }
+}
+
+void revealed_value(LessonState& lesson, const StationQuestion& question, const GivenAnswer& given) {
+    const Prediction& asks = *question.asks;
+    const JsonValue& right = question.right.value;
+    switch (asks.kind) {
+    case PredictionKind::Number:
+        return two_figures(given.locked ? answer_text(given.value.number(), asks.unit) : "",
+                           answer_text(right.number(), asks.unit), is_right(question, given));
+    case PredictionKind::Choice:
+        return revealed_choice(question, given);
+    case PredictionKind::Click:
+        return small_dim(given.locked ? "In the picture: the ring is yours, the cross is the place."
+                                      : "In the picture: the cross is the place.");
+    case PredictionKind::Sketch:
+        sketch_plot(lesson, asks, given.value, &right);
+        if (given.locked) coloured(theme().warning, "yours");
+        if (given.locked) ImGui::SameLine(0, px(14));
+        return coloured(theme().accent, "as it is");
+    case PredictionKind::Colour:
+        if (given.locked) colour_row("You said", given.value);
+        return colour_row("It is", right);
+    }
+}
+
+}  // namespace
+
+std::string given_words(const Prediction& question, const GivenAnswer& given) {
+    if (given.skipped) return "Not predicted";
+    switch (question.kind) {
+    case PredictionKind::Number:
+        return "You say " + answer_text(given.value.number(), question.unit);
+    case PredictionKind::Choice:
+        return "You say: " + question.options[static_cast<std::size_t>(given.value.number())].text;
+    case PredictionKind::Click:
+    case PredictionKind::Sketch:
+    case PredictionKind::Colour:
+        break;
+    }
+    return "Your answer is locked in";
+}
+
+void answer_fields(UiState& state, const StationQuestion& question) {
+    LessonState& lesson = state.lesson;
+    const Prediction& asks = *question.asks;
+    bool entered = false;
+    switch (asks.kind) {
+    case PredictionKind::Number:
+        entered = number_answer(lesson, asks);
+        break;
+    case PredictionKind::Choice:
+        choice_answer(lesson, asks);
+        break;
+    case PredictionKind::Click:
+        prose_line(lesson.chosen == JsonValue() ? "Click the place in the picture."
+                                                : "The ring marks your place. Click elsewhere to move it.",
+                   theme().accent);
+        break;
+    case PredictionKind::Sketch:
+        sketch_answer(lesson, asks);
+        break;
+    case PredictionKind::Colour:
+        (void)pick_colour("##colour", lesson.chosen);
+        break;
+    }
+    ImGui::Dummy({0, px(3)});
+    const bool can = can_lock(lesson);
+    ImGui::BeginDisabled(!can);
+    const bool locked = main_button("Lock it in");
+    ImGui::EndDisabled();
+    tooltip("Lock it in", can ? "It stands then, and the answer is shown" : "Answer first");
+    if (can && (locked || entered)) return lock_in(state);
+    ImGui::SameLine(0, px(12));
+    ImGui::PushStyleColor(ImGuiCol_Button, {0, 0, 0, 0});
+    ImGui::PushStyleColor(ImGuiCol_Text, theme().dim_text);
+    const bool skipped = ImGui::Button("Show it without");
+    ImGui::PopStyleColor(2);
+    tooltip("Show it without", "The answer, without a prediction of yours: one learns less so");
+    if (skipped) reveal_unanswered(state);
+}
+
+void revealed_answer(UiState& state, const StationQuestion& question, const GivenAnswer& given) {
+    const Prediction& asks = *question.asks;
+    revealed_value(state.lesson, question, given);
+    if (given.locked && asks.kind != PredictionKind::Choice) {
+        const double off = how_far(asks.kind, given.value, question.right.value);
+        const double right = asks.kind == PredictionKind::Number ? question.right.value.number() : 0;
+        const bool counts = is_right(question, given);
+        const std::string words = off_words(asks, off, right);
+        if (counts)
+            coloured(theme().accent, off == 0 ? "Exactly." : "Close enough. " + words + ".");
+        else
+            warning_text(words + ".");
+    }
+    if (given.skipped && !state.lesson.lecturer) small_dim("You did not predict it.");
+    const Reveal* reveal = state.lesson.station().reveal;
+    if (reveal == nullptr || !reveal->pick) return;
+    const char* const label = asks.term.empty() ? "The pixel's equation" : "Where it stands in the equation";
+    if (ImGui::SmallButton(label)) show_in_equation(state, asks);
+    tooltip(label, asks.term.empty() ? "Of the pixel that the lesson picked"
+                                     : "The picked pixel's equation, with this number marked");
+}
+
+}  // namespace glint

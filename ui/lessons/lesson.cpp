@@ -1,0 +1,258 @@
+#include "ui/lessons/lesson.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/document/document_actions.h"
+#include "ui/lessons/lesson_parts.h"
+#include "ui/lessons/lesson_progress.h"
+#include "ui/lessons/predict_mode.h"
+#include "ui/ui.h"
+#include "ui/widgets/numbers/expression.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// A scene of the lesson's is no edit that could be lost, but a step that can be undone.
+void set_scene(UiState& state, const Scene& scene) {
+    Editor& editor = state.editor;
+    (void)cancel_gesture(state.viewport, editor.scene());
+    remember_step(editor, false);
+    editor.scene() = scene;
+    editor.edits_camera = true;
+    remember_step(editor, false);
+    editor.saved = scene;
+    editor.saved_edited_camera = editor.history.edited_camera();
+    editor.selection = valid_selection(editor.selection, scene);
+}
+
+/// Whatever is shown in place of the picture, or over it, is not what the lesson speaks of.
+void put_all_away(UiState& state) {
+    ViewsState& views = state.views;
+    views.compare.choice.on = views.compare.choice.shows_stored = false;
+    views.debug_view.set = {};
+    views.scope.open = views.scope.armed = false;
+    views.magnifier = {};
+    views.lit.dots = views.lit.needles = false;
+    state.animate.playing = state.animate.open = false;
+    state.animate.frame.reset();
+    state.lecture.frozen.reset();
+    state.inspector.instead.reset();
+    ask_about(state.viewport, {});
+    state.explanation.reset();
+}
+
+void forget_input(LessonState& lesson) {
+    lesson.typed.clear();
+    lesson.chosen = {};
+    lesson.sketched = glm::dvec2(-1);
+}
+
+/// The item that the first task's hand is to move is selected: its handles show.
+void select_for_tasks(UiState& state) {
+    for (const StationPart& part : state.lesson.station().after) {
+        if (part.task == nullptr) continue;
+        for (const std::string& pointer : part.task->controls) {
+            int index = 0;
+            if (std::sscanf(pointer.c_str(), "/lights/%d", &index) == 1)
+                state.editor.selection = {Selection::Kind::Light, index};
+            else if (std::sscanf(pointer.c_str(), "/objects/%d", &index) == 1)
+                state.editor.selection = {Selection::Kind::Object, index};
+            else
+                continue;
+            state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
+            // Nothing stands before what is looked at, where the object itself is to stay.
+            if (pointer.find("/transform") == std::string::npos) state.viewport.gizmo = GizmoMode::None;
+            return;
+        }
+    }
+}
+
+constexpr int frames_of_layout = 3;  // until the picture has its new room
+
+void show_reveal(UiState& state) {
+    LessonState& lesson = state.lesson;
+    const Station& station = lesson.station();
+    set_scene(state, station.revealed);
+    lesson.scrolls_down = !station.questions.empty();
+    if (station.reveal == nullptr) return select_for_tasks(state);
+    lesson.lays_line = frames_of_layout;
+    if (station.reveal->pick) {
+        state.inspector.tab = InspectorTab::Equation;
+        ask_about(state.viewport, share_of_lesson_pixel(state, glm::dvec2(*station.reveal->pick) + 0.5));
+        for (const StationQuestion& question : station.questions)
+            if (!question.asks->term.empty()) mark_in_equation(state, *question.asks);
+    }
+    if (station.reveal->along) {
+        state.views.scope.open = true;
+    }
+    if (!station.reveal->play.empty()) play_reveal(state);
+    select_for_tasks(state);
+}
+
+/// Arrives at the station where the progress stands.
+void arrive(UiState& state) {
+    LessonState& lesson = state.lesson;
+    forget_input(lesson);
+    put_all_away(state);
+    lesson.watched.reset();
+    lesson.shows_scene = false;
+    lesson.scrolls_up = lesson.takes_keys = true;
+    state.left_shows_inspector = false;
+    if (is_answered(lesson.progress, lesson.progress.station))
+        show_reveal(state);
+    else
+        set_scene(state, lesson.station().asked);
+}
+
+}  // namespace
+
+void begin_lesson(UiState& state, std::shared_ptr<const Course> course) {
+    LessonState& lesson = state.lesson;
+    end_prediction(state);
+    lesson.course = std::move(course);
+    lesson.progress = lesson.written = recall_progress(state, *lesson.course);
+    state.layout.hides_columns = state.layout.hides_all = false;
+    arrive(state);
+    state.editor.history.reset(state.editor.scene());
+}
+
+void leave_lesson(UiState& state) {
+    LessonState& lesson = state.lesson;
+    if (!lesson.course) return;
+    keep_progress(state);
+    state.animate.playing = false;
+    forget_input(lesson);
+    lesson.course.reset();
+    lesson.watched.reset();
+}
+
+std::optional<std::size_t> open_question(const LessonState& lesson) {
+    if (!lesson.course) return {};
+    const std::vector<GivenAnswer>& given = lesson.given();
+    const auto open = std::find_if(given.begin(), given.end(), [](const auto& g) { return !g.is_over(); });
+    if (open == given.end()) return {};
+    return static_cast<std::size_t>(open - given.begin());
+}
+
+bool is_held(const UiState& state) { return open_question(state.lesson).has_value(); }
+
+void go_on(UiState& state, int steps) {
+    LessonState& lesson = state.lesson;
+    const auto wanted = static_cast<std::ptrdiff_t>(lesson.progress.station) + steps;
+    if (wanted < 0) return state.notifications.tell("This is where the lesson begins");
+    if (wanted >= std::ssize(lesson.course->stations))
+        return state.notifications.tell("The lesson ends here");
+    lesson.progress.station = static_cast<std::size_t>(wanted);
+    arrive(state);
+}
+
+void page_lesson(UiState& state, int steps) {
+    if (state.lesson.lecturer && steps > 0 && open_question(state.lesson)) return reveal_unanswered(state);
+    go_on(state, steps);
+}
+
+void switch_lecturer(UiState& state) {
+    LessonState& lesson = state.lesson;
+    keep_progress(state);
+    lesson.lecturer = !lesson.lecturer;
+    if (lesson.lecturer) {
+        lesson.written = lesson.progress;  // to come back to
+        return;
+    }
+    const std::size_t station = lesson.progress.station;
+    lesson.progress = lesson.written;
+    lesson.progress.station = station;
+    arrive(state);
+}
+
+void begin_again(UiState& state) {
+    state.lesson.progress = fresh_progress(*state.lesson.course);
+    arrive(state);
+}
+
+bool can_lock(const LessonState& lesson) {
+    const auto open = open_question(lesson);
+    if (!open) return false;
+    const Prediction& question = *lesson.station().questions[*open].asks;
+    if (question.kind == PredictionKind::Number) return calculated(lesson.typed, 0).problem.empty();
+    if (question.kind != PredictionKind::Sketch) return lesson.chosen != JsonValue();
+    const JsonValue::Elements& values = lesson.chosen.elements();
+    return values.size() == sketch_length(question) &&
+           std::all_of(values.begin(), values.end(), [](const JsonValue& v) { return v.is_number(); });
+}
+
+void lock_in(UiState& state) {
+    LessonState& lesson = state.lesson;
+    if (!can_lock(lesson)) return;
+    const std::size_t open = *open_question(lesson);
+    const bool is_number = lesson.station().questions[open].asks->kind == PredictionKind::Number;
+    lesson.given()[open] = {is_number ? JsonValue(calculated(lesson.typed, 0).value) : lesson.chosen, true};
+    forget_input(lesson);
+    lesson.takes_keys = true;
+    if (!open_question(lesson)) show_reveal(state);
+}
+
+void reveal_unanswered(UiState& state) {
+    for (GivenAnswer& given : state.lesson.given()) given.skipped |= !given.locked;
+    forget_input(state.lesson);
+    show_reveal(state);
+}
+
+void back_to_scene(UiState& state) {
+    LessonState& lesson = state.lesson;
+    state.animate.playing = false;
+    set_scene(state, open_question(lesson) ? lesson.station().asked : lesson.station().revealed);
+}
+
+bool has_strayed(const UiState& state) {
+    const LessonState& lesson = state.lesson;
+    return !open_question(lesson) && !(state.editor.scene() == lesson.station().revealed);
+}
+
+void play_reveal(UiState& state) {
+    const Reveal& reveal = *state.lesson.station().reveal;
+    AnimateState& animate = state.animate;
+    constexpr int frames = 75;  // three seconds there and back
+    animate.playing = !animate.playing;
+    animate.animation = {Motion::PingPong, reveal.play, reveal.play_from, reveal.play_to, frames};
+    animate.frames_a_second = 25;
+    animate.began = ImGui::GetTime();
+}
+
+namespace {
+
+void lay_line(UiState& state) {
+    LessonState& lesson = state.lesson;
+    if (lesson.lays_line <= 0 || state.rendered == nullptr) return;
+    --lesson.lays_line;
+    redraw_within(0);
+    const Reveal* reveal = lesson.course ? lesson.station().reveal : nullptr;
+    if (reveal == nullptr || open_question(lesson)) return;
+    if (reveal->pick && state.viewport.probe)
+        state.viewport.probe = share_of_lesson_pixel(state, glm::dvec2(*reveal->pick) + 0.5);
+    if (!reveal->along) return;
+    ScopeState& scope = state.views.scope;
+    scope.from = share_of_lesson_pixel(state, glm::dvec2(reveal->along->first) + 0.5);
+    scope.to = share_of_lesson_pixel(state, glm::dvec2(reveal->along->second) + 0.5);
+}
+
+}  // namespace
+
+void hold_lesson(UiState& state) {
+    lay_line(state);
+    const auto open = open_question(state.lesson);
+    if (!open) return;
+    Editor& editor = state.editor;
+    const Scene& asked = state.lesson.station().asked;
+    if (!(editor.scene() == asked)) {
+        (void)cancel_gesture(state.viewport, editor.scene());
+        editor.scene() = asked;
+    }
+    state.inspector.instead.reset();
+    state.viewport.touched = true;
+    if (state.viewport.probe) ask_about(state.viewport, {});
+}
+
+}  // namespace glint

@@ -1,0 +1,110 @@
+#pragma once
+// A lesson in the window: which one is open, how far it has come, and what each step of it does to the scene.
+// While a question waits for its answer the picture stands still, and nothing that is read off it is shown.
+
+#include <imgui.h>
+
+#include <glm/vec2.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/scene/camera.h"
+#include "ui/document/job.h"
+#include "ui/lessons/course.h"
+
+namespace glint {
+
+struct UiState;
+struct PictureView;
+
+/// What a task's condition says of a scene.
+struct WatchedTasks {
+    Scene of;
+    std::size_t station = 0;
+    std::vector<bool> done;  // in the order of the station's tasks
+};
+
+struct LessonState {
+    std::string folder;                    // of the lessons that come with the program; empty: none
+    std::string inventory;                 // the questions of its quiz; empty: none
+    std::shared_ptr<const Course> course;  // null: no lesson is open
+    CourseProgress progress;
+    bool lecturer = false;     // questions are shown without a way to answer them, and nothing is noted
+    bool shows_scene = false;  // the column shows the scene's list in place of the lesson
+    bool scrolls_up = false, scrolls_down = false;  // asked for: to the top, to what was just told
+    bool takes_keys = false;                        // asked for: what is typed is the answer
+    int lays_line = 0;  // frames in which pixel and line are laid where the reveal says: the room changes
+    // The answer that is being given to the first open question:
+    std::string typed;                     // of a number
+    JsonValue chosen;                      // of all other kinds; null: none yet
+    glm::dvec2 sketched{-1};               // where the hand was on a sketch: (number of the value, value)
+    std::unique_ptr<LessonRunner> runner;  // of `watching`: it keeps what it drew
+    std::unique_ptr<Job<WatchedTasks>> watching;
+    std::optional<WatchedTasks> watched;  // the last answer
+    CourseProgress written;               // as the file has it
+
+    [[nodiscard]] const Station& station() const { return course->stations[progress.station]; }
+    [[nodiscard]] std::vector<GivenAnswer>& given() { return progress.given[progress.station]; }
+    [[nodiscard]] const std::vector<GivenAnswer>& given() const { return progress.given[progress.station]; }
+};
+
+/// The lesson's column opens where it was left. Precondition: Course::document was put in hand, as
+/// take_scene() does.
+void begin_lesson(UiState& state, std::shared_ptr<const Course> course);
+/// The scene stays, the lesson goes.
+void leave_lesson(UiState& state);
+
+/// The open lesson's first question that waits for an answer at this station; nothing where none does.
+[[nodiscard]] std::optional<std::size_t> open_question(const LessonState& lesson);
+/// Whether such a question holds the picture: nothing of it can be changed or asked.
+[[nodiscard]] bool is_held(const UiState& state);
+
+/// To the next station or the one before, with its scene. At the ends it says so.
+void go_on(UiState& state, int steps);
+/// What PgDn does: in a lecturer's hand it shows an open answer first.
+void page_lesson(UiState& state, int steps);
+/// From the first station, with nothing answered.
+void begin_again(UiState& state);
+
+/// Whether what is given to the open question is an answer.
+[[nodiscard]] bool can_lock(const LessonState& lesson);
+/// The answer that is given stands; after the last one the answers are revealed.
+void lock_in(UiState& state);
+/// Shows all answers of the station; what was not locked in counts as not answered.
+void reveal_unanswered(UiState& state);
+/// The scene as the lesson has it here, as one step to undo.
+void back_to_scene(UiState& state);
+/// Whether the scene is another than the lesson has it here. From where one looks counts too.
+[[nodiscard]] bool has_strayed(const UiState& state);
+
+/// Plays what the reveal lets go to and fro, or stops it.
+void play_reveal(UiState& state);
+/// Marks the answer's number in its tab of the WHY column, for a moment.
+void mark_in_equation(UiState& state, const Prediction& question);
+/// Asks about the pixel that the reveal names and leads to where the answer's number stands.
+void show_in_equation(UiState& state, const Prediction& question);
+
+/// Keeps the scene of an open question as it is, whatever was done in this frame. Before the picture is
+/// drawn.
+void hold_lesson(UiState& state);
+/// Once a frame: the tasks' conditions are asked of the scene in hand; progress is written.
+void poll_lesson(UiState& state);
+
+/// The lesson's column: title, text, question, answer, tasks, and the ways on. Nothing without a lesson.
+void lesson_column(UiState& state);
+/// In a few words what the lesson asks or tells, for a picture without columns; empty without a lesson.
+[[nodiscard]] std::string lesson_caption(const UiState& state);
+
+/// A pixel of the lesson's pictures as a share of the window's picture, of the same camera; and back.
+[[nodiscard]] glm::dvec2 share_of_lesson_pixel(const UiState& state, glm::dvec2 pixel);
+[[nodiscard]] glm::dvec2 lesson_pixel_of_share(const UiState& state, glm::dvec2 share);
+
+/// The numbers of a sketch from A to B: one for each pixel.
+[[nodiscard]] std::size_t sketch_length(const Prediction& question);
+/// Draws with the hand: values from where it was to (number, value), others stay. Null values are not drawn
+/// yet.
+void sketch(JsonValue& values, std::size_t count, glm::dvec2 from, glm::dvec2 to);
+
+}  // namespace glint

@@ -1,0 +1,146 @@
+#include "ui/lessons/lesson_progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "models/io/file.h"
+#include "ui/ui.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_file = std::size_t{1} << 20;
+const char* const skipped_word = "skipped";
+
+std::string file_of(const UiState& state) {
+    return (fs::path(state.persistence.folder) / "lessons.json").string();
+}
+
+JsonValue json_of(const GivenAnswer& given) {
+    if (given.skipped) return skipped_word;
+    return given.locked ? JsonValue(JsonValue::Elements{given.value}) : JsonValue();
+}
+
+/// Numbers alone, as many as the right answer has.
+bool fits(const JsonValue& value, const StationQuestion& question) {
+    const JsonValue& right = question.right.value;
+    const auto is_finite = [](const JsonValue& v) { return v.is_number() && std::isfinite(v.number()); };
+    if (question.asks->kind == PredictionKind::Choice)
+        return value.is_whole_number() && value.number() >= 0 &&
+               value.number() < static_cast<double>(question.asks->options.size());
+    if (!right.is_array()) return is_finite(value);
+    const JsonValue::Elements& list = value.elements();
+    return list.size() == right.elements().size() && std::all_of(list.begin(), list.end(), is_finite);
+}
+
+std::optional<GivenAnswer> read_given(const JsonValue& json, const StationQuestion& question) {
+    if (json == JsonValue()) return GivenAnswer{};
+    if (json.is_string()) return GivenAnswer{{}, false, true};
+    if (json.elements().size() != 1 || !fits(json.elements()[0], question)) return {};
+    return GivenAnswer{json.elements()[0], true, false};
+}
+
+/// A whole number from 0 on; `otherwise` where there is none.
+int count_in(const JsonValue& json, const char* name, int otherwise) {
+    const JsonValue* found = json.find(name);
+    if (found == nullptr || !found->is_whole_number()) return otherwise;
+    return static_cast<int>(std::clamp(found->number(), 0.0, 1e6));
+}
+
+const JsonValue::Elements& list_in(const JsonValue& json, const char* name) {
+    static const JsonValue nothing;
+    const JsonValue* found = json.find(name);
+    return (found == nullptr ? nothing : *found).elements();
+}
+
+}  // namespace
+
+std::string record_key(const std::string& folder, const std::string& path) {
+    std::error_code failed;
+    const fs::path file(path);
+    if (!folder.empty() &&
+        fs::equivalent(file.parent_path().empty() ? "." : file.parent_path(), folder, failed))
+        return file.stem().string();
+    const fs::path whole = fs::absolute(file, failed).lexically_normal();
+    return failed ? path : whole.string();
+}
+
+JsonValue progress_json(const Course& course, const CourseProgress& progress) {
+    JsonValue given = JsonValue::array(), tasks = JsonValue::array();
+    for (std::size_t i = 0; i < course.stations.size(); ++i) {
+        JsonValue answers = JsonValue::array(), done = JsonValue::array();
+        for (const GivenAnswer& g : progress.given[i]) answers.push_back(json_of(g));
+        for (const bool d : progress.tasks[i]) done.push_back(d);
+        given.push_back(answers);
+        tasks.push_back(done);
+    }
+    const CourseScore score = score_of(course, progress);
+    return {{"at", progress.station},       {"stations", course.stations.size()},
+            {"questions", score.questions}, {"locked", score.locked},
+            {"right", score.right},         {"tasks", score.tasks},
+            {"done", score.done},           {"answers", given},
+            {"tasks_done", tasks}};
+}
+
+std::optional<CourseProgress> read_progress(const JsonValue& json, const Course& course) {
+    CourseProgress progress = fresh_progress(course);
+    const JsonValue::Elements &given = list_in(json, "answers"), &tasks = list_in(json, "tasks_done");
+    if (given.size() != course.stations.size() || tasks.size() != course.stations.size()) return {};
+    for (std::size_t i = 0; i < course.stations.size(); ++i) {
+        const std::vector<StationQuestion>& questions = course.stations[i].questions;
+        const JsonValue::Elements &answers = given[i].elements(), &done = tasks[i].elements();
+        if (answers.size() != questions.size() || done.size() != progress.tasks[i].size()) return {};
+        for (std::size_t q = 0; q < questions.size(); ++q) {
+            const std::optional<GivenAnswer> read = read_given(answers[q], questions[q]);
+            if (!read) return {};
+            progress.given[i][q] = *read;
+        }
+        for (std::size_t t = 0; t < done.size(); ++t) progress.tasks[i][t] = done[t] == JsonValue(true);
+    }
+    progress.station =
+        std::min(static_cast<std::size_t>(count_in(json, "at", 0)), course.stations.size() - 1);
+    return progress;
+}
+
+std::optional<LessonRecord> read_record(const JsonValue& json) {
+    if (!json.is_object()) return {};
+    LessonRecord record;
+    record.at = static_cast<std::size_t>(count_in(json, "at", 0));
+    record.stations = static_cast<std::size_t>(std::max(count_in(json, "stations", 1), 1));
+    record.score = {count_in(json, "questions", 0), count_in(json, "locked", 0), count_in(json, "right", 0),
+                    count_in(json, "tasks", 0), count_in(json, "done", 0)};
+    return record;
+}
+
+JsonValue lesson_records(const UiState& state) {
+    if (state.persistence.folder.empty()) return JsonValue::object();
+    const Result<std::string> text = read_file(file_of(state), longest_file);
+    if (problem_of(text) != nullptr) return JsonValue::object();
+    JsonValue read = JsonValue::parse(std::get<std::string>(text)).value_or(JsonValue());
+    return read.is_object() ? read : JsonValue::object();
+}
+
+CourseProgress recall_progress(const UiState& state, const Course& course) {
+    const JsonValue records = lesson_records(state);
+    const JsonValue* record = records.find(record_key(state.lesson.folder, course.lesson.path));
+    if (record == nullptr) return fresh_progress(course);
+    return read_progress(*record, course).value_or(fresh_progress(course));
+}
+
+void keep_progress(UiState& state) {
+    LessonState& lesson = state.lesson;
+    if (!lesson.course || lesson.lecturer || state.persistence.folder.empty()) return;
+    if (lesson.progress == lesson.written) return;
+    const FolderLock lock(state.persistence.folder);
+    if (!lock.held()) return;  // another window writes: in a later frame
+    JsonValue records = lesson_records(state);
+    records[record_key(lesson.folder, lesson.course->lesson.path)] =
+        progress_json(*lesson.course, lesson.progress);
+    (void)write_file(file_of(state), json_text(records));
+    lesson.written = lesson.progress;
+}
+
+}  // namespace glint

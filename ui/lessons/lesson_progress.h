@@ -1,0 +1,39 @@
+#pragma once
+// How far one has come in which lesson, from one day to the next: a small JSON file beside the window's other
+// memory, read as untrusted.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/lessons/course.h"
+
+namespace glint {
+
+struct UiState;
+
+/// What the list of lessons says of one.
+struct LessonRecord {
+    std::size_t at = 0, stations = 1;  // the station that one was at last, from 0
+    CourseScore score;
+    bool operator==(const LessonRecord&) const = default;
+};
+
+/// By what a lesson is remembered: its name where it comes with the program, else its absolute path.
+[[nodiscard]] std::string record_key(const std::string& folder, const std::string& path);
+
+/// As JSON: where one is, the score, and every answer.
+[[nodiscard]] JsonValue progress_json(const Course& course, const CourseProgress& progress);
+/// What progress_json() has written, for that lesson; nothing where it does not fit its questions any more.
+[[nodiscard]] std::optional<CourseProgress> read_progress(const JsonValue& json, const Course& course);
+[[nodiscard]] std::optional<LessonRecord> read_record(const JsonValue& json);
+
+/// The records of all lessons, by their keys.
+[[nodiscard]] JsonValue lesson_records(const UiState& state);
+
+/// What is remembered of the lesson, else a fresh beginning.
+[[nodiscard]] CourseProgress recall_progress(const UiState& state, const Course& course);
+/// Writes what has changed since. Not in a lecturer's hand.
+void keep_progress(UiState& state);
+
+}  // namespace glint

@@ -1,0 +1,135 @@
+// What is to be done by hand: its fields, and its condition, which is asked of the scene in hand beside the
+// window.
+#include <algorithm>
+#include <utility>
+
+#include "models/fields/scene_numbers.h"
+#include "ui/inspector/equation/words.h"
+#include "ui/lessons/lesson_parts.h"
+#include "ui/lessons/lesson_progress.h"
+#include "ui/ui.h"
+#include "ui/widgets/named_controls.h"
+#include "ui/widgets/numbers/number_input.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+std::vector<const Task*> tasks_of(const Station& station) {
+    std::vector<const Task*> tasks;
+    for (const StationPart& part : station.after)
+        if (part.task != nullptr) tasks.push_back(part.task);
+    return tasks;
+}
+
+/// `runner` is the caller's until the job has ended.
+Result<WatchedTasks> watched(const std::shared_ptr<const Course>& course, std::size_t station,
+                             LessonRunner& runner, const Scene& scene) {
+    WatchedTasks watched{scene, station, {}};
+    SceneDocument document = course->document;
+    document.scene = scene;
+    for (const Task* task : tasks_of(course->stations[station])) {
+        const Result<NamedValues> values = runner.answers(document, course->lesson, task->runs);
+        if (const Problem* problem = problem_of(values)) return *problem;
+        const Result<bool> done = task->done.holds(std::get<NamedValues>(values));
+        // What cannot be asked of this scene, as of a light that was deleted, is not done.
+        const bool* holds = std::get_if<bool>(&done);
+        watched.done.push_back(holds != nullptr && *holds);
+    }
+    return watched;
+}
+
+void begin_watching(UiState& state) {
+    LessonState& lesson = state.lesson;
+    if (!lesson.runner) lesson.runner = std::make_unique<LessonRunner>(1);
+    lesson.watching = std::make_unique<Job<WatchedTasks>>(
+        lesson.course->lesson.title,
+        [course = lesson.course, station = lesson.progress.station, runner = lesson.runner.get(),
+         scene = state.editor.scene()](LoadProgress&) { return watched(course, station, *runner, scene); });
+}
+
+void take_watched(UiState& state) {
+    LessonState& lesson = state.lesson;
+    Result<WatchedTasks> result = lesson.watching->take();
+    lesson.watching.reset();
+    if (problem_of(result) != nullptr) {  // the scene is not one that the condition can be asked of
+        lesson.watched = WatchedTasks{state.editor.scene(), lesson.progress.station, {}};
+        return;
+    }
+    lesson.watched = std::get<WatchedTasks>(std::move(result));
+    if (!lesson.course || lesson.watched->station != lesson.progress.station) return;
+    std::vector<bool>& done = lesson.progress.tasks[lesson.progress.station];
+    for (std::size_t i = 0; i < std::min(done.size(), lesson.watched->done.size()); ++i)
+        done[i] = done[i] || lesson.watched->done[i];
+}
+
+}  // namespace
+
+void poll_lesson(UiState& state) {
+    constexpr double look_again = 0.03;  // seconds
+    LessonState& lesson = state.lesson;
+    if (lesson.watching && lesson.watching->done()) take_watched(state);
+    if (lesson.watching) redraw_within(look_again);
+    if (!lesson.course) return;
+    keep_progress(state);
+    if (!state.animate.open && state.viewport.gesture != Gesture::None) state.animate.playing = false;
+    const bool asks = !open_question(lesson) && !tasks_of(lesson.station()).empty();
+    if (!asks || lesson.watching || awaits_mesh(state)) return;
+    if (lesson.watched && lesson.watched->station == lesson.progress.station &&
+        lesson.watched->of == state.editor.scene())
+        return;
+    begin_watching(state);
+    redraw_within(look_again);
+}
+
+namespace {
+
+/// A field of the number, under the words of its panel. True when it was edited; then `value` is another.
+bool field_of(const SceneNumber& number, const char* label, double& value) {
+    const Help help{number.help, number.pointer};
+    if (number.is_whole) {
+        int count = static_cast<int>(number.value);
+        const Count range{static_cast<int>(lowest(number.kind.range)),
+                          static_cast<int>(highest(number.kind.range))};
+        const bool edited = integer_field(label, count, range, static_cast<int>(number.initial), help);
+        value = count;
+        return edited;
+    }
+    auto real = static_cast<float>(number.value);
+    const bool edited = number_field(label, real, number.kind, static_cast<float>(number.initial), help);
+    value = double(real);
+    return edited;
+}
+
+/// The numbers that the task's hand may move, where they are few.
+void task_fields(UiState& state, const Task& task) {
+    constexpr int most_numbers = 6;
+    Scene& scene = state.editor.scene();
+    int shown = 0;
+    for (const SceneNumber& number : numbers_of(scene)) {
+        const auto holds_it = [&number](const std::string& control) {
+            return number.pointer == control || number.pointer.starts_with(control + "/");
+        };
+        if (std::none_of(task.controls.begin(), task.controls.end(), holds_it)) continue;
+        if (++shown > most_numbers) return;
+        ImGui::PushID(number.pointer.c_str());
+        double value = 0;
+        if (field_of(number, named_number(number.pointer, scene).what.c_str(), value)) {
+            state.editor.edits_camera |= number.pointer.starts_with("/camera");
+            if (const auto problem = set_number(scene, number.pointer, value)) say(problem->what);
+        }
+        ImGui::PopID();
+    }
+}
+
+}  // namespace
+
+void task_box(UiState& state, const Task& task, bool done, bool holds_now) {
+    task_fields(state, task);
+    const char* const words = holds_now ? "✓ Done: it holds now" : done ? "✓ Done" : "Not yet";
+    coloured(done ? theme().accent : theme().dim_text, words);
+    list_control(done ? "Task done" : "Task open", "", last_item());
+}
+
+}  // namespace glint

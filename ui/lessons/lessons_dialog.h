@@ -1,0 +1,31 @@
+#pragma once
+// The list of lessons: those that come with the program, and those beside the open one, with how far one has
+// come.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/lessons/lesson_progress.h"
+
+namespace glint {
+
+struct UiState;
+
+struct LessonEntry {
+    std::string path, title, topic;  // without a title where the file cannot be read: opening it says why
+    std::optional<LessonRecord> record;
+};
+
+struct LessonListState {
+    bool open = false;
+    std::vector<LessonEntry> own,
+        beside;  // of the program; of the open lesson's folder, where that is another
+};
+
+/// Opens the dialog; a click in it opens a lesson.
+void open_lessons(UiState& state);
+/// Draws it. Precondition: it is open.
+void lessons_dialog(UiState& state);
+
+}  // namespace glint

@@ -1,0 +1,130 @@
+#include "ui/lessons/predict_mode.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/commands/command.h"
+#include "ui/lessons/lesson_parts.h"
+#include "ui/lessons/prose.h"
+#include "ui/ui.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+JsonValue json_of(const std::array<int, 3>& colour) {
+    return {colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0};
+}
+
+void stop_picture(UiState& state) {
+    PredictState& predict = state.predict;
+    predict.stage = PredictStage::Change;
+    predict.probe = state.viewport.probe;
+    predict.before = state.explanation->byte;
+    predict.mine = {};
+    predict.answer.reset();
+    state.lecture.frozen = state.rendered_scene;
+}
+
+void reveal(UiState& state) {
+    state.predict.stage = PredictStage::Revealed;
+    state.lecture.frozen.reset();
+    redraw_within(0);
+}
+
+void pick_panel() {
+    prose_line("Click the pixel whose colour you want to predict.");
+    small_dim("Then the picture stands still. You change the scene, say what the colour will be, and look.");
+}
+
+void change_panel(UiState& state) {
+    PredictState& predict = state.predict;
+    prose_line("Change what you like: the picture stands still. What colour will the pixel have?");
+    colour_row("It was", json_of(predict.before));
+    ImGui::Dummy({0, px(4)});
+    if (predict.mine == JsonValue()) {
+        JsonValue shown = json_of(predict.before);
+        if (pick_colour("##predicted", shown)) predict.mine = shown;
+    } else {
+        (void)pick_colour("##predicted", predict.mine);
+    }
+    ImGui::Dummy({0, px(4)});
+    if (main_button(predict.mine == JsonValue() ? "It stays as it was" : "Lock it in")) {
+        if (predict.mine == JsonValue()) predict.mine = json_of(predict.before);
+        reveal(state);
+    }
+    tooltip("Lock the colour in", "The picture goes on and shows what the colour is");
+    ImGui::SameLine(0, px(12));
+    if (ImGui::Button("Give up")) end_prediction(state);
+}
+
+void revealed_panel(UiState& state) {
+    const PredictState& predict = state.predict;
+    if (!predict.answer) return small_dim("The picture is drawn.");
+    const JsonValue answer = json_of(*predict.answer);
+    colour_row("You said", predict.mine);
+    colour_row("It is", answer);
+    const double off = 255 * how_far(PredictionKind::Colour, predict.mine, answer);
+    constexpr double levels_hardly_seen = 8;
+    const std::string words = fmt::format("{:.0f} of 255 levels apart at most", off);
+    if (off <= levels_hardly_seen)
+        coloured(theme().accent, off < 0.5 ? "Exactly." : "Close enough: " + words + ".");
+    else
+        warning_text(words + ".");
+    if (main_button("Again")) stop_picture(state);
+    ImGui::SameLine(0, px(12));
+    if (ImGui::Button("Close")) end_prediction(state);
+    ImGui::Separator();
+}
+
+}  // namespace
+
+void switch_prediction(UiState& state) {
+    if (state.predict.stage != PredictStage::Off) return end_prediction(state);
+    state.layout.right = state.left_shows_inspector = true;
+    state.layout.hides_columns = false;
+    if (state.explanation && state.viewport.probe)
+        stop_picture(state);
+    else
+        state.predict.stage = PredictStage::Pick;
+}
+
+void end_prediction(UiState& state) {
+    if (state.predict.stage == PredictStage::Change) state.lecture.frozen.reset();
+    state.predict = {};
+}
+
+void poll_prediction(UiState& state) {
+    PredictState& predict = state.predict;
+    if (predict.stage == PredictStage::Pick && state.viewport.probe && state.explanation) stop_picture(state);
+    if (predict.stage == PredictStage::Change && !state.lecture.frozen) end_prediction(state);  // by F8
+    if (predict.stage != PredictStage::Revealed || predict.answer) return;
+    if (!state.viewport.probe) return end_prediction(state);
+    const bool drawn = state.rendered_is_edited && state.rendered_scene == state.editor.scene();
+    if (drawn && state.explanation) predict.answer = state.explanation->byte;
+    redraw_within(0);
+}
+
+bool predict_panel(UiState& state) {
+    switch (state.predict.stage) {
+    case PredictStage::Off:
+        return true;
+    case PredictStage::Pick:
+        pick_panel();
+        return false;
+    case PredictStage::Change:
+        change_panel(state);
+        return false;
+    case PredictStage::Revealed:
+        revealed_panel(state);
+        return state.predict.answer.has_value();
+    }
+    return true;  // not reached
+}
+
+}  // namespace glint
