@@ -153,6 +153,7 @@ class Builder {
     const char* reached_;
     ParsedBytes parsed_;
     Json root_;
+    TakenApart root_taken_apart_{root_};
     std::vector<Json*> open_;             // containers around the place, outermost first
     std::vector<std::string> open_keys_;  // the key under which each stands; unused in arrays
     std::string key_;
@@ -181,6 +182,12 @@ Json read_json(std::string_view text, const std::string& file) {
         throw ProblemFound{{file, "", cancelled_words, ""}};
     }
     return std::move(builder).take();
+}
+
+void take_apart(Json& document) noexcept {
+    if (!document.is_structured()) return;
+    for (Json& inner : document) take_apart(inner);
+    document.clear();
 }
 
 std::string escaped_token(std::string_view token) {

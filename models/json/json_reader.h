@@ -29,6 +29,22 @@ inline constexpr std::size_t max_json_values = 2'000'000;
 /// where there is one, the pointer.
 [[nodiscard]] Json read_json(std::string_view text, const std::string& file);
 
+/// Empties a document from the inside out. The library's destructor asks for memory where there is something
+/// in an array or an object, and where there is none ends the program.
+void take_apart(Json& document) noexcept;
+
+/// Takes a document apart at its end, which must be before the document's own.
+class TakenApart {
+  public:
+    explicit TakenApart(Json& document) : document_(document) {}
+    ~TakenApart() { take_apart(document_); }
+    TakenApart(const TakenApart&) = delete;
+    TakenApart& operator=(const TakenApart&) = delete;
+
+  private:
+    Json& document_;
+};
+
 /// A reference token as it stands in a JSON pointer: ~ as ~0, / as ~1 (RFC 6901, section 3).
 [[nodiscard]] std::string escaped_token(std::string_view token);
 

@@ -26,6 +26,7 @@ std::optional<Problem> problem_in(const Json& document) {
 Scene read_assigned(const Json& document, const std::string& file,
                     const std::vector<Assignment>& assignments) {
     Json assigned = document;
+    const TakenApart taken_apart(assigned);
     if (assigned.is_object()) apply_assignments(assigned, assignments);
     std::optional<Problem> problem = problem_in(assigned);
     if (!problem) return read_scene(Node(assigned));
@@ -49,7 +50,8 @@ Result<Assignment> parse_assignment(std::string_view text) {
 Result<Scene> parse_scene(std::string_view text, const std::string& file,
                           const std::vector<Assignment>& assignments) {
     try {
-        const Json document = read_json(text, file);
+        Json document = read_json(text, file);
+        const TakenApart taken_apart(document);
         if (!assignments.empty()) return read_assigned(document, file, assignments);
         return read_scene(Node(document));
     } catch (ProblemFound& found) {

@@ -10,8 +10,8 @@ using namespace glint::faults;
 namespace {
 
 const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n";
-const std::string scene =
-    R"({"glint": 1, "lights": [{"name": "Bulb", "position": [-1, 1, 2]}], "objects": [{"mesh": {"file": "mesh.obj"}}]})";
+const std::string scene = R"({"glint": 1, "lights": [{"name": "Bulb", "position": [-1, 1, 2]}],
+                              "objects": [{"mesh": {"file": "mesh.obj"}}]})";
 
 /// Two files in a folder, and the commands on them.
 struct Room {

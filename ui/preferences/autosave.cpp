@@ -24,7 +24,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t longest_copy = std::size_t{64} << 20;
 constexpr const char* ending = ".autosave";
 
-std::string lock_path(const std::string& path) { return path + ".lock"; }
+constexpr const char* lock_ending = ".lock";
+std::string lock_path(const std::string& path) { return path + lock_ending; }
 
 std::string time_words(std::time_t when) {
     const std::time_t now = std::time(nullptr);
@@ -118,12 +119,22 @@ std::string autosave_text(const SceneDocument& document, const std::string& fold
                        stamp_text(document.stamp), scene_text(scene));
 }
 
+/// A window that was killed before it wrote its copy has left the lock of it alone. Taking it removes it.
+static void remove_left_lock(const fs::path& path) {
+    std::error_code failed;
+    fs::path copy = path;
+    copy.replace_extension();
+    const bool is_lock = path.extension() == lock_ending && copy.extension() == ending;
+    if (is_lock && !fs::exists(copy, failed) && !failed) (void)AutosaveLock::take(copy.string());
+}
+
 std::vector<OrphanedAutosave> orphaned_autosaves(const std::string& folder) {
     std::vector<std::pair<std::time_t, OrphanedAutosave>> found;
     std::error_code failed;
     for (fs::directory_iterator it(folder, failed); !failed && it != fs::directory_iterator();
          it.increment(failed)) {
         const std::string path = it->path().string();
+        remove_left_lock(it->path());
         if (it->path().extension() != ending || it->is_symlink(failed)) continue;
         auto lock = AutosaveLock::take(path);
         if (!lock) continue;  // its window lives

@@ -47,8 +47,8 @@ struct OrphanedAutosave {
     std::string when;   // "14:05", or "3 May, 14:05": when it was written
 };
 
-/// The copies in `folder` that nobody holds, newest first. What is not a copy is passed over; empty ones are
-/// removed.
+/// The copies in `folder` that nobody holds, newest first. What is not a copy is passed over; locks
+/// that were left without a copy are removed.
 [[nodiscard]] std::vector<OrphanedAutosave> orphaned_autosaves(const std::string& folder);
 
 /// The document of a copy, its meshes loaded; where it was opened from is its path again.

@@ -1,0 +1,152 @@
+// A full disk, a folder that may not be written, a folder that has gone: the window says so once, the scene
+// is still open and not saved, and what was not saved is offered after a crash. And what is written is on the
+// disk.
+#include <climits>
+#include <filesystem>
+
+#include "models/io/file.h"
+#include "tests/faults/failing_calls.h"
+#include "tests/faults/failing_program.h"
+#include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
+#include "tests/support/scenes.h"
+#include "ui/document/document_actions.h"
+#include "ui/preferences/autosave.h"
+#include "ui/preferences/persistence.h"
+
+using namespace glint;
+using namespace glint::faults;
+using test::HeadlessWindow;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A window on a scene that was edited, with its copy in a state folder.
+struct Edited : HeadlessWindow {
+    TemporaryDirectory folder;
+    std::string path, state_folder = folder.path("state"), old_text = scene_text(test::busy_scene());
+
+    Edited() : HeadlessWindow({640, 400}) {
+        fs::create_directory(folder.path("work"));
+        path = folder.file("work/scene.json", old_text);
+        begin_persistence(state, state_folder);
+        (void)frame();
+        UiInput drop;
+        drop.dropped = {path};
+        (void)frame(drop);
+        wait_for_loads();
+        scene().lights[0].intensity = 7;
+        frames(3);
+        while (state.persistence.autosave_writing.valid()) (void)frame();
+        state.notifications.list.clear();
+    }
+    void press_save() {
+        (void)key(Key::S, true);
+        frames(2);
+    }
+    /// One message that says `why` and names the file; the scene is still open, not saved, and in a copy.
+    void check_nothing_is_lost(const std::string& why) {
+        REQUIRE(state.notifications.list.size() == 1);
+        CHECK(state.notifications.list[0].tone == Tone::Error);
+        CHECK(state.notifications.list[0].text.starts_with(path + ": cannot write: " + why));
+        CHECK(state.editor.unsaved());
+        CHECK(scene().lights[0].intensity == 7);
+        state.persistence.autosave.reset();  // as when the process ends
+        const auto left = orphaned_autosaves(state_folder);
+        REQUIRE(left.size() == 1);
+        const auto copy = open_autosave(left[0].lock.path());
+        REQUIRE(problem_of(copy) == nullptr);
+        CHECK(std::get<SceneDocument>(copy).scene.lights[0].intensity == 7);
+        CHECK(std::get<SceneDocument>(copy).path == path);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("on a full disk saving says so, the old file is whole and the work is kept", "[faults][ui]") {
+    Edited bench;
+    fail({Kind::Write, 0, LONG_MAX, ENOSPC});
+    bench.press_save();
+    stop();
+    CHECK(bytes_of(bench.path) == bench.old_text);
+    CHECK(fs::directory_iterator(bench.folder.path("work")) != fs::directory_iterator());
+    CHECK(std::distance(fs::directory_iterator(bench.folder.path("work")), {}) == 1);
+    bench.check_nothing_is_lost("no space left on the device");
+}
+
+TEST_CASE("on a disk that is full only when the file is closed the old file is whole", "[faults][ui]") {
+    Edited bench;
+    fail({Kind::Close, 0, LONG_MAX, ENOSPC});
+    bench.press_save();
+    stop();
+    CHECK(bytes_of(bench.path) == bench.old_text);
+    bench.check_nothing_is_lost("no space left on the device");
+}
+
+TEST_CASE("in a folder that may not be written saving says so and the work is kept", "[faults][ui]") {
+    Edited bench;
+    fail({Kind::Open, 0, LONG_MAX, EROFS});  // file permissions do not bind every user who runs this
+    bench.press_save();
+    stop();
+    CHECK(bytes_of(bench.path) == bench.old_text);
+    bench.check_nothing_is_lost("Read-only file system");
+}
+
+TEST_CASE("where the folder has gone saving says so, and saves again when it is back", "[faults][ui]") {
+    Edited bench;
+    fs::remove_all(bench.folder.path("work"));
+    bench.press_save();
+    REQUIRE(bench.state.notifications.list.size() == 1);
+    CHECK(bench.state.editor.unsaved());
+    fs::create_directory(bench.folder.path("work"));
+    bench.state.notifications.list.clear();
+    bench.press_save();
+    CHECK(bytes_of(bench.path) == scene_text(bench.scene()));
+    CHECK_FALSE(bench.state.editor.unsaved());
+}
+
+TEST_CASE("where the folder has gone the work is kept", "[faults][ui]") {
+    Edited bench;
+    fs::remove_all(bench.folder.path("work"));
+    bench.press_save();
+    bench.check_nothing_is_lost("no such file or directory");
+}
+
+TEST_CASE("where the folder of copies has gone, that is said once, and copies go on when it is back",
+          "[faults][ui]") {
+    Edited bench;
+    fs::remove_all(bench.state_folder);
+    for (int i = 0; i < 3; ++i) {
+        bench.state.persistence.autosaved_at = -1e9;
+        bench.scene().lights[0].intensity = 8 + float(i);
+        bench.frames(3);
+        while (bench.state.persistence.autosave_writing.valid()) bench.frames(1);
+        bench.frames(1);
+    }
+    REQUIRE(bench.state.notifications.list.size() == 1);
+    CHECK(bench.state.notifications.list[0].text.starts_with("No copy of the unsaved work can be kept: "));
+    fs::create_directory(bench.state_folder);
+    bench.state.persistence.autosaved_at = -1e9;
+    bench.scene().lights[0].intensity = 12;
+    bench.frames(3);
+    while (bench.state.persistence.autosave_writing.valid()) bench.frames(1);
+    bench.state.persistence.autosave.reset();
+    const auto left = orphaned_autosaves(bench.state_folder);
+    REQUIRE(left.size() == 1);
+    CHECK(std::get<SceneDocument>(open_autosave(left[0].lock.path())).scene.lights[0].intensity == 12);
+}
+
+TEST_CASE("a file is on the disk before it takes the old one's place, and its name after", "[faults]") {
+    const TemporaryDirectory folder;
+    const std::string scene = folder.file("scene.json", scene_text(test::busy_scene()));
+    const std::string out = folder.path("out/picture.png");
+    const Calls calls = calls_of({"render", {"render", scene, "-o", out, "--size", "8x8"}, out});
+    std::vector<std::string> order;
+    for (const std::string& line : calls.lines)
+        if (line.starts_with("rename ") || line.starts_with("fsync ")) order.push_back(line);
+    REQUIRE(order.size() == 3);
+    CHECK(order[0].starts_with("fsync " + folder.path("out/.glint-")));
+    CHECK(order[1].starts_with("rename " + folder.path("out/.glint-")));
+    CHECK(order[1].ends_with(" " + out));
+    CHECK(order[2] == "fsync " + folder.path("out"));
+}
