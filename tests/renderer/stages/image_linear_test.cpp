@@ -3,9 +3,11 @@
 
 #include "renderer/image/image_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
 
 using namespace glint;
+using namespace glint::test;
 
 namespace {
 
@@ -61,4 +63,20 @@ TEST_CASE("what is no PFM and no EXR is a problem", "[image][bad-input]") {
     check_problem(read_exr(directory.file("a.exr", "PF\n3 2\n-1\n")), "OpenEXR");
     for (const std::size_t length : {exr.size() / 4, exr.size() / 2, exr.size() - 8})
         check_problem(read_exr(directory.file("a.exr", exr.substr(0, length))), "OpenEXR");
+}
+
+TEST_CASE("an EXR whose heading claims two gigabytes is refused before they are asked for",
+          "[image][bad-input]") {
+    if (!can_limit_address_space) return;
+    const TemporaryDirectory directory;
+    std::string exr = exr_bytes(six_pixels(), 1);
+    constexpr std::size_t magic_and_version = 8;
+    const std::string claim = std::string("note\0string\0", 12) + "\xf0\xff\xff\x7f" + "abc";
+    exr.insert(magic_and_version, claim);
+    const std::string path = directory.file("a.exr", exr);
+    CHECK(in_process_with_room(std::uint64_t{512} << 20, [&path] {
+        const auto read = read_exr(path);
+        const Problem* problem = problem_of(read);
+        return problem != nullptr && problem->what.find("cannot be read as an OpenEXR") == 0;
+    }));
 }
