@@ -79,7 +79,7 @@ class MissingParent {
     }
     /// The member that the first `step` tokens lead to.
     template <class Kind> void at(const Kind&, const glm::vec3& v, std::size_t step, Json& found) const {
-        if (step == path_.size()) found = {v.x, v.y, v.z};
+        if (step == path_.size()) found = Json::array({v.x, v.y, v.z});
     }
     /// Without its w, which belongs to the light's type.
     void at(const Homogeneous& kind, const glm::vec4& v, std::size_t step, Json& found) const {
