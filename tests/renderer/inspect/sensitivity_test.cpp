@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/fields/scene_numbers.h"
 #include "renderer/inspect/debug_views/buffers.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
@@ -81,6 +82,28 @@ TEST_CASE("sensitivity: the pixel changes with each number as the equation's der
         };
         return most(a.change) > most(b.change);
     }));
+}
+
+TEST_CASE("sensitivity: what moves faces is drawn anew: the change is that between two pictures",
+          "[sensitivity]") {
+    const SceneDocument document = balls();
+    const Sensitivities s = of_pixel(document, 30, 20);
+    const auto pixel_with = [&](const std::string& pointer, double value) {
+        Scene scene = document.scene;
+        REQUIRE_FALSE(set_number(scene, pointer, value));
+        Renderer renderer(1);
+        return glm::dvec3(renderer.render(scene, size, true).linear_at(30, 20));
+    };
+    for (const std::string pointer : {"/camera/eye/0", "/camera/projection/fov_y_deg",
+                                      "/objects/0/transform/translate/0", "/objects/0/transform/scale/1"}) {
+        INFO(pointer);
+        const double value = number_at(document.scene, pointer)->value;
+        const double h = 1e-3 * std::max(std::abs(value), 0.1);
+        const glm::dvec3 between =
+            (pixel_with(pointer, value + h) - pixel_with(pointer, value - h)) / (2 * h);
+        REQUIRE(std::abs(between.x) > 1e-3);
+        CHECK(change_of(s, pointer).x == Approx(between.x).epsilon(1e-4));
+    }
 }
 
 TEST_CASE("sensitivity: what has no effect is named, and what cannot move a little", "[sensitivity]") {

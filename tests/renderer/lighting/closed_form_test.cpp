@@ -164,3 +164,28 @@ TEST_CASE("a fine sphere under each kind of light is the equation at each pixel'
         CHECK(worst < 3e-4);
     }
 }
+
+TEST_CASE("a highlight of low shininess is seen down to the last cosine: (v.r)^1 at 0.02 is 0.02",
+          "[closed-form]") {
+    // Facing the viewer, who is far away, the plane has v.r = n.l at each pixel.
+    constexpr float cosine = 0.02f;
+    Light sun;
+    sun.kind = LightKind::Directional;
+    sun.position = {std::sqrt(1 - cosine * cosine), 0, cosine, 0};
+    Scene scene = lit_by(sun, Primitive::Plane, 1);
+    scene.camera.eye = {0, 0, 5};
+    scene.global_ambient = glm::vec3(0);
+    scene.shading.local_viewer = false;
+    scene.objects[0].transform.rotate_deg.x = 90;
+    scene.objects[0].material = {};
+    scene.objects[0].material.ambient = scene.objects[0].material.diffuse = glm::vec3(0);
+    scene.objects[0].material.specular = glm::vec3(1);
+    for (const float shininess : {0.5f, 1.0f, 2.0f}) {
+        INFO("shininess " << shininess);
+        scene.objects[0].material.shininess = shininess;
+        Renderer renderer(1);
+        const Picture& picture = renderer.render(scene, size, true);
+        CHECK(picture.linear_at(size.width / 2, size.height / 2).x ==
+              Approx(std::pow(double{cosine}, double{shininess})).epsilon(1e-4));
+    }
+}

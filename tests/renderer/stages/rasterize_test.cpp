@@ -83,6 +83,27 @@ TEST_CASE("a triangle of any size covers the samples that the fill rule gives it
     CHECK(covered > 100000);
 }
 
+TEST_CASE("on a level edge through pixel centres the triangle below has the pixels, however large it is",
+          "[visibility][raster]") {
+    const int middle = 20, level = middle * subpixels + subpixels / 2;
+    TilePixels tile;
+    std::vector<std::uint32_t> seen(tile_size * tile_size);
+    std::vector<std::uint16_t> groups(tile_size * tile_size / 16);
+    const TileRows rows{seen.data(), groups.data(), tile_size, tile_size / 16, tile_size, tile_size};
+    for (const int spread : {30, 3000, 300000}) {  // pixels
+        INFO("spread " << spread);
+        const int side = spread * subpixels;
+        const auto covers_row = [&](int apex) {
+            draw({{-side, level, 0.5f}, {side + 64 * subpixels, level, 0.5f}, {0, apex, 0.5f}}, 0, 0, tile);
+            visibility_kernels().take_rows(tile, rows);
+            const auto row = seen.begin() + std::ptrdiff_t{middle} * tile_size;
+            return std::count_if(row, row + 20, [](std::uint32_t code) { return code != 0; });
+        };
+        CHECK(covers_row(level + side) == 20);  // its upper edge
+        CHECK(covers_row(level - side) == 0);   // its lower one
+    }
+}
+
 TEST_CASE("the order in which a tile's triangles are drawn changes nothing", "[visibility][raster]") {
     // The same five triangles, numbered as before but moved in the list: nearest wins, then the lower number.
     std::vector<ScreenVertex> screen;

@@ -57,6 +57,51 @@ TEST_CASE("an edit after undo drops what was undone", "[ui]") {
     CHECK(history.undo() == two_lights());
 }
 
+TEST_CASE("an edit after several undos leaves nothing of what was undone", "[ui]") {
+    for (int undone = 2; undone <= 4; ++undone) {
+        History history;
+        std::vector<Scene> scenes{two_lights()};
+        history.reset(scenes[0]);
+        for (int i = 1; i <= 4; ++i) {
+            Scene next = scenes.back();
+            next.lights[0].intensity += 1;
+            history.commit(next);
+            scenes.push_back(next);
+        }
+        for (int i = 0; i < undone; ++i) history.undo();
+        scenes.resize(scenes.size() - static_cast<std::size_t>(undone));
+        Scene other = scenes.back();
+        other.lights[1].intensity = 9;
+        history.commit(other);
+        CHECK(history.present() == other);
+        CHECK_FALSE(history.can_redo());
+        for (std::size_t i = scenes.size(); i > 0; --i) CHECK(history.undo() == scenes[i - 1]);
+        CHECK_FALSE(history.can_undo());
+    }
+}
+
+TEST_CASE("each edit of another thing is a step of its own, however soon it follows", "[ui]") {
+    Editor editor;
+    editor.document.scene = two_lights();
+    editor.history.reset(editor.scene());
+    std::vector<Scene> scenes{editor.scene()};
+    const auto edit = [&](auto change) {
+        change(editor.scene());
+        remember_step(editor, false);
+        scenes.push_back(editor.scene());
+    };
+    edit([](Scene& s) { s.lights[0].intensity = 2; });
+    edit([](Scene& s) { s.lights[0].position.x = 3; });
+    edit([](Scene& s) { s.lights[1].intensity = 2; });
+    edit([](Scene& s) { s.shading.mode = ShadingMode::Flat; });
+    edit([](Scene& s) { s.shading.mode = ShadingMode::Gouraud; });
+    for (std::size_t i = scenes.size() - 1; i > 0; --i) {
+        REQUIRE(undo(editor));
+        CHECK(editor.scene() == scenes[i - 1]);
+    }
+    CHECK_FALSE(undo(editor));
+}
+
 TEST_CASE("what was looked at between two edits is no step, and undo leaves the view where it is", "[ui]") {
     History history;
     Scene scene = two_lights();

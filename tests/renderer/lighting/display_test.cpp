@@ -1,0 +1,37 @@
+// Bytes of a picture against IEC 61966-2-1 in double.
+#include <cmath>
+#include <vector>
+
+#include "renderer/renderer.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+
+namespace {
+
+/// The standard's two pieces, of linear x in 0 to 1.
+double srgb(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055; }
+
+/// The byte of a background of that much light, which goes through the display as any pixel does.
+int byte_shown(float linear, Transfer transfer) {
+    Scene scene;
+    scene.display.background = glm::vec3(linear);
+    scene.display.transfer = transfer;
+    Renderer renderer(1);
+    return renderer.render(scene, {1, 1}).rgba[0];
+}
+
+}  // namespace
+
+TEST_CASE("sRGB is straight up to 0.0031308 and a power above it: its bytes are the standard's",
+          "[display]") {
+    std::vector<float> linear{0, 0.0031308f, 0.0031309f, 0.04045f, 0.5f, 1};
+    for (int i = 1; i <= 60; ++i) linear.push_back(0.001f * static_cast<float>(i));
+    for (const float x : linear) {
+        INFO("linear " << x);
+        const double exact = 255 * srgb(double{x});
+        const int byte = byte_shown(x, Transfer::Srgb);
+        CHECK(std::abs(byte - exact) < 0.501);  // the nearest
+    }
+    CHECK(byte_shown(0.02f, Transfer::Srgb) == 39);  // 12.92 x would be 66
+}
