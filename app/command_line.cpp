@@ -37,7 +37,8 @@ std::string general_help() {
                             command.summary);
     }
     text +=
-        "\n  --set POINTER=JSON              changes the scene; may be repeated\n"
+        "\n  --lesson NAME                   opens a lesson in the window, by its name, number or file\n"
+        "  --set POINTER=JSON              changes the scene; may be repeated\n"
         "  -j, --threads N                 threads to draw with; 0, the default, is all cores\n"
         "  --memory SIZE                   how much memory a scene may need, as in 8G\n"
         "  --version                       prints the version\n"

@@ -47,6 +47,7 @@ Run declare(Options& options) {
         }
         if (!arguments->file.empty())
             throw wrong_usage("--lesson", "stands beside " + arguments->file, "one of the two");
+        if (!more->empty()) throw wrong_usage(more->front(), "stands beside a lesson", "the lesson alone");
         if (!arguments->assignments.empty())
             throw wrong_usage("--set", "stands beside a lesson, which sets its own scene", "one of the two");
         run_window({"", {}, arguments->threads, {}, lesson_file(*lesson)});

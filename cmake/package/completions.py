@@ -22,7 +22,7 @@ for name in dict.fromkeys(re.findall(r"^  glint ([a-z]+)", help_of(), re.M)):
     commands[name] = (text.split("\n")[0], options_of(text))
 
 bash = ["# Completion of glint for bash, made from --help.", "_glint() {",
-        '    local word=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]} options="--help --version --set --threads --memory"',
+        '    local word=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]} options="--help --version --lesson --set --threads --memory"',
         "    case $command in"]
 for name, (_, options) in commands.items():
     bash.append(f'    {name}) options="{" ".join(n for names, _ in options for n in names)}" ;;')

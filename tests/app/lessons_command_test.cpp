@@ -109,6 +109,18 @@ TEST_CASE("wrong usage of glint lessons and glint exercise says what is wrong", 
     check_wrong({"exercise", "5", "-o", "x.html", "--count", "0"}, "--count: 0 is out of range");
 }
 
+TEST_CASE("what keeps a lesson from opening in the window is one line", "[cli][lesson][bad-input]") {
+    check_wrong({"--lesson", "lambart"}, "expected 05-lambert");
+    check_wrong({"--lesson", "5", "--set", "/display/exposure=2"}, "stands beside a lesson");
+    check_wrong({"scene.json", "--lesson", "5"}, "--lesson: stands beside scene.json");
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("ball.json", scene_text);
+    check_wrong({directory.file("good.md", lesson_text("ball.json", "e.hit")), scene}, "the lesson alone");
+    const Ended wrong = run_glint({directory.file("wrong.md", lesson_text("ball.json", "f.hit"))});
+    CHECK(wrong.status == 1);
+    CHECK(wrong.err.find("wrong.md:12: \"f\" is not known") != std::string::npos);
+}
+
 TEST_CASE("glint quiz writes the inventory and counts what a class has answered", "[cli][quiz]") {
     const TemporaryDirectory directory;
     const std::string page = directory.path("quiz.html");

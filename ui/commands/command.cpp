@@ -92,10 +92,10 @@ void run_keys(UiState& state, const UiInput& input) {
     for (const KeyPress& press : input.presses) {
         if (press.key == Key::Escape && !number_in_hand()) escape(state);
         if (busy || state.palette.open || modal_of(state) != Modal::None) continue;
-        // While text is typed its keys are text; Ctrl+S still saves, and pages are turned.
+        // While text is typed its keys are text; Ctrl+S still saves, and pages and F keys do what they do.
         const bool typing = ImGui::GetIO().WantTextInput;
-        const bool leads_on = press.key == Key::PageDown || press.key == Key::PageUp;
-        if (typing && !leads_on && !(press.ctrl && press.key == Key::S)) continue;
+        const bool is_no_text = press.key >= Key::PageUp && press.key <= Key::F12;
+        if (typing && !is_no_text && !(press.ctrl && press.key == Key::S)) continue;
         const auto has_key = [&press](const WindowCommand& command) {
             return std::find(command.keys.begin(), command.keys.end(), press) != command.keys.end();
         };

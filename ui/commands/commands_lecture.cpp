@@ -81,7 +81,7 @@ std::vector<WindowCommand> lecture_commands() {
          .why_disabled = [](const UiState& s) { return unless_drawn(s.rendered); },
          .line_above = true,
          .noun = "Predict a colour"},
-        {.name = "Match the target: a game", .menu = Menu::Lecture, .run = new_match},
+        {.name = "Match the target", .menu = Menu::Lecture, .run = new_match},
         {.name = "Quiz: what do you believe about lighting?",
          .menu = Menu::Lecture,
          .run = open_quiz,

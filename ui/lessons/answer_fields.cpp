@@ -188,11 +188,12 @@ void revealed_answer(UiState& state, const StationQuestion& question, const Give
     revealed_value(state.lesson, question, given);
     if (given.locked && asks.kind != PredictionKind::Choice) {
         const double off = how_far(asks.kind, given.value, question.right.value);
+        const bool exact = off < 1e-3 * question.right.tolerance;
         const double right = asks.kind == PredictionKind::Number ? question.right.value.number() : 0;
         const bool counts = is_right(question, given);
         const std::string words = off_words(asks, off, right);
         if (counts)
-            coloured(theme().accent, off == 0 ? "Exactly." : "Close enough. " + words + ".");
+            coloured(theme().accent, exact ? "Exactly." : "Close enough. " + words + ".");
         else
             warning_text(words + ".");
     }

@@ -47,7 +47,11 @@ class Cutter {
 /// The station's scenes and answers. `step`: its step's scene.
 std::optional<Problem> make_ready(Station& station, const Lesson& lesson, const SceneDocument& step,
                                   LessonRunner& runner) {
-    station.asked = station.revealed = step.scene;
+    // As on paper: what the picture would tell is told by the reveal.
+    Result<SceneDocument> asked = LessonRunner::for_paper(step, lesson.steps[station.step], lesson, false);
+    if (const Problem* problem = problem_of(asked)) return *problem;
+    station.asked = station.questions.empty() ? step.scene : std::get<SceneDocument>(std::move(asked)).scene;
+    station.revealed = step.scene;
     if (station.reveal != nullptr) {
         Result<SceneDocument> shown =
             LessonRunner::with(step, station.reveal->set, lesson, station.reveal->line);

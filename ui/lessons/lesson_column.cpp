@@ -88,6 +88,8 @@ void posed(UiState& state, const StationQuestion& question) {
 void questions(UiState& state) {
     const Station& station = state.lesson.station();
     const auto open = open_question(state.lesson);
+    if (open && !state.lesson.course->lesson.steps[station.step].picture.empty())
+        small_dim("The picture shows the scene otherwise until the answer is given: it would tell it.");
     for (std::size_t i = 0; i < station.questions.size(); ++i) {
         if (open && i > *open && !state.lesson.lecturer) return;
         const StationQuestion& question = station.questions[i];

@@ -107,9 +107,9 @@ void scene_column(UiState& state, const PictureView& view) {
     ImGui::PopID();
 }
 
-void column_tab(const char* name, bool chosen, bool& wanted) {
+void column_tab(const char* name, bool chosen, float width, bool& wanted) {
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().field_active : theme().panel);
-    if (ImGui::Button(name, {px(84), 0})) wanted = true;
+    if (ImGui::Button(name, {width, 0})) wanted = true;
     ImGui::PopStyleColor();
 }
 
@@ -161,9 +161,10 @@ LeftPart left_part(const UiState& state, const Layout& layout) {
 
 void left_tabs(UiState& state, const Layout& layout) {
     const LeftPart shown = left_part(state, layout);
+    const bool three = state.layout.lesson && layout.inspector_in_left;
     const auto tab = [&](const char* name, LeftPart part) {
         bool wanted = false;
-        column_tab(name, shown == part, wanted);
+        column_tab(name, shown == part, px(three ? 62 : 84), wanted);
         list_control(name, "tab", last_item());
         ImGui::SameLine(0, px(2));
         if (!wanted) return;

@@ -111,6 +111,10 @@ TEST_CASE("PgDn and PgUp turn the lesson's pages while a number is typed, and ea
     LambertWindow bench;
     bench.click(bench.control("Your answer"));
     test::type(bench, "0.");
+    bench.key(Key::F9);
+    CHECK(bench.state.lecture.projector);
+    bench.key(Key::F9);
+    bench.click(bench.control("Your answer"));
     bench.key(Key::PageDown);
     bench.frames(2);
     CHECK(bench.lesson().progress.station == 2);
@@ -243,6 +247,24 @@ TEST_CASE("the lesson stays on a projector, in a narrow window, and over a pictu
     bench.frames(2);
     CHECK(window_layout(bench.state).has_caption);
     CHECK(lesson_caption(bench.state) == "Tilted by 60 degrees");
+}
+
+TEST_CASE("a scene that would tell the answer is shown when the answer is given", "[ui][window][lesson]") {
+    const TemporaryDirectory folder;
+    (void)folder.file("ball.json",
+                      R"({"glint": 1, "lights": [{"type": "point"}], "objects": [{"name": "Ball"}]})");
+    HeadlessWindow bench;
+    bench.frames(2);
+    test::drop(bench, folder.file("01.md", own_lesson("```scene\nset: /lights/0/intensity=0.5\n"
+                                                      "picture: /lights/0/intensity=2\n```\n\n"
+                                                      "```predict number\nquestion: How?\n"
+                                                      "e = explain --pixel 16,16\nanswer: e.sum[0]\n"
+                                                      "tolerance: 1\n```\n")));
+    REQUIRE(open_question(bench.state.lesson));
+    CHECK(bench.state.rendered_scene.lights[0].intensity == 2);
+    bench.click(bench.control("Show it without"));
+    bench.frames(2);
+    CHECK(bench.state.rendered_scene.lights[0].intensity == 0.5f);
 }
 
 TEST_CASE("another scene ends the lesson, and so does its cross", "[ui][window][lesson]") {
