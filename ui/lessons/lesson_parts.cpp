@@ -172,7 +172,6 @@ void sketch_plot(LessonState& lesson, const Prediction& question, const JsonValu
     }
     const Points drawn = points_of(mine);
     if (!drawn.empty()) draw_curve(list, area, drawn, theme().warning, 2);
-    draw_y_name(list, area, y_text);
 }
 
 }  // namespace glint
