@@ -1,7 +1,9 @@
 // docs/interface.md says what the program takes: its examples read, and no key or word is left out.
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "models/fields/choices.h"
 #include "models/io/file.h"
@@ -49,6 +51,28 @@ template <class Enum> void check_names(const std::string& text) {
 }
 
 }  // namespace
+
+TEST_CASE("every limit names a test that is there", "[interface_doc]") {
+    const std::string text = document();
+    const std::size_t start = text.find("### What growing costs");
+    REQUIRE(start != std::string::npos);
+    std::string tests;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(GLINT_SOURCE_DIR "/tests"))
+        if (entry.path().extension() == ".cpp")
+            tests += std::get<std::string>(read_file(entry.path().string(), 1 << 20));
+    std::istringstream lines(text.substr(start, text.find("\n## ", start) - start));
+    int rows = 0;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("| ") || line.starts_with("| what grows")) continue;
+        const std::size_t end = line.rfind('"');
+        REQUIRE(end != std::string::npos);
+        const std::size_t begin = line.rfind('"', end - 1);
+        INFO(line);
+        CHECK(tests.find("TEST_CASE(" + line.substr(begin, end + 1 - begin)) != std::string::npos);
+        ++rows;
+    }
+    CHECK(rows >= 15);
+}
 
 TEST_CASE("the example in the documentation is a scene", "[interface_doc]") {
     const std::string text = document();

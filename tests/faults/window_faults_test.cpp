@@ -23,9 +23,8 @@ namespace {
 constexpr std::array file_kinds{Kind::Open,   Kind::Read, Kind::Write, Kind::Fsync, Kind::Close,
                                 Kind::Rename, Kind::Stat, Kind::Lock,  Kind::Mode,  Kind::Thread};
 
-/// Runs `act` once with each fault: of every kind, every number, a single call and five in a row (of memory
-/// one: the JSON library ends the program where there is none to take a half-read document apart). `act` does
-/// what is to be tried within `during(...)`, and before and after it what it likes.
+/// Runs `act` once with each fault: of every kind, every number, a single call and, but for memory, five in a
+/// row. `act` does what is to be tried within `during(...)`, and before and after it what it likes.
 class InTurn {
   public:
     template <class Act> void operator()(const Act& act, long most_of_memory) {
@@ -43,7 +42,6 @@ class InTurn {
         stop();
         counted_ = calls(fault_.kind);
     }
-    [[nodiscard]] bool can_fail() const { return fault_.first != LONG_MAX; }
 
   private:
     template <class Act> void try_kind(Kind kind, long most, const Act& act) {
