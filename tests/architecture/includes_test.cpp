@@ -97,13 +97,14 @@ TEST_CASE("no two headers define a class of one name, which the linker would tak
     CHECK(header_of.size() > 100);
 }
 
-TEST_CASE("no folder holds more than 20 files", "[architecture]") {
+TEST_CASE("no folder of code or tests holds more than 20 files", "[architecture]") {
     std::map<std::string, int> files;
     const fs::path root = GLINT_SOURCE_DIR;
     for (const char* folder : {"app", "ui", "renderer", "models", "tests"})
         for (const auto& entry : fs::recursive_directory_iterator(root / folder))
             if (entry.is_regular_file())
                 ++files[fs::relative(entry.path().parent_path(), root).generic_string()];
+    std::erase_if(files, [](const auto& f) { return f.first.starts_with("tests/fuzz/corpus/"); });
     for (const auto& [folder, count] : files) {
         INFO(folder << " holds " << count << " files");
         CHECK(count <= 20);

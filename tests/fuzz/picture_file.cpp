@@ -1,0 +1,28 @@
+// Bytes -> a picture that another program drew, as `diagnose` reads it. GLINT_FUZZ_READ is its reader.
+
+#include <variant>
+
+#include "models/memory_limit.h"
+#include "renderer/image/image_file.h"
+#include "tests/fuzz/fuzz.h"
+
+using namespace glint;
+using fuzz::require;
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    constexpr std::uint64_t memory = 64 << 20;  // bytes: a header alone may ask for gigabytes
+    set_memory_limit(memory);
+    try {
+        const Result<Picture> read = GLINT_FUZZ_READ(fuzz::path_of_bytes(fuzz::text_of(data, size)));
+        if (const Problem* problem = problem_of(read)) {
+            require(problem->text().find('\n') == std::string::npos, "a problem is one line");
+            return 0;
+        }
+        const Picture& picture = std::get<Picture>(read);
+        const std::size_t pixels = picture.size.pixels();
+        require(picture.rgba.size() == 4 * pixels || picture.linear.size() == 3 * pixels,
+                "a picture has as many numbers as pixels");
+    } catch (const Refused&) {  // which the commands tell
+    }
+    return 0;
+}

@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# Builds the fuzzers and runs each for SECONDS, or with tests/fuzz/run.sh SECONDS TARGET that one: from its corpus and from
+# what earlier runs found (build/fuzz/found). What fails is left in build/fuzz/failed/TARGET-*, and is run again by giving it
+# to build/fuzz/tests/fuzz/fuzz_TARGET. Ends with status 1 where one failed, after all have had their time.
+#
+#   tests/fuzz/run.sh merge     keeps in tests/fuzz/corpus some of what reaches everything that all runs reached
+set -eu
+. "$(dirname "${BASH_SOURCE[0]}")/../../cmake/prepare.sh"
+
+here=$glint_root/tests/fuzz
+tree=$glint_root/build/fuzz
+
+if [ $# -lt 1 ] || [ $# -gt 2 ] || [[ ! $1 =~ ^([1-9][0-9]*|merge)$ ]]; then
+    echo "glint: error: tests/fuzz/run.sh: expected SECONDS [TARGET], or merge" >&2
+    exit 2
+fi
+names=$(ls "$here/corpus")
+if [ $# -eq 2 ]; then
+    grep -qx -- "$2" <<<"$names" ||
+        fail "tests/fuzz/run.sh: no target $2; expected one of ${names//$'\n'/, }"
+    names=$2
+fi
+
+# An input of more bytes says nothing more, and takes longer.
+longest_of() {
+    case $1 in
+    scene_picture) echo 700 ;;
+    lesson | png_scene | scene_json | state) echo 4096 ;;
+    *) echo 2048 ;;
+    esac
+}
+
+# fuzz TARGET ARGUMENT...: memory and time of one input are bounded; more of either is a finding.
+fuzz() {
+    local target=$1 once=512
+    shift
+    # OpenEXR makes room for what some damaged headings claim, up to 2 GiB, and does not touch it.
+    [ "$target" != picture_exr ] || once=2100
+    "$tree/tests/fuzz/fuzz_$target" -max_len="$(longest_of "$target")" -malloc_limit_mb=$once -rss_limit_mb=2560 \
+        -timeout=20 -artifact_prefix="$tree/failed/$target-" "$@"
+}
+
+run() {
+    local log=$tree/failed/$1.log
+    if fuzz "$1" -max_total_time="$seconds" -print_final_stats=1 "$tree/found/$1" "$here/corpus/$1" >"$log" 2>&1; then
+        sed -n "s/^stat::number_of_executed_units: */fuzz: $1, runs: /p" "$log"
+    else
+        cat "$log"
+        echo "fuzz: $1 failed; see above"
+        return 1
+    fi
+}
+
+merge() {
+    local kept=$tree/kept/$1
+    rm -rf "$kept"
+    mkdir -p "$kept"
+    fuzz "$1" -merge=1 "$kept" "$here/corpus/$1" "$tree/found/$1" >"$tree/failed/$1.log" 2>&1
+    # As many as there is room for in the repository, small and large ones.
+    find "$here/corpus/$1" -type f -delete
+    find "$kept" -type f -printf '%s %p\n' | sort -n |
+        awk '{ line[NR] = $0 } END { for (i = NR; i > 0; i -= int((NR + 39) / 40)) print line[i] }' |
+        while read -r size file; do
+            room=$((${room:-18000} - size))
+            [ "$room" -lt 0 ] || cp "$file" "$here/corpus/$1/"
+            [ "$room" -ge 0 ] || room=$((room + size))
+        done
+}
+
+install_packages "$glint_root/cmake/packages.txt" "$glint_root/cmake/packages-ci.txt"
+# shellcheck disable=SC2086,SC2046  # one argument a target
+build fuzz OFF $(printf 'fuzz_%s ' $names)
+
+seconds=$1
+failed=0
+for target in $names; do
+    mkdir -p "$tree/found/$target" "$tree/failed"
+    if [ "$1" = merge ]; then merge "$target"; else run "$target" || failed=1; fi
+done
+exit $failed

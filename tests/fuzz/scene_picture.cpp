@@ -1,0 +1,95 @@
+// Bytes -> a valid scene -> its picture. Explained pixels are the picture's to the last bit; after edits it
+// is that of a renderer that has drawn nothing before; what a change of the lighting makes of a pixel is told
+// without drawing it.
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "models/scene_file/scene_file.h"
+#include "renderer/renderer.h"
+#include "tests/fuzz/fuzz.h"
+#include "tests/fuzz/scene_from_bytes.h"
+
+using namespace glint;
+using fuzz::Bytes;
+using fuzz::require;
+
+namespace {
+
+constexpr std::size_t most_side = 24;  // pixels
+constexpr int pixels_explained = 3, most_edits = 3;
+
+/// Equal bit for bit: a NaN equals itself.
+template <class T> bool same(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+bool same_bits(const glm::vec3& a, const glm::vec3& b) {
+    const auto same = [](float x, float y) {
+        return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
+    };
+    return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+}
+
+struct Pixel {
+    int x, y;
+};
+Pixel pixel_of(PictureSize size, Bytes& bytes) {
+    return {static_cast<int>(bytes.below(static_cast<std::size_t>(size.width))),
+            static_cast<int>(bytes.below(static_cast<std::size_t>(size.height)))};
+}
+
+bool is_pixel(const Explanation& e, const Picture& picture, Pixel at) {
+    const std::uint8_t* bytes = &picture.rgba[4 * picture.pixel(at.x, at.y)];
+    return same_bits(e.sum, picture.linear_at(at.x, at.y)) && e.byte[0] == bytes[0] &&
+           e.byte[1] == bytes[1] && e.byte[2] == bytes[2];
+}
+
+void check_pixels(const Renderer& renderer, const Picture& picture, Bytes& bytes) {
+    for (int i = 0; i < pixels_explained; ++i) {
+        const Pixel at = pixel_of(picture.size, bytes);
+        require(is_pixel(renderer.explain(at.x, at.y), picture, at), "an explanation is its pixel");
+        require(renderer.seen_at(at.x, at.y).has_value() == (renderer.object_at(at.x, at.y) >= 0),
+                "a pixel shows an object or nothing");
+    }
+}
+
+void check_numbers(const Picture& picture) {
+    for (const float c : picture.linear) require(!std::isnan(c), "a pixel is a number");
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    Bytes bytes({data, size});
+    const PictureSize picture_size{1 + static_cast<int>(bytes.below(most_side)),
+                                   1 + static_cast<int>(bytes.below(most_side))};
+    const int samples = 1 << (bytes.byte() % 8 < 5 ? 0 : bytes.below(4));
+    const std::size_t edits = bytes.below(most_edits + 1);
+    Scene scene = fuzz::scene_from(bytes);
+
+    Renderer kept(1);
+    for (std::size_t edit = 0;; ++edit) {
+        const Picture& picture = kept.render(scene, picture_size, true, samples);
+        check_numbers(picture);
+        if (samples == 1) check_pixels(kept, picture, bytes);
+        if (edit > 0) {
+            Renderer fresh(1);
+            require(same(picture.linear, fresh.render(scene, picture_size, true, samples).linear),
+                    "a renderer that has drawn before draws the same numbers");
+            require(same(picture.rgba, fresh.render(scene, picture_size, true, samples).rgba),
+                    "a renderer that has drawn before draws the same bytes");
+        }
+        if (edit == edits) return 0;
+
+        fuzz::EditedScene next = fuzz::edited(scene, bytes);
+        const Pixel at = pixel_of(picture_size, bytes);
+        std::optional<glm::vec3> told;
+        if (samples == 1 && !next.moves_faces) told = kept.explain_as(next.scene, at.x, at.y).sum;
+        scene = std::move(next.scene);
+        if (told)
+            require(same_bits(*told, kept.render(scene, picture_size, true).linear_at(at.x, at.y)),
+                    "what a change of the lighting makes of a pixel is told without drawing it");
+    }
+}

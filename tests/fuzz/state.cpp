@@ -1,0 +1,50 @@
+// The files of the window's folder: what it remembers, the recent files, and the copy of unsaved work. The
+// first byte says which.
+
+#include <variant>
+
+#include "tests/fuzz/fuzz.h"
+#include "tests/fuzz/json_mutator.h"
+#include "ui/preferences/persistence.h"
+
+using namespace glint;
+using fuzz::require;
+
+namespace {
+
+void read_copy(std::string_view text) {
+    const Result<SceneDocument> opened = open_autosave(fuzz::path_of_bytes(text));
+    if (const Problem* problem = problem_of(opened)) {
+        require(problem->text().find('\n') == std::string::npos, "a problem is one line");
+        return;
+    }
+    const auto& document = std::get<SceneDocument>(opened);
+    const Result<SceneDocument> again =
+        open_autosave(fuzz::path_of_bytes(autosave_text(document, "/proc/self/fd")));
+    require(!problem_of(again), "a copy of what was opened from a copy can be opened");
+}
+
+}  // namespace
+
+std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
+                                    unsigned seed) {
+    if (size < 2 || seed % 16 == 0) return LLVMFuzzerMutate(data, size, max_size);
+    return 1 + fuzz::mutate_json(data + 1, size - 1, max_size - 1, seed);
+}
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0) return 0;
+    const std::string_view text = fuzz::text_of(data + 1, size - 1);
+    if (data[0] == 'c') {
+        read_copy(text);
+    } else if (data[0] == 'r') {
+        const std::vector<std::string> recent = read_recent_files(std::string(text));
+        require(recent.size() <= max_recent_files, "there are not more recent files than are kept");
+        require(read_recent_files(recent_files_text(recent)) == recent, "recent files read back equal");
+    } else {
+        const Preferences preferences = read_preferences(std::string(text));
+        require(read_preferences(preferences_text(preferences)) == preferences,
+                "preferences read back equal");
+    }
+    return 0;
+}
