@@ -1,7 +1,7 @@
 #include "ui/lessons/lesson.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
 
 #include "ui/document/document_actions.h"
 #include "ui/lessons/lesson_parts.h"
