@@ -3,6 +3,7 @@
 # what earlier runs found (build/fuzz/found). What fails is left in build/fuzz/failed/TARGET-*, and is run again by giving it
 # to build/fuzz/tests/fuzz/fuzz_TARGET. Ends with status 1 where one failed, after all have had their time.
 #
+#   GLINT_FUZZ_SEED=N           the same inputs in the same order every time, as far as the time goes
 #   tests/fuzz/run.sh merge     keeps in tests/fuzz/corpus some of what reaches everything that all runs reached
 set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/../../cmake/prepare.sh"
@@ -37,7 +38,7 @@ fuzz() {
     # OpenEXR makes room for what some damaged headings claim, up to 2 GiB, and does not touch it.
     [ "$target" != picture_exr ] || once=2100
     "$tree/tests/fuzz/fuzz_$target" -max_len="$(longest_of "$target")" -malloc_limit_mb=$once -rss_limit_mb=2560 \
-        -timeout=20 -artifact_prefix="$tree/failed/$target-" "$@"
+        -timeout=20 -seed="${GLINT_FUZZ_SEED:-0}" -artifact_prefix="$tree/failed/$target-" "$@"
 }
 
 run() {
