@@ -8,23 +8,13 @@ program=$1
 
 start_display 1100x760
 start_glint "$(dirname "$0")/../../assets/scenes/default.json"
-shows_what_it_showed() {
-    cp "$work/$1.png" "$work/before.png"
-    sleep 0.7
-    import -window root "$work/$1.png"
-    [ "$(difference "$1" before)" = 0 ]
-}
-# NAME: the window's picture when nothing changes any more: tooltips and full pictures come when the hand rests.
-picture_at_rest() {
-    sleep 0.7
-    import -window root "$work/$1.png"
-    within 5 shows_what_it_showed "$1" || fail "the window never rests"
-}
 # The display forgets a window that it does not show, and asks for all of it when it does again.
 same_when_drawn_anew() { # after $1
-    picture_at_rest kept
+    sleep 0.7 # tooltips and full pictures come when the hand rests
+    import -window root "$work/kept.png"
     xdotool windowunmap --sync "$window" windowmap --sync "$window" windowfocus "$window"
-    picture_at_rest anew
+    sleep 0.7
+    import -window root "$work/anew.png"
     local different
     different=$(difference kept anew)
     [ "$different" = 0 ] || fail "after $1 $different pixels are not as they are when all is drawn"
