@@ -73,3 +73,18 @@ TEST_CASE("an OpenEXR file that is not whole is not said to be done", "[faults]"
     for (long number = count - 88; number < count; ++number)
         CHECK(wrong_end(command, {Kind::Memory, number, 1, 0}, right) == "");
 }
+
+TEST_CASE("a file is on the disk before it takes the old one's place, and its name after", "[faults]") {
+    Room room;
+    const Command& render = room.commands.front();
+    const std::string folder = room.folder.path("out");
+    const Calls calls = calls_of(render);
+    std::vector<std::string> order;
+    for (const std::string& line : calls.lines)
+        if (line.starts_with("rename ") || line.starts_with("fsync ")) order.push_back(line);
+    REQUIRE(order.size() == 3);
+    CHECK(order[0].starts_with("fsync " + folder + "/.glint-"));
+    CHECK(order[1].starts_with("rename " + folder + "/.glint-"));
+    CHECK(order[1].ends_with(" " + render.out));
+    CHECK(order[2] == "fsync " + folder);
+}

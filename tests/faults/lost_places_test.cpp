@@ -6,9 +6,9 @@
 
 #include "models/io/file.h"
 #include "tests/faults/failing_calls.h"
-#include "tests/faults/failing_program.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
+#include "tests/support/program.h"
 #include "tests/support/scenes.h"
 #include "ui/document/document_actions.h"
 #include "ui/preferences/autosave.h"
@@ -134,19 +134,4 @@ TEST_CASE("where the folder of copies has gone, that is said once, and copies go
     const auto left = orphaned_autosaves(bench.state_folder);
     REQUIRE(left.size() == 1);
     CHECK(std::get<SceneDocument>(open_autosave(left[0].lock.path())).scene.lights[0].intensity == 12);
-}
-
-TEST_CASE("a file is on the disk before it takes the old one's place, and its name after", "[faults]") {
-    const TemporaryDirectory folder;
-    const std::string scene = folder.file("scene.json", scene_text(test::busy_scene()));
-    const std::string out = folder.path("out/picture.png");
-    const Calls calls = calls_of({"render", {"render", scene, "-o", out, "--size", "8x8"}, out});
-    std::vector<std::string> order;
-    for (const std::string& line : calls.lines)
-        if (line.starts_with("rename ") || line.starts_with("fsync ")) order.push_back(line);
-    REQUIRE(order.size() == 3);
-    CHECK(order[0].starts_with("fsync " + folder.path("out/.glint-")));
-    CHECK(order[1].starts_with("rename " + folder.path("out/.glint-")));
-    CHECK(order[1].ends_with(" " + out));
-    CHECK(order[2] == "fsync " + folder.path("out"));
 }
