@@ -1,5 +1,6 @@
 #include "ui/preferences/autosave.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/file.h>
@@ -10,6 +11,7 @@
 #include <cerrno>
 #include <ctime>
 #include <filesystem>
+#include <memory>
 #include <utility>
 
 #include "models/io/file.h"
@@ -119,6 +121,16 @@ std::string autosave_text(const SceneDocument& document, const std::string& fold
                        stamp_text(document.stamp), scene_text(scene));
 }
 
+/// What a folder holds; nothing where it cannot be read. The library's own iterator ends the program where
+/// there is no memory.
+static std::vector<fs::path> entries_of(const std::string& folder) {
+    const std::unique_ptr<DIR, int (*)(DIR*)> open(::opendir(folder.c_str()), ::closedir);
+    std::vector<fs::path> entries;
+    while (const dirent* entry = open ? ::readdir(open.get()) : nullptr)
+        entries.push_back(fs::path(folder) / entry->d_name);
+    return entries;
+}
+
 /// A window that was killed before it wrote its copy has left the lock of it alone. Taking it removes it.
 static void remove_left_lock(const fs::path& path) {
     std::error_code failed;
@@ -131,11 +143,10 @@ static void remove_left_lock(const fs::path& path) {
 std::vector<OrphanedAutosave> orphaned_autosaves(const std::string& folder) {
     std::vector<std::pair<std::time_t, OrphanedAutosave>> found;
     std::error_code failed;
-    for (fs::directory_iterator it(folder, failed); !failed && it != fs::directory_iterator();
-         it.increment(failed)) {
-        const std::string path = it->path().string();
-        remove_left_lock(it->path());
-        if (it->path().extension() != ending || it->is_symlink(failed)) continue;
+    for (const fs::path& entry : entries_of(folder)) {
+        const std::string path = entry.string();
+        remove_left_lock(entry);
+        if (entry.extension() != ending || fs::is_symlink(entry, failed)) continue;
         auto lock = AutosaveLock::take(path);
         if (!lock) continue;  // its window lives
         struct stat status {};
