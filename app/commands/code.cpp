@@ -81,7 +81,7 @@ Outcome code(const CodeArguments& arguments) {
 Run declare(Options& options) {
     auto arguments = std::make_shared<CodeArguments>();
     add_scene(options, arguments->scene);
-    options.add_value("--language", "LANGUAGE", "glsl, cpp or python",
+    options.add_value("--language", "LANGUAGE", "gl1, glsl, cpp or python",
                       [&language = arguments->language](const std::string& text) {
                           language =
                               static_cast<Language>(read_word("--language", text, names_of<Language>()));

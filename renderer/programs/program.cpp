@@ -33,6 +33,8 @@ struct LanguageTexts {
 
 LanguageTexts texts_of(Language language) {
     switch (language) {
+    case Language::Gl1:
+        return {{{"main.c", gl1_main_c}}, "//"};
     case Language::Glsl:
         return {{{"main.cpp", glsl_main_cpp},
                  {"lighting.glsl", glsl_lighting_glsl},
@@ -207,7 +209,8 @@ Result<std::vector<ProgramFile>> write_program(const ProgramOf& of, Language lan
     Flags flags = flags_of(of.scene);
     const ModelText model = model_text(of.scene.shading, flags.contains("terms.diffuse"), language, "    ");
     flags.insert(model.uses.begin(), model.uses.end());
-    if (language == Language::Glsl) flags.insert("shader");  // which takes the samples of an area light itself
+    if (language == Language::Glsl)
+        flags.insert("shader");  // which takes the samples of an area light itself
     for (const char* of_light : {"uses.l", "uses.n_l", "uses.l_v", "uses.S", "light.spot", "light.area"})
         if (flags.contains(of_light)) flags.insert("needs.l");
     const MeshFiles meshes = mesh_files(of.scene);

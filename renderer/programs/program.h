@@ -12,11 +12,13 @@
 
 namespace glint {
 
-enum class Language { Glsl, Cpp, Python };
+enum class Language { Gl1, Glsl, Cpp, Python };
 
 /// One row a language: the word of the command line, and what stands behind it.
 constexpr Choice choice_of(Language language) {
     switch (language) {
+    case Language::Gl1:
+        return {"gl1", "OpenGL 1", "C and the fixed-function calls of OpenGL 1, as a lecture writes them"};
     case Language::Glsl:
         return {"glsl", "GLSL", "C++ and OpenGL 3.3, with the shaders in files of their own"};
     case Language::Cpp:

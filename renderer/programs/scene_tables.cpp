@@ -62,6 +62,13 @@ std::string list_of(const std::string& type, const std::string& name, const std:
         const std::string start = name + " = [";
         return start + joined(names, start.size(), "    ") + "]";
     }
+    if (language == Language::Gl1) {  // C has no list that knows its length
+        std::vector<std::string> pointers;
+        for (const std::string& one : names) pointers.push_back("&" + one);
+        pointers.emplace_back("NULL");
+        const std::string start = fmt::format("const {}* const {}[] = {{", type, name);
+        return start + joined(pointers, start.size(), "    ") + "};";
+    }
     const std::string start = fmt::format("const std::vector<{}> {} = {{", type, name);
     return start + joined(names, start.size(), "    ") + "};";
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -21,6 +22,32 @@ bool can(const Scene& scene, Language language) {
     return problem_of(write_program({scene, small, "scene"}, language)) == nullptr;
 }
 
+/// The scene as fixed function can draw it: its shading, its lights, its numbers. The seed chooses what it
+/// can do in several ways.
+void as_fixed_function(Scene& scene, unsigned seed) {
+    scene.shading = {};
+    scene.shading.mode = seed % 3 == 2 ? ShadingMode::Flat : ShadingMode::Gouraud;
+    scene.shading.flat_point = FlatPoint::Provoking;
+    scene.shading.reflection = seed % 4 == 3 ? Reflection::Lambert : Reflection::BlinnPhong;
+    scene.shading.rules = seed % 2 == 0 ? Rules::Lecture : Rules::OpenGL2;
+    scene.shading.two_sided = seed % 5 == 0;
+    scene.shading.local_viewer = seed % 7 != 0;
+    scene.npr = {};
+    scene.display.transfer = Transfer::None;
+    scene.display.exposure = 1;
+    std::erase_if(scene.lights, [](const Light& l) { return l.kind == LightKind::Area; });
+    if (scene.lights.empty()) scene.lights.emplace_back();
+    if (scene.lights.size() > 8) scene.lights.resize(8);
+    for (Light& light : scene.lights) light.spot.exponent = std::min(light.spot.exponent, 128.0f);
+    for (Object& object : scene.objects)
+        object.material.shininess = std::clamp(object.material.shininess, 1.0f, 128.0f);
+}
+Scene fixed_function_scene(unsigned seed) {
+    Scene scene = oracle::random_scene(seed);
+    as_fixed_function(scene, seed);
+    return scene;
+}
+
 /// Prints the figure and fails for each scene that disagrees.
 void report(const Comparison& comparison, Language language) {
     const Figure& f = comparison.figure();
@@ -31,13 +58,14 @@ void report(const Comparison& comparison, Language language) {
 }
 
 /// Draws the scenes of assets that the language can; the names of the others.
-std::string compare_assets(Language language) {
+std::string compare_assets(Language language, void (*change)(Scene&) = nullptr) {
     Comparison comparison;
     std::string left;
     for (const std::string& path : test::asset_scenes()) {
         const Result<SceneDocument> opened = open_document(path);
         REQUIRE_FALSE(problem_of(opened));
-        const Scene& scene = std::get<SceneDocument>(opened).scene;
+        Scene scene = std::get<SceneDocument>(opened).scene;
+        if (change != nullptr) change(scene);
         const std::string name = std::filesystem::path(path).stem().string();
         if (can(scene, language))
             comparison.add(name, scene, small, language);
@@ -117,6 +145,59 @@ TEST_CASE("a C++ program makes every mistake as we do", "[.][programs][every-mis
     CHECK(compare_mistakes(Language::Cpp) == "");
 }
 
+TEST_CASE("an OpenGL 1 program draws the scenes of assets as we do under its own shading", "[programs]") {
+    const auto under_its_own = [](Scene& scene) { as_fixed_function(scene, 0); };
+    CHECK(compare_assets(Language::Gl1, under_its_own) == "");
+}
+TEST_CASE("an OpenGL 1 program draws scenes of fixed function as we do", "[programs]") {
+    Comparison comparison;
+    for (unsigned i = 0; i < 40; ++i) {
+        const Scene scene = fixed_function_scene(i);
+        INFO(i);
+        const auto program = write_program({scene, small, ""}, Language::Gl1);
+        if (const Problem* problem = problem_of(program)) FAIL(problem->text());
+        if (i < 10) comparison.add("fixed-function scene " + std::to_string(i), scene, small, Language::Gl1);
+    }
+    report(comparison, Language::Gl1);
+}
+TEST_CASE("an OpenGL 1 program makes the mistakes that its calls can make as we do", "[programs]") {
+    Comparison comparison;
+    for (bool Mistakes::*wrong :
+         {&Mistakes::light_in_wrong_space, &Mistakes::no_normals_given, &Mistakes::normals_flipped}) {
+        Scene scene = fixed_function_scene(0);
+        scene.shading.mistakes.*wrong = true;
+        comparison.add("fixed-function mistake", scene, small, Language::Gl1);
+        CHECK(comparison.text().find("MISTAKE ") != std::string::npos);
+    }
+    report(comparison, Language::Gl1);
+}
+TEST_CASE("what OpenGL 1 cannot do is one line that names the languages that can", "[programs]") {
+    const auto refused = [](const auto& change) {
+        Scene scene = fixed_function_scene(0);
+        change(scene);
+        const auto program = write_program({scene, small, ""}, Language::Gl1);
+        return problem_of(program) == nullptr ? "" : problem_of(program)->text();
+    };
+    CHECK(refused([](Scene&) {}) == "");
+    CHECK(refused([](Scene& s) { s.shading.mode = ShadingMode::Phong; }) ==
+          "/shading/mode: normals are interpolated and lit at each pixel, which gl1 cannot do; expected "
+          "--language glsl "
+          "or cpp or python");
+    CHECK(refused([](Scene& s) {
+              s.lights[0].kind = LightKind::Area;
+              s.lights[0].position.w = 1;
+          }) ==
+          "/lights: an area light shines, which gl1 cannot do; expected --language glsl or cpp or python");
+    CHECK(refused([](Scene& s) { s.shading.reflection = Reflection::Phong; }) ==
+          "/shading/reflection: the model is phong, which gl1 cannot do; expected --language glsl or cpp or "
+          "python");
+    CHECK(
+        refused([](Scene& s) { s.lights.resize(9, s.lights[0]); }) ==
+        "/lights: more than 8 lights shine, which gl1 cannot do; expected --language glsl or cpp or python");
+    CHECK(
+        refused([](Scene& s) { s.objects[0].material.shininess = 200; }) ==
+        "/objects: a shininess is above 128, which gl1 cannot do; expected --language glsl or cpp or python");
+}
 TEST_CASE("an OpenGL 3.3 program draws the scenes of assets as we do", "[programs]") {
     CHECK(compare_assets(Language::Glsl) == "silhouettes-and-creases skew-quad t-junction");
 }
