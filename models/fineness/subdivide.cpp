@@ -23,10 +23,7 @@ glm::vec3 float_place(const OpenMesh::Vec3d& v) { return {float(v[0]), float(v[1
 template <class Subdivider, class HalfEdges> void subdivide(HalfEdges& mesh, int times) {
     for (int step = 0; step < times; ++step) {
         report_or_leave(LoadStage::Building, mesh.n_faces());
-        Subdivider subdivider;
-        subdivider.attach(mesh);
-        subdivider(1);
-        subdivider.detach();
+        Subdivider()(mesh, 1);
     }
 }
 
