@@ -115,8 +115,8 @@ void add_samples(Options& options, int& samples) {
 void add_scene(Options& options, SceneArguments& arguments) {
     add_text(
         options, "FILE", "",
-        "a scene (.json, or a .png that Glint wrote), a mesh (.obj .ply .off .stl .om), or - for a scene on "
-        "standard input",
+        "a scene (.json, .glb, .gltf, or a .png that Glint wrote), a mesh (.obj .ply .off .stl .om), or - "
+        "for a scene on standard input",
         arguments.file);
     options.works_on(arguments.file);
     options.add_values("--set", "POINTER=JSON",

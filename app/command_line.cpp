@@ -42,9 +42,9 @@ std::string general_help() {
         "  -j, --threads N                 threads to draw with; 0, the default, is all cores\n"
         "  --memory SIZE                   how much memory a scene may need, as in 8G\n"
         "  --version                       prints the version\n"
-        "\nFILE is a scene (.json, or a .png that Glint wrote), a mesh (.obj .ply .off .stl .om), or - for a "
-        "scene on\n"
-        "standard input. `glint COMMAND --help` says more of a command.\n";
+        "\nFILE is a scene (.json, .glb, .gltf, or a .png that Glint wrote), a mesh (.obj .ply .off .stl "
+        ".om), or\n"
+        "- for a scene on standard input. `glint COMMAND --help` says more of a command.\n";
     return text;
 }
 
@@ -85,11 +85,10 @@ Outcome run(const Command& command, const Arguments& arguments) {
 }  // namespace
 
 std::vector<Command> named_commands() {
-    return {render_command(), explain_command(),     profile_command(), sheet_command(),
-            lobe_command(),   microfacets_command(), info_command(),    mistakes_command(),
-            schema_command(), code_command(),        compare_command(), diagnose_command(),
-            check_command(),  bench_command(),       lessons_command(), exercise_command(),
-            quiz_command()};
+    return {render_command(),      explain_command(),  profile_command(),  sheet_command(),  lobe_command(),
+            microfacets_command(), info_command(),     mistakes_command(), schema_command(), code_command(),
+            export_command(),      compare_command(),  diagnose_command(), check_command(),  bench_command(),
+            lessons_command(),     exercise_command(), quiz_command()};
 }
 
 Outcome run_command_line(const Arguments& arguments) {

@@ -1,9 +1,11 @@
-// glint info: what a file holds.
+// glint info: what a file holds. glint schema: what a scene file may hold, for editors and other programs.
 #include <memory>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
+#include "models/gltf/gltf.h"
 #include "models/mesh_formats/mesh_file.h"
+#include "models/scene_file/scene_file.h"
 #include "renderer/inspect/answers/answers.h"
 
 namespace glint {
@@ -17,7 +19,8 @@ struct InfoArguments {
 Outcome info(const InfoArguments& arguments) {
     const SceneDocument document = open_scene(arguments.scene);
     const std::vector<Object>& objects = document.scene.objects;
-    const bool of_mesh = is_mesh_path(arguments.scene.file) && objects.size() == 1;
+    const bool of_mesh =
+        is_mesh_path(arguments.scene.file) && !is_gltf_path(arguments.scene.file) && objects.size() == 1;
     const JsonValue json =
         of_mesh ? info_json(*objects.front().mesh) : info_json(document.scene, arguments.size);
     return {json_text(json), document.warnings, ExitStatus::Done};
@@ -30,7 +33,16 @@ Run declare(Options& options) {
     return [arguments] { return info(*arguments); };
 }
 
+Run declare_schema(Options& /*options*/) {
+    return [] { return Outcome{scene_schema(), {}, ExitStatus::Done}; };
+}
+
 }  // namespace
+
+Command schema_command() {
+    return {"schema", "", "prints the JSON Schema (2020-12) of the scene file",
+            "glint schema > scene.schema.json", declare_schema};
+}
 
 Command info_command() {
     return {"info", "FILE", "tells what a mesh or a scene holds, as JSON", "glint info bunny.obj", declare};

@@ -115,6 +115,9 @@ template <Of<MeshFile> M, class Visit> void fields(M& m, Visit&& visit) {
               "A mesh file, its path relative to the scene file; a byte that is not UTF-8 is written U+EF00 "
               "+ byte"},
           Path{}, m.path);
+    visit(Row{"part", "Part", "Which mesh of a file that holds several, from 0: of glTF, which primitive"}
+              .omitted_by_default(),
+          Count{0, max_parts - 1}, m.part);
     fineness_fields(m, visit);
 }
 

@@ -9,6 +9,7 @@
 #include <new>
 #include <optional>
 
+#include "models/gltf/gltf.h"
 #include "models/io/file.h"
 #include "models/mesh/mesh_memory.h"
 #include "models/mesh_formats/mesh_reader.h"
@@ -48,11 +49,14 @@ void require_room_for_triangles(const Mesh& mesh) {
 }
 
 Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::string_view bytes,
-                         const std::string& path) {
+                         const std::string& path, int part) {
     const Format* format = format_of(path);
     if (format == nullptr)
-        return Problem{path, "", "the extension is that of no mesh", ".obj, .ply, .off, .stl or .om", 0};
+        return Problem{path, "", "the extension is that of no mesh",
+                       ".obj, .ply, .off, .stl, .om, .gltf or .glb", 0};
     if (bytes.empty()) return Problem{path, "", "the file is empty", "a mesh", 0};
+    if (part != 0)
+        return Problem{path, "", fmt::format("it holds one mesh, and not a part {}", part), "part 0", 0};
     try {
         Mesh mesh = format->read(bytes, path);
         if (mesh.face_count() == 0) return Problem{path, "", "the mesh has no faces", "at least one", 0};
@@ -63,6 +67,18 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
         return mesh;
     } catch (const Unreadable& unreadable) {
         return unreadable.problem;
+    } catch (const LoadCancelled&) {
+        return Problem{path, "", cancelled_words, ""};
+    } catch (const Refused& refused) {
+        return memory_problem(refused, path);
+    } catch (const std::bad_alloc&) {
+        return Problem{path, "", "the mesh does not fit in memory", "a smaller one", 0};
+    }
+}
+
+Result<Mesh> part_of(const GltfFile& file, const std::string& path, int part) {
+    try {
+        return file.mesh(part);
     } catch (const LoadCancelled&) {
         return Problem{path, "", cancelled_words, ""};
     } catch (const Refused& refused) {
@@ -130,18 +146,28 @@ class MeshCheck {
 
 }  // namespace
 
-bool is_mesh_path(const std::string& path) { return format_of(path) != nullptr; }
+bool is_mesh_path(const std::string& path) { return format_of(path) != nullptr || is_gltf_path(path); }
 
-Result<Mesh> read_mesh(const std::string& path) {
+Result<Mesh> read_mesh(const std::string& path, int part) {
     const auto start = std::chrono::steady_clock::now();
+    if (is_gltf_path(path)) {
+        const Result<GltfFile> file = GltfFile::read(path);
+        if (const Problem* problem = problem_of(file)) return *problem;
+        return part_of(std::get<GltfFile>(file), path, part);
+    }
     MeshCheck check(path);
     const Result<std::string> bytes = read_file(path, largest_file, std::ref(check));
     if (const Problem* problem = problem_of(bytes)) return *problem;
-    return parse_since(start, std::get<std::string>(bytes), path);
+    return parse_since(start, std::get<std::string>(bytes), path, part);
 }
 
-Result<Mesh> parse_mesh(std::string_view bytes, const std::string& path) {
-    return parse_since(std::chrono::steady_clock::now(), bytes, path);
+Result<Mesh> parse_mesh(std::string_view bytes, const std::string& path, int part) {
+    if (is_gltf_path(path)) {
+        const Result<GltfFile> file = GltfFile::parse(std::string(bytes), path);
+        if (const Problem* problem = problem_of(file)) return *problem;
+        return part_of(std::get<GltfFile>(file), path, part);
+    }
+    return parse_since(std::chrono::steady_clock::now(), bytes, path, part);
 }
 
 void require_room(const Mesh& mesh) { require_memory(memory_need(MemoryUse::Meshes, mesh_bytes(mesh))); }

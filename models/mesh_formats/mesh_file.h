@@ -1,5 +1,6 @@
 #pragma once
-// Mesh files: .obj .ply .off .stl .om -> Mesh. Everything is read as if a stranger had made it to hurt us.
+// Mesh files: .obj .ply .off .stl .om .gltf .glb -> Mesh. Everything is read as if a stranger had made it to
+// hurt us.
 
 #include <string>
 #include <string_view>
@@ -21,10 +22,11 @@ namespace glint {
 /// orders, properties in any order; integer colours are scaled to 0 .. 1. .off: OFF, COFF, NOFF, CNOFF,
 /// ASCII; whole-number colours of which one is above 1 count to 255. .stl: ASCII and binary; the format knows
 /// no indices, so corners at exactly one place share a position (nothing is merged by distance), and its
-/// facet normals are the file's normals. .om: OpenMesh's own.
-[[nodiscard]] Result<Mesh> read_mesh(const std::string& path);
+/// facet normals are the file's normals. .om: OpenMesh's own. .gltf, .glb: glTF 2.0, of whose primitives with
+/// triangles, in the order of the file, `part` is one (models/gltf/gltf.h); the others hold one mesh, part 0.
+[[nodiscard]] Result<Mesh> read_mesh(const std::string& path, int part = 0);
 
 /// Reads a mesh from bytes in memory; `path` names the format by its extension, and the problems.
-[[nodiscard]] Result<Mesh> parse_mesh(std::string_view bytes, const std::string& path);
+[[nodiscard]] Result<Mesh> parse_mesh(std::string_view bytes, const std::string& path, int part = 0);
 
 }  // namespace glint

@@ -23,8 +23,12 @@ namespace glint {
 /// Triangles that the objects of a scene may have together; the renderer's numbers for them have 30 bits.
 inline constexpr std::size_t max_scene_triangles = std::size_t{1} << 30;
 
+/// Meshes that one file may hold.
+inline constexpr int max_parts = 100'000;
+
 struct MeshFile {
     std::string path;                 // as written in the scene file: relative to it, or absolute
+    int part = 0;                     // which of the meshes that the file holds
     int decimate = 0, subdivide = 0;  // of Fineness
     bool operator==(const MeshFile&) const = default;
 };

@@ -10,6 +10,7 @@
 #include "models/fields/range.h"
 #include "models/fields/scene_rules.h"
 #include "models/io/utf8.h"
+#include "models/scene_file/default_lights.h"
 #include "models/scene_file/scene_file.h"
 
 namespace glint {
@@ -101,15 +102,7 @@ void frame_camera(Scene& scene, int object) {
     if (is_within_ranges(camera) && !violation_of(camera)) scene.camera = camera;
 }
 
-Scene scene_of_mesh(MeshPtr mesh, const std::string& path) {
-    Scene scene;
-    Object object;
-    object.name = with_invalid_replaced(std::filesystem::path(path).stem().string());
-    object.source = MeshFile{path};
-    object.mesh = std::move(mesh);
-    object.material = {.ambient = glm::vec3(0.2f), .diffuse = glm::vec3(0.7f), .specular = glm::vec3(0.25f)};
-    scene.objects.push_back(std::move(object));
-
+std::vector<Light> default_lights() {
     Light key;
     key.name = "Key";
     key.kind = LightKind::Directional;
@@ -121,7 +114,18 @@ Scene scene_of_mesh(MeshPtr mesh, const std::string& path) {
     fill.position = {0, 0, 0, 1};
     fill.diffuse = glm::vec3(0.3f);
     fill.specular = glm::vec3(0);  // a highlight at the eye would follow the viewer about
-    scene.lights = {key, fill};
+    return {key, fill};
+}
+
+Scene scene_of_mesh(MeshPtr mesh, const std::string& path) {
+    Scene scene;
+    Object object;
+    object.name = with_invalid_replaced(std::filesystem::path(path).stem().string());
+    object.source = MeshFile{path};
+    object.mesh = std::move(mesh);
+    object.material = {.ambient = glm::vec3(0.2f), .diffuse = glm::vec3(0.7f), .specular = glm::vec3(0.25f)};
+    scene.objects.push_back(std::move(object));
+    scene.lights = default_lights();
 
     scene.camera.eye = {0.5f, 0.35f, 1};  // framing keeps the direction: from the front, a little above
     frame_camera(scene);

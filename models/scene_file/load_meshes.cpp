@@ -12,6 +12,7 @@
 
 #include "models/fields/choices.h"
 #include "models/fineness/fineness.h"
+#include "models/gltf/gltf.h"
 #include "models/io/file.h"
 #include "models/mesh/mesh_memory.h"
 #include "models/mesh_formats/mesh_file.h"
@@ -43,10 +44,26 @@ Mesh made(const PrimitiveMesh& mesh) {
     return make_primitive(mesh.primitive, mesh.detail);
 }
 
-Result<MeshPtr> load(const MeshSource& source, const std::string& mesh_dir) {
+/// Files of many parts, each read once.
+using GltfFiles = std::map<std::string, GltfFile>;
+
+Result<Mesh> part_of(const std::string& path, int part, GltfFiles& files) {
+    auto found = files.find(path);
+    if (found == files.end()) {
+        const Result<GltfFile> file = GltfFile::read(path);
+        if (const Problem* problem = problem_of(file)) return *problem;
+        found = files.emplace(path, std::get<GltfFile>(file)).first;
+    }
+    return found->second.mesh(part);
+}
+
+Result<MeshPtr> load(const MeshSource& source, const std::string& mesh_dir, GltfFiles& files) {
     try {
         if (const auto* mesh = std::get_if<PrimitiveMesh>(&source)) return share_mesh(made(*mesh));
-        Result<Mesh> read = read_mesh(resolved(std::get<MeshFile>(source).path, mesh_dir));
+        const auto& named = std::get<MeshFile>(source);
+        const std::string path = resolved(named.path, mesh_dir);
+        Result<Mesh> read =
+            is_gltf_path(path) ? part_of(path, named.part, files) : read_mesh(path, named.part);
         if (const Problem* problem = problem_of(read)) return *problem;
         return share_mesh(std::get<Mesh>(std::move(read)));
     } catch (const LoadCancelled&) {
@@ -75,7 +92,7 @@ Result<MeshPtr> refined(const MeshPtr& given, const Fineness& wanted) {
 }
 
 /// What tells meshes apart as they are given: the name of a primitive and its detail, or the file itself,
-/// whatever path leads to it, and the extension by which it is read.
+/// whatever path leads to it, the part of it, and the extension by which it is read.
 using GivenKey = std::tuple<std::string, int, dev_t, ino_t>;
 /// And how much finer or coarser they are made.
 using MeshKey = std::tuple<GivenKey, int, int>;
@@ -159,9 +176,9 @@ class Loader {
             if (!is_mesh_path(named->path))
                 return Problem{file_, pointer + "/file",
                                fmt::format("\"{}\" has another extension", named->path),
-                               ".obj, .ply, .off, .stl or .om"};
+                               ".obj, .ply, .off, .stl, .om, .gltf or .glb"};
         }
-        Result<MeshPtr> loaded = load(source, mesh_dir_);
+        Result<MeshPtr> loaded = load(source, mesh_dir_, gltf_files_);
         if (const Problem* problem = problem_of(loaded)) {
             if (!problem->file.empty()) return *problem;
             return Problem{file_, pointer, problem->what, problem->expected};
@@ -177,14 +194,18 @@ class Loader {
     GivenKey given_key_of(const MeshSource& source) {
         if (const auto* mesh = std::get_if<PrimitiveMesh>(&source))
             return {std::string(name_of(mesh->primitive)), mesh->detail, 0, 0};  // details begin at 1
-        const std::string path = resolved(std::get<MeshFile>(source).path, mesh_dir_);
-        const auto found = key_of_path_.find(path);
-        return found != key_of_path_.end() ? found->second
-                                           : key_of_path_.emplace(path, key_of_file(path)).first->second;
+        const auto& named = std::get<MeshFile>(source);
+        const std::string path = resolved(named.path, mesh_dir_);
+        auto found = key_of_path_.find(path);
+        if (found == key_of_path_.end()) found = key_of_path_.emplace(path, key_of_file(path)).first;
+        GivenKey key = found->second;
+        std::get<int>(key) = named.part;
+        return key;
     }
 
     const std::string& file_;
     const std::string& mesh_dir_;
+    GltfFiles gltf_files_;
     std::map<MeshKey, MeshPtr> known_;
     std::map<std::string, GivenKey> key_of_path_;  // each is asked for once
     Warnings warnings_;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <system_error>
 
+#include "models/gltf/gltf_open.h"
 #include "models/io/file.h"
 #include "models/io/png_text.h"
 #include "models/json/json_reader.h"
@@ -21,25 +22,33 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t max_png_bytes = std::size_t{4} << 30;  // 16384 x 16384 pixels that nothing compresses
-constexpr const char* known_extensions = "a scene (.json, .png) or a mesh (.obj, .ply, .off, .stl, .om)";
+constexpr const char* known_extensions =
+    "a scene (.json, .png, .gltf, .glb) or a mesh (.obj, .ply, .off, .stl, .om)";
+
+/// Meshes that are loaded are shared where their source stays.
+void take_meshes(Scene& scene, const std::vector<Object>& loaded) {
+    for (Object& object : scene.objects) {
+        const auto same = std::find_if(loaded.begin(), loaded.end(),
+                                       [&](const Object& o) { return o.source == object.source; });
+        if (same != loaded.end()) object.mesh = same->mesh;
+    }
+}
 
 /// Checks, then loads what the checked scene names. What an assignment put there is the assignment's fault.
 Result<SceneDocument> document_of(std::string_view text, const std::string& path,
                                   const std::vector<Assignment>& assignments,
-                                  const MeshPtr& first_mesh = nullptr) {
+                                  const std::vector<Object>& loaded = {}) {
     Result<Scene> parsed = parse_scene(text, path, assignments);
     if (const Problem* problem = problem_of(parsed)) return *problem;
     SceneDocument document{std::get<Scene>(std::move(parsed)), path, directory_of(path), {}};
-    std::vector<Object>& objects = document.scene.objects;
-    const MeshSource own = MeshFile{fs::path(path).filename().string()};
-    if (first_mesh && !objects.empty() && objects.front().source == own) objects.front().mesh = first_mesh;
-    Result<Warnings> loaded = load_meshes(document.scene, path, document.mesh_dir);
-    if (const Problem* found = problem_of(loaded)) {
+    take_meshes(document.scene, loaded);
+    Result<Warnings> warned = load_meshes(document.scene, path, document.mesh_dir);
+    if (const Problem* found = problem_of(warned)) {
         Problem problem = *found;
         if (!problem.pointer.empty() && is_assigned(problem.pointer, assignments)) problem.file = "--set";
         return problem;
     }
-    document.warnings = std::get<Warnings>(std::move(loaded));
+    document.warnings = std::get<Warnings>(std::move(warned));
     return document;
 }
 
@@ -96,7 +105,8 @@ Result<SceneDocument> open_mesh(const std::string& path, const std::vector<Assig
     const std::string name = fs::path(path).filename().string();
     SceneDocument document{scene_of_mesh(mesh, name), path, directory_of(path), {}};
     if (!assignments.empty()) {
-        Result<SceneDocument> assigned = document_of(scene_text(document.scene), path, assignments, mesh);
+        Result<SceneDocument> assigned =
+            document_of(scene_text(document.scene), path, assignments, document.scene.objects);
         if (problem_of(assigned) != nullptr) return assigned;
         document = std::get<SceneDocument>(std::move(assigned));
     }
@@ -108,10 +118,25 @@ Result<SceneDocument> open_mesh(const std::string& path, const std::vector<Assig
     return document;
 }
 
+Result<SceneDocument> open_gltf_scene(const std::string& path, const std::vector<Assignment>& assignments) {
+    Result<GltfOpened> opened = open_gltf(path);
+    if (const Problem* problem = problem_of(opened)) return *problem;
+    auto& gltf = std::get<GltfOpened>(opened);
+    SceneDocument document{std::move(gltf.scene), path, directory_of(path), std::move(gltf.warnings)};
+    if (assignments.empty()) return document;
+    Result<SceneDocument> assigned =
+        document_of(scene_text(document.scene), path, assignments, document.scene.objects);
+    if (auto* changed = std::get_if<SceneDocument>(&assigned))
+        changed->warnings.insert(changed->warnings.begin(), document.warnings.begin(),
+                                 document.warnings.end());
+    return assigned;
+}
+
 Result<SceneDocument> open_by_extension(const std::string& path, const std::vector<Assignment>& assignments) {
     const std::string extension = lower_extension(path);
     if (path == "-" || extension == ".json") return open_scene(path, assignments);
     if (extension == ".png") return open_picture(path, assignments);
+    if (is_gltf_path(path)) return open_gltf_scene(path, assignments);
     if (is_mesh_path(path)) return open_mesh(path, assignments);
     std::error_code error;
     if (!path.empty() && !fs::exists(fs::status(path, error)))  // not that its name is wrong
@@ -185,12 +210,7 @@ Result<Scene> scene_variant(const SceneDocument& document, const std::vector<Ass
     Result<Scene> parsed = parse_scene(scene_text(document.scene), document.path, assignments);
     if (problem_of(parsed)) return parsed;
     Scene scene = std::get<Scene>(std::move(parsed));
-    const std::vector<Object>& loaded = document.scene.objects;
-    for (Object& object : scene.objects) {
-        const auto same = std::find_if(loaded.begin(), loaded.end(),
-                                       [&](const Object& o) { return o.source == object.source; });
-        if (same != loaded.end()) object.mesh = same->mesh;
-    }
+    take_meshes(scene, document.scene.objects);
     const Result<Warnings> warned = load_meshes(scene, document.path, document.mesh_dir);
     if (const Problem* found = problem_of(warned)) {
         Problem problem = *found;

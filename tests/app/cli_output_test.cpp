@@ -97,7 +97,8 @@ TEST_CASE("of a file that is not there it is said that it is not there, whatever
         const std::string path = directory.path(name);
         CHECK(run_glint({"render", path, "-o", directory.path("x.png")}).err ==
               "glint: error: " + path +
-                  ": cannot read: no such file or directory; expected a scene (.json, .png) or a mesh (.obj, "
+                  ": cannot read: no such file or directory; expected a scene (.json, .png, .gltf, .glb) or "
+                  "a mesh (.obj, "
                   ".ply, "
                   ".off, .stl, .om)\n");
     }

@@ -63,9 +63,10 @@ Words words(FilePurpose purpose) {
     switch (purpose) {
     case FilePurpose::OpenScene:
         return {"Open", "Open",
-                "Scenes (.json), pictures of Glint (.png), meshes (.obj .ply .off .stl .om), lessons (.md)"};
+                "Scenes (.json .glb .gltf), pictures of Glint (.png), meshes (.obj .ply .off .stl .om), "
+                "lessons (.md)"};
     case FilePurpose::OpenMesh:
-        return {"Choose a mesh", "Choose", "Meshes (.obj .ply .off .stl .om)"};
+        return {"Choose a mesh", "Choose", "Meshes (.obj .ply .off .stl .om .glb .gltf)"};
     case FilePurpose::MyPicture:
         return {"Compare my picture", "Compare", "A picture of this scene by any program (.png .pfm .exr)"};
     case FilePurpose::SaveScene:

@@ -8,6 +8,7 @@
 #include <string>
 #include <type_traits>
 
+#include "models/gltf/gltf.h"
 #include "models/saturate.h"
 #include "ui/document/averaged_normals.h"
 #include "ui/fields/field_panel.h"
@@ -132,6 +133,12 @@ bool detail_fields(Object& object, const std::string& pointer) {
     const bool edited = std::visit(
         [&](auto& source) {
             FieldPanel panel(source, pointer + "/mesh");
+            if constexpr (std::is_same_v<std::decay_t<decltype(source)>, MeshFile>) {
+                if (is_gltf_path(source.path))
+                    panel.draw({"part"});
+                else
+                    panel.skip("part");  // there is but one
+            }
             if constexpr (std::is_same_v<std::decay_t<decltype(source)>, PrimitiveMesh>)
                 panel.skip("primitive").draw_as("detail", [&](const Row& row, const Help& help, const auto&) {
                     const PrimitiveInfo info = info_of(source.primitive);

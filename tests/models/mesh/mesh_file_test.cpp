@@ -17,7 +17,8 @@ TEST_CASE("the extension names the format, in any case", "[mesh_file]") {
     CHECK_FALSE(is_mesh_path("obj"));
     CHECK_FALSE(is_mesh_path("a.obj/b"));
     CHECK(error_of("m.3ds", "x") ==
-          "m.3ds: the extension is that of no mesh; expected .obj, .ply, .off, .stl or .om");
+          "m.3ds: the extension is that of no mesh; expected .obj, .ply, .off, .stl, .om, .gltf or "
+          ".glb");
 }
 
 TEST_CASE("what is not a readable file is an error that names it", "[mesh_file]") {
@@ -81,7 +82,8 @@ TEST_CASE("a message quotes no more of a file than a short word", "[mesh_file]")
         CHECK(line.find("AKIA") == std::string::npos);
     }
     CHECK(error_of("m.obj", secret) ==
-          "m.obj:1: a word of 34 bytes is not a statement of an OBJ file; expected v, vt, vn, f, l, p, g, o, s, "
+          "m.obj:1: a word of 34 bytes is not a statement of an OBJ file; expected v, vt, vn, f, l, p, g, o, "
+          "s, "
           "usemtl "
           "or mtllib");
     CHECK(error_of("m.obj", "v 1 \x1b[2J 3").find("a word of 4 bytes") != std::string::npos);
@@ -119,7 +121,8 @@ TEST_CASE("a malformed OBJ is answered with its line and what was expected", "[m
           "m.obj:4: vertex index 99999999999 is out of range; expected 1 to 3");
     CHECK(error_of("m.obj", "f -1 -2 -3\n") ==
           "m.obj:1: vertex index -1 is out of range; expected vertices before it");
-    CHECK(line_4("f 1 2 x") == "m.obj:4: \"x\" is not a corner of a face; expected v, v/vt, v//vn or v/vt/vn");
+    CHECK(line_4("f 1 2 x") ==
+          "m.obj:4: \"x\" is not a corner of a face; expected v, v/vt, v//vn or v/vt/vn");
     CHECK(line_4("f 1 2 3/") == "");  // some writers leave the slash
     CHECK(line_4("f 1 2 3//") ==
           "m.obj:4: \"3//\" is not a corner of a face; expected v, v/vt, v//vn or v/vt/vn");

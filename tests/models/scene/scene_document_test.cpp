@@ -77,7 +77,7 @@ TEST_CASE("a mesh that cannot be read is a problem at its pointer, one inside it
     CHECK(problem("/dev/zero") ==
           at + "cannot read \"/dev/zero\": it is a device or a pipe; expected a mesh file");
     CHECK(problem("s.json") ==
-          at + "\"s.json\" has another extension; expected .obj, .ply, .off, .stl or .om");
+          at + "\"s.json\" has another extension; expected .obj, .ply, .off, .stl, .om, .gltf or .glb");
     CHECK(problem("deep/broken.obj").find(place / "deep/broken.obj:4: ") == 0);
 }
 
@@ -160,7 +160,8 @@ TEST_CASE("a picture that is damaged anywhere is a problem and never a crash", "
 
 TEST_CASE("a file of another kind is a problem that lists the kinds", "[scene_document]") {
     const Place place;
-    const std::string expected = "; expected a scene (.json, .png) or a mesh (.obj, .ply, .off, .stl, .om)";
+    const std::string expected =
+        "; expected a scene (.json, .png, .gltf, .glb) or a mesh (.obj, .ply, .off, .stl, .om)";
     for (const char* name : {"a.txt", "name"}) {  // missing first, then there
         CHECK(problem_at(place / name) ==
               place / name + ": cannot read: no such file or directory" + expected);

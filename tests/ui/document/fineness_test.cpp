@@ -1,7 +1,9 @@
-// A mesh made finer and coarser by hand.
+// A mesh made finer and coarser by hand, and a scene of glTF in the window.
+#include "models/gltf/gltf.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
+#include "tests/support/program.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -53,3 +55,17 @@ TEST_CASE("an object's panel makes its mesh coarser and finer, each as one step"
     CHECK(bench.state.notifications.list.back().text.find("at most 8388608") != std::string::npos);
 }
 
+TEST_CASE("a glTF file opens in the window as a scene", "[ui][loading]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    const auto written = glb_of(bench.scene(), "first");
+    const std::string path = folder.file("first.glb", std::get<GltfWritten>(written).bytes);
+    const std::size_t objects = bench.scene().objects.size();
+    begin_open(bench.state, path);
+    bench.wait_for_loads();
+    CHECK(bench.state.editor.document.path == path);
+    CHECK(bench.scene().shading.reflection == Reflection::CookTorrance);
+    CHECK(bench.scene().objects.size() == objects);
+    CHECK_FALSE(bench.state.editor.unsaved());
+}

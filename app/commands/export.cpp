@@ -1,0 +1,47 @@
+// glint export: a scene in a format that other programs read.
+#include <filesystem>
+#include <memory>
+
+#include "app/arguments.h"
+#include "app/commands/command.h"
+#include "models/gltf/gltf.h"
+
+namespace glint {
+namespace {
+
+struct ExportArguments {
+    SceneArguments scene;
+    std::string out;
+};
+
+Outcome export_scene(const ExportArguments& arguments) {
+    require_file(arguments.scene);
+    require_given(arguments.out, "-o", "a .glb file");
+    if (lower_extension(arguments.out) != ".glb")
+        throw wrong_usage("-o", arguments.out + " has another extension", ".glb");
+    const SceneDocument document = open_scene(arguments.scene);
+    const std::string name = std::filesystem::path(arguments.scene.file).stem().string();
+    Result<GltfWritten> made = glb_of(document.scene, name);
+    if (auto* problem = std::get_if<Problem>(&made)) problem->file = arguments.scene.file;
+    const GltfWritten written = take(std::move(made));
+    (void)take(write_file(arguments.out, written.bytes));
+    Warnings warnings = document.warnings;
+    warnings.insert(warnings.end(), written.warnings.begin(), written.warnings.end());
+    return {{}, warnings, ExitStatus::Done};
+}
+
+Run declare(Options& options) {
+    auto arguments = std::make_shared<ExportArguments>();
+    add_scene(options, arguments->scene);
+    add_text(options, "-o", "OUT", "the .glb file to write", arguments->out);
+    return [arguments] { return export_scene(*arguments); };
+}
+
+}  // namespace
+
+Command export_command() {
+    return {"export", "FILE -o OUT.glb", "writes a scene as glTF 2.0, for Blender and other programs",
+            "glint export museum.json -o museum.glb", declare};
+}
+
+}  // namespace glint

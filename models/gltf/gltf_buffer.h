@@ -1,0 +1,41 @@
+#pragma once
+// The binary chunk of a .glb, as it is put together. Inside models/gltf/ only.
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "models/scene/scene.h"
+
+namespace glint {
+
+using GltfJson = nlohmann::ordered_json;
+
+/// A float as a person would write it: 0.1.
+[[nodiscard]] GltfJson number_json(float x);
+[[nodiscard]] GltfJson numbers_json(const glm::vec3& v);
+
+/// A .glb file of its two chunks; together below 4 GiB.
+[[nodiscard]] std::string glb_container(std::string json, std::string bin);
+
+/// The numbers of meshes, with the views and accessors that say where they lie.
+class GltfBuffer {
+  public:
+    /// A mesh with the normals that it is drawn with: `flip` turns them round. Returns the accessors, as the
+    /// members "attributes" and "indices" of a primitive. Precondition: the object's mesh is loaded.
+    [[nodiscard]] GltfJson add(const Object& object);
+    [[nodiscard]] const std::string& bytes() const { return bytes_; }
+    [[nodiscard]] const GltfJson& views() const { return views_; }
+    [[nodiscard]] const GltfJson& accessors() const { return accessors_; }
+
+  private:
+    int add_vectors(const std::vector<glm::vec3>& vectors, bool with_bounds);
+    int add_indices(const std::vector<std::uint32_t>& indices);
+    int add_view(std::size_t begin, int target);
+
+    std::string bytes_;
+    GltfJson views_ = GltfJson::array(), accessors_ = GltfJson::array();
+};
+
+}  // namespace glint

@@ -1,0 +1,213 @@
+// The container (.glb, or text), its JSON and its buffers.
+#include "models/gltf/gltf_document.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <filesystem>
+
+#include "models/gltf/gltf.h"
+#include "models/io/file.h"
+#include "models/mesh_formats/mesh_reader.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t largest_file = std::size_t{16} << 30;
+constexpr std::uint64_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, bin_chunk = 0x004E4942;
+
+[[noreturn]] void fail(const std::string& what, const std::string& expected) {
+    throw ProblemFound{{"", "", what, expected}};
+}
+
+/// The two chunks of a .glb.
+struct Chunks {
+    std::string_view json, bin;
+    bool has_bin = false;
+};
+Chunks chunks_of(std::string_view bytes) {
+    constexpr std::size_t header = 12, chunk_header = 8;
+    const auto number = [&](std::size_t at) { return little_endian(bytes.data() + at, 4); };
+    if (bytes.size() < header + chunk_header) fail("the file ends in its header", "a whole .glb file");
+    if (number(4) != 2) fail(fmt::format("the container has version {}", number(4)), "2");
+    const std::uint64_t length = number(8);
+    if (length > bytes.size())
+        fail(fmt::format("the header says {} bytes, the file has {}", length, bytes.size()), "a whole file");
+    Chunks chunks;
+    std::size_t at = header;
+    for (int i = 0; at + chunk_header <= length; ++i) {
+        const std::uint64_t size = number(at), type = number(at + 4);
+        at += chunk_header;
+        if (size > length - at)
+            fail(fmt::format("chunk {} says {} bytes, {} are left", i, size, length - at), "a whole chunk");
+        const std::string_view chunk = bytes.substr(at, size);
+        if (i == 0 && type != json_chunk) fail("the first chunk is not JSON", "a chunk of the type JSON");
+        if (i == 0) chunks.json = chunk;
+        if (i == 1 && type == bin_chunk) {
+            chunks.bin = chunk;
+            chunks.has_bin = true;
+        }
+        at += size + (4 - size % 4) % 4;
+    }
+    return chunks;
+}
+
+int base64_digit(char c) {
+    if (c >= 'A' && c <= 'Z') return c - 'A';
+    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+    if (c >= '0' && c <= '9') return c - '0' + 52;
+    if (c == '+' || c == '-') return 62;
+    return c == '/' || c == '_' ? 63 : -1;
+}
+std::string from_base64(const Node& node, std::string_view text) {
+    std::string bytes;
+    std::uint32_t bits = 0;
+    int count = 0;
+    while (text.ends_with('=')) text.remove_suffix(1);
+    for (const char c : text) {
+        const int digit = base64_digit(c);
+        if (digit < 0)
+            node.fail("the data URI holds a character that is not of base64", "letters, digits, + and /");
+        bits = bits << 6 | static_cast<std::uint32_t>(digit);
+        count += 6;
+        if (count < 8) continue;
+        count -= 8;
+        bytes += static_cast<char>(bits >> count & 0xFF);
+    }
+    return bytes;
+}
+
+/// "a%20b" -> "a b".
+std::string unescaped_uri(const Node& node, const std::string& uri) {
+    const auto digit = [](char c) {
+        return c >= '0' && c <= '9'   ? c - '0'
+               : c >= 'a' && c <= 'f' ? c - 'a' + 10
+               : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                      : -1;
+    };
+    std::string path;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        if (uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0) {
+            path += static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2]));
+            i += 2;
+        } else {
+            path += uri[i];
+        }
+    }
+    if (path.empty() || path.find('\0') != std::string::npos || path.find("://") != std::string::npos)
+        node.fail(in_quotes(uri) + " is no file's name", "a file beside this one, or a data URI");
+    return path;
+}
+
+/// What the URI of a buffer stands for.
+std::string bytes_at(const Node& node, const std::string& path) {
+    const std::string& uri = text(node);
+    if (uri.starts_with("data:")) {
+        const std::size_t comma = uri.find(',');
+        if (comma == std::string::npos || !std::string_view(uri).substr(0, comma).ends_with(";base64"))
+            node.fail("the data URI has no \";base64,\"", "data:application/octet-stream;base64,...");
+        return from_base64(node, std::string_view(uri).substr(comma + 1));
+    }
+    const std::string file = (fs::path(path).parent_path() / unescaped_uri(node, uri)).string();
+    Result<std::string> read = read_file(file, largest_file);
+    if (const Problem* problem = problem_of(read))
+        node.fail(fmt::format("{}: {}", in_quotes(uri), problem->what), "a file that can be read");
+    return std::get<std::string>(std::move(read));
+}
+
+void read_buffers(GltfDocument& document, const Chunks& chunks) {
+    const Node root(document.root);
+    std::vector<std::uint64_t> lengths;
+    std::vector<int> own;  // index into document.own; -1: the chunk of the file
+    root.with("buffers", [&](const Node& list) {
+        list.each(max_json_values, "buffers", [&](const Node& buffer) {
+            require_object(buffer);
+            lengths.push_back(whole(buffer, "byteLength", 9e15));
+            const bool is_chunk = !buffer.has("uri");
+            if (is_chunk && (own.empty() ? !chunks.has_bin : true))
+                buffer.fail("it has no \"uri\" and there is no binary chunk for it", "a URI");
+            own.push_back(is_chunk ? -1 : static_cast<int>(document.own.size()));
+            buffer.with("uri",
+                        [&](const Node& uri) { document.own.push_back(bytes_at(uri, document.path)); });
+            const std::string_view held = is_chunk ? chunks.bin : std::string_view(document.own.back());
+            if (held.size() < lengths.back())
+                buffer.fail(fmt::format("its data has {} bytes", held.size()),
+                            fmt::format("{}, its byteLength", lengths.back()));
+            MemoryNeed need = memory_need(MemoryUse::Files, document.bytes.size());
+            for (const std::string& bytes : document.own) need[MemoryUse::Files] += bytes.size();
+            document.share.set(need);
+        });
+    });
+    for (std::size_t i = 0; i < own.size(); ++i)
+        document.buffers.push_back(
+            (own[i] < 0 ? chunks.bin : std::string_view(document.own[static_cast<std::size_t>(own[i])]))
+                .substr(0, lengths[i]));
+}
+
+/// Extensions without which the shapes would be others.
+void check_extensions(const Node& root) {
+    constexpr std::array<std::string_view, 2> read{"KHR_lights_punctual", "KHR_mesh_quantization"};
+    root.with("extensionsRequired", [&](const Node& list) {
+        list.each(1000, "names", [&](const Node& node) {
+            const std::string& name = text(node);
+            const bool of_looks = name.starts_with("KHR_materials_") || name.starts_with("KHR_texture_");
+            if (!of_looks && std::find(read.begin(), read.end(), name) == read.end())
+                node.fail(in_quotes(name) + " is needed, and cannot be read here",
+                          "a file without that extension");
+        });
+    });
+}
+
+void check_version(const Node& root) {
+    require_object(root);
+    if (!root.has("asset")) root.fail("the key \"asset\" is missing", "{\"asset\": {\"version\": \"2.0\"}}");
+    root.with("asset", [](const Node& asset) {
+        require_object(asset);
+        std::string version;
+        read(asset, "version", version);
+        if (!version.starts_with("2.")) asset.fail(in_quotes(version) + " is its version", "2.0");
+    });
+}
+
+}  // namespace
+
+bool is_gltf_path(const std::string& path) {
+    const std::string extension = lower_extension(path);
+    return extension == ".gltf" || extension == ".glb";
+}
+
+Result<GltfFile> GltfFile::read(const std::string& path) {
+    Result<std::string> bytes = read_file(path, largest_file);
+    if (const Problem* problem = problem_of(bytes)) return *problem;
+    return parse(std::get<std::string>(std::move(bytes)), path);
+}
+
+Result<GltfFile> GltfFile::parse(std::string bytes, const std::string& path) {
+    const auto document = std::make_shared<GltfDocument>();
+    try {
+        document->path = path;
+        document->share.set(memory_need(MemoryUse::Files, bytes.size()));
+        document->bytes = std::move(bytes);
+        const std::string_view all = document->bytes;
+        if (all.empty()) return Problem{path, "", "the file is empty", "glTF 2.0"};
+        Chunks chunks{all, {}};
+        if (all.size() >= 4 && little_endian(all.data(), 4) == glb_magic) chunks = chunks_of(all);
+        document->root = read_json(chunks.json, path);
+        const Node root(document->root);
+        check_version(root);
+        check_extensions(root);
+        read_buffers(*document, chunks);
+        return GltfFile(document);
+    } catch (ProblemFound& found) {
+        found.problem.file = path;
+        return std::move(found.problem);
+    } catch (const Refused& refused) {
+        return memory_problem(refused, path);
+    } catch (const std::bad_alloc&) {
+        return Problem{path, "", "the file does not fit in memory", "a smaller one"};
+    }
+}
+
+}  // namespace glint

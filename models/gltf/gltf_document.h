@@ -1,0 +1,72 @@
+#pragma once
+// What the readers of glTF share: the document, its checked members, and the numbers of an accessor. What is
+// wrong is thrown as ProblemFound with its pointer. Inside models/gltf/ only.
+
+#include <fmt/core.h>
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "models/json/json_node.h"
+#include "models/memory_limit.h"
+
+namespace glint {
+
+struct GltfDocument {
+    GltfDocument() = default;
+    GltfDocument(const GltfDocument&) = delete;  // its buffers lie in it
+    GltfDocument& operator=(const GltfDocument&) = delete;
+
+    std::string path;
+    std::string bytes;             // of the file
+    std::vector<std::string> own;  // buffers that are not in it
+    std::vector<std::string_view> buffers;
+    Json root;
+    MemoryShare share;
+};
+
+/// The whole number of a key, from 0 to `most`; fails where it is another value, or where there is none and
+/// `otherwise` is negative.
+[[nodiscard]] std::uint64_t whole(const Node& object, std::string_view key, double most,
+                                  double otherwise = -1);
+
+/// Fails unless the value is an object.
+void require_object(const Node& node);
+
+/// f(Node) of the element of a list at the root ("meshes") whose number the key of `from` says. Fails where
+/// there is none.
+template <class F>
+void follow(const Node& root, const Node& from, std::string_view key, std::string_view list, F f) {
+    const Json& lists = root.value();
+    const std::size_t count = lists.contains(list) && lists[list].is_array() ? lists[list].size() : 0;
+    const std::uint64_t index = whole(from, key, 4294967295.0);
+    if (index >= count)
+        from.with(key, [&](const Node& at) {
+            at.fail(fmt::format("{} of \"{}\" is not there", index, list),
+                    count == 0 ? "no number: the list is empty" : fmt::format("0 to {}", count - 1));
+        });
+    root.with(list, [&](const Node& all) { f(Node(all.value()[index], all, index)); });
+}
+
+/// The numbers of an accessor, read as floats: integers that are normalized are from 0 or -1 to 1.
+struct GltfNumbers {
+    std::size_t count = 0, components = 0;
+    int type = 0;  // GL's number of the component type
+    bool normalized = false;
+    const char* data = nullptr;
+    std::size_t stride = 0;
+
+    [[nodiscard]] double at(std::size_t i, std::size_t component) const;
+    [[nodiscard]] glm::vec3 vector_at(std::size_t i) const;
+};
+/// The accessor that the key of `from` numbers; its numbers lie in its buffer. Fails where it is not of one
+/// of `types` ("VEC3"), or sparse.
+[[nodiscard]] GltfNumbers numbers_of(const GltfDocument& document, const Node& root, const Node& from,
+                                     std::string_view key, std::string_view type);
+[[nodiscard]] bool is_sparse(const Node& root, const Node& from, std::string_view key);
+
+}  // namespace glint

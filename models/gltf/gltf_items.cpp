@@ -1,0 +1,224 @@
+// One material, camera, light or transform of glTF as one of ours.
+#include "models/gltf/gltf_items.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
+#include <numbers>
+
+#include "models/gltf/gltf_document.h"
+#include "models/mesh/normals.h"
+
+namespace glint {
+namespace {
+
+constexpr double sheared_from = 1e-4;  // the cosine between two axes
+
+template <class P> void read_planes(const Node& node, P& p) {
+    read(node, "znear", p.near, at_least_zero);
+    p.near = std::max(p.near, 1e-3f);
+    p.far = p.near * 1e5f;  // without one it is infinite
+    read(node, "zfar", p.far, above_zero);
+    if (!(p.far > p.near)) node.fail("zfar is not above znear", "a zfar above znear");
+}
+
+/// The exponent that is as bright half way between the cosines of the two cones, where glTF has 1/4.
+void read_cone(const Node& node, SpotCone& cone) {
+    float inner = 0, outer = static_cast<float>(std::numbers::pi / 4);
+    node.with("spot", [&](const Node& spot) {
+        require_object(spot);
+        const Range angles{0, std::numbers::pi / 2 + 1e-6, "0 to pi/2"};
+        read(spot, "innerConeAngle", inner, angles);
+        read(spot, "outerConeAngle", outer, angles);
+    });
+    cone.cutoff_deg = std::min(glm::degrees(outer), 90.0f);
+    const double middle = (std::cos(static_cast<double>(inner)) + std::cos(static_cast<double>(outer))) / 2;
+    const bool sharp = outer - inner < 0.001f || middle <= 0 || middle >= 1;
+    cone.exponent = sharp ? 0 : static_cast<float>(std::min(std::log(0.25) / std::log(middle), 1000.0));
+}
+
+Material material_from(const glm::vec3& base, float metal, float roughness) {
+    Material m;
+    m.ambient = base;
+    m.diffuse = (1 - metal) * base;
+    m.f0 = glm::vec3(0.04f * (1 - metal)) + metal * base;
+    m.specular = glm::vec3(1);
+    m.roughness = roughness;
+    const float a = std::max(roughness * roughness, 0.03f);
+    m.shininess = std::clamp(2 / (a * a) - 2, 1.0f, 2000.0f);  // Blinn's highlight of that width
+    return m;
+}
+
+}  // namespace
+
+std::optional<Transform> transform_of(const glm::dmat4& m, bool& sheared) {
+    glm::dvec3 axis[3] = {glm::dvec3(m[0]), glm::dvec3(m[1]), glm::dvec3(m[2])};
+    glm::dvec3 scale(glm::length(axis[0]), glm::length(axis[1]), glm::length(axis[2]));
+    for (int i = 0; i < 3; ++i) {
+        if (!(scale[i] > 1e-30 && scale[i] <= max_number && std::abs(m[3][i]) <= max_number)) return {};
+        axis[i] /= scale[i];
+    }
+    if (glm::dot(glm::cross(axis[0], axis[1]), axis[2]) < 0) {
+        scale.x = -scale.x;
+        axis[0] = -axis[0];
+    }
+    for (int i = 0; i < 3; ++i)
+        sheared = sheared || std::abs(glm::dot(axis[i], axis[(i + 1) % 3])) > sheared_from;
+    // Rz Ry Rx: its third row is (-sin y, cos y sin x, cos y cos x), its first column cos y (cos z, sin z,
+    // ...).
+    const double sine = std::clamp(-axis[0].z, -1.0, 1.0);
+    glm::dvec3 turn(std::atan2(axis[1].z, axis[2].z), std::asin(sine), std::atan2(axis[0].y, axis[0].x));
+    if (std::abs(sine) > 1 - 1e-12) turn = {std::atan2(-axis[2].y, axis[1].y), turn.y, 0};
+    Transform t;
+    t.translate = glm::vec3(m[3]);
+    t.rotate_deg = glm::vec3(glm::degrees(turn));
+    t.scale = glm::vec3(scale);
+    return t;
+}
+
+glm::dmat4 local_of(const Node& node) {
+    glm::dmat4 m(1);
+    if (node.has("matrix")) {
+        node.with("matrix", [&](const Node& at) {
+            const std::vector<double> all = numbers(at, 16, 16);
+            for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = all[static_cast<std::size_t>(i)];
+        });
+        return m;
+    }
+    node.with("scale", [&](const Node& at) {
+        const std::vector<double> s = numbers(at, 3, 3);
+        for (int i = 0; i < 3; ++i) m[i] *= s[static_cast<std::size_t>(i)];
+    });
+    node.with("rotation", [&](const Node& at) {
+        const std::vector<double> q = numbers(at, 4, 4);
+        const glm::dquat turn(q[3], q[0], q[1], q[2]);
+        if (glm::dot(turn, turn) > 0) m = glm::mat4_cast(glm::normalize(turn)) * m;
+    });
+    node.with("translation", [&](const Node& at) {
+        const std::vector<double> t = numbers(at, 3, 3);
+        m[3] = glm::dvec4(t[0], t[1], t[2], 1);
+    });
+    return m;
+}
+
+GltfMaterial material_of(const Node& node) {
+    require_object(node);
+    glm::vec3 base(1), emission(0);
+    float metal = 1, roughness = 1, strength = 1;
+    bool textured = node.has("normalTexture") || node.has("occlusionTexture") || node.has("emissiveTexture");
+    node.with("pbrMetallicRoughness", [&](const Node& pbr) {
+        require_object(pbr);
+        pbr.with("baseColorFactor", [&](const Node& at) {
+            const std::vector<double> c = numbers(at, 4, 4, at_least_zero);
+            base = glm::vec3(c[0], c[1], c[2]);
+        });
+        read(pbr, "metallicFactor", metal, zero_to_one);
+        read(pbr, "roughnessFactor", roughness, zero_to_one);
+        textured = textured || pbr.has("baseColorTexture") || pbr.has("metallicRoughnessTexture");
+    });
+    read(node, "emissiveFactor", emission, at_least_zero);
+    node.with("extensions", [&](const Node& extensions) {
+        require_object(extensions);
+        extensions.with("KHR_materials_emissive_strength", [&](const Node& at) {
+            require_object(at);
+            read(at, "emissiveStrength", strength, at_least_zero);
+        });
+    });
+    std::string alpha;
+    read(node, "alphaMode", alpha);
+    bool both_sides = false;
+    read(node, "doubleSided", both_sides);
+    Material m = material_from(base, metal, roughness);
+    m.emission = strength * emission;
+    return {m, textured, alpha == "BLEND" || alpha == "MASK", both_sides};
+}
+
+Camera camera_from(const Node& at, const glm::dmat4& world) {
+    Camera camera;
+    require_object(at);
+    std::string type;
+    read(at, "type", type);
+    if (type == "orthographic") {
+        Orthographic o;
+        at.with("orthographic", [&](const Node& p) {
+            require_object(p);
+            read(p, "ymag", o.height, above_zero);
+            o.height *= 2;
+            read_planes(p, o);
+        });
+        camera.projection = o;
+    } else {
+        Perspective v;
+        at.with("perspective", [&](const Node& p) {
+            require_object(p);
+            float fov = glm::radians(v.fov_y_deg);
+            read(p, "yfov", fov, {0, std::numbers::pi, "more than 0, less than pi", true, true});
+            v.fov_y_deg = std::min(glm::degrees(fov), 179.9f);
+            read_planes(p, v);
+        });
+        camera.projection = v;
+    }
+    camera.eye = glm::vec3(world[3]);
+    camera.up = glm::vec3(unit_or_zero(glm::dvec3(world[1])));
+    camera.target = camera.eye - glm::vec3(unit_or_zero(glm::dvec3(world[2])));  // moved to the objects later
+    return camera;
+}
+
+Light light_from(const Node& node, const std::string& name, const glm::dmat4& placed, LightSpace space) {
+    Light light;
+    read(node, "name", light.name);
+    if (!name.empty()) light.name = name;
+    std::string type;
+    read(node, "type", type);
+    glm::vec3 colour(1);
+    float intensity = 1;
+    read(node, "color", colour, at_least_zero);
+    read(node, "intensity", intensity, at_least_zero);
+    light.diffuse = light.specular = colour;
+    // Lambert's term is here not divided by pi.
+    light.intensity = static_cast<float>(static_cast<double>(intensity) / std::numbers::pi);
+    light.space = space;
+    const glm::vec3 back(unit_or_zero(glm::dvec3(placed[2])));  // it shines along -z
+    light.position = {glm::vec3(placed[3]), 1};
+    light.spot.direction = -back;
+    light.falloff = {0, 0, 1};
+    if (type == "directional") {
+        light.kind = LightKind::Directional;
+        light.position = {back, 0};
+        light.falloff = {};
+    } else if (type == "spot") {
+        light.kind = LightKind::Spot;
+        read_cone(node, light.spot);
+    } else if (type != "point") {
+        node.fail(fmt::format("its type is {}", in_quotes(type)), "\"directional\", \"point\" or \"spot\"");
+    }
+    return light;
+}
+
+std::optional<GltfMetal> metal_of(const Material& m) {
+    constexpr float close = 2e-3f;
+    const auto fits = [&](const GltfMetal& tried) {
+        const glm::vec3 diffuse = (1 - tried.metal) * tried.base;
+        const glm::vec3 f0 = glm::vec3(0.04f * (1 - tried.metal)) + tried.metal * tried.base;
+        const glm::vec3 off = glm::max(glm::abs(diffuse - m.diffuse), glm::abs(f0 - m.f0));
+        return std::max({off.x, off.y, off.z}) < close;
+    };
+    // diffuse + f0 = base + 0.04 (1 - metal): with base = diffuse/(1 - metal), a square equation in 1 - metal
+    // for the sum of the channels.
+    const double d = m.diffuse.x + m.diffuse.y + m.diffuse.z, f = m.f0.x + m.f0.y + m.f0.z;
+    const double half = (d + f) / 0.24;  // 0.12 k^2 - (d + f) k + d = 0, k = 1 - metal
+    const double root = half * half - d / 0.12;
+    for (const double k :
+         {half - std::sqrt(std::max(root, 0.0)), 1.0, 0.0, half + std::sqrt(std::max(root, 0.0))}) {
+        if (!(k >= -1e-6 && k <= 1 + 1e-6)) continue;
+        const auto share = static_cast<float>(std::clamp(k, 0.0, 1.0));
+        const GltfMetal tried{share < 1e-4f ? m.f0 : m.diffuse / share, share < 1e-4f ? 1 : 1 - share};
+        if (fits(tried)) return tried;
+    }
+    return {};
+}
+
+}  // namespace glint

@@ -1,0 +1,162 @@
+// A primitive of a mesh as a mesh of ours.
+#include <fmt/core.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "models/gltf/gltf.h"
+#include "models/gltf/gltf_document.h"
+#include "models/gltf/gltf_parts.h"
+#include "models/mesh/mesh_memory.h"
+#include "models/mesh_formats/mesh_reader.h"
+#include "models/mesh_formats/places.h"
+#include "models/progress.h"
+
+namespace glint {
+namespace {
+
+/// The numbers of the vertices around each triangle, in the order in which the mode strings them together.
+class Triangles {
+  public:
+    Triangles(const GltfDocument& document, const Node& root, const Node& primitive, std::size_t vertices)
+        : vertices_(vertices), count_(vertices) {
+        if (!primitive.has("indices")) return;
+        indices_ = numbers_of(document, root, primitive, "indices", "SCALAR");
+        count_ = indices_.count;
+        primitive.with("indices", [&](const Node& at) {
+            for (std::size_t i = 0; i < count_; ++i)
+                if (!(indices_.at(i, 0) < static_cast<double>(vertices)) || indices_.at(i, 0) < 0)
+                    at.fail(fmt::format("number {} of the indices is {:.0f}", i, indices_.at(i, 0)),
+                            fmt::format("0 to {}", vertices - 1));
+        });
+    }
+
+    /// f(a, b, c) of each; returns how many vertices are left over.
+    template <class F> std::size_t each(PrimitiveMode mode, const F& f) const {
+        if (mode == PrimitiveMode::Triangles) {
+            for (std::size_t i = 0; i + 3 <= count_; i += 3) f(at(i), at(i + 1), at(i + 2));
+            return count_ % 3;
+        }
+        for (std::size_t i = 0; i + 3 <= count_; ++i) {
+            if (mode == PrimitiveMode::Fan)
+                f(at(0), at(i + 1), at(i + 2));
+            else if (i % 2 == 0)
+                f(at(i), at(i + 1), at(i + 2));
+            else
+                f(at(i + 1), at(i), at(i + 2));
+        }
+        return 0;
+    }
+
+  private:
+    [[nodiscard]] std::uint32_t at(std::size_t i) const {
+        return static_cast<std::uint32_t>(indices_.data == nullptr ? static_cast<double>(i)
+                                                                   : indices_.at(i, 0));
+    }
+    std::size_t vertices_, count_;
+    GltfNumbers indices_;
+};
+
+std::vector<glm::vec3> vectors(const GltfNumbers& numbers, const Node& attributes, const char* what) {
+    std::vector<glm::vec3> all(numbers.count);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i] = numbers.vector_at(i);
+        for (int k = 0; k < 3; ++k)
+            if (!(std::abs(all[i][k]) <= static_cast<float>(max_number)))
+                attributes.with(what, [&](const Node& at) {
+                    at.fail(fmt::format("a number of vertex {} is {}", i, all[i][k]),
+                            std::string(any_number.words));
+                });
+    }
+    return all;
+}
+
+void read_primitive(const GltfDocument& document, const Node& root, const Node& primitive, Mesh& mesh) {
+    const PrimitiveMode mode = mode_of(primitive);
+    if (mode == PrimitiveMode::None) primitive.fail("it is made of points or lines", "one with triangles");
+    primitive.with("attributes", [&](const Node& attributes) {
+        require_object(attributes);
+        for (const char* attribute : {"POSITION", "NORMAL"})
+            if (is_sparse(root, attributes, attribute))
+                attributes.fail(fmt::format("its {} is a sparse accessor", attribute),
+                                "one with all numbers");
+        const GltfNumbers places = numbers_of(document, root, attributes, "POSITION", "VEC3");
+        require_memory(memory_need(MemoryUse::Meshes, 100 * places.count));
+        const std::vector<glm::vec3> vertices = vectors(places, attributes, "POSITION");
+        if (attributes.has("NORMAL")) {
+            mesh.normals =
+                vectors(numbers_of(document, root, attributes, "NORMAL", "VEC3"), attributes, "NORMAL");
+            if (mesh.normals.size() != vertices.size())
+                attributes.fail(fmt::format("it has {} normals", mesh.normals.size()),
+                                fmt::format("{}, one a vertex", vertices.size()));
+            mesh.given_normals = GivenNormals::File;
+        }
+        Places shared;
+        std::vector<std::uint32_t> position;
+        position.reserve(vertices.size());
+        for (const glm::vec3& v : vertices) position.push_back(shared.index_of(v, mesh.positions));
+        mesh.first_corner.push_back(0);
+        const Triangles triangles(document, root, primitive, vertices.size());
+        const std::size_t left = triangles.each(mode, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+            for (const std::uint32_t v : {a, b, c}) {
+                mesh.corner_position.push_back(position[v]);
+                if (!mesh.normals.empty()) mesh.corner_normal.push_back(v);
+            }
+            close_face(mesh, document.path);
+        });
+        warn(mesh.warnings, left, "vertex is left over after the last triangle",
+             "vertices are left over after the last triangle");
+        if (mesh.face_count() == 0) primitive.fail("it has no triangle", "at least one");
+    });
+    if (mesh.first_corner.empty()) primitive.fail("the key \"attributes\" is missing", "{\"POSITION\": ...}");
+}
+
+}  // namespace
+
+PrimitiveMode mode_of(const Node& primitive) {
+    switch (whole(primitive, "mode", 6, 4)) {
+    case 4:
+        return PrimitiveMode::Triangles;
+    case 5:
+        return PrimitiveMode::Strip;
+    case 6:
+        return PrimitiveMode::Fan;
+    default:
+        return PrimitiveMode::None;
+    }
+}
+
+Result<Mesh> GltfFile::mesh(int part) const {
+    const auto start = std::chrono::steady_clock::now();
+    Mesh mesh;
+    try {
+        const Node root(document_->root);
+        int number = 0;
+        root.with("meshes", [&](const Node& meshes) {
+            meshes.each(max_json_values, "meshes", [&](const Node& one) {
+                require_object(one);
+                one.with("primitives", [&](const Node& primitives) {
+                    primitives.each(max_json_values, "primitives", [&](const Node& primitive) {
+                        if (number++ != part) return;
+                        require_object(primitive);
+                        read_primitive(*document_, root, primitive, mesh);
+                    });
+                });
+            });
+        });
+        if (part >= number)
+            return Problem{document_->path, "", fmt::format("there is no part {}", part),
+                           number == 0 ? "a file with a mesh" : fmt::format("0 to {}", number - 1)};
+        finish_mesh(mesh);
+        const auto time = std::chrono::steady_clock::now() - start;
+        mesh.load_ms = std::chrono::duration<double, std::milli>(time).count();
+        return mesh;
+    } catch (ProblemFound& found) {
+        found.problem.file = document_->path;
+        return std::move(found.problem);
+    } catch (const Unreadable& unreadable) {
+        return unreadable.problem;
+    }
+}
+
+}  // namespace glint

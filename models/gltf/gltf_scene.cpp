@@ -1,0 +1,248 @@
+// The nodes of a file as objects, lights and a camera.
+#include <fmt/core.h>
+
+#include <cmath>
+#include <glm/mat4x4.hpp>
+#include <optional>
+
+#include "models/gltf/gltf.h"
+#include "models/gltf/gltf_document.h"
+#include "models/gltf/gltf_items.h"
+#include "models/gltf/gltf_left_out.h"
+#include "models/gltf/gltf_parts.h"
+
+namespace glint {
+namespace {
+
+class SceneReader {
+  public:
+    SceneReader(const Node& root, const std::string& file_name) : root_(root), file_name_(file_name) {}
+
+    GltfFile::Content read() {
+        count_all();
+        std::vector<Placed> waiting;
+        const auto begin_with = [&](const Node& scene) {
+            require_object(scene);
+            scene.with("nodes", [&](const Node& list) { add_numbers(list, glm::dmat4(1), false, waiting); });
+        };
+        if (root_.has("scene"))
+            follow(root_, root_, "scene", "scenes", begin_with);
+        else if (count("scenes") > 0)
+            root_.with("scenes",
+                       [&](const Node& all) { begin_with(Node(all.value()[0], all, std::size_t{0})); });
+        else
+            begin_with_roots(waiting);
+        std::reverse(waiting.begin(), waiting.end());  // the last is taken first
+        while (!waiting.empty()) {
+            const Placed next = waiting.back();
+            waiting.pop_back();
+            visit(next, waiting);
+        }
+        say_left_out();
+        return std::move(content_);
+    }
+
+  private:
+    struct Placed {
+        std::uint64_t node;
+        glm::dmat4 world;  // of its parent
+        bool below_camera;
+    };
+
+    static std::uint64_t number_of(const Node& at) {
+        const double x = at.value().is_number() ? at.value().get<double>() : -1;
+        if (!(x >= 0 && x <= 4294967295.0) || x != std::floor(x))
+            at.fail("it is no number of a node", "a whole number");
+        return static_cast<std::uint64_t>(x);
+    }
+    std::size_t count(const char* list) const {
+        const Json& all = root_.value();
+        return all.contains(list) && all[list].is_array() ? all[list].size() : 0;
+    }
+    static void add_numbers(const Node& list, const glm::dmat4& world, bool below_camera,
+                            std::vector<Placed>& to) {
+        list.each(max_json_values, "numbers of nodes", [&](const Node& at) {
+            to.push_back({number_of(at), world, below_camera});
+        });
+    }
+    /// Without a scene: the nodes that are nobody's children.
+    void begin_with_roots(std::vector<Placed>& waiting) {
+        std::vector<char> is_child(count("nodes"), 0);
+        root_.with("nodes", [&](const Node& nodes) {
+            nodes.each(max_json_values, "nodes", [&](const Node& node) {
+                require_object(node);
+                node.with("children", [&](const Node& list) {
+                    list.each(max_json_values, "numbers of nodes", [&](const Node& at) {
+                        if (const std::uint64_t i = number_of(at); i < is_child.size()) is_child[i] = 1;
+                    });
+                });
+            });
+        });
+        for (std::size_t i = 0; i < is_child.size(); ++i)
+            if (is_child[i] == 0) waiting.push_back({i, glm::dmat4(1), false});
+    }
+
+    void visit(const Placed& at, std::vector<Placed>& waiting) {
+        if (at.node >= count("nodes"))
+            root_.fail(fmt::format("the scene has a node {}", at.node),
+                       fmt::format("one of {} nodes", count("nodes")));
+        visited_.resize(count("nodes"), 0);
+        root_.with("nodes", [&](const Node& nodes) {
+            const Node node(nodes.value()[at.node], nodes, at.node);
+            require_object(node);
+            if (std::exchange(visited_[at.node], 1) != 0)
+                node.fail("the node is below itself, or below two others", "a tree of nodes");
+            const glm::dmat4 world = at.world * local_of(node);
+            std::string name;
+            glint::read(node, "name", name);
+            bool is_camera = false;
+            if (node.has("camera")) is_camera = add_camera(node, world);
+            if (node.has("skin")) ++left_.skins;
+            if (node.has("mesh")) add_mesh(node, name, world);
+            const bool rides = at.below_camera || is_camera;
+            add_light(node, name, world, rides);
+            node.with("children", [&](const Node& list) {
+                std::vector<Placed> children;
+                add_numbers(list, world, rides, children);
+                waiting.insert(waiting.end(), children.rbegin(), children.rend());
+            });
+        });
+    }
+
+    void add_mesh(const Node& node, const std::string& name, const glm::dmat4& world) {
+        follow(root_, node, "mesh", "meshes", [&](const Node& mesh) {
+            require_object(mesh);
+            const std::uint64_t index = whole(node, "mesh", 4294967295.0);
+            std::string mesh_name;
+            glint::read(mesh, "name", mesh_name);
+            int part = first_part(index);
+            mesh.with("primitives", [&](const Node& primitives) {
+                primitives.each(max_json_values, "primitives", [&](const Node& primitive) {
+                    require_object(primitive);
+                    add_primitive(primitive, part++, !name.empty() ? name : mesh_name, world);
+                });
+            });
+        });
+    }
+    int first_part(std::uint64_t mesh) {
+        if (first_parts_.empty()) {
+            std::size_t sum = 0;
+            for (const Json& one : root_.value()["meshes"]) {
+                first_parts_.push_back(sum);
+                if (one.is_object() && one.contains("primitives")) sum += one["primitives"].size();
+            }
+        }
+        return static_cast<int>(first_parts_[mesh]);
+    }
+    void add_primitive(const Node& primitive, int part, const std::string& name, const glm::dmat4& world) {
+        if (mode_of(primitive) == PrimitiveMode::None) return void(++left_.lines);
+        bool sparse = false, has_normals = false;
+        primitive.with("attributes", [&](const Node& a) {
+            require_object(a);
+            sparse = is_sparse(root_, a, "POSITION") || is_sparse(root_, a, "NORMAL");
+            has_normals = a.has("NORMAL");
+            left_.colours += a.has("COLOR_0") ? 1 : 0;
+        });
+        if (sparse) return void(++left_.sparse);
+        left_.morphs += primitive.has("targets") ? 1 : 0;
+        bool sheared = false;
+        const std::optional<Transform> transform = transform_of(world, sheared);
+        if (!transform) return void(++left_.flat);
+        left_.sheared += sheared ? 1 : 0;
+        Object object;
+        object.name = name.empty() ? fmt::format("Object {}", content_.scene.objects.size() + 1) : name;
+        object.source = MeshFile{file_name_, part};
+        object.transform = *transform;
+        if (!has_normals) object.normals.source = NormalSource::Facet;
+        static const Json none = Json::object();
+        object.material = material_of(Node(none)).material;
+        if (primitive.has("material"))
+            follow(root_, primitive, "material", "materials",
+                   [&](const Node& m) { object.material = noted(material_of(m)); });
+        if (content_.scene.objects.size() >= max_objects || part >= max_parts)
+            primitive.fail("the scene has too many objects", fmt::format("at most {}", max_objects));
+        content_.scene.objects.push_back(std::move(object));
+    }
+
+    Material noted(const GltfMaterial& m) {
+        any_double_sided_ = any_double_sided_ || m.is_double_sided;
+        left_.textures += m.has_textures ? 1 : 0;
+        left_.blended += m.is_transparent ? 1 : 0;
+        return m.material;
+    }
+
+    bool add_camera(const Node& node, const glm::dmat4& world) {
+        if (content_.has_camera) {
+            ++left_.cameras;
+            return false;
+        }
+        follow(root_, node, "camera", "cameras",
+               [&](const Node& at) { content_.scene.camera = camera_from(at, world); });
+        return content_.has_camera = true;
+    }
+    void add_light(const Node& node, const std::string& name, const glm::dmat4& world, bool rides) {
+        node.with("extensions", [&](const Node& extensions) {
+            require_object(extensions);
+            extensions.with("KHR_lights_punctual", [&](const Node& reference) {
+                require_object(reference);
+                const std::uint64_t index = whole(reference, "light", 4294967295.0);
+                root_.with("extensions", [&](const Node& all) {
+                    require_object(all);
+                    all.with("KHR_lights_punctual", [&](const Node& punctual) {
+                        require_object(punctual);
+                        punctual.with("lights", [&](const Node& lights) {
+                            if (!lights.value().is_array() || index >= lights.value().size())
+                                reference.fail(fmt::format("light {} is not there", index),
+                                               "one of \"lights\"");
+                            if (content_.scene.lights.size() >= max_lights) return void(++left_.lights);
+                            const Node light(lights.value()[index], lights, index);
+                            require_object(light);
+                            content_.scene.lights.push_back(light_from(
+                                light, name, rides ? view_from_world(content_.scene.camera) * world : world,
+                                rides ? LightSpace::Camera : LightSpace::World));
+                            content_.has_lights = true;
+                        });
+                    });
+                });
+            });
+        });
+    }
+    void count_all() {
+        left_.animations = count("animations");
+        std::string generator;
+        root_.with("asset", [&](const Node& asset) { glint::read(asset, "generator", generator); });
+        content_.scales_lights = generator != gltf_generator;
+    }
+    void say_left_out() {
+        Scene& scene = content_.scene;
+        scene.shading.reflection = Reflection::CookTorrance;
+        scene.shading.cull = any_double_sided_ ? Cull::None : Cull::Back;
+        scene.shading.two_sided = any_double_sided_;
+        scene.display.transfer = Transfer::Srgb;
+        scene.display.background = glm::vec3(0.01f, 0.01f, 0.013f);  // as dark as ours, once it is encoded
+        if (content_.has_lights) scene.global_ambient = glm::vec3(0);
+        say(left_, content_.warnings);
+    }
+
+    const Node& root_;
+    const std::string& file_name_;
+    GltfFile::Content content_;
+    GltfLeftOut left_;
+    std::vector<char> visited_;
+    std::vector<std::size_t> first_parts_;
+    bool any_double_sided_ = false;
+};
+
+}  // namespace
+
+Result<GltfFile::Content> GltfFile::content(const std::string& file_name) const {
+    try {
+        const Node root(document_->root);
+        return SceneReader(root, file_name).read();
+    } catch (ProblemFound& found) {
+        found.problem.file = document_->path;
+        return std::move(found.problem);
+    }
+}
+
+}  // namespace glint

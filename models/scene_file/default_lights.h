@@ -1,0 +1,13 @@
+#pragma once
+// What lights a mesh, or a file of meshes, that comes without lights. Inside models/ only.
+
+#include <vector>
+
+#include "models/scene/light.h"
+
+namespace glint {
+
+/// A sun of the world, and a dimmer light at the viewer.
+[[nodiscard]] std::vector<Light> default_lights();
+
+}  // namespace glint

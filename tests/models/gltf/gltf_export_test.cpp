@@ -1,0 +1,100 @@
+// What we write, read back by us and by assimp.
+#include <cstdlib>
+
+#include "models/gltf/gltf.h"
+#include "models/scene_file/scene_file.h"
+#include "renderer/renderer.h"
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+
+using namespace glint;
+
+namespace {
+
+/// All that glTF can say: metal and roughness, lights that fall off with the square, one that rides along.
+constexpr const char* sayable = R"({"glint": 1, "global_ambient": [0, 0, 0],
+ "camera": {"eye": [1, 2, 6], "target": [0, 0, 0], "projection": {"type": "perspective",
+   "fov_y_deg": 40, "near": 0.5, "far": 40}},
+ "lights": [
+  {"name": "Sun", "type": "directional", "position": [1, 2, 1], "diffuse": [0.9, 0.8, 0.7],
+   "specular": [0.9, 0.8, 0.7], "intensity": 0.6},
+  {"name": "Headlight", "space": "camera", "position": [0.5, 0.5, 0], "intensity": 12,
+   "falloff": {"constant": 0, "linear": 0, "quadratic": 1}},
+  {"name": "Lamp", "type": "spot", "position": [-1, 4, 0], "intensity": 9, "falloff": {"constant": 0,
+   "quadratic": 0.5},
+   "spot": {"direction": [0.2, -1, 0], "cutoff_deg": 30, "exponent": 0}}],
+ "objects": [
+  {"name": "Pot", "mesh": {"primitive": "teapot", "detail": 6},
+   "transform": {"rotate_deg": [10, 30, -20], "scale": [1, 1.5, 0.7]},
+   "material": {"diffuse": [0.6, 0.3, 0.1], "specular": [1, 1, 1], "roughness": 0.3,
+   "f0": [0.04, 0.04, 0.04]}},
+  {"name": "Gold", "mesh": {"primitive": "torus", "detail": 24},
+   "transform": {"translate": [0, -0.6, 0], "scale": [-2, 2, 2]},
+   "material": {"diffuse": [0, 0, 0], "specular": [1, 1, 1], "roughness": 0.45, "f0": [1, 0.8, 0.3]}},
+  {"name": "Half", "mesh": {"primitive": "cube", "detail": 2}, "transform": {"translate": [2, 0.5, 0],
+   "rotate_deg": [0, 90, 45], "scale": [0.5, 0.5, 0.5]},
+   "material": {"diffuse": [0.25, 0.4, 0.05], "specular": [1, 1, 1], "roughness": 0.6,
+   "f0": [0.27, 0.42, 0.07]}}],
+ "shading": {"mode": "phong", "reflection": "cook-torrance"},
+ "display": {"transfer": "srgb", "background": [0.01, 0.01, 0.013]}})";
+
+std::vector<std::uint8_t> drawn(const Scene& scene) {
+    Renderer renderer;
+    return renderer.render(scene, {320, 180}).rgba;
+}
+
+}  // namespace
+
+TEST_CASE("what glTF can say reads back to the same picture", "[gltf]") {
+    const TemporaryDirectory folder;
+    const std::string scene = folder.file("scene.json", sayable), glb = folder.path("scene.glb");
+    const Ended ended = run_glint({"export", scene, "-o", glb});
+    CHECK(ended.err.empty());
+    REQUIRE(ended.status == 0);
+    const auto given = std::get<SceneDocument>(open_document(scene));
+    const Result<SceneDocument> opened = open_document(glb);
+    if (const Problem* problem = problem_of(opened)) FAIL(problem->text());
+    const auto& again = std::get<SceneDocument>(opened);
+    CHECK(again.warnings.empty());
+    REQUIRE(again.scene.lights.size() == 3);
+    for (const Light& light : again.scene.lights)
+        CHECK((light.space == LightSpace::Camera) == (light.name == "Headlight"));
+    const auto a = drawn(given.scene), b = drawn(again.scene);
+    REQUIRE(a.size() == b.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) different += std::abs(a[i] - b[i]) > 1 ? 1 : 0;
+    CHECK(different < a.size() / 500);  // an outline moves by a float's last bit here and there
+    CHECK(std::count_if(a.begin(), a.end(), [](std::uint8_t x) { return x > 100; }) > 5000);
+}
+
+TEST_CASE("what glTF cannot say is one line a kind", "[gltf]") {
+    const TemporaryDirectory folder;
+    const std::string glb = folder.path("out.glb");
+    const Ended ended = run_glint({"export", GLINT_SOURCE_DIR "/assets/scenes/default.json", "-o", glb});
+    REQUIRE(ended.status == 0);
+    CHECK(ended.err.find("the reflection model is written as metal and roughness") != std::string::npos);
+    CHECK(ended.err.find("the ambient light is left out") != std::string::npos);
+    CHECK(problem_of(open_document(glb)) == nullptr);
+    const Ended wrong = run_glint({"export", GLINT_SOURCE_DIR "/assets/scenes/default.json", "-o", "x.obj"});
+    CHECK(wrong.status == 2);
+    CHECK(wrong.err == "glint: error: -o: x.obj has another extension; expected .glb\n");
+}
+
+TEST_CASE("another program reads what we write", "[gltf]") {
+    const TemporaryDirectory folder;
+    const std::string scene = folder.file("scene.json", sayable), glb = folder.path("scene.glb");
+    REQUIRE(run_glint({"export", scene, "-o", glb}).status == 0);
+    const std::string said = folder.path("said");
+    REQUIRE(std::system(("assimp info '" + glb + "' > '" + said + "' 2>&1").c_str()) == 0);
+    const std::string text = bytes_of(said);
+    CHECK(text.find("Meshes:             3") != std::string::npos);
+    CHECK(text.find("Cameras:            1") != std::string::npos);
+    CHECK(text.find("Lights:             3") != std::string::npos);
+    const auto triangles = [](const Scene& s) {
+        std::size_t sum = 0;
+        for (const Object& o : s.objects) sum += o.mesh->triangles.size();
+        return std::to_string(sum);
+    };
+    CHECK(text.find("Faces:              " +
+                    triangles(std::get<SceneDocument>(open_document(scene)).scene)) != std::string::npos);
+}

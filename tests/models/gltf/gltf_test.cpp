@@ -1,0 +1,155 @@
+// Files that numpy and json write by the specification (write_gltf.py), and what they must be, by hand.
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <glm/geometric.hpp>
+
+#include "models/mesh_formats/mesh_file.h"
+#include "models/scene_file/scene_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+
+using namespace glint;
+
+namespace {
+
+/// The file that the script writes; Debian's own Python comes first: it is the one with numpy.
+std::string written(const TemporaryDirectory& folder, const std::string& how) {
+    const std::string command = fmt::format("PATH=/usr/bin:$PATH python3 " GLINT_SOURCE_DIR
+                                            "/tests/models/gltf/write_gltf.py '{}' {}",
+                                            folder.path(), how);
+    REQUIRE(std::system(command.c_str()) == 0);
+    return folder.path(how.find("glb") != std::string::npos ? "box.glb" : "box.gltf");
+}
+
+SceneDocument opened(const std::string& path, const std::vector<Assignment>& assignments = {}) {
+    Result<SceneDocument> result = open_document(path, assignments);
+    if (const Problem* problem = problem_of(result)) FAIL(problem->text());
+    return std::get<SceneDocument>(std::move(result));
+}
+
+void check_near(const glm::vec3& a, const glm::vec3& b) {
+    CAPTURE(a.x, a.y, a.z);
+    CHECK(glm::distance(a, b) < 1e-5f);
+}
+
+}  // namespace
+
+TEST_CASE("a box of glTF is the same mesh, however its numbers lie", "[gltf]") {
+    for (const char* how : {"glb", "bytes", "glb ints", "beside", "glb interleaved", "small"}) {
+        CAPTURE(how);
+        const TemporaryDirectory folder;
+        const SceneDocument document = opened(written(folder, how));
+        CHECK(document.warnings.empty());
+        REQUIRE(document.scene.objects.size() == 1);
+        const Mesh& mesh = *document.scene.objects[0].mesh;
+        CHECK(mesh.positions.size() == 8);  // shared by the sides, whose normals differ
+        const MeshInfo info = mesh_info(mesh);
+        CHECK(info.triangles == 12);
+        CHECK(info.boundary_edges == 0);
+        CHECK(info.inconsistent_edges == 0);
+        CHECK(info.normals == "file");
+        for (std::size_t f = 0; f < mesh.face_count(); ++f)
+            for (std::uint32_t c = mesh.first_corner[f]; c < mesh.first_corner[f + 1]; ++c)
+                check_near(mesh.normals[mesh.given_normal_of(c)], facet_normal(mesh, f));
+    }
+}
+
+TEST_CASE("nodes, camera, lights and materials of glTF are where the specification puts them", "[gltf]") {
+    const TemporaryDirectory folder;
+    const SceneDocument document = opened(written(folder, "glb"));
+    const Scene& s = document.scene;
+    const Object& box = s.objects.at(0);
+    CHECK(box.name == "box");
+    // A quarter turn about y takes x to -z: the box, 1 along x, is at (2, 0, -1).
+    const glm::dmat4 m = world_from_object(box.transform);
+    check_near(glm::vec3(m * glm::dvec4(0, 0, 0, 1)), {2, 0, -1});
+    check_near(glm::vec3(m * glm::dvec4(1, 0, 0, 0)), {0, 0, -2});
+    check_near(glm::vec3(m * glm::dvec4(0, 0, 1, 0)), {2, 0, 0});
+    check_near(box.material.diffuse, {0.375f, 0.1875f, 0.75f});  // 3/4 is no metal
+    check_near(box.material.f0, {0.155f, 0.0925f, 0.28f});       // 0.03 + base/4
+    CHECK(box.material.roughness == 0.375f);
+    check_near(box.material.emission, {0, 0.125f, 0});
+    CHECK(s.shading.reflection == Reflection::CookTorrance);
+    CHECK(s.display.transfer == Transfer::Srgb);
+    CHECK(s.shading.cull == Cull::Back);  // its material has one side
+
+    check_near(s.camera.eye, {0, 1, 10});
+    check_near(s.camera.target, {0, 1, -1});  // as far ahead as the box
+    const auto& view = std::get<Perspective>(s.camera.projection);
+    CHECK(view.fov_y_deg == Approx(60));
+    CHECK(view.near == 0.5f);
+    CHECK(view.far == 50);
+
+    REQUIRE(s.lights.size() == 3);
+    CHECK(s.global_ambient == glm::vec3(0));
+    CHECK(s.lights[0].name == "headlamp");
+    CHECK(s.lights[0].space == LightSpace::Camera);
+    check_near(glm::vec3(s.lights[0].position), {0, 0.5f, 0});
+    CHECK(s.lights[0].intensity == Approx(40));
+    CHECK(s.lights[0].falloff == Falloff{0, 0, 1});
+    check_near(s.lights[0].diffuse, {1, 0.5f, 0});
+    CHECK(s.lights[1].kind == LightKind::Directional);
+    check_near(glm::vec3(s.lights[1].position), {0, 0, 1});
+    CHECK(s.lights[2].kind == LightKind::Spot);
+    check_near(s.lights[2].spot.direction, {0, -1, 0});
+    CHECK(s.lights[2].spot.cutoff_deg == Approx(30).margin(1e-3));
+    CHECK(s.lights[2].spot.exponent == 0);
+}
+
+TEST_CASE("strips and fans of glTF turn their triangles as the specification says", "[gltf]") {
+    const TemporaryDirectory folder;
+    const SceneDocument document = opened(written(folder, "strip"));
+    REQUIRE(document.scene.objects.size() == 2);
+    for (const Object& object : document.scene.objects) {
+        CHECK(object.normals.source == NormalSource::Facet);  // it brings none
+        CHECK(object.mesh->triangles.size() == 2);
+        for (std::size_t f = 0; f < 2; ++f) check_near(facet_normal(*object.mesh, f), {0, 0, 1});
+    }
+    CHECK(document.warnings == Warnings{"1 primitive of points or lines is left out"});
+}
+
+TEST_CASE("what glTF has and a scene has not is one line a kind", "[gltf]") {
+    const TemporaryDirectory folder;
+    const SceneDocument document = opened(written(folder, "glb left"));
+    CHECK(document.warnings == Warnings{"1 material has textures, which are not read",
+                                        "1 material is transparent, which is not drawn",
+                                        "2 animations are left out", "1 further camera is left out"});
+}
+
+TEST_CASE("a scene of glTF is changed, saved and opened again as others are", "[gltf]") {
+    const TemporaryDirectory folder;
+    const std::string path = written(folder, "strip");
+    const SceneDocument document =
+        opened(path, {{"/objects/1/mesh/subdivide", "1"}, {"/objects/0/name", "left"}});
+    CHECK(document.scene.objects[0].name == "left");
+    CHECK(document.scene.objects[1].mesh->triangles.size() == 8);
+    const Result<SceneDocument> saved = save_document(document, folder.path("saved.json"));
+    REQUIRE(problem_of(saved) == nullptr);
+    const SceneDocument again = opened(folder.path("saved.json"));
+    CHECK(same_description(again.scene, document.scene));
+    CHECK(again.scene.objects[0].mesh->positions == document.scene.objects[0].mesh->positions);
+    CHECK(scene_text(again.scene).find(R"({"file": "box.gltf", "part": 1, "subdivide": 1})") !=
+          std::string::npos);
+
+    const Result<Mesh> none = read_mesh(path, 7);
+    REQUIRE(problem_of(none) != nullptr);
+    CHECK(problem_of(none)->text() == path + ": there is no part 7; expected 0 to 2");
+}
+
+TEST_CASE("lights in candela become as bright as a display, all by one factor", "[gltf]") {
+    const TemporaryDirectory folder;
+    std::string text = bytes_of(written(folder, "beside"));
+    const auto times = [&](const std::string& what, const std::string& with) {
+        const std::size_t at = text.find(what);
+        REQUIRE(at != text.npos);
+        text.replace(at, what.size(), with);
+    };
+    times(fmt::format("\"intensity\": {}", 8 * 3.141592653589793), "\"intensity\": 54351");
+    const SceneDocument document = opened(folder.file("bright.gltf", text));
+    REQUIRE(document.warnings.size() == 1);
+    // From (0, 5, 0) to the middle of the box at (2, 0, -1): 54351 / (30 pi).
+    CHECK(document.warnings[0].starts_with("lights are 577 times brighter"));
+    CHECK(document.scene.lights[2].intensity == Approx(30).epsilon(1e-4));
+    CHECK(document.scene.lights[1].intensity == Approx(1 / 576.68).epsilon(1e-3));
+}
