@@ -5,7 +5,10 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstddef>
+#include <new>
 
 #include "models/fields/choices.h"
 #include "models/memory_limit.h"
@@ -26,11 +29,11 @@ constexpr int max_threads = 256;
 
 /// Lets the library start more threads than there are cores, when asked for. One for the whole process,
 /// because of several the smallest would count. Never destroyed: where memory ran out as the library began,
-/// its destructor waits for ever.
+/// its destructor waits for ever. It lies in memory that is not the heap's, where it is no leak.
 void allow_threads() {
-    static const auto* const allowed =
-        new tbb::global_control(tbb::global_control::max_allowed_parallelism, max_threads);  // NOLINT
-    (void)allowed;
+    alignas(tbb::global_control) static std::array<std::byte, sizeof(tbb::global_control)> place;
+    [[maybe_unused]] static const auto* const allowed =
+        new (place.data()) tbb::global_control(tbb::global_control::max_allowed_parallelism, max_threads);
 }
 
 double ms_since(Clock::time_point start) {
