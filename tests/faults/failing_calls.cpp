@@ -284,23 +284,36 @@ int posix_memalign(void** memory, size_t alignment, size_t bytes) {
 }  // extern "C"
 
 #if GLINT_FAULTS_KEEP_MALLOC
-// AddressSanitizer has a malloc() of its own, which finds what is lost, and so has what is below here.
+// AddressSanitizer has a malloc() of its own, which finds what is lost, and so has what is below here: all
+// forms, because it takes those that are not replaced for its own and asks for its own operator delete.
 namespace {
+void* counted_or_null(std::size_t bytes, std::size_t alignment) noexcept {
+    if (fails(Kind::Memory)) return nullptr;
+    return aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+}
 void* counted(std::size_t bytes, std::size_t alignment) {
-    void* const memory = fails(Kind::Memory)
-                             ? nullptr
-                             : aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+    void* const memory = counted_or_null(bytes, alignment);
     if (memory == nullptr) throw std::bad_alloc();
     return memory;
 }
+constexpr std::size_t usual = alignof(std::max_align_t);
 }  // namespace
-void* operator new(std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-    return counted(bytes, std::size_t(alignment));
-}
-void operator delete(void* memory) noexcept { free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { free(memory); }
+#define GLINT_NEW_AND_DELETE(new_form, delete_form)                                                 \
+    void* new_form(std::size_t bytes) { return counted(bytes, usual); }                             \
+    void* new_form(std::size_t bytes, std::align_val_t alignment) {                                 \
+        return counted(bytes, std::size_t(alignment));                                              \
+    }                                                                                               \
+    void* new_form(std::size_t bytes, const std::nothrow_t&) noexcept {                             \
+        return counted_or_null(bytes, usual);                                                       \
+    }                                                                                               \
+    void* new_form(std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept { \
+        return counted_or_null(bytes, std::size_t(alignment));                                      \
+    }                                                                                               \
+    void delete_form(void* memory) noexcept { free(memory); }                                       \
+    void delete_form(void* memory, std::size_t) noexcept { free(memory); }                          \
+    void delete_form(void* memory, std::align_val_t) noexcept { free(memory); }                     \
+    void delete_form(void* memory, std::size_t, std::align_val_t) noexcept { free(memory); }
+GLINT_NEW_AND_DELETE(operator new, operator delete)
+GLINT_NEW_AND_DELETE(operator new[], operator delete[])
 #endif
 // NOLINTEND
