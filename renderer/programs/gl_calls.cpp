@@ -2,49 +2,71 @@
 
 #include <fmt/format.h>
 
-#include <utility>
+#include <algorithm>
+#include <memory>
 
 #include "models/fields/choices.h"
-#include "models/scene_file/scene_file.h"
+#include "models/fields/scene_numbers.h"
+#include "renderer/programs/gl_call_text.h"
+#include "renderer/programs/scene_flags.h"
+#include "renderer/programs/template.h"
+#include "renderer/programs/texts.h"
 
 namespace glint {
 namespace {
 
-/// A call that is being written: text and numbers in turn.
-class Writer {
-  public:
-    explicit Writer(std::string about) { call_.about = std::move(about); }
+using Variables = std::vector<Variable>;
 
-    Writer& text(std::string text) {
-        call_.pieces.push_back({std::move(text), ""});
-        return *this;
-    }
-    Writer& number(float value, std::string pointer) {
-        call_.pieces.push_back({number_text(value), std::move(pointer)});
-        return *this;
-    }
-    /// The first `count` components of a vector, commas between.
-    template <class Vector> Writer& vector(const Vector& v, const std::string& pointer, int count) {
-        for (int i = 0; i < count; ++i) {
-            if (i > 0) text(", ");
-            number(v[i], fmt::format("{}/{}", pointer, i));
-        }
-        return *this;
-    }
-    /// "rgb(r, g, b)".
-    Writer& colour(const glm::vec3& c, const std::string& pointer) {
-        return text("rgb(").vector(c, pointer, 3).text(")");
-    }
-    GlCall end(const char* text_after) {
-        text(text_after);
-        return std::move(call_);
-    }
+const Variables& scene_variables() {
+    static const Variables all{
+        {"aspect", "", 0, "width / height"},           {"global_ambient", "/global_ambient", 3},
+        {"fov_y_deg", "/camera/projection/fov_y_deg"}, {"view_height", "/camera/projection/height"},
+        {"left", "/camera/projection/left"},           {"right", "/camera/projection/right"},
+        {"bottom", "/camera/projection/bottom"},       {"top", "/camera/projection/top"},
+        {"near", "/camera/projection/near"},           {"far", "/camera/projection/far"},
+        {"eye.x, eye.y, eye.z", "/camera/eye", 3},     {"target.x, target.y, target.z", "/camera/target", 3},
+        {"up.x, up.y, up.z", "/camera/up", 3},
+    };
+    return all;
+}
 
-  private:
-    GlCall call_;
-};
+/// `word`: of OpenGL for the light.
+Variables light_variables(std::string_view word) {
+    return {
+        {"light", "", 0, word},
+        {"position", "/position", 4},
+        {"direction", "/spot/direction", 3},
+        {"l->intensity", "/intensity"},
+        {"l->ambient", "/ambient", 3},
+        {"l->diffuse", "/diffuse", 3},
+        {"l->specular", "/specular", 3},
+        {"l->constant", "/falloff/constant"},
+        {"l->linear", "/falloff/linear"},
+        {"l->quadratic", "/falloff/quadratic"},
+        {"l->kind == spot ? l->cutoff_deg : 180", "/spot/cutoff_deg"},
+        {"l->kind == spot ? l->exponent : 0", "/spot/exponent"},
+    };
+}
 
-GlCall plain(const char* text) { return Writer("").end(text); }
+Variables object_variables(const Transform& transform) {
+    const glm::vec3& s = transform.scale;
+    return {
+        {"black", "", 0, "0, 0, 0"},
+        {"m->emission", "/material/emission", 3},
+        {"m->ambient", "/material/ambient", 3},
+        {"m->diffuse", "/material/diffuse", 3},
+        {"m->specular", "/material/specular", 3},
+        {"m->shininess", "/material/shininess"},
+        {"o->translate.x, o->translate.y, o->translate.z", "/transform/translate", 3},
+        {"o->rotate_deg.x", "/transform/rotate_deg/0"},
+        {"o->rotate_deg.y", "/transform/rotate_deg/1"},
+        {"o->rotate_deg.z", "/transform/rotate_deg/2"},
+        {"o->scale.x, o->scale.y, o->scale.z", "/transform/scale", 3},
+        {"o->scale.x * o->scale.y * o->scale.z < 0 ? GL_CW : GL_CCW", "", 0,
+         s.x * s.y * s.z < 0 ? "GL_CW" : "GL_CCW"},
+        {"first_list + (GLuint)i", "", 0, "mesh"},
+    };
+}
 
 GlCall remark(std::string text) {
     GlCall call;
@@ -53,202 +75,153 @@ GlCall remark(std::string text) {
     return call;
 }
 
-struct ProjectionCall {
-    GlCall operator()(const Perspective& p) const {
-        return writer("gluPerspective(")
-            .number(p.fov_y_deg, at("fov_y_deg"))
-            .text(", width / height, ")
-            .number(p.near, at("near"))
-            .text(", ")
-            .number(p.far, at("far"))
-            .end(");");
-    }
-    GlCall operator()(const Orthographic& p) const {
-        Writer w = writer("h = ");
-        w.number(p.height, at("height"))
-            .text(" / 2; glOrtho(-h * width / height, h * width / height, -h, h, ");
-        return w.number(p.near, at("near")).text(", ").number(p.far, at("far")).end(");");
-    }
-    GlCall operator()(const Frustum& p) const {
-        Writer w = writer("glFrustum(");
-        for (const auto& [value, key] :
-             {std::pair(p.left, "left"), std::pair(p.right, "right"), std::pair(p.bottom, "bottom"),
-              std::pair(p.top, "top"), std::pair(p.near, "near")})
-            w.number(value, at(key)).text(", ");
-        return w.number(p.far, at("far")).end(");");
-    }
-
-  private:
-    static std::string at(const char* key) { return fmt::format("/camera/projection/{}", key); }
-    static Writer writer(const char* begin) {
-        Writer w("/camera/projection");
-        w.text(begin);
-        return w;
-    }
-};
-
 bool can_be_called(const Light& light) { return light.enabled && light.kind != LightKind::Area; }
 
 /// "GL_LIGHT2": OpenGL has eight at least, and counts those that are on.
 std::string light_word(const Scene& scene, std::size_t index) {
-    int number = 0;
-    for (std::size_t i = 0; i < index; ++i) number += can_be_called(scene.lights[i]) ? 1 : 0;
-    return fmt::format("GL_LIGHT{}", number);
+    const auto end = scene.lights.begin() + static_cast<std::ptrdiff_t>(index);
+    return fmt::format("GL_LIGHT{}", std::count_if(scene.lights.begin(), end, can_be_called));
 }
 
-bool has_cone(const Light& light) { return light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90; }
-
-void add_place(std::vector<GlCall>& calls, const Scene& scene, std::size_t i) {
-    const Light& light = scene.lights[i];
-    const std::string at = fmt::format("/lights/{}", i), word = light_word(scene, i);
-    const auto add = [&](Writer& w) {
-        GlCall call = w.end(");");
-        call.place_of_light = static_cast<int>(i);
-        calls.push_back(std::move(call));
-    };
-    Writer place(at);
-    place.text("glLightfv(" + word + ", GL_POSITION, ").vector(light.position, at + "/position", 4);
-    add(place);
-    if (!has_cone(light)) return;
-    Writer aim(at);
-    aim.text("glLightfv(" + word + ", GL_SPOT_DIRECTION, ")
-        .vector(light.spot.direction, at + "/spot/direction", 3);
-    add(aim);
+/// Whether the program has the scene's reflection model.
+bool can_reflect(const Shading& shading) {
+    static const Flags can = mentioned_flags(gl1_main_c);
+    return can.contains(fmt::format("reflection.{}", name_of(shading.reflection)));
 }
 
-GlCallGroup places(const Scene& scene) {
-    GlCallGroup group{"Camera, and the lights' places", "", {}};
-    std::vector<GlCall>& calls = group.calls;
-    calls.push_back(plain("glMatrixMode(GL_PROJECTION);"));
-    calls.push_back(plain("glLoadIdentity();"));
-    calls.push_back(std::visit(ProjectionCall{}, scene.camera.projection));
-    calls.push_back(plain("glMatrixMode(GL_MODELVIEW);"));
-    calls.push_back(plain("glLoadIdentity();"));
-    const auto add_lights = [&](LightSpace space) {
-        for (std::size_t i = 0; i < scene.lights.size(); ++i)
-            if (can_be_called(scene.lights[i]) && scene.lights[i].space == space) add_place(calls, scene, i);
-    };
-    add_lights(LightSpace::Camera);
-    const Camera& camera = scene.camera;
-    Writer look("/camera");
-    look.text("gluLookAt(").vector(camera.eye, "/camera/eye", 3).text(", ");
-    look.vector(camera.target, "/camera/target", 3).text(", ").vector(camera.up, "/camera/up", 3);
-    calls.push_back(look.end(");"));
-    calls.back().is_look_at = true;
-    add_lights(LightSpace::World);
-    return group;
+/// The scene's flags, but without mistakes, and with every term whose numbers a hand may want. Meshes are not
+/// looked at: a large one would take longer than a frame has.
+Flags flags_for_calls(Scene scene) {
+    static const auto no_mesh = std::make_shared<const Mesh>();
+    for (Object& object : scene.objects) object.mesh = no_mesh;
+    scene.shading.mistakes = {};
+    Flags flags = flags_of(scene);
+    const Shading& shading = scene.shading;
+    if (shading.terms.emission) flags.insert("terms.emission");
+    const bool has_highlight = info_of(shading.reflection).uses_shininess() || !can_reflect(shading);
+    if (has_highlight && shading.terms.specular) flags.insert("uses.shininess");
+    return flags;
 }
 
-GlCallGroup light_group(const Scene& scene, std::size_t i) {
-    const Light& light = scene.lights[i];
-    const std::string at = fmt::format("/lights/{}", i), word = light_word(scene, i);
-    GlCallGroup group{light.name, at, {}};
-    std::vector<GlCall>& calls = group.calls;
-    if (light.kind == LightKind::Area) {
-        calls.push_back(remark("An area light needs a shader."));
+class CallWriter {
+  public:
+    explicit CallWriter(const Scene& scene) : scene_(scene), flags_(flags_for_calls(scene)) {
+        for (const SceneNumber& number : numbers_of(scene))
+            numbers_[number.pointer] = static_cast<float>(number.value);
+    }
+
+    [[nodiscard]] GlCallGroup places() const {
+        GlCallGroup group{"Camera, and the lights' places", "", {}};
+        for (const std::string& statement : statements("camera", flags_)) {
+            if (statement == "place_lights(camera);") {
+                add_places(group.calls, LightSpace::Camera);
+            } else if (statement == "place_lights(world);") {
+                add_places(group.calls, LightSpace::World);
+            } else {
+                group.calls.push_back(call_of(statement, scene_variables(), "", numbers_));
+                group.calls.back().is_look_at = statement.starts_with("gluLookAt(");
+            }
+        }
         return group;
     }
-    const auto colour = [&](const char* what, const glm::vec3& value, const char* key) {
-        Writer w(at);
-        w.text(fmt::format("glLightfv({}, {}, ", word, what)).number(light.intensity, at + "/intensity");
-        calls.push_back(w.text(" * ").colour(value, fmt::format("{}/{}", at, key)).end(");"));
-    };
-    const auto number = [&](const char* what, float value, const char* key) {
-        Writer w(at);
-        w.text(fmt::format("glLightf({}, {}, ", word, what));
-        calls.push_back(w.number(value, fmt::format("{}/{}", at, key)).end(");"));
-    };
-    colour("GL_AMBIENT", light.ambient, "ambient");
-    colour("GL_DIFFUSE", light.diffuse, "diffuse");
-    colour("GL_SPECULAR", light.specular, "specular");
-    if (light.kind != LightKind::Directional) {
-        number("GL_CONSTANT_ATTENUATION", light.falloff.constant, "falloff/constant");
-        number("GL_LINEAR_ATTENUATION", light.falloff.linear, "falloff/linear");
-        number("GL_QUADRATIC_ATTENUATION", light.falloff.quadratic, "falloff/quadratic");
-    }
-    if (has_cone(light)) {
-        number("GL_SPOT_CUTOFF", light.spot.cutoff_deg, "spot/cutoff_deg");
-        number("GL_SPOT_EXPONENT", light.spot.exponent, "spot/exponent");
-    }
-    calls.push_back(plain(fmt::format("glEnable({});", word).c_str()));
-    return group;
-}
 
-GlCallGroup shading_group(const Scene& scene) {
-    const Shading& s = scene.shading;
-    GlCallGroup group{"Shading", "/shading", {}};
-    std::vector<GlCall>& calls = group.calls;
-    for (const char* what : {"glEnable(GL_DEPTH_TEST);", "glEnable(GL_NORMALIZE);", "glEnable(GL_LIGHTING);"})
-        calls.push_back(plain(what));
-    Writer ambient("/global_ambient");
-    calls.push_back(ambient.text("glLightModelfv(GL_LIGHT_MODEL_AMBIENT, ")
-                        .colour(scene.global_ambient, "/global_ambient")
-                        .end(");"));
-    calls.push_back(plain(s.local_viewer ? "glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_TRUE);"
-                                         : "glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_FALSE);"));
-    calls.push_back(plain(s.two_sided ? "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);"
-                                      : "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_FALSE);"));
-    if (s.cull != Cull::None)
-        calls.push_back(plain(s.cull == Cull::Back ? "glEnable(GL_CULL_FACE); glCullFace(GL_BACK);"
-                                                   : "glEnable(GL_CULL_FACE); glCullFace(GL_FRONT);"));
-    calls.push_back(
-        plain(s.mode == ShadingMode::Flat ? "glShadeModel(GL_FLAT);" : "glShadeModel(GL_SMOOTH);"));
-    if (s.mode == ShadingMode::Phong || s.mode == ShadingMode::Facet)
-        calls.push_back(remark("It lights corners only; light at every pixel needs a shader."));
-    if (s.reflection != Reflection::BlinnPhong)
-        calls.push_back(remark(
-            fmt::format("It has Blinn-Phong only; {} needs a shader.", choice_of(s.reflection).label)));
-    return group;
-}
-
-GlCallGroup object_group(const Scene& scene, std::size_t i) {
-    const Object& object = scene.objects[i];
-    const Material& m = object.material;
-    const std::string at = fmt::format("/objects/{}", i), t = at + "/transform", k = at + "/material";
-    GlCallGroup group{object.name, at, {}};
-    std::vector<GlCall>& calls = group.calls;
-    const auto material = [&](const char* what, const glm::vec3& colour, const char* key) {
-        Writer w(k);
-        w.text(fmt::format("glMaterialfv(GL_FRONT_AND_BACK, {}, ", what));
-        calls.push_back(w.colour(colour, fmt::format("{}/{}", k, key)).end(");"));
-    };
-    material("GL_EMISSION", m.emission, "emission");
-    material("GL_AMBIENT", m.ambient, "ambient");
-    material("GL_DIFFUSE", m.diffuse, "diffuse");
-    material("GL_SPECULAR", m.specular, "specular");
-    Writer shininess(k);
-    shininess.text("glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, ").number(m.shininess, k + "/shininess");
-    calls.push_back(shininess.end(");"));
-    if (m.shininess > 128) calls.push_back(remark("It has exponents up to 128; more needs a shader."));
-    calls.push_back(plain("glPushMatrix();"));
-    Writer translate(t);
-    translate.text("glTranslatef(").vector(object.transform.translate, t + "/translate", 3);
-    calls.push_back(translate.end(");"));
-    // The last call is applied first: about x, then y, then z.
-    constexpr const char* axes[] = {", 1, 0, 0);", ", 0, 1, 0);", ", 0, 0, 1);"};
-    for (int axis = 2; axis >= 0; --axis) {
-        Writer w(t);
-        w.text("glRotatef(")
-            .number(object.transform.rotate_deg[axis], fmt::format("{}/rotate_deg/{}", t, axis));
-        calls.push_back(w.end(axes[axis]));
+    [[nodiscard]] GlCallGroup light(std::size_t i) const {
+        const Light& light = scene_.lights[i];
+        GlCallGroup group{light.name, fmt::format("/lights/{}", i), {}};
+        if (can_be_called(light)) group.calls = light_calls("light", i);
+        if (light.kind == LightKind::Area) group.calls.push_back(remark("An area light needs a shader."));
+        return group;
     }
-    Writer scale(t);
-    scale.text("glScalef(").vector(object.transform.scale, t + "/scale", 3);
-    calls.push_back(scale.end(");"));
-    calls.push_back(plain("draw_mesh();"));
-    calls.push_back(plain("glPopMatrix();"));
-    return group;
-}
+
+    [[nodiscard]] GlCallGroup shading() const {
+        const Shading& s = scene_.shading;
+        GlCallGroup group{"Shading", "/shading", {}};
+        std::vector<GlCall>& calls = group.calls;
+        for (const std::string& statement : statements("shading", flags_))
+            calls.push_back(call_of(statement, scene_variables(), "", numbers_));
+        if (s.mode == ShadingMode::Phong || s.mode == ShadingMode::Facet)
+            calls.push_back(remark("It lights corners only; light at every pixel needs a shader."));
+        if (!can_reflect(s))
+            calls.push_back(remark(
+                fmt::format("It has Blinn-Phong only; {} needs a shader.", choice_of(s.reflection).label)));
+        return group;
+    }
+
+    [[nodiscard]] GlCallGroup object(std::size_t i) const {
+        const Object& object = scene_.objects[i];
+        const Variables variables = object_variables(object.transform);
+        GlCallGroup group{object.name, fmt::format("/objects/{}", i), {}};
+        const auto add = [&](const std::string& statement) {
+            group.calls.push_back(call_of(statement, variables, group.about, numbers_));
+            group.calls.back().about = group.about;
+        };
+        for (const std::string& statement : statements("object", flags_)) {
+            if (statement != "use_material(&o->material);") {
+                add(statement);
+                continue;
+            }
+            for (const std::string& of_material : statements("material", flags_)) add(of_material);
+            if (object.material.shininess > 128 && !flags_.contains("shininess.capped"))
+                group.calls.push_back(remark("It has exponents up to 128; more needs a shader."));
+        }
+        return group;
+    }
+
+  private:
+    /// The program's calls of that name.
+    static std::vector<std::string> statements(std::string_view name, const Flags& flags) {
+        const std::string text = filled(lines_of_calls(gl1_main_c, name), flags, {});
+        std::vector<std::string> all;
+        for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
+            end = text.find('\n', at);
+            if (const auto statement = statement_of(std::string_view(text).substr(at, end - at));
+                !statement.empty())
+                all.emplace_back(statement);
+        }
+        return all;
+    }
+
+    void add_places(std::vector<GlCall>& calls, LightSpace space) const {
+        for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
+            if (!can_be_called(scene_.lights[i]) || scene_.lights[i].space != space) continue;
+            for (GlCall& call : light_calls("light_place", i)) {
+                call.place_of_light = static_cast<int>(i);
+                calls.push_back(std::move(call));
+            }
+        }
+    }
+
+    [[nodiscard]] std::vector<GlCall> light_calls(std::string_view name, std::size_t i) const {
+        const Light& light = scene_.lights[i];
+        Flags flags = flags_;
+        flags.erase("light.falloff");
+        flags.erase("light.spot");
+        if (light.kind != LightKind::Directional) flags.insert("light.falloff");
+        if (light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90) flags.insert("light.spot");
+        const std::string word = light_word(scene_, i), below = fmt::format("/lights/{}", i);
+        std::vector<GlCall> calls;
+        for (const std::string& statement : statements(name, flags)) {
+            calls.push_back(call_of(statement, light_variables(word), below, numbers_));
+            calls.back().about = below;
+        }
+        return calls;
+    }
+
+    const Scene& scene_;
+    Flags flags_;
+    NumbersByPointer numbers_;
+};
 
 }  // namespace
 
 std::vector<GlCallGroup> gl_calls(const Scene& scene) {
-    std::vector<GlCallGroup> groups{places(scene)};
+    const CallWriter writer(scene);
+    std::vector<GlCallGroup> groups{writer.places()};
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
-        if (scene.lights[i].enabled) groups.push_back(light_group(scene, i));
-    groups.push_back(shading_group(scene));
+        if (scene.lights[i].enabled) groups.push_back(writer.light(i));
+    groups.push_back(writer.shading());
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
-        if (scene.objects[i].visible) groups.push_back(object_group(scene, i));
+        if (scene.objects[i].visible) groups.push_back(writer.object(i));
     return groups;
 }
 

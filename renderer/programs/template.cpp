@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr std::string_view wrong_prefix = "wrong.";
+constexpr std::string_view wrong_prefix = "wrong.", calls_word = "calls";
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
@@ -105,6 +105,19 @@ Flags mentioned_flags(std::string_view text) {
     return flags;
 }
 
+std::string_view lines_of_calls(std::string_view text, std::string_view name) {
+    std::string_view lines;
+    bool inside = false;
+    for_lines(text, [&](std::string_view raw) {
+        const Line line = parsed(raw);
+        if (line.word == calls_word) inside = line.rest == name;
+        if (!inside || line.word == calls_word) return;
+        if (lines.empty()) lines = raw;
+        lines = {lines.data(), static_cast<std::size_t>(raw.data() + raw.size() + 1 - lines.data())};
+    });
+    return lines;
+}
+
 std::string mistake_comment(std::string_view name) {
     for (const MistakeName& mistake : mistake_names())
         if (mistake.name == name) return fmt::format("MISTAKE {}: {}", name, mistake.what);
@@ -117,7 +130,7 @@ std::string filled(std::string_view text, const Flags& on, const Values& values)
     const auto all_shown = [&shown] { return std::find(shown.begin(), shown.end(), false) == shown.end(); };
     for_lines(text, [&](std::string_view raw) {
         const Line line = parsed(raw);
-        if (line.word == "can") return;
+        if (line.word == "can" || line.word == calls_word) return;
         if (line.word == "if") {
             shown.push_back(holds(line.rest, on));
             if (!all_shown()) return;

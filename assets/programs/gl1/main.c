@@ -153,9 +153,14 @@ void send_mesh(const Object* object) {
 
 //@if reflection.lit
 // ---- Lights ----
-void light_color(GLenum light, GLenum term, float intensity, vec3 c) {
-    const float color[] = {intensity * c.x, intensity * c.y, intensity * c.z, 1};
-    glLightfv(light, term, color);
+/// A colour as OpenGL takes one: four numbers, until the next call of rgb().
+const float* rgb(float factor, vec3 c) {
+    static float color[4];
+    color[0] = factor * c.x;
+    color[1] = factor * c.y;
+    color[2] = factor * c.z;
+    color[3] = 1;
+    return color;
 }
 
 /// Topic: light sources. OpenGL takes a light's place and aim through the model-view matrix of this moment.
@@ -167,11 +172,17 @@ void place_lights(enum Space space) {
         const Light* l = lights[i];
         if (l->space != space) continue;
         const GLenum light = GL_LIGHT0 + (GLenum)i;
+        //@calls light_place
         const float position[] = {l->position.x, l->position.y, l->position.z, l->kind == directional ? 0 : 1};
         glLightfv(light, GL_POSITION, position);  // w = 0: a direction
-        light_color(light, GL_AMBIENT, l->intensity, l->ambient);
-        light_color(light, GL_DIFFUSE, l->intensity, l->diffuse);
-        light_color(light, GL_SPECULAR, l->intensity, l->specular);
+        //@if light.spot
+        const float direction[] = {l->direction.x, l->direction.y, l->direction.z};
+        glLightfv(light, GL_SPOT_DIRECTION, direction);
+        //@end
+        //@calls light
+        glLightfv(light, GL_AMBIENT, rgb(l->intensity, l->ambient));
+        glLightfv(light, GL_DIFFUSE, rgb(l->intensity, l->diffuse));
+        glLightfv(light, GL_SPECULAR, rgb(l->intensity, l->specular));
         //@if light.falloff
         // Topic: falloff with the distance.
         glLightf(light, GL_CONSTANT_ATTENUATION, l->constant);
@@ -180,47 +191,44 @@ void place_lights(enum Space space) {
         //@end
         //@if light.spot
         // Topic: spot lights. A cutoff of 180 degrees is no cone.
-        const float direction[] = {l->direction.x, l->direction.y, l->direction.z};
-        glLightfv(light, GL_SPOT_DIRECTION, direction);
         glLightf(light, GL_SPOT_CUTOFF, l->kind == spot ? l->cutoff_deg : 180);
         glLightf(light, GL_SPOT_EXPONENT, l->kind == spot ? l->exponent : 0);
         //@end
         glEnable(light);
+        //@calls
     }
 }
 
 const vec3 black = {0, 0, 0};
 /// Topic: materials. What of each colour the surface reflects.
-void material_color(GLenum term, vec3 c) {
-    const float color[] = {c.x, c.y, c.z, 1};
-    glMaterialfv(GL_FRONT_AND_BACK, term, color);
-}
 void use_material(const Material* m) {
+    //@calls material
     //@if terms.emission
-    material_color(GL_EMISSION, m->emission);
+    glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, rgb(1, m->emission));
     //@else
-    material_color(GL_EMISSION, black);
+    glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, rgb(1, black));
     //@end
     //@if terms.ambient
-    material_color(GL_AMBIENT, m->ambient);
+    glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, rgb(1, m->ambient));
     //@else
-    material_color(GL_AMBIENT, black);
+    glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, rgb(1, black));
     //@end
     //@if terms.diffuse
-    material_color(GL_DIFFUSE, m->diffuse);
+    glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, rgb(1, m->diffuse));
     //@else
-    material_color(GL_DIFFUSE, black);
+    glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, rgb(1, black));
     //@end
     //@if uses.shininess
-    material_color(GL_SPECULAR, m->specular);
+    glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, rgb(1, m->specular));
     //@if shininess.capped
     glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, fminf(m->shininess, 128));  // the most that OpenGL takes
     //@else
     glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, m->shininess);
     //@end
     //@else
-    material_color(GL_SPECULAR, black);
+    glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, rgb(1, black));
     //@end
+    //@calls
 }
 
 //@end
@@ -228,6 +236,7 @@ void use_material(const Material* m) {
 GLuint first_list;  // of the display lists, one an object
 
 void prepare(void) {
+    //@calls shading
     glEnable(GL_DEPTH_TEST);  // at equal depth the first that was drawn stays
     //@if mode.flat
     glShadeModel(GL_FLAT);  // Topic: flat shading. A triangle has the colour of its last corner
@@ -237,15 +246,14 @@ void prepare(void) {
     //@if reflection.lit
     glEnable(GL_LIGHTING);
     glEnable(GL_NORMALIZE);  // glScalef changes the length of normals
-    const float ambient[] = {global_ambient.x, global_ambient.y, global_ambient.z, 1};
-    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
+    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, rgb(1, global_ambient));
     //@if viewer.infinite
-    glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 0);  // v = (0, 0, 1) everywhere
+    glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_FALSE);  // v = (0, 0, 1) everywhere
     //@else
-    glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1);  // v points to the eye
+    glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_TRUE);  // v points to the eye
     //@end
     //@if two_sided
-    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);  // seen from behind, the normal is turned round
+    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);  // seen from behind, the normal is turned round
     //@end
     //@if !corners.clamped
     glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);  // OpenGL 3; without it corners are at most 1, as in OpenGL 1
@@ -259,6 +267,7 @@ void prepare(void) {
     glEnable(GL_CULL_FACE);
     glCullFace(GL_FRONT);
     //@end
+    //@calls
     first_list = glGenLists(sizeof objects / sizeof *objects);
     for (int i = 0; objects[i]; ++i) {
         glNewList(first_list + (GLuint)i, GL_COMPILE);
@@ -272,6 +281,7 @@ void draw(void) {
     @clear_color@
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
+    //@calls camera
     // Topic: projection.
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
@@ -280,8 +290,7 @@ void draw(void) {
     //@else
     const double aspect = (double)width / height;
     //@if projection.orthographic
-    const double top = view_height / 2;
-    glOrtho(-top * aspect, top * aspect, -top, top, near, far);
+    glOrtho(-view_height / 2 * aspect, view_height / 2 * aspect, -view_height / 2, view_height / 2, near, far);
     //@else
     gluPerspective(fov_y_deg, aspect, near, far);
     //@end
@@ -297,9 +306,11 @@ void draw(void) {
     //@if light.world&reflection.lit|wrong.light_in_wrong_space
     place_lights(world);  // after gluLookAt: these lights stay with the scene
     //@end
+    //@calls
 
     for (int i = 0; objects[i]; ++i) {
         const Object* o = objects[i];
+        //@calls object
         //@if reflection.lit
         use_material(&o->material);
         //@end
@@ -315,6 +326,7 @@ void draw(void) {
         //@end
         glCallList(first_list + (GLuint)i);
         glPopMatrix();
+        //@calls
     }
 }
 

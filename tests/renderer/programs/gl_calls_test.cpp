@@ -104,3 +104,33 @@ TEST_CASE("the calls of the first scene are those that the lecture writes", "[pr
         CHECK(has(lines, line));
     }
 }
+
+TEST_CASE("no variable of the program is left in a call", "[programs][calls]") {
+    for (const std::string& path : test::asset_scenes())
+        for (const Projection& projection :
+             {Projection(Perspective{}), Projection(Orthographic{}), Projection(Frustum{})}) {
+            Scene scene = shipped(path);
+            scene.camera.projection = projection;
+            for (const std::string& text : all_texts(scene)) {
+                INFO(path << ": " << text);
+                CHECK((text.starts_with("//") || text.ends_with(");")));
+                for (const char* variable :
+                     {"->", ".x", "aspect", "first_list", "view_height", "black", "l,"})
+                    CHECK(text.find(variable) == std::string::npos);
+            }
+        }
+}
+
+TEST_CASE("a reflection that fixed-function OpenGL can draw has no remark", "[programs][calls]") {
+    Scene scene;
+    scene.shading.mode = ShadingMode::Gouraud;
+    const auto remarks = [&scene](Reflection reflection) {
+        scene.shading.reflection = reflection;
+        const std::vector<GlCall> calls = all_calls(scene);
+        return std::count_if(calls.begin(), calls.end(), [](const GlCall& call) { return call.is_remark; });
+    };
+    CHECK(remarks(Reflection::BlinnPhong) == 0);
+    CHECK(remarks(Reflection::Lambert) == 0);
+    CHECK(remarks(Reflection::Phong) == 1);
+    CHECK(remarks(Reflection::CookTorrance) == 1);
+}
