@@ -74,7 +74,7 @@ struct CarriedLight {
 [[nodiscard]] CarriedLight carried(const Light& light, const Camera& camera, const Mistakes& mistakes = {});
 
 // The program tab shows the calls by which OpenGL draws the scene: every number can be dragged where it
-// stands, and a light's place can be dragged to the other side of gluLookAt().
+// stands, a light's place can be dragged to the other side of gluLookAt(), a transform past another.
 
 void program_tab(UiState& state, const PictureView& view);
 

@@ -49,3 +49,73 @@ TEST_CASE("resting on a light's call shows that light alone", "[ui][window][prog
     test::rest(bench);
     CHECK(bench.state.rendered_scene == bench.scene());
 }
+
+TEST_CASE("a transform dragged past another keeps its numbers and moves the object",
+          "[ui][window][program]") {
+    HeadlessWindow bench({1280, 1400});
+    Object& object = bench.scene().objects[0];
+    object.transform = {{2, 0, 0}, {0, 0, 90}, {1, 1, 1}};
+    bench.scene().objects.resize(1);
+    bench.state.editor.history.reset(bench.scene());
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    test::ask(bench, InspectorTab::Program);
+    const Scene start = bench.scene();
+    const ImVec2 translate = test::in_column(bench, "grip of glTranslatef 0");
+    const ImVec2 rotate = test::in_column(bench, "grip of glRotatef 0");
+    REQUIRE(translate.y < rotate.y);
+    const float line = rotate.y - translate.y;
+    bench.drag(translate, {translate.x, rotate.y + 2 * line});
+    // Rz(90 degrees) takes (2, 0, 0) to (0, 2, 0), by hand.
+    const Transform& moved = bench.scene().objects[0].transform;
+    CHECK(moved.translate.x == Approx(0).margin(1e-6));
+    CHECK(moved.translate.y == Approx(2));
+    CHECK(moved.rotate_deg == start.objects[0].transform.rotate_deg);
+    CHECK(test::in_column(bench, "grip of glTranslatef 0").y >
+          test::in_column(bench, "grip of glRotatef 0").y);
+    // Its first number is still the 2 that was written, and goes along the turned axis.
+    const ImVec2 x = test::in_column(bench, "/objects/0/transform/translate/0");
+    bench.drag(x, {x.x + 40, x.y});
+    CHECK(bench.scene().objects[0].transform.translate.y > 2.01f);
+    CHECK(bench.scene().objects[0].transform.translate.x == Approx(0).margin(1e-5));
+    bench.key(Key::Z, true);
+    bench.key(Key::Z, true);
+    CHECK(bench.scene() == start);
+    // Another hand on the transform: the file's order again.
+    CHECK(test::in_column(bench, "grip of glTranslatef 0").y <
+          test::in_column(bench, "grip of glRotatef 0").y);
+}
+
+TEST_CASE("a transform dragged past another and back leaves the object where it was",
+          "[ui][window][program]") {
+    HeadlessWindow bench({1280, 1400});
+    bench.scene().objects[0].transform = {{1, 0.5f, -2}, {20, 30, 40}, {2, 2, 2}};
+    bench.scene().objects.resize(1);
+    bench.state.editor.history.reset(bench.scene());
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    test::ask(bench, InspectorTab::Program);
+    const Transform start = bench.scene().objects[0].transform;
+    const ImVec2 scale = test::in_column(bench, "grip of glScalef 0");
+    const ImVec2 translate = test::in_column(bench, "grip of glTranslatef 0");
+    bench.drag(scale, {scale.x, translate.y - 5});
+    // Moved first, it is scaled with the rest: twice as far.
+    CHECK(bench.scene().objects[0].transform.translate == 2.0f * start.translate);
+    const ImVec2 now = test::in_column(bench, "grip of glScalef 0");
+    REQUIRE(now.y < test::in_column(bench, "grip of glTranslatef 0").y);
+    bench.drag(now, {now.x, scale.y + 5});
+    CHECK(bench.scene().objects[0].transform == start);
+}
+
+TEST_CASE("a scale that would shear cannot be dragged before a rotation", "[ui][window][program]") {
+    HeadlessWindow bench({1280, 1400});
+    bench.scene().objects[0].transform = {{1, 0, 0}, {0, 0, 30}, {1, 2, 1}};
+    bench.scene().objects.resize(1);
+    bench.state.editor.history.reset(bench.scene());
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    test::ask(bench, InspectorTab::Program);
+    const Scene start = bench.scene();
+    const ImVec2 scale = test::in_column(bench, "grip of glScalef 0");
+    const ImVec2 rotate = test::in_column(bench, "grip of glRotatef 0");
+    bench.drag(scale, {scale.x, rotate.y - 3});
+    CHECK(bench.scene() == start);
+    CHECK(test::in_column(bench, "grip of glScalef 0").y > rotate.y);
+}

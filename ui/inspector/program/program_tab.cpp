@@ -13,6 +13,7 @@
 #include "ui/inspector/equation/number_handle.h"
 #include "ui/inspector/equation/text_line.h"
 #include "ui/inspector/mistake_row.h"
+#include "ui/inspector/program/transform_lines.h"
 #include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/named_controls.h"
@@ -52,13 +53,13 @@ int decimals_of(const std::string& text) {
     return point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1);
 }
 
-/// What is taken hold of to move a light's place past gluLookAt().
-void grip(UiState& state, int light_index) {
-    Light& light = state.editor.scene().lights[static_cast<std::size_t>(light_index)];
+float grip_width() { return 0.8f * TextLine::height(); }
+
+/// What is taken hold of to move a line past others. True while it is held.
+bool grip(const std::string& name, const char* drag, const std::string& what, const char* effect,
+          const std::string& pointer) {
     const float edge = TextLine::height();
-    ImGui::PushID(light_index);
-    (void)hit_area("##grip", {0.8f * edge, edge});
-    ImGui::PopID();
+    (void)hit_area(name.c_str(), {grip_width(), edge});
     const bool held = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
     const auto [low, high] = last_item();
     if (held || hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
@@ -66,15 +67,23 @@ void grip(UiState& state, int light_index) {
     for (const float y : {0.32f, 0.5f, 0.68f})
         ImGui::GetWindowDrawList()->AddLine({low.x + 0.15f * edge, low.y + y * edge},
                                             {high.x - 0.2f * edge, low.y + y * edge}, ink, px(1.2f));
-    const std::string what = light.space == LightSpace::Camera
-                                 ? "Before gluLookAt: its numbers are camera coordinates"
-                                 : "After gluLookAt: its numbers are world coordinates";
-    tooltip("Drag past gluLookAt", what.c_str(), "Its numbers stay, and mean another place",
-            fmt::format("/lights/{}/space", light_index));
-    list_control(fmt::format("grip of light {}", light_index).c_str(), "", {low, high});
-    if (!held) return;
+    tooltip(drag, what.c_str(), effect, pointer);
+    list_control(name.c_str(), "", {low, high});
+    ImGui::SameLine(0, 0);
+    return held;
+}
+
+/// The grip of a light's place, which can be moved past gluLookAt().
+void light_grip(UiState& state, int light_index) {
+    Light& light = state.editor.scene().lights[static_cast<std::size_t>(light_index)];
+    const char* what = light.space == LightSpace::Camera
+                           ? "Before gluLookAt: its numbers are camera coordinates"
+                           : "After gluLookAt: its numbers are world coordinates";
+    if (!grip(fmt::format("grip of light {}", light_index), "Drag past gluLookAt", what,
+              "Its numbers stay, and mean another place", fmt::format("/lights/{}/space", light_index)))
+        return;
     const float y = ImGui::GetIO().MousePos.y, line = state.inspector.look_at_y;
-    if (light.space == LightSpace::Camera && y > line + edge) light.space = LightSpace::World;
+    if (light.space == LightSpace::Camera && y > line + TextLine::height()) light.space = LightSpace::World;
     if (light.space == LightSpace::World && y < line) light.space = LightSpace::Camera;
 }
 
@@ -88,13 +97,12 @@ void words(TextLine& line, const std::string& text, const ImVec4& colour) {
     }
 }
 
-void draw_call(UiState& state, const GlCall& call) {
-    Scene& scene = state.editor.scene();
+/// `scene`: whose numbers are dragged. The area that the call takes, from left to right of the column.
+Rect draw_call(UiState& state, Scene& scene, const GlCall& call) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    if (call.place_of_light >= 0 && call.pieces.front().text.find("GL_POSITION") != std::string::npos) {
-        grip(state, call.place_of_light);
-        ImGui::SameLine(0, 0);
-    }
+    const float right = low.x + ImGui::GetContentRegionAvail().x;
+    if (call.place_of_light >= 0 && call.pieces.front().text.find("GL_POSITION") != std::string::npos)
+        light_grip(state, call.place_of_light);
     TextLine line(22);
     line.copied_as(call_text(call));
     for (const CallPiece& piece : call.pieces) {
@@ -106,9 +114,56 @@ void draw_call(UiState& state, const GlCall& call) {
         number.number.kind.format = decimal_format(number.number.value, std::max(decimals_of(piece.text), 1));
         (void)line.handle(number, theme().text);
     }
-    const Rect area{low, {low.x + ImGui::GetContentRegionAvail().x, last_item().high.y}};
+    const Rect area{low, {right, last_item().high.y}};
     if (call.is_look_at) state.inspector.look_at_y = low.y;
     if (!ImGui::IsAnyMouseDown() && is_pointed_at(area)) light_up(state, call.about);
+    return area;
+}
+
+/// The calls of an object as they are written, and what a hand makes of them. `written`: the scene whose
+/// calls they are, with the transforms' numbers as they are written. True when `written` has changed.
+bool draw_object(UiState& state, Scene& written_scene, int index, WrittenTransform& written,
+                 const std::vector<GlCall>& calls) {
+    Object& object = state.editor.scene().objects[static_cast<std::size_t>(index)];
+    Object& edited = written_scene.objects[static_cast<std::size_t>(index)];
+    const WrittenTransform before = written;
+    std::array<Rect, 3> areas{};
+    std::optional<TransformStep> last, held;
+    std::size_t block = 0;  // in the order of the lines
+    for (const GlCall& call : calls) {
+        const auto step = step_of(call);
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        if (step && step != last) {
+            const char* name = call.pieces.front().text.c_str();
+            const std::string word(name, std::string_view(name).find('('));
+            if (grip(fmt::format("grip of {} {}", word, index), "Drag past another transform",
+                     "What is written last happens first", "Its numbers stay, and the object goes elsewhere",
+                     fmt::format("/objects/{}/transform", index)))
+                held = step;
+            areas[block++].low = low;
+        } else if (step) {
+            ImGui::Dummy({grip_width(), TextLine::height()});
+            ImGui::SameLine(0, 0);
+        }
+        last = step;
+        const Rect area = draw_call(state, written_scene, call);
+        if (step) areas[block - 1].high = area.high;
+    }
+    written.numbers = edited.transform;
+    if (held) written.order = dragged_order(written.order, *held, ImGui::GetIO().MousePos.y, areas);
+    std::optional<Transform> transform = in_file_order(written.numbers, written.order);
+    if (!transform) {
+        wrapped_dim(
+            "glScalef is not the same in all directions: written before glRotatef it would shear the "
+            "object, which a scene file cannot say.");
+        written.order = before.order;
+        transform = in_file_order(written.numbers, written.order);
+    }
+    object.material = edited.material;
+    const bool changed = transform && written != before;
+    if (changed) object.transform = *transform;
+    order_note(written, object.transform);
+    return changed;
 }
 
 /// A light whose numbers were meant in the other coordinates when the scene was opened or saved: what the
@@ -138,10 +193,7 @@ bool is_open_at_first(const UiState& state, const GlCallGroup& group) {
            (chosen.kind == Selection::Kind::Object && item_of(group.about, "/objects/") == chosen.index);
 }
 
-}  // namespace
-
-void program_tab(UiState& state, const PictureView&) {
-    const std::vector<GlCallGroup> groups = gl_calls(state.editor.scene());
+void copy_button(UiState& state, const std::vector<GlCallGroup>& groups) {
     if (ImGui::SmallButton("Copy")) {
         std::string text;
         for (const GlCallGroup& group : groups) {
@@ -151,14 +203,40 @@ void program_tab(UiState& state, const PictureView&) {
         ImGui::SetClipboardText(text.c_str());
         state.notifications.tell("The calls are in the clipboard");
     }
-    tooltip("Copy all calls", "A whole program, to be compiled: glint code FILE --language glsl -o FOLDER");
+    tooltip("Copy all calls", "A whole program, to be compiled: glint code FILE --language gl1 -o FOLDER");
+}
+
+}  // namespace
+
+void program_tab(UiState& state, const PictureView&) {
+    Scene written_scene = state.editor.scene();
+    std::vector<WrittenTransform> written;
+    for (Object& object : written_scene.objects) {
+        written.push_back(written_transform(static_cast<int>(written.size()), object.transform));
+        object.transform = written.back().numbers;
+    }
+    std::vector<GlCallGroup> groups = gl_calls(written_scene);
+    for (GlCallGroup& group : groups)
+        if (const int object = item_of(group.about, "/objects/"); object >= 0)
+            put_in_order(group.calls, written[static_cast<std::size_t>(object)].order);
+    copy_button(state, groups);
     for (std::size_t i = 0; i < groups.size(); ++i) {
+        const int object = item_of(groups[i].about, "/objects/");
+        bool changed = false;
         ImGui::PushID(static_cast<int>(i));
         if (fold(groups[i].title.c_str(), is_open_at_first(state, groups[i]))) {
-            for (const GlCall& call : groups[i].calls) draw_call(state, call);
+            if (object >= 0)
+                changed = draw_object(state, written_scene, object, written[static_cast<std::size_t>(object)],
+                                      groups[i].calls);
+            else
+                for (const GlCall& call : groups[i].calls) (void)draw_call(state, state.editor.scene(), call);
             if (groups[i].about.empty()) wrong_space_notes(state);
         }
         ImGui::PopID();
+        if (changed) {
+            const auto index = static_cast<std::size_t>(object);
+            keep_written(object, written[index], state.editor.scene().objects[index].transform);
+        }
     }
 }
 

@@ -1,0 +1,43 @@
+#pragma once
+// The calls of an object's transforms in the tab Program: one can be dragged past another. A scene file knows
+// one order only, so the numbers stay as they are written and the object goes to where the other order puts
+// it.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "models/scene/transform_order.h"
+#include "renderer/programs/gl_calls.h"
+#include "ui/widgets/area.h"
+
+namespace glint {
+
+/// An object's transform as it is written in the tab.
+struct WrittenTransform {
+    TransformOrder order = file_order;
+    Transform numbers;
+    bool operator==(const WrittenTransform&) const = default;
+};
+
+/// How the object of that number is written in the current window: as it was left, or in the file's order
+/// where something else has changed `transform` since.
+[[nodiscard]] WrittenTransform written_transform(int object, const Transform& transform);
+/// Keeps it for the next frame; `transform` is what it came to.
+void keep_written(int object, const WrittenTransform& written, const Transform& transform);
+
+/// The transform that a call belongs to; nothing for other calls.
+[[nodiscard]] std::optional<TransformStep> step_of(const GlCall& call);
+
+/// Puts the calls of the three transforms, which follow each other, into that order.
+void put_in_order(std::vector<GlCall>& calls, const TransformOrder& order);
+
+/// The order while the step's lines are held at the height `mouse_y`: past a neighbour where they would then
+/// lie under the mouse. `areas`: of the lines of each step, in the order in which they are written.
+[[nodiscard]] TransformOrder dragged_order(const TransformOrder& order, TransformStep held, float mouse_y,
+                                           std::span<const Rect, 3> areas);
+
+/// Below the calls: what another order than the file's comes to. Nothing in the file's order.
+void order_note(const WrittenTransform& written, const Transform& transform);
+
+}  // namespace glint
