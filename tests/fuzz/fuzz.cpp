@@ -4,10 +4,45 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
+#include "models/mesh/normals.h"
+
 namespace glint::fuzz {
+namespace {
+
+bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+void check_indices(const Mesh& mesh) {
+    require(mesh.face_count() > 0, "a mesh has a face");
+    require(mesh.first_corner.front() == 0 && mesh.first_corner.back() == mesh.corner_position.size() &&
+                std::is_sorted(mesh.first_corner.begin(), mesh.first_corner.end()),
+            "faces divide the corners among them");
+    const auto is_position = [&mesh](std::uint32_t p) { return p < mesh.positions.size(); };
+    const auto is_normal = [&mesh](std::uint32_t n) { return n < mesh.normals.size() || n == no_index; };
+    require(std::all_of(mesh.corner_position.begin(), mesh.corner_position.end(), is_position),
+            "corners have positions");
+    require(std::all_of(mesh.corner_normal.begin(), mesh.corner_normal.end(), is_normal),
+            "corners have normals, or none");
+    require(mesh.corner_normal.empty() || mesh.corner_normal.size() == mesh.corner_position.size(),
+            "each corner says what its normal is");
+    require(mesh.colors.empty() || mesh.colors.size() == mesh.positions.size(), "each position has a colour");
+}
+
+void check_numbers(const Mesh& mesh) {
+    for (const glm::vec3& p : mesh.positions)
+        require(std::abs(p.x) <= 1e30f && std::abs(p.y) <= 1e30f && std::abs(p.z) <= 1e30f,
+                "positions are within +-1e30");
+    require(mesh_info(mesh).faces == mesh.face_count(), "as many faces are told as there are");
+    for (const float crease : {40.f, 180.f})
+        for (const glm::vec3& n :
+             corner_normals(mesh, {NormalSource::Auto, NormalWeighting::Angle, crease, false}).normals)
+            require(is_finite(n), "normals are finite");
+}
+
+}  // namespace
 
 void require(bool holds, const char* what) {
     if (holds) return;
@@ -27,6 +62,11 @@ std::string path_of_bytes(std::string_view bytes) {
                 ::pwrite(file, bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()),
             "no file in memory could be made");
     return "/proc/self/fd/" + std::to_string(file);
+}
+
+void require_sound(const Mesh& mesh) {
+    check_indices(mesh);
+    check_numbers(mesh);
 }
 
 }  // namespace glint::fuzz

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "models/mesh/mesh.h"
+
 extern "C" {  // NOLINTBEGIN(readability-identifier-naming): libFuzzer's names
 // libFuzzer's interface (LLVM 14, "FuzzerInterface.h"): what it calls, and what a mutator of our own may
 // call.
@@ -20,6 +22,9 @@ namespace glint::fuzz {
 
 /// Says what does not hold and aborts, which libFuzzer takes for a finding.
 void require(bool holds, const char* what);
+
+/// Requires of a mesh that was read: indices lie in their lists, numbers and normals are finite.
+void require_sound(const Mesh& mesh);
 
 /// The input as text. It is the caller's own memory: a reader that looks past its end is caught.
 [[nodiscard]] inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {

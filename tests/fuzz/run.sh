@@ -26,7 +26,7 @@ fi
 longest_of() {
     case $1 in
     scene_picture) echo 700 ;;
-    lesson | png_scene | scene_json | state) echo 4096 ;;
+    gltf | lesson | png_scene | scene_json | state) echo 4096 ;;
     *) echo 2048 ;;
     esac
 }
