@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "models/fields/choices.h"
+#include "models/gltf/gltf.h"
 #include "renderer/programs/mesh_text.h"
 #include "renderer/programs/model_text.h"
 #include "renderer/programs/scene_flags.h"
@@ -125,8 +126,9 @@ MeshFiles mesh_files(const Scene& scene) {
         std::string& file =
             known[{o.mesh.get(), o.normals.source, o.normals.weighting, o.normals.crease_deg}];
         if (file.empty()) {
-            const std::string source = std::filesystem::path(source_name(o.source)).stem().string();
-            file = names.of(source, "mesh") + ".mesh";
+            const std::string source = source_name(o.source);  // several objects of one glTF file
+            const std::string stem = std::filesystem::path(source).stem().string();
+            file = names.of(is_gltf_path(source) ? o.name : stem, "mesh") + ".mesh";
             out.files.push_back({file, mesh_text(o, scene.shading.mistakes)});
         }
         out.of_object.push_back(file);
@@ -139,7 +141,8 @@ std::string wrapped(const std::vector<ProgramFile>& files, const std::string& co
     std::size_t column = 60;
     for (const ProgramFile& file : files) {
         if (column + file.name.size() > 100) {
-            text += "\n" + comment + "  ";
+            if (!text.empty()) text.pop_back();
+            text += "\n" + comment + " ";
             column = 4;
         }
         text += file.name + " ";

@@ -87,3 +87,15 @@ TEST_CASE("every model has its text for programs", "[programs]") {
         CHECK((text.find("S = ") != std::string::npos) == (info.is_lit && info.has_highlight));
     }
 }
+
+TEST_CASE("meshes of a glTF file have the names of its objects", "[programs][cli]") {
+    const TemporaryDirectory folder;
+    const std::string two = R"({"glint": 1, "objects": [{"name": "left ball"}, {"name": "right"}]})";
+    REQUIRE(run_glint({"export", "-", "-o", folder.path("two.glb")}, two).status == 0);
+    const Ended ended =
+        run_glint({"code", folder.path("two.glb"), "--language", "cpp", "-o", folder.path("new")});
+    INFO(ended.err);
+    REQUIRE(ended.status == 0);
+    CHECK(fs::exists(folder.path("new/left_ball.mesh")));
+    CHECK(fs::exists(folder.path("new/right.mesh")));
+}

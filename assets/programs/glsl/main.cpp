@@ -296,10 +296,11 @@ int main() {
     glfwMakeContextCurrent(window);
     prepare();
     double x = 0, y = 0, last_x = 0, last_y = 0;
+    bool dragging = false;  // since the frame before: how the mouse came to where it was pressed is no drag
     while (!glfwWindowShouldClose(window)) {
         glfwGetCursorPos(window, &x, &y);
-        if (glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS)
-            orbit((last_x - x) / 200, (last_y - y) / 200);
+        if (dragging) orbit((last_x - x) / 200, (last_y - y) / 200);
+        dragging = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
         last_x = x;
         last_y = y;
         draw();
