@@ -16,6 +16,8 @@ namespace glint {
 namespace {
 
 constexpr double sheared_from = 1e-4;  // the cosine between two axes
+constexpr double half_way = 0.25;      // glTF's brightness half way between the cosines of its two cones
+constexpr double sharp_below = 0.001;  // radians between them
 
 template <class P> void read_planes(const Node& node, P& p) {
     read(node, "znear", p.near, at_least_zero);
@@ -25,7 +27,7 @@ template <class P> void read_planes(const Node& node, P& p) {
     if (!(p.far > p.near)) node.fail("zfar is not above znear", "a zfar above znear");
 }
 
-/// The exponent that is as bright half way between the cosines of the two cones, where glTF has 1/4.
+/// The exponent that is as bright half way between the cosines of the two cones as glTF is.
 void read_cone(const Node& node, SpotCone& cone) {
     float inner = 0, outer = static_cast<float>(std::numbers::pi / 4);
     node.with("spot", [&](const Node& spot) {
@@ -36,8 +38,9 @@ void read_cone(const Node& node, SpotCone& cone) {
     });
     cone.cutoff_deg = std::min(glm::degrees(outer), 90.0f);
     const double middle = (std::cos(static_cast<double>(inner)) + std::cos(static_cast<double>(outer))) / 2;
-    const bool sharp = outer - inner < 0.001f || middle <= 0 || middle >= 1;
-    cone.exponent = sharp ? 0 : static_cast<float>(std::min(std::log(0.25) / std::log(middle), 1000.0));
+    const bool sharp =
+        static_cast<double>(outer) - static_cast<double>(inner) < sharp_below || middle <= 0 || middle >= 1;
+    cone.exponent = sharp ? 0 : static_cast<float>(std::min(std::log(half_way) / std::log(middle), 1000.0));
 }
 
 Material material_from(const glm::vec3& base, float metal, float roughness) {
@@ -77,6 +80,17 @@ std::optional<Transform> transform_of(const glm::dmat4& m, bool& sheared) {
     t.rotate_deg = glm::vec3(glm::degrees(turn));
     t.scale = glm::vec3(scale);
     return t;
+}
+
+GltfCone cone_of(const SpotCone& cone) {
+    const double outer = std::min(glm::radians(static_cast<double>(cone.cutoff_deg)), std::numbers::pi / 2);
+    GltfCone out{std::max(outer - 1e-4, 0.0), outer, cone.exponent == 0};
+    if (cone.exponent == 0) return out;
+    const double middle = std::pow(half_way, 1 / static_cast<double>(cone.exponent));
+    const double inner = std::acos(std::clamp(2 * middle - std::cos(outer), -1.0, 1.0));
+    out.is_alike = 2 * middle - std::cos(outer) <= 1 && outer - inner >= sharp_below;
+    if (out.is_alike) out.inner = inner;
+    return out;
 }
 
 glm::dmat4 local_of(const Node& node) {

@@ -32,6 +32,15 @@ struct GltfMetal {
 };
 [[nodiscard]] std::optional<GltfMetal> metal_of(const Material& material);
 
+/// A spot's cone as glTF's two, in radians: inside the inner one it is even, on the outer one dark. Alike:
+/// read again it has the spot's exponent; no pair of cones has one that is very small or very large for its
+/// cutoff, and such a spot becomes even up to its edge.
+struct GltfCone {
+    double inner, outer;
+    bool is_alike;
+};
+[[nodiscard]] GltfCone cone_of(const SpotCone& cone);
+
 /// Its target is one unit ahead. Infinitely far is 100,000 times as far as near.
 [[nodiscard]] Camera camera_from(const Node& camera, const glm::dmat4& world_from_node);
 

@@ -152,10 +152,9 @@ class Writer {
                      {"color", numbers_json(glm::min(light.diffuse, glm::vec3(1)))},
                      {"intensity", intensity_of(light)}};
         if (light.kind == LightKind::Spot) {
-            const double outer =
-                std::min(glm::radians(static_cast<double>(light.spot.cutoff_deg)), std::numbers::pi / 2);
-            out["spot"] = {{"innerConeAngle", std::max(outer - 1e-4, 0.0)}, {"outerConeAngle", outer}};
-            unsaid_.cones += light.spot.exponent != 0 ? 1 : 0;
+            const GltfCone cone = cone_of(light.spot);
+            out["spot"] = {{"innerConeAngle", cone.inner}, {"outerConeAngle", cone.outer}};
+            unsaid_.cones += cone.is_alike ? 0 : 1;
         }
         unsaid_.ambients += light.ambient != glm::vec3(0) ? 1 : 0;
         unsaid_.speculars += light.specular != light.diffuse ? 1 : 0;
@@ -206,8 +205,9 @@ class Writer {
              "camera's target",
              "lights fall off otherwise than with the square of the distance: they are as bright at the "
              "camera's target");
-        warn(w, unsaid_.cones, "spot has an exponent, and becomes even up to its edge",
-             "spots have an exponent, and become even up to their edges");
+        warn(w, unsaid_.cones,
+             "spot has an exponent that no cone of glTF has, and becomes even up to its edge",
+             "spots have exponents that no cone of glTF has, and become even up to their edges");
         warn(w, unsaid_.areas, "area light is left out", "area lights are left out");
         warn(w, unsaid_.ambients, "light has an ambient colour, which is left out",
              "lights have ambient colours, which are left out");

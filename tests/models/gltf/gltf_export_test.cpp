@@ -67,6 +67,31 @@ TEST_CASE("what glTF can say reads back to the same picture", "[gltf]") {
     CHECK(std::count_if(a.begin(), a.end(), [](std::uint8_t x) { return x > 100; }) > 5000);
 }
 
+TEST_CASE("a spot's exponent is written as the cone that reads back to it, where there is one", "[gltf]") {
+    const TemporaryDirectory folder;
+    struct Case {
+        const char* exponent;
+        bool is_said;
+    };
+    // Between the cosines 1 and cos 30 degrees 1/4 lies half way from 0.866 (exponent 9.6) to 0.933 (20).
+    for (const Case& c : {Case{"12", true}, {"19.9", true}, {"20.5", false}, {"2", false}, {"0", true}}) {
+        CAPTURE(c.exponent);
+        const std::string glb = folder.path("spot.glb");
+        const Ended ended = run_glint({"export", folder.file("scene.json", sayable), "-o", glb, "--set",
+                                       std::string("/lights/2/spot/exponent=") + c.exponent});
+        REQUIRE(ended.status == 0);
+        CHECK(ended.err.empty() == c.is_said);
+        const auto again = std::get<SceneDocument>(open_document(glb));
+        const float expected = c.is_said ? std::stof(c.exponent) : 0;
+        REQUIRE(again.scene.lights.size() == 3);
+        for (const Light& light : again.scene.lights)
+            if (light.kind == LightKind::Spot) {
+                CHECK(light.spot.exponent == Approx(expected).epsilon(1e-3));
+                CHECK(light.spot.cutoff_deg == Approx(30));
+            }
+    }
+}
+
 TEST_CASE("what glTF cannot say is one line a kind", "[gltf]") {
     const TemporaryDirectory folder;
     const std::string glb = folder.path("out.glb");
