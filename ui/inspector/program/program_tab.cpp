@@ -87,13 +87,18 @@ void light_grip(UiState& state, int light_index) {
     if (light.space == LightSpace::World && y < line) light.space = LightSpace::Camera;
 }
 
+/// Up to the first space, which belongs to it.
+std::string_view first_word(std::string_view text) {
+    const std::size_t space = text.find(' ');
+    return space == text.npos ? text : text.substr(0, space + 1);
+}
+
 /// Word by word: a line goes on in the next one between any two.
-void words(TextLine& line, const std::string& text, const ImVec4& colour) {
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t space = text.find(' ', at);
-        const std::size_t end = space == std::string::npos ? text.size() : space + 1;
-        line.code(text.substr(at, end - at), colour);
-        at = end;
+void words(TextLine& line, std::string_view text, const ImVec4& colour) {
+    while (!text.empty()) {
+        const std::string_view word = first_word(text);
+        line.code(std::string(word), colour);
+        text.remove_prefix(word.size());
     }
 }
 
@@ -105,14 +110,22 @@ Rect draw_call(UiState& state, Scene& scene, const GlCall& call) {
         light_grip(state, call.place_of_light);
     TextLine line(22);
     line.copied_as(call_text(call));
-    for (const CallPiece& piece : call.pieces) {
+    std::string_view punctuation;  // behind the number before, on its line: ", " or "));"
+    for (std::size_t i = 0; i < call.pieces.size(); ++i) {
+        const CallPiece& piece = call.pieces[i];
         if (piece.pointer.empty()) {
-            words(line, piece.text, call.is_remark ? theme().warning : theme().dim_text);
+            words(line, std::string_view(piece.text).substr(punctuation.size()),
+                  call.is_remark ? theme().warning : theme().dim_text);
+            punctuation = {};
             continue;
         }
+        if (i + 1 < call.pieces.size()) punctuation = first_word(call.pieces[i + 1].text);
         NumberHandle number = number_handle(scene, piece.pointer);
         number.number.kind.format = decimal_format(number.number.value, std::max(decimals_of(piece.text), 1));
-        (void)line.handle(number, theme().text);
+        line.together([&] {
+            (void)line.handle(number, theme().text);
+            line.code(std::string(punctuation), theme().dim_text);
+        });
     }
     const Rect area{low, {right, last_item().high.y}};
     if (call.is_look_at) state.inspector.look_at_y = low.y;
