@@ -113,6 +113,12 @@ void give_up_meshes(UiState& state) {
     state.loading.awaited.clear();
 }
 
+/// A mesh made finer or coarser by hand: the panel in which that is done has its words beside the sliders,
+/// and a drag brings many.
+bool is_another_fineness(const AwaitedMesh& awaited) {
+    return awaited.mesh_before && as_given(awaited.wanted) == as_given(awaited.before);
+}
+
 void poll_meshes(UiState& state) {
     note_slow_edits(state);
     forget_unwanted(state);
@@ -125,13 +131,14 @@ void poll_meshes(UiState& state) {
             give_up_meshes(state);
         } else {
             const auto& loaded = std::get<SceneDocument>(result);
-            state.notifications.add(loaded.warnings);
             auto& list = loading.awaited;
+            if (!std::all_of(list.begin(), list.end(), is_another_fineness))
+                state.notifications.add(loaded.warnings);
             const auto come = [&](const AwaitedMesh& awaited) {
                 for (const Object& object : loaded.scene.objects)
                     if (object.source == awaited.wanted && object.mesh != awaited.mesh_before) {
                         give_mesh(state, awaited, object.mesh);
-                        say_averaged(state, object);
+                        if (!is_another_fineness(awaited)) say_averaged(state, object);
                         return true;
                     }
                 return false;  // wanted only since the load began

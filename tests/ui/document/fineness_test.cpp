@@ -1,4 +1,8 @@
 // A mesh made finer and coarser by hand, and a scene of glTF in the window.
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "models/gltf/gltf.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
@@ -53,6 +57,26 @@ TEST_CASE("an object's panel makes its mesh coarser and finer, each as one step"
     CHECK(bench.scene().objects[0].mesh == before);
     REQUIRE_FALSE(bench.state.notifications.list.empty());
     CHECK(bench.state.notifications.list.back().text.find("at most 8388608") != std::string::npos);
+}
+
+TEST_CASE("what decimating has to say stands in the panel, not over the picture", "[ui][loading]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    // A disc whose rim cannot go: 24 corners on a circle round its middle.
+    std::string disc = "v 0 0 0\n";
+    for (int i = 0; i < 24; ++i)
+        disc += fmt::format("v {} {} 0\n", std::cos(i * 0.2618), std::sin(i * 0.2618));
+    for (int i = 0; i < 24; ++i) disc += fmt::format("f 1 {} {}\n", i + 2, (i + 1) % 24 + 2);
+    begin_open(bench.state, folder.file("disc.obj", disc));
+    bench.wait_for_loads();
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    bench.frames(2);
+    bench.state.notifications.list.clear();
+    slide(bench, "/objects/0/mesh/decimate", -0.9f);
+    REQUIRE(bench.scene().objects[0].mesh->given_triangles == 24);
+    CHECK_FALSE(bench.scene().objects[0].mesh->warnings.empty());
+    CHECK(bench.state.notifications.list.empty());
 }
 
 TEST_CASE("a glTF file opens in the window as a scene", "[ui][loading]") {
