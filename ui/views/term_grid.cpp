@@ -88,7 +88,8 @@ bool cell_button(TermGridState& grid, GridCell cell, float width) {
     if (row < max_rows && grid.sheet.serial > 0) grid.sheet.draw(list, 3 * row + cell.term, low, high);
     const int gain = gain_shown(grid, cell);
     if (gain != 1)
-        small_note(list, {low.x + px(4), high.y - px(3)}, gain == 0 ? "0" : fmt::format("× {}", gain));
+        small_note(list, {low.x + px(4), high.y - px(3)},
+                   gain == 0 ? "adds nothing" : fmt::format("× {}", gain));
     const bool solo = grid.solo == cell, muted = is_among(grid.muted, cell);
     if (muted) list.AddRectFilled(low, high, to_u32(theme().panel, 0.75f));
     if (muted) list.AddLine(low, high, to_u32(theme().warning), px(2));
