@@ -85,7 +85,9 @@ void words_of(const MistakeName& mistake, bool on, bool dim, const Rect& area) {
     const float last = mistake.sources.empty() ? 0 : ImGui::GetTextLineHeight();
     const float y = broken_lines(list, {{area.low.x, first.high.y + px(2)}, area.high - ImVec2(0, last)},
                                  theme().dim_text, mistake.looks);
-    (void)broken_lines(list, {{area.low.x, y}, area.high}, theme().disabled_text, mistake.sources);
+    // One line: a tracker's name and number has no place to be broken at. Its tooltip has all of them.
+    cut_line(list, {{area.low.x, y}, {area.high.x, y + last}}, theme().disabled_text, mistake.sources.data(),
+             mistake.sources.data() + mistake.sources.size());
     ImGui::PopFont();
 }
 
