@@ -109,11 +109,11 @@ void like_line(UiState& state, const Explanation& explanation) {
     section_heading("Blinn against Phong");
     wrapped_dim(fmt::format(
         "Blinn's (n·h)ⁿ comes nearest to this Phong highlight of shininess {:.4g} with {:.4g}.", n, like));
-    if (ImGui::Button("Take it")) {
+    if (ImGui::Button("Change to Blinn")) {
         scene.shading.reflection = Reflection::BlinnPhong;
         scene.objects[object].material.shininess = static_cast<float>(like);
     }
-    tooltip("Take it", "Blinn's model with that shininess; undo brings Phong's back");
+    tooltip("Change to Blinn", "Blinn's model with that shininess; undo brings Phong's back");
     if (!is_pointed_at()) return;
     Scene other = scene;
     other.shading.reflection = Reflection::BlinnPhong;

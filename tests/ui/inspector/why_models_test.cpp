@@ -82,7 +82,7 @@ TEST_CASE("the models say which shininess makes Blinn's highlight like Phong's, 
     bench.scene().shading.reflection = Reflection::Phong;
     bench.scene().objects[0].material.shininess = 10;
     test::ask(bench, InspectorTab::Models);
-    bench.click(test::in_column(bench, "Take it"));
+    bench.click(test::in_column(bench, "Change to Blinn"));
     bench.frames(1);
     CHECK(bench.scene().shading.reflection == Reflection::BlinnPhong);
     CHECK(bench.scene().objects[0].material.shininess == Approx(41.3).margin(0.1));
