@@ -14,6 +14,7 @@
 #include "ui/commands/menus.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -124,9 +125,8 @@ int entry_list(PaletteState& state, const UiInput& input) {
         shown = nearest_word(state.entries, state.text);
         if (!shown.empty()) matches = palette_matches(state.entries, shown);
         const std::string nothing = fmt::format("Nothing is called “{}”", state.text);
-        dim_text((shown.empty() ? nothing + ": commands, fields and scenes are found here"
-                                : fmt::format("{}. Nearest is “{}”:", nothing, shown))
-                     .c_str());
+        wrapped_dim(shown.empty() ? nothing + ": commands, fields and scenes are found here"
+                                  : fmt::format("{}. Nearest is “{}”:", nothing, shown));
     }
     const int before = state.chosen;
     int decided = -1;

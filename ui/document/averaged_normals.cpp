@@ -16,7 +16,7 @@ void say_averaged(UiState& state, const Object& object) {
     if (!smooths_every_edge(object)) return;
     state.notifications.add(Tone::Warning,
                             fmt::format("{} brings no normals: they are averaged over all edges, so that "
-                                        "creases look smooth. Crease, in the object's panel, keeps them",
+                                        "creases look smooth. Crease, in the object's panel, keeps edges sharp",
                                         short_name(object.source)));
 }
 
