@@ -10,7 +10,7 @@ struct LayoutState {
     bool left = true, right = true;             // columns shown
     bool hides_columns = false;                 // F11: the picture alone
     bool hides_all = false;                     // F10: and no bars
-    float left_width = 280, right_width = 340;  // logical pixels
+    float left_width = 280, right_width = 360;  // logical pixels
     bool lesson = false;  // the left column holds a lesson or a game, and is as wide as those need
     float lesson_width = 350;
     bool scope = false;  // the panel below the picture is open

@@ -29,7 +29,7 @@ class LinePieces {
         if (!f.pointer.empty())
             handle(f.is_colour ? fmt::format("{}/{}", f.pointer, channel_) : f.pointer, decimals, colour);
         else if (f.clamped_from < 0)
-            line_.number(fmt::format(" {} → 0", shown(f.clamped_from)), theme().warning);
+            line_.gap(3).number(trimmed(shown(f.clamped_from)), theme().warning).plain("→0", theme().warning);
         else
             line_.gap(3).number(decimal_text(f.value[channel_], decimals), colour);
         if (f.power) power(*f.power, exponent_decimals);
@@ -89,7 +89,8 @@ bool draw_line(const EquationLine& term, Scene& scene, int channel) {
         line.plain(term.left_out, theme().warning);
     }
     for (const std::string& pointer : term.made_by) line.together([&] { pieces.made_by(pointer); });
-    line.result(result, term.result[channel] == 0 ? theme().disabled_text : theme()[colour_of(term.term)]);
+    line.result(trimmed(result),
+                term.result[channel] == 0 ? theme().disabled_text : theme()[colour_of(term.term)]);
     return pieces.edited();
 }
 

@@ -197,11 +197,8 @@ void TextLine::result(const std::string& text, const ImVec4& colour) {
     ImGui::PushFont(fonts().figures);
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     ImGui::PopFont();
-    x_ = x_ + width > right_ ? right_ + 1 : right_ - width;  // past the edge: place() begins a new line
-    if (x_ > right_) {
-        x_ = right_ - width;
-        y_ += height();
-    }
+    if (x_ + px(3) + width > right_) y_ += height();
+    x_ = right_ - width;
     number(text, colour);
 }
 
