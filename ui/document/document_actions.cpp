@@ -110,7 +110,10 @@ void begin_pending(UiState& state, Pending::What what, const std::string& path) 
 }
 
 void take_scene(UiState& state, SceneDocument document) {
-    if (document.path != state.editor.document.path) put_picture_away(state);  // it shows another scene
+    if (document.path != state.editor.document.path) {  // another scene
+        put_picture_away(state);
+        lay_level(state.views.scope);
+    }
     leave_lesson(state);
     end_prediction(state);
     end_match(state);

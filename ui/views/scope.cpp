@@ -113,11 +113,16 @@ bool scope_hover(ToolFrame& frame) {
     return scope.under != Hand::None;
 }
 
+/// Where the hand is, as a share: of the middle of its pixel, which pixel_of() gives back however it rounds.
+glm::dvec2 share_under(const ToolFrame& frame) {
+    return (glm::floor(frame.pixel) + 0.5) / size_of(frame.view);
+}
+
 int scope_press(ToolFrame& frame) {
     ScopeState& scope = frame.state.views.scope;
     if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return not_taken;
     scope.hand = scope.under;
-    scope.last = frame.pixel / size_of(frame.view);
+    scope.last = share_under(frame);
     if (scope.hand == Hand::New) scope.from = scope.to = glm::clamp(scope.last, 0.0, 1.0);
     return ImGuiMouseButton_Left;
 }
@@ -127,7 +132,7 @@ bool scope_drag(ToolFrame& frame) {
     ScopeState& scope = frame.state.views.scope;
     if (!scope.open || scope.hand == Hand::None) return false;
     if (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0)
-        drag(scope, frame.view, frame.pixel / size_of(frame.view));
+        drag(scope, frame.view, share_under(frame));
     set_cursor(scope);
     return true;
 }
@@ -192,6 +197,12 @@ const Tool scope_tool{scope_hover,  scope_press, scope_drag,     scope_release,
 
 glm::ivec2 pixel_of(glm::dvec2 share, PictureSize size) {
     return nearest_pixel(size, share * glm::dvec2(size.width, size.height));
+}
+
+void lay_level(ScopeState& scope) {
+    const ScopeState initial;
+    scope.from = initial.from;
+    scope.to = initial.to;
 }
 
 void toggle_scope(ScopeState& scope) {

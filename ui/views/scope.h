@@ -43,6 +43,9 @@ struct ScopeState {
 /// The pixel at a share of the picture's size.
 [[nodiscard]] glm::ivec2 pixel_of(glm::dvec2 share, PictureSize size);
 
+/// Lays the line across the middle of the picture: where it lay says nothing of another scene.
+void lay_level(ScopeState& scope);
+
 /// Opens the scope with its tool in hand, or closes it.
 void toggle_scope(ScopeState& scope);
 

@@ -5,6 +5,7 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
+#include "ui/document/document_actions.h"
 #include "ui/plots/plot.h"
 
 using namespace glint;
@@ -62,6 +63,41 @@ TEST_CASE("the scope's key puts its tool in hand, and a drag lays the line where
     CHECK_FALSE(bench.state.viewport.probe);
     bench.key(Key::P);
     CHECK_FALSE(scope.open);
+}
+
+TEST_CASE("the scope's line lies level again in another scene, and stays where the same one is read again",
+          "[ui][window][scope]") {
+    HeadlessWindow bench;
+    ScopeState& scope = bench.state.views.scope;
+    const ScopeState level;
+    SceneDocument one, other;
+    one.path = "one.json";
+    other.path = "other.json";
+    take_scene(bench.state, one);
+    scope.from = {0.1, 0.9};
+    scope.to = {0.2, 0.9};
+    take_scene(bench.state, one);
+    CHECK(scope.from == glm::dvec2(0.1, 0.9));
+    CHECK(scope.to == glm::dvec2(0.2, 0.9));
+    take_scene(bench.state, other);
+    CHECK(scope.from == level.from);
+    CHECK(scope.to == level.to);
+}
+
+TEST_CASE("the end of the scope's line lies on the pixel where the hand let go, in a picture of any width",
+          "[ui][window][scope]") {
+    for (const float width : {1280.0f, 1279.0f, 1260.0f, 1203.0f}) {
+        HeadlessWindow bench({width, 800});
+        with_line(bench);
+        const ScopeState& scope = bench.state.views.scope;
+        for (int x = 300; x < 340; x += 3) {
+            const glm::dvec2 end(pixel_of(scope.to, bench.state.rendered->size));
+            bench.drag(bench.at_pixel(end + 0.5), bench.at_pixel({x, 60}));
+            CAPTURE(width, x);
+            CHECK(pixel_of(scope.to, bench.state.rendered->size).x == x);
+            CHECK(pixel_of(scope.to, bench.state.rendered->size).y == 60);
+        }
+    }
 }
 
 TEST_CASE("the scope holds what the command prints, also while a light is dragged", "[ui][window][scope]") {
