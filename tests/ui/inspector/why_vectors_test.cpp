@@ -1,6 +1,9 @@
 // The vectors at the picked point: asked without a click, drawn where they belong, built up step by step.
+#include <algorithm>
 #include <glm/geometric.hpp>
+#include <string>
 
+#include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "ui/inspector/inspector.h"
@@ -130,6 +133,33 @@ TEST_CASE("a Gouraud pixel's corners are drawn where they are", "[ui][window][wh
         const ImVec2 at = bench.at_pixel(project(map, glm::dvec3(corner.at.point.world)).pixel);
         CHECK(draws_near(at, 6));
     }
+}
+
+TEST_CASE("a Gouraud pixel's corner off the picture is marked at its edge, on the way there",
+          "[ui][window][why]") {
+    HeadlessWindow bench;
+    bench.scene() =
+        std::get<SceneDocument>(open_document(GLINT_SOURCE_DIR "/assets/scenes/receding-floor.json")).scene;
+    test::ask(bench, InspectorTab::Equation, {0.42, 0.5});
+    const PictureSize size = bench.state.rendered->size;
+    const ScreenMap map = screen_map(bench.scene().camera, size);
+    const Rect picture{bench.at_pixel({0, 0}), bench.at_pixel({size.width, size.height})};
+    REQUIRE(bench.state.explanation->corners.size() == 3);
+    int off = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const OnScreen place = project(map, glm::dvec3(bench.state.explanation->corners[i].at.point.world));
+        const Rect mark = bench.area_of(std::string("corner ") + "ABC"[i]);
+        CHECK(mark.low.x > picture.low.x);
+        CHECK(mark.low.y > picture.low.y);
+        CHECK(mark.high.x < picture.high.x);
+        CHECK(mark.high.y < picture.high.y);
+        if (place.in_front && is_inside(size, place.pixel)) continue;
+        ++off;
+        const ImVec2 at = HeadlessWindow::middle_of(mark);
+        CHECK(std::min({at.x - picture.low.x, at.y - picture.low.y, picture.high.x - at.x,
+                        picture.high.y - at.y}) < 32);
+    }
+    CHECK(off == 1);
 }
 
 TEST_CASE("the letters of nearly collinear vectors stand apart, and off the arrows", "[ui][window][why]") {

@@ -2,7 +2,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <vector>
 
 #include "models/scene/reflection.h"
 #include "renderer/inspect/reflectance/highlight.h"
@@ -10,6 +13,7 @@
 #include "ui/inspector/vectors/arrows.h"
 #include "ui/inspector/vectors/vectors_tab.h"
 #include "ui/ui.h"
+#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 
 namespace glint {
@@ -95,28 +99,60 @@ class PointDrawing {
     Words words_;
 };
 
-/// The corners that the pixel is mixed from, each in its colour, with its weight.
-void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& explanation) {
-    if (!explanation.lit_per_corner || explanation.corners.size() < 2) return;
-    const auto place = [&](const ExplainedCorner& corner) {
-        return view.shown(glm::dvec3(corner.at.point.world));
+/// Where a corner is marked: its place, or where the picture ends on the way there from the picked point.
+struct CornerMark {
+    ImVec2 at;
+    ImVec2 way;  // unit, from the picked point; (0, 0) where the corner is in the picture
+};
+
+CornerMark mark_of(const PictureView& view, const ExplainedCorner& corner, ImVec2 picked) {
+    const glm::dvec3 world(corner.at.point.world);
+    const OnScreen place = project(view.map, world);
+    if (place.in_front && is_inside(view.map.size, place.pixel)) return {view.to_window(place.pixel), {}};
+    const glm::dvec3 in_view(view.map.view_from_world * glm::dvec4(world, 1));
+    ImVec2 way = place.in_front ? view.to_window(place.pixel) - picked
+                                : ImVec2(float(in_view.x), float(-in_view.y));  // it is behind the eye
+    way = way / std::max(length_of(way), 1e-6f);
+    const ImVec2 low = view.origin + px(1) * ImVec2(28, 28), high = view.end() - px(1) * ImVec2(28, 14);
+    const auto room = [](float from, float along, float least, float most) {
+        if (std::abs(along) < 1e-6f) return std::numeric_limits<float>::max();
+        return std::max(((along > 0 ? most : least) - from) / along, 0.0f);
     };
-    ImVec2 low = place(explanation.corners.front()), high = low;
-    for (const ExplainedCorner& corner : explanation.corners) {
-        const ImVec2 at = place(corner);
-        low = {std::min(low.x, at.x), std::min(low.y, at.y)};
-        high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+    const float reach = std::min(room(picked.x, way.x, low.x, high.x), room(picked.y, way.y, low.y, high.y));
+    return {picked + reach * way, way};
+}
+
+/// An arrow's head that points to what lies beyond the picture's edge.
+void draw_pointer(ImDrawList& list, const CornerMark& mark) {
+    const ImVec2 across{-mark.way.y, mark.way.x};
+    const ImVec2 tip = mark.at + px(14) * mark.way, foot = mark.at + px(8) * mark.way;
+    list.AddTriangleFilled(tip, foot + px(5) * across, foot - px(5) * across, IM_COL32_WHITE);
+}
+
+/// The corners that the pixel is mixed from, each in its colour, with its weight.
+void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& explanation,
+                  glm::ivec2 picked) {
+    if (!explanation.lit_per_corner || explanation.corners.size() < 2) return;
+    const ImVec2 middle = view.to_window(glm::dvec2(picked) + 0.5);
+    std::vector<CornerMark> marks;
+    for (const ExplainedCorner& corner : explanation.corners) marks.push_back(mark_of(view, corner, middle));
+    ImVec2 low = marks.front().at, high = low;
+    for (const CornerMark& mark : marks) {
+        low = {std::min(low.x, mark.at.x), std::min(low.y, mark.at.y)};
+        high = {std::max(high.x, mark.at.x), std::max(high.y, mark.at.y)};
     }
     const bool roomy = std::max(high.x - low.x, high.y - low.y) > px(48);  // else words hide one another
-    char letter = 'A';
-    for (const ExplainedCorner& corner : explanation.corners) {
-        const ImVec2 at = place(corner);
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        const ExplainedCorner& corner = explanation.corners[i];
         const glm::vec3 c = glm::clamp(corner.at.sum, 0.0f, 1.0f);
-        rimmed_disc(list, at, 5, to_u32({c.x, c.y, c.z, 1}));
+        const char letter = static_cast<char>('A' + i);
+        rimmed_disc(list, marks[i].at, 5, to_u32({c.x, c.y, c.z, 1}));
+        if (length_of(marks[i].way) > 0) draw_pointer(list, marks[i]);
         if (roomy)
-            rimmed_text(list, at - ImVec2(0, px(14)), {1, 1, 1, 1},
+            rimmed_text(list, marks[i].at - ImVec2(0, px(14)), {1, 1, 1, 1},
                         fmt::format("{} {:.2f}", letter, corner.weight));
-        ++letter;
+        list_control(fmt::format("corner {}", letter).c_str(), "",
+                     {marks[i].at - px(1) * ImVec2(5, 5), marks[i].at + px(1) * ImVec2(5, 5)});
     }
 }
 
@@ -129,7 +165,7 @@ void draw_point_vectors(ImDrawList& list, const UiState& state, const PictureVie
     if (!state.explanation || !state.explanation->hit) return;
     if (column.shows_facet) draw_facet(list, state, view);
     if (!column.shows_vectors || state.explanation->reflection == Reflection::None) return;
-    draw_corners(list, view, *state.explanation);
+    draw_corners(list, view, *state.explanation, state.asked);
     PointDrawing(list, state, view, asked_point(column, *state.explanation)).draw();
 }
 
