@@ -28,6 +28,7 @@ std::string range_text(const Real& kind, float initial) {
     else if (range.low > -max_number)
         text = range.low_open ? fmt::format("above {:.6g}", range.low)
                               : fmt::format("{:.6g} and above", range.low);
+    if (std::isnan(initial)) return text;  // it has no default
     return fmt::format("{}{}default {}", text, text.empty() ? "" : ", ", shown(initial));
 }
 

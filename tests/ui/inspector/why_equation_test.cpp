@@ -96,6 +96,24 @@ TEST_CASE("the distance in the equation moves its light towards the point, in it
     }
 }
 
+TEST_CASE("the distance has no default to go back to, and its menu offers none", "[ui][window][why]") {
+    HeadlessWindow bench({1280, 1400});
+    test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
+    const auto offers_reset = [&](std::string_view number) {
+        bench.move(test::in_column(bench, number));
+        bench.button(true, 1);
+        bench.button(false, 1);
+        bench.frames(2);
+        bool found = false;
+        for (const NamedControl& control : bench.controls()) found |= control.name == "Reset to default";
+        bench.key(Key::Escape);
+        bench.frames(2);
+        return found;
+    };
+    CHECK(offers_reset("/lights/1/intensity"));
+    CHECK_FALSE(offers_reset("Distance of Bulb"));
+}
+
 TEST_CASE("an object seen from behind says so, in amber above the equation", "[ui][window][why]") {
     HeadlessWindow bench;
     bench.scene().objects[0].source = PrimitiveMesh{Primitive::Plane, 1};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 
@@ -68,7 +69,7 @@ bool distance_handle(TextLine& line, Scene& scene, const ExplainedLight& explain
     handle.name = "Distance of " + light.name;
     handle.number.help = "To the light: it moves along l, towards the point or away from it";
     handle.number.pointer = fmt::format("/lights/{}/position", explained.index);
-    handle.number.initial = double(distance);
+    handle.number.initial = std::numeric_limits<double>::quiet_NaN();  // any place is as good
     handle.number.kind = {.range = above_zero,
                           .unit = "scene units",
                           .format = decimal_format(distance, decimals),

@@ -35,7 +35,7 @@ namespace glint {
 
 struct NumberInput {
     const Real& kind;
-    float initial = 0;    // its default
+    float initial = 0;    // its default; NaN: it has none
     std::string pointer;  // JSON pointer of its value in the scene file; empty: it has none
     float width = 0;      // in ImGui's units
     bool slider =

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/named_controls.h"
@@ -48,7 +49,8 @@ bool number_menu(float& value, const NumberInput& input) {
     bool edited = false;
     if (item("Copy", exact_text(value))) copy(exact_text(value));
     if (item("Paste", "")) edited = paste(value, input.kind.range);
-    if (item("Reset to default", exact_text(input.initial), value != input.initial)) {
+    const bool has_default = !std::isnan(input.initial);
+    if (has_default && item("Reset to default", exact_text(input.initial), value != input.initial)) {
         value = input.initial;
         edited = true;
     }
