@@ -1,6 +1,7 @@
 #include "ui/shell/columns.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -126,15 +127,29 @@ std::string caption_of(const UiState& state) {
     return state.editor.scene().about;
 }
 
+float height_of(const std::string& text, float width) {
+    return ImGui::CalcTextSize(text.c_str(), nullptr, false, std::max(width, 1.0f)).y;
+}
+
 }  // namespace
+
+float even_width(const std::string& text, float width) {
+    constexpr int halvings = 10;  // of a width: to a pixel
+    const float lines = height_of(text, width);
+    float too_narrow = 0, wide = width;
+    for (int i = 0; i < halvings; ++i) {
+        const float middle = (too_narrow + wide) / 2;
+        (height_of(text, middle) <= lines ? wide : too_narrow) = middle;
+    }
+    return std::ceil(wide);
+}
 
 Layout window_layout(const UiState& state) {
     Layout layout = lay_out(ImGui::GetIO().DisplaySize, state.layout, px(1));
     const std::string caption = caption_of(state);
     if (caption.empty()) return layout;
     const float width = layout.centre.size().x - 2 * px(caption_margin);
-    const float lines = ImGui::CalcTextSize(caption.c_str(), nullptr, false, std::max(width, 1.0f)).y;
-    make_room_for_caption(layout, lines + px(8));
+    make_room_for_caption(layout, height_of(caption, width) + px(8));
     return layout;
 }
 
@@ -142,8 +157,10 @@ void caption_line(const UiState& state, const Layout& layout) {
     if (!layout.has_caption) return;
     begin_area("##caption", layout.caption, ImGuiWindowFlags_NoNav);
     ImGui::SetCursorPos({px(caption_margin), px(2)});
-    ImGui::PushTextWrapPos(layout.caption.size().x - px(caption_margin));
-    ImGui::TextUnformatted(caption_of(state).c_str());
+    const std::string caption = caption_of(state);
+    const float left = px(caption_margin);
+    ImGui::PushTextWrapPos(left + even_width(caption, layout.caption.size().x - 2 * left));
+    ImGui::TextUnformatted(caption.c_str());
     ImGui::PopTextWrapPos();
     ImGui::End();
 }

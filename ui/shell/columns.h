@@ -2,6 +2,8 @@
 // What stands round the picture: the scene's column, the column that says why a pixel has its colour, and the
 // rows above and below.
 
+#include <string>
+
 #include "ui/picture/screen.h"
 #include "ui/shell/layout.h"
 #include "ui/ui.h"
@@ -13,6 +15,10 @@ struct UiState;
 /// Where everything is in this frame: lay_out() of the window, with room for the open scene's caption.
 /// ImGui's current font is the one that the caption is written in.
 [[nodiscard]] Layout window_layout(const UiState& state);
+
+/// The least width at which `text`, in ImGui's current font, takes no more lines than at `width`: they are
+/// about equally long then, and none is a word alone. At most `width`.
+[[nodiscard]] float even_width(const std::string& text, float width);
 
 /// What the open scene says of itself, below the picture.
 void caption_line(const UiState& state, const Layout& layout);

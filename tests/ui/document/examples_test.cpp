@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "models/scene_file/scene_file.h"
 #include "tests/support/asset_scenes.h"
 #include "tests/support/headless_window.h"
 
@@ -104,6 +105,33 @@ TEST_CASE("the caption of a scene stands below its picture, and can be put away"
     CHECK(window_layout(bench.state).has_caption);
     run_command(bench.state, command_named("Caption of the scene"));
     CHECK_FALSE(window_layout(bench.state).has_caption);
+}
+
+TEST_CASE("no caption ends in a line of one short word", "[ui]") {
+    HeadlessWindow bench;
+    bench.frames(1);
+    ImGui::NewFrame();
+    int broken = 0;
+    for (const std::string& path : test::asset_scenes()) {
+        const std::string about = std::get<SceneDocument>(open_document(path)).scene.about;
+        for (float width = 350; width < 800; width += 50) {
+            const auto lines_at = [&](float wrap) {
+                return ImGui::CalcTextSize(about.c_str(), nullptr, false, wrap).y /
+                       ImGui::GetTextLineHeight();
+            };
+            const float even = even_width(about, width);
+            CAPTURE(path, width, even);
+            CHECK(even <= width);
+            CHECK(lines_at(even) == lines_at(width));
+            if (lines_at(width) != 2) continue;
+            ++broken;
+            const char *const begin = about.c_str(), *const end = begin + about.size();
+            const char* const second = ImGui::GetFont()->CalcWordWrapPositionA(1, begin, end, even);
+            CHECK(ImGui::CalcTextSize(second, end).x > even / 2);
+        }
+    }
+    CHECK(broken > 20);
+    ImGui::EndFrame();
 }
 
 TEST_CASE("opening starts where there is something to open", "[ui]") {
