@@ -65,11 +65,11 @@ shot() { # NAME WxH SCENE: what is on standard input is done first
 wanted=$*
 shot start 1280x800 '' <<<':'
 shot why 1280x800 '' <<<'click 560 480; at 1270 790'
-shot light 1280x800 '' <<<'drag 490 298 430 380'
+shot light 1280x800 '' <<<'drag 436 241 380 330'
 shot mach-bands 1280x800 mach-bands <<<'press p; at 1270 790'
 shot compare 1280x800 coarse-ball <<<'press c; at 1270 790'
 shot palette 1280x800 '' <<<'press ctrl+k; xdotool type sha'
-shot lecture 1024x768 still-life <<<'press F9; press w; drag 400 300 640 460; xdotool mouseup 1'
+shot lecture 1024x768 still-life <<<'press F9; press w; drag 440 300 640 460; xdotool mouseup 1'
 shot narrow 1024x640 shininess-grid <<<'press F1; press Escape; at 600 300'
 shot light-theme 1920x1080 classic-materials <<<'press ctrl+k; xdotool type "light theme"; sleep 0.3; press Return; at 1750 900'
 shot clean 1280x800 spot-cone <<<'press F10; at 1270 790'
