@@ -195,6 +195,7 @@ template <class E> [[nodiscard]] constexpr std::optional<E> from_name(std::strin
 /// All words of an enumeration, in its order.
 template <class E> [[nodiscard]] std::vector<std::string> names_of() {
     std::vector<std::string> names;
+    names.reserve(choices<E>.size());
     for (const Choice& row : choices<E>) names.emplace_back(row.word);
     return names;
 }

@@ -97,7 +97,7 @@ std::string unescaped_uri(const Node& node, const std::string& uri) {
         }
     }
     if (path.empty() || path.find('\0') != std::string::npos || path.find("://") != std::string::npos)
-        node.fail(in_quotes(uri) + " is no file's name", "a file beside this one, or a data URI");
+        node.fail(in_quotes(uri) + " is not the name of a file", "a file beside this one, or a data URI");
     return path;
 }
 

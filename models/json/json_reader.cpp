@@ -184,7 +184,7 @@ Json read_json(std::string_view text, const std::string& file) {
     return std::move(builder).take();
 }
 
-void take_apart(Json& document) noexcept {
+void take_apart(Json& document) noexcept {  // NOLINT(bugprone-exception-escape)
     if (!document.is_structured()) return;
     for (Json& inner : document) take_apart(inner);
     document.clear();

@@ -13,7 +13,7 @@ namespace glint {
 namespace {
 
 /// Builds a value from the parser's events, whose names are the library's.
-class Builder {
+class ValueBuilder {
   public:
     [[nodiscard]] JsonValue take() && { return std::move(root_); }
 
@@ -149,7 +149,7 @@ JsonValue JsonValue::array() { return JsonValue(Elements()); }
 JsonValue JsonValue::object() { return JsonValue(Members()); }
 
 std::optional<JsonValue> JsonValue::parse(std::string_view text) {
-    Builder builder;
+    ValueBuilder builder;
     if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) return std::nullopt;
     return std::move(builder).take();
 }

@@ -8,14 +8,14 @@
 namespace glint {
 namespace {
 
-struct Kind {
+struct RunWord {
     std::string_view word;
     RunKind kind;
     std::vector<std::string> options;  // beside --set and --size
 };
 
-const std::array<Kind, 7>& kinds() {
-    static const std::array<Kind, 7> all{
+const std::array<RunWord, 7>& kinds() {
+    static const std::array<RunWord, 7> all{
         {{"explain", RunKind::Explain, {"--pixel"}},
          {"render", RunKind::Render, {}},
          {"profile", RunKind::Profile, {"--from", "--to"}},
@@ -26,13 +26,13 @@ const std::array<Kind, 7>& kinds() {
     return all;
 }
 
-const Kind& kind_of(const std::string& word, int line) {
+const RunWord& kind_of(const std::string& word, int line) {
     std::vector<std::string> names;
-    for (const Kind& kind : kinds()) {
+    for (const RunWord& kind : kinds()) {
         if (kind.word == word) return kind;
         names.emplace_back(kind.word);
     }
-    fail_at(line, in_quotes(word) + " is no run", in_quotes(nearest(word, names)));
+    fail_at(line, in_quotes(word) + " is not a run", in_quotes(nearest(word, names)));
 }
 
 double within(std::string_view text, int line, double least, double most) {
@@ -76,13 +76,13 @@ void read_compare(LessonRun& run, const std::vector<std::string>& words,
     for (const std::string& name : {run.first, run.second})
         if (std::none_of(above.begin(), above.end(),
                          [&](const LessonRun& r) { return r.name == name && r.kind == RunKind::Render; }))
-            fail_at(run.line, in_quotes(name) + " is no picture", "a run of render above it");
+            fail_at(run.line, in_quotes(name) + " is not a picture", "a run of render above it");
 }
 
 LessonRun read_run(const BlockLine& line, const std::vector<LessonRun>& above) {
     const std::vector<std::string> words = words_of(line.value);
     if (words.empty()) fail_at(line.line, "nothing is run", "a command as in explain --pixel 640,360");
-    const Kind& kind = kind_of(words[0], line.line);
+    const RunWord& kind = kind_of(words[0], line.line);
     LessonRun run;
     run.name = line.key;
     run.kind = kind.kind;
@@ -96,7 +96,7 @@ LessonRun read_run(const BlockLine& line, const std::vector<LessonRun>& above) {
     std::vector<std::string> given;
     for (std::size_t i = 1; i < words.size(); i += 2) {
         if (std::find(known.begin(), known.end(), words[i]) == known.end())
-            fail_at(line.line, in_quotes(words[i]) + " is no option of " + words[0],
+            fail_at(line.line, in_quotes(words[i]) + " is not an option of " + words[0],
                     in_quotes(nearest(words[i], known)));
         if (i + 1 == words.size()) fail_at(line.line, words[i] + " has no value", "one behind it");
         read_option(run, words[i], words[i + 1]);

@@ -32,7 +32,7 @@ BlockLine block_line(std::string_view text, int line) {
     const std::size_t name = name_length(text);
     const std::string_view rest = trimmed(text.substr(name));
     if (name == 0 || rest.empty() || (rest[0] != ':' && rest[0] != '='))
-        fail_at(line, in_quotes(trimmed(text)) + " is no line of a block", "key: value, or name = run");
+        fail_at(line, in_quotes(trimmed(text)) + " is not a line of a block", "key: value, or name = run");
     return {std::string(text.substr(0, name)), std::string(trimmed(rest.substr(1))), line, rest[0] == '='};
 }
 

@@ -25,7 +25,7 @@ void require_mistake(const std::string& name, int line) {
     std::vector<std::string> known;
     for (const MistakeName& mistake : mistake_names()) known.emplace_back(mistake.name);
     if (std::find(known.begin(), known.end(), name) == known.end())
-        fail_at(line, in_quotes(name) + " is no mistake", in_quotes(nearest(name, known)));
+        fail_at(line, in_quotes(name) + " is not a mistake", in_quotes(nearest(name, known)));
 }
 
 void read_options(const SourceBlock& block, Prediction& p) {

@@ -1,11 +1,9 @@
-#include "models/json/json_value.h"
+#include "models/json/json_of_vector.h"
 #include "renderer/diagnose/diagnosis_format.h"
 #include "renderer/diagnose/diagnosis_table.h"
 
 namespace glint {
 namespace {
-
-JsonValue pixel_json(glm::ivec2 pixel) { return {pixel.x, pixel.y}; }
 
 JsonValue rgb_json(Rgb c) { return {int{c[0]}, int{c[1]}, int{c[2]}}; }
 
@@ -36,7 +34,7 @@ JsonValue candidate_json(const Candidate& c) {
     json["also"] = names_json(c.also);
     json["residual"] = c.residual;
     json["explained"] = c.explained;
-    json["pixel"] = pixel_json(c.pixel);
+    json["pixel"] = json_of(c.pixel);
     json["mine"] = rgb_json(c.mine);
     json["reference"] = rgb_json(c.reference);
     json["as_mistaken"] = rgb_json(c.as_mistaken);
@@ -47,7 +45,7 @@ JsonValue answer_json(const Experiment& e) {
     JsonValue json;
     JsonValue& set = json["set"] = JsonValue::array();
     for (const Assignment& a : e.set) set.push_back(a.pointer + "=" + a.json);
-    json["pixel"] = pixel_json(e.pixel);
+    json["pixel"] = json_of(e.pixel);
     JsonValue& shows = json["shows"] = JsonValue::array();
     for (std::size_t i = 0; i < e.shows.size(); ++i)
         shows.push_back({{"name", name_of(e.mistakes[i])}, {"color", rgb_json(e.shows[i])}});
@@ -62,8 +60,8 @@ JsonValue difference_json(const Diagnosis& d, const Scene& scene) {
         regions.push_back({{"object", scene.objects[static_cast<std::size_t>(r.object)].name},
                            {"pixels", r.pixels},
                            {"share", r.share},
-                           {"from", pixel_json(r.low)},
-                           {"to", pixel_json(r.high)},
+                           {"from", json_of(r.low)},
+                           {"to", json_of(r.high)},
                            {"mean", r.mean}});
     JsonValue& terms = json["terms"] = JsonValue::array();
     for (const DifferenceTerm& t : d.terms) {

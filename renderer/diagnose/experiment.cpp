@@ -134,6 +134,7 @@ double apart(const Picture& a, const Picture& b) {
 std::vector<Picture> drawn_under(Renderer& renderer, const Scene& scene, PictureSize size,
                                  const std::vector<MistakeSet>& mistakes) {
     std::vector<Picture> pictures;
+    pictures.reserve(mistakes.size());
     for (const MistakeSet& set : mistakes)
         pictures.push_back(renderer.render(under_mistakes(scene, set), size));
     return pictures;

@@ -160,7 +160,7 @@ Result<QuizAnswers> read_answers(const Lesson& lesson, std::string_view text, co
                    answer.number() < static_cast<double>(options)) {
             read.options.emplace_back(static_cast<std::size_t>(answer.number()));
         } else {
-            return Problem{file, fmt::format("/answers/{}", i), "is no option",
+            return Problem{file, fmt::format("/answers/{}", i), "is not an option",
                            fmt::format("0 to {}, or null", options - 1)};
         }
     }

@@ -82,6 +82,7 @@ std::string camera_text(const Camera& camera, Language language) {
     const auto vector = [&](const glm::vec3& v) { return vector_in_program(v, language); };
     const auto numbers = [&](const std::vector<std::pair<std::string, float>>& all) {
         std::vector<std::string> parts;
+        parts.reserve(all.size());
         for (const auto& [name, value] : all) parts.push_back(name + " = " + number_in_program(value));
         const std::string start = python ? "" : "const double ", separator = python ? "; " : ", ";
         return start + fmt::format("{}", fmt::join(parts, separator)) + (python ? "" : ";");

@@ -45,7 +45,7 @@ bool Occlusion::hides(std::uint32_t triangle, glm::dvec2 pixel, double inv_w) co
 
 namespace {
 
-constexpr std::size_t chunk_size = 256;  // edges that one task follows
+constexpr std::size_t edges_a_task = 256;  // edges that one task follows
 
 /// An edge on the screen.
 struct Projected {
@@ -170,9 +170,10 @@ std::vector<StrokeLine> visible_lines(const Geometry& g, const Visibility& visib
                                       const MeshEdges& mesh, std::span<const StrokeEdge> edges,
                                       double margin_px) {
     const Follower follower(g, visibility, object, mesh, margin_px);
-    std::vector<std::vector<StrokeLine>> found((edges.size() + chunk_size - 1) / chunk_size);
+    std::vector<std::vector<StrokeLine>> found((edges.size() + edges_a_task - 1) / edges_a_task);
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t chunk) {
-        for (std::size_t i = chunk * chunk_size; i < std::min(edges.size(), (chunk + 1) * chunk_size); ++i)
+        for (std::size_t i = chunk * edges_a_task; i < std::min(edges.size(), (chunk + 1) * edges_a_task);
+             ++i)
             follower.follow(edges[i], found[chunk]);
     });
     std::vector<StrokeLine> all;

@@ -18,7 +18,7 @@ using namespace glint;
 
 namespace {
 
-const char* const ball = R"({"glint": 1, "objects": [{"mesh": {"primitive": "sphere", "detail": 12}}]})";
+const char* const ball_text = R"({"glint": 1, "objects": [{"mesh": {"primitive": "sphere", "detail": 12}}]})";
 
 /// Starts glint with these arguments and waits until a half-written file stands in the directory, or the end;
 /// then sends the signal. What wait() says, or -1 when it ended before.
@@ -45,7 +45,7 @@ int status_when_signalled(const std::vector<std::string>& arguments, const Tempo
 TEST_CASE("Ctrl+C and its like leave no half-written file, and end the program as a shell expects",
           "[cli][temporary]") {
     const TemporaryDirectory in;
-    const std::string scene = in.file("scene.json", ball);
+    const std::string scene = in.file("scene.json", ball_text);
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
         int status = -1;
         for (int attempt = 0; attempt < 20 && !WIFSIGNALED(status); ++attempt) {  // it may be done too soon
@@ -65,7 +65,7 @@ TEST_CASE("Ctrl+C and its like leave no half-written file, and end the program a
 TEST_CASE("a disk that is full before the last buffer is written leaves no picture and no buffer",
           "[cli][buffers]") {
     const TemporaryDirectory in, out;
-    const std::string scene = in.file("scene.json", ball);
+    const std::string scene = in.file("scene.json", ball_text);
     // The PNG has less than 4 KiB, each buffer more.
     const std::string command =
         fmt::format("ulimit -f 4; exec '{}' render '{}' -o '{}' --size 40x30 --buffers '{}' 2>'{}'",
@@ -122,7 +122,7 @@ TEST_CASE("of several files for the window one that is not there is named before
 
 TEST_CASE("render --no-scene leaves the scene out of a PNG, and nothing else", "[cli]") {
     const TemporaryDirectory directory;
-    const std::string scene = directory.file("scene.json", ball), with = directory.path("with.png"),
+    const std::string scene = directory.file("scene.json", ball_text), with = directory.path("with.png"),
                       without = directory.path("without.png");
     REQUIRE(run_glint({"render", scene, "-o", with, "--size", "32x24"}).status == 0);
     REQUIRE(run_glint({"render", scene, "-o", without, "--size", "32x24", "--no-scene"}).status == 0);

@@ -26,13 +26,13 @@ std::string text_of(const fs::path& path) {
     return text.str();
 }
 
-struct Row {
+struct MapRow {
     int number = 0;
     std::string idea, scene, command, tests, file, symbol, lessons;
 };
 
-std::vector<Row> rows() {
-    std::vector<Row> found;
+std::vector<MapRow> rows() {
+    std::vector<MapRow> found;
     std::istringstream lines(text_of(source_dir / "docs" / "lecture_map.md"));
     const std::regex form(R"(\| (\d+) \| (.+) \| (\S+) \| `(.+)` \| (.+) \| `(\S+)`: (\w+) \| (.+) \|)");
     std::string line;
@@ -72,7 +72,7 @@ std::set<std::string> test_names() {
 }
 
 /// The words behind "glint" of a row's command, with its scene where it lies and its output out of the way.
-std::vector<std::string> words_of(const Row& row, const std::string& out) {
+std::vector<std::string> words_of(const MapRow& row, const std::string& out) {
     std::istringstream stream(row.command);
     std::string program;
     stream >> program;
@@ -90,7 +90,7 @@ std::vector<std::string> words_of(const Row& row, const std::string& out) {
 }  // namespace
 
 TEST_CASE("the lecture map has every idea once, each with a scene and tests that exist", "[docs]") {
-    const std::vector<Row> map = rows();
+    const std::vector<MapRow> map = rows();
     REQUIRE(map.size() == 52);
     const std::set<std::string> tests = test_names();
     REQUIRE(tests.size() > 200);
@@ -109,7 +109,7 @@ TEST_CASE("the lecture map has every idea once, each with a scene and tests that
 
 TEST_CASE("every command of the lecture map runs", "[docs][program][long][release]") {
     const TemporaryDirectory directory;
-    for (const Row& row : rows()) {
+    for (const MapRow& row : rows()) {
         CAPTURE(row.number, row.command);
         const Ended ended = run_glint(words_of(row, directory.path("out.png")));
         CHECK(ended.status == 0);
@@ -167,7 +167,7 @@ TEST_CASE("every picture that the documents show is there, and none is left unsh
 
 TEST_CASE("every idea of the lecture map is programmed in the file that it names", "[docs]") {
     REQUIRE(rows().size() == 52);
-    for (const Row& row : rows()) {
+    for (const MapRow& row : rows()) {
         CAPTURE(row.number, row.file, row.symbol);
         const std::string text = text_of(source_dir / row.file);
         CHECK(std::regex_search(text, std::regex("\\b" + row.symbol + "\\b")));
@@ -192,7 +192,7 @@ std::vector<std::string> lessons_with(int number, std::vector<int> Lesson::*numb
 
 TEST_CASE("every idea of the lecture map is touched by the lessons that it names", "[docs][lesson]") {
     REQUIRE(rows().size() == 52);
-    for (const Row& row : rows()) {
+    for (const MapRow& row : rows()) {
         CAPTURE(row.number);
         CHECK(!in_backticks(row.lessons).empty());
         CHECK(in_backticks(row.lessons) == lessons_with(row.number, &Lesson::rows));

@@ -15,9 +15,9 @@ std::string lesson_text(const std::string& scene, const std::string& check) {
            "\n```\n";
 }
 
-const char* const scene_text = R"({"glint": 1, "objects": [{"name": "Ball"}]})";
+const char* const ball_scene = R"({"glint": 1, "objects": [{"name": "Ball"}]})";
 
-void check_wrong(const std::vector<std::string>& arguments, const std::string& part) {
+void check_refused(const std::vector<std::string>& arguments, const std::string& part) {
     const Ended ended = run_glint(arguments);
     CAPTURE(arguments, ended.err);
     CHECK(ended.status == 2);
@@ -50,7 +50,7 @@ TEST_CASE("glint lessons lists those that come with the program, as text and as 
 TEST_CASE("glint lessons --check ends with status 1 where a claim of one's own folder falls short",
           "[cli][lesson]") {
     const TemporaryDirectory directory;
-    (void)directory.file("ball.json", scene_text);
+    (void)directory.file("ball.json", ball_scene);
     const std::string good = directory.file("01-good.md", lesson_text("ball.json", "e.hit"));
     const std::string bad = directory.file("02-bad.md", lesson_text("ball.json", "e.sum[0] = 7"));
     const Ended one = run_glint({"lessons", "--check", good});
@@ -69,7 +69,7 @@ TEST_CASE("glint lessons --check ends with status 1 where a claim of one's own f
 
 TEST_CASE("an error in a lesson is one line on standard error", "[cli][lesson][bad-input]") {
     const TemporaryDirectory directory;
-    (void)directory.file("ball.json", scene_text);
+    (void)directory.file("ball.json", ball_scene);
     const std::string path = directory.file("l.md", lesson_text("ball.json", "e.hits = "));
     const Ended ended = run_glint({"lessons", "--check", path});
     CHECK(ended.status == 1);
@@ -97,25 +97,25 @@ TEST_CASE("glint lessons and glint exercise write pages", "[cli][lesson]") {
 }
 
 TEST_CASE("wrong usage of glint lessons and glint exercise says what is wrong", "[cli][lesson][bad-input]") {
-    check_wrong({"lessons", "lambret"},
-                "lambret: neither a file nor a lesson; expected 05-lambert, or a file");
-    check_wrong({"lessons", "-o", "x.html"}, "-o: prints one lesson");
-    check_wrong({"lessons", "5", "-o", "x.pdf"}, "expected a name that ends in .html, or -");
-    check_wrong({"lessons", "5", "--key"}, "--key: is without -o");
-    check_wrong({"lessons", "5", "--check", "-o", "x.html"}, "--check: stands beside -o");
-    check_wrong({"exercise"}, "NAME: is missing");
-    check_wrong({"exercise", "5"}, "-o: is missing");
-    check_wrong({"exercise", "5", "-o", "x.pdf"}, "expected a name that ends in .html or .tex");
-    check_wrong({"exercise", "5", "-o", "x.html", "--count", "0"}, "--count: 0 is out of range");
+    check_refused({"lessons", "lambret"},
+                  "lambret: neither a file nor a lesson; expected 05-lambert, or a file");
+    check_refused({"lessons", "-o", "x.html"}, "-o: prints one lesson");
+    check_refused({"lessons", "5", "-o", "x.pdf"}, "expected a name that ends in .html, or -");
+    check_refused({"lessons", "5", "--key"}, "--key: is without -o");
+    check_refused({"lessons", "5", "--check", "-o", "x.html"}, "--check: stands beside -o");
+    check_refused({"exercise"}, "NAME: is missing");
+    check_refused({"exercise", "5"}, "-o: is missing");
+    check_refused({"exercise", "5", "-o", "x.pdf"}, "expected a name that ends in .html or .tex");
+    check_refused({"exercise", "5", "-o", "x.html", "--count", "0"}, "--count: 0 is out of range");
 }
 
 TEST_CASE("what keeps a lesson from opening in the window is one line", "[cli][lesson][bad-input]") {
-    check_wrong({"--lesson", "lambart"}, "expected 05-lambert");
-    check_wrong({"--lesson", "5", "--set", "/display/exposure=2"}, "stands beside a lesson");
-    check_wrong({"scene.json", "--lesson", "5"}, "--lesson: stands beside scene.json");
+    check_refused({"--lesson", "lambart"}, "expected 05-lambert");
+    check_refused({"--lesson", "5", "--set", "/display/exposure=2"}, "stands beside a lesson");
+    check_refused({"scene.json", "--lesson", "5"}, "--lesson: stands beside scene.json");
     const TemporaryDirectory directory;
-    const std::string scene = directory.file("ball.json", scene_text);
-    check_wrong({directory.file("good.md", lesson_text("ball.json", "e.hit")), scene}, "the lesson alone");
+    const std::string scene = directory.file("ball.json", ball_scene);
+    check_refused({directory.file("good.md", lesson_text("ball.json", "e.hit")), scene}, "the lesson alone");
     const Ended wrong = run_glint({directory.file("wrong.md", lesson_text("ball.json", "f.hit"))});
     CHECK(wrong.status == 1);
     CHECK(wrong.err.find("wrong.md:12: \"f\" is not known") != std::string::npos);
@@ -139,7 +139,7 @@ TEST_CASE("glint quiz writes the inventory and counts what a class has answered"
     const Ended wrong = run_glint({"quiz", a, b});
     CHECK(wrong.status == 1);
     CHECK(wrong.err.find(b + ": these are no answers to inventory") != std::string::npos);
-    check_wrong({"quiz"}, "-o: is missing");
-    check_wrong({"quiz", a, "-o", page}, "-o: stands beside ANSWERS");
-    check_wrong({"quiz", "-o", "x.png"}, "expected a name that ends in .html, or -");
+    check_refused({"quiz"}, "-o: is missing");
+    check_refused({"quiz", a, "-o", page}, "-o: stands beside ANSWERS");
+    check_refused({"quiz", "-o", "x.png"}, "expected a name that ends in .html, or -");
 }

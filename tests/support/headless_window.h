@@ -60,6 +60,10 @@ class HeadlessWindow {
     void frames(int count) {
         for (int i = 0; i < count; ++i) (void)frame();
     }
+    void type(const char* letters) {
+        for (; *letters != 0; ++letters) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(*letters));
+        frames(2);
+    }
     void move(ImVec2 to) {
         ImGui::GetIO().MousePos = to;
         (void)frame();

@@ -20,9 +20,9 @@ bool starts_word(std::string_view text, std::size_t at) {
 }
 
 /// The best way to lay `word` over `text`: best[i][j] is the score of word[0..i] with word[i] on text[j].
-class Layout {
+class Alignment {
   public:
-    Layout(std::string_view word, std::string_view text) : word_(word), text_(text) {
+    Alignment(std::string_view word, std::string_view text) : word_(word), text_(text) {
         best_.assign(word.size(), std::vector<int>(text.size(), impossible));
         from_.assign(word.size(), std::vector<int>(text.size(), -1));
         for (std::size_t i = 0; i < word.size(); ++i) fill(i);
@@ -76,7 +76,7 @@ std::optional<FuzzyMatch> fuzzy_match(std::string_view query, std::string_view t
         const std::string_view word = query.substr(0, end);
         query.remove_prefix(std::min(end + 1, query.size()));
         if (word.empty()) continue;
-        const auto found = text.empty() ? std::nullopt : Layout(word, text).match();
+        const auto found = text.empty() ? std::nullopt : Alignment(word, text).match();
         if (!found) return {};
         whole.score += 64 * found->score;  // what the length takes off only decides between equals
         whole.bytes.insert(whole.bytes.end(), found->bytes.begin(), found->bytes.end());

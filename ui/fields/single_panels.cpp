@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "models/scene/degree.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/orbit.h"
@@ -14,8 +14,6 @@
 
 namespace glint {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// Half the height of the view at one unit in front of the eye; the orthographic view's at the target.
 double half_height(const Camera& camera) {

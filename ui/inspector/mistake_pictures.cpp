@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "renderer/diagnose/search/mistake_set.h"
+#include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
 
-constexpr double stillness = 0.25;  // seconds before the pictures are begun
 /// What looks the same in small is compared in a picture so many times as wide and high.
 constexpr int enlarged = 4;
 /// A difference below this can hardly be seen, in levels of 0 to 255.

@@ -72,7 +72,6 @@ float SensitivityJob::progress() const {
 
 namespace {
 
-constexpr double stillness = 0.25;   // seconds before a job starts
 constexpr double look_again = 0.05;  // seconds between looks at its progress
 
 void retire(SensitivityState& state) {

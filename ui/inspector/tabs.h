@@ -19,6 +19,9 @@ namespace glint {
 struct UiState;
 struct PictureView;
 
+/// Seconds that the scene has stood still before something is measured or drawn beside the window.
+inline constexpr double stillness = 0.25;
+
 /// A tab: what it is called, what its tooltip says, and what draws it below the tab bar.
 struct InspectorTabInfo {
     InspectorTab tab;

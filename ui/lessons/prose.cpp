@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-constexpr std::string_view dot = "·";
+constexpr std::string_view times_sign = "·";
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -176,8 +176,9 @@ std::vector<ColouredPiece> coloured_pieces(std::string_view word) {
             continue;
         }
         const std::string_view run = word.substr(i, end - i);
-        const bool after = i >= dot.size() && word.substr(i - dot.size(), dot.size()) == dot;
-        add(run, quantity_of(run, after || word.substr(end).starts_with(dot)));
+        const bool after =
+            i >= times_sign.size() && word.substr(i - times_sign.size(), times_sign.size()) == times_sign;
+        add(run, quantity_of(run, after || word.substr(end).starts_with(times_sign)));
         i = end;
     }
     return pieces;

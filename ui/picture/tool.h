@@ -12,6 +12,9 @@
 
 namespace glint {
 
+/// Logical pixels within which a tool's line is taken.
+inline constexpr float tool_line_reach = 6;
+
 struct UiState;
 
 /// The picture and the mouse, for one frame.

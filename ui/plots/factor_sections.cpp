@@ -89,7 +89,7 @@ void cosine_curve(double deg) {
     draw_reading(list, area, {{curve, theme()[Symbol::Diffuse]}});
 }
 
-constexpr int steps = 240;
+constexpr int factor_steps = 240;
 
 /// Says how far a falloff's plot reaches: past the point, to where little is left.
 double farthest_of(const PlotSubject& subject) {
@@ -126,7 +126,7 @@ void cosine_section(PlotsState& plots, const PlotSubject& subject) {
 
 void falloff_section(const PlotSubject& subject) {
     if (!fold("Falloff over the distance to the light", true)) return;
-    const auto curve = falloff_curve(subject.scene, subject.light, farthest_of(subject), steps);
+    const auto curve = falloff_curve(subject.scene, subject.light, farthest_of(subject), factor_steps);
     if (curve.empty()) {
         const bool area =
             subject.scene.lights[static_cast<std::size_t>(subject.light)].kind == LightKind::Area;
@@ -152,7 +152,7 @@ void falloff_section(const PlotSubject& subject) {
 }
 
 void spot_section(const PlotSubject& subject) {
-    const auto curve = spot_curve(subject.scene, subject.light, steps);
+    const auto curve = spot_curve(subject.scene, subject.light, factor_steps);
     if (curve.empty()) return;
     if (!fold("Cone: how much goes into which direction", false)) return;
     const Light& light = subject.scene.lights[static_cast<std::size_t>(subject.light)];

@@ -19,7 +19,7 @@
 namespace glint {
 namespace {
 
-constexpr int steps = 90, curve_steps = 240;
+constexpr int shape_steps = 90, curve_steps = 240;
 
 /// The model whose power is fitted: the scene's, or Phong's where its model has none.
 Reflection fitted_model(const Scene& scene) {
@@ -29,7 +29,8 @@ Reflection fitted_model(const Scene& scene) {
 /// The half of a model's highlight from its middle outwards.
 std::vector<glm::dvec2> half_highlight(Reflection reflection, float shininess) {
     std::vector<glm::dvec2> curve;
-    for (int deg = 0; deg <= steps; ++deg) curve.emplace_back(deg, highlight_at(reflection, shininess, deg));
+    for (int deg = 0; deg <= shape_steps; ++deg)
+        curve.emplace_back(deg, highlight_at(reflection, shininess, deg));
     return curve;
 }
 
@@ -124,10 +125,12 @@ void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subjec
     const ImVec2 below = ImGui::GetCursorScreenPos();
     draw_by_hand(plots.sketch, area);
     ImGui::SetCursorScreenPos({cursor.x, below.y});
-    draw_curve(list, area, highlight_shape(HighlightShape::Linear, like, steps), theme().dim_text, 1.2f);
+    draw_curve(list, area, highlight_shape(HighlightShape::Linear, like, shape_steps), theme().dim_text,
+               1.2f);
     draw_curve(list, area, power, theme()[symbol], 3);
     // Over it: for a large n the two are hard to tell apart.
-    draw_curve(list, area, highlight_shape(HighlightShape::Gaussian, like, steps), theme()[Symbol::L], 1.2f);
+    draw_curve(list, area, highlight_shape(HighlightShape::Gaussian, like, shape_steps), theme()[Symbol::L],
+               1.2f);
     const auto drawn = points_of(plots.sketch);
     draw_curve(list, area, drawn, theme().accent, 2.6f);
     const auto fit = fitted_highlight(model, drawn);

@@ -18,7 +18,7 @@
 namespace glint {
 namespace {
 
-constexpr int steps = 180;
+constexpr int lobe_steps = 180;
 
 Reflector reflector_of(const PlotSubject& subject) {
     return {subject.scene.shading.reflection, subject.material, {}};
@@ -43,7 +43,7 @@ struct Lobe {
 };
 
 Lobe lobe_of(const Reflector& reflector, double light_deg, bool with_ambient) {
-    const std::vector<LobeSample> slice = lobe_slice(reflector, light_deg, steps);
+    const std::vector<LobeSample> slice = lobe_slice(reflector, light_deg, lobe_steps);
     Lobe lobe;
     lobe.ambient = polar(slice, [](const Reflected& r) { return r.ambient; });
     lobe.diffuse = polar(slice, [](const Reflected& r) { return r.diffuse; });
@@ -152,7 +152,7 @@ void lobe_section(PlotsState& plots, const PlotSubject& subject) {
 
 BrdfCurves brdf_curves(const Reflector& reflector, double light_deg) {
     BrdfCurves curves;
-    for (const LobeSample& s : lobe_slice(reflector, light_deg, steps)) {
+    for (const LobeSample& s : lobe_slice(reflector, light_deg, lobe_steps)) {
         curves.forwards.emplace_back(s.view_deg, intensity_of(s.brdf));
         const glm::vec3 back = brdf(reflector, in_plane(s.view_deg), in_plane(-light_deg));
         curves.backwards.emplace_back(s.view_deg, intensity_of(back));

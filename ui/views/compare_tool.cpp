@@ -16,8 +16,7 @@
 namespace glint {
 namespace {
 
-constexpr float line_reach = 6;  // logical pixels within which a line is taken
-constexpr double apart = 0.02;   // of the width: lines never come nearer to one another
+constexpr double apart = 0.02;  // of the width: lines never come nearer to one another
 
 /// Where a line lies in the window: its x, or stacked its y.
 float line_at(const CompareChoice& choice, int wipe, const PictureView& view) {
@@ -53,7 +52,7 @@ void find_under(CompareState& state, const PictureView& view) {
     if (state.label_under >= 0 || state.choice.difference) return;
     for (int i = 0; i < static_cast<int>(state.choice.wipes.size()); ++i)
         if (std::abs((state.choice.stacked ? mouse.y : mouse.x) - line_at(state.choice, i, view)) <=
-            px(line_reach))
+            px(tool_line_reach))
             state.under = i;
 }
 

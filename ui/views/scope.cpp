@@ -21,7 +21,7 @@ namespace {
 using Hand = ScopeState::Hand;
 
 /// Logical pixels within which an end or the line is taken.
-constexpr float end_reach = 10, line_reach = 6;
+constexpr float end_reach = 10;
 
 glm::dvec2 size_of(const PictureView& view) { return {view.map.size.width, view.map.size.height}; }
 
@@ -49,7 +49,7 @@ Hand under_cursor(const ScopeState& scope, const PictureView& view, glm::dvec2 s
     if (length_of(mouse - to) <= px(end_reach)) return Hand::To;
     if (length_of(mouse - from) <= px(end_reach)) return Hand::From;
     if (is_on_card(scope, share)) return Hand::Card;
-    return distance_to_segment(mouse, from, to) <= px(line_reach) ? Hand::Line : Hand::None;
+    return distance_to_segment(mouse, from, to) <= px(tool_line_reach) ? Hand::Line : Hand::None;
 }
 
 /// `moved` level or upright as seen from `fixed`, whichever is nearer.

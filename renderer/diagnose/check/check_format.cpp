@@ -1,15 +1,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "models/json/json_value.h"
+#include "models/json/json_of_vector.h"
 #include "renderer/diagnose/check/check.h"
 
 namespace glint {
 namespace {
 
 std::string text_of(glm::vec3 v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
-
-JsonValue vec_json(glm::vec3 v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
@@ -37,8 +35,8 @@ std::string check_json(const BufferCheck& check) {
         differs["buffer"] = d.name;
         differs["share"] = d.share;
         differs["pixel"] = JsonValue{d.pixel.x, d.pixel.y};
-        differs["mine"] = vec_json(d.mine);
-        differs["ours"] = vec_json(d.ours);
+        differs["mine"] = json_of(d.mine);
+        differs["ours"] = json_of(d.ours);
         differs["found"] = d.found;
     }
     return json_text(json);

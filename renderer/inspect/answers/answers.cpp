@@ -3,12 +3,13 @@
 #include <glm/mat4x4.hpp>
 #include <map>
 
+#include "models/json/json_of_vector.h"
+
 namespace glint {
 namespace {
 
 using Json = JsonValue;
-
-Json json_of(glm::vec3 v) { return {v.x, v.y, v.z}; }
+using glint::json_of;  // beside those below
 
 /// Four rows of four. GLM counts columns first.
 Json json_of(const glm::dmat4& m) {

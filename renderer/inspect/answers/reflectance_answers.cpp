@@ -1,15 +1,13 @@
 #include "renderer/inspect/answers/reflectance_answers.h"
 
 #include "models/fields/choices.h"
+#include "models/json/json_of_vector.h"
 
 namespace glint {
 namespace {
 
 using Json = JsonValue;
-
-Json json_of(glm::dvec2 v) { return {v.x, v.y}; }
-Json json_of(glm::dvec3 v) { return {v.x, v.y, v.z}; }
-Json json_of(glm::vec3 v) { return {v.x, v.y, v.z}; }
+using glint::json_of;  // beside those below
 
 Json json_of(const LobeSample& s) {
     return {{"view_deg", s.view_deg},

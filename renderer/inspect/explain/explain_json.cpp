@@ -1,13 +1,12 @@
 #include "models/fields/choices.h"
-#include "models/json/json_value.h"
+#include "models/json/json_of_vector.h"
 #include "renderer/inspect/explain/explain_format.h"
 
 namespace glint {
 namespace {
 
 using Json = JsonValue;
-
-Json json_of(glm::vec3 v) { return {v.x, v.y, v.z}; }
+using glint::json_of;  // beside those below
 
 Json json_of(const InBothFrames& v) { return {{"camera", json_of(v.camera)}, {"world", json_of(v.world)}}; }
 

@@ -13,11 +13,11 @@ namespace glint {
 namespace {
 
 /// Ten columns wide, the points below each other where a plain number will do.
-std::string number(float x) {
+std::string in_column(float x) {
     const float size = std::abs(x);
     return x == 0 || (size >= 1e-4f && size < 1e4f) ? fmt::format("{:10.4f}", x) : fmt::format("{:10.2e}", x);
 }
-std::string numbers(glm::vec3 v) { return number(v.x) + number(v.y) + number(v.z); }
+std::string in_columns(glm::vec3 v) { return in_column(v.x) + in_column(v.y) + in_column(v.z); }
 
 /// Inside an equation: as short as it can be.
 std::string brief(float x) { return fmt::format("{:.4g}", x); }
@@ -34,17 +34,17 @@ std::string term(std::string_view name, std::string_view product, glm::vec3 valu
     const auto is_start = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80; };  // of UTF-8
     const auto width = static_cast<std::size_t>(std::count_if(product.begin(), product.end(), is_start));
     if (width <= product_width)
-        return fmt::format("  {:<9} {:<{}}{}\n", name, product, product_width, numbers(value));
+        return fmt::format("  {:<9} {:<{}}{}\n", name, product, product_width, in_columns(value));
     return fmt::format("  {:<9} {}\n", name, product) + term("", "", value);
 }
 
 std::string vector(std::string_view symbol, const InBothFrames& v, std::string_view meaning) {
-    return fmt::format("  {:<3}{}   {}    {}\n", symbol, numbers(v.camera), numbers(v.world), meaning);
+    return fmt::format("  {:<3}{}   {}    {}\n", symbol, in_columns(v.camera), in_columns(v.world), meaning);
 }
 
 /// A result in its column, without the spaces before it.
 std::string result_text(double x) {
-    const std::string text = number(static_cast<float>(x));
+    const std::string text = in_column(static_cast<float>(x));
     return text.substr(text.find_first_not_of(' '));
 }
 
@@ -105,10 +105,11 @@ class Writer {
         const auto line = [](std::string_view name, const std::string& values, std::string_view note) {
             return fmt::format("  {:<8}{}{}\n", name, values, note);
         };
-        return line("object", numbers(in.object), "") + line("world", numbers(in.world), "") +
-               line("camera", numbers(in.camera), "              here it is lit") +
-               line("clip", numbers(glm::vec3(in.clip)) + number(in.clip.w), "    w last") +
-               line("ndc", numbers(in.ndc), "") + line("pixel", number(in.pixel.x) + number(in.pixel.y), "");
+        return line("object", in_columns(in.object), "") + line("world", in_columns(in.world), "") +
+               line("camera", in_columns(in.camera), "              here it is lit") +
+               line("clip", in_columns(glm::vec3(in.clip)) + in_column(in.clip.w), "    w last") +
+               line("ndc", in_columns(in.ndc), "") +
+               line("pixel", in_column(in.pixel.x) + in_column(in.pixel.y), "");
     }
 
     static std::string place(const ExplainedPoint& at) {

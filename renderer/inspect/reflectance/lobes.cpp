@@ -18,7 +18,7 @@ namespace glint {
 namespace {
 
 using Vec = Vec3<float>;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The integral of value(v) n.v over the hemisphere of v, by midpoints around the axis of the lobe: dense
 /// near it, as a smooth surface needs, and in each half-plane through it exactly down to the horizon, where

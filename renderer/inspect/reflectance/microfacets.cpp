@@ -6,13 +6,12 @@
 #include <optional>
 #include <random>
 
+#include "models/scene/degree.h"
 #include "renderer/inspect/reflectance/lobes.h"
 #include "renderer/lighting/oren_nayar.h"
 
 namespace glint {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 glm::dvec2 direction(double deg) { return {std::sin(deg * degree), std::cos(deg * degree)}; }
 

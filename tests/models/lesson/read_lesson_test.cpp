@@ -113,14 +113,14 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(at, from.size(), to);
 }
 
-std::string problem_with(const std::string& text) {
+std::string problem_of_text(const std::string& text) {
     const Result<Lesson> lesson = parse_lesson(text, "l.md");
     return problem_of(lesson) == nullptr ? "" : problem_of(lesson)->text();
 }
 
 /// The problem of the lesson above with one place of it changed.
 std::string with_edit(const std::string& from, const std::string& to) {
-    return problem_with(replaced(every_block, from, to));
+    return problem_of_text(replaced(every_block, from, to));
 }
 
 }  // namespace
@@ -213,9 +213,9 @@ TEST_CASE("an error in a lesson is one line with the number of its line", "[less
     CHECK(with_edit("tolerance: 0.02", "tolarance: 0.02") ==
           "l.md:29: unknown key \"tolarance\"; expected \"tolerance\"");
     CHECK(with_edit("e = explain --pixel 10,20", "e = explian --pixel 10,20") ==
-          "l.md:27: \"explian\" is no run; expected \"explain\"");
+          "l.md:27: \"explian\" is not a run; expected \"explain\"");
     CHECK(with_edit("--pixel 10,20", "--pixle 10,20") ==
-          "l.md:27: \"--pixle\" is no option of explain; expected \"--pixel\"");
+          "l.md:27: \"--pixle\" is not an option of explain; expected \"--pixel\"");
     CHECK(with_edit("--pixel 10,20", "") == "l.md:27: explain has no --pixel; expected --pixel X,Y");
     CHECK(with_edit("answer: e.lights[0].n_dot_l", "answer: f.lights[0].n_dot_l") ==
           "l.md:28: \"f\" is not known; expected \"e\"");
@@ -224,24 +224,24 @@ TEST_CASE("an error in a lesson is one line with the number of its line", "[less
     CHECK(with_edit("set: /display/exposure=2", "set: display=2").starts_with("l.md:35: "));
     CHECK(with_edit("play: /lights/0/position/1 1 to 2", "play: /a 1 2").starts_with("l.md:38: "));
     CHECK(with_edit("c = compare a b", "c = compare a z") ==
-          "l.md:47: \"z\" is no picture; expected a run of render above it");
+          "l.md:47: \"z\" is not a picture; expected a run of render above it");
     CHECK(with_edit("if: c.max_error > 0\n", "") ==
           "l.md:49: the option above has no condition; expected a line if: behind it");
     CHECK(with_edit("done: e.hit\n", "") == "l.md:62: the block has no line \"done:\"; expected one");
     CHECK(with_edit("falls_under: missing_pi", "falls_under: missing_p") ==
-          "l.md:76: \"missing_p\" is no mistake; expected \"missing_pi\"");
+          "l.md:76: \"missing_p\" is not a mistake; expected \"missing_pi\"");
     CHECK(with_edit("vary: deg = 10 to 30 step 10", "vary: deg = 10 to 30 step -1").starts_with("l.md:80: "));
     CHECK(with_edit("closed: k * cos(deg)", "closed: k * cos(dag)") ==
           "l.md:87: \"dag\" is not known; expected \"deg\"");
     CHECK(with_edit("{2 * deg}", "{2 * dag}") ==
           "l.md:83: \"2 * dag\": \"dag\" is not known; expected \"deg\"");
     CHECK(with_edit("option: no\n", "option: no\nmistake: missing_p\n") ==
-          "l.md:51: \"missing_p\" is no mistake; expected \"missing_pi\"");
+          "l.md:51: \"missing_p\" is not a mistake; expected \"missing_pi\"");
     CHECK(with_edit("# Lambert's law", "Lambert") ==
           "l.md:1: the lesson has no title; expected a line # TITLE");
-    CHECK(problem_with("# T\n\n## Step\n") ==
+    CHECK(problem_of_text("# T\n\n## Step\n") ==
           "l.md:3: the block \"lesson\" is missing above; expected its topic and its scene");
-    CHECK(problem_with("# T\n\n\xff\n") == "l.md:3: the text is not UTF-8; expected UTF-8");
+    CHECK(problem_of_text("# T\n\n\xff\n") == "l.md:3: the text is not UTF-8; expected UTF-8");
     CHECK(with_edit("# Lambert's law\n", "# Lambert's law\r\n").empty());
 }
 
@@ -263,13 +263,13 @@ TEST_CASE("a folder's lessons come in the order of their names, and nothing else
 }
 
 TEST_CASE("no file that anyone makes as a lesson ends the program", "[lesson][fuzz]") {
-    CHECK(problem_with("# T\n" + std::string(60000, '>')).find("nested too deep") != std::string::npos);
+    CHECK(problem_of_text("# T\n" + std::string(60000, '>')).find("nested too deep") != std::string::npos);
     std::string deep = "# T\n";
     for (int i = 0; i < 100; ++i) deep += std::string(static_cast<std::size_t>(i) * 2, ' ') + "- x\n";
-    CHECK(problem_with(deep).find("nested too deep") != std::string::npos);
+    CHECK(problem_of_text(deep).find("nested too deep") != std::string::npos);
     std::string many = "# T\n\n";
     for (int i = 0; i < 5000; ++i) many += "x\n\n";
-    CHECK(problem_with(many).find("too long") != std::string::npos);
+    CHECK(problem_of_text(many).find("too long") != std::string::npos);
     std::mt19937 random(3);
     int read_well = 0;
     for (int i = 0; i < 1500; ++i) {

@@ -27,7 +27,7 @@ std::string cancelled_words_of(const std::string& name, const std::string& bytes
     return problem_of(result) == nullptr ? "read" : problem_of(result)->what;
 }
 
-std::string repeated(const std::string& text, int count) {
+std::string times(const std::string& text, int count) {
     std::string all;
     for (int i = 0; i < count; ++i) all += text;
     return all;
@@ -35,7 +35,7 @@ std::string repeated(const std::string& text, int count) {
 
 /// `count` arrowheads, which are not convex, on the same five places.
 std::string arrowheads(int count) {
-    return "v 0 0 0\nv 4 -2 0\nv 1 0 0\nv 4 2 0\nv 3 3 3\n" + repeated("f 1 2 3 4\n", count);
+    return "v 0 0 0\nv 4 -2 0\nv 1 0 0\nv 4 2 0\nv 3 3 3\n" + times("f 1 2 3 4\n", count);
 }
 
 }  // namespace
@@ -50,28 +50,28 @@ TEST_CASE("parsing ends early in every part of every format", "[loading][cancel]
         std::string name, bytes;
     };
     const std::vector<Row> table{
-        {"vertices.obj", repeated("v 0 0 0\n", 20000)},
-        {"comments.obj", repeated("# nothing\n", 20000)},
-        {"one_face.obj", "v 0 0 0\nf" + repeated(" 1", 100000) + " 2\n"},
-        {"header.ply", ply_head + repeated("comment nothing\n", 20000)},
+        {"vertices.obj", times("v 0 0 0\n", 20000)},
+        {"comments.obj", times("# nothing\n", 20000)},
+        {"one_face.obj", "v 0 0 0\nf" + times(" 1", 100000) + " 2\n"},
+        {"header.ply", ply_head + times("comment nothing\n", 20000)},
         {"elements.ply", ply_head +
                              [] {
                                  std::string names;
                                  for (int i = 0; i < 20000; ++i) names += fmt::format("element e{} 0\n", i);
                                  return names;
                              }()},
-        {"vertices.ply", ply_head + "element vertex 99999\n" + xyz + face + repeated("0 0 0\n", 30000)},
+        {"vertices.ply", ply_head + "element vertex 99999\n" + xyz + face + times("0 0 0\n", 30000)},
         {"binary.ply", binary_head + std::string(12 * 30000, '\0')},
-        {"vertices.off", "OFF 99999 1 0\n" + repeated("0 0 0\n", 30000)},
+        {"vertices.off", "OFF 99999 1 0\n" + times("0 0 0\n", 30000)},
         {"ascii.stl",
-         "solid\n" + repeated("facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
-                              "endloop\nendfacet\n",
-                              2000)},
+         "solid\n" + times("facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                           "endloop\nendfacet\n",
+                           2000)},
         {"binary.stl", std::string(80, ' ') + std::string("\xd0\x07\0\0", 4) + std::string(50 * 2000, '\0')},
         {"vertices.om", test::Bytes("OMP\x22").u32({30000, 1, 0}).u16({0x1600}).str() +
                             std::string(12 * 30000, '\0') + test::Bytes().u16({0x001C}).str()},
         {"faces.om", test::Bytes("OMP\x22").u32({3, 50000, 0}).u16({0x00E8}).str() +
-                         repeated(test::Bytes().u16({1}).u8({0}).str(), 50000)},
+                         times(test::Bytes().u16({1}).u8({0}).str(), 50000)},
     };
     for (const Row& row : table) {
         INFO(row.name);
@@ -82,7 +82,7 @@ TEST_CASE("parsing ends early in every part of every format", "[loading][cancel]
     LoadProgress progress;
     progress.cancelled = true;
     const ProgressScope scope(progress);
-    const Result<Scene> scene = parse_scene("{\"x\": [" + repeated("0, ", 50000) + "0]}", "s.json");
+    const Result<Scene> scene = parse_scene("{\"x\": [" + times("0, ", 50000) + "0]}", "s.json");
     REQUIRE(problem_of(scene) != nullptr);
     CHECK(problem_of(scene)->what == cancelled_words);
 }
@@ -120,7 +120,7 @@ TEST_CASE("a load that is cancelled while polygons are cut brings nothing", "[lo
     std::string face = "f";
     for (int i = 1; i <= 300; ++i) face += fmt::format(" {}", i);
     const TemporaryDirectory directory;
-    const std::string path = directory.file("m.obj", obj + repeated(face + "\n", 3000));
+    const std::string path = directory.file("m.obj", obj + times(face + "\n", 3000));
     LoadJob job("m.obj", [path](LoadProgress&) { return open_document(path); });
     while (job.progress().stage != LoadStage::Building && !job.done()) std::this_thread::yield();
     job.cancel();

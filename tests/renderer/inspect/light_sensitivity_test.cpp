@@ -9,7 +9,7 @@ using namespace glint;
 
 namespace {
 
-const PictureSize size{100, 100};
+const PictureSize light_picture{100, 100};
 const glm::vec3 place{0.2f, -0.1f, -4};
 const glm::vec3 normal = glm::normalize(glm::vec3(0.1f, 0.3f, 1));
 
@@ -30,7 +30,7 @@ Light light_of(LightKind kind) {
 LightSensitivity sensitivity_of(LightKind kind, bool local_viewer = true) {
     Scene scene;
     scene.shading.local_viewer = local_viewer;
-    return light_sensitivity(scene, size, light_of(kind), Material{}, place, normal);
+    return light_sensitivity(scene, light_picture, light_of(kind), Material{}, place, normal);
 }
 
 }  // namespace
@@ -63,7 +63,8 @@ TEST_CASE("how far terms move is as worked", "[lighting][why]") {
     bulb.falloff = {0, 0, 1};
     Material white;
     white.diffuse = glm::vec3(1);
-    const LightSensitivity sensitivity = light_sensitivity(scene, size, bulb, white, {0, 0, -4}, {0, 0, 1});
+    const LightSensitivity sensitivity =
+        light_sensitivity(scene, light_picture, bulb, white, {0, 0, -4}, {0, 0, 1});
     CHECK(sensitivity.falloff == Approx(0.25));
     CHECK(sensitivity.spot == 1);
     CHECK(sensitivity.diffuse.light == Approx(1 / (1.8 * 1.8) - 0.25));
@@ -71,6 +72,6 @@ TEST_CASE("how far terms move is as worked", "[lighting][why]") {
     // r = n, v 0.1 aside of 1: its cosine is 1 / sqrt(1.01), to the 32nd.
     white.specular = glm::vec3(1);
     white.shininess = 32;
-    CHECK(light_sensitivity(scene, size, bulb, white, {0, 0, -4}, {0, 0, 1}).specular.viewer ==
+    CHECK(light_sensitivity(scene, light_picture, bulb, white, {0, 0, -4}, {0, 0, 1}).specular.viewer ==
           Approx(0.25 * (1 - std::pow(1.01, -16.0))).epsilon(1e-3));
 }

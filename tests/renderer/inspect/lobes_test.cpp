@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "models/scene/degree.h"
 #include "tests/support/catch.h"
 
 using namespace glint;
@@ -13,7 +14,6 @@ using namespace glint;
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
 
 /// Only the specular term, of strength 1.
 Reflector mirror_like(Reflection reflection, float shininess = 32, float roughness = 0.5f) {

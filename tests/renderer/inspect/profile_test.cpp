@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "models/scene/degree.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
 
@@ -13,7 +14,6 @@ using namespace glint::test;
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr int pixels_per_unit = 200;
 constexpr int width = 2 * pixels_per_unit, height = 20;
 constexpr std::size_t edge = pixels_per_unit;  // the first pixel right of the middle edge

@@ -15,7 +15,7 @@ using namespace glint::test;
 
 namespace {
 
-constexpr PictureSize size{64, 48};
+constexpr PictureSize sensitive_size{64, 48};
 
 /// A ball under a sun, another ball beside it.
 SceneDocument balls() {
@@ -38,7 +38,7 @@ SceneDocument balls() {
 }
 
 Sensitivities of_pixel(const SceneDocument& document, int x, int y) {
-    auto made = sensitivities(document, size, x, y, 1);
+    auto made = sensitivities(document, sensitive_size, x, y, 1);
     REQUIRE(problem_of(made) == nullptr);
     return std::get<Sensitivities>(std::move(made));
 }
@@ -60,7 +60,7 @@ TEST_CASE("sensitivity: the pixel changes with each number as the equation's der
           "[sensitivity]") {
     const SceneDocument document = balls();
     Renderer renderer(1);
-    (void)renderer.render(document.scene, size);
+    (void)renderer.render(document.scene, sensitive_size);
     const Explanation e = renderer.explain(30, 20);
     REQUIRE(e.hit);
     const ExplainedLight& sun = e.at.lights.at(0);
@@ -92,7 +92,7 @@ TEST_CASE("sensitivity: what moves faces is drawn anew: the change is that betwe
         Scene scene = document.scene;
         REQUIRE_FALSE(set_number(scene, pointer, value));
         Renderer renderer(1);
-        return glm::dvec3(renderer.render(scene, size, true).linear_at(30, 20));
+        return glm::dvec3(renderer.render(scene, sensitive_size, true).linear_at(30, 20));
     };
     for (const std::string pointer : {"/camera/eye/0", "/camera/projection/fov_y_deg",
                                       "/objects/0/transform/translate/0", "/objects/0/transform/scale/1"}) {
@@ -124,7 +124,7 @@ TEST_CASE("sensitivity: what has no effect is named, and what cannot move a litt
 TEST_CASE("sensitivity: of the second object the numbers keep their pointers", "[sensitivity]") {
     const SceneDocument document = balls();
     Renderer renderer(1);
-    (void)renderer.render(document.scene, size);
+    (void)renderer.render(document.scene, sensitive_size);
     REQUIRE(renderer.object_at(60, 24) == 1);
     const Sensitivities s = of_pixel(document, 60, 24);
     CHECK(change_of(s, "/objects/1/material/emission/0").x == Approx(1).epsilon(1e-3));
@@ -134,10 +134,11 @@ TEST_CASE("sensitivity: of the second object the numbers keep their pointers", "
 TEST_CASE("sensitivity: how far it has come is told after each number", "[sensitivity]") {
     std::vector<std::size_t> told;
     std::size_t all = 0;
-    const auto made = sensitivities(balls(), size, 24, 16, 1, [&](std::size_t done, std::size_t of) {
-        told.push_back(done);
-        all = of;
-    });
+    const auto made =
+        sensitivities(balls(), sensitive_size, 24, 16, 1, [&](std::size_t done, std::size_t of) {
+            told.push_back(done);
+            all = of;
+        });
     REQUIRE(problem_of(made) == nullptr);
     const auto& found = std::get<Sensitivities>(made);
     const std::size_t other_objects = 1;  // named without effect, and not measured
@@ -149,7 +150,7 @@ TEST_CASE("sensitivity: how far it has come is told after each number", "[sensit
 TEST_CASE("sensitivity: more lights than it takes time for are a problem", "[sensitivity][bad-input]") {
     SceneDocument document = balls();
     document.scene.lights.resize(max_sensitivity_lights + 1);
-    const auto made = sensitivities(document, size, 1, 1, 1);
+    const auto made = sensitivities(document, sensitive_size, 1, 1, 1);
     REQUIRE(problem_of(made) != nullptr);
     CHECK(problem_of(made)->pointer == "/lights");
 }
@@ -160,8 +161,8 @@ TEST_CASE("buffers: their terms add up to the picture under every mode", "[buffe
          {ShadingMode::Flat, ShadingMode::Facet, ShadingMode::Gouraud, ShadingMode::Phong}) {
         scene.shading.mode = mode;
         Renderer renderer(2);
-        const Picture& picture = renderer.render(scene, size, true);
-        const auto buffers = pixel_buffers(renderer, scene, size, buffer_names(scene));
+        const Picture& picture = renderer.render(scene, sensitive_size, true);
+        const auto buffers = pixel_buffers(renderer, scene, sensitive_size, buffer_names(scene));
         const auto buffer = [&](const std::string& name) -> const Picture& {
             const auto found = std::find_if(buffers.begin(), buffers.end(),
                                             [&](const PixelBuffer& b) { return b.name == name; });
@@ -169,8 +170,8 @@ TEST_CASE("buffers: their terms add up to the picture under every mode", "[buffe
             return found->picture;
         };
         CHECK(buffer("sum").linear == picture.linear);
-        for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x) {
+        for (int y = 0; y < sensitive_size.height; ++y)
+            for (int x = 0; x < sensitive_size.width; ++x) {
                 const auto seen = renderer.seen_at(x, y);
                 REQUIRE(buffer("face").linear_at(x, y) ==
                         (seen ? glm::vec3(1, seen->object, seen->face) : glm::vec3(0)));
@@ -192,12 +193,12 @@ TEST_CASE("an effect is what the pixel gains when its number moves by a tenth of
           "[sensitivity]") {
     SceneDocument document;
     document.scene = test::busy_scene();
-    const PictureSize size{64, 48};
+    const PictureSize sensitive_size{64, 48};
     Renderer still(1), moved(1);
-    (void)still.render(document.scene, size);
+    (void)still.render(document.scene, sensitive_size);
     REQUIRE(still.object_at(24, 24) == 0);
     const glm::dvec3 now = still.explain(24, 24).sum;
-    const auto made = sensitivities(document, size, 24, 24, 1);
+    const auto made = sensitivities(document, sensitive_size, 24, 24, 1);
     int compared = 0;
     for (const Sensitivity& s : std::get<Sensitivities>(made).numbers) {
         if (!s.pointer.starts_with("/lights/") && !s.pointer.starts_with("/objects/0/material/")) continue;
@@ -205,7 +206,7 @@ TEST_CASE("an effect is what the pixel gains when its number moves by a tenth of
         CHECK(std::abs(s.move) == Approx(usual_move(*number_at(document.scene, s.pointer))));
         Scene other = document.scene;
         REQUIRE_FALSE(set_number(other, s.pointer, s.value + s.move));
-        (void)moved.render(other, size);
+        (void)moved.render(other, sensitive_size);
         const glm::dvec3 gain = glm::dvec3(moved.explain(24, 24).sum) - now;
         for (int c = 0; c < 3; ++c) CHECK(s.effect[c] == Approx(gain[c]).margin(1e-6));
         ++compared;

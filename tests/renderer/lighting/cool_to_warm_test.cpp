@@ -13,7 +13,7 @@ using namespace glint::test;
 
 namespace {
 
-constexpr PictureSize size{64, 48};
+constexpr PictureSize tone_size{64, 48};
 
 /// Typical numbers of Gooch et al. 1998: b = .4, y = .4, alpha = .2, beta = .6.
 CoolToWarm typical_tone(Float3 light) {
@@ -46,7 +46,7 @@ Light from(glm::vec4 position, LightKind kind = LightKind::Directional) {
     return light;
 }
 
-glm::vec3 middle(const Scene& scene) {
+glm::vec3 middle_of_sphere(const Scene& scene) {
     Renderer renderer(1);
     return renderer.render(scene, {33, 33}, true).linear_at(16, 16);
 }
@@ -82,7 +82,7 @@ TEST_CASE("without a direction to the light the tone lies halfway", "[npr]") {
     scene.lights = {from({0, 0, 1, 0})};
     scene.lights[0].enabled = false;
     // (.3, .3, 0) + .5 k_d = (.7, .45, .15); (0, 0, .55) + .25 k_d = (.2, .075, .625): their mean.
-    check_near(middle(scene), {0.45f, 0.2625f, 0.3875f});
+    check_near(middle_of_sphere(scene), {0.45f, 0.2625f, 0.3875f});
 }
 
 TEST_CASE("the tone stands in place of emission, ambient and diffuse, whatever the light's colours",
@@ -97,17 +97,17 @@ TEST_CASE("the tone stands in place of emission, ambient and diffuse, whatever t
     scene.objects[0].material.emission = {1, 2, 3};
     // 3/4 (.7, .45, .15) + 1/4 (.2, .075, .625)
     const glm::vec3 expected{0.575f, 0.35625f, 0.26875f};
-    check_near(middle(scene), expected);
+    check_near(middle_of_sphere(scene), expected);
     light.kind = LightKind::Spot;
     light.spot = {{0, 1, 0}, 10, 1};  // points away
-    check_near(middle(scene), expected);
+    check_near(middle_of_sphere(scene), expected);
     light.kind = LightKind::Area;  // its centre counts
     light.area = {{3, 0, 0}, {0, 0, 0.5f}, 9};
-    check_near(middle(scene), expected);
+    check_near(middle_of_sphere(scene), expected);
     light.enabled = false;
     scene.lights.push_back(from({0, 0, 1, 0}));  // the first that is enabled
     scene.lights.push_back(from({0, 0, -1, 0}));
-    check_near(middle(scene), {0.7f, 0.45f, 0.15f});
+    check_near(middle_of_sphere(scene), {0.7f, 0.45f, 0.15f});
 }
 
 TEST_CASE("highlights of all lights are added to the tone", "[npr]") {
@@ -115,9 +115,9 @@ TEST_CASE("highlights of all lights are added to the tone", "[npr]") {
     scene.lights = {from({0, 0, 1, 0}), from({0, 0, 2, 0})};
     scene.lights[0].specular = {0.25f, 0, 0};
     scene.lights[1].specular = {0, 0.5f, 0};
-    check_near(middle(scene), {0.95f, 0.95f, 0.15f});
+    check_near(middle_of_sphere(scene), {0.95f, 0.95f, 0.15f});
     scene.shading.terms.specular = false;
-    check_near(middle(scene), {0.7f, 0.45f, 0.15f});
+    check_near(middle_of_sphere(scene), {0.7f, 0.45f, 0.15f});
 }
 
 TEST_CASE("under cool-to-warm every explanation sums to its pixel and its steps to the tone",
@@ -130,10 +130,10 @@ TEST_CASE("under cool-to-warm every explanation sums to its pixel and its steps 
         for (const Reflection model : {Reflection::None, Reflection::Phong, Reflection::CookTorrance}) {
             scene.shading.mode = mode;
             scene.shading.reflection = model;
-            const Picture& picture = renderer.render(scene, size, true);
+            const Picture& picture = renderer.render(scene, tone_size, true);
             int wrong = 0;
-            for (int y = 0; y < size.height; ++y)
-                for (int x = 0; x < size.width; ++x) {
+            for (int y = 0; y < tone_size.height; ++y)
+                for (int x = 0; x < tone_size.width; ++x) {
                     const Explanation e = renderer.explain(x, y);
                     const glm::vec3 pixel = picture.linear_at(x, y);
                     wrong += e.sum != pixel;
@@ -153,7 +153,7 @@ TEST_CASE("a changed tone lights the picture again and nothing more", "[npr][sta
     Scene scene = busy_scene();
     Renderer renderer(2);
     const auto redone = [&] {
-        draw_as_fresh(renderer, scene, size);
+        draw_as_fresh(renderer, scene, tone_size);
         const auto& r = renderer.stats().redone;
         return std::array<bool, 4>{r[0], r[1], r[2], r[3]};
     };

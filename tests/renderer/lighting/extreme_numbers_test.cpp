@@ -13,9 +13,10 @@ using namespace glint::test;
 
 namespace {
 
-constexpr PictureSize size{21, 21};
+constexpr PictureSize extreme_size{21, 21};
 
-/// A white plate in z = 0 that faces +z, seen square on, under one light; the middle pixel shows the origin.
+/// A white plate in z = 0 that faces +z, seen square on, under one light; the middle pixel shows the
+/// origin.
 Scene plate_under(const Light& light) {
     Scene scene;
     scene.camera.projection = Orthographic{2, 0.1f, 100};
@@ -35,9 +36,9 @@ Light light_at(LightKind kind, glm::vec3 place) {
     return light;
 }
 
-Explanation middle(const Scene& scene) {
+Explanation middle_pixel(const Scene& scene) {
     Renderer renderer(1);
-    const Picture& picture = renderer.render(scene, size, true);
+    const Picture& picture = renderer.render(scene, extreme_size, true);
     Explanation e = renderer.explain(10, 10);
     CHECK(same_bits(e.sum, picture.linear_at(10, 10)));
     return e;
@@ -48,9 +49,9 @@ constexpr float powers_of_ten[] = {1e-18f, 1e-12f, 1e-6f, 1e6f, 1e12f, 1e15f, 1e
 /// Draws, holds every third pixel against its explanation, and counts the numbers that are none.
 int drawn_without_a_number(const Scene& scene) {
     Renderer renderer(1);
-    const Picture& picture = renderer.render(scene, size, true);
-    for (int y = 0; y < size.height; y += 3)
-        for (int x = 0; x < size.width; x += 3)
+    const Picture& picture = renderer.render(scene, extreme_size, true);
+    for (int y = 0; y < extreme_size.height; y += 3)
+        for (int x = 0; x < extreme_size.width; x += 3)
             CHECK(same_bits(renderer.explain(x, y).sum, picture.linear_at(x, y)));
     int without = 0;
     for (const float c : picture.linear) without += std::isnan(c);
@@ -166,9 +167,9 @@ TEST_CASE("what a pixel blends are weights that sum to 1, also where the near pl
                 scene.shading.interpolation = interpolation;
                 scene.objects[0].transform.scale.z = stretch;
                 Renderer renderer(1);
-                (void)renderer.render(scene, size, true);
-                for (int y = 0; y < size.height; ++y)
-                    for (int x = 0; x < size.width; ++x) {
+                (void)renderer.render(scene, extreme_size, true);
+                for (int y = 0; y < extreme_size.height; ++y)
+                    for (int x = 0; x < extreme_size.width; ++x) {
                         const Explanation e = renderer.explain(x, y);
                         if (!e.hit) continue;
                         float sum = 0;
@@ -190,11 +191,11 @@ TEST_CASE("every piece that clipping leaves lies on the rasteriser's grid, howev
         scene.objects = {object_of(primitive(Primitive::Plane, 1))};
         scene.objects[0].transform = {{0, 0, 0}, {0, 33, 0}, {stretch, 1, stretch}};
         Geometry g;
-        REQUIRE(update_geometry(g, scene, size));
+        REQUIRE(update_geometry(g, scene, extreme_size));
         TileLists lists;
         bin_into_tiles(lists, g, Cull::None, false);
         pieces += lists.clipped.size();
-        const std::int32_t most = 66 * 128 * size.width;  // 64 half widths from the middle, and some
+        const std::int32_t most = 66 * 128 * extreme_size.width;  // 64 half widths from the middle, and some
         for (const ClippedTriangle& piece : lists.clipped)
             for (const ScreenVertex& v : piece.corner) {
                 CAPTURE(stretch, v.x, v.y, v.inv_w);
@@ -225,11 +226,11 @@ TEST_CASE("a point light lights however far it is, and its falloff with it", "[e
     for (const float d : {1e10f, 1e17f, 1e19f, 1e25f, 1e30f}) {
         CAPTURE(d);
         Light light = light_at(LightKind::Point, {0, 0.6f * d, 0.8f * d});  // 3, 4, 5: n.l = 0.8
-        const Explanation bare = middle(plate_under(light));
+        const Explanation bare = middle_pixel(plate_under(light));
         CHECK(bare.sum.x == Approx(0.8));
         CHECK(bare.at.lights[0].distance == Approx(d));
         light.falloff = {1, 3 / d, 0};
-        CHECK(middle(plate_under(light)).sum.x == Approx(0.2));  // 0.8 / (1 + 3)
+        CHECK(middle_pixel(plate_under(light)).sum.x == Approx(0.2));  // 0.8 / (1 + 3)
     }
 }
 
@@ -237,17 +238,17 @@ TEST_CASE("a light's cone is where it is however far the light, and no exponent 
           "[extreme]") {
     Light light = light_at(LightKind::Spot, {1e22f, 2e22f, 3e22f});
     light.spot = {{-1, -2, -3}, 20, 0};
-    CHECK(middle(plate_under(light)).sum.x == Approx(3 / std::sqrt(14.0)));
+    CHECK(middle_pixel(plate_under(light)).sum.x == Approx(3 / std::sqrt(14.0)));
     light.spot.direction = {1, -2, -3};
-    CHECK(middle(plate_under(light)).sum.x == 0);
+    CHECK(middle_pixel(plate_under(light)).sum.x == 0);
     light.spot = {{-1, -2, -3}, 20, 1e30f};  // cos 0 is 1, rounded perhaps a little more
-    CHECK(middle(plate_under(light)).at.lights[0].spot <= 1);
+    CHECK(middle_pixel(plate_under(light)).at.lights[0].spot <= 1);
 }
 
 TEST_CASE("a far and large area light gives A cos theta' / (pi r^2)", "[extreme]") {
     Light light = light_at(LightKind::Area, {0, 0, 1e22f});
     light.area = {{1e20f, 0, 0}, {0, 1e20f, 0}, 64};  // A = 4e40; all of it within a degree of its middle
-    CHECK(middle(plate_under(light)).sum.x == Approx(4e40 / (std::numbers::pi * 1e44)).epsilon(1e-3));
+    CHECK(middle_pixel(plate_under(light)).sum.x == Approx(4e40 / (std::numbers::pi * 1e44)).epsilon(1e-3));
 }
 
 TEST_CASE("no numbers that a scene may hold give a picture without a number", "[extreme]") {
@@ -275,7 +276,8 @@ TEST_CASE("no numbers that a scene may hold give a picture without a number", "[
                 scene.objects[0].material.specular = {0, 1e30f, 1};
                 Renderer renderer(1);
                 int without = 0;
-                for (const float c : renderer.render(scene, size, true).linear) without += std::isnan(c);
+                for (const float c : renderer.render(scene, extreme_size, true).linear)
+                    without += std::isnan(c);
                 CAPTURE(static_cast<int>(mode), static_cast<int>(model));
                 CHECK(without == 0);
             }
@@ -290,7 +292,7 @@ TEST_CASE("a light of no colour adds 0, however large its falloff times Cook-Tor
     scene.shading.reflection = Reflection::CookTorrance;
     scene.objects[0].material.f0 = glm::vec3(1e20f);
     scene.objects[0].material.ambient = scene.objects[0].material.emission = glm::vec3(0);
-    CHECK(middle(scene).sum == glm::vec3(0));
+    CHECK(middle_pixel(scene).sum == glm::vec3(0));
     scene.lights[0].intensity = 1;
-    CHECK(middle(scene).sum.x > 1e30f);
+    CHECK(middle_pixel(scene).sum.x > 1e30f);
 }

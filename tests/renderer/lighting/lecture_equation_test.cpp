@@ -3,6 +3,7 @@
 #include <numbers>
 #include <set>
 
+#include "models/scene/degree.h"
 #include "renderer/lighting/illuminate.h"
 #include "tests/support/lecture_scene.h"
 
@@ -11,8 +12,6 @@ using namespace glint::test;
 using Vec = Vec3<float>;
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Vec in_plane(double degrees) {
     return {static_cast<float>(std::sin(degrees * degree)), 0,

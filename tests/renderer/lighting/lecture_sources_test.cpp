@@ -1,6 +1,7 @@
 // The lecture's light sources, each in its scene, against closed forms and hand-worked numbers.
 #include <numbers>
 
+#include "models/scene/degree.h"
 #include "tests/support/lecture_scene.h"
 #include "tests/support/scenes.h"
 
@@ -8,8 +9,6 @@ using namespace glint;
 using namespace glint::test;
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// A white 2 x 2 plate in z = 0 that faces +z, seen square on; the middle pixel of {101, 101} shows the
 /// origin.
@@ -24,7 +23,7 @@ Scene white_plate() {
     return scene;
 }
 
-double middle(const Scene& scene) {
+double middle_value(const Scene& scene) {
     Renderer renderer(1);
     return renderer.render(scene, {101, 101}, true).linear_at(50, 50).x;
 }
@@ -104,14 +103,14 @@ TEST_CASE("an area light tends to Lambert's polygon formula over factors of 4 in
     for (const auto& [samples, pi_times] : rows) {
         CAPTURE(samples);
         scene.lights = {area_light({0, 0, 1}, {1, 0, 0}, {0, 1, 0}, samples)};
-        const double value = middle(scene);
+        const double value = middle_value(scene);
         CHECK(value == Approx(pi_times / std::numbers::pi).epsilon(1e-4));
         CHECK(std::abs(value - limit) < last_error);
         last_error = std::abs(value - limit);
     }
     // A wall x = 2, y -1..1, z -1..2, half of it below the horizon: 0.2233466 / pi.
     scene.lights = {area_light({2, 0, 0.5f}, {0, 1, 0}, {0, 0, 1.5f}, 64)};
-    CHECK(middle(scene) == Approx(0.2233466 / std::numbers::pi).epsilon(0.03));
+    CHECK(middle_value(scene) == Approx(0.2233466 / std::numbers::pi).epsilon(0.03));
 }
 
 TEST_CASE("a world light stays with the scene and a camera light with the viewer who orbits", "[lecture]") {
@@ -156,9 +155,9 @@ TEST_CASE("1 / (1 + r^2 / R^2) is a disc of radius R seen head-on, and nearly a 
         bulb.position = {0, 0, r, 1};
         bulb.falloff = {1, 0, 1};
         scene.lights = {bulb};
-        CHECK(middle(scene) == Approx(disc).epsilon(1e-5));
+        CHECK(middle_value(scene) == Approx(disc).epsilon(1e-5));
         scene.lights = {area_light({0, 0, r}, {half_edge, 0, 0}, {0, half_edge, 0}, 64)};
-        CHECK(middle(scene) == Approx(disc).epsilon(0.011));
+        CHECK(middle_value(scene) == Approx(disc).epsilon(0.011));
     }
 }
 

@@ -13,7 +13,7 @@ using namespace glint::test;
 
 namespace {
 
-constexpr PictureSize size{21, 21};
+constexpr PictureSize plate_size{21, 21};
 
 Light sun_from(glm::vec3 direction) {
     Light sun;
@@ -33,8 +33,8 @@ Light lamp_at(glm::vec3 place, glm::vec3 aim) {
     return lamp;
 }
 
-/// A white plate in z = 0 that faces +z, diffuse alone, seen square on from (0, 0, 5), in the middle pixel
-/// its middle.
+/// A white plate in z = 0 that faces +z, diffuse alone, seen square on from (0, 0, 5), in the middle
+/// pixel its middle.
 Scene plate(std::initializer_list<Light> lights, std::initializer_list<bool Mistakes::*> mistakes) {
     Scene scene;
     scene.camera = Camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, {}};
@@ -53,12 +53,12 @@ Scene plate(std::initializer_list<Light> lights, std::initializer_list<bool Mist
     return scene;
 }
 
-Explanation middle(const Scene& scene) {
+Explanation middle_of_plate(const Scene& scene) {
     Renderer renderer(1);
-    (void)renderer.render(scene, size, true);
+    (void)renderer.render(scene, plate_size, true);
     return renderer.explain(10, 10);
 }
-float brightness(const Scene& scene) { return middle(scene).sum.x; }
+float brightness(const Scene& scene) { return middle_of_plate(scene).sum.x; }
 
 void check_vector(glm::vec3 is, glm::vec3 expected) {
     CAPTURE(is.x, is.y, is.z);
@@ -113,10 +113,12 @@ TEST_CASE("mistakes in where a light is", "[mistakes]") {
 
     // The camera at (0, 0, 5): (0, 0, 2) in the world is (0, 0, -3) to it, and the wrong way round (0, 0, 7).
     Light bulb = bulb_at({0, 0, 2});
-    CHECK(middle(plate({bulb}, {})).at.lights[0].distance == Approx(2));
-    CHECK(middle(plate({bulb}, {&Mistakes::light_by_inverse_view})).at.lights[0].distance == Approx(12));
+    CHECK(middle_of_plate(plate({bulb}, {})).at.lights[0].distance == Approx(2));
+    CHECK(middle_of_plate(plate({bulb}, {&Mistakes::light_by_inverse_view})).at.lights[0].distance ==
+          Approx(12));
     bulb.space = LightSpace::Camera;
-    CHECK(middle(plate({bulb}, {&Mistakes::light_by_inverse_view})).at.lights[0].distance == Approx(7));
+    CHECK(middle_of_plate(plate({bulb}, {&Mistakes::light_by_inverse_view})).at.lights[0].distance ==
+          Approx(7));
 }
 
 TEST_CASE("mistakes in where a lamp points", "[mistakes]") {
@@ -136,7 +138,7 @@ TEST_CASE("mistakes in where a lamp points", "[mistakes]") {
 TEST_CASE("mistakes in r: l = (3, 0, 4)/5 gives r.v = 4/5, with GLSL's sign -4/5, by the difference 8/25",
           "[mistakes]") {
     const auto r_dot_v = [](std::initializer_list<bool Mistakes::*> mistakes) {
-        return middle(plate({sun_from({0.6f, 0, 0.8f})}, mistakes)).at.lights[0].r_dot_v;
+        return middle_of_plate(plate({sun_from({0.6f, 0, 0.8f})}, mistakes)).at.lights[0].r_dot_v;
     };
     CHECK(r_dot_v({}) == Approx(0.8));
     CHECK(r_dot_v({&Mistakes::reflect_sign}) == Approx(-0.8));
@@ -157,10 +159,10 @@ TEST_CASE("mistakes in v: 5 long it makes a highlight of 25; under an orthograph
     Scene flat = plate({}, {});
     flat.camera.projection = Orthographic{2.1f, 0.1f, 100};
     Renderer renderer(1);
-    (void)renderer.render(flat, size, false);
+    (void)renderer.render(flat, plate_size, false);
     check_vector(renderer.explain(15, 10).at.view.camera, {0, 0, 1});
     flat.shading.mistakes.perspective_view_in_ortho = true;
-    (void)renderer.render(flat, size, false);
+    (void)renderer.render(flat, plate_size, false);
     const glm::vec3 to_eye = glm::vec3(-0.5f, 0, 5) / std::sqrt(25.25f);  // from (0.5, 0, 0) to (0, 0, 5)
     check_vector(renderer.explain(15, 10).at.view.camera, to_eye);
 }
@@ -174,12 +176,12 @@ TEST_CASE("mistakes in the material, which the explanation has too", "[mistakes]
     const auto material = [&](bool Mistakes::*mistake) {
         scene.shading.mistakes = {};
         scene.shading.mistakes.*mistake = true;
-        return middle(scene).material;
+        return middle_of_plate(scene).material;
     };
     check_vector(material(&Mistakes::coefficients_swapped).diffuse, {0.25f, 0.75f, 0});
-    check_vector(middle(scene).sum, {0.25f, 0.75f, 0});
+    check_vector(middle_of_plate(scene).sum, {0.25f, 0.75f, 0});
     check_vector(material(&Mistakes::lit_in_srgb).diffuse, {0.735357f, 0, 1});
-    check_vector(middle(scene).sum, {0.735357f, 0, 1});
+    check_vector(middle_of_plate(scene).sum, {0.735357f, 0, 1});
     CHECK(material(&Mistakes::shininess_inverted).shininess == 0.25f);
     CHECK(material(&Mistakes::shininess_as_fraction).shininess == 0.03125f);
 }
@@ -188,7 +190,7 @@ TEST_CASE("mistakes in normals: which way the plate's points", "[mistakes]") {
     const auto normal = [](std::initializer_list<bool Mistakes::*> mistakes, const auto& change) {
         Scene scene = plate({}, mistakes);
         change(scene);
-        return middle(scene).at.normal.camera;
+        return middle_of_plate(scene).at.normal.camera;
     };
     const auto as_is = [](Scene&) {};
     const auto from_aside = [](Scene& s) { s.camera.eye = {3, 0, 4}; };
@@ -216,14 +218,14 @@ TEST_CASE("a reversed cross product turns facet and averaged normals, not those 
     Scene scene = plate({}, {&Mistakes::cross_reversed});
     Object& o = scene.objects[0];
     o.normals.source = NormalSource::Analytic;
-    check_vector(middle(scene).at.normal.camera, {0, 0, 1});
+    check_vector(middle_of_plate(scene).at.normal.camera, {0, 0, 1});
     for (const NormalSource source : {NormalSource::Vertex, NormalSource::Facet}) {
         o.normals.source = source;
-        check_vector(middle(scene).at.normal.camera, {0, 0, -1});
+        check_vector(middle_of_plate(scene).at.normal.camera, {0, 0, -1});
     }
     o.normals.source = NormalSource::Analytic;
     scene.shading.mode = ShadingMode::Facet;
-    check_vector(middle(scene).at.normal.camera, {0, 0, -1});
+    check_vector(middle_of_plate(scene).at.normal.camera, {0, 0, -1});
 }
 
 TEST_CASE("every third facet is turned round in every mode, and all its corners", "[mistakes]") {
@@ -232,10 +234,10 @@ TEST_CASE("every third facet is turned round in every mode, and all its corners"
     for (const ShadingMode mode :
          {ShadingMode::Flat, ShadingMode::Facet, ShadingMode::Gouraud, ShadingMode::Phong}) {
         scene.shading.mode = mode;
-        const Picture& picture = renderer.render(scene, size, true);
+        const Picture& picture = renderer.render(scene, plate_size, true);
         int seen = 0, wrong = 0;
-        for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x) {
+        for (int y = 0; y < plate_size.height; ++y)
+            for (int x = 0; x < plate_size.width; ++x) {
                 const Explanation e = renderer.explain(x, y);
                 if (!e.hit) continue;
                 ++seen;
@@ -251,14 +253,14 @@ TEST_CASE("every third facet is turned round in every mode, and all its corners"
 TEST_CASE("culled by the light, a face is not there, whichever way the eye sees it", "[mistakes]") {
     for (const float z : {1.0f, -1.0f}) {
         Scene scene = plate({sun_from({0, 0, z})}, {&Mistakes::culled_by_light});
-        CHECK(middle(scene).hit == (z > 0));
+        CHECK(middle_of_plate(scene).hit == (z > 0));
         scene.camera.eye = {0, 0, -5};
-        CHECK(middle(scene).hit == (z > 0));
+        CHECK(middle_of_plate(scene).hit == (z > 0));
         // The plane's nearest corners lie behind the eye: what is clipped is culled too.
         scene.camera = Camera{{0, 0.5f, 0.1f}, {0, 0, -0.2f}, {0, 1, 0}, {}};
         scene.objects[0].transform = {{0, 0, 0}, {0, 0, 0}, {50, 1, 50}};
         scene.lights[0].position = {0, z, 0, 0};
-        CHECK(middle(scene).hit == (z > 0));
+        CHECK(middle_of_plate(scene).hit == (z > 0));
     }
 }
 
@@ -268,7 +270,7 @@ TEST_CASE("culling by the light follows the light, also in a renderer that keeps
     Scene scene = plate({sun_from({0, 0, 1})}, {&Mistakes::culled_by_light});
     for (const float z : {1.0f, -1.0f, 1.0f}) {
         scene.lights[0].position.z = z;
-        (void)renderer.render(scene, size, false);
+        (void)renderer.render(scene, plate_size, false);
         CHECK(renderer.explain(10, 10).hit == (z > 0));
     }
 }
@@ -293,7 +295,7 @@ TEST_CASE("0 to the power 0 is no number where light arrives and the mirror poin
         scene.camera.eye = {0, 0, 5};
         CHECK(brightness(scene) == Approx(1.6));
         scene.camera.eye = {3, 0, 2};
-        const Explanation e = middle(scene);
+        const Explanation e = middle_of_plate(scene);
         CHECK(std::isnan(e.sum.x));
         CHECK(e.byte == std::array{0, 0, 0});
         scene.lights[0].position.z = -0.6f;  // behind the plate: no highlight is asked for

@@ -20,16 +20,16 @@ using namespace glint::test;
 
 namespace {
 
-constexpr PictureSize small{96, 72};
+constexpr PictureSize mistaken_size{96, 72};
 
 /// The right picture and the mistaken one, by one renderer, so that what it keeps in between is tried too.
 struct Both {
     Picture right, wrong;
     Both(Scene scene, bool Mistakes::*flag) {
         Renderer renderer(1);
-        right = renderer.render(scene, small, true);
+        right = renderer.render(scene, mistaken_size, true);
         scene.shading.mistakes.*flag = true;
-        wrong = renderer.render(scene, small, true);
+        wrong = renderer.render(scene, mistaken_size, true);
     }
     [[nodiscard]] bool show() const {
         for (std::size_t i = 0; i < right.linear.size(); ++i)
@@ -109,10 +109,10 @@ TEST_CASE("the explanation equals the pixel under every mistake", "[mistakes][ex
                 scene.shading.reflection = model;
                 scene.shading.mistakes.*flag_of(row.name) = true;
                 scene.shading.power_table = mode == ShadingMode::Phong ? 0 : 40;
-                const Picture& picture = renderer.render(scene, small, true);
+                const Picture& picture = renderer.render(scene, mistaken_size, true);
                 int wrong = 0;
-                for (int y = 0; y < small.height; y += 2)
-                    for (int x = 0; x < small.width; x += 2)
+                for (int y = 0; y < mistaken_size.height; y += 2)
+                    for (int x = 0; x < mistaken_size.width; x += 2)
                         wrong += explained(renderer, picture, x, y) ? 0 : 1;
                 CAPTURE(row.name, static_cast<int>(mode), static_cast<int>(model));
                 CHECK(wrong == 0);
@@ -155,10 +155,10 @@ TEST_CASE("without any normal a ball is shaded as a disc", "[mistakes][lecture]"
     scene.shading.reflection = Reflection::Lambert;
     scene.shading.mistakes.no_normals_given = true;
     Renderer renderer(1);
-    const Picture& p = renderer.render(scene, small, true);
+    const Picture& p = renderer.render(scene, mistaken_size, true);
     const glm::vec3 middle = p.linear_at(48, 36);
-    for (int y = 0; y < small.height; ++y)
-        for (int x = 0; x < small.width; ++x)
+    for (int y = 0; y < mistaken_size.height; ++y)
+        for (int x = 0; x < mistaken_size.width; ++x)
             if (renderer.object_at(x, y) == 0) CHECK(p.linear_at(x, y) == middle);
 }
 

@@ -14,7 +14,7 @@ using namespace glint::test;
 
 namespace {
 
-constexpr PictureSize size{64, 48};
+constexpr PictureSize number_size{64, 48};
 
 /// Scenes among which each number has its part.
 std::vector<Scene> scenes() {
@@ -40,9 +40,9 @@ std::vector<Scene> scenes() {
     return all;
 }
 
-std::vector<std::uint8_t> bytes_of(Renderer& renderer, Scene scene) {
+std::vector<std::uint8_t> drawn_bytes(Renderer& renderer, Scene scene) {
     REQUIRE(problem_of(load_meshes(scene, "scene.json", ".")) == nullptr);
-    return renderer.render(scene, size).rgba;
+    return renderer.render(scene, number_size).rgba;
 }
 
 /// The pointer without the number of the light or object: "/lights/*/falloff/linear".
@@ -57,7 +57,7 @@ bool has_effect(Renderer& renderer, const Scene& scene, const SceneNumber& numbe
     for (const double other : {v + 0.4, 0.5 * v, 1.5 * v + 0.1, v + 1, v + 5, v + 30, v - 40}) {
         Scene changed = scene;
         if (set_number(changed, number.pointer, other)) continue;
-        if (bytes_of(renderer, changed) != before) return true;
+        if (drawn_bytes(renderer, changed) != before) return true;
     }
     return false;
 }
@@ -68,7 +68,7 @@ TEST_CASE("every number of a scene changes a picture", "[renderer][scene_fields]
     std::set<std::string> all, with_effect;
     Renderer renderer(1);
     for (const Scene& scene : scenes()) {
-        const std::vector<std::uint8_t> before = bytes_of(renderer, scene);
+        const std::vector<std::uint8_t> before = drawn_bytes(renderer, scene);
         for (const SceneNumber& number : numbers_of(scene)) {
             const std::string name = of_any_item(number.pointer);
             all.insert(name);

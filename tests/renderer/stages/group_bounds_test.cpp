@@ -1,9 +1,10 @@
 // Bounds of groups of points: what they leave out must add nothing.
+#include "renderer/shade/group_bounds.h"
+
 #include <random>
 #include <vector>
 
 #include "renderer/lighting/illuminate.h"
-#include "renderer/shade/group_bounds.h"
 #include "tests/support/catch.h"
 
 using namespace glint;

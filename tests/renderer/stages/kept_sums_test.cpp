@@ -10,7 +10,7 @@ using namespace glint;
 
 namespace {
 
-constexpr PictureSize size{160, 90};
+constexpr PictureSize sum_size{160, 90};
 
 Scene eight_lights() {
     const std::string path = std::string(GLINT_SOURCE_DIR) + "/tests/bench/knot.json";
@@ -23,7 +23,7 @@ void check_same_bytes(Scene scene, const std::vector<std::function<void(Scene&)>
     Renderer keeping(2);
     for (const auto& step : steps) {
         step(scene);
-        test::draw_as_fresh(keeping, scene, size, true);
+        test::draw_as_fresh(keeping, scene, sum_size, true);
     }
 }
 
@@ -88,9 +88,9 @@ TEST_CASE("an explanation over kept sums equals its pixel to the last bit", "[re
     Renderer renderer(1);
     for (int frame = 0; frame < 3; ++frame) {
         scene.lights[1].position.x += 0.2f;
-        const Picture& picture = renderer.render(scene, size, true);
-        for (int y = 0; y < size.height; y += 7)
-            for (int x = 0; x < size.width; x += 7) {
+        const Picture& picture = renderer.render(scene, sum_size, true);
+        for (int y = 0; y < sum_size.height; y += 7)
+            for (int x = 0; x < sum_size.width; x += 7) {
                 const Explanation e = renderer.explain(x, y);
                 const std::size_t at = 3 * picture.pixel(x, y);
                 CHECK(e.sum == glm::vec3(picture.linear[at], picture.linear[at + 1], picture.linear[at + 2]));

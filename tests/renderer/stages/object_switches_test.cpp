@@ -20,7 +20,7 @@ void for_each_mode(Scene scene, auto&& check) {
     }
 }
 
-std::vector<std::uint8_t> bytes_of(const Scene& scene) { return Renderer(1).render(scene, small).rgba; }
+std::vector<std::uint8_t> drawn_bytes(const Scene& scene) { return Renderer(1).render(scene, small).rgba; }
 
 }  // namespace
 
@@ -34,8 +34,8 @@ TEST_CASE("an object that is not shown leaves the picture as if it were not in t
             Scene hidden = shown, without = shown;
             hidden.objects[o].visible = false;
             without.objects.erase(without.objects.begin() + static_cast<std::ptrdiff_t>(o));
-            CHECK(bytes_of(hidden) == bytes_of(without));
-            CHECK(bytes_of(hidden) != bytes_of(shown));
+            CHECK(drawn_bytes(hidden) == drawn_bytes(without));
+            CHECK(drawn_bytes(hidden) != drawn_bytes(shown));
         }
     });
 }
@@ -46,7 +46,7 @@ TEST_CASE("hiding an object and showing it again is drawn as from the beginning"
         hidden.objects[1].visible = false;
         Renderer renderer(1);
         const std::vector<std::uint8_t> before = renderer.render(shown, small).rgba;
-        CHECK(renderer.render(hidden, small).rgba == bytes_of(hidden));
+        CHECK(renderer.render(hidden, small).rgba == drawn_bytes(hidden));
         CHECK(renderer.render(shown, small).rgba == before);
     });
 }
@@ -56,10 +56,10 @@ TEST_CASE("flipping all objects is the mistake that flips all normals, and undoe
         Scene flipped = right, mistaken = right;
         for (Object& object : flipped.objects) object.normals.flip = true;
         mistaken.shading.mistakes.normals_flipped = true;
-        CHECK(bytes_of(flipped) == bytes_of(mistaken));
-        CHECK(bytes_of(flipped) != bytes_of(right));
+        CHECK(drawn_bytes(flipped) == drawn_bytes(mistaken));
+        CHECK(drawn_bytes(flipped) != drawn_bytes(right));
         flipped.shading.mistakes.normals_flipped = true;
-        CHECK(bytes_of(flipped) == bytes_of(right));
+        CHECK(drawn_bytes(flipped) == drawn_bytes(right));
     });
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("flipping one object's normals is followed and leaves the others as th
         Renderer renderer(1);
         const Picture before = renderer.render(right, small, true);
         const Picture& after = renderer.render(flipped, small, true);
-        CHECK(after.rgba == bytes_of(flipped));
+        CHECK(after.rgba == drawn_bytes(flipped));
         int wrong = 0, changed = 0;
         for (int y = 0; y < small.height; ++y)
             for (int x = 0; x < small.width; ++x) {

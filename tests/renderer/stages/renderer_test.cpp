@@ -15,7 +15,7 @@ using namespace glint::test;
 
 namespace {
 
-constexpr PictureSize small{96, 72};
+constexpr PictureSize frame_size{96, 72};
 
 constexpr ShadingMode modes[] = {ShadingMode::Flat, ShadingMode::Facet, ShadingMode::Gouraud,
                                  ShadingMode::Phong};
@@ -45,10 +45,10 @@ TEST_CASE("the explanation of every pixel sums to the pixel, to the last bit", "
                     scene.shading.rules = rules;
                     scene.shading.two_sided = model == Reflection::Phong;
                     scene.display.transfer = mode == ShadingMode::Flat ? Transfer::Srgb : Transfer::None;
-                    const Picture& picture = renderer.render(scene, small, true);
+                    const Picture& picture = renderer.render(scene, frame_size, true);
                     int wrong = 0;
-                    for (int y = 0; y < small.height; ++y)
-                        for (int x = 0; x < small.width; ++x) {
+                    for (int y = 0; y < frame_size.height; ++y)
+                        for (int x = 0; x < frame_size.width; ++x) {
                             const Explanation e = renderer.explain(x, y);
                             wrong += !same_bits(e.sum, picture.linear_at(x, y));
                             for (std::size_t c = 0; c < 3; ++c)
@@ -61,9 +61,9 @@ TEST_CASE("the explanation of every pixel sums to the pixel, to the last bit", "
 
 TEST_CASE("the terms that an explanation lists add up to its sum", "[explain]") {
     Renderer renderer(1);
-    renderer.render(busy_scene(), small, true);
-    for (int y = 0; y < small.height; y += 3)
-        for (int x = 0; x < small.width; x += 3) {
+    renderer.render(busy_scene(), frame_size, true);
+    for (int y = 0; y < frame_size.height; y += 3)
+        for (int x = 0; x < frame_size.width; x += 3) {
             const Explanation e = renderer.explain(x, y);
             if (!e.hit) continue;
             glm::vec3 sum = e.at.emission + e.at.global_ambient;
@@ -76,7 +76,7 @@ TEST_CASE("only the stages whose inputs changed are done again", "[stages]") {
     Scene scene = busy_scene();
     Renderer renderer(2);
     const auto redone = [&] {
-        renderer.render(scene, small);
+        renderer.render(scene, frame_size);
         const auto& r = renderer.stats().redone;
         std::string text;
         for (const bool b : r) text += b ? '1' : '0';
@@ -139,7 +139,7 @@ TEST_CASE("a picture drawn after changes is the picture drawn from scratch", "[s
             scene.lights[random() % 4].enabled = random() % 2;
             break;
         }
-        draw_as_fresh(kept, scene, small, random() % 2);
+        draw_as_fresh(kept, scene, frame_size, random() % 2);
     }
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("the picture is linear in each light", "[property]") {
                 s.lights[i].enabled = which >> i & 1u;
                 s.lights[i].intensity *= intensity;
             }
-            return renderer.render(s, small, true);
+            return renderer.render(s, frame_size, true);
         };
         const Picture none = draw(0, 1), all = draw(15, 1);
         Picture sum = none;
@@ -200,7 +200,7 @@ TEST_CASE("no colour is negative or not a number", "[property]") {
         }
         scene.shading.mode = modes[random() % 4];
         scene.shading.reflection = models[random() % 7];
-        const Picture& p = renderer.render(scene, small, true);
+        const Picture& p = renderer.render(scene, frame_size, true);
         CHECK(std::all_of(p.linear.begin(), p.linear.end(),
                           [](float c) { return c >= 0 && std::isfinite(c); }));
     }
@@ -246,7 +246,7 @@ TEST_CASE("turning the whole world with its camera changes nothing beyond roundi
         o.transform = {};
     }
     Renderer a(2), b(2);
-    const Picture before = a.render(scene, small, true), after = b.render(turned, small, true);
+    const Picture before = a.render(scene, frame_size, true), after = b.render(turned, frame_size, true);
     int different = 0;
     for (std::size_t i = 0; i < before.linear.size(); i += 3) {
         double d = 0;
@@ -254,7 +254,7 @@ TEST_CASE("turning the whole world with its camera changes nothing beyond roundi
             d = std::max(d, std::abs(static_cast<double>(before.linear[i + c]) - after.linear[i + c]));
         different += d > 2e-4;
     }
-    CHECK(different < small.width * small.height / 200);  // a sample on an edge may change sides
+    CHECK(different < frame_size.width * frame_size.height / 200);  // a sample on an edge may change sides
 }
 
 TEST_CASE("the order of faces changes nothing", "[property]") {
@@ -284,7 +284,7 @@ TEST_CASE("the order of faces changes nothing", "[property]") {
     for (const ShadingMode mode : modes) {
         scene.shading.mode = shuffled.shading.mode = mode;
         Renderer a(2), b(2);
-        CHECK(a.render(scene, small, true).linear == b.render(shuffled, small, true).linear);
+        CHECK(a.render(scene, frame_size, true).linear == b.render(shuffled, frame_size, true).linear);
     }
 }
 
@@ -294,11 +294,11 @@ TEST_CASE("ambient light alone gives a flat silhouette", "[lecture]") {
     scene.objects.pop_back();
     scene.global_ambient = {0.5f, 0.25f, 1};
     Renderer renderer(1);
-    const Picture& p = renderer.render(scene, small, true);
+    const Picture& p = renderer.render(scene, frame_size, true);
     const glm::vec3 expected = scene.objects[0].material.ambient * scene.global_ambient;
     int seen = 0;
-    for (int y = 0; y < small.height; ++y)
-        for (int x = 0; x < small.width; ++x)
+    for (int y = 0; y < frame_size.height; ++y)
+        for (int x = 0; x < frame_size.width; ++x)
             if (renderer.object_at(x, y) == 0) {
                 ++seen;
                 CHECK(p.linear_at(x, y) == expected);
@@ -330,9 +330,9 @@ TEST_CASE("Gouraud tends to Phong as the tessellation grows", "[lecture][converg
         scene.objects.push_back(object_of(primitive(Primitive::Sphere, detail)));
         scene.lights = assorted_lights();
         Renderer a(2), b(2);
-        const Picture phong = a.render(scene, small, true);
+        const Picture phong = a.render(scene, frame_size, true);
         scene.shading.mode = ShadingMode::Gouraud;
-        const Picture& gouraud = b.render(scene, small, true);
+        const Picture& gouraud = b.render(scene, frame_size, true);
         double sum = 0;
         for (std::size_t i = 0; i < phong.linear.size(); ++i)
             sum += std::abs(static_cast<double>(phong.linear[i]) - gouraud.linear[i]);

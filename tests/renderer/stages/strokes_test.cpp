@@ -1,10 +1,11 @@
 // Strokes in the picture: which pixels, how much of each, what hides them, and what redraws them.
+#include "renderer/strokes/strokes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "renderer/renderer.h"
-#include "renderer/strokes/strokes.h"
 #include "tests/support/as_fresh.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
@@ -14,7 +15,7 @@ using namespace glint::test;
 
 namespace {
 
-constexpr PictureSize small{96, 72};
+constexpr PictureSize stroke_size{96, 72};
 
 /// An orthographic camera for which one scene unit is one pixel of a 32 x 32 picture; (0, 0) is its middle.
 Scene pixel_scene() {
@@ -37,7 +38,7 @@ float coverage(const Renderer& renderer, int x, int y) { return renderer.explain
 
 float largest_coverage(const Renderer& renderer, glm::vec2 place, float reach) {
     float largest = 0;
-    const PictureSize size = small;
+    const PictureSize size = stroke_size;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
             if (glm::distance(glm::vec2(x, y) + 0.5f, place) <= reach)
@@ -128,7 +129,7 @@ TEST_CASE("of a cube exactly the edges of the faces towards the eye are drawn", 
         if (round % 3 == 0) scene.camera.projection = Orthographic{4, 0.1f, 100};
         scene.npr.silhouettes = scene.npr.creases = true;
         Renderer renderer(1);
-        renderer.render(scene, small);
+        renderer.render(scene, stroke_size);
         const glm::vec3 eye = scene.camera.eye;
         const bool parallel = is_orthographic(scene.camera.projection);
         std::vector<std::array<glm::vec2, 2>> shown, hidden;
@@ -145,15 +146,16 @@ TEST_CASE("of a cube exactly the edges of the faces towards the eye are drawn", 
                     parallel ? 0 : 1;  // a face looks at the eye when the eye is beyond its plane
                 const bool seen = eye[u] * a[u] > limit || eye[v] * a[v] > limit;
                 (seen ? shown : hidden)
-                    .push_back({on_screen(scene.camera, small, a), on_screen(scene.camera, small, b)});
+                    .push_back(
+                        {on_screen(scene.camera, stroke_size, a), on_screen(scene.camera, stroke_size, b)});
             }
         for (const auto& e : shown)
             for (const float t : {0.0f, 0.2f, 0.4f, 0.5f, 0.7f, 0.9f, 1.0f}) {
                 CAPTURE(round, t);
                 CHECK(largest_coverage(renderer, e[0] + t * (e[1] - e[0]), 1) > 0.7f);
             }
-        for (int y = 0; y < small.height; ++y)
-            for (int x = 0; x < small.width; ++x) {
+        for (int y = 0; y < stroke_size.height; ++y)
+            for (int x = 0; x < stroke_size.width; ++x) {
                 const glm::vec2 at = glm::vec2(x, y) + 0.5f;
                 float nearest = 1e9f;
                 for (const auto& e : shown) nearest = std::min(nearest, distance_to_segment(at, e[0], e[1]));
@@ -195,21 +197,23 @@ TEST_CASE("the outline of a fine sphere has no gap, and nothing shines through i
         scene.npr.silhouettes = scene.npr.creases = true;
         scene.npr.crease_deg = 60;
         Renderer renderer(2);
-        renderer.render(scene, small);
+        renderer.render(scene, stroke_size);
         // The cone of rays that touch a unit sphere at distance 5: tan = 1/sqrt(24), in pixels:
-        const double radius = 1 / std::sqrt(24.0) / std::tan(22.5 * 0.017453292519943295) * small.height / 2;
+        const double radius =
+            1 / std::sqrt(24.0) / std::tan(22.5 * 0.017453292519943295) * stroke_size.height / 2;
         const double flat = radius * (1 - std::cos(3.141592653589793 / detail));  // what the polygon cuts off
         for (int i = 0; i < 720; ++i) {
             const double angle = i * 3.141592653589793 / 360;
             const glm::vec2 out(std::cos(angle), std::sin(angle));
-            const glm::vec2 middle(small.width / 2.0f, small.height / 2.0f);
+            const glm::vec2 middle(stroke_size.width / 2.0f, stroke_size.height / 2.0f);
             CAPTURE(detail, i);
             CHECK(largest_coverage(renderer, middle + static_cast<float>(radius - flat / 2) * out,
                                    1.0f + static_cast<float>(flat / 2)) > 0.8f);
         }
-        for (int y = 0; y < small.height; ++y)
-            for (int x = 0; x < small.width; ++x) {
-                const double r = std::hypot(x + 0.5 - small.width / 2.0, y + 0.5 - small.height / 2.0);
+        for (int y = 0; y < stroke_size.height; ++y)
+            for (int x = 0; x < stroke_size.width; ++x) {
+                const double r =
+                    std::hypot(x + 0.5 - stroke_size.width / 2.0, y + 0.5 - stroke_size.height / 2.0);
                 CAPTURE(detail, x, y);
                 if (r < radius - 2 * flat - 2 || r > radius + 2) CHECK(coverage(renderer, x, y) == 0);
             }
@@ -244,10 +248,10 @@ TEST_CASE("with strokes every explanation still sums to its pixel", "[strokes][e
         for (const bool tone : {false, true}) {
             scene.shading.mode = mode;
             scene.npr.cool_to_warm = tone;
-            const Picture& picture = renderer.render(scene, small, true);
+            const Picture& picture = renderer.render(scene, stroke_size, true);
             int wrong = 0, on_surface = 0, on_background = 0;
-            for (int y = 0; y < small.height; ++y)
-                for (int x = 0; x < small.width; ++x) {
+            for (int y = 0; y < stroke_size.height; ++y)
+                for (int x = 0; x < stroke_size.width; ++x) {
                     const Explanation e = renderer.explain(x, y);
                     const glm::vec3 pixel = picture.linear_at(x, y);
                     wrong += e.sum != pixel;
@@ -285,7 +289,7 @@ TEST_CASE("strokes are drawn again only when what they are made of changes", "[s
     Scene scene = stroked_busy_scene();
     Renderer renderer(2);
     const auto redone = [&] {
-        draw_as_fresh(renderer, scene, small);
+        draw_as_fresh(renderer, scene, stroke_size);
         return renderer.stats().strokes_redone;
     };
     CHECK(redone());
@@ -349,7 +353,7 @@ TEST_CASE("a stroked picture drawn after changes is the one drawn from scratch",
             scene.shading.cull = random() % 2 ? Cull::Back : Cull::None;
             break;
         }
-        draw_as_fresh(kept, scene, small, true, random() % 3 ? 1 : 4);
+        draw_as_fresh(kept, scene, stroke_size, true, random() % 3 ? 1 : 4);
     }
 }
 
@@ -361,7 +365,7 @@ TEST_CASE("edges through the eye, giant strokes and strokes without width do no 
     for (const float width : {0.0f, 1e-30f, 2.0f, 1e30f}) {
         scene.npr.stroke_width_px = width;
         Renderer renderer(2);
-        const Picture& p = renderer.render(scene, small, true);
+        const Picture& p = renderer.render(scene, stroke_size, true);
         CHECK(std::all_of(p.linear.begin(), p.linear.end(), [](float c) { return std::isfinite(c); }));
         const Warnings& w = renderer.warnings();
         CHECK(std::any_of(w.begin(), w.end(), [](const std::string& text) {

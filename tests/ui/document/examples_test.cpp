@@ -16,7 +16,7 @@ using namespace glint::test;
 
 namespace {
 
-const std::string scenes_folder = GLINT_SOURCE_DIR "/assets/scenes";
+const std::string shipped_folder = GLINT_SOURCE_DIR "/assets/scenes";
 
 std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
@@ -36,7 +36,7 @@ std::vector<std::string> lecture_map_order() {
 }  // namespace
 
 TEST_CASE("the examples are all scenes that come with Glint, in the lecture's order", "[ui][lecture]") {
-    const std::vector<Example> examples = examples_in(scenes_folder);
+    const std::vector<Example> examples = examples_in(shipped_folder);
     std::set<std::string> listed, there;
     for (const Example& example : examples) listed.insert(stem(example.path));
     for (const std::string& path : asset_scenes()) there.insert(stem(path));
@@ -69,7 +69,7 @@ TEST_CASE("every scene that comes with Glint says in one line what to look at", 
 
 TEST_CASE("an example is opened by a click on its picture", "[ui]") {
     HeadlessWindow bench;
-    bench.state.shipped_scenes = scenes_folder;
+    bench.state.shipped_scenes = shipped_folder;
     run_command(bench.state, command_named("Examples…"));
     while (bench.state.examples.pictures.taken < 4) bench.frames(1);
     bench.frames(2);
@@ -140,10 +140,10 @@ TEST_CASE("opening starts where there is something to open", "[ui]") {
     std::filesystem::create_directories(empty);
     std::filesystem::current_path(empty);
     HeadlessWindow bench;
-    bench.state.shipped_scenes = scenes_folder;
+    bench.state.shipped_scenes = shipped_folder;
     bench.frames(1);
     run_command(bench.state, CommandId::Open);
-    CHECK(std::filesystem::equivalent(bench.state.files.folder, scenes_folder));
+    CHECK(std::filesystem::equivalent(bench.state.files.folder, shipped_folder));
     std::ofstream(empty / "mine.json") << "{}";
     run_command(bench.state, CommandId::Open);
     CHECK(std::filesystem::equivalent(bench.state.files.folder, empty));

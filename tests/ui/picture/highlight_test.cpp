@@ -14,7 +14,7 @@ using namespace glint;
 
 namespace {
 
-const PictureSize size{360, 240};
+const PictureSize highlight_picture{360, 240};
 
 /// Whether lights are fainter farther off and off their axes, which shifts the peak from where r = v.
 enum class Fall { No, Off };
@@ -39,10 +39,10 @@ class Grab {
         object.material.roughness = number(0.15f, 0.6f);
         scene.shading.reflection = models[random() % 2];
         scene.shading.local_viewer = random() % 4 != 0;
-        map = screen_map(scene.camera, size);
+        map = screen_map(scene.camera, highlight_picture);
         dome = sun_dome(scene.camera.target, scene_bounds(scene), map);
         add_light(fall);
-        renderer.render(scene, size);
+        renderer.render(scene, highlight_picture);
     }
     float number(float low, float high) { return low + (high - low) * float(random_() % 65536) / 65535; }
     glm::vec3 direction() {
@@ -55,7 +55,7 @@ class Grab {
     glm::dvec2 pixel_on_it() {
         for (int i = 0; i < 10'000; ++i) {
             const glm::dvec2 pixel = glm::floor(glm::dvec2{number(0, 359), number(0, 239)}) + 0.5;
-            const auto point = seen_at(renderer_, size, pixel);
+            const auto point = seen_at(renderer_, highlight_picture, pixel);
             if (!point) continue;
             const glm::vec3 v = is_orthographic(scene.camera.projection) || !scene.shading.local_viewer
                                     ? glm::vec3(0, 0, 1)
@@ -72,7 +72,7 @@ class Grab {
 
   private:
     [[nodiscard]] bool patch_is_whole(glm::dvec2 pixel) const {
-        const auto patch = surface_patch(renderer_, size, pixel, 6);
+        const auto patch = surface_patch(renderer_, highlight_picture, pixel, 6);
         return patch && std::count(patch->used.begin(), patch->used.end(), false) == 0;
     }
     void add_light(Fall fall) {
@@ -116,7 +116,7 @@ std::vector<Object> hollow_shapes() {
 std::vector<float> specular_picture(Renderer& renderer, Scene scene) {
     scene.shading.terms = {false, false, false, true};
     scene.display.background = glm::vec3(0);
-    const Picture& picture = renderer.render(scene, size, true);
+    const Picture& picture = renderer.render(scene, highlight_picture, true);
     std::vector<float> green;
     for (std::size_t i = 0; i < picture.linear.size(); i += 3) green.push_back(picture.linear[i + 1]);
     return green;
@@ -130,8 +130,10 @@ glm::dvec2 peak_near(const std::vector<float>& values, glm::dvec2 pixel, int rad
     for (int y = -radius; y <= radius; ++y)
         for (int x = -radius; x <= radius; ++x) {
             const glm::dvec2 at = pixel + glm::dvec2(x, y);
-            if (at.x < 0 || at.y < 0 || at.x >= size.width || at.y >= size.height) continue;
-            const float value = values[std::size_t(at.y) * std::size_t(size.width) + std::size_t(at.x)];
+            if (at.x < 0 || at.y < 0 || at.x >= highlight_picture.width || at.y >= highlight_picture.height)
+                continue;
+            const float value =
+                values[std::size_t(at.y) * std::size_t(highlight_picture.width) + std::size_t(at.x)];
             const double away = glm::length(glm::dvec2(x, y));
             if (value < largest * (1 - 1e-5f) || (value <= largest * (1 + 1e-5f) && away >= nearest))
                 continue;

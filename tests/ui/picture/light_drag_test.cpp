@@ -9,13 +9,13 @@ using namespace glint;
 
 namespace {
 
-const PictureSize size{1000, 700};
+const PictureSize drag_picture{1000, 700};
 
 struct Case {
     Camera camera;
     DragView view;
     Case(glm::vec3 eye, Projection projection) : camera{eye, {0, 0, 0}, {0, 1, 0}, projection} {
-        view.map = screen_map(camera, size);
+        view.map = screen_map(camera, drag_picture);
         view.dome = sun_dome({0, 0, 0}, {{-1, -1, -1}, {1, 1, 1}}, view.map);
     }
     [[nodiscard]] OnScreen handle(const Light& light) const {

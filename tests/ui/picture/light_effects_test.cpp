@@ -16,7 +16,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-const PictureSize size{240, 180};
+const PictureSize effect_picture{240, 180};
 
 Scene ball_under(LightKind kind, LightSpace space) {
     Scene scene;
@@ -38,9 +38,9 @@ struct DrawnBall {
     ScreenMap map;
     Dome dome;
 
-    explicit DrawnBall(const Scene& s) : scene(s), map(screen_map(s.camera, size)) {
+    explicit DrawnBall(const Scene& s) : scene(s), map(screen_map(s.camera, effect_picture)) {
         dome = sun_dome(s.camera.target, scene_bounds(s), map);
-        (void)renderer.render(scene, size);
+        (void)renderer.render(scene, effect_picture);
     }
     [[nodiscard]] std::optional<Light> with(LightEffect effect, glm::dvec2 pixel) const {
         return with_effect(effect, scene.lights[0], {scene, renderer, map, dome}, pixel);
@@ -69,8 +69,8 @@ template <class Check> void for_all_lights(Check check) {
             CAPTURE(static_cast<int>(kind), static_cast<int>(space));
             DrawnBall stage(ball_under(kind, space));
             int checked = 0;
-            for (int y = 6; y < size.height; y += 12)
-                for (int x = 6; x < size.width; x += 12) {
+            for (int y = 6; y < effect_picture.height; y += 12)
+                for (int x = 6; x < effect_picture.width; x += 12) {
                     const Explanation e = stage.renderer.explain(x, y);
                     if (!e.hit) continue;
                     check(stage, e, glm::dvec2(x + 0.5, y + 0.5));
@@ -112,7 +112,7 @@ TEST_CASE("brightest here: the equation itself has n·l = 1 there", "[ui][hands]
         const auto light = stage.with(LightEffect::Brightest, {115.5, 80.5});
         REQUIRE(light);
         stage.scene.lights[0] = *light;
-        (void)stage.renderer.render(stage.scene, size);
+        (void)stage.renderer.render(stage.scene, effect_picture);
         const ExplainedLight lit = stage.renderer.explain(115, 80).at.lights.at(0);
         CHECK(lit.n_dot_l == Approx(1).margin(1e-4));
         CHECK(lit.spot == Approx(1).margin(1e-4));
@@ -150,20 +150,20 @@ TEST_CASE("the light that matters most is the one without which the pixel loses 
     for (const ShadingMode mode : {ShadingMode::Phong, ShadingMode::Gouraud, ShadingMode::Flat}) {
         Scene scene = test::busy_scene();
         scene.shading.mode = mode;
-        const test::Drawn all(scene, size);
+        const test::Drawn all(scene, effect_picture);
         std::vector<std::unique_ptr<test::Drawn>> others;
         for (std::size_t i = 0; i < scene.lights.size(); ++i) {
             Scene less = scene;
             less.lights[i].enabled = false;
-            others.push_back(std::make_unique<test::Drawn>(less, size));
+            others.push_back(std::make_unique<test::Drawn>(less, effect_picture));
         }
         const auto total = [](const test::Drawn& drawn, int x, int y) {
             const glm::vec3 c = drawn.picture().linear_at(x, y);
             return double(c.x) + double(c.y) + double(c.z);
         };
         int seen = 0;
-        for (int y = 3; y < size.height; y += 7)
-            for (int x = 3; x < size.width; x += 7) {
+        for (int y = 3; y < effect_picture.height; y += 7)
+            for (int x = 3; x < effect_picture.width; x += 7) {
                 const Explanation e = all.at(x, y);
                 const auto main = main_light(e);
                 if (!e.hit || !main) continue;

@@ -20,13 +20,13 @@ std::vector<Camera> cameras() {
             {eye, target, {0.1f, 1, 0.3f}, Frustum{-0.03f, 0.07f, -0.04f, 0.05f, 0.1f, 100}}};
 }
 
-const PictureSize size{800, 600};
+const PictureSize screen_picture{800, 600};
 
 }  // namespace
 
 TEST_CASE("the target of a symmetric camera shows in the middle of the picture", "[ui]") {
     for (const Camera& camera : {cameras()[0], cameras()[1]}) {
-        const OnScreen at = project(screen_map(camera, size), camera.target);
+        const OnScreen at = project(screen_map(camera, screen_picture), camera.target);
         CHECK(distance(at.pixel, {400, 300}) < 1e-6);
         CHECK(at.depth == Approx(glm::length(camera.eye - camera.target)));
         CHECK(at.in_front);
@@ -38,14 +38,14 @@ TEST_CASE("a place at 45 degrees shows at the edge of a 90 degree view", "[ui]")
     const OnScreen at = project(screen_map(camera, {600, 600}), {-3, 3, 2});  // 3 aside, 3 above, 3 in front
     CHECK(distance(at.pixel, {0, 0}) < 1e-9);
     CHECK(at.depth == Approx(3));
-    CHECK_FALSE(project(screen_map(camera, size), {0, 0, 6}).in_front);
+    CHECK_FALSE(project(screen_map(camera, screen_picture), {0, 0, 6}).in_front);
 }
 
 TEST_CASE("unproject is the way back of project under every projection", "[ui][property]") {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> number(-1, 1);
     for (const Camera& camera : cameras()) {
-        const ScreenMap map = screen_map(camera, size);
+        const ScreenMap map = screen_map(camera, screen_picture);
         for (int i = 0; i < 200; ++i) {
             const glm::dvec3 place{number(random), number(random), number(random)};
             const OnScreen at = project(map, place);
@@ -62,7 +62,7 @@ TEST_CASE("orbiting keeps distance, target and up, and never reaches a pole", "[
     for (Camera camera : cameras()) {
         const Camera start = camera;
         for (int i = 0; i < 300; ++i) {
-            orbit(camera, {pixels(random), pixels(random)}, size);
+            orbit(camera, {pixels(random), pixels(random)}, screen_picture);
             CHECK(target_depth(camera) == Approx(target_depth(start)).epsilon(1e-4));
             const glm::vec3 out = glm::normalize(camera.eye - camera.target);
             CHECK(std::abs(glm::dot(out, glm::normalize(start.up))) < 0.9999f);
@@ -74,20 +74,21 @@ TEST_CASE("orbiting keeps distance, target and up, and never reaches a pole", "[
 
 TEST_CASE("a drag over a quarter of the height turns by 90 degrees, the scene following the hand", "[ui]") {
     Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, {}};
-    orbit(camera, {150, 0}, size);  // to the right: what is in front goes right, so the eye goes left
+    orbit(camera, {150, 0},
+          screen_picture);  // to the right: what is in front goes right, so the eye goes left
     CHECK(camera.eye.x == Approx(-5));
     CHECK(camera.eye.z == Approx(0).margin(1e-5));
     camera.eye = {0, 0, 5};
-    orbit(camera, {0, 75}, size);  // down: the eye goes up, by 45 degrees
+    orbit(camera, {0, 75}, screen_picture);  // down: the eye goes up, by 45 degrees
     CHECK(camera.eye.y == Approx(3.5355339));
 }
 
 TEST_CASE("what is panned stays under the cursor", "[ui]") {
     for (const Camera& before : cameras()) {
         Camera camera = before;
-        const glm::dvec3 held = unproject(screen_map(camera, size), {200, 450}, 4);
-        pan(camera, {200, 450}, {333, 111}, 4, size);
-        CHECK(distance(project(screen_map(camera, size), held).pixel, {333, 111}) < 1e-3);
+        const glm::dvec3 held = unproject(screen_map(camera, screen_picture), {200, 450}, 4);
+        pan(camera, {200, 450}, {333, 111}, 4, screen_picture);
+        CHECK(distance(project(screen_map(camera, screen_picture), held).pixel, {333, 111}) < 1e-3);
         CHECK(glm::length((camera.eye - camera.target) - (before.eye - before.target)) < 1e-5);
     }
 }
@@ -95,12 +96,12 @@ TEST_CASE("what is panned stays under the cursor", "[ui]") {
 TEST_CASE("what the wheel moves towards stays under the cursor", "[ui]") {
     for (const Camera& before : cameras()) {
         Camera camera = before;
-        const glm::dvec3 held = unproject(screen_map(camera, size), {100, 500}, 3);
+        const glm::dvec3 held = unproject(screen_map(camera, screen_picture), {100, 500}, 3);
         for (int i = 0; i < 5; ++i) {
-            const double depth = project(screen_map(camera, size), held).depth;
-            dolly(camera, {100, 500}, depth, 0.8, size);
+            const double depth = project(screen_map(camera, screen_picture), held).depth;
+            dolly(camera, {100, 500}, depth, 0.8, screen_picture);
         }
-        CHECK(distance(project(screen_map(camera, size), held).pixel, {100, 500}) < 0.01);
+        CHECK(distance(project(screen_map(camera, screen_picture), held).pixel, {100, 500}) < 0.01);
         CHECK(glm::length(glm::normalize(camera.eye - camera.target) -
                           glm::normalize(before.eye - before.target)) < 1e-4);
     }
@@ -108,11 +109,11 @@ TEST_CASE("what the wheel moves towards stays under the cursor", "[ui]") {
 
 TEST_CASE("no wheel takes the camera out of the numbers", "[ui]") {
     for (Camera camera : cameras()) {
-        for (int i = 0; i < 500; ++i) dolly(camera, {10, 10}, target_depth(camera), 0.7, size);
+        for (int i = 0; i < 500; ++i) dolly(camera, {10, 10}, target_depth(camera), 0.7, screen_picture);
         CHECK(target_depth(camera) > 1e-5);
-        for (int i = 0; i < 500; ++i) dolly(camera, {790, 10}, target_depth(camera), 1.5, size);
+        for (int i = 0; i < 500; ++i) dolly(camera, {790, 10}, target_depth(camera), 1.5, screen_picture);
         CHECK(target_depth(camera) < 1e8);
-        CHECK(project(screen_map(camera, size), camera.target).in_front);
+        CHECK(project(screen_map(camera, screen_picture), camera.target).in_front);
     }
 }
 

@@ -12,11 +12,11 @@ using namespace glint;
 
 namespace {
 
-struct Stage {
+struct LightStage {
     Camera camera{{3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{40, 0.1f, 100}};
     DragView view;
     PictureView picture;
-    Stage() {
+    LightStage() {
         view.map = screen_map(camera, {1000, 700});
         view.dome = sun_dome({0, 0, 0}, {{-1, -1, -1}, {1, 1, 1}}, view.map);
         picture.map = view.map;
@@ -26,7 +26,7 @@ struct Stage {
     [[nodiscard]] glm::dvec2 pixel(glm::dvec3 place) const { return project(view.map, place).pixel; }
 };
 
-Light lamp(LightSpace space, const Stage& stage) {
+Light lamp(LightSpace space, const LightStage& stage) {
     Light light;
     light.kind = LightKind::Spot;
     light.position = {0.5f, 1.2f, 0.6f, 1};
@@ -34,7 +34,7 @@ Light lamp(LightSpace space, const Stage& stage) {
     return in_space(light, space, stage.camera);
 }
 
-Light panel(LightSpace space, const Stage& stage) {
+Light panel(LightSpace space, const LightStage& stage) {
     Light light;
     light.kind = LightKind::Area;
     light.position = {-0.4f, -0.6f, 0.5f, 1};
@@ -56,7 +56,7 @@ glm::dmat3 rotation(glm::vec3 deg) { return glm::dmat3(world_from_object({{}, de
 }  // namespace
 
 TEST_CASE("a cone's rim opens until it is under the cursor", "[ui][hands]") {
-    const Stage stage;
+    const LightStage stage;
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera})
         for (int i = 0; i < 8; ++i) {
             const Light light = lamp(space, stage);
@@ -78,7 +78,7 @@ TEST_CASE("a cone's rim opens until it is under the cursor", "[ui][hands]") {
 
 TEST_CASE("the aim of a spot and of a panel stays under the cursor, and the light where it is",
           "[ui][hands]") {
-    const Stage stage;
+    const LightStage stage;
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera})
         for (const Light& light : {lamp(space, stage), panel(space, stage)}) {
             const ShapeGrip grip = shape_grips(light, stage.view.dome, stage.view.map)[0];
@@ -92,7 +92,7 @@ TEST_CASE("the aim of a spot and of a panel stays under the cursor, and the ligh
 }
 
 TEST_CASE("an aim with a place to shine at shines there", "[ui][hands]") {
-    const Stage stage;
+    const LightStage stage;
     const glm::dvec3 place(0.2, -0.4, -0.3);
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera}) {
         const Light spot = aimed_at(lamp(space, stage), place, stage.view);
@@ -104,7 +104,7 @@ TEST_CASE("an aim with a place to shine at shines there", "[ui][hands]") {
 }
 
 TEST_CASE("a panel's corners and edges follow the cursor, its middle stays", "[ui][hands]") {
-    const Stage stage;
+    const LightStage stage;
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera}) {
         const Light light = panel(space, stage);
         for (const ShapeGrip& grip : shape_grips(light, stage.view.dome, stage.view.map)) {
@@ -128,7 +128,7 @@ TEST_CASE("a panel's corners and edges follow the cursor, its middle stays", "[u
 }
 
 TEST_CASE("every mark of a shape is what the cursor finds on it, and the rim all round", "[ui][hands]") {
-    const Stage stage;
+    const LightStage stage;
     for (const Light& light : {lamp(LightSpace::World, stage), panel(LightSpace::Camera, stage)})
         for (const ShapeGrip& grip : shape_grips(light, stage.view.dome, stage.view.map)) {
             const auto found = shape_under(light, stage.picture, stage.pixel(grip.place));
@@ -142,7 +142,7 @@ TEST_CASE("every mark of a shape is what the cursor finds on it, and the rim all
 }
 
 TEST_CASE("an object moved along an axis or in a plane changes only those coordinates", "[ui][hands]") {
-    const Stage stage;
+    const LightStage stage;
     const Transform start = busy_transform();
     const auto gizmo = gizmo_of(start, GizmoMode::Move, stage.picture);
     REQUIRE(gizmo);
@@ -173,7 +173,7 @@ TEST_CASE("an object moved along an axis or in a plane changes only those coordi
 }
 
 TEST_CASE("an object turned by a ring turns round that axis by the angle of the hand", "[ui][hands]") {
-    const Stage stage;
+    const LightStage stage;
     const Transform start = busy_transform();
     const auto gizmo = gizmo_of(start, GizmoMode::Rotate, stage.picture);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -196,7 +196,7 @@ TEST_CASE("an object turned by a ring turns round that axis by the angle of the 
 }
 
 TEST_CASE("an object turned about a point keeps that point of it in its place", "[ui][hands]") {
-    const Stage stage;
+    const LightStage stage;
     const Transform start = busy_transform();
     const glm::dvec3 pivot(0.6, 0.1, 0.2);
     const glm::dvec4 in_object = glm::inverse(glm::dmat4(world_from_object(start))) * glm::dvec4(pivot, 1);
@@ -231,7 +231,7 @@ TEST_CASE("angles found for a rotation give it back, and stay near those it had"
 }
 
 TEST_CASE("an object scaled by hand never gets a scale of 0, and keeps its mirroring", "[ui][hands]") {
-    const Stage stage;
+    const LightStage stage;
     Transform start = busy_transform();
     start.scale.x = -1;
     const auto gizmo = gizmo_of(start, GizmoMode::Scale, stage.picture);

@@ -25,11 +25,6 @@ std::string changed_value(const Scene& before, const Scene& after) {
     return {};
 }
 
-void type(HeadlessWindow& bench, const char* letters) {
-    for (; *letters != 0; ++letters) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(*letters));
-    bench.frames(2);
-}
-
 }  // namespace
 
 TEST_CASE("no two commands share a key", "[ui][commands]") {
@@ -170,7 +165,7 @@ TEST_CASE("Ctrl+K, a few letters and Enter do what the best match says", "[ui][p
     bench.key(Key::K, true);
     REQUIRE(bench.state.palette.open);
     bench.frame();
-    type(bench, "gourau");
+    bench.type("gourau");
     CHECK(bench.state.palette.text == "gourau");
     bench.key(Key::Enter);
     CHECK_FALSE(bench.state.palette.open);
@@ -184,7 +179,7 @@ TEST_CASE("what cannot be done now is shown with its reason and stays undone", "
     bench.frame();
     bench.key(Key::K, true);
     bench.frame();
-    type(bench, "redo");
+    bench.type("redo");
     const auto matches = palette_matches(bench.state.palette.entries, "redo");
     REQUIRE_FALSE(matches.empty());
     CHECK(bench.state.palette.entries[std::size_t(matches[0])].refused == "Nothing to redo");
@@ -201,7 +196,7 @@ TEST_CASE("by keys alone a light is selected, its kind and space chosen, and a n
     const auto choose = [&](const char* letters) {
         bench.key(Key::K, true);
         bench.frame();
-        type(bench, letters);
+        bench.type(letters);
         bench.key(Key::Enter);
         bench.frames(2);
     };
@@ -219,7 +214,7 @@ TEST_CASE("by keys alone a light is selected, its kind and space chosen, and a n
     bench.key(Key::Tab);
     bench.frames(2);
     CHECK(ImGui::GetIO().WantTextInput);
-    type(bench, "7");  // over what the first field, the eye's x, held
+    bench.type("7");  // over what the first field, the eye's x, held
     CHECK(bench.scene().camera.eye.x == 7);
     CHECK_FALSE(bench.scene().shading.mode == ShadingMode::Flat);  // keys are text now
 }

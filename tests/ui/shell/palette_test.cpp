@@ -21,11 +21,6 @@ std::vector<PaletteEntry> found(const UiState& state, const std::string& text) {
     return matching;
 }
 
-void type(HeadlessWindow& bench, const char* letters) {
-    for (; *letters != 0; ++letters) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(*letters));
-    bench.frames(2);
-}
-
 }  // namespace
 
 TEST_CASE("the palette finds a field of the scene first by the beginning of its name", "[ui][palette]") {
@@ -75,14 +70,14 @@ TEST_CASE("a field that the palette finds stands in its panel and has the keyboa
     bench.frames(2);
     (void)bench.key(Key::K, true);
     bench.frames(1);
-    type(bench, "shin");
+    bench.type("shin");
     (void)bench.key(Key::Enter);
     bench.frames(6);
     CHECK_FALSE(bench.state.palette.open);
     CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, 0});
     CHECK(ImGui::GetIO().WantTextInput);
     CHECK(bench.area_of("/objects/0/material/shininess").high.y < 780);
-    type(bench, "77");
+    bench.type("77");
     CHECK(bench.scene().objects[0].material.shininess == 77);
 }
 
@@ -105,10 +100,10 @@ TEST_CASE("a field below the end of its panel is scrolled to", "[ui][palette][wi
     bench.scene().lights[0].position.w = 1;
     bench.frames(2);
     run("cutoff", "Cutoff");  // after the switch in its row
-    type(bench, "45/2");
+    bench.type("45/2");
     CHECK(bench.scene().lights[0].spot.cutoff_deg == 22.5f);
     run("nam", "Name");
-    type(bench, "Key light");
+    bench.type("Key light");
     CHECK(bench.scene().lights[0].name == "Key light");
     run("silh", "Silhouettes");  // a switch, which takes no keyboard
     (void)bench.control("/npr/silhouettes");
@@ -125,7 +120,7 @@ TEST_CASE("where nothing fits the palette offers what is nearest, and Enter take
         FAIL_CHECK(entries[static_cast<std::size_t>(strewn)].name);
     (void)bench.key(Key::K, true);
     bench.frames(1);
-    type(bench, "exposrue");
+    bench.type("exposrue");
     (void)bench.key(Key::Enter);
     bench.frames(3);
     CHECK_FALSE(bench.state.palette.open);
@@ -139,7 +134,7 @@ TEST_CASE("where nothing is near the palette does nothing at Enter", "[ui][palet
     CHECK(nearest_word(palette_entries(bench.state), "zzzz").empty());
     (void)bench.key(Key::K, true);
     bench.frames(1);
-    type(bench, "zzzz");
+    bench.type("zzzz");
     (void)bench.key(Key::Enter);
     bench.frames(3);
     CHECK(bench.state.palette.open);

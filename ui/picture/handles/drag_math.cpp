@@ -9,7 +9,7 @@
 
 namespace glint {
 
-static constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 glm::dvec3 rotated(glm::dvec3 v, glm::dvec3 axis, double angle) {
     return glm::dvec3(glm::rotate(glm::dmat4(1), angle, axis) * glm::dvec4(v, 0));

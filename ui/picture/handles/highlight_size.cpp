@@ -13,7 +13,7 @@ namespace {
 
 constexpr double enough_share = 0.5;   // of the peak: what may be taken hold of
 constexpr double enough_light = 0.15;  // a fainter one is hardly seen, and turning the camera is meant
-constexpr double half = 0.5;           // of the most, at the rim
+constexpr double rim_share = 0.5;      // of the most, at the rim
 constexpr double sharpest = 10'000, dullest = 0.1;  // exponents
 constexpr double smoothest = 0.02, roughest = 1;    // roughness
 constexpr double radius_share = 0.3;                // of a small highlight's inside, that its rim takes
@@ -104,8 +104,8 @@ std::optional<int> highlight_rim_under(const SurfaceView& view, glm::dvec2 pixel
         const double steep = steepness(view, light, *patch, material);
         if (!(steep > 1e-6)) continue;
         // A bell 2^-(d/R)² has the slope ln 2 / R at its rim.
-        const double radius = std::log(2.0) / steep, away = std::abs(share - half) / steep;
-        const double most = share > half ? std::min(nearest, radius_share * radius) : nearest;
+        const double radius = std::log(2.0) / steep, away = std::abs(share - rim_share) / steep;
+        const double most = share > rim_share ? std::min(nearest, radius_share * radius) : nearest;
         if (away > most) continue;
         nearest = away;
         best = static_cast<int>(i);
@@ -122,11 +122,11 @@ std::optional<Material> sized_highlight(const SizeDrag& drag, const SurfaceView&
     };
     if (!(share(1) > 0)) return {};
     double low = 0, high = 1;  // the share grows with the highlight's width
-    if (share(low) >= half) return width.at(drag.start, low);
-    if (share(high) <= half) return width.at(drag.start, high);
+    if (share(low) >= rim_share) return width.at(drag.start, low);
+    if (share(high) <= rim_share) return width.at(drag.start, high);
     for (int i = 0; i < 40; ++i) {
         const double middle = (low + high) / 2;
-        (share(middle) < half ? low : high) = middle;
+        (share(middle) < rim_share ? low : high) = middle;
     }
     return width.at(drag.start, (low + high) / 2);
 }

@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 glm::dvec3 unit_axis(DragAlong along) {
     return {along == DragAlong::X ? 1 : 0, along == DragAlong::Y ? 1 : 0, along == DragAlong::Z ? 1 : 0};

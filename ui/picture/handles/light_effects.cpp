@@ -4,15 +4,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
-#include <numbers>
 
+#include "models/scene/degree.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/picture/handles/light_place.h"
 
 namespace glint {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double faint = 0.01;  // the intensity from which a light without any is raised
 
 constexpr LightEffectInfo infos[] = {

@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr float handle_radius = 7, grip_radius = 13;
 
 /// Where the border of the picture shows the way to what lies outside of it.

@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double least_edge = 1e-3;  // of a panel: a share of what it was
 
 /// The direction in which a light shines, world, unit: a cone's axis, a panel's normal.

@@ -7,10 +7,12 @@
 #include <glm/vec4.hpp>
 #include <numbers>
 
+#include "models/scene/degree.h"
+
 namespace glint {
 namespace {
 
-constexpr double pi = std::numbers::pi, degree = pi / 180;
+using std::numbers::pi;
 constexpr double least_scale = 0.01;
 
 std::size_t axis_of(GizmoPart part) { return static_cast<std::size_t>(part) % 3; }
