@@ -5,11 +5,11 @@ add_library(glint_options INTERFACE)
 # -ffp-contract=off: a product and a sum are never fused behind our back, so that a picture has the same bytes
 # on every instruction set and an explanation equals its pixel to the last bit (docs/architecture.md).
 target_compile_options(glint_options INTERFACE -Wall -Wextra -Wconversion -Wswitch -ffp-contract=off)
-if(GLINT_FOLDERS_AS_ONE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # Not about names of another file's anonymous namespace.
-  target_compile_options(glint_options INTERFACE -Wshadow=local -Wno-subobject-linkage)
-else()
+# Where files are compiled together, not about names of another file's anonymous namespace.
+if(NOT GLINT_FOLDERS_AS_ONE)
   target_compile_options(glint_options INTERFACE -Wshadow)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(glint_options INTERFACE -Wshadow=local -Wno-subobject-linkage)
 endif()
 target_include_directories(glint_options INTERFACE ${PROJECT_SOURCE_DIR})
 if(GLINT_WERROR)

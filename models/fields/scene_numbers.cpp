@@ -81,10 +81,10 @@ template <class Visit> class NumberWalk {
     }
     template <class T, class D> void at(const Group&, T& value, const D&) const { members(value); }
     template <class T, class D> void at(const OneProjection&, T& projection, const D&) const {
-        std::visit([this](auto& p) { members(p); }, projection);
+        std::visit([this](auto& p) { this->members(p); }, projection);
     }
     template <class T, class D> void at(const OneMesh&, T& source, const D&) const {
-        std::visit([this](auto& s) { members(s); }, source);
+        std::visit([this](auto& s) { this->members(s); }, source);
     }
     template <class T, class D> void at(const List&, T& list, const D&) const {
         const int one = only_ != nullptr && depth_ < only_->size() ? index_of((*only_)[depth_]) : -1;

@@ -19,7 +19,7 @@ namespace {
 class Triangles {
   public:
     Triangles(const GltfDocument& document, const Node& root, const Node& primitive, std::size_t vertices)
-        : vertices_(vertices), count_(vertices) {
+        : count_(vertices) {
         if (!primitive.has("indices")) return;
         indices_ = numbers_of(document, root, primitive, "indices", "SCALAR");
         count_ = indices_.count;
@@ -53,7 +53,7 @@ class Triangles {
         return static_cast<std::uint32_t>(indices_.data == nullptr ? static_cast<double>(i)
                                                                    : indices_.at(i, 0));
     }
-    std::size_t vertices_, count_;
+    std::size_t count_;
     GltfNumbers indices_;
 };
 

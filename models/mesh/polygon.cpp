@@ -56,7 +56,7 @@ constexpr double straight = 1e-6;
 constexpr std::size_t no_corner = static_cast<std::size_t>(-1);  // past either end of the sweep
 
 void add(const Mesh& mesh, const Triangle& t, std::vector<Triangle>& triangles) {
-    const auto place = [&](int i) { return mesh.positions[mesh.corner_position[t.corner[i]]]; };
+    const auto place = [&](std::size_t i) { return mesh.positions[mesh.corner_position[t.corner[i]]]; };
     if (triangle_plane(place(0), place(1), place(2)).area > 0) triangles.push_back(t);
 }
 
