@@ -77,7 +77,7 @@ void use_mouse(OutsideState& state, PictureSize size, bool hovered) {
 }
 
 void legend() {
-    wrapped_dim("Drag: turn · Wheel: closer · Double-click: all in sight · Click a light: select it");
+    wrapped_dim("Drag: turn. Wheel: closer. Double-click: all in sight. Click a light: select it.");
     wrapped_dim(
         "C lights ride with the camera, on a line from the eye; W lights stay in the world. Orbit the "
         "picture and watch.");

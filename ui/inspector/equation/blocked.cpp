@@ -68,7 +68,8 @@ std::string blocked_words(UiState& state, const Explanation& explanation, const 
                                  ? "Its own surface"
                                  : fmt::format("“{}”", scene.objects[object].name);
     return fmt::format(
-        "{} stands in the way of this light, but Glint casts no shadows: each point is lit for itself", name);
+        "{} stands in the way of this light, but Glint casts no shadows: each point is lit for itself.",
+        name);
 }
 
 }  // namespace glint
