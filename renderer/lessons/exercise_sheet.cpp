@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <string_view>
 
@@ -37,6 +38,25 @@ std::string answer_text(const PosedQuestion& q) {
                        q.unit);
 }
 
+/// k_d, escaped, with its index set low: of one letter each.
+std::string with_indices(std::string_view text) {
+    constexpr std::string_view underline = "\\_";
+    const auto is_letter = [&text](std::size_t i) {
+        return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0;
+    };
+    std::string set;
+    std::size_t done = 0;
+    for (std::size_t at = text.find(underline); at != text.npos; at = text.find(underline, at + 1)) {
+        const std::size_t after = at + underline.size();
+        const bool one_before = at > 0 && is_letter(at - 1) && !(at > 1 && is_letter(at - 2));
+        if (!one_before || !is_letter(after) || is_letter(after + 1)) continue;
+        set += text.substr(done, at - done);
+        set += fmt::format("\\textsubscript{{{}}}", text[after]);
+        done = after + 1;
+    }
+    return set += text.substr(done);
+}
+
 /// Letters and signs of our texts, which LaTeX's first font encoding lacks.
 std::string latex_text(std::string_view text) {
     constexpr std::array<std::array<std::string_view, 2>, 15> signs{{{"°", "\\textdegree{}"},
@@ -54,7 +74,7 @@ std::string latex_text(std::string_view text) {
                                                                      {"…", "\\dots{}"},
                                                                      {"–", "--"},
                                                                      {"½", "\\ensuremath{\\frac12}"}}};
-    std::string escaped = latex_escaped(text);
+    std::string escaped = with_indices(latex_escaped(text));
     for (const auto& [sign, command] : signs)
         for (std::size_t at = escaped.find(sign); at != escaped.npos; at = escaped.find(sign, at))
             escaped.replace(at, sign.size(), command);

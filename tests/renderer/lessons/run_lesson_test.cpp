@@ -236,7 +236,7 @@ closed: k / 2
     CHECK(different >= 5);
     const std::string tex = exercises_tex(bench.lesson, sheets),
                       html = exercises_html(bench.lesson, sheets, "");
-    CHECK(tex.find("k\\_d is ") != std::string::npos);
+    CHECK(tex.find("k\\textsubscript{d} is ") != std::string::npos);
     CHECK(tex.find("\\& n\\textperiodcentered{}l a half") != std::string::npos);
     CHECK(tex.find("Sheet 12:\\quad 1. ") != std::string::npos);
     CHECK(html.find("k_d is ") != std::string::npos);
