@@ -43,8 +43,9 @@ void menu_item(UiState& state, const WindowCommand& command) {
 void recent_menu(UiState& state) {
     const auto& recent = state.persistence.recent;
     const bool open = ImGui::BeginMenu("Open recent", !recent.empty());
+    list_control("Open recent", "", last_item());
     if (!open) {
-        if (recent.empty()) tooltip("Open recent", "No scene was opened yet");
+        if (recent.empty()) tooltip("Open recent", "Nothing was opened yet");
         return;
     }
     std::string chosen;
@@ -52,6 +53,7 @@ void recent_menu(UiState& state) {
         const std::filesystem::path file(path);
         const std::string label = file.filename().string() + "##" + path;
         if (ImGui::MenuItem(label.c_str())) chosen = path;
+        list_control(path.c_str(), "", last_item());
         tooltip(file.filename().string().c_str(), file.parent_path().string().c_str());
     }
     ImGui::EndMenu();

@@ -76,20 +76,18 @@ void asked(const char* word, const std::string& text) {
 }
 
 /// For a lecturer: what can be answered, and nothing that could be chosen by mistake.
-void posed(UiState& state, const StationQuestion& question) {
+void posed(const StationQuestion& question) {
     const std::vector<LessonOption>& options = question.asks->options;
     for (std::size_t i = 0; i < options.size(); ++i)
         (void)option_card(letter_of_option(i), letter_of_option(i) + ":  " + options[i].text,
                           OptionLook::Other);
-    if (main_button("Show the answer")) reveal_unanswered(state);
-    tooltip("Show the answer", "PgDn does it, too");
 }
 
 void questions(UiState& state) {
     const Station& station = state.lesson.station();
     const auto open = open_question(state.lesson);
     if (open && !state.lesson.course->lesson.steps[station.step].picture.empty())
-        small_dim("The picture shows the scene otherwise until the answer is given: it would tell it.");
+        small_dim("Until you have answered, the picture shows another setting: it would tell the answer.");
     for (std::size_t i = 0; i < station.questions.size(); ++i) {
         if (open && i > *open && !state.lesson.lecturer) return;
         const StationQuestion& question = station.questions[i];
@@ -99,7 +97,7 @@ void questions(UiState& state) {
         if (!open)
             revealed_answer(state, question, given);
         else if (state.lesson.lecturer)
-            posed(state, question);
+            posed(question);
         else if (i < *open)
             small_dim(given_words(*question.asks, given));
         else
@@ -108,6 +106,9 @@ void questions(UiState& state) {
         ImGui::PopID();
         if (open != open_question(state.lesson)) return redraw_within(0);  // it was locked in
     }
+    if (!open || !state.lesson.lecturer) return;
+    if (main_button("Show the answer")) reveal_unanswered(state);
+    tooltip("Show the answer", "PgDn does it, too");
 }
 
 void told(UiState& state) {
@@ -175,15 +176,18 @@ void ways_on(UiState& state) {
 
 /// Whoever has explored finds the way back.
 void way_back(UiState& state) {
-    if (!has_strayed(state)) return;
+    if (open_question(state.lesson)) return;
+    ImGui::BeginDisabled(!has_strayed(state));
     if (ImGui::Button("Back to the lesson's scene", {ImGui::GetContentRegionAvail().x, 0}))
         back_to_scene(state);
+    ImGui::EndDisabled();
     tooltip("Back to the lesson's scene", "As it was here before you changed it; undo brings yours back");
 }
 
+/// The way back has its row before anything is dragged: the text must not jump under the hand.
 float height_below(const UiState& state) {
     const float row = ImGui::GetFrameHeightWithSpacing();
-    return row + px(8) + (has_strayed(state) ? row : 0);
+    return row + px(8) + (open_question(state.lesson) ? 0 : row);
 }
 
 }  // namespace

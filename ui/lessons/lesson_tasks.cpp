@@ -126,10 +126,10 @@ void task_fields(UiState& state, const Task& task) {
 }  // namespace
 
 void task_box(UiState& state, const Task& task, bool done, bool holds_now) {
-    task_fields(state, task);
     const char* const words = holds_now ? "✓ Done: it holds now" : done ? "✓ Done" : "Not yet";
     coloured(done ? theme().accent : theme().dim_text, words);
     list_control(done ? "Task done" : "Task open", "", last_item());
+    task_fields(state, task);
 }
 
 }  // namespace glint

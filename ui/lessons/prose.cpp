@@ -60,7 +60,7 @@ class Flow {
 
   private:
     static ImFont* font_of(const ProseSpan& span) {
-        return span.code ? fonts().figures : span.strong ? fonts().heading : fonts().reading;
+        return span.code ? fonts().figures : span.strong || span.emphasis ? fonts().heading : fonts().reading;
     }
     static float size_of(const ProseSpan& span) {
         const float reading = fonts().reading->FontSize * ImGui::GetIO().FontGlobalScale;
@@ -83,9 +83,8 @@ class Flow {
             new_line();
         else
             x_ += blank;
-        const ImVec4& ink = span.emphasis ? theme().accent : colour;
         for (const ColouredPiece& piece : coloured_pieces(text))
-            draw(piece.text, span, piece.is_symbol ? theme()[piece.symbol] : ink);
+            draw(piece.text, span, piece.is_symbol ? theme()[piece.symbol] : colour);
     }
     void draw(std::string_view text, const ProseSpan& span, const ImVec4& colour) {
         const float size = size_of(span), width = width_of(text, span);

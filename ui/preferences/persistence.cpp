@@ -38,10 +38,16 @@ void write(const Persistence& memory, const char* name, const std::string& text)
     (void)write_file(file_in(memory, name), text);
 }
 
+/// The file to open again: a lesson's, as long as what it shows was not saved under a name.
+const std::string& open_file(const UiState& state) {
+    const std::string& scene = state.editor.document.path;
+    return scene.empty() && state.lesson.course ? state.lesson.course->lesson.path : scene;
+}
+
 /// False when another window has the list just now.
 bool note_recent(UiState& state) {
     Persistence& memory = state.persistence;
-    const std::string& path = state.editor.document.path;
+    const std::string& path = open_file(state);
     if (path == memory.opened) return true;
     // Other windows write there too: their files stay in the list.
     const FolderLock lock(memory.folder);

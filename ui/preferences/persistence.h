@@ -68,7 +68,7 @@ struct Persistence {
     std::vector<std::string> recent;       // newest first
     Preferences preferences, written;      // as they are; as the file has them
     double preferences_changed = 0;        // ImGui's time
-    std::string opened;                    // the document's path that stands first among the recent ones
+    std::string opened;                    // the path of the open file, that stands first among the recent ones
     std::optional<AutosaveLock> autosave;  // of the unsaved work, while there is some
     std::optional<Scene> autosaved_scene;  // what it holds, or will when it is written
     double autosaved_at = -1e9;            // ImGui's time

@@ -267,6 +267,38 @@ TEST_CASE("a scene that would tell the answer is shown when the answer is given"
     CHECK(bench.state.rendered_scene.lights[0].intensity == 0.5f);
 }
 
+TEST_CASE("a lesson of one's own is among the recent files, and goes on from there", "[ui][window][lesson]") {
+    const TemporaryDirectory folder;
+    (void)folder.file("ball.json", ball);
+    const std::string mine = folder.file("mine.md", own_lesson("Look.\n"));
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
+    bench.frames(2);
+    test::drop(bench, mine);
+    REQUIRE(bench.state.lesson.course);
+    REQUIRE(bench.state.persistence.recent == std::vector<std::string>{mine});
+    bench.click(bench.control("Leave"));
+    bench.frames(2);
+    CHECK_FALSE(bench.state.lesson.course);
+    bench.click(bench.control("File"));
+    bench.frames(2);
+    bench.click(bench.control("Open recent"));
+    bench.frames(2);
+    bench.click(bench.control(mine.c_str()));
+    bench.wait_for_loads();
+    REQUIRE(bench.state.lesson.course);
+    CHECK(bench.state.lesson.course->lesson.path == mine);
+}
+
+TEST_CASE("the lesson's text stays where it is when the first thing is dragged", "[ui][window][lesson]") {
+    LambertWindow bench;
+    bench.answer("0.5");
+    const Rect before = bench.area_of("Back to the lesson's scene");
+    bench.scene().lights[0].intensity = 0.25f;
+    bench.frames(2);
+    CHECK(bench.area_of("Back to the lesson's scene").low.y == before.low.y);
+}
+
 TEST_CASE("another scene ends the lesson, and so does its cross", "[ui][window][lesson]") {
     LambertWindow bench;
     bench.click(bench.control("Leave"));
