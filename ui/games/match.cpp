@@ -139,7 +139,7 @@ void match_column(UiState& state) {
     ImGui::SameLine(0, px(8));
     if (ImGui::Button("Begin again")) state.editor.scene() = match.task.start;
     tooltip("Begin again", "As it was at first; undo brings yours back");
-    const bool another = main_button("Another");
+    const bool another = match.solved ? main_button("Another") : ImGui::Button("Another");
     tooltip("Another", "The next number: some are harder");
     if (another) begin_match(state, match.seed + 1);
 }
