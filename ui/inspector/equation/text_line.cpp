@@ -131,7 +131,7 @@ TextLine& TextLine::symbol(Quantity quantity) {
     marked.reset();
     const Rect letter = last_item();
     const ImVec2 low = letter.low - px(1) * ImVec2(is_cosine(quantity) ? 22 : 5, 2);
-    ImGui::GetWindowDrawList()->AddRect(low, letter.high + px(1) * ImVec2(62, 2), to_u32(theme().accent),
+    ImGui::GetWindowDrawList()->AddRect(low, letter.high + px(1) * ImVec2(54, 2), to_u32(theme().accent),
                                         px(4), 0, px(2));
     list_control("Marked number", row_of(quantity).letter, letter);
     if (marked_scrolls) ImGui::SetScrollHereY(0.4f);
