@@ -58,8 +58,8 @@ class CallReader {
     [[nodiscard]] const Variable* variable_at(std::string_view statement) const {
         const Variable* longest = nullptr;
         for (const Variable& v : variables_) {
-            const bool ends = statement.size() == v.name.size() || !is_of_name(statement[v.name.size()]);
-            if (!statement.starts_with(v.name) || !ends) continue;
+            if (!statement.starts_with(v.name)) continue;
+            if (statement.size() > v.name.size() && is_of_name(statement[v.name.size()])) continue;
             if (longest == nullptr || v.name.size() > longest->name.size()) longest = &v;
         }
         return longest;

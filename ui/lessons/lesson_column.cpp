@@ -38,7 +38,7 @@ void station_strokes(UiState& state) {
         ImGui::PopID();
         const bool here = i == lesson.progress.station, hovered = ImGui::IsItemHovered();
         const bool over = is_answered(lesson.progress, i) && (i < lesson.progress.station || here);
-        const float thick = px(here ? 6 : hovered ? 5 : 3);
+        const float thick = px(here ? 6.0f : hovered ? 5.0f : 3.0f);
         const ImVec4& colour = here || over ? theme().accent : hovered ? theme().text : theme().line;
         list.AddRectFilled({at.x + px(1), at.y + (high - thick) / 2},
                            {at.x + step - px(1), at.y + (high + thick) / 2}, to_u32(colour), px(1.5f));
