@@ -64,6 +64,7 @@ std::string list_of(const std::string& type, const std::string& name, const std:
     }
     if (language == Language::Gl1) {  // C has no list that knows its length
         std::vector<std::string> pointers;
+        pointers.reserve(names.size() + 1);
         for (const std::string& one : names) pointers.push_back("&" + one);
         pointers.emplace_back("NULL");
         const std::string start = fmt::format("const {}* const {}[] = {{", type, name);

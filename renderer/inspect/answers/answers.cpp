@@ -9,16 +9,15 @@ namespace glint {
 namespace {
 
 using Json = JsonValue;
-using glint::json_of;  // beside those below
 
 /// Four rows of four. GLM counts columns first.
-Json json_of(const glm::dmat4& m) {
+Json rows_of(const glm::dmat4& m) {
     Json rows = Json::array();
     for (int row = 0; row < 4; ++row) rows.push_back({m[0][row], m[1][row], m[2][row], m[3][row]});
     return rows;
 }
 
-Json json_of(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
+Json number_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
 
 }  // namespace
 
@@ -51,9 +50,9 @@ JsonValue info_json(const Scene& scene, PictureSize size) {
     return {{"lights", scene.lights.size()},
             {"objects", objects},
             {"matrices",
-             {{"view_from_world", json_of(view_from_world(scene.camera))},
-              {"world_from_view", json_of(world_from_view(scene.camera))},
-              {"clip_from_view", json_of(clip_from_view(scene.camera.projection, size))}}}};
+             {{"view_from_world", rows_of(view_from_world(scene.camera))},
+              {"world_from_view", rows_of(world_from_view(scene.camera))},
+              {"clip_from_view", rows_of(clip_from_view(scene.camera.projection, size))}}}};
 }
 
 JsonValue stats_json(const Renderer& renderer, PictureSize size) {
@@ -98,8 +97,8 @@ JsonValue profile_json(const std::vector<ProfileSample>& samples) {
     column("g", [](const Sample& s) { return Json(s.color.y); });
     column("b", [](const Sample& s) { return Json(s.color.z); });
     column("intensity", [](const Sample& s) { return Json(s.intensity); });
-    column("first_difference", [](const Sample& s) { return json_of(s.first_difference); });
-    column("second_difference", [](const Sample& s) { return json_of(s.second_difference); });
+    column("first_difference", [](const Sample& s) { return number_or_null(s.first_difference); });
+    column("second_difference", [](const Sample& s) { return number_or_null(s.second_difference); });
     column("face", [](const Sample& s) { return s.seen ? Json(s.seen->face) : Json(); });
     column("object", [](const Sample& s) { return s.seen ? Json(s.seen->object) : Json(); });
     column("x", [](const Sample& s) { return Json(s.pixel.x); });

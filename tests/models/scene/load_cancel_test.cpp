@@ -115,8 +115,8 @@ TEST_CASE("a load that is cancelled while polygons are cut brings nothing", "[lo
     // About 20 corners a face, each on a spiral that no fan covers: cutting takes longer than all else.
     std::string obj;
     for (int i = 0; i < 300; ++i)
-        obj +=
-            fmt::format("v {} {} 0\n", i % 2 == 0 ? i / 2 : 150 - 0.5 * (i % 3), i % 2 == 0 ? 0 : 5 + i % 7);
+        obj += i % 2 == 0 ? fmt::format("v {} 0 0\n", i / 2)
+                          : fmt::format("v {} {} 0\n", 150 - 0.5 * (i % 3), 5 + i % 7);
     std::string face = "f";
     for (int i = 1; i <= 300; ++i) face += fmt::format(" {}", i);
     const TemporaryDirectory directory;

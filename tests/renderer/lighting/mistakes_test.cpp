@@ -25,7 +25,7 @@ constexpr PictureSize mistaken_size{96, 72};
 /// The right picture and the mistaken one, by one renderer, so that what it keeps in between is tried too.
 struct Both {
     Picture right, wrong;
-    Both(Scene scene, bool Mistakes::*flag) {
+    Both(Scene scene, bool Mistakes::*flag) {  // NOLINT(performance-unnecessary-value-param): it is changed
         Renderer renderer(1);
         right = renderer.render(scene, mistaken_size, true);
         scene.shading.mistakes.*flag = true;
@@ -107,6 +107,7 @@ TEST_CASE("the explanation equals the pixel under every mistake", "[mistakes][ex
                 row.where_it_shows(scene);
                 scene.shading.mode = mode;
                 scene.shading.reflection = model;
+                // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): each row has a flag
                 scene.shading.mistakes.*flag_of(row.name) = true;
                 scene.shading.power_table = mode == ShadingMode::Phong ? 0 : 40;
                 const Picture& picture = renderer.render(scene, mistaken_size, true);
