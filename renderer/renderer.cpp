@@ -29,7 +29,7 @@ constexpr int max_threads = 256;
 
 /// Lets the library start more threads than there are cores, when asked for. One for the whole process,
 /// because of several the smallest would count. Never destroyed: where memory ran out as the library began,
-/// its destructor waits for ever. It lies in memory that is not the heap's, where it is no leak.
+/// its destructor waits for ever. It lies in memory that is not the heap's, where it is not a leak.
 void allow_threads() {
     alignas(tbb::global_control) static std::array<std::byte, sizeof(tbb::global_control)> place;
     [[maybe_unused]] static const auto* const allowed =

@@ -52,7 +52,7 @@ class SceneReader {
     static std::uint64_t number_of(const Node& at) {
         const double x = at.value().is_number() ? at.value().get<double>() : -1;
         if (!(x >= 0 && x <= 4294967295.0) || x != std::floor(x))
-            at.fail("it is no number of a node", "a whole number");
+            at.fail("it is not the number of a node", "a whole number");
         return static_cast<std::uint64_t>(x);
     }
     std::size_t count(const char* list) const {

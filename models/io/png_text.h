@@ -20,7 +20,7 @@ namespace glint {
                                            std::size_t max_bytes, const std::string& file);
 
 /// Whether the file is a PNG with an iTXt chunk of that keyword, whatever is in it; reads the beginnings of
-/// chunks alone, so that it takes no time. False for what cannot be read, is no file, or ends too early.
+/// chunks alone, so that it takes no time. False for what cannot be read, is not a file, or ends too early.
 [[nodiscard]] bool has_png_text(const std::string& path, std::string_view keyword);
 
 }  // namespace glint

@@ -7,13 +7,12 @@
 
 #include "models/json/json_reader.h"
 #include "models/lesson/expression_node.h"
+#include "models/scene/degree.h"
 
 namespace glint {
 namespace {
 
 using Values = std::vector<JsonValue>;
-
-constexpr double radians = std::numbers::pi / 180;
 
 const JsonValue::Elements& as_list(const JsonValue& value) {
     if (!value.is_array()) throw ExpressionProblem{shortened(value.text()) + " is not a list", "a list"};
@@ -33,12 +32,12 @@ double magnitude(double x) { return std::abs(x); }
 double square_root(double x) { return std::sqrt(x); }
 double exponential(double x) { return std::exp(x); }
 double logarithm(double x) { return std::log(x); }
-double sine(double deg) { return std::sin(deg * radians); }
-double cosine(double deg) { return std::cos(deg * radians); }
-double tangent(double deg) { return std::tan(deg * radians); }
-double arc_sine(double x) { return std::asin(x) / radians; }
-double arc_cosine(double x) { return std::acos(x) / radians; }
-double arc_tangent(double x) { return std::atan(x) / radians; }
+double sine(double deg) { return std::sin(deg * degree); }
+double cosine(double deg) { return std::cos(deg * degree); }
+double tangent(double deg) { return std::tan(deg * degree); }
+double arc_sine(double x) { return std::asin(x) / degree; }
+double arc_cosine(double x) { return std::acos(x) / degree; }
+double arc_tangent(double x) { return std::atan(x) / degree; }
 double nearest_whole(double x) { return std::round(x); }
 
 double quotient(double a, double b) { return a / b; }

@@ -48,23 +48,10 @@ void require_room_for_triangles(const Mesh& mesh) {
     require_memory(memory_need(MemoryUse::Meshes, mesh_bytes(mesh) + triangles * sizeof(Triangle)));
 }
 
-Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::string_view bytes,
-                         const std::string& path, int part) {
-    const Format* format = format_of(path);
-    if (format == nullptr)
-        return Problem{path, "", "the extension is that of no mesh",
-                       ".obj, .ply, .off, .stl, .om, .gltf or .glb", 0};
-    if (bytes.empty()) return Problem{path, "", "the file is empty", "a mesh", 0};
-    if (part != 0)
-        return Problem{path, "", fmt::format("it holds one mesh, and not a part {}", part), "part 0", 0};
+/// What `read` makes; where it cannot, why.
+template <class Read> Result<Mesh> mesh_of(const std::string& path, const Read& read) {
     try {
-        Mesh mesh = format->read(bytes, path);
-        if (mesh.face_count() == 0) return Problem{path, "", "the mesh has no faces", "at least one", 0};
-        require_room_for_triangles(mesh);
-        finish_mesh(mesh);
-        const auto time = std::chrono::steady_clock::now() - start;
-        mesh.load_ms = std::chrono::duration<double, std::milli>(time).count();
-        return mesh;
+        return read();
     } catch (const Unreadable& unreadable) {
         return unreadable.problem;
     } catch (const LoadCancelled&) {
@@ -76,16 +63,28 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
     }
 }
 
+Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::string_view bytes,
+                         const std::string& path, int part) {
+    const Format* format = format_of(path);
+    if (format == nullptr)
+        return Problem{path, "", "the extension is that of no mesh",
+                       ".obj, .ply, .off, .stl, .om, .gltf or .glb", 0};
+    if (bytes.empty()) return Problem{path, "", "the file is empty", "a mesh", 0};
+    if (part != 0)
+        return Problem{path, "", fmt::format("it holds one mesh, and not a part {}", part), "part 0", 0};
+    return mesh_of(path, [&]() -> Result<Mesh> {
+        Mesh mesh = format->read(bytes, path);
+        if (mesh.face_count() == 0) return Problem{path, "", "the mesh has no faces", "at least one", 0};
+        require_room_for_triangles(mesh);
+        finish_mesh(mesh);
+        const auto time = std::chrono::steady_clock::now() - start;
+        mesh.load_ms = std::chrono::duration<double, std::milli>(time).count();
+        return mesh;
+    });
+}
+
 Result<Mesh> part_of(const GltfFile& file, const std::string& path, int part) {
-    try {
-        return file.mesh(part);
-    } catch (const LoadCancelled&) {
-        return Problem{path, "", cancelled_words, ""};
-    } catch (const Refused& refused) {
-        return memory_problem(refused, path);
-    } catch (const std::bad_alloc&) {
-        return Problem{path, "", "the mesh does not fit in memory", "a smaller one", 0};
-    }
+    return mesh_of(path, [&] { return file.mesh(part); });
 }
 
 /// True where the first block of a file cannot begin one of the format with that extension; its reader then

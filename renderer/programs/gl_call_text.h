@@ -22,7 +22,7 @@ struct Variable {
 /// The numbers of a scene by their pointers.
 using NumbersByPointer = std::map<std::string, float, std::less<>>;
 
-/// The call without a comment or a line's end: "glEnable(light);". Empty where the line is no call.
+/// The call without a comment or a line's end: "glEnable(light);". Empty where the line is not a call.
 [[nodiscard]] std::string_view statement_of(std::string_view line);
 
 /// `statement` with each variable replaced, of several that fit the longest. `rgb(factor, ` becomes

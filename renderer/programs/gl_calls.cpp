@@ -105,7 +105,11 @@ Flags flags_for_calls(Scene scene) {
 
 class CallWriter {
   public:
-    explicit CallWriter(const Scene& scene) : scene_(scene), flags_(flags_for_calls(scene)) {
+    explicit CallWriter(const Scene& scene)
+        : scene_(scene),
+          flags_(flags_for_calls(scene)),
+          object_(statements("object", flags_)),
+          material_(statements("material", flags_)) {
         for (const SceneNumber& number : numbers_of(scene))
             numbers_[number.pointer] = static_cast<float>(number.value);
     }
@@ -155,12 +159,12 @@ class CallWriter {
             group.calls.push_back(call_of(statement, variables, group.about, numbers_));
             group.calls.back().about = group.about;
         };
-        for (const std::string& statement : statements("object", flags_)) {
+        for (const std::string& statement : object_) {
             if (statement != "use_material(&o->material);") {
                 add(statement);
                 continue;
             }
-            for (const std::string& of_material : statements("material", flags_)) add(of_material);
+            for (const std::string& of_material : material_) add(of_material);
             if (object.material.shininess > 128 && !flags_.contains("shininess.capped"))
                 group.calls.push_back(remark("It has exponents up to 128; more needs a shader."));
         }
@@ -209,6 +213,7 @@ class CallWriter {
 
     const Scene& scene_;
     Flags flags_;
+    std::vector<std::string> object_, material_;  // the same for all
     NumbersByPointer numbers_;
 };
 

@@ -25,7 +25,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 /// A line of a text: what stands before its directive, the directive's word, and what follows it.
 struct Line {
     std::string_view indent, comment;  // comment: "//" or "#"
-    std::string_view word, rest;       // word: empty where the line is no directive
+    std::string_view word, rest;       // word: empty where the line is not a directive
 };
 
 Line parsed(std::string_view line) {

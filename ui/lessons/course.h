@@ -58,7 +58,7 @@ struct GivenAnswer {
     bool operator==(const GivenAnswer&) const = default;
 };
 
-/// An answer that was locked in counts as right where it is no farther off than the tolerance.
+/// An answer that was locked in counts as right where it is not farther off than the tolerance.
 [[nodiscard]] bool is_right(const StationQuestion& question, const GivenAnswer& given);
 
 /// How far somebody has come in a lesson: the same shape as its stations.

@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-/// A scene of the lesson's is no edit that could be lost, but a step that can be undone.
+/// A scene of the lesson is not an edit that could be lost, but it is a step that can be undone.
 void set_scene(UiState& state, const Scene& scene) {
     Editor& editor = state.editor;
     (void)cancel_gesture(state.viewport, editor.scene());

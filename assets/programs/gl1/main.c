@@ -190,7 +190,7 @@ void place_lights(enum Space space) {
         glLightf(light, GL_QUADRATIC_ATTENUATION, l->quadratic);
         //@end
         //@if light.spot
-        // Topic: spot lights. A cutoff of 180 degrees is no cone.
+        // Topic: spot lights. A cutoff of 180 degrees is not a cone.
         glLightf(light, GL_SPOT_CUTOFF, l->kind == spot ? l->cutoff_deg : 180);
         glLightf(light, GL_SPOT_EXPONENT, l->kind == spot ? l->exponent : 0);
         //@end
@@ -380,7 +380,7 @@ int main(void) {
     glfwMakeContextCurrent(window);
     prepare();
     double x = 0, y = 0, last_x = 0, last_y = 0;
-    int dragging = 0;  // since the frame before: how the mouse came to where it was pressed is no drag
+    int dragging = 0;  // since the frame before: how the mouse came to where it was pressed is not a drag
     while (!glfwWindowShouldClose(window)) {
         glfwGetCursorPos(window, &x, &y);
         if (dragging) orbit((last_x - x) / 200, (last_y - y) / 200);

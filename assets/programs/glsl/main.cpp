@@ -296,7 +296,7 @@ int main() {
     glfwMakeContextCurrent(window);
     prepare();
     double x = 0, y = 0, last_x = 0, last_y = 0;
-    bool dragging = false;  // since the frame before: how the mouse came to where it was pressed is no drag
+    bool dragging = false;  // since the frame before: how the mouse came to where it was pressed is not a drag
     while (!glfwWindowShouldClose(window)) {
         glfwGetCursorPos(window, &x, &y);
         if (dragging) orbit((last_x - x) / 200, (last_y - y) / 200);

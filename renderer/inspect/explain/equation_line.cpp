@@ -206,7 +206,7 @@ std::vector<EquationLine> light_lines(const LightOfEquation& in) {
         info_of(in.explanation.reflection).has_highlight || in.light.specular != glm::vec3(0);
     std::vector<EquationLine> lines;
     if (has_highlight)
-        lines.push_back(std::move(specular));  // a factor that the model does not have is no line
+        lines.push_back(std::move(specular));  // a factor that the model does not have is not a line
     if (in.scene.npr.cool_to_warm) return lines;
     EquationLine ambient{Quantity::AmbientTerm,
                          common_factors(in, Quantity::LightAmbient, Quantity::MaterialAmbient,

@@ -83,7 +83,7 @@ TEST_CASE("a hostile glTF file is one line that says where and what", "[gltf]") 
           "t.gltf: /nodes/0: the node is below itself, or below two others; expected a tree of nodes");
     check("\"nodes\": [0]", "\"nodes\": [7]", "t.gltf: the scene has a node 7; expected one of 1 nodes");
     check("\"nodes\": [0]", "\"nodes\": [-1]",
-          "t.gltf: /scenes/0/nodes/0: it is no number of a node; expected a whole number");
+          "t.gltf: /scenes/0/nodes/0: it is not the number of a node; expected a whole number");
     check("\"POSITION\": 0", "\"NORMAL\": 0",
           "t.gltf: /meshes/0/primitives/0/attributes: the key \"POSITION\" is missing; expected a whole "
           "number from 0 "

@@ -5,6 +5,19 @@
 using namespace glint;
 using test::HeadlessWindow;
 
+namespace {
+
+/// The tab asked of the first object alone, with this transform.
+void ask_of_one_object(HeadlessWindow& bench, const Transform& transform) {
+    bench.scene().objects[0].transform = transform;
+    bench.scene().objects.resize(1);
+    bench.state.editor.history.reset(bench.scene());
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    test::ask(bench, InspectorTab::Program);
+}
+
+}  // namespace
+
 TEST_CASE("a number of a call is dragged where it stands, one step to undo", "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});
     test::ask(bench, InspectorTab::Program);
@@ -53,12 +66,7 @@ TEST_CASE("resting on a light's call shows that light alone", "[ui][window][prog
 TEST_CASE("a transform dragged past another keeps its numbers and moves the object",
           "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});
-    Object& object = bench.scene().objects[0];
-    object.transform = {{2, 0, 0}, {0, 0, 90}, {1, 1, 1}};
-    bench.scene().objects.resize(1);
-    bench.state.editor.history.reset(bench.scene());
-    bench.state.editor.selection = {Selection::Kind::Object, 0};
-    test::ask(bench, InspectorTab::Program);
+    ask_of_one_object(bench, {{2, 0, 0}, {0, 0, 90}, {1, 1, 1}});
     const Scene start = bench.scene();
     const ImVec2 translate = test::in_column(bench, "grip of glTranslatef 0");
     const ImVec2 rotate = test::in_column(bench, "grip of glRotatef 0");
@@ -88,11 +96,7 @@ TEST_CASE("a transform dragged past another keeps its numbers and moves the obje
 TEST_CASE("a transform dragged past another and back leaves the object where it was",
           "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});
-    bench.scene().objects[0].transform = {{1, 0.5f, -2}, {20, 30, 40}, {2, 2, 2}};
-    bench.scene().objects.resize(1);
-    bench.state.editor.history.reset(bench.scene());
-    bench.state.editor.selection = {Selection::Kind::Object, 0};
-    test::ask(bench, InspectorTab::Program);
+    ask_of_one_object(bench, {{1, 0.5f, -2}, {20, 30, 40}, {2, 2, 2}});
     const Transform start = bench.scene().objects[0].transform;
     const ImVec2 scale = test::in_column(bench, "grip of glScalef 0");
     const ImVec2 translate = test::in_column(bench, "grip of glTranslatef 0");
@@ -107,11 +111,7 @@ TEST_CASE("a transform dragged past another and back leaves the object where it 
 
 TEST_CASE("a scale that would shear cannot be dragged before a rotation", "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});
-    bench.scene().objects[0].transform = {{1, 0, 0}, {0, 0, 30}, {1, 2, 1}};
-    bench.scene().objects.resize(1);
-    bench.state.editor.history.reset(bench.scene());
-    bench.state.editor.selection = {Selection::Kind::Object, 0};
-    test::ask(bench, InspectorTab::Program);
+    ask_of_one_object(bench, {{1, 0, 0}, {0, 0, 30}, {1, 2, 1}});
     const Scene start = bench.scene();
     const ImVec2 scale = test::in_column(bench, "grip of glScalef 0");
     const ImVec2 rotate = test::in_column(bench, "grip of glRotatef 0");

@@ -92,7 +92,7 @@ bool end_typing(float& value, const Range& range) {
     if (text.empty() || text == typing.began_with) return assign(value, double(typing.before), range);
     const Calculated found = calculated(text, double(typing.before));
     if (!found.problem.empty()) {
-        say(fmt::format("“{}” is no number: {}. The field keeps {}", text, found.problem,
+        say(fmt::format("“{}” is not a number: {}. The field keeps {}", text, found.problem,
                         exact_text(typing.before)));
         return assign(value, double(typing.before), range);
     }
