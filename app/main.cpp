@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -10,6 +11,7 @@
 #include <new>
 #include <set>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -35,19 +37,23 @@ void occupy_closed_descriptors() {
     }
 }
 
-bool has_said_why = false;  // one line ends the program
+std::atomic<bool> has_begun_to_say = false, has_said = false;  // one line ends the program
 
 /// Says, in one line like any other error, what exception is in hand; where memory does not even suffice for
-/// that line, in a line that needs none. `before` stands before an exception's own words. Returns the exit
-/// status.
+/// that line, in a line that needs none. `before` stands before an exception's own words. Where another
+/// thread came first, waits until its line stands. Returns the exit status.
 int say_what_ended_it(const char* before = "") noexcept {
-    has_said_why = true;
+    int status = static_cast<int>(ExitStatus::Impossible);
+    if (has_begun_to_say.exchange(true)) {
+        while (!has_said) std::this_thread::yield();
+        return status;
+    }
     try {
         try {
             throw;
         } catch (const Failure& failure) {
+            status = static_cast<int>(failure.status);
             say("error", failure.problem);
-            return static_cast<int>(failure.status);
         } catch (const std::bad_alloc& error) {
             say("error", memory_problem(error));
         } catch (const std::exception& error) {
@@ -57,15 +63,16 @@ int say_what_ended_it(const char* before = "") noexcept {
     } catch (...) {
         (void)std::fputs("glint: error: there is not enough memory\n", stderr);
     }
-    return static_cast<int>(ExitStatus::Impossible);
+    has_said = true;
+    return status;
 }
 
 /// For what nobody could catch, such as a thread that the system refuses to the library that asked for it.
 /// Leaves at once: other threads may still be at work.
 [[noreturn]] void end_without_a_trace() {
-    const bool was_said = has_said_why;  // and then there was no memory to end with
-    if (!was_said && std::current_exception()) (void)say_what_ended_it("the program cannot go on: ");
-    if (!was_said && !std::current_exception())
+    if (std::current_exception())
+        (void)say_what_ended_it("the program cannot go on: ");
+    else if (!has_begun_to_say.exchange(true))
         (void)std::fputs("glint: error: the program cannot go on\n", stderr);
     remove_temporaries();
     std::_Exit(static_cast<int>(ExitStatus::Impossible));

@@ -252,7 +252,7 @@ TEST_CASE("a thread that the system refuses is an error of one line, not an abor
     // 300 MB of addresses; a thousand threads want several times that for their stacks.
     const Ended ended = run_glint({"--version"}, {},
                                   "; (ulimit -v 300000; '" GLINT_PROGRAM "' render '" + scene +
-                                      "' -o - --size 640x480 -j 1000 >/dev/null; echo status $?) 2>&1");
+                                      "' -o - --size 1600x1200 -j 1000 >/dev/null; echo status $?) 2>&1");
     CHECK(ended.out.find("glint: error: ") != std::string::npos);
     CHECK(ended.out.find("status 1\n") != std::string::npos);
     CHECK(ended.out.find("terminate") == std::string::npos);
