@@ -7,12 +7,42 @@
 namespace glint {
 namespace {
 
+/// The triangles of one object, first <= t < first + count: an object's follow one another.
+struct ObjectTriangles {
+    std::uint32_t object = 0, first = 0, count = 0;
+
+    [[nodiscard]] bool holds(std::uint32_t triangle) const { return triangle - first < count; }
+};
+
+ObjectTriangles triangles_beside(const Geometry& g, std::uint32_t triangle) {
+    const std::uint32_t o = g.object_of(triangle);
+    return {o, g.objects[o].first_triangle, static_cast<std::uint32_t>(g.objects[o].mesh->triangles.size())};
+}
+
+/// Bit i: pixel i of the block shows a triangle of this object; only the pixels of `covered` count.
+std::uint32_t pixels_of(ObjectTriangles triangles, const std::uint32_t* codes, std::uint32_t covered) {
+    if (covered == 0xFFFF) {
+        // Mostly all of them do: that is asked without a branch, of several pixels at once.
+        std::uint32_t others = 0;
+        for (std::uint32_t i = 0; i < block_size; ++i)
+            others |= static_cast<std::uint32_t>(!triangles.holds(triangle_of_code(codes[i])));
+        if (!others) return covered;
+    }
+    std::uint32_t pixels = 0;
+    for (std::uint32_t left = covered; left; left &= left - 1) {
+        const auto i = static_cast<std::uint32_t>(std::countr_zero(left));
+        if (triangles.holds(triangle_of_code(codes[i]))) pixels |= 1u << i;
+    }
+    return pixels;
+}
+
 /// Calls visit(group) for the groups of one row, left to right; a group of 16 pixels gives one group an
 /// object.
 template <class Visit>
 void visit_row(const Geometry& g, const Visibility& visibility, int y, const Visit& visit) {
     const auto width = static_cast<std::uint32_t>(g.size.width);
     const std::uint16_t* covered = &visibility.covered[static_cast<std::size_t>(y) * visibility.groups_a_row];
+    ObjectTriangles nearby;  // neighbouring pixels mostly show the same object
     for (std::uint32_t x0 = 0; x0 < width; x0 += block_size) {
         std::uint32_t left = covered[x0 / block_size];  // pixels of this group that no group has yet
         const std::uint32_t first_pixel = static_cast<std::uint32_t>(y) * width + x0;
@@ -20,17 +50,13 @@ void visit_row(const Geometry& g, const Visibility& visibility, int y, const Vis
             visit(PixelGroup{first_pixel, 0, static_cast<std::uint16_t>(left)});
             continue;
         }
+        const std::uint32_t* codes = &visibility.seen[first_pixel];
         while (left) {
-            const auto first = static_cast<std::uint32_t>(std::countr_zero(left));
-            const std::uint32_t o = g.object_of(visibility.triangle_at(first_pixel + first));
-            const std::uint32_t low = g.objects[o].first_triangle;
-            const auto count = static_cast<std::uint32_t>(g.objects[o].mesh->triangles.size());
-            PixelGroup group{first_pixel, o, 0};
-            for (std::uint32_t i = first; i < block_size; ++i)
-                if ((left >> i & 1u) && visibility.triangle_at(first_pixel + i) - low < count)
-                    group.mask = static_cast<std::uint16_t>(group.mask | 1u << i);
-            left &= ~static_cast<std::uint32_t>(group.mask);
-            visit(group);
+            const std::uint32_t triangle = triangle_of_code(codes[std::countr_zero(left)]);
+            if (!nearby.holds(triangle)) nearby = triangles_beside(g, triangle);
+            const std::uint32_t pixels = pixels_of(nearby, codes, left);
+            visit(PixelGroup{first_pixel, nearby.object, static_cast<std::uint16_t>(pixels)});
+            left &= ~pixels;
         }
     }
 }
