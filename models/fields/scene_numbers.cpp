@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <string_view>
 #include <utility>
@@ -34,7 +35,15 @@ int index_of(std::string_view token) {
     return error == std::errc() && end == token.data() + token.size() ? index : -1;
 }
 
-/// Calls visit(SceneNumber, kind, member, is_colour) for every float and int of a scene, or for the one that
+/// "cutoff" of "Cutoff", "falloff" of "Falloff  1 / (…)"; what is a sign, as F0 or cosⁿ, stays.
+std::string in_a_sentence(std::string_view label) {
+    std::string words(label.substr(0, label.find("  ")));
+    const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+    if (words.size() > 1 && is_small(words[1])) words[0] = static_cast<char>(std::tolower(words[0]));
+    return words;
+}
+
+/// Calls visit(SceneNumber, kind, member) for every float and int of a scene, or for the one that
 /// `only` leads to.
 template <class Visit> class NumberWalk {
   public:
@@ -46,6 +55,7 @@ template <class Visit> class NumberWalk {
                                  if (!leads_to(row.key)) return;
                                  NumberWalk below = *this;
                                  below.descend(row.key);
+                                 below.name(row, is_group<decltype(kind)>);
                                  below.help_ = row.help;
                                  below.moves_faces_ = moves_faces_ && row.moves_faces;
                                  below.applies_ = applies_ && row.applies;
@@ -62,22 +72,34 @@ template <class Visit> class NumberWalk {
         ++depth_;
     }
 
+    template <class Kind>
+    static constexpr bool is_group =
+        std::same_as<std::remove_cvref_t<Kind>, Group> || std::same_as<std::remove_cvref_t<Kind>, List>;
+
+    /// The scene's own groups are owners; material, transform and projection are said by what follows.
+    void name(const Row& row, bool is_group_row) {
+        const bool is_owner = depth_ == 1 && is_group_row;
+        if (is_owner || row.key == "material" || row.key == "transform" || row.key == "projection") return;
+        add_word(in_a_sentence(row.label));
+    }
+    void add_word(std::string_view word) { words_.append(words_.empty() ? "" : " ").append(word); }
+
     template <class T> void at(const Real& kind, T& x, float initial) const {
-        number(kind, kind, x, initial, false);
+        number(kind, kind, x, initial);
     }
     template <class T> void at(const Count& kind, T& n, int initial) const {
         if (only_ != nullptr && depth_ != only_->size()) return;
         const Real range{.range = {double(kind.low), double(kind.high), kind.words}};
-        visit_(described(range, n, initial, true), kind, n, false);
+        visit_(described(range, n, initial, true), kind, n);
     }
     template <class V> void at(const Colour& kind, V& v, const glm::vec3& initial) const {
-        parts<3>(kind, v, initial, true);
+        parts<3>(kind, v, initial, {"red", "green", "blue"});
     }
     template <class V> void at(const Vector& kind, V& v, const glm::vec3& initial) const {
-        parts<3>(kind, v, initial, false);
+        parts<3>(kind, v, initial, {"x", "y", "z"});
     }
     template <class V> void at(const Homogeneous& kind, V& v, const glm::vec4& initial) const {
-        parts<4>(kind, v, initial, false);
+        parts<4>(kind, v, initial, {"x", "y", "z", "w"});
     }
     template <class T, class D> void at(const Group&, T& value, const D&) const { members(value); }
     template <class T, class D> void at(const OneProjection&, T& projection, const D&) const {
@@ -101,30 +123,30 @@ template <class Visit> class NumberWalk {
     template <class Kind, class T, class D> void at(const Kind&, T&, const D&) const {}
 
     template <int size, class Kind, class V, class D>
-    void parts(const Kind& kind, V& v, const D& initial, bool colour) const {
+    void parts(const Kind& kind, V& v, const D& initial, const std::array<const char*, size>& names) const {
         for (int i = 0; i < size; ++i) {
             const std::string token = std::to_string(i);
             if (!leads_to(token)) continue;
             NumberWalk below = *this;
             below.descend(token);
-            below.number(component_of(kind), component_of(kind), v[i], initial[i], colour);
+            below.add_word(names[static_cast<std::size_t>(i)]);
+            below.number(component_of(kind), component_of(kind), v[i], initial[i]);
         }
     }
-    template <class T>
-    void number(const Real& described_as, const Real& kind, T& x, float initial, bool colour) const {
+    template <class T> void number(const Real& described_as, const Real& kind, T& x, float initial) const {
         if (only_ != nullptr && depth_ != only_->size()) return;
         SceneNumber n = described(described_as, x, initial, false);
         if constexpr (!std::is_const_v<T>) n.place = &x;
-        visit_(std::move(n), kind, x, colour);
+        visit_(std::move(n), kind, x);
     }
     [[nodiscard]] SceneNumber described(const Real& kind, double value, double initial, bool is_whole) const {
-        return {pointer_, value, initial, kind, help_, is_whole, moves_faces_, applies_, nullptr};
+        return {pointer_, words_, value, initial, kind, help_, is_whole, moves_faces_, applies_, nullptr};
     }
 
     Visit& visit_;
     const Tokens* only_;
     std::size_t depth_ = 0;
-    std::string pointer_;
+    std::string pointer_, words_;
     const char* help_ = "";
     bool moves_faces_ = true, applies_ = true;
 };
@@ -149,7 +171,7 @@ std::optional<Violation> assign(const Count& kind, int& to, double value) {
 template <class AnyScene> std::optional<SceneNumber> found_at(AnyScene& scene, const std::string& pointer) {
     const Tokens tokens = tokens_of(pointer);
     std::optional<SceneNumber> found;
-    walk(scene, &tokens, [&](SceneNumber number, const auto&, auto&, bool) { found = std::move(number); });
+    walk(scene, &tokens, [&](SceneNumber number, const auto&, auto&) { found = std::move(number); });
     return found;
 }
 
@@ -158,7 +180,7 @@ template <class AnyScene> std::optional<SceneNumber> found_at(AnyScene& scene, c
 std::vector<SceneNumber> numbers_of(const Scene& scene) {
     std::vector<SceneNumber> numbers;
     walk(scene, nullptr,
-         [&](SceneNumber number, const auto&, auto&, bool) { numbers.push_back(std::move(number)); });
+         [&](SceneNumber number, const auto&, auto&) { numbers.push_back(std::move(number)); });
     return numbers;
 }
 
@@ -177,7 +199,7 @@ std::optional<Problem> set_number(Scene& scene, const std::string& pointer, doub
     const Tokens tokens = tokens_of(pointer);
     bool exists = false;
     std::optional<Violation> violation;
-    walk(changed, &tokens, [&](const SceneNumber&, const auto& kind, auto& to, bool) {
+    walk(changed, &tokens, [&](const SceneNumber&, const auto& kind, auto& to) {
         exists = true;
         violation = assign(kind, to, value);
     });
@@ -192,22 +214,13 @@ std::optional<Problem> set_number(Scene& scene, const std::string& pointer, doub
     return std::nullopt;
 }
 
-std::string words_of_pointer(const Scene& scene, const std::string& pointer, std::size_t first) {
-    constexpr std::array axes{"x", "y", "z", "w"}, channels{"red", "green", "blue", "alpha"};
-    const Tokens tokens = tokens_of(pointer);
-    bool is_colour = false;
-    walk(scene, &tokens, [&](const SceneNumber&, const auto&, auto&, bool colour) { is_colour = colour; });
-    std::string words;
-    for (std::size_t i = first; i < tokens.size(); ++i) {
-        std::string word(tokens[i]);
-        if (word == "material" || word == "transform" || word == "projection")
-            continue;  // said by what follows
-        if (const int index = index_of(word); index >= 0 && index < 4)
-            word = (is_colour ? channels : axes)[static_cast<std::size_t>(index)];
-        std::replace(word.begin(), word.end(), '_', ' ');
-        words.append(words.empty() ? "" : " ").append(word);
-    }
-    return words;
+std::string words_of_pointer(const Scene& scene, const std::string& pointer) {
+    if (const auto number = number_at(scene, pointer)) return number->words;
+    std::string keys;
+    for (const std::string_view token : tokens_of(pointer))
+        keys.append(keys.empty() ? "" : " ").append(token);
+    std::replace(keys.begin(), keys.end(), '_', ' ');
+    return keys;
 }
 
 }  // namespace glint

@@ -15,6 +15,7 @@ namespace glint {
 /// One number of a scene.
 struct SceneNumber {
     std::string pointer;      // RFC 6901: "/lights/0/falloff/linear", "/camera/eye/2"
+    std::string words;        // as its panel calls it, without its owner: "view angle", "diffuse red"
     double value = 0;         // what it is now
     double initial = 0;       // its default
     Real kind;                // range, unit, step; of a count its range
@@ -39,8 +40,7 @@ struct SceneNumber {
 /// scene_rules.h.
 [[nodiscard]] std::optional<Problem> set_number(Scene& scene, const std::string& pointer, double value);
 
-/// The keys of a pointer as words: "falloff quadratic", "diffuse red", "eye z". The first `first`
-/// tokens are left out. A pointer that leads to no number of the scene is returned with its keys.
-[[nodiscard]] std::string words_of_pointer(const Scene& scene, const std::string& pointer, std::size_t first);
+/// SceneNumber::words of the number there; of a pointer that leads to none its keys.
+[[nodiscard]] std::string words_of_pointer(const Scene& scene, const std::string& pointer);
 
 }  // namespace glint

@@ -155,14 +155,18 @@ TEST_CASE("handles of numbers edit the scene where they stand", "[fields]") {
     CHECK(number_at(scene, "/objects/0/transform/scale/0")->moves_faces);
 }
 
-TEST_CASE("pointers have words: channels of colours, axes of vectors", "[fields]") {
+TEST_CASE("a number is called as its panel calls it, and its channel or axis", "[fields]") {
     const Scene scene = everything();
-    CHECK(words_of_pointer(scene, "/lights/0/diffuse/0", 2) == "diffuse red");
-    CHECK(words_of_pointer(scene, "/lights/0/position/3", 2) == "position w");
-    CHECK(words_of_pointer(scene, "/objects/0/material/f0/2", 2) == "f0 blue");
-    CHECK(words_of_pointer(scene, "/npr/cool/1", 1) == "cool green");
-    CHECK(words_of_pointer(scene, "/objects/0/transform/rotate_deg/1", 2) == "rotate deg y");
-    CHECK(words_of_pointer(scene, "/lights/0/falloff/linear", 2) == "falloff linear");
+    CHECK(words_of_pointer(scene, "/lights/0/diffuse/0") == "diffuse red");
+    CHECK(words_of_pointer(scene, "/lights/0/position/3") == "position w");
+    CHECK(words_of_pointer(scene, "/lights/0/spot/cutoff_deg") == "cone cutoff");
+    CHECK(words_of_pointer(scene, "/lights/0/falloff/linear") == "falloff linear");
+    CHECK(words_of_pointer(scene, "/objects/0/material/f0/2") == "F0 blue");
+    CHECK(words_of_pointer(scene, "/objects/0/transform/rotate_deg/1") == "rotate y");
+    CHECK(words_of_pointer(scene, "/camera/projection/fov_y_deg") == "view angle");
+    CHECK(words_of_pointer(scene, "/npr/cool/1") == "cool green");
+    CHECK(words_of_pointer(scene, "/global_ambient/2") == "ambient blue");
+    CHECK(words_of_pointer(scene, "/no/such_thing") == "no such thing");
 }
 
 TEST_CASE("each word of a closed set leads back to its enumerator", "[fields]") {

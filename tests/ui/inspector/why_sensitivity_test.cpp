@@ -89,8 +89,8 @@ TEST_CASE("pointers of numbers are named in words, with the panel they stand in"
     CHECK(bulb.what == "position y");
     CHECK(bulb.selection == Selection{Selection::Kind::Light, 1});
     CHECK(named_number("/objects/0/material/diffuse/0", scene).what == "diffuse red");
-    CHECK(named_number("/camera/projection/fov_y_deg", scene).what == "fov y deg");
-    CHECK(named_number("/global_ambient/2", scene).what == "global ambient blue");
+    CHECK(named_number("/camera/projection/fov_y_deg", scene).what == "view angle");
+    CHECK(named_number("/global_ambient/2", scene).what == "ambient blue");
     CHECK(named_number("/objects/0", scene).owner == "Ball");
     CHECK(named_number("/lights/7/position/0", scene).owner == "Scene");
     CHECK(named_number("", scene).what.empty());

@@ -106,17 +106,17 @@ NamedNumber named_number(const std::string& pointer, const Scene& scene) {
     const std::string& section = parts[0];
     const int index = parts.size() > 1 ? index_of_part(parts[1]) : -1;
     const auto at = static_cast<std::size_t>(index);  // -1 becomes the largest
-    const auto named = [&](const std::string& owner, std::size_t depth, Selection::Kind kind, int item = 0) {
-        return NamedNumber{owner, words_of_pointer(scene, pointer, depth), {kind, item}};
+    const auto named = [&](const std::string& owner, Selection::Kind kind, int item = 0) {
+        return NamedNumber{owner, words_of_pointer(scene, pointer), {kind, item}};
     };
     if (section == "lights" && at < scene.lights.size())
-        return named(scene.lights[at].name, 2, Selection::Kind::Light, index);
+        return named(scene.lights[at].name, Selection::Kind::Light, index);
     if (section == "objects" && at < scene.objects.size())
-        return named(scene.objects[at].name, 2, Selection::Kind::Object, index);
-    if (section == "camera") return named("Camera", 1, Selection::Kind::Camera);
-    if (section == "display") return named("Display", 1, Selection::Kind::Display);
-    if (section == "npr") return named("Strokes and tones", 1, Selection::Kind::Shading);
-    return named("Scene", 0, Selection::Kind::Shading);
+        return named(scene.objects[at].name, Selection::Kind::Object, index);
+    if (section == "camera") return named("Camera", Selection::Kind::Camera);
+    if (section == "display") return named("Display", Selection::Kind::Display);
+    if (section == "npr") return named("Strokes and tones", Selection::Kind::Shading);
+    return named("Scene", Selection::Kind::Shading);
 }
 
 NumberHandle number_handle(Scene& scene, const std::string& pointer) {
