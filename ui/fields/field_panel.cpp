@@ -12,7 +12,8 @@ namespace glint {
 
 namespace {
 
-constexpr double marked_s = 1.5;  // how long a field that was asked for stays marked
+// How long a field that was asked for stays marked, and one that waits for a key.
+constexpr double marked_s = 1.5, waits_s = 6;
 
 // Of ImGui, from the one that asks for the keyboard to the one that shows the text cursor.
 constexpr int frames_until_typed = 5;
@@ -30,10 +31,29 @@ bool is_asked_now() { return ImGui::GetTime() < asked.until && ImGui::GetFrameCo
 
 void mark_row(ImVec2 low) {
     const float right = low.x + ImGui::GetContentRegionAvail().x;
-    const ImVec2 high{right, ImGui::GetItemRectMax().y};
-    ImGui::GetWindowDrawList()->AddRect(low - px(2) * ImVec2(-1, 1), high + px(2) * ImVec2(-1, 1),
-                                        to_u32(theme().accent), px(4), 0, px(1.5f));
+    const ImVec2 around{px(5), px(2)}, high{right, ImGui::GetItemRectMax().y};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(low - 2.0f * around, high + 2.0f * around);  // the labels begin at the panel's edge
+    list.AddRect(low - around, high + around, to_u32(theme().accent), px(4), 0, px(1.5f));
+    list.PopClipRect();
     redraw_within(std::max(asked.until - ImGui::GetTime(), 0.01));
+}
+
+/// Beside a switch that waits for it.
+void name_its_key(ImVec2 low) {
+    constexpr const char* words = "Space: on, off";
+    const float right = low.x + ImGui::GetContentRegionAvail().x - px(4);
+    const ImVec2 size = ImGui::CalcTextSize(words);
+    const float y = (ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y - size.y) / 2;
+    if (right - size.x < ImGui::GetItemRectMax().x + px(4)) return;
+    ImGui::GetWindowDrawList()->AddText({right - size.x, y}, to_u32(theme().dim_text), words);
+}
+
+bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); }
+
+bool turns_now(const std::string& pointer) {
+    return pointer == asked.pointer && is_asked_now() && !ImGui::GetIO().WantTextInput &&
+           (is_pressed(ImGuiKey_Space) || is_pressed(ImGuiKey_Enter));
 }
 
 }  // namespace
@@ -57,9 +77,13 @@ bool draw_asked(const std::string& pointer, Typed typed, const std::function<boo
         ImGui::SetWindowFocus();
         ImGui::SetKeyboardFocusHere();
     }
+    const bool waits = typed == Typed::Key && !ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    if (waits && asked.frames == 0) asked.until = ImGui::GetTime() + waits_s;
+    if (typed == Typed::Key && !waits) asked.until = ImGui::GetTime();
     ++asked.frames;
     const bool edited = draw();
     mark_row(low);
+    if (waits) name_its_key(low);
     return edited;
 }
 
@@ -69,6 +93,12 @@ bool dimmed_unless(bool applies, const std::function<bool()>& draw) {
     const bool edited = draw();
     ImGui::PopStyleVar();
     return edited;
+}
+
+bool draw_field(const Row& row, const Switch&, bool& value, bool, const Help& help) {
+    const bool turns = turns_now(help.pointer);
+    if (turns) value = !value;
+    return switch_field(row.label, value, help) || turns;
 }
 
 bool draw_field(const Row& row, const Vector& kind, glm::vec3& value, const glm::vec3& initial,

@@ -22,9 +22,7 @@ inline bool draw_field(const Row& row, const Text&, std::string& value, const st
                        const Help& help) {
     return name_field(row.label, value, help);
 }
-inline bool draw_field(const Row& row, const Switch&, bool& value, bool, const Help& help) {
-    return switch_field(row.label, value, help);
-}
+bool draw_field(const Row& row, const Switch& kind, bool& value, bool initial, const Help& help);
 inline bool draw_field(const Row& row, const Real& kind, float& value, float initial, const Help& help) {
     return number_field(row.label, value, kind, initial, help);
 }
@@ -41,10 +39,10 @@ template <class E> bool draw_field(const Row& row, const OneOf&, E& value, E, co
     return choice_field(row.label, value, help);
 }
 
-/// What is typed into the control of a kind.
-enum class Typed { Nothing, Number, Text };
+/// What is typed into the control of a kind; of a switch the key that turns it.
+enum class Typed { Nothing, Number, Text, Key };
 template <class Kind> constexpr Typed typed_into(const Kind&) { return Typed::Number; }
-constexpr Typed typed_into(const Switch&) { return Typed::Nothing; }
+constexpr Typed typed_into(const Switch&) { return Typed::Key; }
 constexpr Typed typed_into(const OneOf&) { return Typed::Nothing; }
 constexpr Typed typed_into(const Text&) { return Typed::Text; }
 
@@ -54,7 +52,7 @@ constexpr Typed typed_into(const Text&) { return Typed::Text; }
 // A field that was asked for by its pointer (the palette finds fields).
 
 /// Its panel scrolls to it in the frames that follow, marks it for a moment and, where something can be typed
-/// into it, puts the keyboard there.
+/// into it, puts the keyboard there: a switch turns by Space or Enter while it is marked.
 void ask_for_field(const std::string& pointer);
 /// Whether a field is asked for that lies below `pointer` ("/npr"): a fold that holds it has to open.
 [[nodiscard]] bool field_is_asked_below(const std::string& pointer);

@@ -109,6 +109,40 @@ TEST_CASE("a field below the end of its panel is scrolled to", "[ui][palette][wi
     (void)bench.control("/npr/silhouettes");
 }
 
+TEST_CASE("a switch that the palette finds turns by Space or Enter, until something else is clicked",
+          "[ui][palette][window]") {
+    HeadlessWindow bench;
+    constexpr int space_key = 32, enter_key = 13;  // of ImGui's io.KeysDown, for this test
+    ImGui::GetIO().KeyMap[ImGuiKey_Space] = space_key;
+    ImGui::GetIO().KeyMap[ImGuiKey_Enter] = enter_key;
+    bench.frames(2);
+    (void)bench.key(Key::K, true);
+    bench.frames(1);
+    bench.type("two-sided");
+    ImGui::GetIO().KeysDown[enter_key] = true;
+    (void)bench.key(Key::Enter);
+    bench.frames(1);
+    ImGui::GetIO().KeysDown[enter_key] = false;
+    bench.frames(8);
+    const bool& two_sided = bench.scene().shading.two_sided;
+    CHECK_FALSE(two_sided);  // the Enter of the palette is not one for the switch
+    const auto press = [&](int key) {
+        ImGui::GetIO().KeysDown[key] = true;
+        bench.frames(2);
+        ImGui::GetIO().KeysDown[key] = false;
+        bench.frames(1);
+    };
+    press(space_key);
+    CHECK(two_sided);
+    press(enter_key);
+    CHECK_FALSE(two_sided);
+    bench.state.editor.selection = {Selection::Kind::Shading, 0};
+    bench.click(HeadlessWindow::middle_of(bench.area_of("/shading/two_sided")));
+    CHECK(two_sided);  // by the mouse, as ever
+    press(space_key);
+    CHECK(two_sided);
+}
+
 TEST_CASE("where nothing fits the palette offers what is nearest, and Enter takes it",
           "[ui][palette][window]") {
     HeadlessWindow bench;
