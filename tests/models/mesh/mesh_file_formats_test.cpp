@@ -136,7 +136,8 @@ TEST_CASE("a malformed PLY is answered with what was expected", "[mesh_file][ply
          ":3: a count of -1 is out of range; expected 0 to 2147483647"},
         {"m.ply", head + "element vertex 99999999999\n",
          ":3: a count of 99999999999 is out of range; expected 0 to 2147483647"},
-        {"m.ply", head + "element vertex many\n", ":3: \"many\" is not a whole number; expected a whole number"},
+        {"m.ply", head + "element vertex many\n",
+         ":3: \"many\" is not a whole number; expected a whole number"},
         {"m.ply", head + "element vertex 3\nproperty real x\n",
          ":4: \"real\" is not a type; expected char, uchar, short, ushort, int, uint, float or double"},
         {"m.ply", head + "element vertex 3\nproperty float x\nproperty float x\n",
@@ -191,6 +192,15 @@ TEST_CASE("an OFF has its counts on the first or the next line, and comments", "
         CHECK(mesh.colors.empty());
         CHECK(mesh.warnings == Warnings{"1 face has a colour, which is ignored"});
     }
+}
+
+TEST_CASE("what follows an OFF's last face is ignored with a warning, empty lines are not",
+          "[mesh_file][off]") {
+    const std::string file = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    CHECK(read_text("m.off", file + "\n# the end\n").warnings.empty());
+    const Mesh mesh = read_text("m.off", file + "3 0 1 2\n");
+    CHECK(mesh.warnings == Warnings{"data after the last face is ignored"});
+    CHECK(mesh.corner_position.size() == 3);
 }
 
 TEST_CASE("an OFF's vertex colours are of 255 or shares; normals come before them", "[mesh_file][off]") {
@@ -268,7 +278,8 @@ TEST_CASE("a malformed STL is answered with what was expected", "[mesh_file][stl
     const std::string head = "solid s\nfacet normal 0 0 1\nouter loop\n";
     check_all({
         {"m.stl", "hello",
-         ": this is not an STL file, or one that ends early; expected \"solid\", or a binary file of 84 + 50 n "
+         ": this is not an STL file, or one that ends early; expected \"solid\", or a binary file of 84 + 50 "
+         "n "
          "bytes"},
         {"m.stl", test::binary_stl(3),
          ": this is not an STL file, or one that ends early; expected 234 bytes for its 3 facets"},

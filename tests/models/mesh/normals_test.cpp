@@ -74,6 +74,13 @@ TEST_CASE("the facet normal of a polygon is Newell's", "[normals]") {
     check_near(facet_normal(far, 0), {-0.408248f, -0.408248f, 0.816497f});
 }
 
+TEST_CASE("from facets each corner of a face has its face's normal", "[normals]") {
+    const Mesh cube = make_mesh(cube_corners, cube_quads);
+    const CornerNormals normals = corner_normals(cube, {.source = NormalSource::Facet});
+    const glm::vec3 outward[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    for (std::size_t c = 0; c < 24; ++c) check_near(normals.normals[normals.corner[c]], outward[c / 4]);
+}
+
 TEST_CASE("at the corner of a triangulated cube only the angle does not see the cut", "[normals]") {
     const float third = 0.57735027f;
     for (const auto weighting : {NormalWeighting::Uniform, NormalWeighting::Area, NormalWeighting::Angle}) {

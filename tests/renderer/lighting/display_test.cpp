@@ -13,10 +13,11 @@ namespace {
 double srgb(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055; }
 
 /// The byte of a background of that much light, which goes through the display as any pixel does.
-int byte_shown(float linear, Transfer transfer) {
+int byte_shown(float linear, Transfer transfer, float exposure = 1) {
     Scene scene;
     scene.display.background = glm::vec3(linear);
     scene.display.transfer = transfer;
+    scene.display.exposure = exposure;
     Renderer renderer(1);
     return renderer.render(scene, {1, 1}).rgba[0];
 }
@@ -34,4 +35,14 @@ TEST_CASE("sRGB is straight up to 0.0031308 and a power above it: its bytes are 
         CHECK(std::abs(byte - exact) < 0.501);  // the nearest
     }
     CHECK(byte_shown(0.02f, Transfer::Srgb) == 39);  // 12.92 x would be 66
+}
+
+TEST_CASE("light is exposed and only then cut off at what a screen can show", "[display]") {
+    for (const float exposure : {0.0f, 0.25f, 0.5f, 2.0f, 3.0f})
+        for (const float x : {0.0f, 0.1f, 0.3f, 0.45f, 0.7f, 1.0f, 1.5f, 3.0f}) {
+            CAPTURE(exposure, x);
+            const double exact = 255 * std::min(double{x} * exposure, 1.0);
+            CHECK(std::abs(byte_shown(x, Transfer::None, exposure) - exact) < 0.501);
+        }
+    CHECK(byte_shown(3, Transfer::None, 0.25f) == 191);  // 3/4 of 255; cut off first it would be 64
 }
