@@ -1,5 +1,7 @@
 // A monkey at mouse and keyboard: whatever it does, the scene stays one that a file takes, and undo leads
 // back.
+#include <malloc.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <set>
@@ -230,3 +232,26 @@ TEMPLATE_TEST_CASE_SIG(
     CHECK(compared > events_a_run / events_a_scene / 2);
     CHECK(bench.state.notifications.list.size() <= 5);
 }
+
+#ifndef __SANITIZE_ADDRESS__
+TEST_CASE("a window that goes on and on holds no more memory than when it was warm", "[ui][monkey][long]") {
+    const Cage cage;
+    HeadlessWindow bench({900, 420});
+    const auto held_after_round = [&] {
+        take_document(bench.state.editor, small_document());
+        Monkey monkey(bench, first_seed);
+        for (int event = 0; event < events_a_scene; ++event) monkey.act();
+        monkey.calm_down();
+        take_document(bench.state.editor, small_document());
+        bench.frames(2);
+        const struct mallinfo2 held = mallinfo2();
+        return static_cast<double>(held.uordblks + held.hblkhd);
+    };
+    double warm = 0, held = 0;
+    for (int round = 0; round < 24; ++round) {
+        held = held_after_round();
+        if (round == 11) warm = held;
+    }
+    CHECK(held < 1.01 * warm);
+}
+#endif

@@ -3,7 +3,7 @@
 # 20 ms apart, drops from programs that vanish, files that change, two windows on one state folder. Fails when a
 # window dies, says anything but a warning, or does not answer; the seed, the life and the last events are printed.
 #
-#   tests/gui/stress.sh SECONDS SEED [FIRST_LIFE]     the last repeats what was found from there
+#   tests/gui/monkey.sh EVENTS SEED [FIRST_LIFE]     the last repeats what was found from there
 #
 # Of the sanitizers' build (cmake --preset dev && cmake --build --preset dev), or of the one that GLINT_BUILD names.
 set -u
@@ -12,9 +12,9 @@ if [ "$(id -u)" -eq 0 ] && command -v setpriv >/dev/null; then
     exec setpriv --reuid=65534 --regid=65534 --clear-groups env HOME=/nonexistent bash "$0" "$@"
 fi
 # shellcheck disable=SC2034  # display.sh uses it
-seconds=${1:-60} seed=${2:-1} life=${3:-0}
+events=${1:-2000} seed=${2:-1} life=${3:-0}
 build=${GLINT_BUILD:-$(cd "$(dirname "$0")/../.." && pwd)/build/dev}
-program=$build/app/glint hand=$build/tests/gui/stress_hand source=$build/tests/gui/xdnd_source
+program=$build/app/glint hand=$build/tests/gui/monkey_hand source=$build/tests/gui/xdnd_source
 # shellcheck source=tests/gui/display.sh
 . "$(dirname "$0")/display.sh"
 [ -x "$program" ] || { echo "$program is not there: cmake --preset dev && cmake --build --preset dev"; exit 2; }
@@ -40,4 +40,4 @@ fi
 ulimit -c 0
 start_display 2000x1500
 cd "$work" || exit 1
-"$hand" "$seconds" "$seed" "$life" "$work" "$work/bin/glint" "$source"
+"$hand" "$events" "$seed" "$life" "$work" "$work/bin/glint" "$source"

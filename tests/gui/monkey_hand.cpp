@@ -1,9 +1,10 @@
 // A hand that does anything to the window, as fast as it can: resizes, keys, clicks, wheels, drops from
 // programs that vanish, files that change under it, two windows on one state folder, displays of every
 // resolution. What it does is a function of the seed and of the number of the life alone; a life is one start
-// of the program and 400 events.
+// of the program and 400 deeds; an event is what one of them sends: a key, a point, a press, a turn of the
+// wheel, a size.
 //
-// Usage: stress_hand SECONDS SEED FIRST_LIFE FOLDER PROGRAM XDND_SOURCE. The program is started in
+// Usage: monkey_hand EVENTS SEED FIRST_LIFE FOLDER PROGRAM XDND_SOURCE. The program is started in
 // FOLDER/work and opens what lies there. Ends with 1 and the last events when a program dies, complains, or
 // does not answer.
 #include <X11/Xatom.h>
@@ -35,7 +36,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int events_a_life = 400, events_between_pings = 25, events_kept = 80;
+constexpr int deeds_a_life = 400, deeds_between_pings = 25, events_kept = 80;
 constexpr double longest_start = 120, longest_answer = 90;  // seconds: sanitizers on a busy machine are slow
 
 double seconds_since(Clock::time_point then) {
@@ -44,7 +45,7 @@ double seconds_since(Clock::time_point then) {
 void rest(int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); }
 
 struct Options {
-    double seconds = 0;
+    long events = 0;
     unsigned seed = 1;
     int life = 0;
     fs::path folder;
@@ -76,10 +77,11 @@ class Hand {
 
     /// 0: nothing was found.
     int run() {
-        const auto start = Clock::now();
         int life = options_.life;
-        for (; seconds_since(start) < options_.seconds && !found_; ++life) live(life);
-        if (!found_) fmt::print("passed: {} lives, seed {}\n", life - options_.life, options_.seed);
+        for (; sent_ < options_.events && !found_; ++life) live(life);
+        if (!found_)
+            fmt::print("passed: {} events in {} lives, seed {}\n", sent_, life - options_.life,
+                       options_.seed);
         return found_ ? 1 : 0;
     }
 
@@ -101,10 +103,10 @@ class Hand {
         XSync(display_, False);
         const int count = one_in(3) ? 2 : 1;
         for (int i = 0; i < count && !found_; ++i) start(i);
-        for (int i = 0; i < events_a_life && !found_ && !started_.empty(); ++i) {
+        for (int i = 0; i < deeds_a_life && !found_ && !started_.empty(); ++i) {
             act(started_[std::size_t(below(int(started_.size())))]);
             if (one_in(3)) rest(below(40));
-            if (i % events_between_pings == events_between_pings - 1) look_after_all();
+            if (i % deeds_between_pings == deeds_between_pings - 1) look_after_all();
         }
         if (!found_) look_after_all();
         for (const Started& one : started_) end(one);
@@ -112,6 +114,7 @@ class Hand {
     }
 
     void note(const std::string& event) {
+        ++sent_;
         events_.push_back(event);
         if (events_.size() > events_kept) events_.pop_front();
     }
@@ -121,7 +124,7 @@ class Hand {
         fmt::print("failed: {}; seed {}, life {}. The last events:\n", what, options_.seed, life_);
         for (const std::string& event : events_) fmt::print("    {}\n", event);
         fmt::print("Standard error:\n{}", complaints(one.errors));
-        fmt::print("Again: tests/gui/stress.sh {} {} {}\n", options_.seconds, options_.seed, life_);
+        fmt::print("Again: tests/gui/monkey.sh {} {} {}\n", options_.events, options_.seed, life_);
     }
 
     // --- the programs
@@ -463,6 +466,7 @@ class Hand {
     std::mt19937 random_;
     std::vector<Started> started_;
     std::deque<std::string> events_;
+    long sent_ = 0;
     int life_ = 0;
     bool found_ = false;
 };
@@ -479,6 +483,6 @@ int main(int argc, char** argv) {
     XSetErrorHandler(pass_over);
     setvbuf(stdout, nullptr, _IOLBF, 0);
     const Options options{
-        std::atof(argv[1]), unsigned(std::atoi(argv[2])), std::atoi(argv[3]), argv[4], argv[5], argv[6]};
+        std::atol(argv[1]), unsigned(std::atoi(argv[2])), std::atoi(argv[3]), argv[4], argv[5], argv[6]};
     return Hand(options, display).run();
 }
