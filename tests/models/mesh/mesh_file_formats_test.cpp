@@ -1,6 +1,7 @@
 // PLY, OFF and STL: what they hold, and the one line that each malformed one is answered with.
 #include <fmt/format.h>
 
+#include <cstring>
 #include <ctime>
 #include <limits>
 
@@ -272,6 +273,18 @@ TEST_CASE("an STL shares positions that are exactly equal, and its facet normals
     std::string zero = ascii;
     for (std::size_t at = 0; (at = zero.find("0 0 1\n", at)) != std::string::npos;) zero[at + 4] = '0';
     CHECK(read_text("m.stl", zero).given_normals == GivenNormals::None);
+}
+
+TEST_CASE("a normal of an STL that is not a number or too large is none, with a warning",
+          "[mesh_file][stl]") {
+    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                            -std::numeric_limits<float>::max()}) {
+        std::string bytes = test::binary_stl();
+        std::memcpy(&bytes[84 + 50 + 4], &bad, sizeof bad);  // y of the second facet's normal
+        const Mesh mesh = read_text("m.stl", bytes);
+        CHECK(mesh.normals == std::vector<glm::vec3>{{0, 0, 1}, {0, 0, 0}});
+        CHECK(mesh.warnings == Warnings{"1 facet has a normal that is out of range, which is ignored"});
+    }
 }
 
 TEST_CASE("a malformed STL is answered with what was expected", "[mesh_file][stl]") {
