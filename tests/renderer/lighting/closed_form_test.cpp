@@ -189,3 +189,21 @@ TEST_CASE("a highlight of low shininess is seen down to the last cosine: (v.r)^1
               Approx(std::pow(double{cosine}, double{shininess})).epsilon(1e-4));
     }
 }
+
+TEST_CASE("a cone of 90 degrees includes its edge, where the cosine is 0 and nothing else", "[closed-form]") {
+    Light spot;
+    spot.kind = LightKind::Spot;
+    spot.position = {0, 1, 0, 1};
+    spot.spot = {{1, 0, 0}, 90, 0};  // level: what lies straight below is at 90 degrees
+    Scene scene = lit_by(spot, Primitive::Plane, 1);
+    scene.camera.eye = {0, 5, 0};
+    scene.camera.up = {0, 0, -1};
+    scene.objects[0].material.specular = glm::vec3(0);
+    Renderer renderer(1);
+    const glm::vec3 below = renderer.render(scene, {1, 1}, true).linear_at(0, 0);
+    const dvec3 base = dvec3(scene.objects[0].material.ambient) *
+                       (dvec3(scene.global_ambient) + dvec3(scene.lights[0].ambient));
+    CHECK(below.x == Approx(base.x + 0.7));  // k_d times n·l = 1
+    CHECK(below.y == Approx(base.y + 0.5));
+    CHECK(below.z == Approx(base.z + 0.2));
+}

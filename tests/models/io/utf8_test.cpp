@@ -1,0 +1,42 @@
+// UTF-8 against RFC 3629's own definition: a character's bytes hold its number, in as few as it takes.
+#include "models/io/utf8.h"
+
+#include <string>
+
+#include "tests/support/catch.h"
+
+using namespace glint;
+
+namespace {
+
+/// The bytes of a character from its number, as the table of RFC 3629, section 3, spreads the bits.
+std::string encoded(unsigned number) {
+    const auto later = [number](int shift) { return static_cast<char>(0x80 | ((number >> shift) & 0x3F)); };
+    if (number < 0x80) return {static_cast<char>(number)};
+    if (number < 0x800) return {static_cast<char>(0xC0 | (number >> 6)), later(0)};
+    if (number < 0x10000) return {static_cast<char>(0xE0 | (number >> 12)), later(6), later(0)};
+    return {static_cast<char>(0xF0 | (number >> 18)), later(12), later(6), later(0)};
+}
+
+}  // namespace
+
+TEST_CASE("a number is a character of UTF-8 up to 10FFFF, and no surrogate is one", "[utf8]") {
+    int wrong = 0;
+    for (unsigned number = 0; number < 0x200000; ++number) {
+        const std::string bytes = encoded(number);
+        const bool is_character = number <= 0x10FFFF && (number < 0xD800 || number > 0xDFFF);
+        wrong += utf8_length(bytes + "x") != (is_character ? bytes.size() : 0);
+    }
+    CHECK(wrong == 0);
+}
+
+TEST_CASE("bytes that take more than their character needs, or stand alone, are none", "[utf8]") {
+    for (const std::string bytes :
+         {"\xC0\x80", "\xC1\xBF", "\xE0\x80\x80", "\xE0\x9F\xBF", "\xF0\x80\x80\x80", "\xF0\x8F\xBF\xBF",
+          "\x80", "\xBF", "\xF8\x88\x80\x80\x80", "\xFE", "\xFF", "\xC3", "\xE2\x82", "\xF0\x9F\x98", "\xC3(",
+          "\xE2(\xAC", "\xE2\x82("}) {
+        CAPTURE(bytes);
+        CHECK(utf8_length(bytes) == 0);
+    }
+    CHECK(utf8_length("") == 0);
+}
