@@ -2,6 +2,7 @@
 #include "models/io/utf8.h"
 
 #include <string>
+#include <string_view>
 
 #include "tests/support/catch.h"
 
@@ -39,4 +40,6 @@ TEST_CASE("bytes that take more than their character needs, or stand alone, are 
         CHECK(utf8_length(bytes) == 0);
     }
     CHECK(utf8_length("") == 0);
+    for (const std::string_view whole : {"\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80"})
+        CHECK(utf8_length(whole.substr(0, whole.size() - 1)) == 0);  // what lies behind the text is not read
 }

@@ -232,6 +232,13 @@ TEST_CASE("a point light lights however far it is, and its falloff with it", "[e
         light.falloff = {1, 3 / d, 0};
         CHECK(middle_pixel(plate_under(light)).sum.x == Approx(0.2));  // 0.8 / (1 + 3)
     }
+    for (const float d : {1e19f, 2e19f, 4e19f}) {  // beyond no float is small enough for c₂
+        CAPTURE(d);
+        Light light = light_at(LightKind::Point, {0, 0.6f * d, 0.8f * d});
+        light.falloff = {1, 0, static_cast<float>(3.0 / d / d)};
+        const double rounded = double{light.falloff.quadratic} * d * d;  // 3, but for the float's few digits
+        CHECK(middle_pixel(plate_under(light)).sum.x == Approx(0.8 / (1 + rounded)).epsilon(1e-4));
+    }
 }
 
 TEST_CASE("a light's cone is where it is however far the light, and no exponent makes it brighter",
