@@ -161,20 +161,30 @@ TEST_CASE("a picture that is damaged anywhere is a problem and never a crash", "
     CHECK(problem_of(png_text(whole, png_scene_keyword, 11, "p.png")) != nullptr);  // one byte too long
 }
 
-TEST_CASE("text that is not compressed is taken up to the bytes asked for, and no more", "[scene_document]") {
+TEST_CASE("text is taken up to the bytes asked for and no more, compressed or not", "[scene_document]") {
     const auto number = [](std::uint32_t n) {
         return std::string{static_cast<char>(n >> 24), static_cast<char>(n >> 16), static_cast<char>(n >> 8),
                            static_cast<char>(n)};
     };
-    // Keyword, flag and method of compression, language, translated keyword, text.
-    const std::string chunk =
-        "iTXt" + std::string(png_scene_keyword) + std::string("\0\0\0\0\0", 5) + "twelve bytes";
-    const auto sum = static_cast<std::uint32_t>(
-        crc32(0, reinterpret_cast<const Bytef*>(chunk.data()), static_cast<uInt>(chunk.size())));
-    const std::string png =
-        "\x89PNG\r\n\x1a\n" + number(static_cast<std::uint32_t>(chunk.size() - 4)) + chunk + number(sum);
-    CHECK(std::get<std::string>(png_text(png, png_scene_keyword, 12, "p.png")) == "twelve bytes");
-    CHECK(problem_of(png_text(png, png_scene_keyword, 11, "p.png")) != nullptr);
+    std::string deflated(64, ' ');
+    uLongf length = deflated.size();
+    const std::string text = "twelve bytes";
+    REQUIRE(compress(reinterpret_cast<Bytef*>(deflated.data()), &length,
+                     reinterpret_cast<const Bytef*>(text.data()), text.size()) == Z_OK);
+    deflated.resize(length);
+    for (const bool compressed : {false, true}) {
+        CAPTURE(compressed);
+        // Keyword, flag and method of compression, language, translated keyword, text.
+        const std::string chunk = "iTXt" + std::string(png_scene_keyword) + '\0' +
+                                  (compressed ? '\1' : '\0') + std::string(3, '\0') +
+                                  (compressed ? deflated : text);
+        const auto sum = static_cast<std::uint32_t>(
+            crc32(0, reinterpret_cast<const Bytef*>(chunk.data()), static_cast<uInt>(chunk.size())));
+        const std::string png =
+            "\x89PNG\r\n\x1a\n" + number(static_cast<std::uint32_t>(chunk.size() - 4)) + chunk + number(sum);
+        CHECK(std::get<std::string>(png_text(png, png_scene_keyword, 12, "p.png")) == text);
+        CHECK(problem_of(png_text(png, png_scene_keyword, 11, "p.png")) != nullptr);
+    }
 }
 
 TEST_CASE("a file of another kind is a problem that lists the kinds", "[scene_document]") {
