@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t max_steps = 500;
+constexpr std::size_t max_undone = 500;  // beside the present one
 // A light or an object takes about 300 bytes: this many in all steps together is about 60 MB.
 constexpr std::size_t max_items = 200'000;
 // Meshes that no object has any more may take this share of the memory that there is.
@@ -137,7 +137,7 @@ std::uint64_t History::bytes_of_lost_meshes() const {
 }
 
 bool History::is_too_large() const {
-    if (steps_.size() > max_steps) return true;
+    if (steps_.size() > max_undone + 1) return true;
     std::size_t items = 0;
     for (const Step& step : steps_) items += step.scene.lights.size() + step.scene.objects.size();
     return items > max_items || bytes_of_lost_meshes() > memory_limit() / meshes_share;

@@ -160,6 +160,20 @@ TEST_CASE("the history of a large scene forgets its oldest steps, not its newest
     CHECK(steps < 100);
 }
 
+TEST_CASE("the history goes back 500 steps and forgets what is older", "[ui]") {
+    History history;
+    Scene scene = two_lights();
+    history.reset(scene);
+    for (int i = 1; i <= 600; ++i) {
+        scene.lights[0].intensity = static_cast<float>(i);
+        history.commit(scene);
+    }
+    int steps = 0;
+    for (; history.can_undo(); ++steps) (void)history.undo();
+    CHECK(steps == 500);
+    CHECK(history.present().lights[0].intensity == 100);
+}
+
 TEST_CASE("steps are named by what changed", "[ui]") {
     CHECK(step_name(two_lights(), two_lights()).empty());
     CHECK(name_of([](Scene& s) { s.lights[1].position.x = 7; }) == "Move Bulb");
