@@ -37,13 +37,26 @@ TEST_CASE("dragging a light over kept sums gives the bytes of lighting every lig
         const auto move = [](std::size_t i) {
             return [i](Scene& s) { s.lights[i].position += glm::vec4(0.3f, -0.2f, 0.1f, 0); };
         };
-        check_same_bytes(
-            scene,
-            {[](Scene&) {}, move(0), move(0), move(0), move(7), move(7), move(5),
-             [](Scene& s) { s.lights[5].intensity = 30; }, [](Scene& s) { s.lights[5].enabled = false; },
-             [](Scene& s) { s.lights[5].enabled = true; }, [](Scene& s) { s.display.exposure = 2; }, move(5),
-             [](Scene& s) { s.objects[0].material.diffuse.x = 0.1f; }, move(5),
-             [](Scene& s) { s.camera.eye.x += 0.1f; }, move(5), move(5)});
+        check_same_bytes(scene, {[](Scene&) {},
+                                 move(0),
+                                 move(0),
+                                 move(0),
+                                 move(7),
+                                 move(7),
+                                 move(5),
+                                 [](Scene& s) { s.lights[5].intensity = 30; },
+                                 [](Scene& s) { s.lights[5].enabled = false; },
+                                 [](Scene& s) { s.lights[5].enabled = true; },
+                                 [](Scene& s) { s.display.exposure = 2; },
+                                 move(5),
+                                 [](Scene& s) { s.objects[0].material.diffuse.x = 0.1f; },
+                                 move(5),
+                                 [](Scene& s) { s.camera.eye.x += 0.1f; },
+                                 move(5),
+                                 move(5),
+                                 [&](Scene& s) { move(2)(s), move(5)(s); },  // two at once
+                                 [&](Scene& s) { move(5)(s), move(6)(s); },
+                                 move(6)});
     }
 }
 

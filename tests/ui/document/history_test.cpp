@@ -160,6 +160,20 @@ TEST_CASE("the history of a large scene forgets its oldest steps, not its newest
     CHECK(steps < 100);
 }
 
+TEST_CASE("a mesh that was loaded again is not an edit, and no name has it", "[ui]") {
+    Scene scene = two_lights();
+    scene.objects[0].mesh = std::make_shared<const Mesh>();
+    Scene again = scene;
+    again.objects[0].mesh = std::make_shared<const Mesh>();  // as a file that was read anew gives it
+    CHECK(step_name(scene, again).empty());
+    History history;
+    history.reset(scene);
+    history.commit(again);
+    CHECK_FALSE(history.can_undo());
+    again.lights[1].position.x = 7;
+    CHECK(step_name(scene, again) == "Move Bulb");
+}
+
 TEST_CASE("the history goes back 500 steps and forgets what is older", "[ui]") {
     History history;
     Scene scene = two_lights();
