@@ -126,6 +126,9 @@ if [ "$wanted" = --check ]; then
     exit
 fi
 install_packages "$glint_root/cmake/packages.txt" "$glint_root/cmake/packages-test.txt"
+mkdir -p "$tree"
+exec 9>"$tree/lock"
+flock -n 9 || fail "$tree: another run breaks this copy"
 [ -n "${GLINT_MUTANTS_TREE:-}" ] || copy
 [ -e "$tree/build/edit/build.ninja" ] || (cd "$tree" && cmake --preset edit -DGLINT_WERROR=OFF >/dev/null)
 compile || { cat "$log" && fail "the copy does not build; see above"; }
