@@ -160,6 +160,24 @@ TEST_CASE("the history of a large scene forgets its oldest steps, not its newest
     CHECK(steps < 100);
 }
 
+TEST_CASE("what undo takes away is not selected any more", "[ui]") {
+    Editor editor;
+    SceneDocument document;
+    document.scene = two_lights();
+    take_document(editor, document);
+    editor.scene().lights.emplace_back().name = "Lamp";
+    editor.selection = {Selection::Kind::Light, 2};
+    remember_step(editor, false);
+    REQUIRE(undo(editor));
+    CHECK(editor.selection == Selection{Selection::Kind::Light, 1});  // the nearest that there is
+    editor.scene().lights.clear();
+    remember_step(editor, false);
+    REQUIRE(undo(editor));
+    editor.selection = {Selection::Kind::Light, 1};
+    REQUIRE(redo(editor));
+    CHECK(editor.selection.kind != Selection::Kind::Light);
+}
+
 TEST_CASE("a mesh that was loaded again is not an edit, and no name has it", "[ui]") {
     Scene scene = two_lights();
     scene.objects[0].mesh = std::make_shared<const Mesh>();
