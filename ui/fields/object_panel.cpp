@@ -15,6 +15,7 @@
 #include "ui/fields/panels.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 
@@ -180,8 +181,6 @@ void mesh_facts(const Object& object, const std::string& about_mesh) {
     };
     for (const std::string& warning : mesh.warnings) line(warning);
     if (!about_mesh.empty()) line(about_mesh);
-    if (smooths_every_edge(object))
-        line("No normals of its own: averaged over all edges. Crease keeps edges sharp:");
 }
 
 /// One number for all three scales: they keep their ratio, and their signs. It is the largest of them.
@@ -243,6 +242,9 @@ bool object_panel(Object& object, const std::string& pointer, Reflection reflect
     // Of a mesh without normals they are what one looks for first.
     const bool brings_normals = !object.mesh || object.mesh->given_normals != GivenNormals::None;
     if (!brings_normals) normals();
+    // Below the fields, which stay where they are when it goes.
+    if (smooths_every_edge(object))
+        wrapped_dim("No normals of its own: averaged over all edges. Crease keeps edges sharp.");
     panel.group("material", object.material, [&](Material& material, const std::string& at) {
         return material_panel(material, at, reflection);
     });

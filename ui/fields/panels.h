@@ -34,6 +34,8 @@ bool npr_panel(Npr& npr);
 
 /// `size` of the picture: a frustum chosen anew sees what it saw.
 [[nodiscard]] bool camera_panel(Camera& camera, PictureSize size);
+/// Says what a picture narrower than 16:9 is drawn with where that is not what the camera says (fitted()).
+void note_fitted(const Camera& camera, PictureSize size);
 
 /// Shows the same view through another kind of projection: what is at the target's depth keeps its size in
 /// the picture.

@@ -1,4 +1,5 @@
 // What a scene has one of: camera, shading, display.
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -49,6 +50,21 @@ bool look_from(Camera& camera) {
 
 }  // namespace
 
+void note_fitted(const Camera& camera, PictureSize size) {
+    const Projection drawn = fitted(camera.projection, size);
+    if (drawn == camera.projection) return;
+    if (const auto* p = std::get_if<Perspective>(&drawn))
+        wrapped_dim(
+            fmt::format("Drawn with {:.1f}°: the picture is narrower than 16:9, and shows as much from "
+                        "side to side",
+                        p->fov_y_deg));
+    else if (const auto* o = std::get_if<Orthographic>(&drawn))
+        wrapped_dim(
+            fmt::format("Drawn {:.3g} high: the picture is narrower than 16:9, and shows as much from "
+                        "side to side",
+                        o->height));
+}
+
 Projection as_projection(const Camera& camera, ProjectionKind kind, PictureSize size) {
     // A frustum is not widened for a narrow picture: it takes over what is seen.
     Camera shown = camera;
@@ -77,6 +93,7 @@ bool camera_panel(Camera& camera, PictureSize size) {
     }
     std::visit([&](auto& projection) { edited |= field_rows(projection, "/camera/projection"); },
                camera.projection);
+    note_fitted(camera, size);
     return edited && keep_valid(camera, before);
 }
 

@@ -48,6 +48,7 @@ Scene with_term_alone(Scene scene, Symbol term) {
 }
 
 void show_instead(UiState& state, const Scene& scene, const std::string& name) {
+    if (same_description(scene, state.editor.scene())) return;  // a click has just taken it
     state.inspector.instead = scene;
     state.inspector.preview_name = name;
 }

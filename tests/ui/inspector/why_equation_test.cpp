@@ -54,6 +54,33 @@ TEST_CASE("a right click on a number that is only read copies it, or its whole l
     CHECK(bench.scene() == start);
 }
 
+TEST_CASE("the sums of the terms can be copied", "[ui][window][why]") {
+    HeadlessWindow bench({1280, 1400});
+    test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
+    const Rect row = bench.area_of("d  diffuse", test::right_column(bench));
+    bench.move({row.high.x - 10, row.middle().y});
+    bench.button(true, 1);
+    bench.button(false, 1);
+    bench.frames(2);
+    bench.click(bench.control("Copy"));
+    bench.frames(2);
+    float blue = 0;
+    for (const ExplainedLight& light : bench.state.explanation->at.lights) blue += light.diffuse.z;
+    CHECK(std::stof(ImGui::GetClipboardText()) == Approx(blue).margin(0.0005));
+}
+
+TEST_CASE("weights that are chosen are explained while the mouse still rests on them", "[ui][window][why]") {
+    HeadlessWindow bench({1280, 1400});
+    bench.scene().shading.mode = ShadingMode::Gouraud;
+    bench.scene().shading.interpolation = Interpolation::Screen;
+    test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
+    REQUIRE(bench.state.explanation->interpolation == Interpolation::Screen);
+    bench.click(HeadlessWindow::middle_of(bench.area_of("Perspective", test::right_column(bench))));
+    bench.frames(5);
+    CHECK(bench.scene().shading.interpolation == Interpolation::Perspective);
+    CHECK(bench.state.explanation->interpolation == Interpolation::Perspective);
+}
+
 TEST_CASE("a value of the equation stays on one line with its name, however narrow the column",
           "[ui][window][why]") {
     HeadlessWindow bench({1280, 1400});

@@ -6,6 +6,7 @@
 
 #include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
@@ -31,6 +32,7 @@ void copy_item(const char* label, const std::string& text) {
 
 void copy_menu(int id, const std::string& number, const std::string& line) {
     ImGui::PushID(id);
+    tooltip("Right click: copy it", line.empty() ? "" : "alone, or the line that it stands in");
     if (ImGui::BeginPopupContextItem("##copy")) {
         copy_item("Copy", plain(number));
         if (!line.empty()) copy_item("Copy line", line);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/inspector/equation/copy_menu.h"
 #include "ui/inspector/equation/equation_tab.h"
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/inspector.h"
@@ -44,13 +45,17 @@ void header_row(InspectorState& inspector) {
     ImGui::PopFont();
 }
 
-void cells(glm::vec3 value, const ImVec4& colour) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+/// The numbers of a row; each can be copied, alone or all three.
+void cells(const char* row, glm::vec3 value, const ImVec4& colour) {
+    ImGui::PushID(row);
     for (int c = 0; c < 3; ++c) {
         ImGui::TableNextColumn();
+        ImGui::PushStyleColor(ImGuiCol_Text, colour);
         mono_text(shown_number(value[c]));
+        ImGui::PopStyleColor();
+        copy_menu(c, shown_number(value[c]), shown_vector(value));
     }
-    ImGui::PopStyleColor();
+    ImGui::PopID();
 }
 
 void term_row(UiState& state, Symbol symbol, const char* name, glm::vec3 value, bool on) {
@@ -62,7 +67,7 @@ void term_row(UiState& state, Symbol symbol, const char* name, glm::vec3 value, 
         ImGui::SameLine(0, px(5));
         dim_text("off");
     }
-    cells(value, value == glm::vec3(0) ? theme().disabled_text : theme()[symbol]);
+    cells(name, value, value == glm::vec3(0) ? theme().disabled_text : theme()[symbol]);
     const Rect row{low, {ImGui::GetItemRectMax().x, low.y + ImGui::GetTextLineHeight()}};
     list_control(name, "", row);
     if (!on || !is_pointed_at(row)) return;
@@ -75,7 +80,7 @@ void sum_row(glm::vec3 sum) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted("sum");
     const ImVec2 at = ImGui::GetItemRectMin() - ImVec2(0, px(1));
-    cells(sum, theme().text);
+    cells("sum", sum, theme().text);
     ImGui::GetWindowDrawList()->AddLine(at, {ImGui::GetItemRectMax().x, at.y}, to_u32(theme().dim_text));
 }
 
@@ -94,7 +99,7 @@ void sum_table(UiState& state, const Explanation& explanation) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::TextUnformatted("tone, for e + a + d");
-        cells(sums.tone, theme().text);
+        cells("tone", sums.tone, theme().text);
     } else {
         term_row(state, Symbol::Emission, "e  emission", sums.emission, on.emission);
         term_row(state, Symbol::Ambient, "a  ambient", sums.ambient, on.ambient);

@@ -10,6 +10,7 @@
 #include "renderer/programs/gl_calls.h"
 #include "ui/diagnosis/my_picture.h"
 #include "ui/export/clipboard.h"
+#include "ui/fields/panels.h"
 #include "ui/inspector/equation/number_handle.h"
 #include "ui/inspector/equation/text_line.h"
 #include "ui/inspector/mistake_row.h"
@@ -221,7 +222,7 @@ void copy_button(UiState& state, const std::vector<GlCallGroup>& groups) {
 
 }  // namespace
 
-void program_tab(UiState& state, const PictureView&) {
+void program_tab(UiState& state, const PictureView& view) {
     Scene written_scene = state.editor.scene();
     std::vector<WrittenTransform> written;
     for (Object& object : written_scene.objects) {
@@ -243,7 +244,10 @@ void program_tab(UiState& state, const PictureView&) {
                                       groups[i].calls);
             else
                 for (const GlCall& call : groups[i].calls) (void)draw_call(state, state.editor.scene(), call);
-            if (groups[i].about.empty()) wrong_space_notes(state);
+            if (groups[i].about.empty()) {
+                note_fitted(state.editor.scene().camera, view.map.size);
+                wrong_space_notes(state);
+            }
         }
         ImGui::PopID();
         if (changed) {
