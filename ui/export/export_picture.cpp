@@ -111,12 +111,14 @@ Result<std::string> picture_file(const SceneDocument& document, const ExportOpti
 void begin_export(UiState& state, const ExportOptions& options, const std::string& path) {
     const std::string name = fs::path(path).filename().string();
     state.exporting.last = {options, name, state.editor.document.path};
+    std::error_code failed;  // a folder that is gone is told of when it is written to
+    const std::string folder = fs::absolute(path, failed).lexically_normal().parent_path().string();
     begin_picture(state, options, path,
-                  [path, name, options](const std::string& bytes) -> Result<std::string> {
+                  [path, name, folder, options](const std::string& bytes) -> Result<std::string> {
                       const auto written = write_file(path, bytes);
                       if (const Problem* problem = problem_of(written)) return *problem;
-                      return fmt::format("Saved {} ({} × {}, {} {} a pixel)", name, options.size.width,
-                                         options.size.height, options.samples,
+                      return fmt::format("Saved {} in {} ({} × {}, {} {} a pixel)", name, folder,
+                                         options.size.width, options.size.height, options.samples,
                                          options.samples == 1 ? "sample" : "samples");
                   });
 }

@@ -152,7 +152,8 @@ TEST_CASE("a picture saved or exported elsewhere reopens with its meshes", "[ui]
     bench.frames(2);
     begin_export(bench.state, {{64, 36}, 4}, exported);
     while (bench.state.exporting.job) bench.frame();
-    CHECK(bench.state.notifications.list.back().text == "Saved exported.png (64 × 36, 4 samples a pixel)");
+    CHECK(bench.state.notifications.list.back().text ==
+          "Saved exported.png in " + folder.path("pictures") + " (64 × 36, 4 samples a pixel)");
     bench.key(Key::F12);
     REQUIRE(bench.state.files.open);
     bench.state.files.folder = folder.path("pictures");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/vector_relational.hpp>
 #include <optional>
 
 #include "models/scene/reflection.h"
@@ -87,10 +88,12 @@ void against_phong(const UiState& state, const Explanation& explanation) {
         mono_text(shown_vector(value));
     };
     row("Phong", "The pixel lit at its own point, not at the corners", phong->sum);
-    if (lost.x + lost.y + lost.z > 0)
+    if (glm::all(glm::greaterThanEqual(lost, glm::vec3(0))))
         row("lost", "What lies between the corners, and so in none of their colours", lost);
-    else
+    else if (glm::all(glm::lessThanEqual(lost, glm::vec3(0))))
         row("too much", "What the corners bring here, though it does not reach this point", -lost);
+    else
+        row("differs", "What the corners bring here, less what is lost between them: − is lost", -lost);
 }
 
 /// The tone, which under cool to warm takes the place of emission, ambient and diffuse.
