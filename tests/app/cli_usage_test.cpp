@@ -69,6 +69,10 @@ TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-i
         {{"explain", scene}, "--pixel: is missing; expected X,Y as in --pixel 640,360"},
         {{"explain", scene, "--pixel", "900,20", "--size", "640x480"},
          "--pixel: 900,20 is outside the picture; expected 0 to 639, 0 to 479"},
+        {{"explain", scene, "--pixel", "0,480", "--size", "640x480"},  // rows count from 0
+         "--pixel: 0,480 is outside the picture; expected 0 to 639, 0 to 479"},
+        {{"explain", scene, "--pixel", "640,0", "--size", "640x480"},
+         "--pixel: 640,0 is outside the picture; expected 0 to 639, 0 to 479"},
         {{"explain", scene, "--pixel", "-1,5"},
          "--pixel: -1,5 is outside the picture; expected 0 to 1279, 0 to 719"},
         {{"explain", scene, "--pixel", "1.5,2"}, "--pixel: 1.5,2 is not a pixel; expected X,Y as in 640,360"},

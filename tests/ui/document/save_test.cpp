@@ -175,3 +175,16 @@ TEST_CASE("work that is taken up after a crash does not overwrite what was writt
         end_persistence(next.state);
     }
 }
+
+TEST_CASE("what is saved under a name without .json gets it, and in capitals it has it", "[ui][save]") {
+    const TemporaryDirectory folder;
+    for (const auto& [name, saved] :
+         {std::pair("plain", "plain.json"), {"a.scene", "a.scene.json"}, {"b.JSON", "b.JSON"}}) {
+        Editor editor;
+        take_document(editor, first_scene());
+        REQUIRE_FALSE(save_file(editor, folder.path(name)));
+        CHECK(editor.document.path == folder.path(saved));
+        CHECK(std::filesystem::exists(folder.path(saved)));
+    }
+    CHECK(folder.names() == std::vector<std::string>{"a.scene.json", "b.JSON", "plain.json"});
+}
