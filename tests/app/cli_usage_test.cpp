@@ -176,3 +176,12 @@ TEST_CASE("asked for --help or --version it answers on standard output, with sta
         CHECK(one.out.find(command + "  [") == std::string::npos);  // no gap where there is no FILE
     }
 }
+
+TEST_CASE("the least and the most of a count are taken, and one beyond is refused", "[cli]") {
+    CHECK(run_glint({"microfacets", "--rays", "1", "--facets", "4", "--seed", "2147483647"}).status == 0);
+    CHECK(run_glint({"microfacets", "--rays", "0"}).err ==
+          "glint: error: --rays: 0 is out of range; expected 1 to 100000\n");
+    CHECK(run_glint({"microfacets", "--rays", "100001"}).err ==
+          "glint: error: --rays: 100001 is out of range; expected 1 to 100000\n");
+    CHECK(run_glint({"microfacets", "--facets", "3"}).status == 2);
+}

@@ -122,6 +122,9 @@ TEST_CASE("names stay apart", "[ui]") {
     CHECK(free_name("Bulb", scene) == "Bulb 3");
     CHECK(free_name("Bulb 2", scene) == "Bulb 3");
     CHECK(free_name("4", scene) == "4");
+    scene.objects.resize(1);
+    scene.objects[0].name = "Bulb 3";  // what is listed together is told apart
+    CHECK(free_name("Bulb", scene) == "Bulb 4");
 }
 
 TEST_CASE("a folder lists folders first, then what serves the purpose, by name", "[ui]") {
