@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <filesystem>
 #include <functional>
+#include <optional>
+#include <string_view>
 
 #include "models/io/file.h"
 #include "models/scene_file/scene_file.h"
@@ -18,6 +21,7 @@
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
 #include "ui/widgets/named_controls.h"
+#include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -37,6 +41,27 @@ constexpr std::array sizes{NamedSize{"HD", {1280, 720}}, NamedSize{"Full HD", {1
                            NamedSize{"4K", {3840, 2160}}, NamedSize{"Square", {1024, 1024}}};
 constexpr std::array<int, 4> samples{1, 2, 4, 8};
 
+/// All of `text`, but for spaces around it, as a side of a picture.
+std::optional<int> side_in(std::string_view text) {
+    while (text.starts_with(' ')) text.remove_prefix(1);
+    while (text.ends_with(' ')) text.remove_suffix(1);
+    int side = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), side);
+    if (error != std::errc{} || end != text.data() + text.size()) return {};
+    return side >= 1 && side <= max_picture_side ? std::optional(side) : std::nullopt;
+}
+
+/// "800x600", "800 × 600".
+std::optional<PictureSize> size_in(std::string_view text) {
+    for (const std::string_view sign : {"x", "X", "×"}) {
+        const std::size_t at = text.find(sign);
+        if (at == std::string_view::npos) continue;
+        const auto width = side_in(text.substr(0, at)), height = side_in(text.substr(at + sign.size()));
+        if (width && height) return PictureSize{*width, *height};
+    }
+    return {};
+}
+
 void size_rows(UiState& state, ExportOptions& options) {
     const float room = label_cell("Size"), gap = px(3);
     std::vector<NamedSize> offered(sizes.begin(), sizes.end());
@@ -48,9 +73,14 @@ void size_rows(UiState& state, ExportOptions& options) {
         if (chosen_button(named.name, options.size == named.size, width)) options.size = named.size;
         list_control(named.name, "", last_item());
     }
-    const Help help{"Size of the picture, in pixels", ""};
-    (void)integer_field("Width", options.size.width, Count{1, 16384}, 1920, help);
-    (void)integer_field("Height", options.size.height, Count{1, 16384}, 1080, help);
+    const Help help{"Size of the picture, in pixels; 800x600 sets both", ""};
+    (void)take_refused_text();  // of another field
+    (void)integer_field("Width", options.size.width, Count{1, max_picture_side}, 1920, help);
+    (void)integer_field("Height", options.size.height, Count{1, max_picture_side}, 1080, help);
+    if (const std::optional<PictureSize> both = size_in(take_refused_text())) {
+        options.size = *both;
+        (void)take_said();
+    }
 }
 
 /// A new scene may have begun as the one that a first window shows, which has a file: what is shorter to say.

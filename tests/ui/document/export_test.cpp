@@ -12,6 +12,7 @@
 #include "tests/support/scenes.h"
 #include "ui/commands/command.h"
 #include "ui/export/clipboard.h"
+#include "ui/widgets/numbers/number_input.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -229,4 +230,31 @@ TEST_CASE("a picture goes to the clipboard through the desktop's tool, or its la
     CHECK(bench.state.notifications.list.back().tone == Tone::Error);
     setenv("PATH", path_before.c_str(), 1);
     display != nullptr ? setenv("DISPLAY", display_before.c_str(), 1) : unsetenv("DISPLAY");
+}
+
+TEST_CASE("a size typed into one field of the export sets both", "[ui][export][window]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    (void)bench.key(Key::E, true);
+    bench.frames(3);
+    PictureSize& size = bench.state.exporting.options.size;
+    const auto type = [&](const char* text) {
+        bench.click(bench.control("Width"));
+        bench.frames(2);
+        bench.type(text);
+        bench.click({5, 5});
+        bench.frames(2);
+    };
+    type("800x600");
+    CHECK(size == PictureSize{800, 600});
+    type(" 1024 X 768 ");
+    CHECK(size == PictureSize{1024, 768});
+    (void)take_said();
+    for (const char* wrong : {"0x600", "800x", "99999999999x600", "800x600x2", "one x two"}) {
+        CAPTURE(wrong);
+        bench.state.notifications.list.clear();
+        type(wrong);
+        CHECK(size.height == 768);
+        CHECK(bench.state.notifications.list.size() == 1);  // which says that it is not a number
+    }
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "ui/widgets/named_controls.h"
+#include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
@@ -24,7 +25,10 @@ std::string plain(std::string_view number) {
 }
 
 void copy_item(const char* label, const std::string& text) {
-    if (ImGui::MenuItem(label)) ImGui::SetClipboardText(text.c_str());
+    if (ImGui::MenuItem(label)) {
+        ImGui::SetClipboardText(text.c_str());
+        say(text + " is on the clipboard");
+    }
     list_control(label, "", last_item());
 }
 

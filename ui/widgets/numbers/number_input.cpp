@@ -48,7 +48,7 @@ struct Awaited {
     int frame = -1;
 };
 Awaited awaited;
-std::string said;
+std::string said, refused_text;
 
 bool is_held(ImGuiID id) { return hand.id == id && hand.frame + 1 >= ImGui::GetFrameCount(); }
 
@@ -92,6 +92,7 @@ bool end_typing(float& value, const Range& range) {
     if (text.empty() || text == typing.began_with) return assign(value, double(typing.before), range);
     const Calculated found = calculated(text, double(typing.before));
     if (!found.problem.empty()) {
+        refused_text = text;
         say(fmt::format("“{}” is not a number: {}. The field keeps {}", text, found.problem,
                         exact_text(typing.before)));
         return assign(value, double(typing.before), range);
@@ -285,5 +286,6 @@ bool number_in_hand() { return hand.id != 0 && GImGui->ActiveId == hand.id; }
 
 void say(const std::string& line) { said = line; }
 std::string take_said() { return std::exchange(said, {}); }
+std::string take_refused_text() { return std::exchange(refused_text, {}); }
 
 }  // namespace glint

@@ -58,6 +58,9 @@ void type_into(const std::string& pointer);
 
 /// One line that a control has to say since the last call, for a notification; empty when there is none.
 [[nodiscard]] std::string take_said();
+/// The text that was left last and is not a number, once: whoever draws the field may know better what it
+/// says.
+[[nodiscard]] std::string take_refused_text();
 void say(const std::string& line);
 
 /// The menu of a number, while it is open: Copy, Paste, Reset, Copy pointer. True when it set the value.
