@@ -180,6 +180,7 @@ bool known_function(std::string_view name) { return function_of(name) != nullptr
 
 std::vector<std::string> function_names() {
     std::vector<std::string> names;
+    names.reserve(std::size(functions));
     for (const Function& f : functions) names.emplace_back(f.name);
     return names;
 }
