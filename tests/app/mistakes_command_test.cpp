@@ -73,7 +73,7 @@ TEST_CASE("docs/diagnose.md shows every mistake as it is drawn now", "[cli][mist
     }
 }
 
-TEST_CASE("a pixel that is no number is explained as JSON all the same, and black in bytes",
+TEST_CASE("a pixel that is not a number is explained as JSON all the same, and black in bytes",
           "[cli][mistakes]") {
     const char* const ball =
         R"({"glint": 1, "lights": [{"type": "directional", "position": [0.6, 0, 0.8, 0]}],

@@ -99,7 +99,7 @@ TEST_CASE("a condition holds where its numbers say so", "[lesson]") {
     }
 }
 
-TEST_CASE("what is no number makes every comparison false", "[lesson]") {
+TEST_CASE("what is not a number makes every comparison false", "[lesson]") {
     for (const char* const symbol : {"=", "!=", "<", "<=", ">", ">="}) {
         CAPTURE(symbol);
         CHECK_FALSE(value_of("a.none " + std::string(symbol) + " 1").boolean());

@@ -284,7 +284,7 @@ TEST_CASE("a byte that wraps: 1.5 is 383 and so 127, -0.1 is 231; encoded once m
     CHECK(bytes_of({0.2140411f, 0, 1}, {1, true, true}) == std::array{188, 0, 255});  // once: 0.5
 }
 
-TEST_CASE("0 to the power 0 is no number where light arrives and the mirror points away, black as a byte",
+TEST_CASE("0 to the power 0 is not a number where light arrives and the mirror points away, black as a byte",
           "[mistakes]") {
     // From (0.8, 0, 0.6): r = (-0.8, 0, 0.6). Seen from (3, 0, 2) r.v < 0; from (0, 0, 5) it is 0.6.
     Scene scene = plate({sun_from({0.8f, 0, 0.6f})}, {&Mistakes::power_zero_is_nan});

@@ -49,7 +49,7 @@ TEST_CASE("a PFM may be grey, with the high byte first", "[image]") {
     CHECK(std::get<Picture>(read).linear == std::vector<float>{2, 2, 2, 1, 1, 1});
 }
 
-TEST_CASE("what is no PFM and no EXR is a problem", "[image][bad-input]") {
+TEST_CASE("what is neither a PFM nor an EXR is a problem", "[image][bad-input]") {
     const TemporaryDirectory directory;
     const std::string pfm = pfm_bytes(six_pixels(), 1), exr = exr_bytes(six_pixels(), 1);
     check_problem(read_pfm(directory.file("a.pfm", "")), "does not begin as a PFM");

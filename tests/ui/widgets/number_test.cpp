@@ -97,7 +97,7 @@ TEST_CASE("a calculation that begins with a sign goes on from the number that wa
     CHECK(value_of("-0.5") == -0.5);  // a number below 0, not a difference
 }
 
-TEST_CASE("what is no number has one reason why", "[ui][numbers]") {
+TEST_CASE("what is not a number has one reason why", "[ui][numbers]") {
     for (const char* text : {"", " ", "2*(3", "2+", "foo", "1 2", "sqrt 2", "sqrt(2", "1/0", "sqrt(-1)",
                              "inf", "nan", "-=", "*", ")", "2**3"}) {
         INFO(text);
@@ -153,7 +153,7 @@ TEST_CASE("Tab ends the typing and goes on with the next number", "[ui][window][
     CHECK(bench.scene().lights[0].diffuse.x == 0.25f);
 }
 
-TEST_CASE("what is no number leaves the number alone and says so in one line", "[ui][window][numbers]") {
+TEST_CASE("what is not a number leaves the number alone and says so in one line", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());
     bench.type("3*(");
