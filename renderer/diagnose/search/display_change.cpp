@@ -12,10 +12,40 @@ int steps_of(Code code) { return code == Code::Encoded ? 1 : code == Code::Decod
 
 float decoded(float x) { return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f); }
 
-/// In levels.
-float changed(const DisplayChange& change, float level) {
-    const float in = coded(change.before, std::clamp(level / 255, 0.0f, 1.0f));
-    return 255 * coded(change.after, std::min(change.gain * in, 1.0f));
+/// The curve `code` at every half level from -0.5 to 255.5, clamped to 0 to 1: [0] is that of -0.5.
+using HalfLevels = std::array<float, 513>;
+HalfLevels half_levels(Code code) {
+    HalfLevels table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const float level = (static_cast<float>(i) - 1) / 2;
+        table[i] = coded(code, std::clamp(level / 255, 0.0f, 1.0f));
+    }
+    return table;
+}
+const HalfLevels& half_levels_of(Code code) {
+    static const std::array<HalfLevels, 3> tables = {half_levels(Code::Same), half_levels(Code::Encoded),
+                                                     half_levels(Code::Decoded)};
+    return tables[static_cast<std::size_t>(code)];
+}
+
+/// What happens to brightnesses, in levels.
+class Change {
+  public:
+    explicit Change(const DisplayChange& change)
+        : in_(half_levels_of(change.before)), gain_(change.gain), after_(change.after) {}
+    /// What a level of half / 2 - 0.5 becomes.
+    [[nodiscard]] float at(std::size_t half) const {
+        return 255 * coded(after_, std::min(gain_ * in_[half], 1.0f));
+    }
+
+  private:
+    const HalfLevels& in_;
+    float gain_;
+    Code after_;
+};
+
+bool keeps_brightness(const DisplayChange& change) {
+    return change.gain == 1 && change.before == Code::Same && change.after == Code::Same;
 }
 
 }  // namespace
@@ -52,20 +82,30 @@ std::size_t changed_index(const DisplayChange& change, PictureSize size, int x, 
     return size.index(change.mirrored ? size.width - 1 - x : x, change.upside_down ? size.height - 1 - y : y);
 }
 
-ByteRanges byte_ranges(const DisplayChange& change) {
-    ByteRanges ranges;
-    const bool as_it_is = change.gain == 1 && change.before == Code::Same && change.after == Code::Same;
+ByteBounds byte_bounds(const DisplayChange& change) {
     constexpr float rounding = 0.5f;
-    for (std::size_t i = 0; i < ranges.size(); ++i) {
-        const auto level = static_cast<float>(i);
-        if (as_it_is) {
-            ranges[i] = {level, level, level};
-            continue;
-        }
-        // 255 may have been any brightness from there on before it was clamped.
-        ranges[i] = {changed(change, level - rounding) - rounding, changed(change, level),
-                     i == 255 ? 255 : changed(change, level + rounding) + rounding};
+    ByteBounds bounds;
+    if (keeps_brightness(change)) {
+        for (std::size_t i = 0; i < 256; ++i) bounds.low[i] = bounds.high[i] = static_cast<float>(i);
+        return bounds;
     }
+    const Change curve(change);
+    for (std::size_t i = 0; i < 256; ++i) {
+        const float edge = curve.at(2 * i);  // between the level before and this one
+        bounds.low[i] = edge - rounding;
+        if (i > 0) bounds.high[i - 1] = edge + rounding;
+    }
+    bounds.high[255] = 255;  // may have been any brightness from there on before it was clamped
+    return bounds;
+}
+
+ByteRanges byte_ranges(const DisplayChange& change) {
+    const ByteBounds bounds = byte_bounds(change);
+    const Change curve(change);
+    ByteRanges ranges;
+    for (std::size_t i = 0; i < ranges.size(); ++i)
+        ranges[i] = {bounds.low[i], keeps_brightness(change) ? bounds.low[i] : curve.at(2 * i + 1),
+                     bounds.high[i]};
     return ranges;
 }
 

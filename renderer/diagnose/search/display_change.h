@@ -3,6 +3,7 @@
 // were exchanged, brightened or encoded. A diagnosis finds this and takes it away before it looks for
 // mistakes.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -41,20 +42,28 @@ struct DisplayChange {
     return change.red_blue ? 2 - channel : channel;
 }
 
+/// Levels by which `level` lies outside of `low` to `high`.
+[[nodiscard]] inline float levels_outside(float low, float high, float level) {
+    return std::max(std::max(low - level, level - high), 0.0f);
+}
+
 /// What a byte of the scene's picture may have become, in levels of 0 to 255 with fractions: rounding and
 /// clamping leave a range.
 struct ByteRange {
     float low = 0, middle = 0, high = 0;
 
-    /// Levels by which `byte` lies outside.
     [[nodiscard]] float distance(std::uint8_t byte) const {
-        const auto b = static_cast<float>(byte);
-        const float below = low - b, above = b - high;
-        return below > above ? (below > 0 ? below : 0) : (above > 0 ? above : 0);
+        return levels_outside(low, high, static_cast<float>(byte));
     }
 };
 using ByteRanges = std::array<ByteRange, 256>;
 [[nodiscard]] ByteRanges byte_ranges(const DisplayChange& change);
+
+/// The same without the middle, which costs as much as both ends.
+struct ByteBounds {
+    std::array<float, 256> low{}, high{};
+};
+[[nodiscard]] ByteBounds byte_bounds(const DisplayChange& change);
 
 /// The curve of one code on 0 to 1.
 [[nodiscard]] float coded(Code code, float x);

@@ -135,9 +135,10 @@ class CheapestChanges {
         : mistakes_(mistakes.size()), drawn_(drawn), wrong_(wrong) {}
 
     void attempt(DisplayChange change) {
+        const ByteBounds bounds = byte_bounds(change);
         for (const bool soft : {false, true}) {
             change.soft = soft;
-            const double excess = excess_at(drawn_, wrong_, change, most_excess(change));
+            const double excess = excess_at(drawn_, wrong_, change, bounds, most_excess(change));
             const double cost = explanation_cost(excess, probe_noise, mistakes_, change);
             const auto after = std::find_if(kept_.begin(), kept_.end(),
                                             [cost](const CostedChange& c) { return cost < c.cost; });

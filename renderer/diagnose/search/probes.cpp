@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace glint {
 
@@ -68,22 +69,21 @@ WrongProbes::WrongProbes(const std::vector<Probe>& probes, const Picture& wrong,
 }
 
 double excess_at(const DrawnProbes& drawn, const WrongProbes& wrong, const DisplayChange& change,
-                 double enough) {
-    const ByteRanges ranges = byte_ranges(change);
+                 const ByteBounds& bounds, double enough) {
     const std::vector<Rgb>& mine = wrong.at(change);
     const Ground& ground = wrong.ground(change);
     const std::vector<Rgb>& lows = change.soft ? drawn.low : drawn.at;
     const std::vector<Rgb>& highs = change.soft ? drawn.high : drawn.at;
     double sum = 0;
-    for (std::size_t i = 0; i < mine.size() && sum <= enough; ++i)
+    for (std::size_t i = 0; i < mine.size() && sum <= enough; ++i) {
+        const bool shows_ground = drawn.bare[i] != 0 && ground.is_known;
         for (std::size_t c = 0; c < 3; ++c) {
             const std::size_t k = changed_channel(change, c);
-            const float bare = ground.levels[k];
-            const ByteRange range = drawn.bare[i] != 0 && ground.is_known
-                                        ? ByteRange{bare, bare, bare}
-                                        : ByteRange{ranges[lows[i][c]].low, 0, ranges[highs[i][c]].high};
-            sum += double(excess_of(range.distance(mine[i][k])));
+            const float low = shows_ground ? ground.levels[k] : bounds.low[lows[i][c]];
+            const float high = shows_ground ? ground.levels[k] : bounds.high[highs[i][c]];
+            sum += double(excess_of(levels_outside(low, high, static_cast<float>(mine[i][k]))));
         }
+    }
     return sum;
 }
 
@@ -98,17 +98,24 @@ Code inverse(Code code) {
     return code == Code::Encoded ? Code::Decoded : code == Code::Decoded ? Code::Encoded : Code::Same;
 }
 
-std::array<float, 256> code_table(Code code) {
-    std::array<float, 256> table{};
+using CodeTable = std::array<float, 256>;
+CodeTable filled_table(Code code) {
+    CodeTable table{};
     for (std::size_t i = 0; i < table.size(); ++i) table[i] = coded(code, static_cast<float>(i) / 255);
     return table;
+}
+const CodeTable& code_table(Code code) {
+    static const std::array<CodeTable, 3> tables = {filled_table(Code::Same), filled_table(Code::Encoded),
+                                                    filled_table(Code::Decoded)};
+    return tables[static_cast<std::size_t>(code)];
 }
 
 std::vector<Pair> gain_pairs(const DrawnProbes& drawn, const WrongProbes& wrong,
                              const DisplayChange& change) {
     constexpr std::uint8_t least = 4, most = 250;
     constexpr std::size_t enough = 200;
-    const auto before = code_table(change.before), after = code_table(inverse(change.after));
+    const CodeTable& before = code_table(change.before);
+    const CodeTable& after = code_table(inverse(change.after));
     const std::vector<Rgb>& mine = wrong.at(change);
     const std::size_t step = std::max<std::size_t>(1, mine.size() / enough);
     std::vector<Pair> pairs;
@@ -123,16 +130,25 @@ std::vector<Pair> gain_pairs(const DrawnProbes& drawn, const WrongProbes& wrong,
 }
 
 /// The ratio that half of the light lies below: what is bright counts more, as rounding spoils it less.
+/// Halves what is left to look at instead of sorting all.
 float median_ratio(std::vector<Pair>& pairs) {
-    std::sort(pairs.begin(), pairs.end(),
-              [](const Pair& a, const Pair& b) { return a.mine * b.drawn < b.mine * a.drawn; });
-    float all = 0, below = 0;
-    for (const Pair& p : pairs) all += p.drawn;
-    for (const Pair& p : pairs) {
-        below += p.drawn;
-        if (2 * below >= all) return p.mine / p.drawn;
+    const auto is_less = [](const Pair& a, const Pair& b) { return a.mine * b.drawn < b.mine * a.drawn; };
+    const auto light = [](float sum, const Pair& p) { return sum + p.drawn; };
+    const float all = std::accumulate(pairs.begin(), pairs.end(), 0.0f, light);
+    auto first = pairs.begin(), last = pairs.end();
+    float below = 0;  // the light before `first`
+    while (last - first > 1) {
+        const auto middle = first + (last - first) / 2;
+        std::nth_element(first, middle, last, is_less);
+        const float half = std::accumulate(first, middle, below, light);
+        if (2 * half >= all) {
+            last = middle;
+        } else {
+            below = half;
+            first = middle;
+        }
     }
-    return 1;  // not reached
+    return first->mine / first->drawn;
 }
 
 }  // namespace

@@ -69,13 +69,14 @@ class WrongProbes {
 inline constexpr float free_levels = 1;
 /// What a difference of so many levels counts: its square beyond what is free, at most 16.
 [[nodiscard]] inline float excess_of(float levels) {
-    const float beyond = levels > free_levels ? levels - free_levels : 0;
-    return beyond > 4 ? 16 : beyond * beyond;
+    const float beyond = std::max(levels - free_levels, 0.0f);
+    return std::min(beyond * beyond, 16.0f);
 }
 
-/// Sum of excess_of() over all channels of all probes; only as far as it is above `enough`.
+/// Sum of excess_of() over all channels of all probes; only as far as it is above `enough`. `bounds` are
+/// those of `change`.
 [[nodiscard]] double excess_at(const DrawnProbes& drawn, const WrongProbes& wrong,
-                               const DisplayChange& change, double enough);
+                               const DisplayChange& change, const ByteBounds& bounds, double enough);
 
 /// The gain under which `change` explains most channels; nothing where there is too little to tell it from.
 [[nodiscard]] std::optional<float> fitted_gain(const DrawnProbes& drawn, const WrongProbes& wrong,
