@@ -175,6 +175,9 @@ Json read_json(std::string_view text, const std::string& file) {
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     if (text.starts_with(byte_order_mark))  // the library would pass over this one
         throw ProblemFound{{file, "", "a second byte-order mark", "at most one before the text", 1}};
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)  // its end to the library
+        throw ProblemFound{
+            {file, "", "the byte 0x00", "text without it, which JSON never has", line_of(text, zero)}};
     Builder builder(text, file);
     try {
         Json::sax_parse(builder.begin(), builder.end(), &builder);  // what is wrong is thrown

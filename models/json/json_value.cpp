@@ -149,6 +149,7 @@ JsonValue JsonValue::array() { return JsonValue(Elements()); }
 JsonValue JsonValue::object() { return JsonValue(Members()); }
 
 std::optional<JsonValue> JsonValue::parse(std::string_view text) {
+    if (text.find('\0') != std::string_view::npos) return std::nullopt;  // the library would end there
     ValueBuilder builder;
     if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) return std::nullopt;
     return std::move(builder).take();

@@ -167,6 +167,11 @@ TEST_CASE("glint lobe tells how an object's surface reflects", "[cli][lobes]") {
     CHECK(along_r["specular"][0].get<double>() == Approx(1));
     CHECK(along_r["diffuse"][0].get<double>() == Approx(0.8 * 0.906308));
     CHECK(json["reflection"] == "phong");
+    const Ended second =
+        run_glint({"lobe", "-", "--object", "1", "--format", "json"},
+                  R"({"glint": 1, "objects": [{"name": "First", "mesh": {"primitive": "cube"}},
+                                    {"name": "Second", "mesh": {"primitive": "cube"}}]})");
+    CHECK(second.out.find("\"Second\"") != std::string::npos);
     CHECK(json["specular_energy"][0].get<double>() == Approx(2 * 3.14159265 / 22 * 0.906308).epsilon(1e-3));
 }
 
@@ -188,6 +193,13 @@ TEST_CASE("glint microfacets answers in JSON, the same for the same seed", "[cli
     const auto json = nlohmann::json::parse(ended.out);
     CHECK(json["rays"].size() == 500);
     CHECK(json["profile"].size() == 401);
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"microfacets", "--roughness", "0.3", "--angle", "60", "--rays", "500"});
+        return run_glint(more).out;
+    };
+    CHECK(with({"--seed", "10"}) != ended.out);
+    CHECK(with({"--seed", "9", "--view", "60"}) == ended.out);  // the viewer stands at the mirror angle
+    CHECK(with({"--seed", "9", "--view", "0"}) != ended.out);
     CHECK(json["sigma_deg"].get<double>() == Approx(27));
     double all = 0;
     for (const auto& share : json["shares"]) all += share.get<double>();

@@ -170,6 +170,13 @@ TEST_CASE("eight samples a pixel leave the inside of a plain picture alone and s
     };
     CHECK(in_between("1") == 0);
     CHECK(in_between("8") > 20);
+    const std::string bytes = bytes_of(directory.path("a.pfm"));
+    int odd_eighths = 0;  // which four samples do not give
+    for (int i = 0; i < 32 * 32; ++i) {
+        const float eighths = 8 * pfm_pixel(bytes, 32, 32, i % 32, i / 32)[0];
+        odd_eighths += std::abs(std::remainder(eighths - 1, 2.f)) < 0.01f ? 1 : 0;
+    }
+    CHECK(odd_eighths > 5);
 }
 
 TEST_CASE("standard input and output stand for files", "[cli][render]") {

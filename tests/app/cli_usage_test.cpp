@@ -1,5 +1,9 @@
 // What the command line answers to a wrong one: the exact line, the exit status, and nothing on standard
 // output. Lines are those that docs/interface.md gives or follow its form.
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -43,6 +47,10 @@ TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-i
         {{"render", scene, "-o", "noextension"}, "-o: noextension cannot be written" + formats},
         {{"render", scene, "-o", out, "--sze", "3x3"},
          "--sze: unknown option of glint render; expected --size or another that glint render --help lists"},
+        {{"render", scene, "-o", out, "--sze=3x3"},
+         "--sze: unknown option of glint render; expected --size or another that glint render --help lists"},
+        {{"explain", scene, "--pixel", "1,1", "--sensitivity", "--format", "latex"},
+         "--sensitivity: is not available as LaTeX; expected --format text or json"},
         {{"render", scene, "-o", out, "--size", "640x"}, "--size: 640x is not a picture size" + sizes},
         {{"render", scene, "-o", out, "--size", "0x5"}, "--size: 0x5 is not a picture size" + sizes},
         {{"render", scene, "-o", out, "--size", "1e3x2"}, "--size: 1e3x2 is not a picture size" + sizes},
@@ -99,6 +107,29 @@ TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-i
         check_error(run_glint(wrong.arguments), 2, wrong.line);
     }
     CHECK(directory.names() == std::vector<std::string>{"scene.json"});
+}
+
+TEST_CASE("behind -- a command's name is a file's", "[cli][bad-input]") {
+    const Ended ended = run_glint({"--", "render"});
+    CHECK(ended.status == 1);
+    CHECK(ended.err.rfind("glint: error: render: cannot read: no such file", 0) == 0);
+}
+
+TEST_CASE("a picture's name may be in capitals, and a pipe without a name's ending takes one", "[cli]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", sphere), picture = directory.path("a.png");
+    REQUIRE(run_glint({"render", scene, "-o", picture, "--size", "8x8"}).status == 0);
+    const std::string upper = directory.path("DIFFERENCE.PNG"), pipe = directory.path("pipe");
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    const int reader = ::open(pipe.c_str(), O_RDWR);  // so that who writes need not wait
+    REQUIRE(reader >= 0);
+    CHECK(run_glint({"compare", picture, picture, "-o", upper}).status == 0);
+    CHECK(run_glint({"compare", picture, picture, "-o", pipe}).status == 0);
+    std::string head(4, ' ');
+    CHECK(::read(reader, head.data(), head.size()) == 4);
+    ::close(reader);
+    CHECK(head == "\x89PNG");
+    CHECK(bytes_of(upper).substr(0, 4) == "\x89PNG");
 }
 
 TEST_CASE("what is wrong in --set is wrong usage, with the option in place of the file", "[cli][bad-input]") {

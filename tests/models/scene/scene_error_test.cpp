@@ -43,6 +43,8 @@ TEST_CASE("text that is not JSON is a problem with its line and what was expecte
         {"{'glint': 1}", R"(1: unexpected "'"; expected a key in quotes or "}")"},
         {R"({"glint": 1} x)", R"(1: unexpected "x"; expected the end of the text)"},
         {R"({"glint": 1}})", R"(1: unexpected "}"; expected the end of the text)"},
+        {std::string("{\"glint\": 1}\n\0}", 15),
+         "2: the byte 0x00; expected text without it, which JSON never has"},
         {"{\"glint\": 1,\n\n // c\n}", "3: a comment or a stray slash; expected JSON, which has no comments"},
         {R"(/* c */ {"glint": 1})", "1: a comment or a stray slash; expected JSON, which has no comments"},
         {"{\"glint\": 1,\n\"npr\": tru}", R"(2: unexpected "tru"; expected a value)"},

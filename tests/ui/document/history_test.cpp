@@ -102,7 +102,8 @@ TEST_CASE("each edit of another thing is a step of its own, however soon it foll
     CHECK_FALSE(undo(editor));
 }
 
-TEST_CASE("what was looked at between two edits is not a step, and undo leaves the view where it is", "[ui]") {
+TEST_CASE("what was looked at between two edits is not a step, and undo leaves the view where it is",
+          "[ui]") {
     History history;
     Scene scene = two_lights();
     history.reset(scene);

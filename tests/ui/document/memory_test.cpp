@@ -66,9 +66,11 @@ ViewPreferences odd_views() {
 }  // namespace
 
 TEST_CASE("the list of recent files takes nothing but whole paths, each once", "[ui][memory]") {
-    CHECK(read_recent_files(R"(["/a", 3, null, "/a", "b", "", {"x": 1}, "/c\nd", "/e", ["/f"]])") ==
+    CHECK(read_recent_files(
+              R"(["/a", 3, null, "/a", "b", "", {"x": 1}, "/c\nd", "/c\u007fd", "/e", ["/f"]])") ==
           std::vector<std::string>{"/a", "/e"});
     CHECK(read_recent_files("").empty());
+    CHECK(read_recent_files(std::string("[\"/a\"]\0x", 8)).empty());
     CHECK(read_recent_files(R"({"/a": 1})").empty());
     CHECK(read_recent_files("[\"/" + std::string(5000, 'x') + "\"]").empty());
     CHECK(read_recent_files(std::string(60'000, '[')).empty());

@@ -1,0 +1,41 @@
+// Adding and copying lights and objects.
+
+#include "ui/document/scene_edit.h"
+
+#include "models/scene_file/scene_file.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+
+TEST_CASE("as many lights are added as a scene may have, and not one more", "[ui][edit]") {
+    Scene scene;
+    scene.lights.resize(max_lights - 1);
+    CHECK(add_light(scene, LightKind::Point) == static_cast<int>(max_lights) - 1);
+    CHECK_FALSE(add_light(scene, LightKind::Point));
+    CHECK(scene.lights.size() == max_lights);
+}
+
+TEST_CASE("a copy stands behind what it copies and is selected", "[ui][edit]") {
+    Scene scene;
+    for (const char* name : {"A", "B", "C"}) scene.lights.emplace_back().name = name;
+    Selection selection{Selection::Kind::Light, 1};
+    duplicate(scene, selection);
+    CHECK(selection.index == 2);
+    REQUIRE(scene.lights.size() == 4);
+    CHECK(scene.lights[1].name == "B");
+    CHECK(scene.lights[2].name == "B 2");
+    CHECK(scene.lights[3].name == "C");
+}
+
+TEST_CASE("a new object stands to the right of all that is there", "[ui][edit]") {
+    // The cube reaches from 4 to 6.
+    Result<Scene> parsed = parse_scene(R"({"glint": 1, "objects": [{"mesh": {"primitive": "cube"},
+        "transform": {"translate": [5, 0, 0], "scale": [2, 2, 2]}}]})",
+                                       "s.json");
+    REQUIRE_FALSE(problem_of(parsed));
+    Scene scene = std::get<Scene>(std::move(parsed));
+    REQUIRE(problem_of(load_meshes(scene, "", "")) == nullptr);
+    const std::optional<int> added = add_object(scene, scene.objects[0].source);
+    REQUIRE(added == 1);
+    CHECK(scene.objects[1].transform.translate.x > 6);
+}
