@@ -50,6 +50,7 @@ std::vector<std::string> settings_in(const std::string& line) {
 TEST_CASE("docs/diagnose.md shows every mistake as it is drawn now", "[cli][mistakes][docs]") {
     const std::string docs = std::string(GLINT_SOURCE_DIR) + "/docs/";
     const std::string page = text_of(docs + "diagnose.md");
+    const std::string pictures = docs + "pictures/museum/";
     const TemporaryDirectory directory;
     const auto all = nlohmann::json::parse(run_glint({"mistakes", "--format", "json"}).out)["mistakes"];
     for (const auto& mistake : all) {
@@ -68,7 +69,8 @@ TEST_CASE("docs/diagnose.md shows every mistake as it is drawn now", "[cli][mist
         CHECK(settings.back() == "/shading/mistakes/" + name + "=true");
         line.insert(line.end(), settings.begin(), settings.end());
         REQUIRE(run_glint(line).status == 0);
-        const std::string shown = docs + "pictures/museum/" + name + ".png";
+        std::string shown = pictures;
+        shown.append(name).append(".png");
         CHECK(nlohmann::json::parse(run_glint({"compare", shown, drawn}).out)["max_error"] == 0);
     }
 }
