@@ -52,6 +52,11 @@ void refuse_extras(const CLI::App& app, const std::string& command) {
     }
 }
 
+/// Throws where a value is the empty text, as of a shell's variable that is not set.
+void require_text(const std::string& option, const std::string& text, const std::string& expected) {
+    if (text.empty()) throw wrong_usage(option, "is empty", expected);
+}
+
 /// CLI11's exceptions name the option somewhere in their words: "--size: 1 required WxH missing".
 Failure of_parse_error(const CLI::ParseError& error) {
     std::istringstream words(error.what());
@@ -113,11 +118,14 @@ std::string Options::help_text() const { return parts_->app.help(); }
 void Options::add_value(const std::string& names, const std::string& value_name, const std::string& help,
                         ReadValue read) {
     const std::string option = names.substr(names.rfind(',') + 1);
-    parts_->add(names, value_name, help, [option, read = std::move(read)](const CLI::results_t& given) {
+    const std::string expected = value_name.empty() ? help : value_name;
+    const auto read_one = [option, expected, read = std::move(read)](const CLI::results_t& given) {
         if (given.size() > 1) throw wrong_usage(option, "is given twice", "it once");
+        require_text(option, given.front(), expected);
         read(given.front());
         return true;
-    });
+    };
+    parts_->add(names, value_name, help, read_one);
 }
 
 void Options::add_values(const std::string& names, const std::string& value_name, const std::string& help,
@@ -129,8 +137,11 @@ void Options::add_values(const std::string& names, const std::string& value_name
 }
 
 void Options::add_words(const std::string& name, const std::string& help, ReadValue read) {
-    const auto read_all = [read = std::move(read)](const CLI::results_t& given) {
-        for (const std::string& text : given) read(text);
+    const auto read_all = [name, help, read = std::move(read)](const CLI::results_t& given) {
+        for (const std::string& text : given) {
+            require_text(name, text, help);
+            read(text);
+        }
         return true;
     };
     parts_->add(name, "", help, read_all)->expected(-1);

@@ -46,7 +46,7 @@ class Options {
 
     enum class Asked { Work, Help, Version };
     /// Splits the line and hands each value to the one who declared its option. Throws Failure for an option
-    /// that is not known, a value that is missing, a word too many, and whatever the readers throw.
+    /// that is not known, a value that is missing or empty, a word too many, and whatever the readers throw.
     [[nodiscard]] Asked parse(std::vector<std::string> arguments);
     [[nodiscard]] std::string help_text() const;
 

@@ -72,8 +72,8 @@ class Renderer {
 
     /// Explains the pixel as if the scene were `other`, which may differ from the drawn one in lights,
     /// materials, ambient light, display and shading, but in nothing that decides which face a pixel shows
-    /// (camera, meshes, transforms, `cull`) nor in strokes. Equal to render(other) and explain(), to the last
-    /// bit, at the cost of one pixel; the picture stays.
+    /// (camera, meshes, transforms, `cull`; lights too where lights_cull()) nor in strokes. Equal to
+    /// render(other) and explain(), to the last bit, at the cost of one pixel; the picture stays.
     [[nodiscard]] Explanation explain_as(const Scene& other, int x, int y) const;
 
     /// Object index at a pixel of the last picture, or -1.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -109,8 +110,12 @@ std::vector<MistakeSet> read_mistakes(const std::string& option, const std::stri
     for (const MistakeName& m : mistake_names()) known.emplace_back(m.name);
     std::vector<MistakeSet> mistakes;
     std::istringstream names(text);
-    for (std::string name; std::getline(names, name, ',');)
-        mistakes.push_back({read_word(option, name, known)});
+    for (std::string name; std::getline(names, name, ',');) {
+        const MistakeSet mistake{read_word(option, name, known)};
+        if (std::find(mistakes.begin(), mistakes.end(), mistake) != mistakes.end())
+            throw wrong_usage(option, "names " + name + " twice", "each once");
+        mistakes.push_back(mistake);
+    }
     if (mistakes.size() < 2 || mistakes.size() > most)
         throw wrong_usage(option, fmt::format("names {}", mistakes.size()), "two to four, commas between");
     return mistakes;

@@ -97,8 +97,12 @@ class Parser {
         return node;
     }
 
-    Node condition() {
+    /// A condition within brackets.
+    Node enclosed() {
         const Deeper deeper(depth_);
+        return condition();
+    }
+    Node condition() {
         Node left = both();
         while (take_word("or")) left = made(Kind::Or, "or", std::move(left), both());
         return left;
@@ -109,9 +113,9 @@ class Parser {
         return left;
     }
     Node inverse() {
+        if (!take_word("not")) return comparison();
         const Deeper deeper(depth_);
-        if (take_word("not")) return made(Kind::Not, "not", inverse());
-        return comparison();
+        return made(Kind::Not, "not", inverse());
     }
     Node comparison() {
         Node left = sum();
@@ -145,14 +149,15 @@ class Parser {
         }
     }
     Node negative() {
+        if (!take("-")) return power();
         const Deeper deeper(depth_);
-        if (take("-")) return made(Kind::Negate, "-", negative());
-        return power();
+        return made(Kind::Negate, "-", negative());
     }
     Node power() {
         Node base = postfix();
-        if (take("^")) return made(Kind::Arithmetic, "^", std::move(base), negative());
-        return base;
+        if (!take("^")) return base;
+        const Deeper deeper(depth_);
+        return made(Kind::Arithmetic, "^", std::move(base), negative());
     }
     Node postfix() {
         Node node = primary();
@@ -162,7 +167,7 @@ class Parser {
                 node = made(Kind::Member, name(), std::move(node));
             } else if (!rest_.empty() && rest_[0] == '[') {
                 rest_.remove_prefix(1);
-                node = made(Kind::Element, "", std::move(node), condition());
+                node = made(Kind::Element, "", std::move(node), enclosed());
                 require("]");
             } else {
                 return node;
@@ -171,7 +176,7 @@ class Parser {
     }
     Node primary() {
         if (take("(")) {
-            Node node = condition();
+            Node node = enclosed();
             require(")");
             return node;
         }
@@ -200,7 +205,7 @@ class Parser {
     std::vector<Node> listed(std::string_view end) {
         std::vector<Node> parts;
         if (take(end)) return parts;
-        do parts.push_back(condition());
+        do parts.push_back(enclosed());
         while (take(","));
         require(end);
         return parts;

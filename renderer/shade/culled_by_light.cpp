@@ -27,7 +27,7 @@ bool faces_away(const ObjectGeometry& object, std::uint32_t face, glm::dvec3 n, 
 }  // namespace
 
 std::vector<std::uint8_t> culled_by_light(const Scene& scene, const Geometry& g) {
-    if (!scene.shading.mistakes.culled_by_light) return {};
+    if (!lights_cull(scene)) return {};
     const std::vector<LightSource> sources = light_sources(scene);
     if (sources.empty()) return {};
     const glm::dvec4 light = first_light(sources);

@@ -29,14 +29,15 @@ template <Number F> F log2_of(F x) {
 /// 2^y for y >= -126 (below that a number without meaning), held at 2^127 above.
 template <Number F> F exp2_above(F y) {
     const F held = min(y, F(127));
-    const F magic = F(12582912.0f);  // 1.5 * 2^23: adding it leaves the nearest whole number in the low bits
+    // 1.5 * 2^23: adding it leaves the nearest whole number in the low bits, and its own low nine are zero.
+    const F magic = F(12582912.0f);
     const F shifted = held + magic;
     const F f = held - (shifted - magic);
     const F f2 = f * f;
     const F q =
         (F(0.69314718f) + F(0.24022651f) * f) +
         f2 * ((F(0.05550357f) + F(0.009618083f) * f) + f2 * (F(0.0013390863f) + F(0.00015453163f) * f));
-    const F scale = number_of_bits((bits_of(shifted) - 0x4b400000 + 127) << 23);
+    const F scale = number_of_bits((bits_of(shifted) + 127) << 23);
     return scale * (F(1) + f * q);
 }
 

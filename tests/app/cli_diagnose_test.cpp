@@ -1,5 +1,8 @@
 // glint diagnose and glint check as a user runs them.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "renderer/image/image_file.h"
@@ -156,8 +159,10 @@ TEST_CASE("glint diagnose --apart says which pixel tells mistakes apart", "[cli]
                                        "/shading/mistakes/" + names[i] + "=true", "--format", "json"});
         CHECK(json::parse(drawn.out)["byte"] == found["shows"][i]["color"]);
     }
-    CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed,view_reversed"}).out ==
-          "No change that is tried tells them apart by more than a level.\n");
+    CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed,missing_pi", "--set", "/objects=[]"})
+              .out == "No change that is tried tells them apart by more than a level.\n");
+    CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed,missing_pi,view_reversed"}).err ==
+          "glint: error: --apart: names view_reversed twice; expected each once\n");
     CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed"}).err ==
           "glint: error: --apart: names 1; expected two to four, commas between\n");
     CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed,x"})
@@ -182,6 +187,15 @@ TEST_CASE("glint check names the first buffer that differs", "[cli][buffers][che
     CHECK(answer["differs"]["found"] == "ours times 2");
 }
 
+TEST_CASE("glint check reads buffers that are EXR", "[cli][buffers][check]") {
+    const Files files;
+    const TemporaryDirectory buffers;
+    (void)files.drawn("right.exr", {"--buffers", buffers.path("")});
+    REQUIRE(std::filesystem::exists(buffers.path("sum.exr")));
+    CHECK(run_glint({"check", files.scene, buffers.path("")}).out.find("Nothing differs.\n") !=
+          std::string::npos);
+}
+
 TEST_CASE("glint check refuses bad input in one line", "[cli][check][bad-input]") {
     const Files files;
     const TemporaryDirectory buffers;
@@ -195,8 +209,12 @@ TEST_CASE("glint check refuses bad input in one line", "[cli][check][bad-input]"
     check(buffers.path(""), 1,
           buffers.path("") + ": holds none of the buffers; expected one of position, depth");
     (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});
-    const std::string depth = buffers.file("depth.pfm", "PF\n2 2\n-1.0\n" + std::string(48, '\0'));
-    check(buffers.path(""), 1, depth + ": has another size than position; expected 160x120");
+    for (const PictureSize size : {PictureSize{2, 120}, PictureSize{160, 2}}) {
+        const std::string depth =
+            buffers.file("depth.pfm", fmt::format("PF\n{} {}\n-1.0\n", size.width, size.height) +
+                                          std::string(std::size_t{12} * size.width * size.height, '\0'));
+        check(buffers.path(""), 1, depth + ": has another size than position; expected 160x120");
+    }
     const std::string position = buffers.file("position.pfm", "PF\n2 2\n-1.0\n");
     check(buffers.path(""), 1, position + ": ");
 }

@@ -1,4 +1,6 @@
 // The commands that look into pictures and surfaces, as a user runs them: profile, sheet, lobe.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -267,4 +269,21 @@ TEST_CASE("glint explain --sensitivity lists what the pixel depends on", "[cli][
     CHECK(json["sensitivity"].size() > 20);
     CHECK(json["sensitivity"][0].contains("pointer"));
     CHECK(json["no_effect"].size() > 20);
+}
+
+TEST_CASE("each channel's change is its own: a light's colours change the channel of their name alone",
+          "[cli][sensitivity]") {
+    const auto json = nlohmann::json::parse(run_glint({"explain", "-", "--pixel", "32,24", "--size", "64x48",
+                                                       "--sensitivity", "--format", "json"},
+                                                      ball)
+                                                .out);
+    int seen = 0;
+    for (const auto& number : json["sensitivity"])
+        for (int channel = 0; channel < 3; ++channel) {
+            if (number["pointer"] != fmt::format("/lights/0/diffuse/{}", channel)) continue;
+            CAPTURE(number.dump());
+            ++seen;
+            for (int c = 0; c < 3; ++c) CHECK((number["change"][c] > 0) == (c == channel));
+        }
+    CHECK(seen == 3);
 }

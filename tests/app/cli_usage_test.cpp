@@ -95,6 +95,13 @@ TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-i
          "-o: c.jpg cannot be written; expected a name that ends in .png"},
         {{"compare", "a.png", "b.png", "-o", "-"},
          "-o: standard output is the answer's; expected a name that ends in .png"},
+        {{"compare", "a.png", "b.png", "-o", ""}, "-o: is empty; expected DIFF.png"},
+        {{"compare", "", "b.png"}, "A.png: is empty; expected a picture"},
+        {{"render", scene, "-o", out, "--buffers", ""}, "--buffers: is empty; expected DIR"},
+        {{"info", scene, "--memory", ""}, "--memory: is empty; expected SIZE"},
+        {{"exercise", ""}, "NAME: is empty; expected a lesson by its name or number, or its file"},
+        {{"quiz", ""},
+         "ANSWERS: is empty; expected files that people saved from the page: counts them, as JSON"},
         {{"compare", "a.png", "b.png", "--max-error", "much"},
          "--max-error: much is not a number; expected 0 or more"},
         {{"compare", "a.png", "b.png", "--max-error", "inf"},
@@ -107,6 +114,17 @@ TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-i
         check_error(run_glint(wrong.arguments), 2, wrong.line);
     }
     CHECK(directory.names() == std::vector<std::string>{"scene.json"});
+}
+
+TEST_CASE("a file that is there is opened, though its name reads like a command", "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    (void)directory.file("rendr", "no scene");
+    const auto before = std::filesystem::current_path();
+    std::filesystem::current_path(directory.path());
+    const Ended ended = run_glint({"rendr"});
+    std::filesystem::current_path(before);
+    CHECK(ended.status == 1);
+    CHECK(ended.err.rfind("glint: error: rendr: ", 0) == 0);
 }
 
 TEST_CASE("behind -- a command's name is a file's", "[cli][bad-input]") {

@@ -103,6 +103,13 @@ TEST_CASE("wrong usage of glint lessons and glint exercise says what is wrong", 
     check_refused({"lessons", "5", "-o", "x.pdf"}, "expected a name that ends in .html, or -");
     check_refused({"lessons", "5", "--key"}, "--key: is without -o");
     check_refused({"lessons", "5", "--check", "-o", "x.html"}, "--check: stands beside -o");
+    const TemporaryDirectory directory;
+    (void)directory.file("ball.json", ball_scene);
+    for (const char* const name : {"one.md", "two.md"})
+        (void)directory.file(name, lesson_text("ball.json", "e.hit"));
+    check_refused({"exercise", directory.path(), "-o", directory.path("x.html")},
+                  directory.path() + ": 2 lessons are named; expected one of them");
+    check_refused({"lessons", directory.path(), "-o", directory.path("x.html")}, "2 lessons are named");
     check_refused({"exercise"}, "NAME: is missing");
     check_refused({"exercise", "5"}, "-o: is missing");
     check_refused({"exercise", "5", "-o", "x.pdf"}, "expected a name that ends in .html or .tex");
@@ -126,6 +133,7 @@ TEST_CASE("glint quiz writes the inventory and counts what a class has answered"
     const std::string page = directory.path("quiz.html");
     CHECK(run_glint({"quiz", "-o", page}).status == 0);
     CHECK(bytes_of(page).find("<!DOCTYPE html>") == 0);
+    CHECK(bytes_of(page).find("class=\"right\"") == std::string::npos);
     CHECK(run_glint({"quiz", "-o", "-", "--key"}).out.find("class=\"right\"") != std::string::npos);
     std::string answers = R"({"quiz": "x", "when": "before", "answers": [0)";
     for (int i = 1; i < 24; ++i) answers += ",0";

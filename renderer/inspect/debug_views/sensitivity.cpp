@@ -10,6 +10,7 @@
 
 #include "models/fields/scene_numbers.h"
 #include "renderer/renderer.h"
+#include "renderer/shade/culled_by_light.h"
 
 namespace glint {
 namespace {
@@ -41,7 +42,8 @@ class PixelProbe {
         if (set_number(scene, number.pointer, value)) return std::nullopt;
         if (problem_of(load_meshes(scene, document_.path, document_.mesh_dir)) != nullptr)
             return std::nullopt;
-        if (!number.moves_faces) return color_of(still_.explain_as(scene, x_, y_), scene);
+        if (!number.moves_faces && !lights_cull(scene))
+            return color_of(still_.explain_as(scene, x_, y_), scene);
         // What decides which face the pixel shows, or what is drawn over it: the picture is drawn anew.
         (void)moved_.render(scene, size_);
         return color_of(moved_.explain(x_, y_), scene);

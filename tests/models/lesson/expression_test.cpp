@@ -133,6 +133,33 @@ TEST_CASE("an expression says what is wrong with it", "[lesson][bad-input]") {
     }
 }
 
+TEST_CASE("an expression may be nested 32 deep, each bracket, sign, power and not a level",
+          "[lesson][bad-input]") {
+    struct Nested {
+        std::string open, value, close;
+    };
+    const auto repeated = [](const std::string& part, int times) {
+        std::string text;
+        for (int i = 0; i < times; ++i) text += part;
+        return text;
+    };
+    for (const Nested& n : {Nested{"(", "1", ")"},
+                            {"[", "1", "]"},
+                            {"sqrt(", "1", ")"},
+                            {"-", "1", ""},
+                            {"1^", "1", ""},
+                            {"not ", "true", ""},
+                            {"a.list[", "0", "]"}}) {
+        CAPTURE(n.open);
+        const auto nested = [&](int deep) {
+            return repeated(n.open, deep) + n.value + repeated(n.close, deep);
+        };
+        CHECK(problem_of(Expression::parse(nested(32))) == nullptr);
+        CHECK(problem_with(nested(33)).find("nested too deep; expected at most 32 levels") !=
+              std::string::npos);
+    }
+}
+
 TEST_CASE("the part of a condition that is false is shown with its values", "[lesson]") {
     const auto shown = [](const std::string& text) {
         return std::get<Expression>(Expression::parse(text)).with_values(names());

@@ -84,6 +84,26 @@ TEST_CASE("sensitivity: the pixel changes with each number as the equation's der
     }));
 }
 
+TEST_CASE("sensitivity: a light that culls faces moves them", "[sensitivity][mistakes]") {
+    SceneDocument document = balls();
+    document.scene.shading.mistakes.culled_by_light = true;
+    document.scene.objects.resize(1);
+    Object& cube = document.scene.objects[0];
+    cube.source = PrimitiveMesh{Primitive::Cube, 1};
+    cube.mesh = primitive(Primitive::Cube, 1);
+    document.scene.shading.cull = Cull::Back;  // behind that face is the background
+    constexpr float z = 5e-5f, h = 1e-4f;      // h: of 0.1, the least that is taken for the size of a number
+    document.scene.lights[0].position = {1, 0, z, 0};  // grazes the face before the eye
+    const auto drawn = [&document](float at) {
+        Scene scene = document.scene;
+        scene.lights[0].position.z = at;
+        return glm::dvec3(Renderer(1).render(scene, sensitive_size, true).linear_at(32, 24));
+    };
+    const double expected = (drawn(z + h).x - drawn(z - h).x) / (2.0 * h);
+    REQUIRE(std::abs(expected) > 100);
+    CHECK(change_of(of_pixel(document, 32, 24), "/lights/0/position/2").x == Approx(expected));
+}
+
 TEST_CASE("sensitivity: what moves faces is drawn anew: the change is that between two pictures",
           "[sensitivity]") {
     const SceneDocument document = balls();

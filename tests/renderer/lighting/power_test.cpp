@@ -65,6 +65,13 @@ TEST_CASE("anything to the power 0 is 1, and 0 to any other power is 0", "[power
     CHECK(power(1e-40f, 2.0f) == 0.0f);
 }
 
+TEST_CASE("a power below what a float holds is 0, however large the exponent", "[power]") {
+    for (const float s : {1e5f, 1e7f, 3e8f, 1e30f}) {
+        CHECK(power(0.3f, s) == 0.0f);
+        CHECK(power(1.2e-38f, s) == 0.0f);
+    }
+}
+
 TEST_CASE("the peak of a highlight is exactly 1 at any shininess", "[power]") {
     for (float s = 0; s <= 10000; s += 7) CHECK(power(1.0f, s) == 1.0f);
 }

@@ -1,4 +1,5 @@
 // What outlives the window.
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <random>
@@ -307,6 +308,22 @@ TEST_CASE("unsaved work is copied, found after a crash and taken up, and no wind
     next.state.editor.saved = next.scene();
     next.frames(2);
     CHECK(copies_in(folder) == 0);
+}
+
+TEST_CASE("of copies that were left the newest stands first", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    const auto leave = [&folder](const std::string& name, int hours_ago) {
+        const std::string copy =
+            folder.file(name + ".autosave", "{\"path\": \"/" + name + ".json\", \"scene\": {\"glint\": 1}}");
+        std::filesystem::last_write_time(
+            copy, std::filesystem::file_time_type::clock::now() - std::chrono::hours(hours_ago));
+    };
+    leave("middle", 2);
+    leave("newest", 1);
+    leave("oldest", 3);
+    std::vector<std::string> titles;
+    for (const OrphanedAutosave& copy : orphaned_autosaves(folder.path(""))) titles.push_back(copy.title);
+    CHECK(titles == std::vector<std::string>{"newest.json", "middle.json", "oldest.json"});
 }
 
 TEST_CASE("a copy is loaded aside like any other file, and one that is cancelled is offered again",

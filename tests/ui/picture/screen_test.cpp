@@ -133,3 +133,16 @@ TEST_CASE("moving away widens the depth range, but a near plane set into the sce
     keep_depth_range(camera, before, box);
     CHECK(camera.projection == before.projection);
 }
+
+TEST_CASE("a frustum's window shrinks with its near plane, so that the angle stays", "[ui]") {
+    const Camera before{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Frustum{-0.5f, 0.25f, -0.125f, 0.75f, 1, 10}};
+    Camera camera = before;
+    camera.eye.z = 1.5f;
+    keep_depth_range(camera, before, {{-1, -1, -1}, {1, 1, 1}});
+    const Frustum& window = std::get<Frustum>(camera.projection);
+    REQUIRE(window.near < 0.5f);
+    CHECK(window.left == Approx(-0.5f * window.near));
+    CHECK(window.right == Approx(0.25f * window.near));
+    CHECK(window.bottom == Approx(-0.125f * window.near));
+    CHECK(window.top == Approx(0.75f * window.near));
+}
