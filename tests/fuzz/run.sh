@@ -72,10 +72,18 @@ install_packages "$glint_root/cmake/packages.txt" "$glint_root/cmake/packages-ci
 # shellcheck disable=SC2086,SC2046  # one argument a target
 build fuzz OFF $(printf 'fuzz_%s ' $names)
 
+# As many at once as there are processors.
 seconds=$1
 failed=0
+running=()
 for target in $names; do
     mkdir -p "$tree/found/$target" "$tree/failed"
-    if [ "$1" = merge ]; then merge "$target"; else run "$target" || failed=1; fi
+    if [ ${#running[@]} -ge "$(nproc)" ]; then
+        wait "${running[0]}" || failed=1
+        running=("${running[@]:1}")
+    fi
+    if [ "$1" = merge ]; then merge "$target" & else run "$target" & fi
+    running+=($!)
 done
+for job in "${running[@]}"; do wait "$job" || failed=1; done
 exit $failed
