@@ -10,10 +10,10 @@ start_display 1100x760
 start_glint "$(dirname "$0")/../../assets/scenes/default.json"
 # The display forgets a window that it does not show, and asks for all of it when it does again.
 same_when_drawn_anew() { # after $1
-    sleep 0.7 # tooltips and full pictures come when the hand rests
+    wait_for_rest
     import -window root "$work/kept.png"
     xdotool windowunmap --sync "$window" windowmap --sync "$window" windowfocus "$window"
-    sleep 0.7
+    wait_for_rest
     import -window root "$work/anew.png"
     local different
     different=$(difference kept anew)
