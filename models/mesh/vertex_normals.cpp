@@ -104,7 +104,7 @@ void add_triangle(const Mesh& mesh, std::uint32_t first, NormalWeighting weighti
     if (!(plane.area > 0)) return;
     std::array<double, 3> weight{1, 1, 1};
     if (weighting == NormalWeighting::Area) weight.fill(plane.area);
-    if (weighting == NormalWeighting::Angle) {  // all three crosses of two edges are 2 area long
+    if (weighting == NormalWeighting::Angle) {  // |cross product of two edges| = 2 area
         const glm::dvec3 a(p[v[0]]), ab = glm::dvec3(p[v[1]]) - a, ac = glm::dvec3(p[v[2]]) - a, bc = ac - ab;
         weight = {angle_of(glm::dot(ab, ac), 2 * plane.area), angle_of(-glm::dot(ab, bc), 2 * plane.area),
                   angle_of(glm::dot(ac, bc), 2 * plane.area)};

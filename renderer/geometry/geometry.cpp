@@ -35,7 +35,8 @@ void transform_vertices(ObjectGeometry& object, VertexJob job) {
 
 using VertexList = std::shared_ptr<const std::vector<std::uint32_t>>;
 
-/// The corners' vertices, once a mesh: a triangle's own list of corners is one step further away.
+/// The vertex of each triangle's corner. Made once for each mesh, because looking it up by way of the
+/// triangle's corner takes one more step in memory.
 VertexList list_triangle_vertices(const Mesh& mesh) {
     std::vector<std::uint32_t> list;
     list.reserve(3 * mesh.triangles.size());

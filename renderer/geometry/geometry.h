@@ -20,8 +20,11 @@ inline constexpr std::uint32_t no_triangle = 0xFFFFFFFFu;
 struct ObjectGeometry {
     MeshPtr mesh;
     Transform transform;
-    bool visible = true;    // false: none of its triangles is drawn; they keep their numbers
-    bool mirrored = false;  // the transform turns the winding over; facets stay outward all the same
+    bool visible = true;  // false: none of its triangles is drawn; they keep their numbers
+    // The transform contains a reflection (determinant < 0). Corners then run the other way round on the
+    // screen, so visibility/draw_tile.h exchanges front and back. Normals need no change: the inverse
+    // transpose keeps them pointing outward.
+    bool mirrored = false;
     std::uint32_t first_triangle = 0;  // its triangles have the global numbers first_triangle + 0, 1, 2, ...
     glm::dmat4 view_from_object{1.0}, clip_from_object{1.0};
     glm::dmat3 normal_matrix{1.0};  // inverse transpose of its upper 3 x 3

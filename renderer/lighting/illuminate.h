@@ -59,9 +59,10 @@ template <Number F> Attenuation<F> attenuation(const LightAt<F>& light, const Li
 /// The equation for one light and one point. `colors`: colors_on(m, light), which is the same at all points;
 /// `light_vector` and `attenuation`: what the functions of these names give here. Degenerate input: a light
 /// at the point has l = 0, so only its ambient share is left; n = 0 likewise; l = -v gives h = 0. No result
-/// is NaN while products of light, material and falloff stay finite. `may_err`: false where the caller knows
-/// that equation.mistakes is null; text that is not even compiled costs the kernels no registers.
-template <bool may_err = true, Number F>
+/// is NaN while products of light, material and falloff stay finite. `with_mistakes`: set it to false where
+/// equation.mistakes is null. The code of the mistakes is then not compiled, which saves registers in the
+/// kernels.
+template <bool with_mistakes = true, Number F>
 LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, const MaterialAt<F>& m,
                          const LightColors<F>& colors, const LightVector<F>& light_vector,
                          const Attenuation<F>& attenuation, const PointAt<F>& at) {
@@ -71,32 +72,32 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
     t.falloff = attenuation.falloff;
     if (light.is_patch) t.falloff = patch_factor(light, t.directions.l, t.distance);
     t.spot = light.has_cone ? spot_factor(light, t.directions.l) : F(1);
-    [[maybe_unused]] const Mistakes* const wrong = may_err ? equation.mistakes : nullptr;
-    if constexpr (may_err) {
+    [[maybe_unused]] const Mistakes* const wrong = with_mistakes ? equation.mistakes : nullptr;
+    if constexpr (with_mistakes) {
         if (wrong) apply_light_mistakes(*wrong, light, t.distance, t.directions.l, t.falloff, t.spot);
         if (wrong) apply_direction_mistakes(*wrong, equation.model, t.directions, light_vector, at);
     }
-    const F share = t.falloff * t.spot;  // of all three terms, as in OpenGL 2.1, section 2.14.1
+    const F reaching = t.falloff * t.spot;  // scales all three terms, as in OpenGL 2.1, section 2.14.1
 
     const auto lit_side = t.directions.n_dot_l > F(0);
     t.response = respond(equation.model, t.directions, m, at);
     t.response.specular = select<F>(lit_side, t.response.specular, Vec3<F>{});  // no highlight from behind
-    if constexpr (may_err)
+    if constexpr (with_mistakes)
         if (wrong)
             apply_response_mistakes(*wrong, equation.power_table, equation.model, t.response, t.directions, m,
                                     at);
 
-    if (equation.terms.ambient && light.has_ambient) t.ambient = share * colors.ambient;
+    if (equation.terms.ambient && light.has_ambient) t.ambient = reaching * colors.ambient;
     if (wrong && wrong->ambient_per_light_added_twice) t.ambient = F(2) * t.ambient;
-    F diffuse = share * t.response.diffuse;
-    Vec3<F> specular = share * t.response.specular;
+    F diffuse = reaching * t.response.diffuse;
+    Vec3<F> specular = reaching * t.response.specular;
     if (wrong) diffuse = held_share(diffuse);
     if (wrong || !info_of(equation.model).is_bounded) {
         specular = {held_share(specular.x), held_share(specular.y), held_share(specular.z)};
     }
     if (equation.terms.diffuse) t.diffuse = diffuse * colors.diffuse;
     if (equation.terms.specular) t.specular = specular * colors.specular;
-    if constexpr (may_err)
+    if constexpr (with_mistakes)
         if (wrong)
             apply_undefined_power(*wrong, equation.model, t.directions, m, t.response.specular,
                                   equation.terms.specular ? &t.specular : nullptr);

@@ -27,7 +27,7 @@ struct LightSource {
     Float3 axis;
     float cos_cutoff = -1, exponent = 0;
     float patch = 0;
-    float distance_scale = 1;  // more where a place too far for floats stands that many times nearer
+    float distance_scale = 1;  // true distance divided by |xyz|: above 1 where a far source was moved nearer
     bool has_falloff = false, has_cone = false, is_patch = false;
     int light = 0;  // index in Scene::lights
     bool operator==(const LightSource&) const = default;
@@ -37,7 +37,7 @@ struct LightSource {
 struct SurfaceMaterial {
     Float3 k_a, k_d, k_s, f0;
     float shininess = 0, roughness = 0;
-    float faintest_squared = 0;       // see MaterialAt; the same in all modes
+    float min_cosine_squared = 0;     // see MaterialAt
     Float3 emission, global_ambient;  // k_e and k_a I_a: what is there without any light
 };
 

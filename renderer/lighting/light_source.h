@@ -39,8 +39,8 @@ template <Number F> F falloff(const LightAt<F>& light, F r) {
     return inverse_or_zero(falloff_polynomial(light.constant, light.linear, light.quadratic, r));
 }
 
-/// The cosine of the angle between the axis of a spot and the ray to the point, times |v|, for v towards the
-/// light.
+/// |v| times the cosine of the angle between the spot's axis and the ray from the light to the point. v
+/// points from the surface point to the light.
 template <Number F> F along_axis(const LightAt<F>& light, Vec3<F> v) { return -dot(v, light.axis); }
 
 /// cos(angle)^exponent between the spot's axis and the ray to the point, 0 outside the cone; the edge is

@@ -64,9 +64,9 @@ template <Number F> F nearest_entry(F cosine, int entries) {
 
 /// c^shininess for c that may exceed 1, as the dot product of vectors that are not unit does.
 template <Number F> F unheld_highlight(F c, const MaterialAt<F>& m) {
-    const F squared = max(c * c, m.faintest_squared), most = F(0x1p127f);
+    const F squared = max(c * c, m.min_cosine_squared), most = F(0x1p127f);
     const F power = min(power_of_root(min(squared, most), m.shininess), most);
-    return select(c * abs(c) > m.faintest_squared, power, F(0));
+    return select(c * abs(c) > m.min_cosine_squared, power, F(0));
 }
 
 /// The cosine that this program raises to the shininess.

@@ -29,14 +29,13 @@ template <Number F> LightAt<F> light_at(const LightSource& s) {
 }
 
 template <Number F> MaterialAt<F> material_at(const SurfaceMaterial& s) {
-    return {broadcast<F>(s.k_a),   broadcast<F>(s.k_d), broadcast<F>(s.k_s), F(s.shininess),
-            F(s.faintest_squared), F(s.roughness),      broadcast<F>(s.f0)};
+    return {broadcast<F>(s.k_a),     broadcast<F>(s.k_d), broadcast<F>(s.k_s), F(s.shininess),
+            F(s.min_cosine_squared), F(s.roughness),      broadcast<F>(s.f0)};
 }
 
 /// A point with its direction to the eye: from p to the eye, or (0, 0, 1) for a viewer at infinity. The
 /// kernels name `any_mistake` themselves: a branch that is never taken would cost them registers.
-template <Number F>
-PointAt<F> seen_from_eye(const LightJob& job, bool any_mistake, Vec3<F> p, Vec3<F> n) {
+template <Number F> PointAt<F> seen_from_eye(const LightJob& job, bool any_mistake, Vec3<F> p, Vec3<F> n) {
     if (any_mistake) return mistakenly_seen(job, p, n);
     const Vec3<F> toward_z{F(0), F(0), F(1)};
     return PointAt<F>(p, n, job.infinite_viewer ? toward_z : unit(broadcast<F>(job.eye) - p));

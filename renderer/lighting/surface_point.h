@@ -20,9 +20,10 @@ template <Number F> struct PointAt {
 template <Number F> struct MaterialAt {
     Vec3<F> k_a, k_d, k_s;  // linear RGB
     Exponent<F> shininess;
-    F faintest_squared{};  // cosines whose squares, with their signs, are not above this give no highlight
-    F roughness{};         // 0 to 1
-    Vec3<F> f0;            // reflectance at normal incidence
+    F min_cosine_squared{};  // no highlight where c |c| is not above this: cos^shininess would be too small
+                             // to see
+    F roughness{};           // 0 to 1
+    Vec3<F> f0;              // reflectance at normal incidence
 };
 
 /// What a reflection model makes of one light: the factors of the diffuse and of the specular term.
@@ -81,14 +82,14 @@ template <Number F> Directions<F> directions_for(Vec3<F> l, const PointAt<F>& at
 }
 
 /// c^shininess for the cosine c = scaled / length, of any sign, as (c^2)^(shininess / 2), so that no
-/// square root is taken. 0 where c^2, with c's sign, is not above `faintest_squared`, as over much of a
+/// square root is taken. 0 where c^2, with c's sign, is not above `min_cosine_squared`, as over much of a
 /// picture.
 template <Number F> F highlight(F scaled, F length_squared, const MaterialAt<F>& m) {
     const F squared = max(length_squared, F(smallest_normal));
-    const auto seen = scaled * abs(scaled) > m.faintest_squared * squared;
+    const auto seen = scaled * abs(scaled) > m.min_cosine_squared * squared;
     if (!any(seen)) return F(0);
     // Where h is all but lost to rounding, the quotient may be anything.
-    const F cosine_squared = min(max(scaled * scaled / squared, m.faintest_squared), F(1));
+    const F cosine_squared = min(max(scaled * scaled / squared, m.min_cosine_squared), F(1));
     return select(seen, power_of_root(cosine_squared, m.shininess), F(0));
 }
 template <Number F> F highlight(F cosine, const MaterialAt<F>& m) { return highlight(cosine, F(1), m); }

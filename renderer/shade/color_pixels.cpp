@@ -114,10 +114,10 @@ void color_batch(Lighting& l, const Surface& s, const Strokes& strokes, const Di
     for_stretches(todo.light & there, [&](std::size_t i, std::size_t count) {
         color_groups(l, s, first + i, count, &colors[i]);
     });
-    for_stretches(todo.leave_dark & there, [&](std::size_t i, std::size_t count) {
+    for_stretches(todo.others_only & there, [&](std::size_t i, std::size_t count) {
         std::copy_n(l.moving_light.others(first + i), count, &colors[i]);
     });
-    for_stretches((todo.light | todo.leave_dark) & there, [&](std::size_t begin, std::size_t count) {
+    for_stretches((todo.light | todo.others_only) & there, [&](std::size_t begin, std::size_t count) {
         for (std::size_t i = begin; i < begin + count; ++i) {
             const PixelGroup& group = s.groups[first + i];
             draw_over(strokes, l.npr.stroke, group.first_pixel, group.mask, colors[i]);

@@ -40,8 +40,9 @@ double max_light(const std::vector<Object>& objects) {
     return largest_product / static_cast<double>(most);
 }
 
-/// Puts a source, of an area light a sample with this patch, at its place; one whose distance squared no
-/// float holds, nearer to the eye in the same direction, and what depends on its distance is worked out here.
+/// Sets the position of a light source, or of one sample of an area light with the area factor `patch`. Where
+/// a float cannot hold the squared distance, the source is moved nearer to the eye in the same direction, and
+/// its falloff is computed here, from the true distance.
 void put_at(LightSource& source, const glm::dvec3& position, double patch) {
     constexpr double near_float_limit = 1e38;
     const double distance = glm::length(position), nearer = share_of_way(position);
@@ -154,8 +155,8 @@ void add_area(std::vector<LightSource>& sources, LightSource source, const Light
 struct LightsOfScene {
     const Scene& scene;
     glm::dmat4 view;
-    double most;     // of a light's colour
-    double divisor;  // of every light's share
+    double max_color;  // each component of a light's colour times its intensity is clamped to this
+    double divisor;    // every light's intensity is divided by this
 };
 
 void add_directional(std::vector<LightSource>& sources, LightSource s, const Light& light, const Frame& frame,
@@ -174,10 +175,9 @@ void add_light(std::vector<LightSource>& sources, const LightsOfScene& all, std:
     LightSource s;
     s.light = static_cast<int>(index);
     const glm::dvec3 intensity(static_cast<double>(light.intensity) / all.divisor);
-    const double most = all.most;
-    s.ambient = product(light.ambient, intensity, most);
-    s.diffuse = product(light.diffuse, intensity, most);
-    s.specular = product(light.specular, intensity, most);
+    s.ambient = product(light.ambient, intensity, all.max_color);
+    s.diffuse = product(light.diffuse, intensity, all.max_color);
+    s.specular = product(light.specular, intensity, all.max_color);
     const bool directional = light.kind == LightKind::Directional;
     if (directional && !mistakes.direction_is_position)
         return add_directional(sources, s, light, frame, mistakes);
@@ -253,7 +253,7 @@ double share_divisor(const Scene& scene) {
     return static_cast<double>(std::max(enabled, decltype(enabled){1}));
 }
 
-float faintest_cosine_squared(float shininess) {
+float min_cosine_squared(float shininess) {
     return shininess > 0 ? static_cast<float>(std::exp2(-48.0 / static_cast<double>(shininess)))
                          : std::numeric_limits<float>::lowest();  // anything to the power 0 is 1
 }
@@ -267,7 +267,7 @@ SurfaceMaterial surface_material(const Material& m) {
     s.shininess = m.shininess;
     s.roughness = m.roughness;
     s.emission = to_float3(m.emission);
-    s.faintest_squared = faintest_cosine_squared(m.shininess);
+    s.min_cosine_squared = min_cosine_squared(m.shininess);
     return s;
 }
 
@@ -306,7 +306,7 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& given,
     job.clamp = opengl && at_corners;
     apply_job_mistakes(scene, size, job);
     job.grid = rounding_grid(job);
-    job.material.faintest_squared = faintest_cosine_squared(job.material.shininess);
+    job.material.min_cosine_squared = min_cosine_squared(job.material.shininess);
     return job;
 }
 

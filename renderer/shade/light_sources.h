@@ -44,6 +44,6 @@ inline constexpr float opengl_max_shininess = 128;
 
 /// The square of the cosine whose power is 2^-24, the last bit of a highlight of 1; the lowest float,
 /// below every square with its sign, for a shininess of 0, where every cosine counts (0^0 is 1).
-[[nodiscard]] float faintest_cosine_squared(float shininess);
+[[nodiscard]] float min_cosine_squared(float shininess);
 
 }  // namespace glint

@@ -16,8 +16,8 @@ namespace glint {
 
 /// Tells which of 16 groups of pixels have to be coloured again; bit i: group i. The rest are up to date.
 struct GroupsToDo {
-    unsigned light = 0xFFFF;  // to be lit with the moving light, or with all
-    unsigned leave_dark = 0;  // to show the sum of the others: the moving light has just left them
+    unsigned light = 0xFFFF;   // to be lit with the moving light, or with all
+    unsigned others_only = 0;  // the moving light no longer reaches them: they show the sum of the others
 };
 
 class MovingLight {

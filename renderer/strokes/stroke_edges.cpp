@@ -29,22 +29,23 @@ class Selector {
     void examine(std::size_t edge, std::vector<StrokeEdge>& found) const {
         const auto uses = edges_.topology.uses_of(edge);
         const glm::dvec3 e = to_eye(edge);
-        int facets = 0, least = 1, most = -1;  // of side()
+        int facets = 0, min_side = 1, max_side = -1;
         for (const EdgeUse& use : uses) {
             const glm::dvec3& n = edges_.facet_normals[use.face];
             if (n == glm::dvec3(0)) continue;
             ++facets;
-            least = std::min(least, side(e, n));
-            most = std::max(most, side(e, n));
+            min_side = std::min(min_side, side(e, n));
+            max_side = std::max(max_side, side(e, n));
         }
-        if (facets == 0 || (choice_.cull == Cull::Back && most < 0) ||
-            (choice_.cull == Cull::Front && least > 0))
+        if (facets == 0 || (choice_.cull == Cull::Back && max_side < 0) ||
+            (choice_.cull == Cull::Front && min_side > 0))
             return;
-        const bool differ = facets > 1 && least * most <= 0;
+        // One facet faces the eye and another does not, or one is seen edge-on.
+        const bool differ = facets > 1 && min_side <= 0 && max_side >= 0;
         const bool is_silhouette = choice_.silhouettes && (uses.size() == 1 || differ);
         if (is_silhouette || (choice_.creases && facets > 1 && is_crease(uses)))
             found.push_back({static_cast<std::uint32_t>(edge), differ || facets == 1 ? EdgeFacing::Rim
-                                                               : least > 0           ? EdgeFacing::Towards
+                                                               : min_side > 0        ? EdgeFacing::Towards
                                                                                      : EdgeFacing::Away});
     }
 

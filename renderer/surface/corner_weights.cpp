@@ -48,8 +48,8 @@ CornerWeights clipped_screen_weights(const Geometry& g, const SampleFace& face, 
     const auto cut = clip_at_near(g, face.object, triangle.corner, memory);
     const glm::dvec2 at(face.at.x, face.at.y);
     CornerWeights best = of_triangle(triangle, {face.weights.x, face.weights.y, face.weights.z});
-    // The smallest weight is largest in the fan's triangle that holds the sample. The grid of the rasteriser
-    // may put that a little outside; by a whole width no more.
+    // The triangle of the fan whose smallest weight is largest holds the sample. Because corners are rounded
+    // to the rasteriser's grid the sample may lie slightly outside it, so weights down to -1 are accepted.
     double best_inside = -1;
     for (std::size_t i = 2; i < cut.size(); ++i) {
         const ClippedCorner &a = cut[0], &b = cut[i - 1], &c = cut[i];

@@ -108,7 +108,7 @@ void find_lit_points(LitPoints& lit, Surface& s, const Geometry& g, const Visibi
     place_points(lit, s, g);
 }
 
-/// What each pixel of a group shows.
+/// Stores the lit point of the face that each pixel of a group shows.
 void refer_to_faces(PerFace& faces, const Surface& s, const Geometry& g, const Visibility& visibility,
                     std::size_t group) {
     FaceRefs refs{};
@@ -119,8 +119,9 @@ void refer_to_faces(PerFace& faces, const Surface& s, const Geometry& g, const V
     faces.refs[group] = refs;
 }
 
-/// What each pixel of a group blends, pixel by pixel.
-void blend_one_by_one(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility,
+/// Stores the lit points and the weights that each pixel of a group blends, pixel by pixel. The colours are
+/// blended later (renderer/shade/color_pixels.cpp).
+void store_one_by_one(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility,
                       std::size_t group) {
     const std::size_t first = s.corner_ref(group, 0), end = s.corner_ref(group + 1, 0);
     std::fill(&vertices.ref_point[first], vertices.ref_point.data() + end, 0u);
@@ -140,8 +141,9 @@ void blend_one_by_one(PerVertex& vertices, const Surface& s, const Geometry& g, 
     });
 }
 
-/// What each pixel of a group blends, by the weights that the kernel has found.
-void blend_weighed(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility,
+/// Stores the three lit corners that each pixel of a group blends. The kernel has already stored their
+/// weights.
+void store_weighed(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility,
                    std::size_t group) {
     std::uint32_t* point = &vertices.ref_point[s.corner_ref(group, 0)];
     std::fill_n(point, 3 * block_size, 0u);
@@ -157,18 +159,18 @@ void blend_weighed(PerVertex& vertices, const Surface& s, const Geometry& g, con
         if (!(mask >> i % block_size & 1u)) weight[i] = 0;
 }
 
-/// Groups first .. first + count - 1, all of one object, of a picture with one sample a pixel whose corners
-/// are blended in perspective.
-void blend_together(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility,
+/// Stores the corners and weights of the groups first .. first + count - 1. All show one object, with one
+/// sample a pixel and perspective-correct weights.
+void store_together(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility,
                     std::size_t first, std::size_t count) {
     std::array<std::uint8_t, max_together> on_fast_path;
     surface_kernels().weigh(vertices.jobs[s.groups[first].object], &s.groups[first], count,
                             &vertices.ref_weight[s.corner_ref(first, 0)], on_fast_path.data());
     for (std::size_t i = 0; i < count; ++i)
-        (on_fast_path[i] ? blend_weighed : blend_one_by_one)(vertices, s, g, visibility, first + i);
+        (on_fast_path[i] ? store_weighed : store_one_by_one)(vertices, s, g, visibility, first + i);
 }
 
-void blend_corners(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility) {
+void store_corners(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility) {
     vertices.ref_point.resize(s.corner_ref(s.groups.size(), 0));
     vertices.ref_weight.resize(vertices.ref_point.size());
     const bool together = s.group_samples.empty() && s.choice.interpolation == Interpolation::Perspective;
@@ -178,9 +180,9 @@ void blend_corners(PerVertex& vertices, const Surface& s, const Geometry& g, con
             const std::size_t end = std::min(range.end(), r + max_together);
             const std::size_t count = together ? s.groups_of_one_object(r, end) : 1;
             if (together)
-                blend_together(vertices, s, g, visibility, r, count);
+                store_together(vertices, s, g, visibility, r, count);
             else
-                blend_one_by_one(vertices, s, g, visibility, r);
+                store_one_by_one(vertices, s, g, visibility, r);
             r += count;
         }
     });
@@ -192,7 +194,7 @@ void collect_lit_points(Surface& s, const Geometry& g, const Visibility& visibil
     if (s.choice.kind == SurfaceKind::Corners) {
         PerVertex& vertices = s.as<PerVertex>();
         find_lit_points(vertices.lit, s, g, visibility);
-        return blend_corners(vertices, s, g, visibility);
+        return store_corners(vertices, s, g, visibility);
     }
     PerFace& faces = s.as<PerFace>();
     find_lit_points(faces.lit, s, g, visibility);

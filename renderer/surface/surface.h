@@ -111,8 +111,9 @@ struct FaceRefs {
 /// A shading point on a vertex or face (Gouraud, flat): its object and a number within it.
 struct ShadingPoint {
     std::uint32_t object = 0;
-    std::uint32_t item = 0;  // Corners: normal slot; Faces: polygon, or triangle when provoking
-    bool turned = false;     // its normal is turned round (two_sided, seen from behind)
+    // Corners: ObjectNormals::slot_of(corner); Faces: polygon, or triangle when provoking.
+    std::uint32_t item = 0;
+    bool turned = false;  // its normal is turned round (two_sided, seen from behind)
     bool operator==(const ShadingPoint&) const = default;
 };
 

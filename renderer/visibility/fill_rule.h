@@ -18,8 +18,9 @@ template <class I> I inverted(I a) { return -1 - a; }
 /// Twice the area of the triangle (0, 0), b, c: positive when it runs clockwise as seen.
 template <class I> I doubled_area(I bx, I by, I cx, I cy) { return bx * cy - by * cx; }
 
-/// An edge as a function of the pixel: not negative inside. In units of 256, because samples lie whole pixels
-/// apart, so that what is cut off below never changes a sign.
+/// An edge as a linear function of the pixel: not negative inside. The exact value is divided by 256 and
+/// rounded down. From one pixel to the next the exact value changes by a multiple of 256, so what is rounded
+/// away is the same at every sample and never changes a sign.
 template <class I> struct EdgeFunction {
     I value;           // at the sample of the pixel to which the corners are relative
     I step_x, step_y;  // to the next pixel
@@ -30,6 +31,8 @@ template <class I> struct EdgeFunction {
 /// there.
 template <class I> EdgeFunction<I> edge_function(I ax, I ay, I bx, I by) {
     const I dx = bx - ax, dy = by - ay;
+    // y points down and the triangle runs clockwise: a left edge goes up (dy < 0), a top edge goes right
+    // (dy = 0, dx > 0).
     const I top_or_left = negative(dy) | (negative(0 - dx) & inverted(negative(0 - dy)));
     return {(dy * ax - dx * ay + inverted(top_or_left)) >> subpixel_bits, 0 - dy, dx};
 }

@@ -194,7 +194,7 @@ TEST_CASE("an unnormalised l to the power of 0 is 1, however far behind the mirr
     MaterialAt<float> m;
     m.k_s = {1, 1, 1};
     m.shininess = 0;
-    m.faintest_squared = faintest_cosine_squared(0);
+    m.min_cosine_squared = min_cosine_squared(0);
     const PointAt<float> at{{0, 0, 0}, {0, 0, 1}, {0, 0, -1}};  // r.v = -5
     CHECK(illuminate({Reflection::Phong, {}, &wrong}, light, m, at).specular.x == 1);
 }
@@ -210,7 +210,7 @@ TEST_CASE("nothing holds the highlight of an unnormalised l at 1: it is (v.r)^n,
     m.k_s = m.k_d = {0.5f, 0, 1};
     const auto specular = [&](Reflection model, float shininess) {
         m.shininess = shininess;
-        m.faintest_squared = faintest_cosine_squared(shininess);
+        m.min_cosine_squared = min_cosine_squared(shininess);
         const PointAt<float> at{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}};
         return illuminate({model, {}, &wrong}, light, m, at).specular;
     };
