@@ -24,6 +24,12 @@ std::optional<int> whole_number(std::string_view text) {
     return value;
 }
 
+/// Also of a number that is too large for an int.
+bool are_digits(std::string_view text) {
+    if (text.starts_with('-')) text.remove_prefix(1);
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 struct Pair {
     std::optional<int> first, second;
 };
@@ -60,7 +66,8 @@ void require_inside(const std::string& option, Pixel pixel, PictureSize size) {
 int read_count(const std::string& option, std::string_view text, int least, int most) {
     const auto value = whole_number(text);
     if (value && *value >= least && *value <= most) return *value;
-    throw wrong_usage(option, fmt::format("{} is {}", text, value ? "out of range" : "not a whole number"),
+    throw wrong_usage(option,
+                      fmt::format("{} is {}", text, are_digits(text) ? "out of range" : "not a whole number"),
                       fmt::format("{} to {}", least, most));
 }
 

@@ -53,7 +53,9 @@ std::vector<std::string> named_lessons(const std::vector<std::string>& words) {
 std::string lesson_file(const std::string& word) {
     const std::vector<std::string> files = named_lessons({word});
     if (files.size() != 1)
-        throw wrong_usage(word, std::to_string(files.size()) + " lessons are named", "one of them");
+        throw wrong_usage(
+            word, files.empty() ? "holds no lesson" : std::to_string(files.size()) + " lessons are named",
+            files.empty() ? "a folder with one" : "one of them");
     return files[0];
 }
 

@@ -1,6 +1,7 @@
 // Where the program starts: prepares the process, runs the command line, says in one line what went wrong.
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -8,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <limits>
 #include <new>
 #include <set>
 #include <string>
@@ -97,6 +99,12 @@ int run(const std::vector<std::string>& arguments) {
     return static_cast<int>(outcome.status);
 }
 
+/// Lets all threads share one heap where the address space is limited: glibc would reserve 64 MiB of it for
+/// the heap of each.
+void share_a_heap_where_room_is_short() {
+    if (address_space_limit() != std::numeric_limits<std::uint64_t>::max()) (void)mallopt(M_ARENA_MAX, 1);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -108,6 +116,7 @@ int main(int argc, char** argv) {
     // However the process ends, no half-written file stays.
     remove_temporaries_on_signals();
     std::at_quick_exit(remove_temporaries);
+    share_a_heap_where_room_is_short();
     try {
         return run({argv + 1, argv + argc});
     } catch (...) {

@@ -92,8 +92,10 @@ std::uint64_t control_group_memory(const std::string& root) {
     return least;
 }
 
+std::uint64_t address_space_limit() { return resource_limit(RLIMIT_AS); }
+
 std::uint64_t default_memory_limit() {
-    return std::min({machine_memory(), control_group_memory(""), resource_limit(RLIMIT_AS),
+    return std::min({machine_memory(), control_group_memory(""), address_space_limit(),
                      resource_limit(RLIMIT_DATA)}) /
            4 * 3;
 }

@@ -57,6 +57,8 @@ void set_memory_limit(std::uint64_t bytes);
 /// Three quarters of the least of: the machine's memory, that of the process's control group and of those
 /// around it, and the limits of its address space and its data (RLIMIT_AS, RLIMIT_DATA).
 [[nodiscard]] std::uint64_t default_memory_limit();
+/// The limit of the address space (RLIMIT_AS), in bytes; the largest number where there is none.
+[[nodiscard]] std::uint64_t address_space_limit();
 /// The least memory that a control group of this process may have, version 1 or 2; the largest number where
 /// none says. `root` stands before /proc and /sys.
 [[nodiscard]] std::uint64_t control_group_memory(const std::string& root);

@@ -1,14 +1,10 @@
 #include "renderer/renderer.h"
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstddef>
-#include <new>
 
 #include "models/fields/choices.h"
 #include "models/memory_limit.h"
@@ -19,22 +15,12 @@
 #include "renderer/shade/culled_by_light.h"
 #include "renderer/shade/light_sources.h"
 #include "renderer/stages.h"
+#include "renderer/threads.h"
 
 namespace glint {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr int max_threads = 256;
-
-/// Lets the library start more threads than there are cores, when asked for. One for the whole process,
-/// because of several the smallest would count. Never destroyed: where memory ran out as the library began,
-/// its destructor waits for ever. It lies in memory that is not the heap's, where it is not a leak.
-void allow_threads() {
-    alignas(tbb::global_control) static std::array<std::byte, sizeof(tbb::global_control)> place;
-    [[maybe_unused]] static const auto* const allowed =
-        new (place.data()) tbb::global_control(tbb::global_control::max_allowed_parallelism, max_threads);
-}
 
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -114,11 +100,7 @@ struct Renderer::Kept {
     }
 };
 
-Renderer::Renderer(int threads)
-    : kept_(std::make_unique<Kept>(threads > 0 ? std::min(threads, max_threads)
-                                               : tbb::info::default_concurrency())) {
-    allow_threads();
-}
+Renderer::Renderer(int threads) : kept_(std::make_unique<Kept>(arena_threads(threads))) {}
 Renderer::~Renderer() = default;
 
 void Renderer::Kept::draw(const Scene& scene, PictureSize size, bool linear, int samples) {

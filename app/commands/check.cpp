@@ -50,11 +50,19 @@ std::vector<PixelBuffer> read_buffers(const std::string& directory, const Scene&
 Outcome check(const CheckArguments& arguments) {
     require_file(arguments.scene);
     require_given(arguments.directory, "DIR", "a directory with buffers as render --buffers writes them");
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(arguments.directory, ignored))
+        throw wrong_usage("DIR", arguments.directory + " is not a directory",
+                          "a directory with buffers as render --buffers writes them");
     const SceneDocument document = open_scene(arguments.scene);
     const std::vector<PixelBuffer> buffers = read_buffers(arguments.directory, document.scene);
     const MemoryShare share(
         memory_need(MemoryUse::Pixels, buffers_memory(buffers.front().picture.size, buffers.size() + 1)));
     const BufferCheck found = check_buffers(document, buffers, arguments.scene.threads);
+    if (found.compared == 0)
+        throw Failure{ExitStatus::Impossible,
+                      {arguments.directory, "", "there is no pixel to compare",
+                       "a size at which the scene shows a surface of some size"}};
     return {arguments.format == Format::Json ? check_json(found) : check_text(found), document.warnings,
             ExitStatus::Done};
 }

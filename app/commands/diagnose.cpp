@@ -127,6 +127,8 @@ Outcome tell_apart(const DiagnoseArguments& arguments) {
     if (!arguments.pictures.empty()) throw wrong_usage("--apart", "is asked of a scene alone", "no PICTURE");
     if (arguments.format != Format::Text && arguments.format != Format::Json)
         throw wrong_usage("--apart", "gives no table", "--format text or json");
+    if (!arguments.out.empty()) throw wrong_usage("-o", "--apart draws no sheet", "no -o");
+    if (arguments.pairs) throw wrong_usage("--pairs", "--apart tries pairs of its own", "no --pairs");
     const SceneDocument document = open_scene(arguments.scene);
     const auto found = find_experiment(document, size, arguments.apart, arguments.scene.threads);
     return {arguments.format == Format::Json ? experiment_json(found) : experiment_text(found),

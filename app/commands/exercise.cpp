@@ -1,4 +1,7 @@
 // glint exercise: sheets with numbers of their own, and their keys.
+#include <fmt/core.h>
+
+#include <limits>
 #include <memory>
 
 #include "app/arguments.h"
@@ -11,6 +14,8 @@
 
 namespace glint {
 namespace {
+
+constexpr int max_seed = std::numeric_limits<int>::max();  // the last sheet's number
 
 struct ExerciseArguments {
     std::string name, out;
@@ -30,6 +35,9 @@ Outcome exercise(const ExerciseArguments& arguments) {
     const std::string extension = lower_extension(arguments.out);
     if (extension != ".html" && extension != ".tex")
         throw wrong_usage("-o", arguments.out + " cannot be written", "a name that ends in .html or .tex");
+    if (arguments.seed > max_seed - (arguments.count - 1))
+        throw wrong_usage("--count", fmt::format("there are not so many sheets from {} on", arguments.seed),
+                          fmt::format("1 to {}", max_seed - arguments.seed + 1));
     require_writable(arguments.out);
     const Lesson lesson = open_lesson(arguments.name);
     LessonRunner runner(arguments.threads);
@@ -47,7 +55,7 @@ Run declare(Options& options) {
     options.add_value("--seed", "N",
                       "number of the first sheet; the same seed is the same sheet; 1 when not given",
                       [&seed = arguments->seed](const std::string& text) {
-                          seed = read_count("--seed", text, 0, 2147483647);
+                          seed = read_count("--seed", text, 0, max_seed);
                       });
     options.add_value("--count", "K", "how many sheets, each with its own numbers; 1 when not given",
                       [&count = arguments->count](const std::string& text) {

@@ -69,6 +69,15 @@ void require_possible(const RenderArguments& arguments) {
                           "a directory that is there");
 }
 
+/// Of a picture and a buffer in one file one would be lost.
+void require_apart(const RenderArguments& arguments, const Scene& scene) {
+    if (arguments.buffers.empty()) return;
+    for (const std::string& name : buffer_names(scene))
+        if (replace_the_same(arguments.out, buffer_path(arguments, name)))
+            throw wrong_usage("-o", arguments.out + " is also where the buffer " + name + " goes",
+                              "another name");
+}
+
 /// A few at a time, because many lights have many.
 void add_buffers(FilesTogether& files, const RenderArguments& arguments, const Renderer& renderer,
                  const Scene& scene) {
@@ -93,6 +102,7 @@ Outcome render(const RenderArguments& arguments) {
     require_writable(arguments.out);
     if (!arguments.buffers.empty()) require_writable(buffer_path(arguments, "sum"));
     const SceneDocument document = open_scene(arguments.scene);
+    require_apart(arguments, document.scene);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 
     const MemoryShare share = share_of_output(arguments, format);

@@ -45,6 +45,10 @@ using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>
 /// nothing when it could. For long work that ends in a file. Changes nothing.
 [[nodiscard]] std::optional<Problem> why_not_writable(const std::string& path);
 
+/// Whether write_file() would replace the same file for both: links followed, in whatever words the path is
+/// given. Streams, pipes and devices are replaced by nobody.
+[[nodiscard]] bool replace_the_same(const std::string& a, const std::string& b);
+
 /// Several files that are written as by write_file() but appear together: what goes wrong with one before the
 /// last is written leaves none.
 class FilesTogether {

@@ -57,8 +57,17 @@ std::string_view word_at(std::string_view text) {
     return length > 0 ? text.substr(0, static_cast<std::size_t>(length)) : text.substr(0, utf8_length(text));
 }
 
-Problem broken_string(const JsonStop& stop) {
-    if (stop.reached >= stop.text.size()) return {"", "", "a string that does not end", "\" after it"};
+/// Whether the string that starts here has its closing quote.
+bool is_closed(std::string_view text) {
+    for (std::size_t i = 1; i < text.size(); i += text[i] == '\\' ? 2 : 1)
+        if (text[i] == '"') return true;
+    return false;
+}
+
+/// `rest`: the text from the string on.
+Problem broken_string(const JsonStop& stop, std::string_view rest) {
+    if (stop.reached >= stop.text.size() && !is_closed(rest))
+        return {"", "", "a string that does not end", "\" after it"};
     if (static_cast<unsigned char>(stop.text[stop.reached - 1]) < 0x20)
         return {"", "", "a control character in a string",
                 "it written as \\n, \\t or \\u and four hex digits"};
@@ -83,7 +92,7 @@ Problem syntax_problem(const JsonStop& stop) {
         if (rest.starts_with('/'))
             return {"", "", "a comment or a stray slash", "JSON, which has no comments"};
         if (!rest.starts_with('"')) return {"", "", "unexpected " + in_quotes(word_at(rest)), expected};
-        if (fault.string_fits) return broken_string(stop);
+        if (fault.string_fits) return broken_string(stop, rest);
         return {"", "", "unexpected " + in_quotes(rest.substr(1, rest.find('"', 1) - 1)), expected};
     }();
     const std::size_t last = stop.text.find_last_not_of(white_space);  // for a text that ends too early

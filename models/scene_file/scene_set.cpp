@@ -108,7 +108,7 @@ std::size_t index_of(const std::string& token, const Json& array, const std::str
     fail(pointer,
          in_quotes(token) + (number ? " is past the end of the array" : " is not an index of an array"),
          array.empty() ? "0 or -, for a new one"
-                       : fmt::format("0 to {}, or - for a new one at the end", array.size() - 1));
+                       : fmt::format("0 to {0}; {0} and - are a new one at the end", array.size()));
 }
 
 /// The value under `token`, made if there is none.

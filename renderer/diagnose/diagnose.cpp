@@ -9,6 +9,7 @@
 #include "renderer/diagnose/experiment.h"
 #include "renderer/diagnose/unexplained.h"
 #include "renderer/lighting/display.h"
+#include "renderer/threads.h"
 
 namespace glint {
 namespace {
@@ -65,7 +66,7 @@ Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, cons
 }  // namespace
 
 Diagnosis diagnose(const SceneDocument& document, const Picture& wrong, const DiagnosisOptions& options) {
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    tbb::task_arena arena(arena_threads(options.threads));
     Diagnosis found;
     arena.execute([&] { found = diagnosis_of(document, wrong, options); });
     return found;

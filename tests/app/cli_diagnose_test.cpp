@@ -169,6 +169,11 @@ TEST_CASE("glint diagnose --apart says which pixel tells mistakes apart", "[cli]
               .err.starts_with("glint: error: --apart: x is not known; expected "));
     CHECK(run_glint({"diagnose", files.scene, "a.png", "--apart", "view_reversed,missing_pi"}).err ==
           "glint: error: --apart: is asked of a scene alone; expected no PICTURE\n");
+    const std::string sheet = files.directory.path("sheet.png"), two = "view_reversed,missing_pi";
+    CHECK(run_glint({"diagnose", files.scene, "--apart", two, "-o", sheet}).err ==
+          "glint: error: -o: --apart draws no sheet; expected no -o\n");
+    CHECK(run_glint({"diagnose", files.scene, "--apart", two, "--pairs"}).err ==
+          "glint: error: --pairs: --apart tries pairs of its own; expected no --pairs\n");
 }
 
 TEST_CASE("glint check names the first buffer that differs", "[cli][buffers][check]") {
@@ -185,6 +190,23 @@ TEST_CASE("glint check names the first buffer that differs", "[cli][buffers][che
     CHECK(answer["differs"]["buffer"] == "diffuse_0");
     CHECK(answer["agree"].size() == 10);
     CHECK(answer["differs"]["found"] == "ours times 2");
+}
+
+TEST_CASE("glint check says that there is nothing to compare rather than that nothing differs",
+          "[cli][buffers][check]") {
+    const Files files;
+    const TemporaryDirectory buffers;
+    (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});
+    CHECK(run_glint({"check", files.scene, buffers.path(""), "--set", "/objects=[]"}).err ==
+          "glint: error: " + buffers.path("") +
+              ": there is no pixel to compare; expected a size at which the scene shows a surface of some "
+              "size\n");
+}
+
+TEST_CASE("more threads than processors search without a word on standard error", "[cli][diagnose]") {
+    const Files files;
+    const std::string right = files.drawn("right.png", {});
+    CHECK(run_glint({"diagnose", files.scene, right, "-j", "16"}).err.empty());
 }
 
 TEST_CASE("glint check reads buffers that are EXR", "[cli][buffers][check]") {
@@ -206,6 +228,7 @@ TEST_CASE("glint check refuses bad input in one line", "[cli][check][bad-input]"
         CHECK(ended.err.starts_with("glint: error: " + line));
         CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
     };
+    check(buffers.path("none"), 2, "DIR: " + buffers.path("none") + " is not a directory; expected ");
     check(buffers.path(""), 1,
           buffers.path("") + ": holds none of the buffers; expected one of position, depth");
     (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});

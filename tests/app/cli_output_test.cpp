@@ -76,6 +76,22 @@ TEST_CASE("a disk that is full before the last buffer is written leaves no pictu
     CHECK(out.names().empty());
 }
 
+TEST_CASE("a picture that would take a buffer's place is refused, in whatever words its path is given",
+          "[cli][buffers][bad-input]") {
+    const TemporaryDirectory in, out;
+    const std::string scene = in.file("scene.json", ball_text), link = in.path("link.pfm");
+    std::filesystem::create_symlink(out.path("face.pfm"), link);
+    for (const std::string& path : {out.path("sum.pfm"), out.path("./face.pfm"), link}) {
+        const Ended ended =
+            run_glint({"render", scene, "-o", path, "--size", "8x8", "--buffers", out.path()});
+        CHECK(ended.status == 2);
+        CHECK(ended.err.starts_with("glint: error: -o: " + path + " is also where the buffer "));
+        CHECK(out.names().empty());
+    }
+    CHECK(run_glint({"render", scene, "-o", out.path("a.pfm"), "--size", "8x8", "--buffers", out.path()})
+              .status == 0);
+}
+
 TEST_CASE("where the output cannot be written is told before the work begins", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string out = directory.path("none/a.png"), missing = directory.path("missing.json");

@@ -110,6 +110,13 @@ TEST_CASE("wrong usage of glint lessons and glint exercise says what is wrong", 
     check_refused({"exercise", directory.path(), "-o", directory.path("x.html")},
                   directory.path() + ": 2 lessons are named; expected one of them");
     check_refused({"lessons", directory.path(), "-o", directory.path("x.html")}, "2 lessons are named");
+    const TemporaryDirectory empty;
+    check_refused({"exercise", empty.path(), "-o", directory.path("x.html")},
+                  empty.path() + ": holds no lesson; expected a folder with one");
+    check_refused({"exercise", "5", "-o", "x.html", "--seed", "4294967296"},
+                  "--seed: 4294967296 is out of range; expected 0 to 2147483647");
+    check_refused({"exercise", "5", "-o", "x.html", "--seed", "2147483647", "--count", "3"},
+                  "--count: there are not so many sheets from 2147483647 on; expected 1 to 1");
     check_refused({"exercise"}, "NAME: is missing");
     check_refused({"exercise", "5"}, "-o: is missing");
     check_refused({"exercise", "5", "-o", "x.pdf"}, "expected a name that ends in .html or .tex");

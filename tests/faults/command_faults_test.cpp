@@ -65,7 +65,8 @@ TEST_CASE("wherever memory ends, a command ends in one line and the old file is 
     fail_in_turn(Kind::Memory, 40);
 }
 
-TEST_CASE("an OpenEXR file that is not whole is not said to be done", "[faults]") {
+/// Not under the sanitizers: where memory ends OpenEXR's library leaks attributes of its headers.
+TEST_CASE("an OpenEXR file that is not whole is not said to be done", "[faults][release]") {
     Room room;
     const Command& command = room.commands.back();
     const Made right = made_by(command);

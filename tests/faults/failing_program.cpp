@@ -40,7 +40,7 @@ void send_to(int descriptor, const std::string& path) {
 
 /// In the child process: becomes the program.
 [[noreturn]] void become(const Command& command, const std::string& fault, const TemporaryDirectory& notes) {
-    ::setenv("LD_PRELOAD", GLINT_FAILING_CALLS, 1);
+    if (*GLINT_FAILING_CALLS != 0) ::setenv("LD_PRELOAD", GLINT_FAILING_CALLS, 1);
     ::setenv("GLINT_FAULT", fault.c_str(), 1);
     ::setenv("GLINT_FAULT_LOG", notes.path("calls").c_str(), 1);
     for (const char* const name : {"DISPLAY", "WAYLAND_DISPLAY"}) ::unsetenv(name);
@@ -51,7 +51,7 @@ void send_to(int descriptor, const std::string& path) {
         arguments.push_back(const_cast<char*>(argument.c_str()));  // NOLINT
     arguments.push_back(nullptr);
     ::alarm(longest_run_s);
-    ::execv(GLINT_PROGRAM, arguments.data());
+    ::execv(GLINT_FAILING_PROGRAM, arguments.data());
     ::_exit(127);
 }
 

@@ -124,6 +124,16 @@ TEST_CASE("a C++ program draws the scenes of assets as we do", "[programs]") {
 TEST_CASE("a C++ program draws random scenes as we do", "[programs]") {
     CHECK(compare_random(Language::Cpp, 0, 12) == 12);
 }
+TEST_CASE("a C++ program draws scenes without a reflection model as we do", "[programs]") {
+    Comparison comparison;
+    for (const Transfer transfer : {Transfer::None, Transfer::Srgb}) {
+        Scene scene = oracle::random_scene(1);
+        scene.shading.reflection = Reflection::None;
+        scene.display.transfer = transfer;
+        comparison.add(transfer == Transfer::Srgb ? "encoded" : "as it is", scene, small, Language::Cpp);
+    }
+    report(comparison, Language::Cpp);
+}
 TEST_CASE("a C++ program draws more random scenes as we do", "[.][programs]") {
     CHECK(compare_random(Language::Cpp, 12, 28) == 28);
 }

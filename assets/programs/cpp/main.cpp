@@ -53,12 +53,14 @@ double table_power(double x, double s) {
 //@if uses.above_zero
 double above_zero(double x) { return x > 0 ? 1 : 0; }
 //@end
+//@end
 //@if transfer.srgb|wrong.encoded_twice|wrong.lit_in_srgb
 double srgb(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055; }
 //@end
 //@if wrong.lit_in_srgb
 vec3 srgb(vec3 c) { return {srgb(c.x), srgb(c.y), srgb(c.z)}; }
 //@end
+//@if reflection.lit
 //@if wrong.clamp_each_light|corners.clamped
 vec3 clamped(vec3 c) {
     const auto within = [](double x) { return std::min(std::max(x, 0.0), 1.0); };

@@ -8,6 +8,7 @@
 #include "renderer/diagnose/check/readings.h"
 #include "renderer/diagnose/search/comparable.h"
 #include "renderer/diagnose/search/mistake_set.h"
+#include "renderer/threads.h"
 
 namespace glint {
 namespace {
@@ -109,6 +110,8 @@ BufferCheck checked(const SceneDocument& document, const std::vector<PixelBuffer
     Renderer renderer(threads);
     (void)renderer.render(scene, check.size, true);
     const std::vector<PixelKind> kinds = pixel_kinds(renderer, check.size);
+    check.compared = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), PixelKind::Surface));
+    if (check.compared == 0) return check;
     for (const PixelBuffer* mine : in_order(given, scene)) {
         const Picture ours = pixel_buffers(renderer, scene, check.size, {mine->name}).front().picture;
         check.differs = difference(mine->picture, ours, mine->name, kinds);
@@ -135,7 +138,7 @@ std::vector<std::string> checked_buffers(const Scene& scene) {
 }
 
 BufferCheck check_buffers(const SceneDocument& document, const std::vector<PixelBuffer>& given, int threads) {
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    tbb::task_arena arena(arena_threads(threads));
     BufferCheck check;
     arena.execute([&] { check = checked(document, given, threads); });
     return check;

@@ -27,6 +27,7 @@ struct BufferDifference {
 
 struct BufferCheck {
     PictureSize size;
+    std::size_t compared = 0;                 // pixels; where there is none nothing is said of the buffers
     std::vector<std::string> agree;           // those before the first that differs
     std::optional<BufferDifference> differs;  // the first
 };

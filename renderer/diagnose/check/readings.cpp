@@ -172,21 +172,36 @@ glm::dvec3 unit(glm::dvec3 v) { return glm::dot(v, v) > 0 ? glm::normalize(v) : 
 
 enum class Length { Counts, Ignored };
 
-/// Whether nearly all points have what the reading says.
+bool equal_nearly(const glm::dvec3& mine, const glm::dvec3& expected) {
+    return glm::length(mine - expected) <= near * std::max(1.0, glm::length(expected));
+}
+
+/// Whether nearly all points agree, and nearly all of those that have not ours: where few differ the others
+/// tell nothing.
+template <class Agrees> bool nearly_all(const std::vector<ReadPoint>& points, const Agrees& agrees) {
+    constexpr std::size_t in_a_hundred = 97;
+    std::size_t agree = 0, other = 0, agree_of_other = 0;
+    for (const ReadPoint& point : points) {
+        const bool has_ours = equal_nearly(point.mine, point.ours), has_this = agrees(point);
+        agree += has_this ? 1 : 0;
+        other += has_ours ? 0 : 1;
+        agree_of_other += has_this && !has_ours ? 1 : 0;
+    }
+    return 100 * agree >= in_a_hundred * points.size() && 100 * agree_of_other >= in_a_hundred * other;
+}
+
+/// Whether the points have what the reading says.
 bool gives(const Reading& reading, const std::vector<ReadPoint>& points, const CheckFrames& frames,
            double sign, Length length) {
-    constexpr std::size_t in_a_hundred = 97;
-    std::size_t agree = 0;
-    for (const ReadPoint& point : points) {
+    return nearly_all(points, [&](const ReadPoint& point) {
         glm::dvec3 expected(0), mine = point.mine;
         for (const ReadAt& at : point.at) {
             const glm::dvec3 here = sign * reading.numbers(at, frames);
             expected += at.weight * (length == Length::Ignored ? unit(here) : here);
         }
         if (length == Length::Ignored && point.at.size() == 1) mine = unit(mine);
-        agree += glm::length(mine - expected) <= near * std::max(1.0, glm::length(expected)) ? 1 : 0;
-    }
-    return 100 * agree >= in_a_hundred * points.size();
+        return equal_nearly(mine, expected);
+    });
 }
 
 std::string first_reading(const std::vector<Reading>& readings, const std::vector<ReadPoint>& points,
@@ -207,7 +222,6 @@ std::string first_reading(const std::vector<Reading>& readings, const std::vecto
 
 /// "ours times 0.318": where nearly all are the same multiple.
 std::string multiple(const std::vector<ReadPoint>& points) {
-    constexpr std::size_t in_a_hundred = 97;
     double product = 0, square = 0;
     for (const ReadPoint& p : points) {
         product += glm::dot(glm::dvec3(p.mine), glm::dvec3(p.ours));
@@ -216,12 +230,9 @@ std::string multiple(const std::vector<ReadPoint>& points) {
     if (square <= 0) return {};
     const double factor = product / square;
     const auto agrees = [factor](const ReadPoint& p) {
-        const glm::dvec3 expected = factor * glm::dvec3(p.ours);
-        return glm::length(glm::dvec3(p.mine) - expected) <= near * std::max(1.0, glm::length(expected));
+        return equal_nearly(p.mine, factor * glm::dvec3(p.ours));
     };
-    const auto agree = static_cast<std::size_t>(std::count_if(points.begin(), points.end(), agrees));
-    return 100 * agree >= in_a_hundred * points.size() ? fmt::format("ours times {:.4g}", factor)
-                                                       : std::string();
+    return nearly_all(points, agrees) ? fmt::format("ours times {:.4g}", factor) : std::string();
 }
 
 /// Of a light that is not directional.

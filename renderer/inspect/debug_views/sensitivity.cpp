@@ -62,19 +62,46 @@ class PixelProbe {
 
 double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-void measure(Sensitivities& s, PixelProbe& probe, const PinnedScene& pinned, const glm::dvec3& now,
-             const SceneNumber& moved) {
-    const double h = 1e-3 * std::max(std::abs(moved.value), 0.1);
+/// What a number does to the pixel, a unit of it.
+struct Slope {
+    glm::dvec3 change{0};
+    bool is_fixed = false, one_sided = false, is_none = true;
+};
+
+Slope slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& moved, double h) {
     const auto less = probe.color_with(moved, moved.value - h),
                more = probe.color_with(moved, moved.value + h);
-    Sensitivity number{pinned.pointer_in_whole(moved.pointer), moved.value, glm::dvec3(0), !less || !more};
-    if (!less && !more) {
+    Slope found;
+    found.is_fixed = !less && !more;
+    found.one_sided = !less || !more;
+    found.change = (more.value_or(now) - less.value_or(now)) / (found.one_sided ? h : 2 * h);
+    found.is_none = less.value_or(now) == now && more.value_or(now) == now;
+    return found;
+}
+
+/// The slope over a thousandth of the number. Where that changes the pixel by little more than its last
+/// digits, as for a number near 0, the slope over a larger step, if the two differ by no more than these
+/// digits.
+Slope clear_slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& moved) {
+    constexpr double last_digits = 0x1p-20;
+    const double h = 1e-3 * std::max(std::abs(moved.value), 0.1), wide = 1e-2 * std::abs(usual_move(moved));
+    const Slope near = slope(probe, now, moved, h);
+    const double unsure = last_digits * std::max(1.0, largest(now)) / h;
+    if (near.is_fixed || wide <= h || largest(near.change) > 10 * unsure) return near;
+    const Slope far = slope(probe, now, moved, wide);
+    const bool agrees = !far.is_fixed && largest(far.change - near.change) <= unsure;
+    return agrees ? far : near;
+}
+
+void measure(Sensitivities& s, PixelProbe& probe, const PinnedScene& pinned, const glm::dvec3& now,
+             const SceneNumber& moved) {
+    const Slope found = clear_slope(probe, now, moved);
+    Sensitivity number{pinned.pointer_in_whole(moved.pointer), moved.value, found.change, found.one_sided};
+    if (found.is_fixed) {
         s.fixed.push_back(number.pointer);
         return;
     }
-    number.change = (more.value_or(now) - less.value_or(now)) / (number.one_sided ? h : 2 * h);
-    const bool same = less.value_or(now) == now && more.value_or(now) == now;
-    if (same) {
+    if (found.is_none) {
         s.no_effect.push_back(number.pointer);
         return;
     }

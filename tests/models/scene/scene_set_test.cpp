@@ -141,8 +141,11 @@ TEST_CASE("a pointer that leads nowhere is a problem", "[scene_set]") {
     CHECK(problem_with(smallest, {"/lights/1/name=a"}) ==
           "--set: /lights/1/name: \"1\" is past the end of the array; expected 0 or -, for a new one");
     CHECK(problem_with(R"({"glint": 1, "lights": [{}, {}]})", {"/lights/3/name=a"}) ==
-          "--set: /lights/3/name: \"3\" is past the end of the array; expected 0 to 1, or - for a new one at "
-          "the end");
+          "--set: /lights/3/name: \"3\" is past the end of the array; expected 0 to 2; 2 and - are a new one "
+          "at the end");
+    const std::string escape = problem_with(smallest, {R"(/about="\ud800")"});
+    CHECK(escape.find("an escape that JSON does not know") != std::string::npos);
+    CHECK(problem_with(smallest, {R"(/about="\")"}).find("a string that does not end") != std::string::npos);
     CHECK(problem_with(smallest, {"/lights/00/name=a"}).find("\"00\" is not an index of an array") !=
           std::string::npos);
     CHECK(problem_with(smallest, {"/lights/99999999999999999999/name=a"}).find("is not an index") !=

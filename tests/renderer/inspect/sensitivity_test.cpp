@@ -84,6 +84,26 @@ TEST_CASE("sensitivity: the pixel changes with each number as the equation's der
     }));
 }
 
+TEST_CASE("sensitivity: numbers that are 0 change the pixel as two pictures far apart say", "[sensitivity]") {
+    SceneDocument document = balls();
+    document.scene.objects[0].transform = {{0, 0, 0}, {0, 0, 0}, {1, 1.3f, 0.8f}};
+    const Sensitivities s = of_pixel(document, 30, 20);
+    const auto sum_with = [&](const std::string& pointer, double value) {
+        Scene scene = document.scene;
+        REQUIRE(set_number(scene, pointer, value) == std::nullopt);
+        Renderer renderer(1);
+        (void)renderer.render(scene, sensitive_size);
+        return glm::dvec3(renderer.explain(30, 20).sum);
+    };
+    for (const auto& [pointer, h] : {std::pair{std::string("/objects/0/transform/rotate_deg/0"), 2.0},
+                                     {"/objects/0/transform/rotate_deg/1", 2.0},
+                                     {"/objects/0/transform/translate/1", 0.02}}) {
+        INFO(pointer);
+        const glm::dvec3 far = (sum_with(pointer, h) - sum_with(pointer, -h)) / (2 * h);
+        CHECK(change_of(s, pointer).x == Approx(far.x).epsilon(0.05));
+    }
+}
+
 TEST_CASE("sensitivity: a light that culls faces moves them", "[sensitivity][mistakes]") {
     SceneDocument document = balls();
     document.scene.shading.mistakes.culled_by_light = true;

@@ -1,0 +1,43 @@
+#include "renderer/threads.h"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+
+#include "models/memory_limit.h"
+
+namespace glint {
+namespace {
+
+constexpr int max_threads = 256;
+
+/// Lets the library start more threads than there are cores, when asked for. One for the whole process,
+/// because of several the smallest would count. Never destroyed: where memory ran out as the library began,
+/// its destructor waits for ever. It lies in memory that is not the heap's, where it is not a leak.
+void allow_threads() {
+    alignas(tbb::global_control) static std::array<std::byte, sizeof(tbb::global_control)> place;
+    [[maybe_unused]] static const auto* const allowed =
+        new (place.data()) tbb::global_control(tbb::global_control::max_allowed_parallelism, max_threads);
+}
+
+/// Where the system refuses a thread the library ends the program.
+int threads_with_a_stack() {
+    const std::uint64_t stack = tbb::global_control::active_value(tbb::global_control::thread_stack_size);
+    const std::uint64_t stacks = address_space_limit() / 4 / std::max<std::uint64_t>(stack, 1);
+    return static_cast<int>(std::min<std::uint64_t>(stacks, max_threads - 1));
+}
+
+}  // namespace
+
+int arena_threads(int threads) {
+    allow_threads();
+    const int asked = threads > 0 ? threads : tbb::info::default_concurrency();
+    return std::min({asked, max_threads, 1 + threads_with_a_stack()});
+}
+
+}  // namespace glint
