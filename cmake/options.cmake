@@ -31,7 +31,8 @@ function(compile_quickly target)
 endfunction()
 
 # Precompiled headers of libraries, for what nearly every file of a target includes: reading them is most of what
-# compiling a small file costs. None of ours is among them, so that changing one compiles only what includes it.
+# compiling a small file costs. Where folders are compiled as one, those of ours behind OURS too, which nearly every folder
+# includes; where files are compiled alone none of ours is among them, so that changing one compiles only what includes it.
 # GLINT_PCH=OFF shows whether every file still includes what it needs.
 option(GLINT_PCH "Precompile the headers of libraries" ON)
 set(GLINT_PCH_LIBRARY <algorithm> <array> <cmath> <cstdint> <functional> <memory> <optional> <span> <string> <string_view>
@@ -41,13 +42,20 @@ add_library(glint_precompiled INTERFACE)
 target_compile_options(glint_precompiled INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread>)
 function(precompile target)
+  cmake_parse_arguments(PARSE_ARGV 1 headers "" "" OURS)
+  set(headers ${headers_UNPARSED_ARGUMENTS})
+  if(GLINT_FOLDERS_AS_ONE)
+    list(TRANSFORM headers_OURS PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE ours)
+    list(APPEND headers ${ours})
+  endif()
   if(GLINT_PCH)
-    target_precompile_headers(${target} PRIVATE ${ARGN})
+    target_precompile_headers(${target} PRIVATE ${headers})
     target_link_libraries(${target} PRIVATE glint_precompiled)
   endif()
 endfunction()
-# The files of a folder as one, where nobody changes a single one of them: what they include and instantiate is compiled once,
-# in a third of the time. Names in anonymous namespaces are then those of a folder. The preset `edit` compiles each file alone.
+# The files of a folder, with those of the folders in it, as one, where nobody changes a single one of them: what they include
+# and instantiate is compiled once, in a third of the time. Names in anonymous namespaces are then those of a folder. The preset
+# `edit` compiles each file alone. A folder lies two below the root, among the tests three.
 function(compile_by_folder target)
   if(GLINT_FOLDERS_AS_ONE)
     get_target_property(sources ${target} SOURCES)
@@ -56,6 +64,7 @@ function(compile_by_folder target)
         get_filename_component(folder ${source} ABSOLUTE)
         get_filename_component(folder ${folder} DIRECTORY)
         file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
+        string(REGEX MATCH "^(tests/)?[^/]+(/[^/]+)?" folder "${folder}")
         string(MAKE_C_IDENTIFIER "${folder}" folder)
         set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
       endif()

@@ -56,8 +56,8 @@ Outcome check(const CheckArguments& arguments) {
                           "a directory with buffers as render --buffers writes them");
     const SceneDocument document = open_scene(arguments.scene);
     const std::vector<PixelBuffer> buffers = read_buffers(arguments.directory, document.scene);
-    const MemoryShare share(
-        memory_need(MemoryUse::Pixels, buffers_memory(buffers.front().picture.size, buffers.size() + 1)));
+    const MemoryShare share(memory_need(
+        MemoryUse::Pixels, buffers_memory(buffers.front().picture.size, buffers.size() + buffers_at_once)));
     const BufferCheck found = check_buffers(document, buffers, arguments.scene.threads);
     if (found.compared == 0)
         throw Failure{ExitStatus::Impossible,

@@ -78,19 +78,14 @@ void require_apart(const RenderArguments& arguments, const Scene& scene) {
                               "another name");
 }
 
-/// A few at a time, because many lights have many.
 void add_buffers(FilesTogether& files, const RenderArguments& arguments, const Renderer& renderer,
                  const Scene& scene) {
     const PictureFormat format = buffer_format(format_of(arguments.out));
-    const std::vector<std::string> names = buffer_names(scene);
-    for (std::size_t from = 0; from < names.size(); from += buffers_at_once) {
-        const std::size_t to = std::min(names.size(), from + buffers_at_once);
-        const std::vector<std::string> some(names.begin() + static_cast<std::ptrdiff_t>(from),
-                                            names.begin() + static_cast<std::ptrdiff_t>(to));
-        for (const PixelBuffer& buffer : pixel_buffers(renderer, scene, arguments.size, some))
-            (void)take(
-                files.add(buffer_path(arguments, buffer.name), picture_bytes(buffer.picture, format, 1, {})));
-    }
+    visit_pixel_buffers(renderer, scene, arguments.size, buffer_names(scene), [&](const PixelBuffer& buffer) {
+        (void)take(
+            files.add(buffer_path(arguments, buffer.name), picture_bytes(buffer.picture, format, 1, {})));
+        return true;
+    });
 }
 
 Outcome render(const RenderArguments& arguments) {

@@ -53,7 +53,9 @@ void Canvas::fill(const PixelRect& rect, const ImVec4& color) {
     if (rect.is_empty()) return;
     bind();
     set_scissor(rect);
-    gl().clear_color(color.x, color.y, color.z, 1);
+    // Whole levels: between two of them a driver may round the whole canvas otherwise than a part of it.
+    const auto whole = [](float c) { return std::round(c * 255) / 255; };
+    gl().clear_color(whole(color.x), whole(color.y), whole(color.z), 1);
     gl().clear(color_buffer_bit);
     gl().disable(scissor_test);
 }

@@ -73,14 +73,15 @@ used_time() { cat /proc/"$glint_pid"/task/*/schedstat 2>/dev/null | awk '{ used 
 running_threads() { grep -l '^State:.R' /proc/"$glint_pid"/task/*/status 2>/dev/null | wc -l; }
 
 # Waits until the window has drawn what it was told and what comes when the hand rests (tooltips, full pictures):
-# until it has used no time for a second. A sleep of fixed length is too short where the machine is busy.
-wait_for_rest() {
+# until it has used no time for so many tenths of a second, 10 when not said. A sleep of fixed length is too short where
+# the machine is busy.
+wait_for_rest() { # [TENTHS]
     local before still=0
     for ((i = 0; i < 300; i++)); do
         before=$(used_time)
         sleep 0.1
         if [ "$before" = "$(used_time)" ] && [ "$(running_threads)" = 0 ]; then still=$((still + 1)); else still=0; fi
-        [ "$still" -lt 10 ] || return 0
+        [ "$still" -lt "${1:-10}" ] || return 0
     done
     fail "the window did not come to rest in half a minute"
 }

@@ -10,7 +10,7 @@ start_display 1100x760
 start_glint "$(dirname "$0")/../../assets/scenes/default.json"
 # The display forgets a window that it does not show, and asks for all of it when it does again.
 same_when_drawn_anew() { # after $1
-    wait_for_rest
+    wait_for_rest 35 # and notices go after three seconds
     import -window root "$work/kept.png"
     xdotool windowunmap --sync "$window" windowmap --sync "$window" windowfocus "$window"
     wait_for_rest

@@ -112,20 +112,23 @@ BufferCheck checked(const SceneDocument& document, const std::vector<PixelBuffer
     const std::vector<PixelKind> kinds = pixel_kinds(renderer, check.size);
     check.compared = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), PixelKind::Surface));
     if (check.compared == 0) return check;
-    for (const PixelBuffer* mine : in_order(given, scene)) {
-        const Picture ours = pixel_buffers(renderer, scene, check.size, {mine->name}).front().picture;
-        check.differs = difference(mine->picture, ours, mine->name, kinds);
+    const std::vector<const PixelBuffer*> in_turn = in_order(given, scene);
+    std::vector<std::string> names;
+    for (const PixelBuffer* mine : in_turn) names.push_back(mine->name);
+    visit_pixel_buffers(renderer, scene, check.size, names, [&](const PixelBuffer& ours) {
+        const PixelBuffer& mine = *in_turn[check.agree.size()];
+        check.differs = difference(mine.picture, ours.picture, mine.name, kinds);
         if (!check.differs) {
-            check.agree.push_back(mine->name);
-            continue;
+            check.agree.push_back(mine.name);
+            return true;
         }
         const CheckFrames frames{view_from_world(scene.camera),
                                  clip_from_view(scene.camera.projection, check.size)};
         check.differs->found =
-            reading_of(buffer_kind(mine->name),
-                       read_points(renderer, scene, mine->name, mine->picture, ours, kinds), frames);
-        break;
-    }
+            reading_of(buffer_kind(mine.name),
+                       read_points(renderer, scene, mine.name, mine.picture, ours.picture, kinds), frames);
+        return false;
+    });
     return check;
 }
 

@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-using Row = std::vector<std::optional<SeenPoint>>;
+using SeenRow = std::vector<std::optional<SeenPoint>>;
 
 /// Beyond this share of the way from one point to the next, that way leads away from the surface: across a
 /// crease, or from one part to another behind it.
@@ -26,14 +26,15 @@ bool same_surface(const std::optional<SeenPoint>& a, const std::optional<SeenPoi
            std::abs(glm::dot(way, unit(b->normal))) <= most;
 }
 
-Row seen_row(const Renderer& renderer, PictureSize size, int y) {
-    Row row(static_cast<std::size_t>(size.width));
+SeenRow seen_row(const Renderer& renderer, PictureSize size, int y) {
+    SeenRow row(static_cast<std::size_t>(size.width));
     for (int x = 0; x < size.width; ++x) row[static_cast<std::size_t>(x)] = renderer.seen_at(x, y);
     return row;
 }
 
 /// Marks the pixels of row y that differ in surface from the one at their right or the one below.
-void mark_row(std::vector<std::uint8_t>& breaks, PictureSize size, int y, const Row& row, const Row* below) {
+void mark_row(std::vector<std::uint8_t>& breaks, PictureSize size, int y, const SeenRow& row,
+              const SeenRow* below) {
     for (int x = 0; x < size.width; ++x) {
         const auto i = static_cast<std::size_t>(x);
         const bool right = x + 1 < size.width && !same_surface(row[i], row[i + 1]);
@@ -57,9 +58,9 @@ bool near_break(const std::vector<std::uint8_t>& breaks, PictureSize size, int x
 std::vector<PixelKind> pixel_kinds(const Renderer& renderer, PictureSize size) {
     std::vector<std::uint8_t> breaks(size.pixels());
     tbb::parallel_for(tbb::blocked_range<int>(0, size.height, 16), [&](const auto& range) {
-        Row row = seen_row(renderer, size, range.begin());
+        SeenRow row = seen_row(renderer, size, range.begin());
         for (int y = range.begin(); y != range.end(); ++y) {
-            Row below = y + 1 < size.height ? seen_row(renderer, size, y + 1) : Row();
+            SeenRow below = y + 1 < size.height ? seen_row(renderer, size, y + 1) : SeenRow();
             mark_row(breaks, size, y, row, below.empty() ? nullptr : &below);
             row = std::move(below);
         }

@@ -133,4 +133,19 @@ std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, const Scene& sc
     return buffers;
 }
 
+void visit_pixel_buffers(const Renderer& renderer, const Scene& scene, PictureSize size,
+                         const std::vector<std::string>& names,
+                         const std::function<bool(const PixelBuffer&)>& visit) {
+    for (std::size_t from = 0; from < names.size(); from += buffers_at_once) {
+        const auto first = names.begin() + static_cast<std::ptrdiff_t>(from);
+        const std::vector<std::string> some(
+            first, first + static_cast<std::ptrdiff_t>(std::min(buffers_at_once, names.size() - from)));
+        const std::vector<PixelBuffer> buffers = pixel_buffers(renderer, scene, size, some);
+        for (const std::string& name : some) {
+            const auto has_name = [&name](const PixelBuffer& b) { return b.name == name; };
+            if (!visit(*std::find_if(buffers.begin(), buffers.end(), has_name))) return;
+        }
+    }
+}
+
 }  // namespace glint

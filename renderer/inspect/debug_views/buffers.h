@@ -1,6 +1,7 @@
 #pragma once
 // What lies behind every pixel, as pictures of numbers: for people who check a renderer of their own.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,11 @@ struct PixelBuffer {
 
 /// So many at once take about as much memory as drawing the picture.
 inline constexpr std::size_t buffers_at_once = 12;
+/// Visits those of `names`, some of buffer_names(), in their order, until `visit` returns false. Each pixel
+/// is explained once for as many buffers as are worked out at once.
+void visit_pixel_buffers(const Renderer& renderer, const Scene& scene, PictureSize size,
+                         const std::vector<std::string>& names,
+                         const std::function<bool(const PixelBuffer&)>& visit);
 /// The memory that so many buffers take, in bytes.
 [[nodiscard]] std::uint64_t buffers_memory(PictureSize size, std::size_t buffers = buffers_at_once);
 

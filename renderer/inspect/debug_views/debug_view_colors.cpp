@@ -28,9 +28,9 @@ const std::array<glm::dvec3, 5> dark_to_light{glm::dvec3(0.06, 0.04, 0.26), glm:
                                               glm::dvec3(0.12, 0.53, 0.60), glm::dvec3(0.53, 0.78, 0.37),
                                               glm::dvec3(1.00, 0.95, 0.60)};
 /// Lit: black, orange, white. Turned away: blues, so that the break at 0 is the terminator.
-const std::array<glm::dvec3, 3> lit{glm::dvec3(0.07, 0.04, 0.02), glm::dvec3(0.88, 0.47, 0.10),
-                                    glm::dvec3(1, 1, 0.92)};
-const std::array<glm::dvec3, 2> unlit{glm::dvec3(0.10, 0.15, 0.32), glm::dvec3(0.35, 0.62, 1)};
+const std::array<glm::dvec3, 3> lit_ramp{glm::dvec3(0.07, 0.04, 0.02), glm::dvec3(0.88, 0.47, 0.10),
+                                         glm::dvec3(1, 1, 0.92)};
+const std::array<glm::dvec3, 2> unlit_ramp{glm::dvec3(0.10, 0.15, 0.32), glm::dvec3(0.35, 0.62, 1)};
 
 /// Blue and red, as modelling programs have them.
 const glm::dvec3 front_side(0.22, 0.42, 0.95), back_side(0.93, 0.22, 0.20);
@@ -38,7 +38,8 @@ const glm::dvec3 front_side(0.22, 0.42, 0.95), back_side(0.93, 0.22, 0.20);
 }  // namespace
 
 Rgb debug_view_color(DebugView view, const DebugViewScale& scale, double value) {
-    if (view == DebugView::NDotL) return bytes(value < 0 ? between(unlit, -value) : between(lit, value));
+    if (view == DebugView::NDotL)
+        return bytes(value < 0 ? between(unlit_ramp, -value) : between(lit_ramp, value));
     const double share = (value - scale.low) / (scale.high - scale.low);
     // What is near is light.
     return bytes(between(dark_to_light, view == DebugView::Depth ? 1 - share : share));

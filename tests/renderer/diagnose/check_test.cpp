@@ -30,31 +30,46 @@ SceneDocument torus_scene() {
 /// What a wrong program has at a pixel in place of the right number.
 using Change = std::function<glm::dvec3(glm::dvec3 right, const Explanation& e)>;
 
-/// What is said of one buffer whose numbers were changed so wherever a surface shows.
-std::string found_in(const SceneDocument& document, const std::string& name, const Change& change) {
-    Renderer renderer(1);
-    (void)renderer.render(document.scene, diagnosed_size, true);
-    std::vector<PixelBuffer> buffers =
-        pixel_buffers(renderer, document.scene, diagnosed_size, buffer_names(document.scene));
-    for (PixelBuffer& b : buffers) {
-        if (b.name != name) continue;
+/// The buffers of a right program, and where they come from.
+class RightBuffers {
+  public:
+    explicit RightBuffers(SceneDocument document) : document_(std::move(document)) {
+        Renderer renderer(1);
+        (void)renderer.render(document_.scene, diagnosed_size, true);
+        buffers_ = pixel_buffers(renderer, document_.scene, diagnosed_size, buffer_names(document_.scene));
         for (int y = 0; y < diagnosed_size.height; ++y)
-            for (int x = 0; x < diagnosed_size.width; ++x) {
-                if (renderer.object_at(x, y) < 0) continue;
-                const glm::vec3 changed(change(b.picture.linear_at(x, y), renderer.explain(x, y)));
-                for (int c = 0; c < 3; ++c)
-                    b.picture.linear[3 * b.picture.pixel(x, y) + std::size_t(c)] = changed[c];
-            }
+            for (int x = 0; x < diagnosed_size.width; ++x)
+                if (renderer.object_at(x, y) >= 0)
+                    surface_.emplace_back(diagnosed_size.index(x, y), renderer.explain(x, y));
     }
-    const BufferCheck check = check_buffers(document, buffers, 1);
-    if (!check.differs) return "nothing";
-    CHECK(check.differs->name == name);
-    return check.differs->found;
-}
 
-/// The same in the torus's scene, when the change does not depend on the pixel.
+    /// What is said of one buffer whose numbers were changed so wherever a surface shows.
+    [[nodiscard]] std::string found_in(const std::string& name, const Change& change) const {
+        std::vector<PixelBuffer> buffers = buffers_;
+        for (PixelBuffer& b : buffers) {
+            if (b.name != name) continue;
+            for (const auto& [pixel, explanation] : surface_) {
+                float* const at = &b.picture.linear[3 * pixel];
+                const glm::vec3 changed(change(glm::vec3(at[0], at[1], at[2]), explanation));
+                for (int c = 0; c < 3; ++c) at[c] = changed[c];
+            }
+        }
+        const BufferCheck check = check_buffers(document_, buffers, 1);
+        if (!check.differs) return "nothing";
+        CHECK(check.differs->name == name);
+        return check.differs->found;
+    }
+
+  private:
+    SceneDocument document_;
+    std::vector<PixelBuffer> buffers_;
+    std::vector<std::pair<std::size_t, Explanation>> surface_;  // pixels
+};
+
+/// What is said in the torus's scene, when the change does not depend on the pixel.
 std::string found_in(const std::string& name, const std::function<glm::dvec3(glm::dvec3)>& change) {
-    return found_in(torus_scene(), name, [&](glm::dvec3 right, const Explanation&) { return change(right); });
+    static const RightBuffers torus(torus_scene());
+    return torus.found_in(name, [&](glm::dvec3 right, const Explanation&) { return change(right); });
 }
 
 bool says(const std::string& found, const std::string& words) {
@@ -116,11 +131,12 @@ TEST_CASE("what differs in a small part of the picture is named by what that par
     light.space = LightSpace::Camera;
     light.position = {0.4f, 0.2f, 1, 0};
     double negative = 0, all = 0;
-    const std::string found = found_in(document, "n_dot_l_0", [&](glm::dvec3 c, const Explanation&) {
-        all += 1;
-        negative += c.x < 0 ? 1 : 0;
-        return glm::max(c, 0.0);
-    });
+    const std::string found =
+        RightBuffers(document).found_in("n_dot_l_0", [&](glm::dvec3 c, const Explanation&) {
+            all += 1;
+            negative += c.x < 0 ? 1 : 0;
+            return glm::max(c, 0.0);
+        });
     CHECK(negative / all > 0.01);
     CHECK(negative / all < 0.03);
     CHECK(found == "ours, 0 where it is negative");
@@ -144,6 +160,7 @@ TEST_CASE("the eye and the light in one frame and the point in another are named
     REQUIRE(scene.lights[2].kind == LightKind::Spot);
     REQUIRE(scene.lights[2].space == LightSpace::World);
     const glm::dvec3 light = in(glm::inverse(world_from_camera), glm::vec3(scene.lights[2].position));
+    const RightBuffers right(document);
     for (const auto& [head_name, head] : frames)
         for (const auto& [point_name, point] : frames) {
             if (head_name == point_name && head_name == "camera coordinates") continue;
@@ -152,8 +169,8 @@ TEST_CASE("the eye and the light in one frame and the point in another are named
                     return glm::normalize(in(from, from_head) - in(to, e.at.point.camera));
                 };
             };
-            const std::string view = found_in(document, "view", wrong(glm::dvec3(0)));
-            const std::string to_light = found_in(document, "l_2", wrong(light));
+            const std::string view = right.found_in("view", wrong(glm::dvec3(0)));
+            const std::string to_light = right.found_in("l_2", wrong(light));
             if (head_name == point_name) {
                 CHECK(says(view, head_name));
                 CHECK(says(to_light, head_name));
@@ -186,10 +203,11 @@ TEST_CASE("a cosine of a normal and a light in different frames is named", "[dia
             {"camera", l},
             {"clip", glm::normalize(clip * l)}};
     };
+    const RightBuffers right(document);
     for (std::size_t n = 0; n < 4; ++n)
         for (std::size_t l = 0; l < 4; ++l) {
             if ((n == 1 || n == 2) && n == l) continue;  // a rotation of both changes nothing
-            const std::string found = found_in(document, "n_dot_l_0", [&](glm::dvec3, const Explanation& e) {
+            const std::string found = right.found_in("n_dot_l_0", [&](glm::dvec3, const Explanation& e) {
                 return glm::dvec3(glm::dot(normals(e.at.normal.camera)[n].second,
                                            directions(e.at.lights[0].l.camera)[l].second));
             });
@@ -203,12 +221,13 @@ TEST_CASE("what corners hand on is read at the corners", "[diagnose][check]") {
     document.scene.shading.mode = ShadingMode::Gouraud;
     const glm::dmat3 world_from_camera(world_from_view(document.scene.camera));
     const auto left_in_world = [&](glm::dvec3 l, const Explanation&) { return world_from_camera * l; };
-    CHECK(says(found_in(document, "l_0", left_in_world), "left in world coordinates"));
+    const RightBuffers right(document);
+    CHECK(says(right.found_in("l_0", left_in_world), "left in world coordinates"));
     const auto absolute = [](glm::dvec3, const Explanation& e) {
         double sum = 0;
         for (const ExplainedCorner& c : e.corners)
             sum += double(c.weight) * double(std::abs(c.at.lights[2].n_dot_l));
         return glm::dvec3(sum);
     };
-    CHECK(says(found_in(document, "n_dot_l_2", absolute), "without its sign"));
+    CHECK(says(right.found_in("n_dot_l_2", absolute), "without its sign"));
 }

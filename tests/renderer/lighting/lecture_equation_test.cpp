@@ -13,7 +13,7 @@ using Vec = Vec3<float>;
 
 namespace {
 
-Vec in_plane(double degrees) {
+Vec at_angle(double degrees) {
     return {static_cast<float>(std::sin(degrees * degree)), 0,
             static_cast<float>(std::cos(degrees * degree))};
 }
@@ -114,7 +114,7 @@ TEST_CASE("Blinn-Phong with 4 n comes as near to Phong's lobe as tabulated, with
         CAPTURE(row.n);
         double error_of_4n = 0, error_of_best = 0;
         for (int step = 0; step <= 1800; ++step) {  // l = n: then r = n, and h lies halfway
-            const PointAt<float> at{{}, n, in_plane(0.05 * step)};
+            const PointAt<float> at{{}, n, at_angle(0.05 * step)};
             const double phong = highlight(Reflection::Phong, n, at, row.n);
             error_of_4n =
                 std::max(error_of_4n, std::abs(phong - highlight(Reflection::BlinnPhong, n, at, 4 * row.n)));
@@ -133,20 +133,20 @@ TEST_CASE("the slide's intensities at 60, 25 and 0 degrees", "[lecture]") {
     CHECK(drawn.colour({0, 0, 0}).x == Approx(0.609075).margin(2e-3));
     CHECK(drawn.colour({2, 0, 0}).x == Approx(1).margin(2e-3));
     for (const auto& [angle, total] : {std::pair{60.0, 0.75}, {25.0, 0.953154}, {0.0, 1.0}}) {
-        const PointAt<float> at{{}, {0, 0, 1}, in_plane(-angle)};
-        const auto t = illuminate(Equation{}, light_at(in_plane(angle), 0), material(20), at);
+        const PointAt<float> at{{}, {0, 0, 1}, at_angle(-angle)};
+        const auto t = illuminate(Equation{}, light_at(at_angle(angle), 0), material(20), at);
         CHECK(0.1 + t.diffuse.x + t.specular.x == Approx(total).epsilon(1e-5));
     }
 }
 
 TEST_CASE("normal, light and viewer move exactly the terms that the review names", "[lecture]") {
-    const PointAt<float> at{{}, {0, 0, 1}, in_plane(-20)};
-    const PointAt<float> turned{{}, in_plane(5), at.v}, seen_elsewhere{{}, at.n, in_plane(-30)};
+    const PointAt<float> at{{}, {0, 0, 1}, at_angle(-20)};
+    const PointAt<float> turned{{}, at_angle(5), at.v}, seen_elsewhere{{}, at.n, at_angle(-30)};
     const auto lit = [](const LightAt<float>& light, const PointAt<float>& p) {
         return illuminate(Equation{}, light, material(8), p);
     };
     for (const float w : {0.0f, 1.0f}) {
-        const LightAt<float> light = light_at(in_plane(30), w), elsewhere = light_at(in_plane(40), w);
+        const LightAt<float> light = light_at(at_angle(30), w), elsewhere = light_at(at_angle(40), w);
         CHECK(moved(lit(light, at), lit(light, turned)) == Moved{false, true, true});
         CHECK(moved(lit(light, at), lit(elsewhere, at)) == Moved{false, true, true});
         CHECK(moved(lit(light, at), lit(light, seen_elsewhere)) == Moved{false, false, true});
@@ -156,11 +156,11 @@ TEST_CASE("normal, light and viewer move exactly the terms that the review names
 TEST_CASE("the place of a point matters to a bulb and not to a sun", "[lecture]") {
     // The same surface angle and view direction, the point moved sideways: only a bulb's direction changes. A
     // sun further away along its direction is the same sun.
-    const PointAt<float> here{{}, {0, 0, 1}, in_plane(-20)}, there{{0.3f, 0, 0}, here.n, here.v};
+    const PointAt<float> here{{}, {0, 0, 1}, at_angle(-20)}, there{{0.3f, 0, 0}, here.n, here.v};
     const auto lit = [](Vec xyz, float w, const PointAt<float>& p) {
         return illuminate(Equation{}, light_at(xyz, w), material(8), p);
     };
-    const Vec l = in_plane(30);
+    const Vec l = at_angle(30);
     CHECK(moved(lit(l, 0, here), lit(l, 0, there)) == Moved{false, false, false});
     CHECK(moved(lit(l, 0, here), lit(unit(4.0f * l), 0, here)) == Moved{false, false, false});
     CHECK(moved(lit(l, 1, here), lit(l, 1, there)) == Moved{false, true, true});
@@ -172,16 +172,16 @@ TEST_CASE("Phong's lobe holds 2 pi / (n + 2), and as a BRDF it is not reciprocal
         double sum = 0;
         for (int step = 0; step < 1800; ++step) {
             const double phi = 0.05 * step + 0.025;
-            sum += highlight(Reflection::Phong, n, {{}, n, in_plane(phi)}, shininess) *
+            sum += highlight(Reflection::Phong, n, {{}, n, at_angle(phi)}, shininess) *
                    std::cos(phi * degree) * std::sin(phi * degree) * 2 * std::numbers::pi * 0.05 * degree;
         }
         CHECK(sum == Approx(2 * std::numbers::pi / (shininess + 2)).epsilon(1e-3));
     }
     // The lecture's sum leaves n.l out: its BRDF is the lobe over n.l, and l and v do not change places.
     const double there =
-        highlight(Reflection::Phong, in_plane(60), {{}, n, in_plane(-40)}, 10) / std::cos(60 * degree);
+        highlight(Reflection::Phong, at_angle(60), {{}, n, at_angle(-40)}, 10) / std::cos(60 * degree);
     const double back =
-        highlight(Reflection::Phong, in_plane(-40), {{}, n, in_plane(60)}, 10) / std::cos(40 * degree);
+        highlight(Reflection::Phong, at_angle(-40), {{}, n, at_angle(60)}, 10) / std::cos(40 * degree);
     CHECK(there / back == Approx(std::cos(40 * degree) / std::cos(60 * degree)).epsilon(1e-4));
 }
 
@@ -197,7 +197,7 @@ TEST_CASE("a table of cos^n is wrong by half its step times the slope, and shows
         for (double angle = 0; angle < 90; angle += 0.01) {
             const double cosine = std::cos(angle * degree);
             const PointAt<float> at{
-                {0, 0, 0}, {0, 0, 1}, in_plane(angle)};  // the light stands over the normal
+                {0, 0, 0}, {0, 0, 1}, at_angle(angle)};  // the light stands over the normal
             const double looked_up =
                 illuminate(equation, light_at({0, 0, 1}, 0), material(n), at).response.specular.x;
             const double index = cosine * (entries - 1);
@@ -222,9 +222,9 @@ TEST_CASE("a table of cos^n is wrong by half its step times the slope, and shows
 
 TEST_CASE("where n.l = 0 a highlight is cut off: 0.330 of Blinn-Phong's, 0.010 of Phong's", "[lecture]") {
     // Light and viewer 150 degrees apart, n = 32: n.h = cos 15 degrees, v.r = cos 30 degrees.
-    const PointAt<float> at{{}, {0, 0, 1}, in_plane(-60)};
-    CHECK(highlight(Reflection::BlinnPhong, in_plane(89.999), at, 32) == Approx(0.330).margin(1e-3));
-    CHECK(highlight(Reflection::Phong, in_plane(89.999), at, 32) == Approx(0.010).margin(1e-3));
-    CHECK(highlight(Reflection::BlinnPhong, in_plane(90.001), at, 32) == 0);
-    CHECK(highlight(Reflection::Phong, in_plane(90.001), at, 32) == 0);
+    const PointAt<float> at{{}, {0, 0, 1}, at_angle(-60)};
+    CHECK(highlight(Reflection::BlinnPhong, at_angle(89.999), at, 32) == Approx(0.330).margin(1e-3));
+    CHECK(highlight(Reflection::Phong, at_angle(89.999), at, 32) == Approx(0.010).margin(1e-3));
+    CHECK(highlight(Reflection::BlinnPhong, at_angle(90.001), at, 32) == 0);
+    CHECK(highlight(Reflection::Phong, at_angle(90.001), at, 32) == 0);
 }

@@ -23,11 +23,11 @@ Scene looking_at(MeshPtr mesh) {
 }
 
 /// A ray from the eye through a pixel's centre, in world coordinates, and the distance along it for -z = 1.
-struct Ray {
+struct PixelRay {
     glm::dvec3 from, direction;  // direction has -z = 1 in camera coordinates
 };
 
-Ray ray_through(const Camera& camera, PictureSize size, int x, int y) {
+PixelRay ray_through(const Camera& camera, PictureSize size, int x, int y) {
     const glm::dmat4 view_from_clip = glm::inverse(clip_from_view(camera.projection, size));
     const glm::dvec4 ndc((x + 0.5) / size.width * 2 - 1, 1 - (y + 0.5) / size.height * 2, -1, 1);
     const glm::dvec4 p = view_from_clip * ndc;
@@ -39,7 +39,7 @@ Ray ray_through(const Camera& camera, PictureSize size, int x, int y) {
 
 /// Depth (-z) at which a ray meets a triangle, or infinity; `margin` is the smallest barycentric weight
 /// there.
-double meet(const Ray& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, double& margin) {
+double meet(const PixelRay& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, double& margin) {
     const glm::dvec3 e1 = b - a, e2 = c - a, p = glm::cross(ray.direction, e2);
     const double det = glm::dot(e1, p);
     margin = -1;
@@ -129,7 +129,7 @@ TEST_CASE("random triangles are seen where rays from the eye meet them first", "
         int compared = 0, wrong = 0;
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) {
-                const Ray ray = ray_through(scene.camera, size, x, y);
+                const PixelRay ray = ray_through(scene.camera, size, x, y);
                 double nearest = std::numeric_limits<double>::infinity(), second = nearest, edge = 1;
                 int face = -1;
                 for (std::uint32_t t = 0; t < faces.size(); ++t) {
@@ -173,7 +173,7 @@ TEST_CASE("a ground that runs from behind the eye to the far plane is seen up to
         renderer.render(scene, size);
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) {
-                const Ray ray = ray_through(scene.camera, size, x, y);
+                const PixelRay ray = ray_through(scene.camera, size, x, y);
                 const double depth = -ray.from.y / ray.direction.y;
                 const glm::dvec3 hit = ray.from + depth * ray.direction;
                 const bool within = std::abs(hit.x) < extent && std::abs(hit.z) < extent;

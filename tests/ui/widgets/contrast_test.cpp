@@ -65,27 +65,32 @@ class Painter {
     };
 
     void paint(const ImDrawList& list, const ImDrawCmd& command) {
-        if (command.UserCallback != nullptr) return;
+        if (command.UserCallback != nullptr || !overlaps(command.ClipRect)) return;
+        const ImDrawIdx* const index = list.IdxBuffer.Data + command.IdxOffset;
+        const ImDrawVert* const vertex = list.VtxBuffer.Data + command.VtxOffset;
         const ImVec2 white = ImGui::GetIO().Fonts->TexUvWhitePixel;
         for (unsigned i = 0; i + 3 <= command.ElemCount; i += 3) {
-            Fill fill{{}, command.ClipRect};
-            for (unsigned k = 0; k < 3; ++k) {
-                const ImDrawIdx index = list.IdxBuffer[static_cast<int>(command.IdxOffset + i + k)];
-                fill.corner[k] = &list.VtxBuffer[static_cast<int>(command.VtxOffset + index)];
-            }
-            const auto& [a, b, c] = fill.corner;
+            const ImDrawVert *const a = vertex + index[i], *const b = vertex + index[i + 1],
+                                    *const c = vertex + index[i + 2];
             if (!reaches(a->pos, b->pos, c->pos)) continue;
             const bool plain =
                 a->uv.x == white.x && a->uv.y == white.y && b->uv.x == white.x && c->uv.x == white.x;
             if (plain && a->col == b->col && b->col == c->col)
-                fills_.push_back(fill);
+                fills_.push_back({{a, b, c}, command.ClipRect});
             else if (!plain && glyphs_.contains({a->uv.x, a->uv.y}) && a->pos.y == b->pos.y)
                 add_ink({(a->pos.x + c->pos.x) / 2, (a->pos.y + c->pos.y) / 2}, a->col, command.ClipRect);
         }
     }
     [[nodiscard]] bool reaches(ImVec2 a, ImVec2 b, ImVec2 c) const {
-        return std::min({a.x, b.x, c.x}) <= area_.high.x && std::max({a.x, b.x, c.x}) >= area_.low.x &&
-               std::min({a.y, b.y, c.y}) <= area_.high.y && std::max({a.y, b.y, c.y}) >= area_.low.y;
+        const auto all = [](bool p, bool q, bool r) { return p && q && r; };
+        const ImVec2 low = area_.low, high = area_.high;
+        return !all(a.x > high.x, b.x > high.x, c.x > high.x) &&
+               !all(a.x < low.x, b.x < low.x, c.x < low.x) &&
+               !all(a.y > high.y, b.y > high.y, c.y > high.y) && !all(a.y < low.y, b.y < low.y, c.y < low.y);
+    }
+    [[nodiscard]] bool overlaps(const ImVec4& clip) const {
+        return clip.x <= area_.high.x && clip.z >= area_.low.x && clip.y <= area_.high.y &&
+               clip.w >= area_.low.y;
     }
     void add_ink(ImVec2 at, ImU32 colour, const ImVec4& clip) {
         const bool shown = at.x >= clip.x && at.x < clip.z && at.y >= clip.y && at.y < clip.w;

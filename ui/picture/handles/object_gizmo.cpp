@@ -16,9 +16,9 @@ namespace {
 const std::array axis_colours{ImVec4{0.93f, 0.42f, 0.35f, 1}, ImVec4{0.52f, 0.78f, 0.35f, 1},
                               ImVec4{0.42f, 0.65f, 1.0f, 1}};
 constexpr const char* letters[] = {"X", "Y", "Z"};
-const ImVec4 white{1, 1, 1, 1};
+const ImVec4 all_axes_colour{1, 1, 1, 1};
 constexpr float axis_units = 84;                    // of the design
-constexpr float line_width = 2.2f, held_width = 3;  // logical pixels
+constexpr float axis_width = 2.2f, held_width = 3;  // logical pixels
 
 struct GizmoPen {
     WorldPen pen;
@@ -26,7 +26,7 @@ struct GizmoPen {
     std::optional<GizmoPart> in_hand;
 
     [[nodiscard]] ImU32 colour(std::size_t axis, GizmoPart part) const {
-        return to_u32(in_hand == part ? white : axis_colours[axis]);
+        return to_u32(in_hand == part ? all_axes_colour : axis_colours[axis]);
     }
     [[nodiscard]] ImVec2 shown(glm::dvec3 place) const { return pen.view.shown(place); }
     void letter(std::size_t axis, glm::dvec3 at) const {
@@ -50,7 +50,7 @@ struct GizmoPen {
         const auto part = static_cast<GizmoPart>(i);
         const glm::dvec3 way = gizmo.length * gizmo.axes[i];
         pen.cased(gizmo.origin + 0.14 * way, gizmo.origin + way, colour(i, part), 1,
-                  in_hand == part ? held_width : line_width);
+                  in_hand == part ? held_width : axis_width);
         head(i, mode);
         letter(i, gizmo.origin + 1.22 * way);
     }
@@ -63,7 +63,7 @@ struct GizmoPen {
                                   shown(gizmo.origin + plane_to * a + plane_from * b),
                                   shown(gizmo.origin + plane_to * a + plane_to * b),
                                   shown(gizmo.origin + plane_from * a + plane_to * b)};
-        const ImVec4 tint = in_hand == part ? white : axis_colours[i];
+        const ImVec4 tint = in_hand == part ? all_axes_colour : axis_colours[i];
         pen.list.AddConvexPolyFilled(corners, 4, to_u32(tint, 0.45f));
         pen.list.AddPolyline(corners, 4, to_u32(tint), ImDrawFlags_Closed, px(1.2f));
     }
@@ -78,7 +78,7 @@ struct GizmoPen {
         for (int i = 0; i < sides; ++i) {
             const glm::dvec3 a = gizmo.origin + radius * out(i), b = gizmo.origin + radius * out(i + 1);
             if (whole || glm::dot(out(i), gizmo.to_eye) > -0.05)
-                pen.cased(a, b, c, 1, held ? held_width : line_width);
+                pen.cased(a, b, c, 1, held ? held_width : axis_width);
             else
                 pen.line(a, b, (c & 0x00FFFFFFu) | 0x60000000u, px(1));
         }
@@ -125,7 +125,7 @@ void draw_object_gizmo(ImDrawList& list, const PictureView& view, const ObjectGi
     const GizmoPen pen{{list, view}, gizmo, in_hand};
     if (mode == GizmoMode::Rotate) {
         const bool free = in_hand == GizmoPart::Free;
-        pen.ring(gizmo.to_eye, 1.18 * gizmo.length, to_u32(white, free ? 1.0f : 0.55f), free, true);
+        pen.ring(gizmo.to_eye, 1.18 * gizmo.length, to_u32(all_axes_colour, free ? 1.0f : 0.55f), free, true);
         for (std::size_t i = 0; i < 3; ++i) {
             const auto part = static_cast<GizmoPart>(i);
             pen.ring(gizmo.axes[i], gizmo.length, pen.colour(i, part), in_hand == part, false);
@@ -136,7 +136,7 @@ void draw_object_gizmo(ImDrawList& list, const PictureView& view, const ObjectGi
         for (std::size_t i = 0; i < 3; ++i) pen.plane(i);
     for (std::size_t i = 0; i < 3; ++i) pen.axis(i, mode);
     const bool free = in_hand == GizmoPart::Free;
-    cased_circle(list, pen.shown(gizmo.origin), 6, to_u32(white, free ? 1.0f : 0.8f), free ? 3 : 2);
+    cased_circle(list, pen.shown(gizmo.origin), 6, to_u32(all_axes_colour, free ? 1.0f : 0.8f), free ? 3 : 2);
 }
 
 }  // namespace glint
