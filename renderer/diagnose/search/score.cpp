@@ -48,7 +48,8 @@ class Expected {
     Ground ground_;
 };
 
-void add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std::array<ByteRange, 3>& right,
+/// Returns whether the pixel is unlike what is explained.
+bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std::array<ByteRange, 3>& right,
                Rgb mine, glm::ivec2 at) {
     float off = 0, off_right = 0, told = 0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -59,14 +60,16 @@ void add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std:
         row.excess += double(excess_of(d));
         row.squares += double(d) * double(d);
     }
-    const bool is_wrong = off_right > visible_levels;
+    const bool is_wrong = off_right > visible_levels, is_unlike = off > visible_levels;
     ++row.compared;
-    row.unlike += off > visible_levels ? 1 : 0;
+    row.unlike += is_unlike ? 1 : 0;
     row.wrong += is_wrong ? 1 : 0;
-    row.explained += is_wrong && off <= visible_levels ? 1 : 0;
-    if (told <= static_cast<float>(row.told_best)) return;
-    row.told_best = static_cast<int>(told);
-    row.pixel = at;
+    row.explained += is_wrong && !is_unlike ? 1 : 0;
+    if (told > static_cast<float>(row.told_best)) {
+        row.told_best = static_cast<int>(told);
+        row.pixel = at;
+    }
+    return is_unlike;
 }
 
 void add(Score& all, const Score& row) {
@@ -114,32 +117,16 @@ Exhibit::Exhibit(const Picture& wrong_picture, const Picture& right_picture,
 
 namespace {
 
-/// One explanation of one picture, asked pixel by pixel.
-struct Judgement {
-    const Exhibit& exhibit;
-    const Expected& explained;
-    const DisplayChange& change;
-
-    [[nodiscard]] bool is_unlike(int x, int y) const {
-        if (exhibit.kinds[exhibit.right.pixel(x, y)] != PixelKind::Surface) return false;
-        const Rgb mine = mine_at(exhibit.wrong, change, x, y);
-        const std::array<ByteRange, 3> expected = explained.at(x, y);
-        float most = 0;
-        for (std::size_t c = 0; c < 3; ++c) most = std::max(most, expected[c].distance(mine[c]));
-        return most > visible_levels;
-    }
-
-    /// Pixels amid others that are unlike, the picture's border left out.
-    [[nodiscard]] std::uint64_t solid() const {
-        std::uint64_t count = 0;
-        for (int y = 1; y + 1 < exhibit.right.size.height; ++y)
-            for (int x = 1; x + 1 < exhibit.right.size.width; ++x)
-                if (is_unlike(x, y) && is_unlike(x - 1, y) && is_unlike(x + 1, y) && is_unlike(x, y - 1) &&
-                    is_unlike(x, y + 1))
-                    ++count;
-        return count;
-    }
-};
+/// How many marked pixels lie amid four that are marked, too; the picture's border left out.
+std::uint64_t count_solid(const std::vector<std::uint8_t>& marked, PictureSize size) {
+    std::uint64_t count = 0;
+    for (int y = 1; y + 1 < size.height; ++y)
+        for (int x = 1; x + 1 < size.width; ++x)
+            if (marked[size.index(x, y)] && marked[size.index(x - 1, y)] && marked[size.index(x + 1, y)] &&
+                marked[size.index(x, y - 1)] && marked[size.index(x, y + 1)])
+                ++count;
+    return count;
+}
 
 }  // namespace
 
@@ -151,16 +138,19 @@ Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
     const Expected right(e.right, nullptr, ranges, change.soft, ground);
     const PictureSize size = e.right.size;
     std::vector<Score> rows(static_cast<std::size_t>(size.height / step));
+    std::vector<std::uint8_t> unlike(step == 1 ? size.pixels() : 0);
     tbb::parallel_for(0, size.height / step, [&](int row) {
         const int y = row * step + step / 2;
-        for (int x = 0; x < size.width; ++x)
-            if (e.kinds[size.index(x, y)] == PixelKind::Surface)
-                add_pixel(rows[static_cast<std::size_t>(row)], explained.at(x, y), right.at(x, y),
-                          mine_at(e.wrong, change, x, y), {x, y});
+        for (int x = 0; x < size.width; ++x) {
+            if (e.kinds[size.index(x, y)] != PixelKind::Surface) continue;
+            const bool is_unlike = add_pixel(rows[static_cast<std::size_t>(row)], explained.at(x, y),
+                                             right.at(x, y), mine_at(e.wrong, change, x, y), {x, y});
+            if (step == 1) unlike[size.index(x, y)] = is_unlike ? 1 : 0;
+        }
     });
     Score all;
     for (const Score& row : rows) add(all, row);  // in order, so that threads do not matter
-    if (step == 1 && all.may_fit() && all.unlike > 0) all.solid = Judgement{e, explained, change}.solid();
+    if (step == 1 && all.may_fit() && all.unlike > 0) all.solid = count_solid(unlike, size);
     return all;
 }
 
