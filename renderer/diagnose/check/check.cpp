@@ -114,6 +114,7 @@ BufferCheck checked(const SceneDocument& document, const std::vector<PixelBuffer
     if (check.compared == 0) return check;
     const std::vector<const PixelBuffer*> in_turn = in_order(given, scene);
     std::vector<std::string> names;
+    names.reserve(in_turn.size());
     for (const PixelBuffer* mine : in_turn) names.push_back(mine->name);
     visit_pixel_buffers(renderer, scene, check.size, names, [&](const PixelBuffer& ours) {
         const PixelBuffer& mine = *in_turn[check.agree.size()];

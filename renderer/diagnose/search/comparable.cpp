@@ -62,7 +62,7 @@ std::vector<PixelKind> pixel_kinds(const Renderer& renderer, PictureSize size) {
         for (int y = range.begin(); y != range.end(); ++y) {
             SeenRow below = y + 1 < size.height ? seen_row(renderer, size, y + 1) : SeenRow();
             mark_row(breaks, size, y, row, below.empty() ? nullptr : &below);
-            row = std::move(below);
+            row.swap(below);
         }
     });
     std::vector<PixelKind> kinds(size.pixels());

@@ -64,6 +64,8 @@ template <class Add> void for_each_enabled(const Scene& scene, const Add& add) {
         if (scene.lights[i].enabled) add(scene.lights[i], static_cast<int>(i), fmt::format("_{}", i));
 }
 
+// NOLINTBEGIN(clang-analyzer-cplusplus.NewDeleteLeaks): it does not follow what a std::function in another
+// frees.
 void add_directions(std::vector<Buffer>& all, const Scene& scene) {
     all.push_back({"view", of_lit_points([](const ExplainedPoint& at) { return at.view.camera; })});
     for_each_enabled(scene, [&all](const Light& light, int i, const std::string& number) {
@@ -88,6 +90,7 @@ void add_terms(std::vector<Buffer>& all, const Scene& scene) {
     all.push_back({"specular", of_all_lights(specular_of)});
     all.push_back({"sum", [](const Explanation& e) { return e.sum; }, true});
 }
+// NOLINTEND(clang-analyzer-cplusplus.NewDeleteLeaks)
 
 std::vector<Buffer> all_buffers(const Scene& scene) {
     std::vector<Buffer> all;
@@ -117,6 +120,7 @@ std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, const Scene& sc
     };
     wanted.erase(std::remove_if(wanted.begin(), wanted.end(), is_unwanted), wanted.end());
     std::vector<PixelBuffer> buffers;
+    buffers.reserve(wanted.size());
     for (const Buffer& b : wanted)
         buffers.push_back({b.name, {size, {}, std::vector(3 * size.pixels(), 0.0f)}});
     tbb::parallel_for(0, size.height, [&](int y) {

@@ -1,6 +1,8 @@
 // Wrong buffers are named by what they are instead.
 #include "renderer/diagnose/check/check.h"
 
+#include <fmt/format.h>
+
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -175,8 +177,10 @@ TEST_CASE("the eye and the light in one frame and the point in another are named
                 CHECK(says(view, head_name));
                 CHECK(says(to_light, head_name));
             } else {
-                CHECK(says(view, "from the point in " + point_name + " to the eye in " + head_name));
-                CHECK(says(to_light, "from the point in " + point_name + " to the light in " + head_name));
+                CHECK(
+                    says(view, fmt::format("from the point in {} to the eye in {}", point_name, head_name)));
+                CHECK(says(to_light,
+                           fmt::format("from the point in {} to the light in {}", point_name, head_name)));
             }
         }
 }
