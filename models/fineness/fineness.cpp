@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "models/fineness/half_edges.h"
 #include "models/memory_limit.h"
@@ -13,17 +15,29 @@ namespace {
 // Half-edges and their properties, in lists that grow, and the mesh itself; per face.
 constexpr std::uint64_t bytes_a_face = 600;
 
-/// Faces after that many steps: the first makes of each polygon as many as it has corners (of a triangle
-/// among triangles 4), each further one 4 of each.
+/// The number of faces after that many steps: the first step gives as many faces as a polygon has corners (4
+/// for each triangle if all are triangles), each further step 4 for each face.
 std::uint64_t faces_after(const Mesh& mesh, int steps) {
     const bool triangles = mesh.corner_position.size() == 3 * mesh.face_count();
     const std::uint64_t first = triangles ? 4 * mesh.face_count() : mesh.corner_position.size();
     return first << 2 * (steps - 1);
 }
 
-Problem too_many_around(std::size_t faces, const char* pointer) {
-    return {"", pointer, fmt::format("{} faces meet at one vertex of the mesh", faces),
-            fmt::format("at most {} where it is made finer or coarser", max_faces_around)};
+/// The most corners of a face: so many faces meet at one vertex where it is cut from its middle.
+std::size_t most_corners(const Mesh& mesh) {
+    std::size_t most = 0;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        most = std::max<std::size_t>(most, mesh.first_corner[f + 1] - mesh.first_corner[f]);
+    return most;
+}
+
+std::optional<Problem> too_many_around(const Mesh& mesh, const char* pointer) {
+    const std::size_t faces = most_faces_around(mesh), corners = most_corners(mesh);
+    if (std::max(faces, corners) <= max_faces_around) return std::nullopt;
+    return Problem{"", pointer,
+                   faces > max_faces_around ? fmt::format("{} faces meet at one vertex of the mesh", faces)
+                                            : fmt::format("a face of the mesh has {} corners", corners),
+                   fmt::format("at most {} where it is made finer or coarser", max_faces_around)};
 }
 
 }  // namespace
@@ -38,15 +52,14 @@ Result<Mesh> with_fineness(const Mesh& mesh, const Fineness& wanted) {
     const auto start = std::chrono::steady_clock::now();
     const Mesh* from = &mesh;
     Mesh made;
-    const std::size_t around = most_faces_around(mesh);
     if (!is_fine_as_it_is(mesh, {wanted.decimate, 0})) {
-        if (around > max_faces_around) return too_many_around(around, "/decimate");
+        if (const auto problem = too_many_around(mesh, "/decimate")) return *problem;
         const MemoryShare share(memory_need(MemoryUse::Meshes, bytes_a_face * mesh.triangles.size()));
         made = decimated(mesh, static_cast<std::size_t>(wanted.decimate));
         from = &made;
     }
     if (wanted.subdivide > 0) {
-        if (around > max_faces_around) return too_many_around(around, "/subdivide");
+        if (const auto problem = too_many_around(mesh, "/subdivide")) return *problem;
         const std::uint64_t faces = faces_after(*from, wanted.subdivide);
         if (faces > max_subdivided_faces)
             return Problem{"", "/subdivide",

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -96,8 +97,13 @@ std::string unescaped_uri(const Node& node, const std::string& uri) {
             path += uri[i];
         }
     }
-    if (path.empty() || path.find('\0') != std::string::npos || path.find("://") != std::string::npos)
-        node.fail(in_quotes(uri) + " is not the name of a file", "a file beside this one, or a data URI");
+    // A stranger's file must not hand on what stands elsewhere on this machine.
+    const fs::path file(path);
+    const bool leads_away = file.is_absolute() || std::any_of(file.begin(), file.end(),
+                                                              [](const fs::path& p) { return p == ".."; });
+    if (leads_away || path.find('\0') != std::string::npos || lower_extension(path) != ".bin")
+        node.fail(in_quotes(uri) + " is not a buffer that may be opened",
+                  "a file that ends in .bin, beside this one or below, or a data URI");
     return path;
 }
 

@@ -75,8 +75,16 @@ TEST_CASE("a hostile glTF file is one line that says where and what", "[gltf]") 
           "t.gltf: /buffers/0/uri: the data URI holds a character that is not of base64; expected letters, "
           "digits, + "
           "and /");
-    check("data:application/octet-stream;base64,", "/dev/zero\", \"x\": \"",
-          "t.gltf: /buffers/0/uri: \"/dev/zero\": is a device; expected a file that can be read");
+    for (const std::string file : {"/dev/zero", "/etc/passwd", "/tmp/a.bin", "../a.bin", "b/../../a.bin",
+                                   "a.txt", "%2e%2e/a.bin", "http://a.b/c.bin/..", ""})
+        check("data:application/octet-stream;base64,", file + "\", \"x\": \"",
+              "t.gltf: /buffers/0/uri: \"" + file +
+                  "\" is not a buffer that may be opened; expected a file that ends in .bin, beside this one "
+                  "or "
+                  "below, or a data URI");
+    check("data:application/octet-stream;base64,", "there/is/none.bin\", \"x\": \"",
+          "t.gltf: /buffers/0/uri: \"there/is/none.bin\": cannot read: no such file or directory; "
+          "expected a file that can be read");
     check("\"mesh\": 0", "\"mesh\": 1",
           "t.gltf: /nodes/0/mesh: 1 of \"meshes\" is not there; expected 0 to 0");
     check("\"mesh\": 0", "\"mesh\": 0, \"children\": [0]",

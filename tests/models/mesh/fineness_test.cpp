@@ -271,6 +271,11 @@ TEST_CASE("what would have too many faces is refused in one line", "[fineness]")
           "/subdivide: 9000 faces meet at one vertex of the mesh; expected at most 8192 where it is made "
           "finer or coarser");
     CHECK(refused(cone, {100, 0}).starts_with("/decimate: 9000 faces"));
+    const Mesh cylinder = make_primitive(Primitive::Cylinder, 9000);  // its lids have as many corners
+    CHECK(refused(cylinder, {0, 1}) ==
+          "/subdivide: a face of the mesh has 9000 corners; expected at most 8192 where it is made finer or "
+          "coarser");
+    CHECK(refused(cylinder, {100, 0}).starts_with("/decimate: a face of the mesh has 9000 corners"));
 }
 
 TEST_CASE("a mesh of one fineness is made once, and another one is another mesh", "[fineness]") {
