@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::uint64_t fewest_compared = 16;
 
-/// The sets that an experiment is to tell apart: the first candidate and those like it, or else the next.
+/// The sets of mistakes that an experiment is to tell apart: the first candidate and those that look like it,
+/// or else the second candidate.
 std::vector<MistakeSet> to_tell_apart(const std::vector<Candidate>& candidates) {
     constexpr std::size_t most = 4;
     std::vector<MistakeSet> sets;

@@ -1,7 +1,7 @@
 #pragma once
-// What is wrong in a picture that another program drew of a scene: the scene is drawn right and under every
-// mistake of models/scene/mistakes.h, and the explanation that shows the same picture is named. It does not
-// guess: a picture that none of them shows is said to be in no catalogue.
+// Finds what is wrong in a picture that another program drew of a scene: draws the scene without mistakes and
+// with each mistake of models/scene/mistakes.h, and names the explanation that gives the same picture. It
+// does not guess: a picture that none of them gives is reported as not in the catalogue.
 
 #include <array>
 #include <glm/vec2.hpp>
@@ -18,7 +18,7 @@ namespace glint {
 
 enum class Verdict { NoMistake, Mistake, NotInCatalogue, NotComparable };
 
-/// What was taken away before mistakes were looked for.
+/// What was discounted before mistakes were searched for.
 struct DisplayFinding {
     DisplayChange change;
     std::optional<Rgb> background;  // where it is another than the scene's, as the picture shows it
@@ -33,8 +33,8 @@ struct Candidate {
     double residual = 0;           // RMS in levels of 0 to 255, over what can be compared
     double explained = 0;          // share of the wrong pixels that it explains, 0 to 1
     bool fits = false;             // explains the whole picture
-    // The pixel of the scene's picture that tells it best from the right one, as the wrong picture has it,
-    // and as the right and the mistaken picture would show it at this display.
+    // The pixel that distinguishes this candidate best from the right picture, and its colours: in the wrong
+    // picture, and in the right and the mistaken picture as this display would show them.
     glm::ivec2 pixel{0};
     Rgb mine{}, reference{}, as_mistaken{};
 };
@@ -77,16 +77,17 @@ struct Diagnosis {
 
 struct DiagnosisOptions {
     bool pairs = false;
-    int threads = 0;  // 0: all cores; the answer is the same for every number
+    int threads = 0;             // 0: all cores; the answer is the same for every number
     DiagnosisProgress progress;  // of the search, which takes most of the time
 };
 
-/// `wrong` has its bytes (see as_shown()). Mistakes that the scene itself makes are left out. Throws Refused.
+/// Diagnoses `wrong`, whose bytes must be filled in (see as_shown()). Mistakes that the scene itself makes
+/// are left out. Throws Refused.
 [[nodiscard]] Diagnosis diagnose(const SceneDocument& document, const Picture& wrong,
                                  const DiagnosisOptions& options);
 
-/// The picture with the bytes that the scene's display makes of its linear numbers, which hold its exposure
-/// already; NaN is black. A picture of bytes stays as it is.
+/// Fills in the picture's bytes from its linear numbers, which already include exposure, as the scene's
+/// display would; NaN is black. A picture that has bytes stays as it is.
 [[nodiscard]] Picture as_shown(Picture picture, const Display& display);
 
 }  // namespace glint

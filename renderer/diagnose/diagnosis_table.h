@@ -27,7 +27,7 @@ struct DiagnosedPicture {
 /// explained, residual, display, experiment, why. What there is not is empty.
 [[nodiscard]] std::string diagnoses_csv(const std::vector<DiagnosedPicture>& pictures);
 
-/// The same as a page that needs nothing else, with the small pictures in it. `title` is the scene's name.
+/// The diagnoses as a self-contained HTML page, with the small pictures in it. `title` is the scene's name.
 [[nodiscard]] std::string diagnoses_html(const std::vector<DiagnosedPicture>& pictures,
                                          const std::string& title);
 

@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-/// What the picture shows more than it should, levels.
+/// Picture minus right picture, in levels.
 using Difference = std::array<double, 3>;
 
 struct WrongPixel {
@@ -17,7 +17,7 @@ struct WrongPixel {
     Difference difference{};
 };
 
-/// The pixels that differ by more than may be, and of each object its region.
+/// Returns the pixels that differ visibly, and fills in the region of each object.
 std::vector<WrongPixel> wrong_pixels(const Exhibit& e, const Renderer& renderer, const DisplayChange& change,
                                      std::map<int, DifferenceRegion>& regions) {
     const ByteRanges ranges = byte_ranges(change);
@@ -95,7 +95,7 @@ struct Fits {
     }
 };
 
-/// Terms add up in linear light: levels are brought back there. What is clamped is left out.
+/// Terms add up in linear light, so levels are converted back to it. Clamped channels are left out.
 void add_pixel(Fits& fits, const WrongPixel& pixel, Rgb right, const TermValues& terms,
                const Display& display) {
     constexpr double white = 254.5;

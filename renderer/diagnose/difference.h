@@ -1,5 +1,6 @@
 #pragma once
-// Where a difference lives that no mistake explains: on which objects, and in which term of the equation.
+// Finds where a difference lies that no mistake explains: on which objects, and in which term of the
+// equation.
 
 #include "renderer/diagnose/diagnose.h"
 

@@ -54,8 +54,8 @@ bool is_mixture(Rgb c, Rgb from, Rgb to) {
     return t > near_end && t < 1 - near_end && off < near_line * near_line;
 }
 
-/// Looks along each row for background, some edge, surface, or the other way round. `colour` gives the
-/// colours of a picture's pixels.
+/// Looks along each row for edge pixels between two others that are not. `colour` gives the colours of a
+/// picture's pixels.
 template <class Colour> Crossings crossings(const Exhibit& e, const Colour& colour) {
     constexpr int far = 48, widest = 8;
     Crossings found;

@@ -1,11 +1,11 @@
 #pragma once
-// What happened to a picture at its edges and around the objects.
+// Finds how a picture differs apart from its surfaces' colours: background, anti-aliased edges, shift.
 
 #include "renderer/diagnose/diagnose.h"
 
 namespace glint {
 
-/// `drawn`: what explains the picture under `change`.
+/// `drawn`: the drawing that explains the picture under `change`.
 [[nodiscard]] DisplayFinding display_finding(const Exhibit& exhibit, const Picture& drawn,
                                              const DisplayChange& change);
 

@@ -87,7 +87,7 @@ int channels_apart(const Picture& a, const Picture& b, std::size_t pixel) {
     return sum;
 }
 
-/// How far the two nearest of the pictures are apart at a pixel.
+/// The difference, at a pixel, of the two pictures that are most alike there.
 int least_apart_at(const std::vector<Picture>& pictures, std::size_t pixel) {
     int least = channels_apart(pictures[0], pictures[1], pixel);
     for (std::size_t i = 2; i < pictures.size(); ++i)
@@ -96,8 +96,8 @@ int least_apart_at(const std::vector<Picture>& pictures, std::size_t pixel) {
     return least;
 }
 
-/// Where the two nearest of the pictures are farthest apart, all around included: a pixel on an outline or on
-/// a highlight's rim would be another one in a program that rounds otherwise.
+/// The pixel at which, with its neighbours, the two pictures that are most alike differ most: a pixel on an
+/// outline or on a highlight's rim might look different in a program that rounds otherwise.
 glm::ivec2 telling_pixel(const std::vector<Picture>& pictures) {
     const PictureSize size = pictures[0].size;
     std::vector<int> least(size.pixels());
@@ -140,7 +140,7 @@ std::vector<Picture> drawn_under(Renderer& renderer, const Scene& scene, Picture
     return pictures;
 }
 
-/// How far the two nearest of the pictures are apart.
+/// The difference of the two pictures that are most alike.
 double least_apart(const std::vector<Picture>& pictures) {
     double least = apart(pictures[0], pictures[1]);
     for (std::size_t a = 0; a < pictures.size(); ++a)

@@ -1,5 +1,5 @@
 #pragma once
-// The change of a scene that tells mistakes apart which look alike in it.
+// Finds a change of a scene that tells apart mistakes that look alike in it.
 
 #include <optional>
 #include <vector>

@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint64_t drawings_bytes = std::uint64_t{256} << 20;
 constexpr std::size_t fewest_drawings = 3, most_drawings = 16;
 
-/// The size of about so many pixels to search at; odd divisors keep the centres of pixels.
+/// The size at which to search, of about that many pixels; odd divisors keep the centres of pixels.
 PictureSize search_size(PictureSize size, std::size_t pixels) {
     int divisor = 1;
     while (size.pixels() / static_cast<std::size_t>(divisor * divisor) > pixels) divisor += 2;
@@ -112,7 +112,7 @@ std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhi
         options.progress(done, of + drawings);
     };
     const std::vector<Hypothesis> likely =
-        likely_hypotheses(scene, exhibit.wrong, at, options.pairs, options.threads,
+        likely_hypotheses(scene, exhibit.wrong, at, options.pairs, drawings, options.threads,
                           options.progress ? DiagnosisProgress(search_progress) : DiagnosisProgress());
     const int step = std::clamp(size.height / coarse_rows, 1, most_step);
     std::vector<Judged> all;
@@ -120,7 +120,8 @@ std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhi
         if (options.progress) options.progress(tried + i, tried + drawings);
         all.push_back(judged(renderer, scene, exhibit, likely[i], step));
     }
-    // All but the likeliest are hopeless; no mistake at all is judged with them.
+    // Only the likeliest are judged on the whole picture; the hypothesis of no mistake, which comes first,
+    // always is.
     std::stable_sort(all.begin() + 1, all.end(),
                      [](const Judged& a, const Judged& b) { return a.cost < b.cost; });
     all.resize(std::min(all.size(), judged_whole));

@@ -1,5 +1,5 @@
 #pragma once
-// Explanations of a wrong picture judged on the whole of it.
+// Judges explanations of a wrong picture on the whole picture.
 
 #include <vector>
 

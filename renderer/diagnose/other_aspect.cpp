@@ -14,7 +14,7 @@ namespace {
 
 constexpr PictureSize small{160, 120};
 
-/// How steep the picture is at each pixel: outlines stand out, whatever lies between them. Mean 0, length 1.
+/// The gradient of the picture at each pixel, in which outlines stand out. Mean 0, length 1.
 std::vector<double> outlines(const Picture& picture) {
     std::vector<double> steep(picture.size.pixels());
     const auto grey = [&](int x, int y) {
@@ -25,7 +25,7 @@ std::vector<double> outlines(const Picture& picture) {
     for (int y = 0; y + 1 < picture.size.height; ++y)
         for (int x = 0; x + 1 < picture.size.width; ++x) {
             const double here = grey(x, y);
-            // Its root, so that a few bright outlines do not drown the others.
+            // The square root keeps a few bright outlines from drowning the others.
             const double rise = std::hypot(grey(x + 1, y) - here, grey(x, y + 1) - here);
             mean += steep[picture.size.index(x, y)] = std::sqrt(rise);
         }

@@ -10,7 +10,7 @@
 namespace glint {
 
 /// The aspect, as "16:9", at which the right scene's outlines fit the picture far better than at the
-/// picture's own; nothing where they do at none of the usual ones. Any renderer will do.
+/// picture's own; nothing where none of the usual aspects fits better.
 [[nodiscard]] std::optional<std::string> other_aspect(Renderer& renderer, const Scene& scene,
                                                       const Picture& wrong);
 

@@ -7,7 +7,7 @@
 namespace glint {
 namespace {
 
-/// What may have happened at the display of a picture that nothing explains, the least first.
+/// The display changes to try for a picture that nothing explains, the smallest first.
 std::vector<DisplayChange> cautious_changes(const Exhibit& exhibit, const Judged& none) {
     constexpr std::uint64_t clearly = 4;  // a gain or a curve takes away something of any difference
     DisplayChange turned = none.change;
@@ -44,7 +44,7 @@ void say_what_is_unexplained(Diagnosis& d, Renderer& renderer, const Scene& scen
         return;
     }
     d.verdict = Verdict::NotInCatalogue;
-    constexpr double much = 0.5;  // the nearest are told where they explain this share
+    constexpr double much = 0.5;  // the nearest candidates are kept if they explain this share
     std::erase_if(d.candidates, [](const Candidate& c) { return c.explained < much; });
     constexpr double nearly_all = 0.9;
     (void)renderer.render(under_mistakes(scene, {}), d.size);

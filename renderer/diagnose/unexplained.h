@@ -1,12 +1,12 @@
 #pragma once
-// What can be said of a picture that no mistake explains.
+// Describes a picture that no mistake explains.
 
 #include "renderer/diagnose/judged.h"
 
 namespace glint {
 
 /// Fills in the diagnosis of a picture that nothing fits: whether it can be compared at all, and where the
-/// difference lives. `none`: as judged without a mistake.
+/// difference lives. `none`: the judgement without a mistake.
 void say_what_is_unexplained(Diagnosis& diagnosis, Renderer& renderer, const Scene& scene,
                              const Exhibit& exhibit, const Judged& none);
 

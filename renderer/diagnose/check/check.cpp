@@ -26,7 +26,7 @@ float off(glm::vec3 mine, glm::vec3 ours) {
     return most;
 }
 
-/// Nothing where all but one pixel in a hundred agree.
+/// Returns how a buffer differs; nothing where at most one pixel in a hundred does.
 std::optional<BufferDifference> difference(const Picture& mine, const Picture& ours, const std::string& name,
                                            const std::vector<PixelKind>& kinds) {
     constexpr double most_share = 0.01;

@@ -1,6 +1,6 @@
 #pragma once
-// Buffers of another renderer held against ours, from geometry to colour: the first that differs is where its
-// mistake is made. Of vectors the transform is named that would repair them.
+// Compares the buffers of another renderer with ours, from geometry to colour: the first one that differs
+// shows where the mistake is made. For vectors, it names the transform that would repair them.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -13,8 +13,8 @@
 
 namespace glint {
 
-/// The names of the scene's buffers that are looked at, in the order in which a program makes them: all but
-/// the numbers of faces.
+/// The names of the scene's buffers that are compared, in the order in which a program computes them: all but
+/// `face`.
 [[nodiscard]] std::vector<std::string> checked_buffers(const Scene& scene);
 
 struct BufferDifference {
@@ -32,12 +32,12 @@ struct BufferCheck {
     std::optional<BufferDifference> differs;  // the first
 };
 
-/// `given`: at least one of checked_buffers(), `linear` filled, all of one size; the scene is drawn at it,
-/// right.
+/// Draws the scene without mistakes at the size of the given buffers and compares. `given`: at least one of
+/// checked_buffers(), `linear` filled, all of one size.
 [[nodiscard]] BufferCheck check_buffers(const SceneDocument& document, const std::vector<PixelBuffer>& given,
                                         int threads);
 
-/// For people, at most three lines; for programs.
+/// The result as text of at most three lines, and as JSON.
 [[nodiscard]] std::string check_text(const BufferCheck& check);
 [[nodiscard]] std::string check_json(const BufferCheck& check);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The frames in which a program may have left a vector, and what it then is.
+// The frames in which a program may have left a vector, and the vector's value there.
 
 #include <array>
 #include <glm/geometric.hpp>
@@ -37,7 +37,7 @@ inline constexpr std::array all_frames{Frame::Object, Frame::World, Frame::Camer
     return glm::dmat4(1);
 }
 
-/// A point of camera coordinates; in clip coordinates not divided by w.
+/// Transforms a point from camera coordinates to the frame; clip coordinates are not divided by w.
 [[nodiscard]] inline glm::dvec3 point_in(Frame frame, const ReadAt& at, const CheckFrames& f,
                                          glm::dvec3 point) {
     return glm::dvec3(glm::inverse(camera_from(frame, at, f)) * glm::dvec4(point, 1));
@@ -47,14 +47,15 @@ inline constexpr std::array all_frames{Frame::Object, Frame::World, Frame::Camer
     const glm::dvec4 clip = f.clip_from_view * glm::dvec4(at.position, 1);
     return glm::dvec3(clip) / clip.w;
 }
-/// A direction of camera coordinates, made unit.
+/// Transforms a direction from camera coordinates to the frame and makes it unit.
 [[nodiscard]] inline glm::dvec3 direction_in(Frame frame, const ReadAt& at, const CheckFrames& f,
                                              glm::dvec3 direction) {
     const glm::dvec4 there = glm::inverse(camera_from(frame, at, f)) * glm::dvec4(direction, 0);
     return glm::normalize(glm::dvec3(there));
 }
-/// The normal, made unit: to object coordinates by the transpose of what takes points from there, to clip
-/// coordinates by P itself, as a program that takes it for a direction does.
+/// Transforms the normal to the frame and makes it unit: by the transpose of the matrix that takes points
+/// from there to camera coordinates; to clip coordinates by P itself, as a program does that takes a normal
+/// for a direction.
 [[nodiscard]] inline glm::dvec3 normal_in(Frame frame, const ReadAt& at, const CheckFrames& f) {
     if (frame == Frame::Clip) return direction_in(frame, at, f, at.normal);
     return glm::normalize(glm::transpose(glm::dmat3(camera_from(frame, at, f))) * at.normal);

@@ -88,7 +88,7 @@ std::vector<Reading> depth_readings() {
     };
 }
 
-/// Of a direction from the point to `head` (the eye or the light; nothing where it is infinitely far away).
+/// A direction from the point to `head`: the eye or the light, or nothing where that is infinitely far away.
 struct Heading {
     std::string name;
     std::function<glm::dvec3(const ReadAt& at)> direction;
@@ -176,8 +176,8 @@ bool equal_nearly(const glm::dvec3& mine, const glm::dvec3& expected) {
     return glm::length(mine - expected) <= near * std::max(1.0, glm::length(expected));
 }
 
-/// Whether nearly all points agree, and nearly all of those that have not ours: where few differ the others
-/// tell nothing.
+/// Whether nearly all points agree, and nearly all of those that differ from ours: where few differ, the rest
+/// prove nothing.
 template <class Agrees> bool nearly_all(const std::vector<ReadPoint>& points, const Agrees& agrees) {
     constexpr std::size_t in_a_hundred = 97;
     std::size_t agree = 0, other = 0, agree_of_other = 0;
@@ -235,7 +235,7 @@ std::string multiple(const std::vector<ReadPoint>& points) {
     return nearly_all(points, agrees) ? fmt::format("ours times {:.4g}", factor) : std::string();
 }
 
-/// Of a light that is not directional.
+/// Whether the light has a position, that is, is not directional.
 bool has_place(const std::vector<ReadPoint>& points) { return points.front().at.front().distance > 0; }
 
 }  // namespace

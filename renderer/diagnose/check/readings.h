@@ -1,5 +1,6 @@
 #pragma once
-// What the numbers of a wrong buffer are: the right ones in another frame, turned round, of another length.
+// Finds what the numbers of a wrong buffer are: the right ones in another frame, reversed, or of another
+// length.
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -31,7 +32,8 @@ struct CheckFrames {
 enum class BufferKind { Point, Depth, Normal, View, ToLight, Cosine, Color };
 /// By its name: "l_3" is ToLight.
 [[nodiscard]] BufferKind buffer_kind(const std::string& name);
-/// The light of "l_3", "n_dot_l_3": 3; -1 of a buffer that is of no one light.
+/// The index of the light in a buffer's name: 3 for "l_3" and "n_dot_l_3"; -1 for a buffer that does not
+/// belong to one light.
 [[nodiscard]] int buffer_light(const std::string& name);
 
 /// In words, what the buffer has in place of the right numbers: "ours times V transposed: they were left in

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "models/scene/mistakes.h"
+#include "renderer/diagnose/search/cost_bound.h"
 #include "renderer/diagnose/search/resample.h"
 
 namespace glint {
@@ -49,7 +50,6 @@ struct Singles {
     std::vector<MistakeSet> mistakes;
     std::vector<PixelKind> kinds;
     std::vector<Probe> probes;
-    std::vector<DrawnProbes> drawn;
 };
 
 /// Probes everywhere, and where each mistake shows.
@@ -128,78 +128,104 @@ struct CostedChange {
     double cost = 0;
 };
 
-/// The cheapest few of the changes that are tried.
-class CheapestChanges {
-  public:
-    CheapestChanges(const MistakeSet& mistakes, const DrawnProbes& drawn, const WrongProbes& wrong)
-        : mistakes_(mistakes.size()), drawn_(drawn), wrong_(wrong) {}
+/// The excess above which a change costs more than `cost`, and a hair more, so that one of equal cost is
+/// tried to its end whatever rounding does.
+double most_excess(double cost, std::size_t mistakes, const DisplayChange& change) {
+    constexpr double hair = 1 + 1e-9;
+    return std::exp2(cost - explanation_cost(1, 0, mistakes, change)) * hair - probe_noise;
+}
 
-    void attempt(DisplayChange change) {
+/// Tries all that can have happened at the display, each with the gain that fits it, if a picture was drawn
+/// as `drawn`. `enough(change)` is the excess above which its cost does not matter; `take(change, cost)` is
+/// given a cost that is exact up to there.
+template <class Enough, class Take>
+void try_changes(std::size_t mistakes, const DrawnProbes& drawn, const WrongProbes& wrong,
+                 const Enough& enough, const Take& take) {
+    static const std::vector<DisplayChange> changes = all_changes();
+    constexpr float no_gain = 0.004f;
+    const auto attempt = [&](DisplayChange change) {
         const ByteBounds bounds = byte_bounds(change);
         for (const bool soft : {false, true}) {
             change.soft = soft;
-            const double excess = excess_at(drawn_, wrong_, change, bounds, most_excess(change));
-            const double cost = explanation_cost(excess, probe_noise, mistakes_, change);
-            const auto after = std::find_if(kept_.begin(), kept_.end(),
-                                            [cost](const CostedChange& c) { return cost < c.cost; });
-            kept_.insert(after, {change, cost});
-            if (kept_.size() > changes_kept) kept_.pop_back();
+            const double excess = excess_at(drawn, wrong, change, bounds, enough(change));
+            take(change, explanation_cost(excess, probe_noise, mistakes, change));
         }
-    }
-    [[nodiscard]] const std::vector<CostedChange>& kept() const { return kept_; }
-
-  private:
-    /// With more excess the change would not be kept.
-    [[nodiscard]] double most_excess(const DisplayChange& change) const {
-        if (kept_.size() < changes_kept) return std::numeric_limits<double>::infinity();
-        const double others = explanation_cost(1, 0, mistakes_, change);
-        return std::exp2(kept_.back().cost - others) - probe_noise;
-    }
-
-    std::size_t mistakes_;
-    const DrawnProbes& drawn_;
-    const WrongProbes& wrong_;
-    std::vector<CostedChange> kept_;
-};
-
-/// The likeliest things that happened at the display if the picture was drawn as `drawn`.
-Hypothesis judged(const MistakeSet& mistakes, const DrawnProbes& drawn, const WrongProbes& wrong) {
-    static const std::vector<DisplayChange> changes = all_changes();
-    constexpr float no_gain = 0.004f;
-    CheapestChanges cheapest(mistakes, drawn, wrong);
+    };
     for (DisplayChange change : changes) {
-        if (change.after == Code::Same) cheapest.attempt(change);  // without a gain the others say the same
+        if (change.after == Code::Same) attempt(change);  // without a gain the others say the same
         const auto gain = fitted_gain(drawn, wrong, change);
         if (!gain || std::abs(*gain - 1) < no_gain) continue;
         change.gain = *gain;
-        cheapest.attempt(change);
+        attempt(change);
     }
-    Hypothesis hypothesis{mistakes, {}, cheapest.kept().front().cost};
-    for (const CostedChange& c : cheapest.kept()) hypothesis.changes.push_back(c.change);
+}
+
+/// The likeliest things that happened at the display if the picture was drawn as `drawn`.
+Hypothesis judged(const MistakeSet& mistakes, const DrawnProbes& drawn, const WrongProbes& wrong) {
+    std::vector<CostedChange> kept;
+    const auto enough = [&](const DisplayChange& change) {
+        if (kept.size() < changes_kept) return std::numeric_limits<double>::infinity();
+        return most_excess(kept.back().cost, mistakes.size(), change);
+    };
+    try_changes(mistakes.size(), drawn, wrong, enough, [&](const DisplayChange& change, double cost) {
+        const auto after =
+            std::find_if(kept.begin(), kept.end(), [cost](const CostedChange& c) { return cost < c.cost; });
+        kept.insert(after, {change, cost});
+        if (kept.size() > changes_kept) kept.pop_back();
+    });
+    Hypothesis hypothesis{mistakes, {}, kept.front().cost};
+    for (const CostedChange& c : kept) hypothesis.changes.push_back(c.change);
     return hypothesis;
 }
 
-/// The hypotheses of all twos of mistakes that show alone and change something together.
-std::vector<Hypothesis> judge_pairs(Renderer& renderer, const Scene& scene, PictureSize size,
-                                    const Singles& s, const WrongProbes& wrong,
-                                    const DiagnosisProgress& progress) {
-    std::vector<Hypothesis> found;
-    std::vector<DrawnProbes> drawn;
-    const std::size_t n = s.mistakes.size() - 1, all = n * (n - 1) / 2;
+/// The cost of the likeliest change; one above `bound` need not be exact.
+double least_cost(std::size_t mistakes, const DrawnProbes& drawn, const WrongProbes& wrong,
+                  const CostBound& bound) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto enough = [&](const DisplayChange& change) {
+        return most_excess(std::min(least, bound.get()), mistakes, change);
+    };
+    try_changes(mistakes, drawn, wrong, enough,
+                [&](const DisplayChange&, double cost) { least = std::min(least, cost); });
+    return least;
+}
+
+/// An explanation as it was drawn at the probes.
+struct Drawn {
+    MistakeSet mistakes;
+    DrawnProbes at;
+    double cost = 0;  // least_cost()
+};
+
+/// Adds all twos of mistakes that show alone and change something together.
+void draw_pairs(std::vector<Drawn>& all, Renderer& renderer, const Scene& scene, PictureSize size,
+                const Singles& s, const DiagnosisProgress& progress) {
+    const std::size_t n = s.mistakes.size() - 1, twos = n * (n - 1) / 2;
     std::size_t done = 0;
     for (std::size_t a = 1; a <= n; ++a)
         for (std::size_t b = a + 1; b <= n; ++b) {
-            if (progress) progress(++done, all);
+            if (progress) progress(++done, twos);
             const MistakeSet both{s.mistakes[a][0], s.mistakes[b][0]};
             const Picture& picture = renderer.render(under_mistakes(scene, both), size);
             DrawnProbes at =
                 drawn_at(s.probes, picture, [&](int x, int y) { return renderer.object_at(x, y) < 0; });
-            if (at == s.drawn[a] || at == s.drawn[b]) continue;  // one hides the other
-            found.push_back({both, {}, 0});
-            drawn.push_back(std::move(at));
+            if (at == all[a].at || at == all[b].at) continue;  // one hides the other
+            all.push_back({both, std::move(at)});
         }
+}
+
+/// The first, and of the others the cheapest, `count` in all.
+std::vector<Hypothesis> likeliest(std::vector<Drawn>& all, const WrongProbes& wrong, std::size_t count) {
+    CostBound bound(count - 1);
+    tbb::parallel_for(std::size_t{1}, all.size(), [&](std::size_t i) {
+        all[i].cost = least_cost(all[i].mistakes.size(), all[i].at, wrong, bound);
+        bound.add(all[i].cost);
+    });
+    std::stable_sort(all.begin() + 1, all.end(),
+                     [](const Drawn& a, const Drawn& b) { return a.cost < b.cost; });
+    std::vector<Hypothesis> found(std::min(count, all.size()));
     tbb::parallel_for(std::size_t{0}, found.size(),
-                      [&](std::size_t i) { found[i] = judged(found[i].mistakes, drawn[i], wrong); });
+                      [&](std::size_t i) { found[i] = judged(all[i].mistakes, all[i].at, wrong); });
     return found;
 }
 
@@ -214,23 +240,17 @@ double explanation_cost(double excess, double noise, std::size_t mistakes, const
 }
 
 std::vector<Hypothesis> likely_hypotheses(const Scene& scene, const Picture& wrong, PictureSize at,
-                                          bool pairs, int threads, const DiagnosisProgress& progress) {
+                                          bool pairs, std::size_t count, int threads,
+                                          const DiagnosisProgress& progress) {
     Renderer renderer(threads);
     Singles s = draw_singles(renderer, scene, at, pairs ? DiagnosisProgress() : progress);
     s.probes = choose_probes(s, at);
-    for (std::size_t m = 0; m < s.mistakes.size(); ++m)
-        s.drawn.push_back(drawn_at(s.probes, s.picture[m], is_bare(s.bare[m], at)));
     const WrongProbes mine(s.probes, resampled(wrong, at), s.kinds);
-    std::vector<Hypothesis> all(s.mistakes.size());
-    tbb::parallel_for(std::size_t{0}, all.size(),
-                      [&](std::size_t i) { all[i] = judged(s.mistakes[i], s.drawn[i], mine); });
-    if (pairs) {
-        std::vector<Hypothesis> twos = judge_pairs(renderer, scene, at, s, mine, progress);
-        std::move(twos.begin(), twos.end(), std::back_inserter(all));
-    }
-    std::stable_sort(all.begin() + 1, all.end(),
-                     [](const auto& a, const auto& b) { return a.cost < b.cost; });
-    return all;
+    std::vector<Drawn> all;
+    for (std::size_t m = 0; m < s.mistakes.size(); ++m)
+        all.push_back({s.mistakes[m], drawn_at(s.probes, s.picture[m], is_bare(s.bare[m], at))});
+    if (pairs) draw_pairs(all, renderer, scene, at, s, progress);
+    return likeliest(all, mine, count);
 }
 
 }  // namespace glint

@@ -27,11 +27,11 @@ struct Hypothesis {
 /// search.
 using DiagnosisProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// The explanations, likeliest first, without mistakes that change no byte. The first holds no mistake.
-/// `wrong` has any size of the picture's aspect; `at` is the size to draw at. `progress` counts mistakes, or
-/// with `pairs` the twos of them.
+/// The `count` likeliest explanations, without mistakes that change no byte. The first holds no mistake, the
+/// others follow by their costs. `wrong` has any size of the picture's aspect; `at` is the size to draw at.
+/// `progress` counts mistakes, or with `pairs` the twos of them.
 [[nodiscard]] std::vector<Hypothesis> likely_hypotheses(const Scene& scene, const Picture& wrong,
-                                                        PictureSize at, bool pairs, int threads,
-                                                        const DiagnosisProgress& progress);
+                                                        PictureSize at, bool pairs, std::size_t count,
+                                                        int threads, const DiagnosisProgress& progress);
 
 }  // namespace glint
