@@ -165,7 +165,7 @@ void require_png_file(const std::string& out) {
 SceneDocument open_scene(const SceneArguments& arguments) {
     require_file(arguments);
     SceneDocument document = take(open_document(arguments.file, arguments.assignments));
-    // A command draws what the picture shows.
+    // A scene read from a picture is drawn with the projection that the picture shows.
     Projection& projection = document.scene.camera.projection;
     if (document.fitted_to) projection = fitted(projection, *document.fitted_to);
     return document;

@@ -1,6 +1,6 @@
 #pragma once
-// What commands have in common on the command line: their scene, sizes, pixels, counts. What a value means
-// is read here, strictly, so that "640x" or "0x5" is never guessed at.
+// Reads the arguments that commands share: scene, sizes, pixels, counts. Reading is strict: "640x" and "0x5"
+// are errors and never guessed at.
 
 #include <limits>
 #include <string>
@@ -17,9 +17,9 @@ struct Pixel {
     int x = 0, y = 0;  // from the top left
 };
 
-/// "640x480", each side 1 to 16384. All of these throw Failure with `option` in place of a file.
+/// Reads "640x480", each side 1 to 16384. All these readers throw Failure with `option` in place of a file.
 [[nodiscard]] PictureSize read_size(const std::string& option, std::string_view text);
-/// "900,20", both whole numbers; whether it is inside a picture is require_inside()'s to say.
+/// Reads "900,20", two whole numbers; require_inside() checks that the pixel is in the picture.
 [[nodiscard]] Pixel read_pixel(const std::string& option, std::string_view text);
 void require_inside(const std::string& option, Pixel pixel, PictureSize size);
 /// A whole number of decimal digits within [least, most].
@@ -62,7 +62,7 @@ void require_writable(const std::string& out);
 /// has no extension.
 [[nodiscard]] bool takes_png(const std::string& out);
 
-/// Throws the Failure of a `-o` that is not a PNG file: one beside the answer on standard output.
+/// Throws Failure if `-o` is given and is not a PNG file: standard output is taken by the answer.
 void require_png_file(const std::string& out);
 
 }  // namespace glint

@@ -5,8 +5,8 @@
 
 namespace glint {
 
-/// The file or folder of that path below `assets`: beside the program, where it is installed, or in the
-/// source whose build/PRESET/app it lies in. Empty where there is none.
+/// Returns the path of that file or folder below `assets`: beside the program, where it is installed, or in
+/// the source tree whose build/PRESET/app holds the program. Empty if there is none.
 [[nodiscard]] std::string asset_path(const std::string& relative);
 
 }  // namespace glint

@@ -48,7 +48,7 @@ std::string general_help() {
     return text;
 }
 
-/// A file that could not be opened anyway and reads like a command is a command mistyped.
+/// Refuses a word that is not a file and reads like a mistyped command.
 void refuse_unknown_command(const std::string& word) {
     if (word.empty())
         throw wrong_usage("FILE", "is empty", "a scene, a mesh, or - for a scene on standard input");

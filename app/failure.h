@@ -1,5 +1,5 @@
 #pragma once
-// How a command ends early: with the one line on standard error that says why, and the exit status. Thrown
+// A command ends early by throwing a Failure: the line for standard error, and the exit status. It is thrown
 // and caught inside app only.
 
 #include <string>
@@ -27,8 +27,8 @@ struct Failure {
     return {ExitStatus::WrongUsage, std::move(problem)};
 }
 
-/// The value of a result, or its problem thrown. A problem of an option's value is wrong usage, any other is
-/// the input's.
+/// Returns the value of a result, or throws its problem: as wrong usage if it is about the value of --set or
+/// --memory, else as the input's fault.
 template <class T> [[nodiscard]] T take(Result<T> result) {
     if (Problem* problem = std::get_if<Problem>(&result)) {
         const bool usage = problem->file == "--set" || problem->file == "--memory";

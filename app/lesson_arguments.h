@@ -1,5 +1,5 @@
 #pragma once
-// Which lessons a command is about.
+// Finds the lessons that a command is about.
 
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace glint {
 
-/// The files that the words name: a file, a folder of lessons, or a lesson that comes with the program by its
-/// name or number ("05-lambert", "lambert", "5"). Without words, all that come with it. Throws Failure.
+/// Returns the files that the words name: a file, a folder of lessons, or a lesson of the program by its name
+/// or number ("05-lambert", "lambert", "5"). Without words: all lessons of the program. Throws Failure.
 [[nodiscard]] std::vector<std::string> named_lessons(const std::vector<std::string>& words);
 
 /// The file of the only lesson that `word` names. Throws Failure.

@@ -28,9 +28,8 @@ namespace {
 
 using namespace glint;
 
-/// A closed descriptor 0, 1 or 2 would be given to the next file that is opened, and our output would go
-/// there. What we put in its place cannot be used either way, so that writing to a closed output still is an
-/// error.
+/// Fills a closed descriptor 0, 1 or 2, which else would be given to the next file that is opened and receive
+/// our output. It is opened the wrong way round, so that writing to a closed output still is an error.
 void occupy_closed_descriptors() {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(descriptor, F_GETFD) != -1) continue;
@@ -41,9 +40,9 @@ void occupy_closed_descriptors() {
 
 std::atomic<bool> has_begun_to_say = false, has_said = false;  // one line ends the program
 
-/// Says, in one line like any other error, what exception is in hand; where memory does not even suffice for
-/// that line, in a line that needs none. `before` stands before an exception's own words. Where another
-/// thread came first, waits until its line stands. Returns the exit status.
+/// Prints the current exception as one line like any other error, or as a fixed line if memory does not even
+/// suffice for that. `before` precedes an exception's own words. If another thread came first, waits until
+/// its line is printed. Returns the exit status.
 int say_what_ended_it(const char* before = "") noexcept {
     int status = static_cast<int>(ExitStatus::Impossible);
     if (has_begun_to_say.exchange(true)) {
@@ -69,7 +68,7 @@ int say_what_ended_it(const char* before = "") noexcept {
     return status;
 }
 
-/// For what nobody could catch, such as a thread that the system refuses to the library that asked for it.
+/// Handles what nobody could catch, such as a thread that the system refuses to a library that asked for it.
 /// Leaves at once: other threads may still be at work.
 [[noreturn]] void end_without_a_trace() {
     if (std::current_exception())

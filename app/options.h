@@ -1,6 +1,6 @@
 #pragma once
-// The options of one command's line. CLI11 splits the line and writes --help; only options.cpp includes it,
-// because it takes each file that does seconds to compile. The words of errors are ours (docs/interface.md).
+// Reads the options of one command's line. CLI11 splits the line and writes --help; only options.cpp includes
+// it, because every file that does takes seconds to compile. Error messages are ours (docs/interface.md).
 
 #include <functional>
 #include <memory>
@@ -19,7 +19,7 @@ struct OptionsHelp {
 
 using ReadValue = std::function<void(const std::string& text)>;
 
-/// What its readers and flags refer to must live until the line is parsed.
+/// Declares and parses the options of a command. What its readers and flags refer to must outlive parse().
 class Options {
   public:
     explicit Options(const OptionsHelp& help);
@@ -27,8 +27,8 @@ class Options {
     Options(const Options&) = delete;
     Options& operator=(const Options&) = delete;
 
-    /// An option (or a positional, when its names have no dash) with one value, at most once. `names` are
-    /// separated by commas, the one that errors name last: "-j,--threads".
+    /// Adds an option that takes one value, at most once; names without a dash make it a positional. `names`
+    /// are separated by commas, and errors use the last: "-j,--threads".
     void add_value(const std::string& names, const std::string& value_name, const std::string& help,
                    ReadValue read);
     /// Adds an option that may be repeated: `read` gets each value in turn.
@@ -38,7 +38,7 @@ class Options {
     void add_words(const std::string& name, const std::string& help, ReadValue read);
     /// An option without a value: `value` becomes true.
     void add_flag(const std::string& name, bool& value, const std::string& help);
-    /// Whose value says what file the command works on: what it has to refuse is refused in that file's name.
+    /// `file` will hold the file that the command works on: if memory does not suffice, the error names it.
     void works_on(const std::string& file) { file_ = &file; }
     [[nodiscard]] std::string file() const { return file_ ? *file_ : std::string(); }
     /// Adds --version, which the line of a command without a name has.

@@ -1,5 +1,5 @@
 #pragma once
-// How far long work is, once a second and only when somebody watches a terminal.
+// Shows how far long work has come, once a second, and only on a terminal.
 
 #include <fmt/format.h>
 #include <unistd.h>

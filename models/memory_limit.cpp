@@ -39,7 +39,7 @@ std::uint64_t number_in(const std::string& path) {
     return file >> number ? number : unlimited;
 }
 
-/// The least of the group and those around it.
+/// The smallest limit of a group and of its parents.
 std::uint64_t least_up(const std::string& mount, std::string group, const char* name) {
     std::uint64_t least = unlimited;
     for (;;) {

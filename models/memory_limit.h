@@ -1,7 +1,7 @@
 #pragma once
-// Keeps how much memory the scenes in hand may ask for, all of it together, and who has asked for how much.
-// Large allocations are announced here first, so that a scene that does not fit ends in one line and
-// not in a machine that swaps or a process that is killed.
+// Keeps the limit of the memory that all scenes in hand may ask for together, and how much has been asked
+// for. Large allocations are announced here first, so that a scene that does not fit ends in one line and not
+// in a machine that swaps or a process that is killed.
 
 #include <array>
 #include <cstddef>
@@ -17,7 +17,7 @@
 
 namespace glint {
 
-/// A std::bad_alloc with words: whoever can go on without memory can go on after this.
+/// A std::bad_alloc with a message: code that can go on after running out of memory can go on after this.
 class Refused : public std::bad_alloc {
   public:
     explicit Refused(Problem problem) {
@@ -59,8 +59,8 @@ void set_memory_limit(std::uint64_t bytes);
 [[nodiscard]] std::uint64_t default_memory_limit();
 /// The limit of the address space (RLIMIT_AS), in bytes; the largest number where there is none.
 [[nodiscard]] std::uint64_t address_space_limit();
-/// The least memory that a control group of this process may have, version 1 or 2; the largest number where
-/// none says. `root` stands before /proc and /sys.
+/// The smallest memory limit of this process's control groups, version 1 or 2; the largest number where none
+/// has one. `root` is put before /proc and /sys.
 [[nodiscard]] std::uint64_t control_group_memory(const std::string& root);
 
 /// "16G", "512M", "1000000": a whole number of bytes, with K, M, G or T of 1024, 1024^2, ... bytes. A problem
@@ -69,8 +69,8 @@ void set_memory_limit(std::uint64_t bytes);
 /// The problem with the value of GLINT_MEMORY; nullopt when it is valid or not set.
 [[nodiscard]] std::optional<Problem> memory_limit_problem();
 
-/// The line for an exception that ends a piece of work: its own words, or that memory ran out. `file`: what
-/// the work was about, or empty.
+/// The problem to report for an exception that ends a piece of work: its own message, or that memory ran out.
+/// `file`: the file that the work was about, or empty.
 [[nodiscard]] Problem memory_problem(const std::bad_alloc& error, const std::string& file = {});
 
 /// Throws Refused when `need` does not fit beside all shares there are, of which `own` would be given

@@ -18,7 +18,7 @@ constexpr std::array<const char*, memory_uses> use_words{"the files that are rea
                                                          "the pixels and samples of the picture",
                                                          "the file that is written"};
 
-/// All shares there are.
+/// The sum of all current shares.
 struct Ledger {
     std::mutex mutex;
     MemoryNeed taken;
@@ -50,7 +50,7 @@ Refused refusal(const MemoryNeed& all) {
     return Refused(std::move(problem));
 }
 
-/// The ledger's mutex is held.
+/// Throws Refused when `all` exceeds the limit. Precondition: the ledger's mutex is held.
 void require(const MemoryNeed& all) {
     if (all.total() > memory_limit()) throw refusal(all);
 }

@@ -1,7 +1,6 @@
 #pragma once
-// Tells whoever watches from another thread how far a load has come, and takes the wish to end it early.
-// Loading reports to the LoadProgress of its own thread, if that has one; without one nothing is said and
-// nothing ends.
+// Reports the progress of a load to another thread, which may ask for the load to end early. Loading reports
+// to the LoadProgress of its own thread, if that has one; without one nothing is said and nothing ends.
 
 #include <atomic>
 #include <cstddef>
@@ -33,7 +32,7 @@ class ProgressScope {
 /// Problem::what of a load that was ended early.
 inline constexpr const char* cancelled_words = "loading was cancelled";
 
-/// How a load ends early from deep inside. read_mesh(), parse_mesh() and load_meshes() make a Problem of it.
+/// Ends a load early from deep inside. read_mesh(), parse_mesh() and load_meshes() turn it into a Problem.
 struct LoadCancelled : std::exception {
     [[nodiscard]] const char* what() const noexcept override { return cancelled_words; }
 };

@@ -102,7 +102,8 @@ class ObjectsMemory {
                                              (o.crease_deg < 180 ? triangles * bytes_of_edges : 0));
     }
 
-    /// Corners or faces that may be lit, each as it is and turned round; few are seen from both sides.
+    /// The bytes of corners or faces that may be lit, each with its normal as it is and reversed; few are
+    /// seen from both sides.
     static std::uint64_t lit_items(const Mesh& mesh, const NormalCounts& normals,
                                    const SurfaceChoice& choice) {
         if (choice.kind == SurfaceKind::Pixels) return 0;
@@ -139,7 +140,7 @@ class ShownMemory {
             add(extent_of(object, clip_from_world, size), static_cast<double>(object.mesh->triangles.size()),
                 samples);
         const double blocks = std::ceil(size.width / double(block_size)) * size.height;
-        // Where objects lie before one another, a row of 16 pixels is divided at their outlines at most.
+        // Where objects hide one another, a row of 16 pixels is divided at most at their outlines.
         const double groups = std::min(groups_, blocks + outline_rows_) + divided_;
         need += memory_need(MemoryUse::Pixels,
                             bytes_of_groups(choice, static_cast<std::uint64_t>(groups), samples));

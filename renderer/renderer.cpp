@@ -37,7 +37,7 @@ struct Renderer::Kept {
     MemoryShare share;  // of what is certain of drawing_memory()
     bool drawn = false;
 
-    /// Whether the next picture needs what the last one did, as far as that can be told before.
+    /// Whether the next picture needs the same memory as the last one, as far as that can be told in advance.
     [[nodiscard]] bool needs_the_same(const Scene& scene, PictureSize size, bool linear, int samples) const {
         const Npr& npr = stages.lighting.npr;
         return drawn && stages.geometry.size == size && stages.lighting.linear == linear &&

@@ -59,9 +59,8 @@ class Renderer {
     /// samples, and weighted by their count, in linear light.
     const Picture& render(const Scene& scene, PictureSize size, bool linear = false, int samples = 1);
 
-    /// Says whether a frame in which one light alone has changed may take the sum of the others as it was,
-    /// which it does (true, the default) only where that gives the same bytes. False: every light is lit
-    /// every time.
+    /// Sets whether a frame in which only one light has changed may reuse the sum of the others. If true (the
+    /// default), it does so only where that gives the same bytes. If false, every light is added every time.
     void keep_sums(bool keep);
 
     [[nodiscard]] const FrameStats& stats() const;

@@ -16,16 +16,17 @@ namespace {
 
 constexpr int max_threads = 256;
 
-/// Lets the library start more threads than there are cores, when asked for. One for the whole process,
-/// because of several the smallest would count. Never destroyed: where memory ran out as the library began,
-/// its destructor waits for ever. It lies in memory that is not the heap's, where it is not a leak.
+/// Lets the library start more threads than there are cores, if asked for. There is one limit for the whole
+/// process, because of several the smallest would count. It is never destroyed: where memory ran out as the
+/// library began, its destructor waits for ever. It does not lie on the heap, where it would be a leak.
 void allow_threads() {
     alignas(tbb::global_control) static std::array<std::byte, sizeof(tbb::global_control)> place;
     [[maybe_unused]] static const auto* const allowed =
         new (place.data()) tbb::global_control(tbb::global_control::max_allowed_parallelism, max_threads);
 }
 
-/// Where the system refuses a thread the library ends the program.
+/// How many threads have room for their stacks: where the system refuses a thread, the library ends the
+/// program.
 int threads_with_a_stack() {
     const std::uint64_t stack = tbb::global_control::active_value(tbb::global_control::thread_stack_size);
     const std::uint64_t stacks = address_space_limit() / 4 / std::max<std::uint64_t>(stack, 1);

@@ -1,5 +1,5 @@
 #pragma once
-// A hand that drags something, frame by frame: what benchmarks move.
+// Simulates a drag, frame by frame, for benchmarks.
 
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
@@ -11,8 +11,8 @@ namespace glint {
 
 enum class Drag { Light, Material, Camera, Object };
 
-/// Puts into `scene` what a hand has dragged of `start` by `frame`; every frame differs from the one before.
-/// The first light or object is dragged, on a circle. Precondition: there is one.
+/// Sets in `scene` the part of `start` that is dragged, as it is at `frame`; every frame differs from the one
+/// before. The first light or object is dragged, on a circle. Precondition: there is one.
 inline void drag_to(Scene& scene, const Scene& start, Drag drag, int frame) {
     const auto turn = 0.1f * static_cast<float>(frame);
     const glm::vec3 circle{std::cos(turn), std::sin(turn), 0};

@@ -25,7 +25,7 @@ struct RenderArguments {
     bool no_scene = false;
 };
 
-/// So many pixels have twelve buffers in about 2 GiB of memory.
+/// With this many pixels, twelve buffers take about 2 GiB of memory.
 constexpr int max_buffer_pixels = 4096 * 4096;
 
 /// By the extension. "-", and a device or pipe whose name has none, take PNG.

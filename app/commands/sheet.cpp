@@ -36,8 +36,8 @@ bool overwrites(const std::string& outer, const std::string& inner) {
     return inner == outer || inner.starts_with(outer + "/");
 }
 
-/// A column's value is set after its row's, so a row that it overwrites would be labelled with what is not
-/// drawn.
+/// Throws if the columns overwrite the rows' parameter: a column's value is set after its row's, so the row's
+/// label would name what is not drawn.
 void require_two_parameters(const SheetAxis& rows, const SheetAxis& columns) {
     if (overwrites(columns.pointer, rows.pointer))
         throw Failure{ExitStatus::WrongUsage,

@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-/// What PgDn would only later find missing is said at once.
+/// Throws for a missing file now, before PgDn would come to it.
 void require_all(const std::vector<std::string>& files) {
     for (const std::string& file : files) {
         std::error_code failed;

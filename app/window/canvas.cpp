@@ -21,14 +21,14 @@ PixelRect pixels_of(const ImVec4& clip, float dots_per_unit) {
             int(clip.w * dots_per_unit)};
 }
 
-/// The clip rectangle from which the backend makes these pixels. It takes GL's rows for counted from below:
-/// upper and lower edge change places. Its fractions, far from the next pixel, it cuts off.
+/// Returns the clip rectangle that the backend turns into these pixels. It counts GL's rows from below, so
+/// upper and lower edge change places; it cuts the fractions off, which are far from the next pixel.
 ImVec4 clip_of(const PixelRect& pixels, float dots_per_unit) {
     return {(float(pixels.left) + 0.25F) / dots_per_unit, (float(pixels.bottom) + 0.5F) / dots_per_unit,
             (float(pixels.right) + 0.5F) / dots_per_unit, (float(pixels.top) + 0.25F) / dots_per_unit};
 }
 
-/// So many that the backend, which cuts fractions off, finds as many pixels.
+/// Returns a length in units that the backend, which cuts fractions off, turns into `pixels`.
 float units(int pixels, float dots_per_unit) {
     const float exact = float(pixels) / dots_per_unit;
     return int(exact * dots_per_unit) < pixels ? std::nextafter(exact, float(pixels) + 1) : exact;
@@ -53,7 +53,7 @@ void Canvas::fill(const PixelRect& rect, const ImVec4& color) {
     if (rect.is_empty()) return;
     bind();
     set_scissor(rect);
-    // Whole levels: between two of them a driver may round the whole canvas otherwise than a part of it.
+    // Only whole levels are used: between two, a driver may round a part differently from the whole canvas.
     const auto whole = [](float c) { return std::round(c * 255) / 255; };
     gl().clear_color(whole(color.x), whole(color.y), whole(color.z), 1);
     gl().clear(color_buffer_bit);

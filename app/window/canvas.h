@@ -11,12 +11,12 @@ namespace glint {
 class Canvas {
   public:
     [[nodiscard]] bool ready() const { return texture_.ready(); }
-    /// Precondition of all: a GL context is current. True when the size is another than before: then nothing
-    /// of what was drawn is left.
+    /// All functions need a current GL context. Returns true if the size has changed: then nothing of what
+    /// was drawn is left.
     bool resize(PictureSize size);
 
-    /// Draws what lies in `within`: the picture at `to`, the nearest pixel where the sizes differ, cut off at
-    /// `room`, and around that one colour. No picture where `picture` is null.
+    /// Draws the part inside `within`: the picture at `to`, clipped to `room`, taking the nearest pixel where
+    /// the sizes differ, and one colour around it. A null `picture` leaves the colour alone.
     void draw_picture(const Picture* picture, const PixelRect& to, const PixelRect& room,
                       const PixelRect& within, const ImVec4& around);
     /// Draws what of ImGui's data lies in `within`. ImGui's units are `dots_per_unit` pixels each.

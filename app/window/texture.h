@@ -23,10 +23,10 @@ struct PixelRect {
 /// A GL texture of the current context, its first row the picture's top.
 class Texture {
   public:
-    /// Copied: to and from framebuffers alone. Its channels have the order of the window's: in software,
-    /// copying is then a copy of memory and takes a quarter of the time. Where a shader samples such a
-    /// texture, llvmpipe (Mesa 22.3) leaves out the tiles that a rectangle covers whole; what ImGui draws is
-    /// Sampled.
+    /// Copied: is copied to and from framebuffers only. Its channels have the window's order: in software,
+    /// copying is then a copy of memory and takes a quarter of the time. Sampled: is drawn by ImGui. If a
+    /// shader samples a Copied texture, llvmpipe (Mesa 22.3) leaves out the tiles that a rectangle covers
+    /// whole.
     enum class Use { Sampled, Copied };
 
     /// Precondition: a GL context is current. `ready()` is false when it lacks a function.
@@ -37,10 +37,10 @@ class Texture {
 
     [[nodiscard]] bool ready() const { return name_ != 0; }
     [[nodiscard]] PictureSize size() const { return size_; }
-    /// Room for a picture of this size; what is in it is undefined where the size is another than before.
+    /// Makes room for a picture of this size; the contents are undefined if the size has changed.
     void allocate(PictureSize size);
     void upload(const Picture& picture);
-    /// Puts `part` of a picture to where the picture begins at `left`, `top`. All of it lies in the texture.
+    /// Uploads `part` of a picture whose corner is at (`left`, `top`) of the texture. The part must fit in.
     void upload(const Picture& picture, const PixelRect& part, int left, int top);
     /// The name by which ImGui's backend draws it.
     [[nodiscard]] void* id() const { return std::bit_cast<void*>(std::uintptr_t{name_}); }

@@ -91,8 +91,8 @@ GLFWwindow* make_window(const Preferences& remembered) {
 
 UiState* open_state = nullptr;  // of the window that is open
 
-/// The connection to the display broke. There is no window any more to say it in, and what is unsaved is kept
-/// for the next one. Xlib may be in the middle of anything: only half-written files go.
+/// Ends the program when the connection to the display breaks: unsaved work is kept for the next window. Xlib
+/// may be in the middle of anything, so only half-written files are removed.
 void end_without_display() {
     const bool kept = open_state != nullptr && keep_unsaved_work(*open_state);
     fmt::print(stderr, "glint: error: the display has gone{}\n",
@@ -141,7 +141,7 @@ class Window {
   private:
     /// ImGui needs a frame or two after an event until all that follows from it is drawn.
     static constexpr int frames_after_event = 3;
-    /// Seconds from a frame that shows nothing new, and so did not wait for the display, to the next.
+    /// Seconds to the next frame after one that showed nothing new, and so did not wait for the display.
     static constexpr double quiet_frame = 1 / 120.0;
 
     void wait(double seconds) {
@@ -159,7 +159,7 @@ class Window {
         frames_due_ = glfwGetTime() - start < seconds ? frames_after_event - 1 : 1;
     }
 
-    /// Asked once a frame: while the window is being resized two questions get two answers.
+    /// Asks only once a frame: while the window is being resized, two questions get two answers.
     void measure() {
         glfwGetWindowSize(window_, &extent_.size.x, &extent_.size.y);
         glfwGetFramebufferSize(window_, &extent_.dots.x, &extent_.dots.y);
@@ -189,7 +189,7 @@ class Window {
         display_ = display;
     }
 
-    /// The backend asks for the sizes itself, and takes the quotient of answers that need not fit.
+    /// Overrides the backend's sizes: it asks for them itself and divides answers that need not fit.
     void use_extent() const {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {float(extent_.size_after.x), float(extent_.size_after.y)};
@@ -261,7 +261,7 @@ class Window {
                 int(std::ceil(rect.high.x * dots)), int(std::ceil(rect.high.y * dots))};
     }
 
-    /// Draws what is not there yet and shows it. False when all of it is: nothing is done then.
+    /// Draws what has changed and shows it. Returns false, and does nothing, if nothing has.
     bool draw(std::vector<Rect> changed) {
         const PlacedPicture& placed = state_.picture_rect;
         if (state_.picture_serial != shown_ || placed != placed_) {
@@ -350,7 +350,7 @@ void run_window(const WindowOptions& options) {
     }
     open_state = nullptr;  // all is answered: what is not saved was not to be
     end_persistence(state);
-    // What was begun and nobody waits for any more. All that was to be kept is written.
+    // Ends jobs that nobody waits for any more. Everything that was to be kept is written.
     glfwHideWindow(handle);
     if (!end_jobs(state, longest_farewell)) std::quick_exit(0);
 }

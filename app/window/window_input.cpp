@@ -91,7 +91,7 @@ void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     const bool shift = (mods & GLFW_MOD_SHIFT) != 0, alt = (mods & GLFW_MOD_ALT) != 0;
     const bool modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
     if (key >= 0 && !modifier) input_of(window).taps.push_back({key, ctrl, shift, alt});
-    // Undo goes on while its key is held, and so does the way through a list.
+    // Undo, redo and moving through a list repeat while the key is held.
     const bool repeats = ours == Key::Z || ours == Key::Y || ours == Key::Up || ours == Key::Down;
     if (action == GLFW_REPEAT && !repeats) return;
     input_of(window).ui.presses.push_back({ours, ctrl, shift, alt});
@@ -99,7 +99,7 @@ void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
 
 void on_button(GLFWwindow* window, int button, int action, int /*mods*/) {
     if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
-    // Not glfwGetCursorPos: it asks the display where the cursor is by now.
+    // The cursor is not asked for by glfwGetCursorPos: that says where it is by now.
     WindowInput& input = input_of(window);
     input.buttons.push_back({button, action == GLFW_PRESS, input.cursor});
 }
@@ -164,7 +164,7 @@ bool feed_keys(GLFWwindow* window, WindowInput& input) {
 }
 
 bool feed_button(WindowInput& input) {
-    // Three buttons as the queue says; the backend has put their latest state there, which may be too new.
+    // The queue decides the state of three buttons; the backend has set the latest, which may be too new.
     ImGuiIO& io = ImGui::GetIO();
     const bool fed = !input.buttons.empty();
     if (fed) {

@@ -13,16 +13,16 @@ struct GLFWwindow;
 
 namespace glint {
 
-/// A mouse button going down or up, and where the cursor was at that moment. ImGui's backend reads the cursor
-/// once a frame: after a slow frame a press would count where the hand is by then, not where it pressed.
+/// A mouse button that went down or up, and where the cursor was at that moment. ImGui's backend reads the
+/// cursor once a frame: after a slow frame a press would land where the cursor is by then.
 struct ButtonEvent {
     int button = 0;
     bool down = false;
     glm::vec2 at{0};  // window coordinates
 };
 
-/// A key of GLFW going down, and what was held with it. ImGui's backend keeps only the state of the moment:
-/// what goes down and up within one slow frame would never be seen.
+/// A key (GLFW's number) that went down, and the modifiers held with it. ImGui's backend reads only the
+/// current state: it would miss a key that goes down and up within one slow frame.
 struct KeyTap {
     int key = 0;
     bool ctrl = false, shift = false, alt = false;
@@ -39,19 +39,19 @@ struct WindowInput {
     std::vector<int> shown_down;      // keys of the last frame's taps: up again unless they are held
 };
 
-/// Collects the events of a window into `input`, which must outlive it. Call before ImGui's backend installs
-/// its own callbacks: it calls these on.
+/// Collects the events of a window into `input`, which must outlive it. Call this before ImGui's backend
+/// installs its own callbacks, which then call these.
 void collect_input(GLFWwindow* window, WindowInput& input);
 
 /// Which of X, Y, Z and B are held down now.
 void read_held_keys(GLFWwindow* window, UiInput& input);
 
-/// After the backend's new frame and before ImGui's: every key that went down is down for this frame, with
-/// what was held with it. True when there was one: it may be up again in the next.
+/// Call this between the backend's new frame and ImGui's. It reports every key that went down as down for
+/// this frame, with its modifiers. True if there was one: it may be up again in the next frame.
 bool feed_keys(GLFWwindow* window, WindowInput& input);
 
-/// After the backend's new frame and before ImGui's: puts the oldest button event into ImGui's io, so that
-/// every press and every release has a frame of its own. True when there was one.
+/// Call this between the backend's new frame and ImGui's. It passes on the oldest button event to ImGui's io,
+/// so that every press and every release has a frame of its own. True if there was one.
 bool feed_button(WindowInput& input);
 
 }  // namespace glint

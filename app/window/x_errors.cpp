@@ -22,8 +22,8 @@ int on_broken_connection(Display*) {
     return 0;  // not reached: then Xlib would end the program
 }
 
-/// A function of the Xlib that GLFW has loaded; null where it has none. The program itself links none: a GLFW
-/// for Wayland comes without it.
+/// Returns a function of the Xlib that GLFW has loaded; null if there is none. The program itself does not
+/// link Xlib: a GLFW for Wayland comes without it.
 template <class Function> Function* from_xlib(const char* name) {
     static void* const xlib = ::dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
     return xlib != nullptr ? reinterpret_cast<Function*>(::dlsym(xlib, name)) : nullptr;

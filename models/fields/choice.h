@@ -1,5 +1,5 @@
 #pragma once
-// One member of a closed set, as people meet it.
+// One member of a closed set, with the words that people see.
 
 #include <string_view>
 

@@ -34,7 +34,7 @@ struct Row {
     }
 };
 
-// What a member is. `step` is what a pixel of dragging adds; `format` is printf's, for panels.
+// The kinds of members. A drag adds `step` for each pixel; `format` is a printf format for panels.
 
 /// A float.
 struct Real {
@@ -73,7 +73,7 @@ struct Count {
     std::string_view words = {};        // for "expected ..."; empty: said by low and high
     const char* zero = "";              // as Real::zero
 
-    /// Whole, within low and high, and allowed.
+    /// Returns true when x is whole, within low and high, and allowed.
     [[nodiscard]] bool contains(double x) const {
         return x >= low && x <= high && x == static_cast<int>(x) &&
                (is_allowed == nullptr || is_allowed(static_cast<int>(x)));

@@ -10,14 +10,14 @@ namespace glint {
 /// No number of a scene or a mesh is further from 0 (docs/interface.md, "Limits").
 inline constexpr double max_number = 1e30;
 
-/// Numbers from `low` to `high`, ends included unless they are open; and one more where a field has one.
+/// The numbers from `low` to `high`, ends included unless they are open, and the number `also` if it is set.
 struct Range {
     double low, high;
     std::string_view words;  // for "expected ..."
     bool low_open = false, high_open = false;
     std::optional<double> also = std::nullopt;
 
-    /// Compared in the precision of x: what a rule wants above 0 must be so as a float too.
+    /// Compares in the precision of x: a number that has to be above 0 must be so as a float too.
     template <class Real> [[nodiscard]] constexpr bool contains(Real x) const {
         const auto from = static_cast<Real>(low), to = static_cast<Real>(high);
         const bool above = low_open ? x > from : x >= from;

@@ -96,7 +96,7 @@ template <Of<Light> L, class Visit> void fields(L& l, Visit&& visit) {
           Group{}, l.area);
 }
 
-/// Of every mesh.
+/// Visits the fields that every mesh has.
 template <class M, class Visit> void fineness_fields(M& m, Visit&& visit) {
     visit(Row{"decimate", "Decimate",
               "Triangles at most: the mesh is made coarser, the least quadric error first; 0: as many as it "
@@ -183,7 +183,7 @@ template <Of<Object> O, class Visit> void fields(O& o, Visit&& visit) {
           Group{}, o.material);
 }
 
-/// Near and far of every projection.
+/// Visits near and far, which every projection has.
 template <class P, class Visit> void depth_fields(P& p, Visit&& visit) {
     const Real depth{.range = above_zero, .logarithmic = true};
     visit(Row{"near", "Near", "What is nearer to the eye is cut off, scene units; less than far"}, depth,
@@ -338,17 +338,17 @@ template <Of<Scene> S, class Visit> void fields(S& s, Visit&& visit) {
           s.display);
 }
 
-/// fields() of the projection that it is.
+/// Visits the fields of the projection that the variant holds.
 template <Of<Projection> P, class Visit> void fields(P& projection, Visit&& visit) {
     std::visit([&](auto& p) { fields(p, visit); }, projection);
 }
 
-/// fields() of the mesh source that it is.
+/// Visits the fields of the mesh source that the variant holds.
 template <Of<MeshSource> M, class Visit> void fields(M& source, Visit&& visit) {
     std::visit([&](auto& s) { fields(s, visit); }, source);
 }
 
-/// fields() of `value`, each with the default of its member: visit(row, kind, member, initial).
+/// Visits the fields of `value`, each with its default: visit(row, kind, member, initial).
 template <class T, class Visit> void fields_with_defaults(T& value, Visit&& visit) {
     static const std::remove_const_t<T> defaults{};
     std::vector<const void*> initial;  // members of `defaults`, in the order of the fields
@@ -359,7 +359,7 @@ template <class T, class Visit> void fields_with_defaults(T& value, Visit&& visi
     });
 }
 
-/// What both kinds of three numbers are made of: a channel of a colour, a component of a vector.
+/// The kind of a single number of a triple: a channel of a colour or a component of a vector.
 inline constexpr Real channel_field{.range = at_least_zero, .step = 0.004f, .format = "%.2f"};
 [[nodiscard]] constexpr Real component_of(const Colour&) { return channel_field; }
 [[nodiscard]] constexpr Real component_of(const Vector& v) {

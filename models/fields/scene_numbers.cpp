@@ -35,7 +35,8 @@ int index_of(std::string_view token) {
     return error == std::errc() && end == token.data() + token.size() ? index : -1;
 }
 
-/// "cutoff" of "Cutoff", "falloff" of "Falloff  1 / (…)"; what is a sign, as F0 or cosⁿ, stays.
+/// Returns a label as it stands in a sentence: "cutoff" for "Cutoff", "falloff" for "Falloff  1 / (…)";
+/// symbols such as F0 or cosⁿ stay.
 std::string in_a_sentence(std::string_view label) {
     std::string words(label.substr(0, label.find("  ")));
     const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };

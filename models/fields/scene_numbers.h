@@ -1,6 +1,6 @@
 #pragma once
-// Every number of a scene by its JSON pointer: to let one move to and fro, to differentiate a pixel by it, to
-// stand in the equation as a handle. A visitor of scene_fields.h; nothing else enumerates numbers.
+// Lists every number of a scene by its JSON pointer, to animate it, to differentiate a pixel by it, or to
+// drag it in the equation. It is a visitor of scene_fields.h; nothing else enumerates numbers.
 
 #include <optional>
 #include <string>
@@ -35,12 +35,12 @@ struct SceneNumber {
 [[nodiscard]] std::optional<SceneNumber> number_at(const Scene& scene, const std::string& pointer);
 
 /// Sets the number at `pointer`, as `--set` would: a light's position is divided by a new w, an object whose
-/// detail changes loses its mesh (load_meshes makes it again). The scene stays as it was, and the problem
-/// (file "--set") says why, where there is no such number, where it is out of range, or breaks a condition of
-/// scene_rules.h.
+/// detail changes loses its mesh (load_meshes makes it again). Where there is no such number, or the value is
+/// out of range or breaks a condition of scene_rules.h, the scene stays as it was and the problem (file
+/// "--set") says why.
 [[nodiscard]] std::optional<Problem> set_number(Scene& scene, const std::string& pointer, double value);
 
-/// SceneNumber::words of the number there; of a pointer that leads to none its keys.
+/// Returns SceneNumber::words of the number there, or the pointer's keys if it leads to no number.
 [[nodiscard]] std::string words_of_pointer(const Scene& scene, const std::string& pointer);
 
 }  // namespace glint

@@ -1,7 +1,7 @@
 #pragma once
-// Conditions between the numbers of a scene, which no single field can hold. The reader refuses what breaks
-// them, the window does not let it happen, so that what is saved opens again (docs/interface.md, "The scene
-// file").
+// Conditions between the numbers of a scene, which no single field can hold. The reader refuses a scene that
+// breaks them and the window lets no scene break them, so that every saved scene opens again
+// (docs/interface.md, "The scene file").
 
 #include <optional>
 #include <string>
@@ -20,22 +20,22 @@ struct Violation {
 /// digits.
 inline constexpr double parallel_sine = 1e-6;
 
-/// Eye apart from the target, `up` not along the view, 0 < near < far, a frustum with area.
+/// Requires the eye apart from the target, `up` not along the view, 0 < near < far, and a frustum with area.
 [[nodiscard]] std::optional<Violation> violation_of(const Camera& camera);
-/// A direction, an axis and an area that are not zero; a falloff that is not all zero.
+/// Requires a direction, an axis and an area that are not zero, and a falloff that is not all zero.
 [[nodiscard]] std::optional<Violation> violation_of(const Light& light);
-/// w = 0 for a directional light, w > 0 for a light with a position.
+/// Requires w = 0 for a directional light and w > 0 for a light with a position.
 [[nodiscard]] std::optional<Violation> violation_of_w(LightKind kind, double w);
-/// No zero in the scale.
+/// Requires a scale without a zero.
 [[nodiscard]] std::optional<Violation> violation_of(const Object& object);
-/// The first of its camera, its lights and its objects, with the pointer into the scene.
+/// Returns the first violation of its camera, its lights and its objects, with the pointer into the scene.
 [[nodiscard]] std::optional<Violation> violation_of(const Scene& scene);
 
 /// True when each number of the camera is within the range of its field.
 [[nodiscard]] bool is_within_ranges(const Camera& camera);
 
-/// The homogeneous position of a light as the renderer wants it: w = 0 stays, else divided by w, so that w
-/// = 1.
+/// Returns a light's homogeneous position as the renderer wants it: unchanged if w = 0, else divided by w, so
+/// that w = 1.
 [[nodiscard]] glm::vec4 divided_by_w(glm::dvec4 position);
 
 }  // namespace glint

@@ -9,7 +9,7 @@
 #include "models/fineness/half_edges.h"
 #include "models/progress.h"
 
-// It needs OpenMesh's vectors to be known.
+// This header needs OpenMesh's vectors before it.
 #include <OpenMesh/Core/Geometry/QuadricT.hh>
 
 namespace glint {
@@ -21,19 +21,19 @@ using OpenMesh::Vec3d;
 using OpenMesh::VertexHandle;
 using Quadric = OpenMesh::Geometry::QuadricT<double>;
 
-// A vertex that many faces meet at is looked at again with each of them.
+// The most faces around a vertex that may be removed: it is examined again with each change around it.
 constexpr unsigned most_around = 48;
-// Of a corner on a straight boundary: how far it may stand off it, by its neighbours' distance.
+// The sine of the turn below which a boundary counts as straight at a vertex.
 constexpr double straight = 1e-6;
-// A face may turn by less than 78 degrees in one step: what is flat cannot fold over.
+// The cosine of the largest turn of a face in one step, 78 degrees, so that a flat area cannot fold over.
 constexpr double least_turn = 0.2;
 // Twice a triangle's area over the square of its longest side, below which it is a needle.
 constexpr double least_height = 1e-3;
 constexpr std::size_t between_reports = 1024;
 
-/// Takes vertices away, each onto a neighbour, the least quadric error first. OpenMesh's own decimater asks
-/// of every neighbour of every vertex around whether it may go; this one only of those whose turn it is,
-/// which takes a fifth of the time.
+/// Collapses vertices, each onto a neighbour, least quadric error first. OpenMesh's own decimater tests all
+/// collapses of every vertex around a change; this one tests only those of the vertex whose turn it is, which
+/// takes a fifth of the time.
 class Collapses {
   public:
     explicit Collapses(HalfEdges& mesh) : m_(mesh), quadric_(mesh.n_vertices()), turn_(mesh.n_vertices(), 0) {
@@ -87,7 +87,7 @@ class Collapses {
         for (const VertexHandle v : corner) quadric_[number(v)] += q;
     }
 
-    /// The way of least error; where it is `checked`, of those that may be gone.
+    /// Returns the collapse of least error; if `checked`, among those that are allowed.
     Step best(VertexHandle v, bool checked) {
         ways_.clear();
         for (const auto h : m_.voh_range(v)) {
@@ -152,7 +152,7 @@ class Collapses {
         if (after.norm() < least_height * longest && after.norm() < before.norm()) return true;
         return (before | after) <= least_turn * before.norm() * after.norm();
     }
-    /// Whether four faces are all there are: two that lie upon one another would be left.
+    /// Whether the collapse would leave only two faces of a tetrahedron, which lie upon one another.
     bool is_tetrahedron(HalfedgeHandle way) {
         const HalfedgeHandle back = m_.opposite_halfedge_handle(way);
         if (m_.is_boundary(way) || m_.is_boundary(back)) return false;
@@ -176,7 +176,8 @@ void request_status(HalfEdges& mesh) {
     mesh.request_face_status();
 }
 
-/// Vertices that stand for one place stay, or the place would tear; so do those with many faces.
+/// Locks the vertices that share one vertex of the mesh, or the mesh would tear there, and those with many
+/// faces.
 void lock(const Fans& fans, HalfEdges& mesh) {
     for (const auto v : mesh.vertices()) {
         const std::uint32_t position = fans.position[static_cast<std::size_t>(v.idx())];
@@ -210,7 +211,8 @@ Mesh what_is_left(const Mesh& mesh, const Fans& fans, const HalfEdges& half_edge
 Mesh decimated(const Mesh& mesh, std::size_t triangles) {
     const Mesh cut = triangles_of(mesh);
     Fans fans = fans_of(cut);
-    // Around 0 and within 1, so that no error is too large or too small for a float.
+    // Positions are moved to the origin and scaled to within 1, so that no error is too large or too small
+    // for a float.
     const glm::dvec3 middle = (glm::dvec3(mesh.bounds.min) + glm::dvec3(mesh.bounds.max)) / 2.0;
     const glm::dvec3 half = glm::dvec3(mesh.bounds.max) - middle;
     const double size = std::max({half.x, half.y, half.z});

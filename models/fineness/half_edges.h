@@ -1,6 +1,7 @@
 #pragma once
-// A mesh as OpenMesh's half-edges and back, inside models/fineness/. What half-edges cannot hold (an edge of
-// three faces, two fans at one vertex, ...) stands there as several vertices.
+// Converts a mesh to OpenMesh's half-edges and back, inside models/fineness/ only. Where half-edges cannot
+// hold the mesh (an edge of three faces, two fans at one vertex, ...), several of their vertices stand for
+// one of the mesh.
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -11,7 +12,7 @@
 
 namespace glint {
 
-/// Places in double: steps are many, and each rounds.
+/// Positions in double, because each of the many steps rounds.
 struct DoublePlaces : OpenMesh::DefaultTraits {
     using Point = OpenMesh::Vec3d;
     using Normal = OpenMesh::Vec3d;
@@ -26,20 +27,20 @@ struct Fans {
     std::vector<char> is_split;           // #V of the mesh: several vertices stand for this one
     std::size_t split_count = 0;          // how many are
 };
-/// One vertex a fan of faces, so that only manifold edges are joined. Precondition: no polygon has fewer than
-/// three corners or a vertex twice in a row.
+/// Gives each fan of faces a vertex of its own, so that only manifold edges are joined. Precondition: no
+/// polygon has fewer than three corners or a vertex twice in a row.
 [[nodiscard]] Fans fans_of(const Mesh& mesh);
 
 /// The polygons that have three vertices and more, without corners that repeat the one before them.
 [[nodiscard]] Mesh without_repeated_corners(const Mesh& mesh);
-/// The triangles, as polygons of a mesh. Neither of the two is finished.
+/// The mesh's triangles as polygons. Neither this mesh nor the one above is finished.
 [[nodiscard]] Mesh triangles_of(const Mesh& mesh);
 
 /// The most faces that meet at a vertex.
 [[nodiscard]] std::size_t most_faces_around(const Mesh& mesh);
 
-/// Adds the faces of `mesh`; a face that half-edges refuse stands apart, on vertices of its own, which are
-/// marked in `fans`. `place(v)`: where vertex v of the mesh goes.
+/// Adds the faces of `mesh`; a face that half-edges refuse gets vertices of its own, which are marked in
+/// `fans`. `place(v)` returns the position of the mesh's vertex v.
 template <class HalfEdges, class Place>
 void add_faces(const Mesh& mesh, Fans& fans, const Place& place, HalfEdges& to) {
     using Handle = OpenMesh::VertexHandle;

@@ -6,7 +6,7 @@
 #include "models/fineness/half_edges.h"
 #include "models/progress.h"
 
-// They need a mesh of OpenMesh's to be known.
+// These headers need a mesh of OpenMesh's before them.
 #include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 
@@ -43,7 +43,7 @@ template <class HalfEdges> void copy_faces(const HalfEdges& from, Mesh& to) {
     }
 }
 
-/// Places and colours go the same way, by the same weights.
+/// Subdivides positions and colours alike, with the same weights.
 template <class HalfEdges, class Subdivider> Mesh subdivided_by(const Mesh& mesh, int times) {
     const Fans fans = fans_of(mesh);
     Mesh out;

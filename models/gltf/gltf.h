@@ -1,6 +1,6 @@
 #pragma once
-// glTF 2.0 in and out: .gltf and .glb. Everything is read as if a stranger had made it to hurt us, so by our
-// own reader: a parser that trusts counts, follows URIs by itself and says no place is none for that.
+// glTF 2.0 in and out: .gltf and .glb. Every file may be hostile, so we read it with our own reader: a parser
+// that trusts counts, follows URIs by itself or cannot say where an error is would not do.
 // Source: Khronos, "glTF 2.0 Specification"; KHR_lights_punctual; KHR_mesh_quantization.
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace glint {
 
-/// What files that we write say they come from: their lights are as bright as they say.
+/// The generator that our own files name; lights of such files are taken as bright as they say.
 inline constexpr std::string_view gltf_generator = "Glint";
 
 /// True for a path that ends in .gltf or .glb, in any case.
@@ -26,12 +26,12 @@ struct GltfDocument;  // models/gltf/gltf_document.h
 /// JSON.
 class GltfFile {
   public:
-    /// Buffers in files beside `path` are read, images are not. .glb or JSON, as the bytes say.
+    /// Reads buffers in files beside `path`, but no images. The bytes tell .glb from JSON.
     [[nodiscard]] static Result<GltfFile> read(const std::string& path);
     [[nodiscard]] static Result<GltfFile> parse(std::string bytes, const std::string& path);
 
-    /// The primitive of that number, counted through all meshes; finished. Vertices at one place share a
-    /// position, normals stay with their corners. Throws Refused and LoadCancelled.
+    /// Returns primitive number `part`, counted through all meshes, as a finished mesh. Vertices at one point
+    /// share a position; normals stay with their corners. Throws Refused and LoadCancelled.
     [[nodiscard]] Result<Mesh> mesh(int part) const;
 
     struct Content {
@@ -40,9 +40,9 @@ class GltfFile {
         bool scales_lights = true;  // they are in candela and lux of somebody's choice
         Warnings warnings;          // what is left out, one line a kind
     };
-    /// The file's scene (its first where it names none): one object a primitive with triangles of a node, the
-    /// camera of the first node that has one, lights. A light below that camera's node moves with the viewer.
-    /// Materials are for cook-torrance.
+    /// Converts the file's scene (the first one where it names none): an object for each primitive with
+    /// triangles of each node, the camera of the first node that has one, and the lights. A light below that
+    /// camera's node moves with the viewer. Materials are for cook-torrance.
     [[nodiscard]] Result<Content> content(const std::string& file_name) const;
 
   private:
@@ -50,13 +50,14 @@ class GltfFile {
     std::shared_ptr<const GltfDocument> document_;
 };
 
-/// A scene as a .glb file, and what of it glTF cannot say, one line a kind.
+/// A scene as a .glb file, with one warning for each kind of thing that glTF cannot express.
 struct GltfWritten {
     std::string bytes;
     Warnings warnings;
 };
-/// Meshes with the normals that they are drawn with, transforms, the camera with what rides along, lights of
-/// KHR_lights_punctual, materials as metallic-roughness. Precondition: meshes are loaded.
+/// Writes meshes with the normals that they are drawn with, transforms, the camera with the lights that move
+/// with it, lights of KHR_lights_punctual, and materials as metallic-roughness. Precondition: meshes are
+/// loaded.
 [[nodiscard]] Result<GltfWritten> glb_of(const Scene& scene, const std::string& name);
 
 }  // namespace glint

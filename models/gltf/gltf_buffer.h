@@ -19,11 +19,12 @@ using GltfJson = nlohmann::ordered_json;
 /// A .glb file of its two chunks; together below 4 GiB.
 [[nodiscard]] std::string glb_container(std::string json, std::string bin);
 
-/// The numbers of meshes, with the views and accessors that say where they lie.
+/// Collects the numbers of meshes, with the buffer views and accessors that say where they lie.
 class GltfBuffer {
   public:
-    /// A mesh with the normals that it is drawn with: `flip` turns them round. Returns the accessors, as the
-    /// members "attributes" and "indices" of a primitive. Precondition: the object's mesh is loaded.
+    /// Adds the object's mesh with the normals that it is drawn with (`flip` reverses them). Returns the
+    /// accessors as the members "attributes" and "indices" of a primitive. Precondition: the object's mesh is
+    /// loaded.
     [[nodiscard]] GltfJson add(const Object& object);
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
     [[nodiscard]] const GltfJson& views() const { return views_; }

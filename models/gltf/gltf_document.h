@@ -29,16 +29,16 @@ struct GltfDocument {
     MemoryShare share;
 };
 
-/// The whole number of a key, from 0 to `most`; fails where it is another value, or where there is none and
-/// `otherwise` is negative.
+/// Returns the whole number of a key, from 0 to `most`, or `otherwise` where the key is missing. Fails for
+/// any other value, and for a missing key if `otherwise` is negative.
 [[nodiscard]] std::uint64_t whole(const Node& object, std::string_view key, double most,
                                   double otherwise = -1);
 
 /// Fails unless the value is an object.
 void require_object(const Node& node);
 
-/// f(Node) of the element of a list at the root ("meshes") whose number the key of `from` says. Fails where
-/// there is none.
+/// Calls f(Node) with one element of a list at the root ("meshes"): `key` of `from` holds its index. Fails
+/// where there is no such element.
 template <class F>
 void follow(const Node& root, const Node& from, std::string_view key, std::string_view list, F f) {
     const Json& lists = root.value();
@@ -52,7 +52,7 @@ void follow(const Node& root, const Node& from, std::string_view key, std::strin
     root.with(list, [&](const Node& all) { f(Node(all.value()[index], all, index)); });
 }
 
-/// The numbers of an accessor, read as floats: integers that are normalized are from 0 or -1 to 1.
+/// The numbers of an accessor, read as floats: normalized integers become 0 to 1, or -1 to 1 if signed.
 struct GltfNumbers {
     std::size_t count = 0, components = 0;
     int type = 0;  // GL's number of the component type
@@ -63,8 +63,8 @@ struct GltfNumbers {
     [[nodiscard]] double at(std::size_t i, std::size_t component) const;
     [[nodiscard]] glm::vec3 vector_at(std::size_t i) const;
 };
-/// The accessor that the key of `from` numbers; its numbers lie in its buffer. Fails where it is not of one
-/// of `types` ("VEC3"), or sparse.
+/// Returns the accessor whose index `key` of `from` holds; its numbers lie within its buffer view. Fails
+/// where it is not of that `type` ("VEC3"), or has no buffer view.
 [[nodiscard]] GltfNumbers numbers_of(const GltfDocument& document, const Node& root, const Node& from,
                                      std::string_view key, std::string_view type);
 [[nodiscard]] bool is_sparse(const Node& root, const Node& from, std::string_view key);

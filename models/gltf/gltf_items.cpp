@@ -27,7 +27,8 @@ template <class P> void read_planes(const Node& node, P& p) {
     if (!(p.far > p.near)) node.fail("zfar is not above znear", "a zfar above znear");
 }
 
-/// The exponent that is as bright half way between the cosines of the two cones as glTF is.
+/// Reads a cone. Its exponent gives the same brightness as glTF half-way between the cosines of the two
+/// angles.
 void read_cone(const Node& node, SpotCone& cone) {
     float inner = 0, outer = static_cast<float>(std::numbers::pi / 4);
     node.with("spot", [&](const Node& spot) {

@@ -1,6 +1,6 @@
 #pragma once
-// One material, camera, light or transform of glTF as one of ours. Each throws ProblemFound with its pointer.
-// Inside models/gltf/ only.
+// Converts a material, camera, light or transform of glTF to ours. Each function throws ProblemFound with its
+// pointer. Inside models/gltf/ only.
 
 #include <glm/mat4x4.hpp>
 #include <optional>
@@ -13,38 +13,38 @@ namespace glint {
 
 /// The matrix of a node, from its own coordinates to its parent's.
 [[nodiscard]] glm::dmat4 local_of(const Node& node);
-/// T R S of a matrix; nothing where an axis has no length. Sets `sheared` where its axes are not at right
-/// angles, which T R S cannot say.
+/// Splits a matrix into T R S; returns nothing where an axis has no length. Sets `sheared` where its axes are
+/// not at right angles, which T R S cannot express.
 [[nodiscard]] std::optional<Transform> transform_of(const glm::dmat4& m, bool& sheared);
 
 struct GltfMaterial {
     Material material;  // for cook-torrance, with a shininess whose highlight is as wide
     bool has_textures = false, is_transparent = false, is_double_sided = false;
 };
-/// Physically based metal and roughness. The material of a primitive that has none: that of an empty object.
+/// Reads a metallic-roughness material. A primitive without a material has that of an empty JSON object.
 [[nodiscard]] GltfMaterial material_of(const Node& node);
 
-/// The other way: base colour and metal whose diffuse colour and f0 are the material's; nothing where no
-/// metal has them.
+/// The inverse: the base colour and the metalness that give the material's diffuse colour and f0; nothing
+/// where none do.
 struct GltfMetal {
     glm::vec3 base;
     float metal;  // 0 to 1
 };
 [[nodiscard]] std::optional<GltfMetal> metal_of(const Material& material);
 
-/// A spot's cone as glTF's two, in radians: inside the inner one it is even, on the outer one dark. Alike:
-/// read again it has the spot's exponent; no pair of cones has one that is very small or very large for its
-/// cutoff, and such a spot becomes even up to its edge.
+/// A spot's cone as glTF's two angles, in radians: brightness is even within the inner one and 0 at the outer
+/// one. `is_alike`: reading them again gives the spot's exponent. An exponent that is very small or very
+/// large for its cutoff has no such pair; the spot then becomes even up to its edge.
 struct GltfCone {
     double inner, outer;
     bool is_alike;
 };
 [[nodiscard]] GltfCone cone_of(const SpotCone& cone);
 
-/// Its target is one unit ahead. Infinitely far is 100,000 times as far as near.
+/// Converts a camera. Its target is one unit ahead; an infinite far distance becomes 100,000 times near.
 [[nodiscard]] Camera camera_from(const Node& camera, const glm::dmat4& world_from_node);
 
-/// `placed`: from the node's coordinates to those of `space`.
+/// Converts a light. `placed` transforms the node's coordinates to those of `space`.
 [[nodiscard]] Light light_from(const Node& light, const std::string& name, const glm::dmat4& placed,
                                LightSpace space);
 

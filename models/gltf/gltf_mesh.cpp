@@ -31,7 +31,7 @@ class Triangles {
         });
     }
 
-    /// f(a, b, c) of each; returns how many vertices are left over.
+    /// Calls f(a, b, c) for each triangle; returns how many vertices are left over.
     template <class F> std::size_t each(PrimitiveMode mode, const F& f) const {
         if (mode == PrimitiveMode::Triangles) {
             for (std::size_t i = 0; i + 3 <= count_; i += 3) f(at(i), at(i + 1), at(i + 2));

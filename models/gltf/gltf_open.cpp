@@ -87,7 +87,7 @@ Result<GltfOpened> open_gltf(const std::string& path) {
                 content.warnings.push_back(fmt::format("{}: {}", object.name, warning));
         const glm::dvec3 middle = middle_of(scene);
         if (content.has_camera) {
-            // As far away as the objects are, so that turning the camera turns it round them.
+            // The target is moved to the objects' distance, so that turning the camera turns it round them.
             const glm::dvec3 eye(scene.camera.eye), ahead = glm::dvec3(scene.camera.target) - eye;
             const double distance = glm::dot(middle - eye, ahead);
             if (distance > 0) scene.camera.target = glm::vec3(eye + distance * ahead);

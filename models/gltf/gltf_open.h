@@ -9,9 +9,9 @@ struct GltfOpened {
     Scene scene;  // meshes loaded
     Warnings warnings;
 };
-/// What the file has, and what a picture needs besides: a camera that shows all where it has none, two
-/// default lights where it has none. Lights that are far too bright, as candela and lux are, become darker by
-/// one factor for all, which a warning says.
+/// Reads the file and adds what a picture needs: a camera that shows all objects and two default lights,
+/// where the file has none. Lights that are far too bright, as candela and lux can be, are all divided by one
+/// factor, which a warning gives.
 [[nodiscard]] Result<GltfOpened> open_gltf(const std::string& path);
 
 }  // namespace glint

@@ -65,7 +65,7 @@ class SceneReader {
             to.push_back({number_of(at), world, below_camera});
         });
     }
-    /// Without a scene: the nodes that are nobody's children.
+    /// Without a scene, begins with the nodes that are not children of another node.
     void begin_with_roots(std::vector<Placed>& waiting) {
         std::vector<char> is_child(count("nodes"), 0);
         root_.with("nodes", [&](const Node& nodes) {

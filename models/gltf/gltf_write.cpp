@@ -170,7 +170,8 @@ class Writer {
         for (const GltfJson& child : children)
             nodes_[static_cast<std::size_t>(camera)]["children"].push_back(child);
     }
-    /// What gives at the camera's target what this light gives there: glTF's lights fall off with the square.
+    /// The intensity with which glTF's light, which falls off with the square, is as bright at the camera's
+    /// target as this light.
     double intensity_of(const Light& light) {
         const double most = std::max({light.diffuse.x, light.diffuse.y, light.diffuse.z, 1.0f});
         const double i = static_cast<double>(light.intensity) * most * std::numbers::pi;

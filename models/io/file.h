@@ -14,8 +14,8 @@
 
 namespace glint {
 
-/// What a file's name says of its format: the extension with its dot and without capitals, ".png"; empty
-/// where the name has none.
+/// The extension that tells a file's format: with its dot and in lower case, ".png"; empty where the name has
+/// none.
 [[nodiscard]] std::string lower_extension(const std::string& path);
 
 /// A part of a file as it comes in: `bytes` from `at` on, of a file of `size` bytes (0 for standard input).
@@ -23,8 +23,8 @@ struct FileBlock {
     std::string_view bytes;
     std::size_t at = 0, size = 0;
 };
-/// Looks at each block before the next one is read, and before there is room for them all; a problem
-/// ends the reading.
+/// Is called with each block before the next one is read and before memory is reserved for the whole file; a
+/// problem ends the reading.
 using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>;
 
 /// The bytes of a regular file, or of standard input for "-". A directory, a device, a pipe, a missing file,
@@ -49,12 +49,12 @@ using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>
 /// given. Streams, pipes and devices are replaced by nobody.
 [[nodiscard]] bool replace_the_same(const std::string& a, const std::string& b);
 
-/// Several files that are written as by write_file() but appear together: what goes wrong with one before the
-/// last is written leaves none.
+/// Writes several files as write_file() does, but lets them appear together: an error before the last one is
+/// written leaves none of them.
 class FilesTogether {
   public:
     FilesTogether();
-    ~FilesTogether();  // what has not been put in place is gone
+    ~FilesTogether();  // removes what has not been put in place
     FilesTogether(const FilesTogether&) = delete;
     FilesTogether& operator=(const FilesTogether&) = delete;
 
@@ -68,7 +68,8 @@ class FilesTogether {
     std::vector<Staged> files_;
 };
 
-/// One state of a file. Whoever writes it, in place or by renaming another into its place, changes this.
+/// Identifies one state of a file. Writing the file, in place or by renaming another one over it, changes its
+/// stamp.
 struct FileStamp {
     std::uint64_t device = 0, inode = 0;
     std::int64_t size = -1;        // bytes; -1: there is no file

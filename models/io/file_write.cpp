@@ -59,8 +59,8 @@ int write_all(int descriptor, std::string_view bytes) {
     return 0;
 }
 
-/// What a chain of links ends at, so that the link stays and what it names is replaced; the end need not
-/// exist. More links than the system follows are left to it to refuse.
+/// Returns the end of a chain of links, so that the link stays and the file that it names is replaced; the
+/// end need not exist. A chain longer than the system follows is left for the system to refuse.
 std::string follow_links(std::string path) {
     std::array<char, PATH_MAX> target;  // NOLINT: filled by readlink
     for (int i = 0; i < 40; ++i) {
@@ -130,8 +130,8 @@ int write_straight_through(const Target& target, std::string_view bytes) {
     return error != 0 ? error : close_error;
 }
 
-/// Gives a file the owner, group and permission bits of an older one, as far as the system lets us. A group
-/// that is not the old one gets what all others have: its members are other people.
+/// Gives a file the owner, group and permission bits of an older one, as far as the system lets us. If the
+/// group cannot be kept, it gets the permissions of all others, because its members are other people.
 int take_after(int descriptor, const struct stat& old) {
     struct stat now {};
     if (::fstat(descriptor, &now) != 0) return errno;
@@ -156,7 +156,7 @@ int fill(Temporary& file, std::string_view bytes, const std::optional<struct sta
     return error != 0 ? error : close_error;
 }
 
-/// For the temporary of `target`: until it has the old file's permissions, nobody but us may read it.
+/// The mode of the temporary file of `target`: until it has the old file's permissions, only we may read it.
 mode_t first_mode(const Target& target) { return target.old ? 0600 : 0666; }
 
 /// Puts the directory's entry for `path` on the disk, so that a new name outlives a loss of power. Where that

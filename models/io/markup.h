@@ -6,14 +6,14 @@
 
 namespace glint {
 
-/// One line of text, in which HTML's special characters stand for themselves, in attributes too.
+/// Escapes HTML's special characters, for text and for attributes in double quotes, and keeps the text on one
+/// line.
 [[nodiscard]] std::string html_escaped(std::string_view text);
 
-/// LaTeX's special characters stand for themselves, and the text stays on its line: an empty one would end
-/// an equation.
+/// Escapes LaTeX's special characters and keeps the text on one line: an empty line would end an equation.
 [[nodiscard]] std::string latex_escaped(std::string_view text);
 
-/// RFC 4648, section 4.
+/// Encodes bytes in base64 (RFC 4648, section 4).
 [[nodiscard]] std::string base64(std::string_view bytes);
 
 }  // namespace glint

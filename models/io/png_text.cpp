@@ -37,8 +37,8 @@ std::optional<Chunk> take_chunk(std::string_view& rest) {
     return Chunk{checked.substr(0, 4), checked.substr(4)};
 }
 
-/// What `deflated` holds, or nothing when it is damaged or longer than `max_bytes`; a few bytes can claim to
-/// be a thousand times as many, so the text grows only as it comes.
+/// Inflates `deflated`; nothing when it is damaged or its text is longer than `max_bytes`. A few bytes can
+/// inflate to a thousand times as many, so memory is taken only as text arrives.
 std::optional<std::string> inflated(std::string_view deflated, std::size_t max_bytes) {
     z_stream stream{};
     if (inflateInit(&stream) != Z_OK) return std::nullopt;

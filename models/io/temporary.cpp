@@ -42,8 +42,8 @@ static_assert(std::atomic<Slot>::is_always_lock_free && std::atomic<bool>::is_al
     for (;;) ::pause();
 }
 
-/// While it lives, no handler of ours runs on this thread: one that waits for an opening file would wait for
-/// itself.
+/// While it lives, no handler of ours runs on this thread: a handler that waits for a file that this thread
+/// opens would wait for ever.
 class NoEndHere {
   public:
     NoEndHere() {
@@ -60,7 +60,7 @@ class NoEndHere {
     sigset_t before_{};
 };
 
-/// A slot with this path, as Opening; -1 when there is none left or the path is too long to be one.
+/// Claims a slot for this path, with the state Opening; -1 when none is left or the path is too long.
 int claim_slot(const std::string& path) {
     if (path.size() >= PATH_MAX) return -1;
     for (std::size_t i = 0; i < known.size(); ++i) {
@@ -92,7 +92,7 @@ void end_by(int number) {
     ::raise(number);
 }
 
-/// The process that made a file of this name; nothing when it is not such a name.
+/// The process that made a temporary file, by its name; nothing for any other name.
 std::optional<pid_t> maker_of(std::string_view name) {
     constexpr std::string_view head = ".glint-", tail = ".tmp";
     if (!name.starts_with(head) || !name.ends_with(tail) || name.size() < head.size() + tail.size())
@@ -108,11 +108,11 @@ std::optional<pid_t> maker_of(std::string_view name) {
     return maker;
 }
 
-/// Whether the process is gone. Our own number may be that of an earlier process, of another container say;
-/// then the lock tells.
+/// Whether the process may be gone. Our own id may be that of an earlier process, say of another container;
+/// then the lock decides.
 bool is_gone(pid_t maker) { return maker == ::getpid() || (::kill(maker, 0) != 0 && errno == ESRCH); }
 
-/// Removes a file that its maker has left: of this user, and held by nobody.
+/// Removes a file that a process has left behind, if it is this user's and nobody holds its lock.
 void remove_if_left(int directory, const char* name) {
     const int file = ::openat(directory, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (file < 0) return;
@@ -140,7 +140,7 @@ void remove_all_left(const std::string& directory) {
     ::closedir(entries);
 }
 
-/// Where there is no memory for that, it is left to a later process.
+/// Removes what was left in a directory; where memory runs out, a later process does.
 void remove_left(const std::string& directory) noexcept {
     try {
         remove_all_left(directory);
@@ -160,7 +160,7 @@ Temporary::Temporary(const std::string& target, mode_t mode) {
     if (is_there_) remove_left(directory);
 }
 
-/// False with error_ set; EEXIST where another name will do.
+/// Makes the file; returns false with error_ set, EEXIST where another name should be tried.
 bool Temporary::make(const std::string& path, mode_t mode) {
     const NoEndHere no_end_here;
     path_ = path;  // from here on nothing asks for memory
@@ -172,8 +172,8 @@ bool Temporary::make(const std::string& path, mode_t mode) {
     descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     error_ = descriptor_ < 0 ? errno : 0;
     struct stat status {};
-    // Whoever looks for what was left may have found it before it was locked. Where there are no locks,
-    // nobody can take one, and nothing is removed.
+    // A process that looks for left files may have found this one before it was locked. Where the file system
+    // has no locks, nobody can take one, and nothing is removed.
     const bool taken =
         descriptor_ >= 0 && ((::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) ||
                              (::fstat(descriptor_, &status) == 0 && status.st_nlink == 0));

@@ -26,7 +26,7 @@ void TextCursor::fail_too_many(const char* expected) {
     fail(fmt::format("{} is one too many", quoted_word(word())), expected);
 }
 
-/// Past the end of this line and of those that a backslash joins to it.
+/// Skips the rest of this line and the lines that a backslash joins to it.
 void TextCursor::skip_rest() {
     while (at_ < end_) {
         const void* found = std::memchr(at_, '\n', static_cast<std::size_t>(end_ - at_));
@@ -44,7 +44,7 @@ void TextCursor::skip_rest() {
     }
 }
 
-/// At a backslash: onto the newline that it takes away; false when something else follows.
+/// At a backslash, moves to the newline that it removes; returns false when something else follows.
 bool TextCursor::skip_continuation() {
     const char* next = at_ + 1;
     while (next < end_ && *next == '\r') ++next;

@@ -85,7 +85,7 @@ class TextCursor {
         return value;
     }
 
-    /// The next three words as numbers. `names`: of each.
+    /// Reads the next three words as numbers. `names`: what messages call them.
     glm::vec3 three(const std::array<std::string_view, 3>& names = {"x", "y", "z"}) {
         const float a = number(names[0]), b = number(names[1]), c = number(names[2]);
         return {a, b, c};

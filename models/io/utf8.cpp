@@ -25,7 +25,7 @@ Lead lead_of(unsigned char byte) {
 
 unsigned char byte_at(std::string_view text, std::size_t i) { return static_cast<unsigned char>(text[i]); }
 
-/// Every well-formed character by character(its bytes), every other byte by stray(it), put together.
+/// Rewrites every well-formed character as character(its bytes) and every other byte as stray(byte).
 template <class Character, class Stray>
 std::string rewritten(std::string_view text, const Character& character, const Stray& stray) {
     std::string result;

@@ -1,7 +1,7 @@
 #pragma once
-// Answers what we need to know of UTF-8: where a character ends, whether it is one, and how text that must be
-// UTF-8 can hold bytes that are none, as the name of a file may have them. Source: The Unicode Standard,
-// table 3-7 "Well-Formed UTF-8 Byte Sequences".
+// Checks UTF-8 (where a character ends, whether it is well-formed) and lets text that must be UTF-8 carry
+// bytes that are not, as the name of a file may have them. Source: The Unicode Standard, table 3-7
+// "Well-Formed UTF-8 Byte Sequences".
 
 #include <cstddef>
 #include <string>

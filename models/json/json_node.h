@@ -15,7 +15,7 @@
 
 namespace glint {
 
-/// A value in a document, and the way to it. Lives on the stack below its parent.
+/// A value in a document, with its path from the root. It lives on the stack, in a scope inside its parent's.
 class Node {
   public:
     explicit Node(const Json& root) : value_(root) {}
@@ -27,17 +27,17 @@ class Node {
     [[nodiscard]] const Json& value() const { return value_; }
     [[nodiscard]] std::string pointer() const;
     [[noreturn]] void fail(std::string what, std::string expected) const;
-    /// The value is of another type than the one expected: `"abc" is a string; expected ...`.
+    /// Throws that the value has another type than expected: `"abc" is a string; expected ...`.
     [[noreturn]] void wrong_type(std::string expected) const;
 
     /// Fails unless this is an object with no keys but these.
     void allow_keys(const std::vector<std::string>& known) const;
     [[nodiscard]] bool has(std::string_view key) const { return value_.contains(key); }
-    /// f(Node) of the value of that key, if it is there. Precondition: allow_keys has passed.
+    /// Calls f(Node) with the value of that key, if it is there. Precondition: allow_keys has passed.
     template <class F> void with(std::string_view key, F f) const {
         if (const auto found = value_.find(key); found != value_.end()) f(Node(*found, *this, key));
     }
-    /// f(Node) of every element. Fails unless this is an array of at most `max` elements.
+    /// Calls f(Node) with every element. Fails unless this is an array of at most `max` elements.
     template <class F> void each(std::size_t max, std::string_view expected, F f) const {
         require_array(max, expected);
         for (std::size_t i = 0; i < value_.size(); ++i) f(Node(value_[i], *this, i));
@@ -54,7 +54,7 @@ class Node {
 
 /// The number as a float. It is checked as written and again as a float: 1e-50 is above 0, its float is not.
 [[nodiscard]] float number(const Node& node, const Range& range = any_number);
-/// Between `least` and `most` numbers of `range`, unrounded.
+/// Reads an array of `least` to `most` numbers within `range`, unrounded.
 [[nodiscard]] std::vector<double> numbers(const Node& node, std::size_t least, std::size_t most,
                                           const Range& range = any_number);
 [[nodiscard]] const std::string& text(const Node& node, std::string_view expected = "a string");
@@ -68,7 +68,7 @@ void read(const Node& object, std::string_view key, glm::vec3& to, const Range& 
 /// "a, b or c"
 [[nodiscard]] std::string listed(const std::vector<std::string>& words);
 
-/// The enumerator whose name in the scene file is the value's.
+/// Returns the enumerator that the value names, in the words of the scene file.
 template <class Enum> [[nodiscard]] Enum enumerator(const Node& node) {
     const std::vector<std::string> names = names_of<Enum>();
     const std::string& name = text(node, listed(names));

@@ -16,8 +16,7 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// Reads characters and leaves word of how far it came: the library tells its listener what it met but not
-/// where.
+/// An iterator that reports how far it has read: the library tells its listener what it met, but not where.
 struct CountingIterator {
     using iterator_category = std::input_iterator_tag;
     using value_type = char;
@@ -106,8 +105,8 @@ class Builder {
     }
     template <class Number> bool number(Number n) {
         put(n);
-        // It is known to have ended by the character after it, which has been looked at too; unless the text
-        // ended. Only after a 0, as in 01, can that character be a digit.
+        // The parser knows the end of a number by the character after it, which it has read too, unless the
+        // text ended. Only after a 0, as in 01, can that character be a digit.
         const bool digit = std::isdigit(static_cast<unsigned char>(reached_[-1])) != 0;
         const bool after_zero = std::is_integral_v<Number> && n == 0 && place() > 1 && reached_[-2] == '0';
         if (!digit || after_zero) --understood_;

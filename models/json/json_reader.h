@@ -29,11 +29,11 @@ inline constexpr std::size_t max_json_values = 2'000'000;
 /// where there is one, the pointer.
 [[nodiscard]] Json read_json(std::string_view text, const std::string& file);
 
-/// Empties a document from the inside out. The library's destructor asks for memory where there is something
-/// in an array or an object, and where there is none ends the program.
+/// Empties a document from the inside out. The library's destructor allocates memory for arrays and objects
+/// that are not empty, and ends the program where there is none.
 void take_apart(Json& document) noexcept;  // NOLINT(bugprone-exception-escape): only a scalar's throws
 
-/// Takes a document apart at its end, which must be before the document's own.
+/// Takes a document apart in its destructor, which must run before the document's own.
 class TakenApart {
   public:
     explicit TakenApart(Json& document) : document_(document) {}

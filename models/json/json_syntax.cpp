@@ -23,8 +23,8 @@ std::size_t skip_space(std::string_view text, std::size_t place) {
     return std::min(text.find_first_not_of(white_space, place), text.size());
 }
 
-/// After a key comes a colon, after a value in a container a comma; the fault is what stands there instead or
-/// next.
+/// After a key a colon is expected, after a value in a container a comma. The fault is what stands there
+/// instead, or what follows it.
 Fault fault_of(const JsonStop& stop) {
     const std::size_t next = skip_space(stop.text, stop.understood);
     const char c = next < stop.text.size() ? stop.text[next] : '\0';

@@ -64,7 +64,7 @@ class ValueBuilder {
         open_.push_back({std::move(key_), is_object, {}, {}, {}});
         return open_.size() <= max_json_depth;
     }
-    /// A container is put where it belongs only now, with all that it holds: nothing moves while it is built.
+    /// Puts a container where it belongs when it is complete, so that nothing moves while it is built.
     bool close() {
         Open done = std::move(open_.back());
         open_.pop_back();
@@ -94,7 +94,7 @@ std::string row(const JsonValue& json) {
     return text + "]";
 }
 
-/// One entry a line, each `write`n behind its indentation, between two brackets.
+/// Writes one entry per line after its indentation, with write(), between two brackets.
 template <class Entries, class Write>
 void append_lines(std::string& text, const Entries& entries, std::string_view brackets, std::size_t indent,
                   Write write) {
@@ -127,8 +127,8 @@ void append(std::string& text, const JsonValue& json, std::size_t indent) {
 
 }  // namespace
 
-/// Not the variant's own copying: where every alternative moves without throwing, libstdc++ 12 takes a
-/// variant for whole whose copying ran out of memory, and destroys what is not there.
+/// The variant's own copy is not used: where every alternative moves without throwing, libstdc++ 12 treats a
+/// variant whose copying ran out of memory as complete, and destroys a value that does not exist.
 JsonValue::JsonValue(const JsonValue& other) {
     std::visit([this](auto copy) { value_ = std::move(copy); }, other.value_);
 }

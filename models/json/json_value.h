@@ -65,7 +65,7 @@ class JsonValue {
     [[nodiscard]] bool is_array() const { return std::holds_alternative<Elements>(value_); }
     [[nodiscard]] bool is_object() const { return std::holds_alternative<Members>(value_); }
 
-    /// Each of these has a precondition: that it is one.
+    /// Precondition of each: the value has that type.
     [[nodiscard]] bool boolean() const { return std::get<bool>(value_); }
     [[nodiscard]] double number() const;
     [[nodiscard]] const std::string& string() const { return std::get<std::string>(value_); }
@@ -85,7 +85,7 @@ class JsonValue {
     /// are not finite become null, invalid UTF-8 the replacement character.
     [[nodiscard]] std::string text() const;
 
-    /// Numbers by their value: 1 is 1.0. Objects with their members in the same order.
+    /// Compares numbers by value (1 equals 1.0), and objects with their members in order.
     friend bool operator==(const JsonValue& a, const JsonValue& b) {
         return a.is_number() && b.is_number() ? a.number() == b.number() : a.value_ == b.value_;
     }

@@ -52,7 +52,8 @@ std::string number_of(const std::string& text, const NamedValues& values, int li
     return decimal_text(std::get<double>(number));
 }
 
-/// {angle} and {sin(angle)} as numbers. What has a quote in it is an object of JSON, in which others may be.
+/// Replaces {angle} and {sin(angle)} by numbers. Braces with a quote in them are a JSON object, in which
+/// others may stand.
 std::string replaced(const std::string& text, const NamedValues& values, int line) {
     std::string result;
     for (std::size_t at = 0; at < text.size();) {

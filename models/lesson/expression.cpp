@@ -95,7 +95,7 @@ bool all_hold(const std::string& symbol, const JsonValue& a, const JsonValue& b,
     return x >= y;
 }
 
-/// Whether any element differs by more than that; a number that is none differs from nothing.
+/// Whether any element differs by more than `tolerance`; NaN differs from nothing.
 bool differ(const JsonValue& a, const JsonValue& b, double tolerance) {
     const JsonValue differences = combined(a, b, [](double x, double y) { return std::abs(x - y); });
     const auto is_more = [tolerance](const auto& self, const JsonValue& value) -> bool {

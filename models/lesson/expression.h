@@ -24,11 +24,11 @@ class Expression {
   public:
     Expression() = default;  // the text "", which has no value
 
-    /// At most 1000 bytes, at most 32 brackets and signs inside each other.
+    /// Parses at most 1000 bytes, with at most 32 brackets and signs inside each other.
     [[nodiscard]] static Result<Expression> parse(std::string_view text);
 
     /// A problem where a name is not among `names`, a member is missing, or an operation does not fit what it
-    /// is given. A division by zero and the like give no number, of which every comparison is false.
+    /// is given. A division by zero and the like give NaN, for which every comparison is false.
     [[nodiscard]] Result<JsonValue> value(const NamedValues& names) const;
     /// The value of a condition; a problem where it is neither true nor false.
     [[nodiscard]] Result<bool> holds(const NamedValues& names) const;

@@ -25,7 +25,7 @@ JsonValue each(const JsonValue& value, double (*f)(double)) {
     for (const JsonValue& element : value.elements()) results.push_back(each(element, f));
     return JsonValue(std::move(results));
 }
-/// A function of one number as one of each number.
+/// Applies a function of one number to each number of the argument.
 template <double (*f)(double)> JsonValue of_each(const Values& v) { return each(v[0], f); }
 
 double magnitude(double x) { return std::abs(x); }

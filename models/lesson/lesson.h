@@ -132,8 +132,8 @@ struct ExerciseInstance {
 
 using LessonPart = std::variant<std::vector<ProseBlock>, Prediction, Reveal, Task, Claim, Exercise>;
 
-/// What stands from one heading of the second level to the next. It begins with the lesson's scene and what
-/// is set here, whatever went before.
+/// The part of a lesson from one second-level heading to the next. It begins with the lesson's scene and the
+/// assignments in `set`, whatever the steps before it did.
 struct LessonStep {
     std::string title;  // empty for what stands before the first such heading
     std::vector<Assignment> set;
@@ -156,16 +156,16 @@ struct Lesson {
 /// Most bytes of a lesson's file, and most steps and parts together.
 inline constexpr std::size_t max_lesson_bytes = std::size_t{256} << 10;
 inline constexpr std::size_t max_lesson_parts = 1000;
-/// A side of a lesson's pictures.
+/// The longest side that a lesson's pictures may have, in pixels.
 inline constexpr int max_lesson_side = 2048;
 
-/// Text -> lesson. `path` is for messages, and its folder is where the scene's path begins. Whether the scene
-/// is there is not asked. What is wrong is one line with the number of its line.
+/// Text -> lesson. `path` is for messages, and its folder is where the scene's path begins. It does not check
+/// that the scene exists. A problem has the number of its line.
 [[nodiscard]] Result<Lesson> parse_lesson(std::string_view text, const std::string& path);
 [[nodiscard]] Result<Lesson> read_lesson(const std::string& path);
 
-/// The lesson files (.md) among `words`, each a file, or a folder whose files come in the order
-/// of their names. A file that is named is not looked at.
+/// The lesson files (.md) among `words`, each a file, or a folder whose files come in the order of their
+/// names. A word that is not a folder is returned without a check.
 [[nodiscard]] Result<std::vector<std::string>> lesson_files(const std::vector<std::string>& words);
 
 /// The exercise with those values, one for each variable. A problem has `path` and the line.

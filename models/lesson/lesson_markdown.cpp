@@ -13,7 +13,7 @@ namespace {
 
 constexpr int max_nesting = 16;
 
-/// Text that stands for a character: those that people write in lessons. Others stay as they are.
+/// Decodes the HTML entities that people write in lessons; others stay as they are.
 std::string entity_text(std::string_view entity) {
     constexpr std::array<std::array<std::string_view, 2>, 5> known{
         {{"&amp;", "&"}, {"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&nbsp;", "\u00a0"}}};

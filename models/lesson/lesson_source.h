@@ -47,7 +47,7 @@ using SourcePart = std::variant<SourceHeading, ProseBlock, SourceBlock>;
 /// The first words of the fenced blocks that a lesson may have.
 [[nodiscard]] const std::vector<std::string>& lesson_block_words();
 
-/// Lines of a block, of which `texts` are as they stand in the file, the first at `line`.
+/// Parses the lines of a block. `texts` are its lines as they stand in the file, the first one at `line`.
 [[nodiscard]] std::vector<BlockLine> block_lines(const std::vector<std::string>& texts, int line);
 
 /// Says what is wrong in a line. Does not return.
@@ -64,16 +64,16 @@ using SourcePart = std::variant<SourceHeading, ProseBlock, SourceBlock>;
 /// The words of a text, split at blanks.
 [[nodiscard]] std::vector<std::string> words_of(std::string_view text);
 
-/// The runs of a block, each with a name of its own; of compare, the pictures stand above it.
+/// Reads the runs of a block. Each has a name of its own; compare names runs of render above it.
 [[nodiscard]] std::vector<LessonRun> read_runs(const std::vector<BlockLine>& lines);
 
-/// All lines of that key.
+/// Reads all lines of that key.
 [[nodiscard]] std::vector<Assignment> read_sets(const SourceBlock& block, std::string_view key);
 
-/// What a block means that is neither "lesson" nor "scene".
+/// Reads a block that is neither "lesson" nor "scene".
 [[nodiscard]] LessonPart read_part(const SourceBlock& block);
 
-/// An exercise's block, whose variables are tried with their first values.
+/// Reads an exercise's block, and tries it with the first value of each variable.
 [[nodiscard]] Exercise read_exercise(const SourceBlock& block);
 
 }  // namespace glint

@@ -19,7 +19,7 @@ CosSin small_angle(double a) {
     return {1 - c, a * (1 - s)};
 }
 
-/// The same so many quarters of a turn further round.
+/// Turns an angle further by that many quarters of a turn.
 CosSin turned(CosSin a, std::int64_t quarters) {
     for (std::int64_t i = quarters & 3; i > 0; --i) a = {-a.s, a.c};
     return a;

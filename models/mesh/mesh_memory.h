@@ -1,5 +1,5 @@
 #pragma once
-// What meshes take of the memory that there is (models/memory_limit.h).
+// Counts the memory of meshes against the limit (models/memory_limit.h).
 
 #include <cstdint>
 
@@ -12,10 +12,10 @@ namespace glint {
 /// Bytes that a mesh holds.
 [[nodiscard]] std::uint64_t mesh_bytes(const Mesh& mesh);
 
-/// The mesh, from now on shared, and counted as long as anybody holds it. Throws Refused.
+/// Makes the mesh shared, and counts its memory as long as anybody holds it. Throws Refused.
 [[nodiscard]] MeshPtr share_mesh(Mesh mesh);
 
-/// At least the bytes that make_primitive() holds at any one time, and those that its mesh holds then.
+/// Upper bounds of the bytes that make_primitive() holds at any one time, and that the finished mesh holds.
 [[nodiscard]] std::uint64_t bytes_to_make(Primitive primitive, int detail);
 [[nodiscard]] std::uint64_t bytes_once_made(Primitive primitive, int detail);
 

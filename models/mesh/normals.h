@@ -63,11 +63,11 @@ struct CreaseGroups {
 };
 [[nodiscard]] CreaseGroups crease_groups(const Mesh& mesh, const Topology& topology, float crease_deg);
 
-/// Object coordinates, unit. Sum of the weighted unit facet normals of a vertex (below 180 degrees: of each
-/// group of crease_groups() there), made unit. A sum that cancels (shorter than 1e-6 of its weights) leaves
-/// each corner its facet normal; a degenerate facet takes no part and its corners, where no other facet is
-/// averaged, get 0. The angle at a corner is the interior one, so that it may pass 180 degrees in a polygon
-/// that is not convex. `corner` stays empty when one normal a position says it all.
+/// Sums the weighted unit facet normals around each vertex (with a crease below 180 degrees, of each group of
+/// crease_groups() there) and makes the sum unit; object coordinates. Where a sum cancels (is shorter than
+/// 1e-6 of its weights), each corner takes its facet normal. Degenerate facets take no part; their corners
+/// get 0 where no other facet is averaged. The angle at a corner is the interior one, which may exceed 180
+/// degrees in a polygon that is not convex. `corner` stays empty when one normal per position is enough.
 [[nodiscard]] CornerNormals vertex_normals(const Mesh& mesh, NormalWeighting weighting, float crease_deg);
 
 }  // namespace glint

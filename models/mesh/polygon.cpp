@@ -94,8 +94,8 @@ bool Triangulator::convex() const {
     for (std::size_t i = 0; i < n; ++i) {
         const Point &here = points_[i], &next = points_[(i + 1) % n], &then = points_[(i + 2) % n];
         if (turn(next, then, here) < -straight) return false;
-        // Left turns alone also wind round twice (a pentagram, a spiral): the fan's triangles must all be
-        // counter-clockwise and stay on the left of its first edge.
+        // Left turns alone are not enough, as a pentagram or a spiral winds round twice: the fan's triangles
+        // must also be counter-clockwise and stay on the left of its first edge.
         if (turn(points_[0], here, next) < -straight) return false;
         if (turn(points_[0], points_[1], here) < -straight) return false;
     }
@@ -154,8 +154,8 @@ void Triangulator::clip(std::size_t i) {
     if (higher_[i] != no_corner) lower_[higher_[i]] = lower_[i];
 }
 
-/// A corner that keeps the triangle a, b, c from being an ear: within it or on its edge. A corner at the same
-/// place as one of its own does not: that is how holes are joined to the outline.
+/// Whether corner k keeps the triangle a, b, c from being an ear: it lies within it or on its edge. A corner
+/// at the position of a, b or c does not: that is how holes are joined to the outline.
 bool Triangulator::blocks(std::size_t k, const Point& a, const Point& b, const Point& c) const {
     const Point& p = points_[k];
     if (cross(a, b, p) < 0 || cross(b, c, p) < 0 || cross(c, a, p) < 0) return false;
@@ -180,8 +180,8 @@ void Triangulator::examine(std::size_t i) {
     is_ear_[i] = ear(i) ? 1 : 0;
 }
 
-/// The first ear at or after `start`, of a ring of `left` corners. Where there is none (the polygon crosses
-/// itself, or only straight corners are left), the corner that turns left most.
+/// Returns the first ear at or after `start` in a ring of `left` corners; where there is none (the polygon
+/// crosses itself, or only straight corners are left), the corner with the sharpest left turn.
 std::size_t Triangulator::next_ear(std::size_t start, std::size_t left) const {
     std::size_t i = start, best = start;
     double best_sine = -2;

@@ -22,8 +22,8 @@ struct PolygonPlane {
 /// have no area.
 [[nodiscard]] PolygonPlane polygon_plane(const Mesh& mesh, std::size_t face);
 
-/// Appends the corners of polygon `face` that do not repeat the place of the corner before them (the last
-/// one, of the first) to `corners`, which is cleared first. The first corner of a run stays.
+/// Sets `corners` to the corners of polygon `face` without those that repeat the position of the corner
+/// before them, or at its end that of the first. Of a run of equal positions the first corner stays.
 void distinct_corners(const Mesh& mesh, std::size_t face, std::vector<std::uint32_t>& corners);
 
 inline constexpr std::size_t longest_ear_clipping = 1000;  // corners

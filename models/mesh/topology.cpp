@@ -24,7 +24,8 @@ std::array<std::uint32_t, 2> sorted(std::uint32_t a, std::uint32_t b) {
     return a < b ? std::array{a, b} : std::array{b, a};
 }
 
-/// It prints every face that it refuses; we hold those another way. Once, so that threads do not race for it.
+/// OpenMesh prints every face that it refuses; we hold those in another way. It is silenced once, so that
+/// threads do not race for it.
 void silence_openmesh() {
     static const bool done = (::omerr().disable(), true);
     static_cast<void>(done);
@@ -68,7 +69,8 @@ class Builder {
             if (vertex[c] != vertex[next_corner(mesh_, f, c)]) corners_.push_back(c);
     }
 
-    /// Whether a vertex comes twice, or there are fewer than three: no face of a half-edge structure.
+    /// Whether a half-edge structure cannot hold the face: a vertex comes twice, or there are fewer than
+    /// three.
     bool cannot_be_held() {
         if (corners_.size() < 3) return true;
         if (corners_.size() == 3) {  // neighbours differ, so all three do

@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-/// Sets of corners that grow together; the smallest corner of a set stands for it.
+/// Sets of corners that can be joined (union-find); the smallest corner represents its set.
 class Groups {
   public:
     explicit Groups(std::size_t corners) : parent_(corners) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -137,7 +137,7 @@ void add_all(const Mesh& mesh, NormalWeighting weighting, Averages& to) {
     }
 }
 
-/// Whether the sum points nowhere although something was added.
+/// Whether the normals of a sum cancel.
 bool cancels(const Sum& sum) {
     return sum.weights > 0 && !(glm::dot(sum.n, sum.n) >= 1e-12 * sum.weights * sum.weights);
 }

@@ -41,14 +41,15 @@ const Format* format_of(const std::string& path) {
     return found == formats.end() ? nullptr : found;
 }
 
-/// Of the triangles that finish_mesh() makes: convex polygons of n corners give n - 2.
+/// Throws Refused when the triangles that finish_mesh() makes do not fit: a convex polygon of n corners gives
+/// n - 2.
 void require_room_for_triangles(const Mesh& mesh) {
     const std::size_t corners = mesh.corner_position.size(), faces = mesh.face_count();
     const std::size_t triangles = corners > 2 * faces ? corners - 2 * faces : 0;
     require_memory(memory_need(MemoryUse::Meshes, mesh_bytes(mesh) + triangles * sizeof(Triangle)));
 }
 
-/// What `read` makes; where it cannot, why.
+/// Returns the mesh that `read` makes, or the problem that prevents it.
 template <class Read> Result<Mesh> mesh_of(const std::string& path, const Read& read) {
     try {
         return read();
@@ -87,8 +88,8 @@ Result<Mesh> part_of(const GltfFile& file, const std::string& path, int part) {
     return mesh_of(path, [&] { return file.mesh(part); });
 }
 
-/// True where the first block of a file cannot begin one of the format with that extension; its reader then
-/// fails in that block already.
+/// True where the first block cannot begin a file of the format with that extension: the reader will fail
+/// within that block.
 bool begins_badly(std::string_view extension, const FileBlock& first) {
     const std::string_view bytes = first.bytes;
     if (extension == ".ply") return !bytes.starts_with("ply");

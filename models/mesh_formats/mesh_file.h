@@ -1,6 +1,5 @@
 #pragma once
-// Mesh files: .obj .ply .off .stl .om .gltf .glb -> Mesh. Everything is read as if a stranger had made it to
-// hurt us.
+// Mesh files: .obj .ply .off .stl .om .gltf .glb -> Mesh. Every file may be hostile.
 
 #include <string>
 #include <string_view>
@@ -14,16 +13,17 @@ namespace glint {
 [[nodiscard]] bool is_mesh_path(const std::string& path);
 
 /// Reads and finishes a mesh. Problems carry the path as given and, for text formats, the line.
-/// Errors: cannot be read, a directory or a device, no faces, an index out of range, a number that is none or
-/// not within +-1e30, more than 2^31 - 1 corners. Tolerated with one warning a kind and its count: repeated
-/// corners, weights after an OBJ vertex, lines and points, colours of faces, ...
+/// Errors: cannot be read, a directory or a device, no faces, an index out of range, a word that is not a
+/// number or not within +-1e30, more than 2^31 - 1 corners. Tolerated with one warning a kind and its count:
+/// repeated corners, weights after an OBJ vertex, lines and points, colours of faces, ...
 ///
 /// .obj: v, vn, f with negative indices, colours after a place, continued lines. .ply: ASCII and both binary
 /// orders, properties in any order; integer colours are scaled to 0 .. 1. .off: OFF, COFF, NOFF, CNOFF,
 /// ASCII; whole-number colours of which one is above 1 count to 255. .stl: ASCII and binary; the format knows
 /// no indices, so corners at exactly one place share a position (nothing is merged by distance), and its
-/// facet normals are the file's normals. .om: OpenMesh's own. .gltf, .glb: glTF 2.0, of whose primitives with
-/// triangles, in the order of the file, `part` is one (models/gltf/gltf.h); the others hold one mesh, part 0.
+/// facet normals are the file's normals. .om: OpenMesh's own. .gltf, .glb: glTF 2.0; `part` numbers its
+/// primitives with triangles in the order of the file (models/gltf/gltf.h). The other formats hold one mesh,
+/// part 0.
 [[nodiscard]] Result<Mesh> read_mesh(const std::string& path, int part = 0);
 
 /// Reads a mesh from bytes in memory; `path` names the format by its extension, and the problems.

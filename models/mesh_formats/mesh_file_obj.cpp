@@ -135,8 +135,8 @@ class ObjReader {
         mesh_.corner_position.push_back(static_cast<std::uint32_t>(from_zero));
     }
 
-    /// A normal that the file does not have leaves its corner without one; it may still come, so that this is
-    /// decided at the end.
+    /// Adds a corner's normal. One that the file never defines leaves its corner without a normal; as it may
+    /// still be defined later, that is decided at the end.
     void add_normal(std::int64_t index) {
         const auto count = static_cast<std::int64_t>(mesh_.normals.size());
         const std::int64_t from_zero = index < 0 ? count + index : index - 1;

@@ -81,12 +81,12 @@ class OmReader {
         fail(fmt::format("face {}: {}", mesh_.face_count(), what), std::move(expected));
     }
 
-    /// Little-endian, of 1 to 8 bytes.
+    /// Reads an unsigned little-endian number of 1 to 8 bytes.
     [[nodiscard]] std::size_t natural(std::size_t at, std::size_t size) const {
         if (at + size > bytes_.size()) fail("the file ends early", "a chunk or the end mark");
         return little_endian(&bytes_[at], size);
     }
-    /// With a sign: its highest bit.
+    /// Reads a signed little-endian number of 1 to 8 bytes.
     [[nodiscard]] std::int64_t integer(std::size_t at, std::size_t size) const {
         const std::size_t sign = std::size_t{1} << (8 * size - 1), value = natural(at, size);
         return static_cast<std::int64_t>(value ^ sign) - static_cast<std::int64_t>(sign);
@@ -195,7 +195,7 @@ class OmReader {
         mesh_.corner_position.push_back(static_cast<std::uint32_t>(vertex));
     }
 
-    /// Before version 2: the vertices of each face.
+    /// Adds the faces of a file before version 2, which lists the vertices of each face.
     void add_polygons(const Data& chunk) {
         const std::size_t size = chunk.header.integer_bytes();
         std::size_t at = chunk.at;
@@ -211,7 +211,8 @@ class OmReader {
         }
     }
 
-    /// From version 2 on: one half-edge of each face, whose next ones lead round it.
+    /// Adds the faces of a file from version 2 on, which lists one half-edge of each face; the next ones lead
+    /// round it.
     void add_loops(const Data& chunk) {
         std::vector<char> walked(halfedge_chunk_ ? 2 * edges_ : 0, 0);  // each belongs to one face only
         const std::size_t size = chunk.header.integer_bytes();
@@ -231,8 +232,9 @@ class OmReader {
         }
     }
 
-    /// Number `which` of a half-edge: 0 is the next one's, 1 that of the vertex to which it leads. Half-edges
-    /// 2e and 2e + 1 are edge e. Preconditions: there is a chunk of them, and `half` is below 2 edges_.
+    /// Index `which` of a half-edge: 0 is the index of the next half-edge, 1 that of the vertex to which it
+    /// leads. Half-edges 2e and 2e + 1 are edge e. Preconditions: there is a chunk of them, and `half` is
+    /// below 2 edges_.
     [[nodiscard]] std::int64_t of_halfedge(std::int64_t half, std::size_t which) const {
         const std::size_t size = halfedge_chunk_->header.integer_bytes();
         return integer(halfedge_chunk_->at + size * (3 * static_cast<std::size_t>(half) + which), size);

@@ -13,8 +13,8 @@
 namespace glint {
 namespace {
 
-/// 1 for colours that are shares already, else one over the most that the type holds; 0 for a type in which
-/// no writer gives colours.
+/// The factor that scales colours to 0 .. 1: 1 for floats, else one over the largest number of the type. 0
+/// without colours, and for a type in which no writer gives them.
 float color_scale(const PlyElement& vertices) {
     if (!vertices.has_three(PlyRole::Red)) return 0;
     switch (vertices.with(PlyRole::Red)->type) {
@@ -136,7 +136,7 @@ template <class Rows> class PlyBody {
             end();
         }
     }
-    /// Passes over numbers.
+    /// Reads the lists of all rows, and skips single numbers.
     template <class List> void read_lists(const PlyElement& element, const List& list) {
         read_rows(
             element, list, [](const PlyProperty&, float) {}, [] {});

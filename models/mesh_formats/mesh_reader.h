@@ -42,10 +42,10 @@ inline float little_endian_float(const char* at) {
     return std::bit_cast<float>(static_cast<std::uint32_t>(little_endian(at, 4)));
 }
 
-// What tells a binary STL file from text, which both begin with "solid" in some files.
+// Tells binary STL files from text: files of both kinds may begin with "solid".
 
 inline constexpr std::size_t binary_stl_header = 84, binary_stl_facet = 50;  // bytes
-/// True when the first word is "solid", small, large or with a capital.
+/// True when the first word is "solid", "SOLID" or "Solid".
 [[nodiscard]] bool begins_with_solid(std::string_view bytes);
 /// Returns how many facets the header promises. Precondition: there is a whole header.
 [[nodiscard]] std::size_t binary_stl_facets(std::string_view bytes);

@@ -1,6 +1,6 @@
 #pragma once
-// Corners at exactly one place share a position: for formats that know no indices, or repeat a vertex for
-// each of its normals. Inside models/ only.
+// Lets corners at exactly equal positions share one index: for formats that have no indices, or repeat a
+// vertex for each of its normals. Inside models/ only.
 
 #include <bit>
 #include <chrono>
@@ -12,8 +12,8 @@
 
 namespace glint {
 
-/// Numbers places in the order in which they first come: an open hash table of indices into the positions.
-/// Its hash begins anywhere, so that no file can be made that is slow; the numbers do not depend on it.
+/// Numbers positions in the order in which they first come, by an open hash table of indices. The hash is
+/// seeded with the time, so that no file can be made to be slow; the numbers do not depend on the seed.
 class Places {
   public:
     std::uint32_t index_of(glm::vec3 place, std::vector<glm::vec3>& positions) {

@@ -48,7 +48,7 @@ class AsciiRows {
     TextCursor& cursor_;
 };
 
-/// Values of a binary body, the bytes of each turned round or not.
+/// Reads the values of a binary body, with the bytes of each value reversed if `swap`.
 template <bool swap> class BinaryRows {
   public:
     BinaryRows(TextCursor& cursor, const std::string& file)
@@ -84,7 +84,7 @@ template <bool swap> class BinaryRows {
     }
 
   private:
-    /// visit(a number of the machine's own type).
+    /// Calls visit() with a number of the machine's own type.
     template <class Visit> static auto as_machine_type(PlyType type, const Visit& visit) {
         switch (type) {
         case PlyType::Int8:

@@ -45,8 +45,8 @@ struct PrimitiveBuilder {
     static constexpr std::size_t between_reports = 1 << 14;  // vertices, faces
 };
 
-/// A closed grid of quads, `columns` to the right by `rows` up as seen from outside, that meets itself at
-/// both ends: vertex (i, j) has the index i * rows + j. The vertices must be there already.
+/// Adds a grid of quads that is closed in both directions, `columns` to the right by `rows` up as seen from
+/// outside: vertex (i, j) has the index i * rows + j. The vertices must be there already.
 void add_closed_grid(PrimitiveBuilder& to, std::uint32_t columns, std::uint32_t rows);
 
 }  // namespace glint

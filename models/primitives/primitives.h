@@ -51,7 +51,7 @@ struct PrimitiveInfo {
     PrimitiveBuilder (*make)(int d);
 };
 
-/// What a solid is cut into at least, more finely than asked for.
+/// A solid may be cut into this many triangles even where fewer are asked for.
 inline constexpr std::uint64_t triangles_of_the_coarsest = 64;
 
 // NOLINTNEXTLINE(readability-function-size): a table, one case a row.

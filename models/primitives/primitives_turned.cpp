@@ -14,7 +14,7 @@ std::uint32_t at_least(std::uint32_t least, int detail, int divisor = 1) {
     return std::max(least, static_cast<std::uint32_t>((detail + divisor - 1) / divisor));
 }
 
-/// The places and normals of a circle around y, from +z, counter-clockwise seen from above.
+/// A point, or a normal, on a circle around the y axis: angle 0 is at +z, counter-clockwise seen from above.
 glm::dvec3 around_y(const CosSin& a, double radius, double y) { return {radius * a.s, y, radius * a.c}; }
 
 // The knot goes twice round y on a ring of radius 0.85 and three times round that ring at 0.4, which keeps

@@ -55,8 +55,8 @@ struct PictureSize {
 /// are both far away do not lose the difference.
 /// Precondition: eye != target and up not parallel to the view direction (the scene file checks it).
 [[nodiscard]] glm::dmat4 view_from_world(const Camera& camera);
-/// World coordinates from camera coordinates: its inverse, with the axes u, v, w as columns. The same
-/// precondition.
+/// World coordinates from camera coordinates: the inverse of view_from_world(), with the axes u, v, w as
+/// columns and the same precondition.
 [[nodiscard]] glm::dmat4 world_from_view(const Camera& camera);
 
 /// Whether the field is wider there than the projection says.
@@ -64,9 +64,9 @@ struct PictureSize {
     return size.keeps_width && 9LL * size.width < 16LL * size.height;
 }
 
-/// What of a scene a picture of this size shows: `projection`, whose field is vertical. Where the size keeps
-/// its width and is narrower than 16:9, its field is as wide as at 16:9, and so higher. A frustum is
-/// stretched to its picture and stays.
+/// The projection of a picture of this size: `projection`, whose field of view is vertical. Where the size
+/// keeps its width and is narrower than 16:9, the field is as wide as at 16:9, and so higher. A frustum stays
+/// as it is, stretched to the picture.
 [[nodiscard]] Projection fitted(const Projection& projection, PictureSize size);
 
 /// Clip coordinates from camera coordinates, of fitted(projection, size), OpenGL's: rows (E 0 A 0) (0 F B 0)

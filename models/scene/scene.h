@@ -40,8 +40,7 @@ struct PrimitiveMesh {
 };
 using MeshSource = std::variant<PrimitiveMesh, MeshFile>;
 
-/// How much finer or coarser than it is given, read or made, the mesh shall be; and the source of it as
-/// given.
+/// The decimation and subdivision that a source asks for, and the same source without them.
 [[nodiscard]] inline Fineness fineness_of(const MeshSource& source) {
     return std::visit([](const auto& s) { return Fineness{s.decimate, s.subdivide}; }, source);
 }
@@ -58,7 +57,8 @@ struct Object {
     NormalOptions normals;
     Material material;
     MeshPtr mesh;  // what `source` stands for once loaded, else null
-    /// Another mesh makes another object, be it an equal one that was loaded again: it is drawn anew.
+    /// Compares meshes by pointer: an equal mesh that was loaded again makes a different object, which is
+    /// drawn again.
     bool operator==(const Object&) const = default;
 };
 
@@ -83,7 +83,7 @@ struct Display {
     bool operator==(const Display&) const = default;
 };
 
-/// A scene file may hold as many.
+/// The most lights and objects of a scene file.
 inline constexpr std::size_t max_lights = 4096, max_objects = 10'000;
 
 struct Scene {
@@ -98,8 +98,8 @@ struct Scene {
     bool operator==(const Scene&) const = default;
 };
 
-/// Whether the scene file says the same of both, whatever meshes are loaded: what is saved, what a step of
-/// the history is, and what is read back go by this.
+/// Whether a scene file would describe both alike, whatever meshes are loaded. Saving, the steps of undo and
+/// reading back use this.
 [[nodiscard]] inline bool same_description(const Object& a, const Object& b) {
     return a.name == b.name && a.visible == b.visible && a.source == b.source && a.transform == b.transform &&
            a.normals == b.normals && a.material == b.material;

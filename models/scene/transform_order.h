@@ -11,14 +11,14 @@ namespace glint {
 
 enum class TransformStep { Translate, Rotate, Scale };
 
-/// From the first that is written to the last, which happens first.
+/// The steps in the order in which they are written; the last one is applied first.
 using TransformOrder = std::array<TransformStep, 3>;
 inline constexpr TransformOrder file_order{TransformStep::Translate, TransformStep::Rotate,
                                            TransformStep::Scale};
 
-/// The transform of the same matrix as `written` in that order: its rotation and scale are those of
-/// `written`. Nothing where a scale is written before a rotation with which it does not commute: that shears,
-/// or scales along other axes, which a scene file cannot say with these numbers.
+/// Returns the transform in file order that has the same matrix as `written` in `order`, with the rotation
+/// and the scale of `written`. Nothing where a scale is written before a rotation with which it does not
+/// commute: that shears or scales along other axes, which a scene file cannot express with these numbers.
 [[nodiscard]] std::optional<Transform> in_file_order(const Transform& written, const TransformOrder& order);
 
 }  // namespace glint

@@ -7,7 +7,7 @@
 
 namespace glint {
 
-/// A sun of the world, and a dimmer light at the viewer.
+/// Returns a directional light in world coordinates and a dimmer point light at the viewer.
 [[nodiscard]] std::vector<Light> default_lights();
 
 }  // namespace glint

@@ -35,8 +35,8 @@ template <class F> void each_corner(const Scene& scene, int object, F f) {
     }
 }
 
-/// Around the middle of the bounds; not the least sphere, but at most a seventh larger in the worst of
-/// ordinary cases.
+/// A sphere around the centre of the bounds: not the smallest one, but at most a seventh larger in the worst
+/// of ordinary cases.
 std::optional<Sphere> bounding_sphere(const Scene& scene, int object) {
     glm::dvec3 low(2 * max_number), high(-2 * max_number);
     bool any = false;
@@ -75,8 +75,8 @@ double fitting_distance(const Projection& projection, double radius) {
     return 4 * radius;  // any: the size in the picture does not depend on it
 }
 
-/// The same view with other clipping planes: near well before the sphere, far well behind it, and near not so
-/// small beside far that depth loses its digits.
+/// Returns the projection with new clipping planes: near well in front of the sphere, far well behind it, and
+/// near not so small compared with far that depth loses its digits.
 Projection with_planes(Projection projection, double distance, double radius) {
     const auto near = static_cast<float>(distance / 50), far = static_cast<float>(distance + 20 * radius);
     if (auto* f = std::get_if<Frustum>(&projection)) {

@@ -38,7 +38,7 @@ std::string why_no_file(const std::string& path) {
     return fs::is_regular_file(status) ? "" : "it is a device or a pipe";
 }
 
-/// The share of what is needed meanwhile is given back before the mesh has its own.
+/// Makes a primitive. The memory share for making it is given back before the mesh gets its own.
 Mesh made(const PrimitiveMesh& mesh) {
     const MemoryShare making(memory_need(MemoryUse::Meshes, bytes_to_make(mesh.primitive, mesh.detail)));
     return make_primitive(mesh.primitive, mesh.detail);
@@ -75,7 +75,7 @@ Result<MeshPtr> load(const MeshSource& source, const std::string& mesh_dir, Gltf
     }
 }
 
-/// What a mesh that is made finer or coarser is made of: `given`, as it is when that does.
+/// Returns `given` made finer or coarser as wanted; `given` itself when it is fine as it is.
 Result<MeshPtr> refined(const MeshPtr& given, const Fineness& wanted) {
     if (is_fine_as_it_is(*given, wanted)) return given;
     try {
@@ -91,10 +91,10 @@ Result<MeshPtr> refined(const MeshPtr& given, const Fineness& wanted) {
     }
 }
 
-/// What tells meshes apart as they are given: the name of a primitive and its detail, or the file itself,
-/// whatever path leads to it, the part of it, and the extension by which it is read.
+/// Identifies a mesh as it is given: by a primitive's name and detail, or by the file itself (whatever path
+/// leads to it), its part, and the extension by which it is read.
 using GivenKey = std::tuple<std::string, int, dev_t, ino_t>;
-/// And how much finer or coarser they are made.
+/// Identifies a mesh with how much finer or coarser it is made.
 using MeshKey = std::tuple<GivenKey, int, int>;
 
 GivenKey key_of_file(const std::string& path) {
@@ -133,8 +133,8 @@ class Loader {
         if (object.mesh) known_[key_of(object.source)] = object.mesh;
     }
 
-    /// Before any is made: what all primitives that are still to come need together. The problem is about the
-    /// largest of them.
+    /// Checks, before any is made, the memory that all primitives still to be made need together. The problem
+    /// names the largest of them.
     std::optional<Problem> too_much_memory(const std::vector<Object>& objects) {
         std::set<MeshKey> counted;
         std::uint64_t all = 0, max_more = 0, most = 0;

@@ -73,8 +73,8 @@ struct SceneDocument {
 [[nodiscard]] Scene with_mesh_paths_from(Scene scene, const std::string& old_directory,
                                          const std::string& new_directory);
 
-/// The scene as a picture at `picture_path` carries it: mesh paths, which lead from `mesh_dir`, lead from
-/// there.
+/// The scene's text as a picture at `picture_path` carries it: mesh paths relative to `mesh_dir` become
+/// relative to the picture's directory.
 [[nodiscard]] std::string carried_scene_text(const Scene& scene, const std::string& mesh_dir,
                                              const std::string& picture_path);
 

@@ -86,7 +86,7 @@ template <class T> std::string text_of_value(const List&, const std::vector<T>& 
 template <class T> std::string text_of(const T& value) {
     const Layout layout = layout_of(value);
     std::string text;
-    // A line begins where the layout says so, also when the key there is left out.
+    // A line also begins where the key at which it should begin is left out.
     bool breaks = false;
     fields_with_defaults(value,
                          [&](const Row& row, const auto& kind, const auto& member, const auto& initial) {

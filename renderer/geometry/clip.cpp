@@ -5,7 +5,7 @@
 namespace glint {
 namespace {
 
-/// `kept`: its memory is used for what stays.
+/// Clips the polygon to a plane. `kept`: memory to work in.
 void clip_to_plane(std::vector<glm::dvec4>& polygon, std::vector<glm::dvec4>& kept, const glm::dvec4& plane) {
     kept.clear();
     for (std::size_t i = 0; i < polygon.size(); ++i) {

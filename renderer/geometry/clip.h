@@ -104,7 +104,7 @@ struct ClipMemory {
     return {std::clamp(c.x, -side, side), std::clamp(c.y, -side, side), std::clamp(c.z, -depth, depth), c.w};
 }
 
-/// Precondition: held_in_view().
+/// Converts a corner that held_in_view() returned to the rasteriser's grid.
 [[nodiscard]] inline ScreenVertex to_screen(const Viewport& viewport, const glm::dvec4& clip) {
     const GridPoint<double> at = grid_point(viewport, Point4<double>{clip.x, clip.y, clip.z, clip.w});
     return {static_cast<std::int32_t>(nearest(at.x)), static_cast<std::int32_t>(nearest(at.y)),
@@ -113,12 +113,12 @@ struct ClipMemory {
 
 // Positions so far away that the square of their distance does not fit a float.
 
-/// Returns how many times nearer `place` (camera coordinates) has to be for its distance to be
-/// `max_distance`; 1 when it is not farther.
+/// Returns the factor that brings `place` (camera coordinates) to the distance `max_distance` if it is
+/// farther, else 1.
 [[nodiscard]] inline double share_of_way(const glm::dvec3& place) {
     return std::min(1.0, max_distance / glm::length(place));
 }
-/// The place, or the one in the same direction that is not too far.
+/// Limits the distance of a position to `max_distance`, in the same direction.
 [[nodiscard]] inline glm::dvec3 not_too_far(const glm::dvec3& place) { return share_of_way(place) * place; }
 
 }  // namespace glint

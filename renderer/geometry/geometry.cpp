@@ -1,5 +1,5 @@
-// Stage 1, from object to clip coordinates. Points go by the matrices of model, camera and projection,
-// normals by the inverse transpose of the first two (transform_objects).
+// Stage 1, from object to clip coordinates. Points are transformed by the matrices of model, camera and
+// projection, normals by the inverse transpose of the first two (transform_objects).
 #include "renderer/geometry/geometry.h"
 
 #include <fmt/core.h>
@@ -45,7 +45,7 @@ VertexList list_triangle_vertices(const Mesh& mesh) {
     return std::make_shared<const std::vector<std::uint32_t>>(std::move(list));
 }
 
-/// Objects whose mesh is another now get it, with its list, which all objects of one mesh share.
+/// Gives objects whose mesh has changed the new mesh and its list, which all objects of one mesh share.
 void take_meshes(std::vector<ObjectGeometry>& objects, const Scene& scene) {
     std::map<const Mesh*, VertexList> lists;
     for (std::size_t i = 0; i < objects.size(); ++i) {

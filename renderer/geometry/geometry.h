@@ -28,14 +28,13 @@ struct ObjectGeometry {
     std::uint32_t first_triangle = 0;  // its triangles have the global numbers first_triangle + 0, 1, 2, ...
     glm::dmat4 view_from_object{1.0}, clip_from_object{1.0};
     glm::dmat3 normal_matrix{1.0};  // inverse transpose of its upper 3 x 3
-    // Three a triangle, indices into vertices: of the mesh, and so the same list for all objects of one mesh.
+    // Three indices into `vertices` for each triangle; all objects of one mesh share the list.
     std::shared_ptr<const std::vector<std::uint32_t>> vertices_of_mesh;
     std::span<const std::uint32_t> triangle_vertices;  // its numbers
     std::vector<TransformedVertex> vertices;           // #V
     std::vector<ScreenVertex> screen;                  // #V
 
-    /// A position of the mesh in camera coordinates; one farther than `max_distance`, as far in the same
-    /// direction.
+    /// A position of the mesh in camera coordinates, with its distance limited to `max_distance`.
     [[nodiscard]] glm::vec3 position(std::uint32_t index) const;
     /// The mean of a polygon's corners in camera coordinates.
     [[nodiscard]] glm::dvec3 centroid(std::uint32_t face) const;
@@ -61,8 +60,8 @@ struct Geometry {
     }
 };
 
-/// Does again what differs from what `kept` was made of; true when anything did. Throws Refused, `kept` being
-/// as it was, when the scene has more than max_scene_triangles.
+/// Runs the stage again if its inputs differ from those of `kept`; returns whether they did. Throws Refused,
+/// and leaves `kept` as it was, when the scene has more than max_scene_triangles.
 bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size);
 
 }  // namespace glint

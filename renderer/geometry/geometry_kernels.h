@@ -9,8 +9,9 @@ namespace glint {
 inline constexpr int subpixel_bits = 8;
 inline constexpr int subpixels = 1 << subpixel_bits;  // the rasteriser's grid, per pixel
 
-/// The six planes of the view volume, and a guard band: around the picture, beyond which screen coordinates
-/// would not fit the rasteriser's integers, and around the lengths whose products floats hold.
+/// Says where a vertex lies outside: beyond one of the six planes of the view volume, or beyond the guard
+/// band, outside which screen coordinates do not fit the rasteriser's integers or products do not fit a
+/// float.
 enum OutsideBits : std::uint32_t {
     OutsideLeft = 1,
     OutsideRight = 2,
@@ -65,7 +66,7 @@ struct Viewport {
     bool orthographic = false;
 };
 
-/// One object's vertices. As many of each as there are positions.
+/// The vertices of one object. Each array has as many entries as there are positions.
 struct VertexJob {
     const float* positions = nullptr;  // object coordinates, three a vertex
     Matrix4 view_from_object, clip_from_view;

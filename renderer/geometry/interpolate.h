@@ -20,8 +20,8 @@ template <Number F> ScreenPoint<F> to_ndc(F x, F y, F width, F height) {
     return {F(2) * x / width - F(1), F(1) - F(2) * y / height};
 }
 
-/// Numbers in proportion to the weights of three corners where the ray through `at` meets their plane: not
-/// negative inside the triangle, from whichever side it is seen.
+/// Returns numbers proportional to the weights of three corners where the ray through `at` meets their plane.
+/// They are not negative inside the triangle, whichever side is seen.
 template <Number F>
 Vec3<F> edge_functions(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, ScreenPoint<F> at) {
     // Corners relative to the ray: differences first, so that a small triangle far away keeps its digits.
@@ -44,8 +44,8 @@ Vec3<F> perspective_weights(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, S
     return select<F>(inverse > F(0), inverse * e, Vec3<F>{third, third, third});
 }
 
-/// Weights that are linear on the screen, from the perspective-correct ones. All w > 0; where their products
-/// leave the range of floats, the perspective-correct ones.
+/// Converts perspective-correct weights to weights that are linear on the screen. Precondition: all w > 0.
+/// Where products leave the range of floats, it returns the perspective-correct ones.
 /// Source: perspective-correct interpolation, a = sum(b_i a_i / w_i) / sum(b_i / w_i) with weights b on the
 /// screen, as in Heckbert and Moreton 1991, solved for b.
 template <Number F> Vec3<F> screen_weights(Vec3<F> perspective, F wa, F wb, F wc) {
@@ -58,8 +58,8 @@ template <Number F> Vec3<F> blend(Vec3<F> weights, Vec3<F> a, Vec3<F> b, Vec3<F>
     return weights.x * a + weights.y * b + weights.z * c;
 }
 
-/// One more corner of a weighted sum. What counts nothing is left out altogether, so that a sum has the same
-/// bits however many such corners are listed.
+/// Adds one corner to a weighted sum. A corner of weight 0 is skipped, so that a sum has the same bits
+/// however many such corners are listed.
 template <Number F> Vec3<F> add_weighted(Vec3<F> sum, F weight, Vec3<F> value) {
     return select<F>(weight > F(0), sum + weight * value, sum);
 }

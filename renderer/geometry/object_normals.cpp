@@ -23,7 +23,7 @@ struct NormalFrame {
     Matrix3 matrix;
     Vec3<double> offset;
 
-    /// Not unit.
+    /// Transforms a normal; the result is not unit.
     [[nodiscard]] Vec3<double> to_camera(Vec3<double> n) const {
         return glint::to_camera(matrix, n) + offset;
     }
@@ -38,7 +38,7 @@ glm::dmat3 linear_part(const ObjectGeometry& object, const NormalMistakes& mista
     return object.normal_matrix;
 }
 
-/// `flip`: turned round as well.
+/// `flip`: the normals are reversed as well.
 NormalFrame normal_frame(const ObjectGeometry& object, bool flip, const NormalMistakes& mistakes) {
     const glm::dmat3 m = linear_part(object, mistakes);
     const bool inside_out = mistakes.mirror_turns && object.mirrored;
@@ -77,7 +77,7 @@ std::vector<float> given_lengths(const ObjectNormals& normals) {
     return lengths;
 }
 
-/// Which of `of_mesh->normals` are the mesh's own, of a file or a formula: 1; the others came from facets.
+/// Marks with 1 those of `of_mesh->normals` that come from a file or a formula; the others came from facets.
 std::vector<std::uint8_t> own_normals(const ObjectNormals& normals) {
     std::vector<std::uint8_t> own(normals.of_mesh->normals.size(), 0);
     const Mesh& mesh = *normals.mesh;
@@ -136,7 +136,8 @@ std::shared_ptr<const CornerNormals> normals_of(KnownNormals& known, const Objec
     return made;
 }
 
-/// Objects whose mesh or options are others now get their normals, which all of the same share.
+/// Gives objects whose mesh or options have changed their new normals, which objects with the same mesh and
+/// options share.
 void take_normals(std::vector<ObjectNormals>& kept, const Scene& scene) {
     KnownNormals known;
     for (std::size_t o = 0; o < kept.size(); ++o) {

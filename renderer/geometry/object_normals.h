@@ -35,8 +35,8 @@ struct ObjectNormals {
     [[nodiscard]] glm::vec3 at_corner(std::uint32_t corner) const {
         return normal(normal_of_corner()[corner]);
     }
-    /// The number that tells lit vertices of one object apart: the position where one normal a position
-    /// suffices, else the corner. A slot's normal is normal_of_slot(slot).
+    /// The number of a lit vertex within its object: its position's index where each position has one normal,
+    /// else its corner's. normal_of_slot(slot) is its normal.
     [[nodiscard]] std::uint32_t slot_of(std::uint32_t corner) const {
         return of_mesh->corner.empty() ? mesh->corner_position[corner] : corner;
     }

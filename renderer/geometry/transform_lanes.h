@@ -1,5 +1,5 @@
 #pragma once
-// Eight vertices at once on their way to the screen, and eight normals on theirs to camera coordinates.
+// Transforms eight vertices at once to the screen, and eight normals to camera coordinates.
 
 #include "renderer/geometry/vertex_transform.h"
 #include "renderer/simd/transpose.h"
@@ -8,8 +8,8 @@ namespace glint::inline GLINT_ISA {
 
 inline constexpr int together = 8;  // a multiple of every number of doubles side by side
 
-/// What vertices come to, as lists of numbers in the order of their records: the halves of TransformedVertex,
-/// and ScreenVertex.
+/// Transformed vertices as lists of numbers, in the order of the records' members: the two halves of
+/// TransformedVertex, and ScreenVertex.
 struct VertexLists {
     float clip[4][together], camera[4][together] = {}, screen[4][together];
 };
@@ -36,7 +36,7 @@ void transform_lanes(const VertexJob& job, const float (&p)[3][together], int i,
     store_truncated(out.screen[3] + i, outside.sides + outside.cut);
 }
 
-/// Eight from `first` on; those past the first `count` repeat the first.
+/// Transforms eight vertices from `first` on; those past the first `count` repeat the first.
 template <Number F>
 void transform_eight(const VertexJob& job, std::size_t first, std::size_t count, TransformedVertex* vertices,
                      ScreenVertex* on_screen) {
@@ -65,7 +65,7 @@ template <Number F> void transform_all_vertices(const VertexJob& job, std::size_
     }
 }
 
-/// Eight from `first` on; those past the first `count` repeat the first.
+/// Transforms eight normals from `first` on; those past the first `count` repeat the first.
 template <Number F>
 void eight_normals(const NormalJob& job, std::size_t first, std::size_t count, CameraNormal* out) {
     using D = typename HalfAsMany<F>::Type;

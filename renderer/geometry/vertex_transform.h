@@ -1,7 +1,7 @@
 #pragma once
-// A vertex's way to the screen, in doubles: from object to camera to clip coordinates, and onto the
-// rasteriser's grid; and its normal's way to camera coordinates. One at a time (double) or side by side
-// (Doubles).
+// The vertex transform, in doubles: from object to camera to clip coordinates, then the viewport transform
+// onto the rasteriser's grid; and the transform of normals to camera coordinates. D is one number (double) or
+// several side by side (Doubles).
 
 #include "renderer/geometry/geometry_kernels.h"
 #include "renderer/simd/double_lanes.h"
@@ -19,8 +19,8 @@ template <Number D> Point4<D> transformed(const Matrix4& m, const Point4<D>& p) 
     return {row(0), row(1), row(2), row(3)};
 }
 
-/// Sums of OutsideBits: of the planes at the sides of the view, and of those that need clipping. Of a vertex
-/// in camera and in clip coordinates.
+/// The OutsideBits of a vertex as two sums: those of the sides of the view, and those that need clipping.
+/// outside_of() takes the vertex in camera and in clip coordinates.
 template <Number D> struct Outside { D sides, cut; };
 template <Number D> Outside<D> outside_of(const Point4<D>& camera, const Point4<D>& c) {
     const auto bit = [](auto where, OutsideBits b) { return select(where, D(static_cast<double>(b)), D(0)); };

@@ -13,8 +13,8 @@
 namespace glint {
 namespace {
 
-/// Whether no block of lines is missing. Where memory runs out inside the library's tasks, or as it closes a
-/// file, it says nothing.
+/// Whether no block of lines is missing. The library reports no error where memory runs out in its tasks or
+/// while it closes a file.
 bool is_whole(const std::string& bytes) {
     ExrSource source(bytes);
     return Imf::InputFile(source, 0).isComplete();

@@ -95,7 +95,7 @@ struct PngImage {
     png_image image{};
 };
 
-/// Before the rest of the file is read.
+/// Checks the first block before the rest of the file is read.
 std::optional<Problem> check_first_block(const FileBlock& block, const std::string& path,
                                          MemoryShare& share) {
     constexpr std::size_t signature_bytes = 8;

@@ -11,21 +11,22 @@
 namespace glint {
 
 enum class PictureFormat { Png, Pfm, Exr };
-/// By the extension of `path`, in any case. The problem for any other says which there are.
+/// Returns the format by the extension of `path`, in any case. The problem for another extension lists those
+/// there are.
 [[nodiscard]] Result<PictureFormat> picture_format(const std::string& path);
 /// ".png", ".pfm", ".exr".
 [[nodiscard]] const char* extension_of(PictureFormat format);
 /// Whether it holds linear float numbers: then Picture::linear must be filled.
 [[nodiscard]] constexpr bool is_linear(PictureFormat format) { return format != PictureFormat::Png; }
 
-/// A file of that format, and at least the bytes that making it takes. `exposure` is for the linear formats,
-/// `scene_json` for PNG: see below.
+/// Returns a file of that format, and an upper bound of the memory in bytes that making it takes. `exposure`
+/// is for the linear formats, `scene_json` for PNG: see below.
 [[nodiscard]] std::string picture_bytes(const Picture& picture, PictureFormat format, float exposure,
                                         const std::string& scene_json);
 [[nodiscard]] std::uint64_t file_memory(PictureFormat format, PictureSize size);
 
-/// At least the bytes that making a file of a picture of that size takes: as PNG (which is never longer than
-/// the colours that go into it, but for a little), PFM, EXR.
+/// Upper bounds of the memory in bytes that making a file of a picture of that size takes: as PNG (which is
+/// never much longer than the colours that go into it), PFM, EXR.
 [[nodiscard]] std::uint64_t png_memory(PictureSize size);
 [[nodiscard]] std::uint64_t pfm_memory(PictureSize size);
 [[nodiscard]] std::uint64_t exr_memory(PictureSize size);

@@ -79,9 +79,9 @@ float pfm_number(const char* at, bool little) {
     return std::bit_cast<float>(bits);
 }
 
-/// Throws where the heading is not sound or claims more than there is. What reads the pixels makes room for
-/// all that is claimed, gigabytes for a file of 300 bytes, before it sees that it is not there; this part of
-/// the library does not.
+/// Throws where the header is not sound or claims more than the file holds. The library's part that reads
+/// pixels allocates all that is claimed, gigabytes for a file of 300 bytes, before it sees that it is
+/// missing; this part does not.
 void require_sound_heading(const std::string& bytes) {
     exr_context_initializer_t source = EXR_DEFAULT_CONTEXT_INITIALIZER;
     source.user_data = const_cast<std::string*>(&bytes);                              // it is only read

@@ -44,12 +44,12 @@ union Slot {  // a group that is not filled with zeros first
     if (partial_sums) part_of(partial_sums);
 }
 
-/// Lights a batch by one reflection model, a template argument so that the compiler leaves out what the
-/// others need; the text of the equation is one. flatten: it is many small functions, and each call would
-/// pass its vectors through memory. Light by light over a batch of points: the light stays in registers,
-/// whether it reaches the points is guessed well by the processor, and independent points fill the time that
-/// one's long powers take. One function on purpose: cut into three that are always inlined, it took 2.3
-/// times as long.
+/// Lights a batch by one reflection model, a template argument so that the compiler leaves out what other
+/// models need; the source of the equation is the same for all. flatten: the equation is many small
+/// functions, and each call would pass its vectors through memory. The loop runs light by light over a batch
+/// of points: the light stays in registers, the processor predicts well whether it reaches the points, and
+/// independent points fill the latency of a power. One function on purpose: cut into three that are always
+/// inlined, it took 2.3 times as long.
 template <Reflection model, bool any_mistake>
 GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* points,
                                       const ColorBlock* partial_sums, ColorBlock* colors,

@@ -28,7 +28,7 @@ class Checker {
         return {};
     }
 
-    /// What is to be done behind it begins with what it leaves, as in the window.
+    /// A task after a reveal begins with the scene that the reveal leaves, as in the window.
     void follow(const Reveal& reveal) {
         Result<SceneDocument> shown = LessonRunner::with(document_, reveal.set, lesson_, reveal.line);
         if (problem_of(shown) == nullptr) tried_on_ = std::get<SceneDocument>(std::move(shown));
@@ -84,7 +84,7 @@ class Checker {
         return {};
     }
 
-    /// Under the mistake that an option names, it has to be what a program shows.
+    /// Checks that an option holds under the mistake that it names.
     Shortfall wrong_mistake(const Prediction& p) {
         for (const LessonOption& option : p.options) {
             if (option.mistake.empty()) continue;
@@ -119,7 +119,7 @@ class Checker {
     SceneDocument document_, tried_on_;
 };
 
-/// What is checked of a part: its kind, its line, its words. Nothing for text and reveals.
+/// The kind, the line and the words of a part that is checked. Nothing for text and reveals.
 std::optional<Checked> described(const LessonPart& part) {
     if (const auto* claim = std::get_if<Claim>(&part))
         return Checked{CheckedKind::Claim, claim->line, claim->says, false, {}};

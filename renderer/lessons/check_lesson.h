@@ -22,8 +22,8 @@ struct Checked {
     std::string why;  // what falls short, with its numbers; empty where it holds
 };
 
-/// All of a lesson's, in its order; claims alone where that is asked for. A problem where its scene does not
-/// open or a step cannot be set.
+/// Checks everything of a lesson in its order, or its claims only. A problem where its scene does not open or
+/// a step cannot be set.
 [[nodiscard]] Result<std::vector<Checked>> check_lesson(LessonRunner& runner, const Lesson& lesson,
                                                         bool claims_only = false);
 

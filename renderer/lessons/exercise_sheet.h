@@ -16,7 +16,8 @@ struct PosedQuestion {
     std::optional<double> closed;  // the same by the exercise's formula, where it has one
 };
 
-/// The exercise with values drawn by the seed, on that scene. Same seed, same numbers, on every machine.
+/// Poses the exercise on that scene with values drawn by the seed. The same seed gives the same numbers on
+/// every machine.
 [[nodiscard]] Result<PosedQuestion> pose(LessonRunner& runner, const SceneDocument& document,
                                          const Lesson& lesson, const Exercise& exercise, std::uint64_t seed);
 
@@ -25,7 +26,7 @@ struct ExerciseSheet {
     std::vector<PosedQuestion> questions;
 };
 
-/// At most so many sheets at once.
+/// The most sheets at once.
 inline constexpr int max_exercise_sheets = 500;
 
 /// One sheet for each of `count` seeds from `seed` on, with all exercises of the lesson. A problem where it
@@ -33,11 +34,12 @@ inline constexpr int max_exercise_sheets = 500;
 [[nodiscard]] Result<std::vector<ExerciseSheet>> exercise_sheets(LessonRunner& runner, const Lesson& lesson,
                                                                  std::uint64_t seed, int count);
 
-/// A page that needs nothing else: the sheets, each on a paper of its own, then their keys. `picture` is an
-/// HTML element, or empty.
+/// A self-contained HTML page: the sheets, each on a page of its own, then their keys. `picture` is an HTML
+/// element, or empty.
 [[nodiscard]] std::string exercises_html(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets,
                                          const std::string& picture);
-/// The same for LaTeX, without the picture. A letter that LaTeX's usual fonts lack is written as a command.
+/// The sheets and keys for LaTeX, without the picture. A letter that LaTeX's usual fonts lack is written as a
+/// command.
 [[nodiscard]] std::string exercises_tex(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets);
 
 }  // namespace glint

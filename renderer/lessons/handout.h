@@ -7,9 +7,9 @@
 
 namespace glint {
 
-/// A page that needs nothing else, with a picture of each step whose scene differs from the one before.
-/// Without `key` what a reveal shows and tells, and the claims, are left out. A problem where the lesson's
-/// scene or an answer cannot be had.
+/// A self-contained HTML page, with a picture of each step whose scene differs from the one before. Without
+/// `key`, what a reveal shows and tells, and the claims, are left out. A problem where the lesson's scene
+/// cannot be opened or an answer cannot be computed.
 [[nodiscard]] Result<std::string> handout_html(LessonRunner& runner, const Lesson& lesson, bool key);
 
 /// The lesson's pictures on paper: its own size, or a multiple of it of at least 640 pixels' width.

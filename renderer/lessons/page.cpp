@@ -40,7 +40,7 @@ std::string span_html(const ProseSpan& span) {
     if (span.code) html = "<code>" + html + "</code>";
     if (span.emphasis) html = "<em>" + html + "</em>";
     if (span.strong) html = "<strong>" + html + "</strong>";
-    // Elsewhere than to the web it would run, or lead nowhere from a page that was moved.
+    // Other links could run something, or lead nowhere from a page that was moved.
     if (span.link.starts_with("https://") || span.link.starts_with("http://"))
         html = fmt::format("<a href=\"{}\">{}</a>", html_escaped(span.link), html);
     return html;

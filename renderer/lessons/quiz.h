@@ -9,9 +9,9 @@
 
 namespace glint {
 
-/// A page that needs nothing else: a picture and the options of each question, and a button that saves the
-/// answers as JSON (docs/lessons.md). With `key` no buttons, but the right option and what each wrong one
-/// stands for. The answers are not in the page without `key`.
+/// A self-contained HTML page: a picture and the options of each question, and a button that saves the
+/// answers as JSON (docs/lessons.md). With `key` it has no buttons, but the right option and what each wrong
+/// one stands for. Without `key` the right options are not in the page.
 [[nodiscard]] Result<std::string> quiz_html(LessonRunner& runner, const Lesson& lesson, bool key);
 
 /// One person's answers, as the page saves them.
@@ -21,7 +21,7 @@ struct QuizAnswers {
         options;  // of each question, from 0; nothing where none was taken
 };
 
-/// What read_answers() reads: the form in which the page saves them.
+/// The answers as JSON, in the form in which the page saves them and read_answers() reads them.
 [[nodiscard]] JsonValue answers_json(const Lesson& lesson, const QuizAnswers& answers);
 /// Reads what the page has saved. `file` is for messages. A problem where it is anything else.
 [[nodiscard]] Result<QuizAnswers> read_answers(const Lesson& lesson, std::string_view text,

@@ -1,7 +1,7 @@
 #pragma once
-// What a lesson's runs answer: the JSON that the commands of the same names print, made by the same code
-// (docs/interface.md). For `glint lessons`, and for a window, which asks it of the scene that a student has
-// before him.
+// Executes the runs of a lesson: returns the JSON that the commands of the same names print, made by the same
+// code (docs/interface.md). `glint lessons` uses it, and so does a window, for the scene that a student is
+// working on.
 
 #include <map>
 #include <string>
@@ -16,21 +16,21 @@ using NamedPictures = std::map<std::string, Picture>;
 
 class LessonRunner {
   public:
-    /// `threads` as of Renderer. `always` is set behind everything else on every scene: a test switches a
-    /// mistake on and sees which claims fall.
+    /// `threads`: as for Renderer. `always` is set last on every scene: a test switches a mistake on and sees
+    /// which claims fall.
     explicit LessonRunner(int threads = 0, std::vector<Assignment> always = {});
 
-    /// A lesson's scene. Its meshes are loaded; of the same file they are kept from call to call.
+    /// Opens a lesson's scene with its meshes; the last scene is kept from call to call.
     [[nodiscard]] Result<SceneDocument> open(const Lesson& lesson);
 
-    /// The document with these set on it, one list behind the other. What is wrong with one is told at `line`
-    /// of the lesson.
+    /// Returns the document with the assignments applied. A problem with one is reported at `line` of the
+    /// lesson.
     [[nodiscard]] static Result<SceneDocument> with(const SceneDocument& document,
                                                     const std::vector<Assignment>& set, const Lesson& lesson,
                                                     int line);
 
-    /// The scene of a step's picture on paper: what would tell the answer is set away unless it is for the
-    /// `key`. `document` is the step's scene.
+    /// The scene of a step's picture on paper: unless it is for the `key`, the step's `picture` assignments
+    /// hide what would tell the answer. `document` is the step's scene.
     [[nodiscard]] static Result<SceneDocument> for_paper(const SceneDocument& document,
                                                          const LessonStep& step, const Lesson& lesson,
                                                          bool key);

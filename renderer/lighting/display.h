@@ -14,7 +14,8 @@ template <Number F> F srgb_encoded(F x) {
     return select(x <= F(0.0031308f), F(12.92f) * x, curve);
 }
 
-/// 0 to 1; NaN gives 0. The transfer keeps the order and the ends, so clamping first gives the same result.
+/// Returns 0 to 1; NaN gives 0. The transfer function is monotonic and keeps 0 and 1, so clamping first gives
+/// the same result.
 template <Number F> F displayed(const DisplayJob& job, F linear) {
     const F exposed = min(max0(linear * F(job.exposure)), F(1));
     return job.srgb ? srgb_encoded(exposed) : exposed;

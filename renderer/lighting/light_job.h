@@ -95,8 +95,8 @@ struct DisplayJob {
 
 /// The kernels of one instruction set.
 struct LightingKernels {
-    /// `partial_sums`: sums to which the job's lights are added, or null: then they begin with what is there
-    /// without any light. May be the same as `colors`.
+    /// Lights blocks of points. `partial_sums`: sums to which the job's lights are added; if null, they begin
+    /// with the terms that need no light. It may be the same as `colors`.
     void (*light)(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
                   ColorBlock* colors, std::size_t blocks);
     /// 16 pixels a block as bytes r, g, b, 255 in memory order.

@@ -10,7 +10,7 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// What of a light does not depend on the surface: `falloff` at this distance, and `spot` for a unit l.
+/// Changes what does not depend on the surface: `falloff` at this distance, and `spot` for a unit l.
 template <Number F>
 void apply_light_mistakes(const Mistakes& wrong, const LightAt<F>& light, F distance, Vec3<F> l, F& falloff,
                           F& spot) {
@@ -20,7 +20,7 @@ void apply_light_mistakes(const Mistakes& wrong, const LightAt<F>& light, F dist
         spot = select(along_axis(light, l) >= light.cos_cutoff, F(0), F(1));
 }
 
-/// l keeps its length in n.l, r and h (not in l.v, cone and falloff), h is not made unit, or r is another.
+/// Leaves l its length in n.l, r and h (not in l.v, cone and falloff), h unnormalised, or changes r.
 template <Number F>
 void apply_direction_mistakes(const Mistakes& wrong, Reflection model, Directions<F>& d,
                               const LightVector<F>& light_vector, const PointAt<F>& at) {
@@ -110,7 +110,7 @@ void apply_diffuse_mistakes(const Mistakes& wrong, Reflection model, F& diffuse,
     if (wrong.missing_pi) diffuse = diffuse / F(3.14159265f);
 }
 
-/// Whether the cosine may exceed 1, which the power of an honest cosine does not expect.
+/// Whether mistakes let the cosine exceed 1, which highlight() does not expect.
 inline bool may_exceed_one(const Mistakes& wrong, HighlightCosine measured) {
     if (measured == HighlightCosine::LV) return wrong.unnormalized_view;
     return measured == HighlightCosine::RV &&
@@ -140,8 +140,8 @@ void apply_response_mistakes(const Mistakes& wrong, int power_table, Reflection 
     }
 }
 
-/// pow(0, 0) as GLSL leaves it open: where the highlight is not dropped, its cosine is 0 once clamped, and
-/// the shininess is 0, S and all that it goes into are not numbers.
+/// pow(0, 0), which GLSL leaves undefined: where the highlight is not dropped, its cosine is 0 once clamped,
+/// and the shininess is 0, S and everything computed from it are NaN.
 template <Number F>
 void apply_undefined_power(const Mistakes& wrong, Reflection model, const Directions<F>& d,
                            const MaterialAt<F>& m, Vec3<F>& response, Vec3<F>* specular) {
@@ -156,13 +156,13 @@ void apply_undefined_power(const Mistakes& wrong, Reflection model, const Direct
     if (specular) *specular = select<F>(undefined, none, *specular);
 }
 
-/// The number nearest to a within +-most.
+/// Clamps a to +-most.
 template <Number F> F held(F a, float most) { return min(max(a, F(-most)), F(most)); }
 /// Keeps the product of falloff and response finite, so that it times a colour of 0 is 0 and not NaN.
 template <Number F> F held_share(F a) { return held(a, 0x1p120f); }
 
-/// The point as the projection leaves it, in place of the point in camera coordinates; at the eye, where
-/// there is none, the origin. Matrix and point within +-1e18, and so is the result.
+/// The projected point, which replaces the point in camera coordinates; the origin for a point at the eye,
+/// which has no projection. Matrix and point must be within +-1e18, and so is the result.
 template <Number F> Vec3<F> projected(const LightJob::Projection& m, Vec3<F> p) {
     constexpr float far = 1e18f;
     const F w = F(m.w_per_z) * p.z + F(m.w);

@@ -44,7 +44,7 @@ template <Number F> PointAt<F> seen_from_eye(const LightJob& job, Vec3<F> p, Vec
     return seen_from_eye(job, job.any_mistake, p, n);
 }
 
-/// What is there without any light: emission + k_a I_a.
+/// The terms that need no light: emission + k_a I_a.
 template <Number F> Vec3<F> unlit(const SurfaceMaterial& material, const Terms& terms) {
     Vec3<F> sum;
     if (terms.emission) sum = broadcast<F>(material.emission);
@@ -52,7 +52,7 @@ template <Number F> Vec3<F> unlit(const SurfaceMaterial& material, const Terms& 
     return sum;
 }
 
-/// The part of a job that is the same for every point. The kernels name model and mistakes themselves, so
+/// The part of a job that is the same for every point. The kernels pass model and mistakes as constants, so
 /// that the compiler knows them.
 inline Equation equation_of(const LightJob& job, Reflection model, bool any_mistake) {
     return {model, job.terms, any_mistake ? &job.mistakes : nullptr, job.power_table,

@@ -87,7 +87,7 @@ void make_mistakes(Statement& s, const Shading& shading) {
         s.expression.replace(at, 7, " table_power(");
 }
 
-/// Those on which a wanted result depends.
+/// The statements on which a wanted result depends.
 std::vector<Statement> wanted(const std::vector<Statement>& all, Flags names) {
     std::vector<Statement> kept;
     for (auto s = all.rbegin(); s != all.rend(); ++s) {

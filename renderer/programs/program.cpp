@@ -22,7 +22,8 @@
 namespace glint {
 namespace {
 
-/// A language's files, the program first. `most_lines`: what the program may have; 0: as many as it takes.
+/// A language's files, the program first. `most_lines`: the most lines that the program may have; 0: no
+/// limit.
 struct LanguageTexts {
     struct File {
         std::string_view name, text;
@@ -50,7 +51,7 @@ LanguageTexts texts_of(Language language) {
     return {};
 }
 
-/// What no text of the language mentions, it cannot do. A model is written from its row.
+/// A language can do what one of its texts mentions. Reflection models are written from their rows.
 bool can(Language language, const Need& need) {
     for (const LanguageTexts::File& file : texts_of(language).files) {
         if (mentioned_flags(file.text).contains(need.flag)) return true;

@@ -15,7 +15,7 @@ namespace {
 constexpr float fixed_function_most = 128;  // OpenGL 2.1: shininess and a spot's exponent
 constexpr std::size_t fixed_function_lights = 8, shader_lights = 32;  // of those that are taken one by one
 
-/// What is asked of a scene often enough to be worked out once.
+/// Properties of a scene that are needed often enough to be found once.
 struct Facts {
     const Scene& scene;
     std::vector<Light> lights = shining(scene);

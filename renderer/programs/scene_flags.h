@@ -1,6 +1,6 @@
 #pragma once
-// What of a scene decides which lines its program has. Some of it a language may lack: each such thing is one
-// row, and a language can do it where its text mentions the row's flag.
+// Finds the properties of a scene that decide which lines its program has. A language may lack some of them:
+// each such property is one row, and a language has it where its text mentions the row's flag.
 
 #include <optional>
 #include <string>

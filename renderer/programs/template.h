@@ -31,8 +31,8 @@ using Values = std::map<std::string, std::string, std::less<>>;
 /// The comment for a mistake that is on, without the sign that begins a comment.
 [[nodiscard]] std::string mistake_comment(std::string_view name);
 
-/// The text with what its conditions leave and its values filled in. Precondition: directives are balanced
-/// and every value is given (a test fills each text).
+/// Returns the lines of the text whose conditions hold, with its values filled in. Precondition: directives
+/// are balanced and every value is given (a test fills each text).
 [[nodiscard]] std::string filled(std::string_view text, const Flags& on, const Values& values);
 
 }  // namespace glint

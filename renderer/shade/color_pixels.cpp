@@ -1,5 +1,5 @@
-// From lit points to pixels: Phong and facet shading have a point a pixel, Gouraud blends corners, flat shows
-// the face's; then strokes, exposure and bytes.
+// From lit points to pixels: Phong and facet shading have one point per pixel, Gouraud blends corners, flat
+// shows the face's point; then strokes, exposure and bytes.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -153,7 +153,7 @@ void add_share(ColorBlock& sum, std::array<float, block_size>& covered, const Pi
     }
 }
 
-/// What the faces leave of a pixel shows the background.
+/// Adds the background to the part of each pixel that the faces leave uncovered.
 void add_background(ColorBlock& sum, const std::array<float, block_size>& covered,
                     const glm::vec3& background) {
     for (std::size_t i = 0; i < block_size; ++i) {

@@ -31,7 +31,7 @@ Float3 product(glm::dvec3 a, glm::dvec3 b, double most = largest_product) {
     return to_float3(glm::min(a * b, glm::dvec3(most)));
 }
 
-/// The most that a light's colour may be for its product with every material's to stay within 1e30.
+/// The largest colour that a light may have for its product with every material's to stay within 1e30.
 double max_light(const std::vector<Object>& objects) {
     float most = 1;
     for (const Object& o : objects)
@@ -205,8 +205,8 @@ void add_light(std::vector<LightSource>& sources, const LightsOfScene& all, std:
     sources.push_back(s);
 }
 
-/// Towards which the tone warms: the first enabled light; of an area light, the mean of its samples. What it
-/// takes on of the material is held at 1e30.
+/// The cool-to-warm tone. It warms towards the first enabled light, for an area light towards the mean of its
+/// samples. The part that it takes from the material is clamped to 1e30.
 CoolToWarm tone_of(const Npr& npr, const Material& m, const std::vector<LightSource>& lights) {
     const float most =
         static_cast<float>(largest_product) / std::max({1.0f, m.diffuse.x, m.diffuse.y, m.diffuse.z});

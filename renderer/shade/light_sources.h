@@ -1,5 +1,5 @@
 #pragma once
-// Makes of the scene's lights and materials what the kernels take: camera coordinates, colours times
+// Converts the scene's lights and materials to what the kernels take: camera coordinates, colours times
 // intensity. Lecture: "Light Sources": standard: world coordinates; alternative: camera coordinates (car
 // headlights).
 
@@ -14,11 +14,11 @@ namespace glint {
 /// The enabled lights in the scene's order; an area light gives one source a sample.
 [[nodiscard]] std::vector<LightSource> light_sources(const Scene& scene);
 
-/// Fills `sources` with them in its own memory.
+/// Puts the enabled lights into `sources`, reusing its memory.
 void light_sources(const Scene& scene, std::vector<LightSource>& sources);
 
-/// Camera coordinates from a light's own: the view matrix for a light given in world coordinates, and nothing
-/// for one given in camera coordinates; mistakes may put another matrix in place.
+/// Camera coordinates from a light's own: the view matrix for a light given in world coordinates, and the
+/// identity for one given in camera coordinates; mistakes may replace it.
 [[nodiscard]] glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world,
                                            const Mistakes& mistakes = {});
 

@@ -1,5 +1,5 @@
-// Stage 4: which part of the lighting has to be done again, and in which of the ways: each point, with one
-// light added to what is kept, or with colours blended from corners.
+// Stage 4: decides which part of the lighting has to be done again, and how: by lighting each point, by
+// adding one light to a kept sum, or by blending the colours of corners.
 #include "renderer/shade/lighting.h"
 
 #include <tbb/blocked_range.h>
@@ -92,7 +92,7 @@ bool same_materials(const std::vector<Material>& kept, const Scene& scene) {
                       [](const Material& m, const Object& o) { return m == o.material; });
 }
 
-/// Notes whose material differs; none when any of the lights does.
+/// Notes the objects whose material alone differs; none if anything else does.
 void find_objects_again(Lighting& l, const Scene& scene, bool same_but_materials) {
     l.objects_again.clear();
     if (!same_but_materials || l.materials.size() != scene.objects.size()) return;
@@ -141,7 +141,7 @@ Unchanged compare(const Lighting& kept, const Scene& scene, const Strokes& strok
     return same;
 }
 
-/// Makes sources and jobs anew in the memory of the old ones; false when some object's grid differs.
+/// Makes sources and jobs again, reusing their memory; returns false when some object's grid differs.
 bool take_jobs(Lighting& kept, const Scene& scene, PictureSize size, bool at_corners) {
     std::swap(kept.sources, kept.sources_before);
     light_sources(scene, kept.sources);
@@ -158,8 +158,8 @@ bool take_jobs(Lighting& kept, const Scene& scene, PictureSize size, bool at_cor
     return same_grids;
 }
 
-/// The background wherever no surface will be shown. `same_ground`: only the view changed since the last
-/// picture; then most of it is there already.
+/// Fills in the background wherever no surface will be shown. `same_ground`: background, strokes and display
+/// are those of the last picture, so that most of it is there already.
 void prepare_picture(Lighting& kept, PictureSize size, const Visibility& visibility, const Strokes& strokes,
                      const DisplayJob& display, bool same_ground) {
     const bool plain = visibility.samples == 1 && strokes.coverage.empty();

@@ -45,7 +45,7 @@ struct RedoneStages {
     bool visibility = false, surface = false, strokes = false;
 };
 
-/// Does the stage again when anything it reads differs; true when it did.
+/// Runs the stage again if anything it reads differs; returns whether it did.
 bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& geometry,
                      const Visibility& visibility, const Surface& surface, const Strokes& strokes,
                      bool linear, RedoneStages redone);

@@ -25,8 +25,8 @@ class MovingLight {
     bool allowed = true;  // false: every light is added anew each time, for measurements
 
     /// Brings the sums up to date for the light `moving` (index in Scene::lights), the only one that differs
-    /// from the frame before; -1: none or several differ. `same_grids`: each object's grid is as it was.
-    /// Follows nothing where the sum of some object is not exact, or where memory is short.
+    /// from the frame before; -1: none or several differ. `same_grids`: each object's grid is as it was. No
+    /// light is followed where the sum of some object is not exact, or where memory is short.
     void follow(int moving, bool same_grids, const std::vector<LightSource>& sources,
                 const std::vector<LightJob>& jobs, const Surface& surface);
 
@@ -36,8 +36,8 @@ class MovingLight {
     /// The sums of the other lights, linear RGB, from block `first` of the surface's points on.
     [[nodiscard]] const ColorBlock* others(std::size_t first) const { return &others_[first]; }
 
-    /// Returns what has to be done in the groups 16 `batch` and on, and notes it as done; all of it where
-    /// nothing is followed. May be called for several batches at once.
+    /// Returns what has to be done in the 16 groups from 16 `batch` on, and notes it as done; all of them
+    /// where no light is followed. May be called for several batches at once.
     [[nodiscard]] GroupsToDo groups_to_do(std::size_t batch);
     /// The kept picture is gone: every group has to be coloured again.
     void forget_picture();

@@ -21,8 +21,8 @@ struct alignas(64) BoundsBlock {
 struct ShadeKernels {
     /// Bit i: whether the light may add something at some point of block i.
     std::uint16_t (*find_lit)(const LightSource& light, const BoundsBlock& bounds);
-    /// Colours of groups of 16 pixels from those of lit points: the blend of `each` points, numbers and
-    /// weights [group][which][pixel]; or one point, numbers [group][pixel].
+    /// Colour groups of 16 pixels from the colours of lit points: blend() mixes `each` points, with numbers
+    /// and weights [group][which][pixel]; pick() takes one point, with numbers [group][pixel].
     void (*blend)(const ColorRecord* points, const std::uint32_t* numbers, const float* weights, int each,
                   ColorBlock* colors, std::size_t groups);
     void (*pick)(const ColorRecord* points, const std::uint32_t* numbers, ColorBlock* colors,

@@ -51,7 +51,7 @@ template <> struct DoublesOf<1> {
 };
 template <Number F> using HalfAsMany = DoublesOf<(NumberTraits<F>::width + 1) / 2>;
 
-/// `from`: floats or ints, as many as D has lanes; each is a double without rounding.
+/// Loads floats or ints, as many as D has lanes, as doubles; none is rounded.
 template <class D, class Narrow> D widened(const Narrow* from) {
     if constexpr (sizeof(D) == sizeof(double)) {
         return static_cast<double>(*from);
@@ -70,7 +70,7 @@ template <int N> void store_narrowed(float* to, Doubles<N> a) {
     const auto few = __builtin_convertvector(a.v, typename Vector<float, N>::Type);
     __builtin_memcpy(to, &few, sizeof(few));
 }
-/// Whole numbers of less than 2^31, as ints; and what is left of such a number without its fraction.
+/// Truncates numbers, |a| < 2^31: store_truncated() stores them as ints, truncated() returns them as doubles.
 inline void store_truncated(void* to, double a) { store_ints(to, static_cast<int>(a)); }
 template <int N> void store_truncated(void* to, Doubles<N> a) {
     const auto few = __builtin_convertvector(a.v, typename Vector<int, N>::Type);

@@ -58,7 +58,7 @@ inline IntLanes<16> slide1up(IntLanes<16> a) {
     return {__builtin_shufflevector(a.v, a.v, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14)};
 }
 inline int slide1up(int a) { return a; }
-/// Lane i's truth as bit i.
+/// Returns a mask as bits: bit i for lane i.
 template <int N> unsigned mask_bits(IntLanes<N> m) {
 #ifdef __AVX__
     if constexpr (N == 8) return static_cast<unsigned>(_mm256_movemask_ps((__m256)m.v));
@@ -75,11 +75,12 @@ inline unsigned mask_bits(Mask16 m) { return m.bits; }
 #endif
 inline unsigned mask_bits(bool m) { return m ? 1 : 0; }
 
-/// The lanes of the mask, beside each other; room for all lanes. How many they are.
+/// Stores the lanes that the mask selects side by side, in memory with room for all lanes; returns how many
+/// they are.
 template <int N> unsigned compress_store(IntLanes<N> mask, IntLanes<N> a, int* to) {
     const unsigned bits = mask_bits(mask);
     unsigned count = 0;
-    for (int i = 0; i < N; ++i) {  // without a branch, which nobody could guess
+    for (int i = 0; i < N; ++i) {  // without a branch, which could not be predicted
         to[count] = a.v[i];
         count += bits >> i & 1u;
     }

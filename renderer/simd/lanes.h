@@ -138,7 +138,7 @@ template <int N> Lanes<N> to_number(IntLanes<N> a) {
     return Lanes<N>(__builtin_convertvector(a.v, typename Lanes<N>::V));
 }
 inline float to_number(int a) { return static_cast<float>(a); }
-/// Towards zero; the number must fit.
+/// Truncates towards zero; the number must fit.
 template <int N> IntLanes<N> to_int(Lanes<N> a) {
     return {__builtin_convertvector(a.v, typename LanesOf<N>::Ints)};
 }

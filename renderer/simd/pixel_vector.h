@@ -1,5 +1,5 @@
 #pragma once
-// Vectors of what there is for every pixel: megabytes that are written all at once, by many threads.
+// Vectors with an entry for every pixel: megabytes that many threads write at once.
 
 #include <cstddef>
 #include <memory>
@@ -14,8 +14,8 @@
 
 namespace glint {
 
-/// Leaves new elements as they are in memory where nobody says what they are (std::vector sets them to 0, on
-/// one thread), and asks for large pages: with those of 4 KiB, being given the memory took a third of a first
+/// Leaves new elements uninitialised unless they are given values (std::vector sets them to 0, on one
+/// thread), and asks for large pages: with pages of 4 KiB, getting the memory took a third of a first
 /// picture's time.
 template <class T> struct PixelAllocator {
     static_assert(std::is_trivially_copyable_v<T>);

@@ -95,7 +95,7 @@ template <Number F> Columns<F> gather_transposed(const void* from, const unsigne
     }
 }
 
-/// `count` triples of numbers as three lists of N; in place of those past the count stands the first.
+/// Transposes `count` triples of numbers into three lists of N; entries past the count repeat the first.
 template <int N> void transpose_triples(const float* triples, std::size_t count, float (&lists)[3][N]) {
     for (std::size_t i = 0; i < N; ++i)
         for (std::size_t k = 0; k < 3; ++k) lists[k][i] = triples[3 * (i < count ? i : 0) + k];

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t chunk_size = 16384;  // edges that one task looks at
 
-/// The test of one edge, with what is the same for all of them at hand.
+/// Tests single edges, and keeps what is the same for all of them.
 class Selector {
   public:
     Selector(const MeshEdges& edges, const EdgeView& view, const EdgeChoice& choice)
@@ -53,7 +53,7 @@ class Selector {
     // cos 90 degrees is not quite 0 in floating point, nor are the facets of a cube quite at right angles
     // once it has been turned.
     static constexpr double crease_tolerance = 1e-6;
-    // Sine of the angle at which a facet counts as seen from its side; only rounding is as small as this.
+    // The sine of the angle below which a facet counts as seen edge-on; only rounding is as small as this.
     static constexpr double edge_on = 1e-12;
     // Every pair of facets is compared for a crease; a file with a million facets at one edge must not take a
     // million million steps.

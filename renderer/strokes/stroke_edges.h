@@ -49,11 +49,11 @@ struct StrokeEdge {
     EdgeFacing facing = EdgeFacing::Rim;
 };
 
-/// The edges to draw, numbers rising. Silhouettes take boundary edges always; an edge
-/// of three facets and more is drawn when any two of them qualify (of the first 256, for creases); a facet
-/// seen exactly from its side qualifies with every other. A polygon without an area is not a facet, but the
-/// edge that it shares with one is not a boundary. Edges whose facets are all culled are left out. Any
-/// transform that is not singular, mirrored ones too.
+/// Returns the edges to draw, in rising order. Silhouettes include all boundary edges. An edge of three
+/// facets and more is drawn when any two of them qualify (for creases, of the first 256); a facet seen
+/// exactly edge-on qualifies with every other. A polygon without an area is not a facet, but the edge that it
+/// shares with one is not a boundary. Edges whose facets are all culled are left out. Any transform that is
+/// not singular, mirrored ones too.
 [[nodiscard]] std::vector<StrokeEdge> stroke_edges(const MeshEdges& edges, const EdgeView& view,
                                                    const EdgeChoice& choice);
 

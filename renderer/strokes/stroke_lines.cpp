@@ -104,7 +104,8 @@ class Follower {
                          inv_w_of(viewport_, end)};
     }
 
-    /// An end of the part; where an edge is so long that its place is lost to rounding, one near the picture.
+    /// Returns an end of the part; where an edge is so long that its position is lost to rounding, a position
+    /// near the picture.
     [[nodiscard]] glm::dvec4 held(const glm::dvec4& clip) const {
         const glm::dvec4 c = before_eye(g_.camera.projection, clip);
         const double x = 2 * reach_x_ * c.w, y = 2 * reach_y_ * c.w;

@@ -1,14 +1,14 @@
 #pragma once
-// Edges as they are seen: on the screen, inside the view, and only where no surface hides them.
+// Finds the visible pieces of edges: on the screen, inside the view, and only where no surface hides them.
 //
-// The visibility stage knows one surface a pixel, so an edge is looked at once a pixel of its length, and
-// what may hide it there is the triangle that the nearest pixel shows, carried on in its plane to the edge
-// itself: so the depth of a slanted surface is compared where the edge is, not half a pixel beside it. At a
-// rim that pixel may show the edge's own surface, which bulges towards the eye; but a rim that is seen is
-// seen against something farther away or nothing, so one of the four pixels around it suffices to show it. An
-// edge whose facets all face away is seen through an opening if at all, and must find its own object there:
-// what lies beyond the outline does not show that. (Item buffers ask which face a pixel shows instead, and
-// lose edges between faces that are smaller than a pixel.)
+// The visibility stage knows one surface per pixel, so an edge is tested once per pixel of its length,
+// against the triangle that the nearest pixel shows. The plane of that triangle is extended to the edge, so
+// that the depth of a slanted surface is compared at the edge and not half a pixel beside it. At a rim, that
+// pixel may show the edge's own surface, which bulges towards the eye. But a visible rim has something
+// farther away, or nothing, beside it, so it is drawn if one of the four pixels around it does not hide it.
+// An edge whose facets all face away can only be seen through an opening, so the nearest pixel must show its
+// own object: a pixel beyond the outline proves nothing. (Item buffers compare which face a pixel shows
+// instead, and lose edges between faces that are smaller than a pixel.)
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -26,9 +26,9 @@ class Occlusion {
   public:
     explicit Occlusion(const Geometry& geometry);
 
-    /// True when the plane of a triangle (global number) lies in front of a place on the screen (pixels, y
-    /// down) of the given inv_w (ScreenVertex), by more than half of what a pixel measures at that depth.
-    /// The triangle may reach behind the eye. Seen exactly from its side it hides nothing.
+    /// True when the plane of a triangle (global number) lies in front of a screen position (pixels, y down)
+    /// of depth inv_w (ScreenVertex) by more than half a pixel's size at that depth. The triangle may reach
+    /// behind the eye; seen exactly edge-on, it hides nothing.
     [[nodiscard]] bool hides(std::uint32_t triangle, glm::dvec2 pixel, double inv_w) const;
 
   private:

@@ -106,16 +106,16 @@ class Filler {
 }  // namespace
 
 float stroke_share(float distance_px, float width_px) {
-    // What a band of that width and a pixel, both seen from their side, have in common.
+    // The overlap of a band of that width with a pixel, across the band.
     const float overlap = 0.5f * width_px + 0.5f - distance_px;
     return std::clamp(std::min(overlap, width_px), 0.0f, 1.0f);
 }
 
 namespace {
 
-/// Width x height, 0 to 1: the largest share of any line, so that lines that meet or lie on each other are no
-/// darker there; ends are round. A line does not cover a pixel that shows another object in front of it. The
-/// same bits for every order of the lines.
+/// Returns width x height shares, 0 to 1: the largest share of any line, so that lines that meet or overlap
+/// are no darker there; ends are round. A line does not cover a pixel that shows another object in front of
+/// it. The order of the lines does not change a bit.
 std::vector<float> stroke_coverage(const Geometry& g, const Visibility& visibility,
                                    std::span<const StrokeLine> lines, float width_px) {
     std::vector<float> coverage(g.size.pixels(), 0.0f);
@@ -140,8 +140,8 @@ const MeshEdges& edges_of(const std::vector<MeshEdges>& meshes, const MeshPtr& m
     return *std::find_if(meshes.begin(), meshes.end(), [&](const MeshEdges& m) { return m.mesh == mesh; });
 }
 
-/// The eye in object coordinates: straight from the world's, so that an eye in the plane of a facet stays
-/// there.
+/// The eye in object coordinates, transformed directly from world coordinates, so that an eye in the plane of
+/// a facet stays there.
 EdgeView edge_view(const Camera& camera, const ObjectGeometry& object) {
     const glm::dmat4 object_from_world = glm::inverse(world_from_object(object.transform));
     const glm::dvec4 eye = is_orthographic(camera.projection)

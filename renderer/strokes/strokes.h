@@ -31,8 +31,8 @@ struct Strokes {
     }
 };
 
-/// Does the stage again when anything it reads differs; true when it did. `visibility_redone`: whether that
-/// stage was (it is whenever the geometry was).
+/// Runs the stage again if anything it reads differs; returns whether it did. `visibility_redone`: whether
+/// that stage was run again, as it is whenever the geometry was.
 bool update_strokes(Strokes& kept, const Scene& scene, const Geometry& geometry, const Visibility& visibility,
                     bool visibility_redone);
 
@@ -54,7 +54,8 @@ namespace glint::inline GLINT_ISA {
 // A stroke drawn over the shaded picture: the last step of a pixel's sum, in linear light, before exposure
 // and transfer.
 
-/// `coverage`, 0 to 1: the share of the pixel that the stroke hides; at 1 all of it, however bright.
+/// Blends the stroke over the shaded colour. `coverage`, 0 to 1: the share of the pixel that the stroke
+/// hides; at 1 it hides all of it, however bright.
 template <Number F> Vec3<F> drawn_over(Vec3<F> shaded, F coverage, Vec3<F> stroke) {
     return select<F>(coverage >= F(1), stroke, (F(1) - coverage) * shaded + coverage * stroke);
 }

@@ -15,7 +15,8 @@ template <Number F> ScreenPoint<F> ndc_of(PictureSize size, PixelPosition at) {
     return to_ndc(F(at.x), F(at.y), static_cast<F>(size.width), static_cast<F>(size.height));
 }
 
-/// Weights, and the place that they give, of corners in clip and in camera coordinates.
+/// Computes the weights of three corners, given in clip coordinates, and from them the position, given the
+/// corners in camera coordinates.
 template <Number F>
 void place(SampleFace& face, const std::array<ClipCorner<F>, 3>& clip, const std::array<Vec3<F>, 3>& camera,
            ScreenPoint<F> at) {
@@ -40,9 +41,9 @@ void add_clipped(CornerWeights& weights, const ClippedCorner& corner, double wei
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-/// Linear on the screen over the fan of a triangle that the near plane cuts. Where nothing of the fan is left
-/// around the sample (a sliver, or numbers so large that the cut is lost to rounding), the
-/// perspective-correct ones.
+/// Weights that are linear on the screen over the fan of a triangle that the near plane cuts; the
+/// perspective-correct ones where nothing of the fan is left around the sample (a sliver, or numbers so large
+/// that the cut is lost to rounding).
 CornerWeights clipped_screen_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
     ClipMemory memory;
     const auto cut = clip_at_near(g, face.object, triangle.corner, memory);
@@ -158,8 +159,8 @@ void locate_on_face(SampleFace& face, const Geometry& g) {
         place(face, clip, camera, ndc_of<float>(g.size, face.at));
         return;
     }
-    // A face that had to be clipped may reach far beyond the picture: its corners in double, or float would
-    // lose the place between them.
+    // A face that had to be clipped may reach far beyond the picture: its corners are in double, as float
+    // would lose the position between them.
     std::array<ClipCorner<double>, 3> clip;
     std::array<Vec3<double>, 3> camera;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -1,5 +1,5 @@
 #pragma once
-// Many pixels at once: where each one's ray meets its face, and the normal interpolated there.
+// Interpolates many pixels at once: finds where each pixel's ray meets its face, and the normal there.
 
 #include "renderer/geometry/interpolate.h"
 #include "renderer/simd/int_lanes.h"
@@ -111,7 +111,7 @@ template <Number F> FacesOfLanes<F> faces_of_lanes(const InterpolateJob& job, In
     return faces;
 }
 
-/// Where the pixels from k on are, of a group that begins at (x, y).
+/// The centres, in NDC, of the pixels from k on of a group that begins at pixel (x, y).
 template <Number F> ScreenPoint<F> centers_of_lanes(const InterpolateJob& job, std::size_t k, int x, int y) {
     const F at_x = to_number(load_ints<IntOf<F>>(iota + k) + x) + F(0.5f), at_y = to_number(y) + 0.5f;
     return to_ndc(at_x, at_y, F(job.width), F(job.height));
@@ -140,7 +140,8 @@ bool blend_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size
     return !face.clipped;
 }
 
-/// The weights of the corners there, `out` those of lane k's first. False as above.
+/// Computes the corners' weights at the same pixels; `out` is where the first corner's weight of pixel k
+/// goes. Returns false when some lane shows a clipped triangle.
 template <Number F>
 bool weigh_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size_t k, int x, int y,
                  float* out) {
@@ -168,7 +169,8 @@ template <Number F> bool make_normals_unit(PointBlock& block) {
     return long_enough;
 }
 
-/// Returns what the pixels of a group show; for those that it leaves out, what its first does, in `filled`.
+/// Returns what the 16 pixels show. Pixels that are not in the group are given what its first pixel shows, in
+/// `filled`.
 inline const std::uint32_t* seen_in_group(const InterpolateJob& job, const PixelGroup& group,
                                           std::uint32_t (&filled)[block_size]) {
     const std::uint32_t* seen = job.seen + group.first_pixel;
@@ -178,7 +180,7 @@ inline const std::uint32_t* seen_in_group(const InterpolateJob& job, const Pixel
     return filled;
 }
 
-/// Where a group begins.
+/// The pixel at which a group's 16 pixels begin.
 struct GroupPlace {
     int x, y;
 };

@@ -134,7 +134,8 @@ void store_one_by_one(PerVertex& vertices, const Surface& s, const Geometry& g, 
             vertices.ref_point[at] = vertices.lit.point[vertices.lit.number(sample.point[which])];
             vertices.ref_weight[at] = sample.weight[which];
         }
-        // Unused entries weigh nothing; theirs is the first one's point, as 0 times NaN is NaN.
+        // Unused entries have weight 0 and the first entry's point: another point might hold NaN, and 0 times
+        // NaN is NaN.
         for (int k = sample.count; k < max_blended(s.choice); ++k)
             vertices.ref_point[s.corner_ref(group, k) + lane] =
                 vertices.ref_point[s.corner_ref(group, 0) + lane];

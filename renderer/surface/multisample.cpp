@@ -33,7 +33,7 @@ struct PixelFragments {
     int count = 0;
 };
 
-/// How deep inside a triangle a place of the screen lies: the least of its corners' weights there, negative
+/// How deep inside a triangle a screen position lies: the smallest of its corners' weights there, negative
 /// outside.
 double least_weight(const Geometry& g, const SampleSeen& seen, PixelPosition at) {
     const ObjectGeometry& object = g.objects[seen.object];

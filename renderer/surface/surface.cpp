@@ -112,7 +112,7 @@ std::uint64_t bytes_of_groups(const SurfaceChoice& choice, std::uint64_t groups,
     if (choice.kind == SurfaceKind::Corners)
         a_run += static_cast<std::uint64_t>(max_blended(choice)) * block_size *
                  (sizeof(std::uint32_t) + sizeof(float));
-    // Row by row, where lists that grow are there twice, and all together.
+    // The groups are kept row by row, in lists that exist twice while they grow, and all together.
     if (samples > 1)
         a_run += 2 * (sizeof(PixelGroup) + sizeof(GroupSamples)) + sizeof(GroupSamples) + sizeof(std::size_t);
     return groups * a_run;

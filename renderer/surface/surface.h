@@ -1,9 +1,8 @@
 #pragma once
 // Stage 3. Finds for each visible sample what lighting needs: its position and unit normal in camera
 // coordinates, in blocks of 16 (phong, facet), or which lit corners it blends (gouraud) or which lit point it
-// shows (flat). Inputs: geometry,
-// visibility, `normals`, `mode`, `interpolation`, `two_sided`, `flat_point` (and `rules`, which may choose
-// it).
+// shows (flat). Inputs: geometry, visibility, `normals`, `mode`, `interpolation`, `two_sided`, `flat_point`
+// (and `rules`, which may choose it).
 
 #include <array>
 #include <cstdint>
@@ -36,8 +35,8 @@ struct SampleFace {
     glm::vec3 p{0};                          // where the pixel's ray meets the face, camera coordinates
 };
 
-/// Weights of some corners of a mesh; the rest count nothing. At most eight: a scanline meets two edges, and
-/// where the near plane cuts the polygon each end of an edge may lie between two corners.
+/// Weights of some corners of a mesh; all others have weight 0. There are at most eight: a scanline meets two
+/// edges, and where the near plane cuts the polygon each end of an edge may lie between two corners.
 struct CornerWeights {
     static constexpr int max_count = 8;
     int count = 0;
@@ -117,8 +116,8 @@ struct ShadingPoint {
     bool operator==(const ShadingPoint&) const = default;
 };
 
-/// The lit points that pixels share (Gouraud, flat), out of all that could be lit of a scene: the objects one
-/// after the other, each item twice, as it is and turned.
+/// The lit points that pixels share (Gouraud, flat), among all points of a scene that could be lit: the
+/// objects one after the other, each item twice, with its normal as it is and reversed.
 struct LitPoints {
     std::vector<std::size_t> first;            // #objects + 1, into seen and point
     std::vector<std::uint8_t> seen;            // 1: some pixel shows it
@@ -169,7 +168,7 @@ struct Surface {
     std::uint64_t point_count = 0;                    // lit
     MemoryShare share;                                // of what there is for each group
 
-    /// Returns what a surface of this kind keeps: the data of before if it was of the same kind, else empty.
+    /// Returns the data of a surface of this kind: the data so far if they are of this kind, else empty data.
     template <class Kind> Kind& as() {
         if (!std::holds_alternative<Kind>(kept)) kept.emplace<Kind>();
         return std::get<Kind>(kept);
@@ -183,7 +182,7 @@ struct Surface {
     [[nodiscard]] std::size_t blocks_of_one_object(std::size_t first, std::size_t end) const {
         return count_alike(first, end, [this](std::size_t block) { return point_object[block]; });
     }
-    /// The same of groups of pixels.
+    /// Counts the groups of pixels from `first` on, and before `end`, that are of the same object.
     [[nodiscard]] std::size_t groups_of_one_object(std::size_t first, std::size_t end) const {
         return count_alike(first, end, [this](std::size_t group) { return groups[group].object; });
     }
@@ -198,8 +197,8 @@ struct Surface {
 /// Bytes of so many groups and of all that there is for each, with `samples` a pixel.
 [[nodiscard]] std::uint64_t bytes_of_groups(const SurfaceChoice& choice, std::uint64_t groups, int samples);
 
-/// Does the stage again when anything it reads differs; true when it did. Throws Refused where the groups
-/// do not fit.
+/// Runs the stage again if anything it reads differs; returns whether it did. Throws Refused where the groups
+/// do not fit in memory.
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& geometry, const Visibility& visibility,
                     bool visibility_redone);
 

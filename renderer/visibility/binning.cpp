@@ -36,7 +36,8 @@ BinJob sort_job(const ObjectGeometry& object, const BinJob& like, Cull cull) {
     return job;
 }
 
-/// A task has a number for each cell, so small objects share one: a task each would come to objects x cells.
+/// Divides the triangles into chunks, one per task. A task has a number for each cell, so small objects share
+/// one: with a task each there would be objects x cells numbers.
 void lay_out_chunks(TileLists& lists, const Geometry& g, const BinJob& like, Cull cull) {
     std::size_t count = 0;
     std::uint32_t room = 0;  // triangles that the last chunk has room for
@@ -85,7 +86,7 @@ void visit_cells(const CellGrid& grid, const BinnedChunk& chunk, std::size_t beg
     }
 }
 
-/// Takes out again what is hidden of what part of a chunk added to `out`; `before`: what was there then.
+/// Removes hidden triangles from what a part of a chunk added to `out`. `before`: `out` before that.
 void leave_out_hidden(const std::vector<std::uint8_t>& hidden, const ChunkPart& part,
                       const BinnedTriangles& before, BinnedTriangles& out) {
     const std::uint32_t first = part.job.first_triangle;
@@ -122,7 +123,7 @@ void bin_chunk(const CellGrid& grid, BinnedChunk& chunk, const std::vector<std::
                 });
 }
 
-/// Room for so many entries is asked for before it is taken; the rest is what there is already.
+/// Asks for memory for that many entries before it is taken, and for what the lists hold already.
 void ask_for_room(TileLists& lists, std::uint64_t entries) {
     constexpr std::size_t a_piece = sizeof(ClippedTriangle) + 3 * sizeof(std::uint32_t);
     const std::uint64_t kept = std::max<std::uint64_t>(entries, lists.entries.capacity());
@@ -187,7 +188,7 @@ void refuse_too_many_tiles(std::uint64_t met) {
 }
 
 /// Turns each chunk's counts into where its entries begin in their cells, so that the order never depends on
-/// threads. Those of one cell are fewer than 2^31, all together may be more than 2^32.
+/// threads. The entries of one cell are fewer than 2^31; all together may be more than 2^32.
 void number_places(TileLists& lists) {
     std::uint32_t levels = lists.pieces.levels;
     for (const BinnedChunk& chunk : lists.chunks) levels |= chunk.levels;

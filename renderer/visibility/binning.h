@@ -66,14 +66,15 @@ struct TileLists {
     }
 };
 
-/// Tiles that triangles may meet, of all together: each is a step of drawing, and so many take minutes.
+/// The most tiles that all triangles together may meet: each is a step of drawing, and this many take
+/// minutes.
 inline constexpr std::uint64_t max_met_tiles = std::uint64_t{1} << 30;
 
 /// Bytes that binning needs at most for an object of so many triangles, in a picture of so many tiles.
 [[nodiscard]] std::uint64_t bytes_to_bin(std::uint64_t triangles, std::uint64_t tiles);
 
-/// Makes the lists anew in the memory of the old ones. `multisampled`: for samples anywhere in their pixels,
-/// not at the centres alone. `hidden`: as in Visibility. Throws Refused where they do not fit, and when the
+/// Makes the lists again, reusing their memory. `multisampled`: for samples anywhere in their pixels, not at
+/// the centres alone. `hidden`: as in Visibility. Throws Refused where they do not fit, and when the
 /// triangles meet more than max_met_tiles.
 void bin_into_tiles(TileLists& lists, const Geometry& geometry, Cull cull, bool multisampled,
                     const std::vector<std::uint8_t>& hidden = {});

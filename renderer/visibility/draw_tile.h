@@ -57,8 +57,8 @@ void draw_lane(const TileJob& job, const TriangleLanes<N>& lanes, unsigned lane,
     fill_large_triangle<F>(large, tile);
 }
 
-/// Draws together those of the first `count` lanes that are tiny; the lanes that are left to be drawn alone,
-/// as bits. The lanes are of one object.
+/// Draws those of the first `count` lanes that are tiny, all together. Returns as bits the lanes that are
+/// left to be drawn one by one. All lanes belong to one object.
 template <Number F>
 unsigned draw_tiny(const TileJob& job, const TriangleLanes<NumberTraits<F>::width>& lanes, unsigned count,
                    bool mirrored, TilePixels& tile) {

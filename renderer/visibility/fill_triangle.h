@@ -83,7 +83,7 @@ struct PatchEdges {
 template <Number F> IntOf<F> patch_column(int s) { return load_ints<IntOf<F>>(iota + s) & (patch_side - 1); }
 template <Number F> IntOf<F> patch_row(int s) { return load_ints<IntOf<F>>(iota + s) >> patch_bits; }
 
-/// Pixels right of and below the one that the plane begins at.
+/// The plane's inv_w at the pixel `column` to the right of and `row` below its first one; at least 0.
 template <Number F> F inv_w_at(const DepthPlane<F>& plane, F column, F row) {
     return max0((plane.value + row * plane.step_y) + column * plane.step_x);
 }
@@ -91,7 +91,7 @@ template <Number F> DepthPlane<F> broadcast(const DepthPlane<float>& plane) {
     return {F(plane.value), F(plane.step_x), F(plane.step_y)};
 }
 
-/// Lanes of a patch: keeps the nearer of what is there and the triangle.
+/// The depth test, for lanes of a patch: keeps the nearer of the stored surface and the triangle.
 template <Number F>
 void keep_nearer(MaskOf<F> inside, F inv_w, int triangle_code, float* nearest, std::int32_t* seen) {
     const F before = load<F>(nearest);
@@ -135,7 +135,8 @@ template <Number F> void fill_patches(const PatchEdges& e, const TilePlane& plan
     }
 }
 
-// A triangle whose edge functions may not fit 32 bits: they are found in 64 and brought to the tile.
+// Large triangles, whose edge functions may not fit 32 bits: they are computed in 64 bits and moved to the
+// tile.
 
 using LongEdge = EdgeFunction<long long>;
 
@@ -145,7 +146,7 @@ inline LongEdge edge_from(const TileCorner& a, const TileCorner& b) {
 
 enum class Fit { Outside, Fits, TooLarge };
 
-/// Edge `k` over the patches of `out`, which are given. Outside: no pixel there is inside.
+/// Sets edge `k` of `out`, whose patches are given. Outside: no pixel of the patches is inside the edge.
 inline Fit fit_edge(const LongEdge& edge, PatchEdges& out, int k) {
     const int x0 = out.x0 * patch_side, x1 = out.x1 * patch_side + patch_side - 1;
     const int y0 = out.y0 * patch_side, y1 = out.y1 * patch_side + patch_side - 1;

@@ -1,6 +1,6 @@
 #pragma once
-// Several triangles side by side: their boxes, areas and edges, by the formulas of fill_rule.h, as one
-// triangle alone has them, where they fit 32 bits.
+// Sets up several triangles side by side: boxes, areas and edges by the formulas of fill_rule.h, with the
+// same results as for one triangle, where they fit 32 bits.
 
 #include "renderer/simd/transpose.h"
 #include "renderer/visibility/fill_triangle.h"
@@ -118,10 +118,10 @@ template <unsigned N> PatchEdges edges_of_lane(const TriangleLanes<N>& lanes, un
     return e;
 }
 
-// Triangles of a few pixels, one a lane: all step through their boxes together, and what they cover is
-// listed, then held against the tile pixel by pixel.
+// Triangles of a few pixels, one per lane: all step through their boxes together and list the pixels that
+// they cover, which are then depth-tested against the tile one by one.
 
-/// Boxes of more pixels than this a side are faster alone, patch by patch.
+/// A triangle whose box has a longer side than this, in pixels, is drawn faster alone, patch by patch.
 inline constexpr int tiny_side = 6;
 
 /// The pixels of N triangles' boxes, one of each at every step, with depths; and the list of covered ones.

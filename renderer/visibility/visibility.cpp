@@ -29,7 +29,7 @@ void list_objects(const Geometry& g, std::vector<DrawnObject>& drawn) {
                          static_cast<std::uint32_t>(o.mesh->triangles.size()), o.mirrored});
 }
 
-/// What a tile may show: the lists of the cells that hold it, of every level.
+/// The lists of what a tile may show: those of the cells that hold it, on every level.
 class CellLists {
   public:
     CellLists(const TileLists& lists, std::uint32_t tile) : lists_(lists) {
@@ -41,7 +41,7 @@ class CellLists {
     }
     [[nodiscard]] bool empty() const { return count_ == 0; }
 
-    /// All of them, one after the other; in which order does not matter (seen_code).
+    /// Draws all of them, one after the other; the order does not matter (seen_code).
     void draw(TileJob job, TilePixels& tile) const {
         std::size_t i = 0;
         do {

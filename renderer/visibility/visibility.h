@@ -1,7 +1,7 @@
 #pragma once
-// Stage 2. Which triangle is at each sample: triangles are clipped, culled and sorted into tiles, then drawn
-// by an exact fill rule on integers; nearest wins, ties go to the lower object and then the lower face.
-// Inputs: the geometry and `cull`.
+// Stage 2. Finds which triangle each sample shows: triangles are clipped, culled and sorted into tiles, then
+// drawn by an exact fill rule on integers. The nearest wins; ties go to the lower object and then the lower
+// face. Inputs: the geometry and `cull`.
 
 #include <cstdint>
 #include <vector>
@@ -39,8 +39,8 @@ struct SampleOffset {
 };
 [[nodiscard]] SampleOffset sample_offset(int samples, int which);
 
-/// Does the stage again when the geometry was redone or `cull`, `samples` or `hidden` differ; true when it
-/// did. `hidden`: as in Visibility.
+/// Runs the stage again if the geometry was redone or `cull`, `samples` or `hidden` differ; returns whether
+/// it did. `hidden`: as in Visibility.
 bool update_visibility(Visibility& kept, const Geometry& geometry, Cull cull, int samples,
                        bool geometry_redone, const std::vector<std::uint8_t>& hidden = {});
 

@@ -45,7 +45,7 @@ struct TriangleBox {
     [[nodiscard]] std::uint32_t y1() const { return tiles >> 24; }
 };
 
-/// Room for one entry a triangle, and one more.
+/// The output of binning; each array has room for one entry per triangle, and one more.
 struct BinnedTriangles {
     TriangleBox* boxes = nullptr;
     std::size_t box_count = 0;

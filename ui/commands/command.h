@@ -1,7 +1,7 @@
 #pragma once
-// Everything that a menu item or a key does, once: a command is one row of a table, and the row's functions
-// do it. Menus, keys, the palette, the tool bar and the sheet of shortcuts read the rows. The rows stand in
-// commands_file_edit.cpp, commands_scene.cpp, commands_view.cpp and commands_lecture.cpp.
+// A command is anything that a menu item or a key does, defined once: one row of a table with the functions
+// that do it. Menus, keys, the palette, the tool bar and the sheet of shortcuts read the rows. The rows stand
+// in commands_file_edit.cpp, commands_scene.cpp, commands_view.cpp and commands_lecture.cpp.
 
 #include <optional>
 #include <span>
@@ -27,8 +27,8 @@ struct WindowCommand {
     std::string (*why_disabled)(const UiState&) = nullptr;  // null, or an empty reason: it can be done
     CommandId id = CommandId::None;
     bool line_above = false;       // in the menu
-    bool changes_picture = false;  // over it or in place of it, where hints would be in the way
-    bool quiet = false;            // neither changes the scene nor tells of it: a question may wait
+    bool changes_picture = false;  // it draws over or replaces the picture, where hints would be in the way
+    bool quiet = false;            // it neither changes nor reveals the scene: allowed while a question waits
     const char* noun = "";         // what is on or off, where that is not the name
     const char* sets = "";         // what it sets of the scene, as keys_of_value() takes it
 };

@@ -1,5 +1,5 @@
 #pragma once
-// The rows of commands(), by what they are about. A new command is one new row.
+// The rows of commands(), grouped by topic. A new command is one new row.
 
 #include "ui/commands/command.h"
 
@@ -7,7 +7,7 @@ namespace glint {
 
 [[nodiscard]] std::vector<WindowCommand> file_commands();
 [[nodiscard]] std::vector<WindowCommand> edit_commands();
-/// What a hand on the picture does to the selected object, and what goes on in the edit menu below it.
+/// Lists what the mouse does to the selected object by its gizmo, and the rest of the edit menu below it.
 [[nodiscard]] std::vector<WindowCommand> hand_commands();
 [[nodiscard]] std::vector<WindowCommand> camera_commands();
 [[nodiscard]] std::vector<WindowCommand> view_commands();
@@ -16,7 +16,7 @@ namespace glint {
 
 constexpr bool ctrl = true, shift = true, alt = true;  // of a KeyPress
 
-/// `reason` unless it is possible.
+/// Returns `reason`; empty if `possible`.
 [[nodiscard]] inline std::string unless(bool possible, const char* reason) { return possible ? "" : reason; }
 [[nodiscard]] inline std::string unless_busy(bool busy) {
     return unless(!busy, "Another picture is being written");

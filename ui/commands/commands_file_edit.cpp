@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-/// Starts where the open scene is; without one where there is something to open: here, or the examples.
+/// Opens the dialog in the open scene's folder, else here; with the examples if there is no scene in it.
 void ask_scene(UiState& state) {
     const std::string& path = state.editor.document.path;
     state.files.ask(FilePurpose::OpenScene, path);
@@ -24,7 +24,7 @@ void ask_scene(UiState& state) {
         state.files.ask(FilePurpose::OpenScene, state.shipped_scenes + "/");
 }
 
-/// What keys said that they did is no longer so.
+/// Removes what keys told about their effect: after undo or redo it no longer holds.
 void forget_told(Notifications& notifications) {
     std::erase_if(notifications.list, [](const Notification& note) { return note.of_key; });
 }
@@ -64,14 +64,14 @@ std::string unless_object(const UiState& state) {
                   "No object is selected: double-click one");
 }
 
-/// The key of the gizmo that shows takes it away.
+/// Shows a gizmo; the key of the one that is shown hides it.
 void choose_gizmo(UiState& state, GizmoMode mode) {
     GizmoMode& shown = state.viewport.gizmo;
     shown = shown == mode && !state.viewport.pivot ? GizmoMode::None : mode;
     state.viewport.pivot.reset();
 }
 
-/// The point stays where it was picked, so that the pixel there goes on showing it while all else turns.
+/// Makes the picked point the pivot: its pixel goes on showing it while everything else turns.
 void rotate_about_picked(UiState& state) {
     state.editor.selection = {Selection::Kind::Object, state.explanation->object_index};
     state.viewport.gizmo = GizmoMode::Rotate;

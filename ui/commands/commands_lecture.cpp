@@ -7,8 +7,8 @@
 namespace glint {
 namespace {
 
-/// Through the scenes that the program was given, else through the folder's; from a scene without a file
-/// through those that come with the program.
+/// Returns the next scene of those that the program was given, else of the folder; for a scene without a
+/// file, of those that come with the program.
 std::string other_scene(const UiState& state, int step) {
     const std::string& path = state.editor.document.path;
     if (const auto given = given_scene_beside(state.lecture.given_scenes, path, step)) return *given;

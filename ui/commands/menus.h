@@ -1,5 +1,5 @@
 #pragma once
-// What is filled from the table of commands: the menus, the sheet of keys, and the palette.
+// The menus, the sheet of keys and the palette, which are filled from the table of commands.
 
 #include <functional>
 #include <string>
@@ -18,7 +18,7 @@ struct PaletteEntry {
     std::string keys;         // that do the same; or empty
     std::string refused;      // why it cannot be done now; empty when it can
     std::function<void(UiState&)> run;
-    std::string words = "";  // what it is about: found by whole words of it, after all names
+    std::string words = "";  // what it is about: found by the beginnings of these words, after all names
 };
 
 struct PaletteState {
@@ -35,19 +35,19 @@ void menu_bar(UiState& state);
 /// The sheet of keys and of what the mouse does (F1 or ?), while it is open.
 void shortcuts_sheet(UiState& state);
 
-// Ctrl+K: type a few letters of anything that the window can do.
+// The palette (Ctrl+K) finds anything that the window can do from a few typed letters.
 
-/// Everything there is to do in this state: the actions, the fields of the scene, the choices and switches of
-/// shading and display, mistakes, presets for the selected object, lights to switch and items to select,
+/// Lists everything that can be done in this state: actions, fields of the scene, choices and switches of
+/// shading and display, mistakes, presets for the selected object, lights to switch, items to select and
 /// scenes to open.
 [[nodiscard]] std::vector<PaletteEntry> palette_entries(const UiState& state);
 
-/// Indices of the entries that match, best first; all of them, in their order, for an empty text. By names,
-/// then by names with their groups, then by words that begin so.
+/// Returns the indices of the entries that match, best first; for an empty text all of them, in their order.
+/// Names are matched first, then names with their groups, then words that begin with the text.
 [[nodiscard]] std::vector<int> palette_matches(const std::vector<PaletteEntry>& entries,
                                                const std::string& text);
-/// Where nothing matches: the word of a name that is written most like the text; empty where not even half of
-/// the letters agree.
+/// Returns the word of a name that is spelt most like the text, for when nothing matches; empty if not even
+/// half of the letters agree.
 [[nodiscard]] std::string nearest_word(const std::vector<PaletteEntry>& entries, const std::string& text);
 
 void open_palette(UiState& state);

@@ -153,7 +153,7 @@ void run_entry(UiState& state, int index) {
     entry.run(state);
 }
 
-/// Letters strewn over a long name fit by chance: a match that is meant begins words, or holds together.
+/// Letters strewn over a long name fit by chance: a match is meant if it begins words, or holds together.
 bool is_meant(const FuzzyMatch& match, std::string_view text) {
     int best = 0;  // what the same letters score side by side from the beginning of a word
     for (const std::string_view word : words_in(text)) best += fuzzy_match(word, word)->score;

@@ -5,7 +5,7 @@
 
 namespace glint {
 
-/// An entry for each field of the scene: it shows the panel, and puts the keyboard into the field.
+/// Adds an entry for each field of the scene: it shows the panel and puts the keyboard into the field.
 void add_fields(std::vector<PaletteEntry>& entries, const UiState& state);
 
 /// An entry for each switch and each choice of shading, strokes and display that no command sets.

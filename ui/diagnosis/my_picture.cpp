@@ -121,7 +121,7 @@ void begin_diagnosis(UiState& state) {
             -> Result<PictureAnswer> { return answer_of(document, *wrong, pairs, progress); });
 }
 
-/// The bytes of a linear picture are what the open scene's display makes of its numbers.
+/// Recomputes the bytes of a linear picture when the open scene's transfer function has changed.
 void keep_shown_by_the_display(UiState& state) {
     MyPictureState& mine = state.mine;
     const Display& display = state.editor.scene().display;

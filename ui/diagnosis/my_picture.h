@@ -1,7 +1,6 @@
 #pragma once
-// A picture that the user's own program drew of the open scene: it becomes a part of the comparison, a
-// diagnosis runs beside the window, and what it finds is listed, tried on the scene, and written into the
-// equation.
+// The user's own program drew a picture of the open scene: it joins the comparison, a diagnosis runs in the
+// background, and the findings are listed, tried on the scene, and written into the equation.
 
 #include <glm/vec2.hpp>
 #include <memory>
@@ -34,7 +33,7 @@ struct TriedExperiment {
     Scene scene;
 };
 
-/// A picture as its file has it, and with its bytes (see as_shown()): the same where it has bytes.
+/// A picture as its file has it, and as bytes (see as_shown()): the same if the file holds bytes.
 struct BroughtPicture {
     std::string path;
     std::shared_ptr<const Picture> file, shown;
@@ -63,10 +62,10 @@ struct MyPictureState {
     std::unique_ptr<Renderer> right, mistaken;  // what the equation asks at the picked pixel
 };
 
-/// Begins to read a picture by any program; it takes the place of the one before when it is whole. What
-/// cannot be read is a notification, and everything stays.
+/// Begins to read a picture drawn by any program; once complete it replaces the one before. If it cannot be
+/// read, a notification says so and everything stays.
 void bring_picture(UiState& state, const std::string& path);
-/// Puts the picture away, and what was compared before back; what is being computed ends.
+/// Removes the picture, restores the comparison from before it, and cancels what is being computed.
 void put_picture_away(UiState& state);
 /// Gives the diagnosis up until the scene changes, or ask_again().
 void cancel_diagnosis(MyPictureState& mine);
@@ -74,11 +73,11 @@ void ask_again(MyPictureState& mine);
 /// The diagnosis anew, of every two mistakes at once, which takes longer.
 void ask_for_pairs(MyPictureState& mine);
 
-/// Once a frame: takes what has come, and begins the diagnosis anew when the scene, but for its mistakes, has
-/// changed and stood still for a moment.
+/// Call this once a frame. It takes finished results, and begins a new diagnosis when the scene, apart from
+/// its mistakes, has changed and stood still for a moment.
 void poll_my_picture(UiState& state);
 
-/// The file is a picture, and no scene that Glint could open.
+/// Whether the file is a picture without a scene that Glint could open.
 [[nodiscard]] bool is_bare_picture(const std::string& path);
 
 /// The size of a small picture of a candidate, for a picture of that size.
@@ -87,11 +86,11 @@ void poll_my_picture(UiState& state);
 /// "Normals flipped + gamma twice", as the Mistakes tab names them.
 [[nodiscard]] std::string title_of(const MistakeSet& mistakes);
 
-/// Switches the mistakes on in place of all others; off where just these are on.
+/// Switches these mistakes on and all others off; if just these are on, switches them off.
 void switch_mistakes(Scene& scene, const MistakeSet& mistakes);
 
-/// Applies the experiment to the scene, and picks the pixel that tells; one step to undo. A notification
-/// where it cannot be.
+/// Applies the experiment to the scene and picks the pixel that tells, as one step to undo. A notification
+/// says if it cannot be applied.
 void try_experiment(UiState& state, const Experiment& experiment);
 /// The experiment that the open scene shows now; null: none.
 [[nodiscard]] const Experiment* shown_experiment(const UiState& state);
@@ -99,14 +98,14 @@ void try_experiment(UiState& state, const Experiment& experiment);
 /// The tab that lists what was found. Resting on a candidate shows the scene under it, a click keeps it.
 void my_picture_tab(UiState& state, const PictureView& view);
 
-/// The picked pixel, as the picture has it, what is right there, and what the chosen candidate makes of it.
+/// The picked pixel: in the user's picture, as it should be, and as the chosen candidate makes it.
 struct PixelOfMine {
     glm::ivec2 place{0};  // in the picture
     Rgb mine{};           // with what happened at the display taken away
     Explanation right;
     std::optional<Explanation> mistaken;  // nothing without a candidate
 };
-/// Nothing while there is no picture, none is picked, or the picture does not reach there.
+/// Returns nothing if there is no picture, no pixel is picked, or the picture does not reach there.
 [[nodiscard]] std::optional<PixelOfMine> pixel_of_mine(UiState& state);
 /// Draws it into the equation tab, term by term; nothing without a picture.
 void my_pixel(UiState& state);

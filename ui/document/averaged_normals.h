@@ -1,5 +1,5 @@
 #pragma once
-// A mesh without normals of its own gets averaged ones, and its creases look smooth: where that is said.
+// Tells the user if a mesh without normals gets averaged ones, which make its creases look smooth.
 
 #include "models/scene/scene.h"
 
@@ -10,11 +10,10 @@ struct UiState;
 /// Whether the object's mesh has no normals of its own and its facets' are averaged across every edge.
 [[nodiscard]] bool smooths_every_edge(const Object& object);
 
-/// A notification, where it does.
+/// Adds a notification if smooths_every_edge() holds for the object.
 void say_averaged(UiState& state, const Object& object);
 
-/// Where the open document is a mesh that does: says so, and selects the object, whose panel keeps its
-/// creases.
+/// If the open document is such a mesh, says so and selects the object: its panel can keep the creases.
 void tell_averaged_normals(UiState& state);
 
 }  // namespace glint

@@ -38,8 +38,8 @@ void put_views_away(UiState& state) {
     ++state.picture_serial;
 }
 
-/// The edited scene as it was drawn last, or as the newest step of the history has it. Where it was drawn
-/// already, smaller or with less, it stays.
+/// Restores the edited scene as it was drawn last, or as the history's newest step has it. A scene that was
+/// drawn already, smaller or with less, stays.
 void take_scene_back(UiState& state) {
     Editor& editor = state.editor;
     const bool knows_drawn = state.rendered_is_edited && !editor.before;
@@ -93,7 +93,7 @@ void add_what_failed(UiState& state, const std::exception& error) {
     state.notifications.add({.file = {}, .pointer = {}, .what = error.what(), .expected = {}});
 }
 
-/// Says them, in a later frame where there is not even memory for words.
+/// Says what failed; if there is no memory even for the words, says it in a later frame.
 void say_what_failed(UiState& state, const std::exception& error) {
     try {
         add_what_failed(state, error);
@@ -216,7 +216,7 @@ void take_back(UiState& state, const std::exception& error, PictureSize full, bo
 
 void give_up_frame(UiState& state, const std::exception& error) {
     if (state.rendered == nullptr) throw;
-    // Fonts of windows that are open, which the windows' ends would miss.
+    // Ending open windows does not pop the fonts that they have pushed.
     GImGui->FontStack.resize(0);
     ImGui::SetCurrentFont(ImGui::GetDefaultFont());
     ImGui::ErrorCheckEndFrameRecover(nullptr);

@@ -1,5 +1,5 @@
 #pragma once
-// Opens, begins anew, saves and quits, with the question that comes first; and keeps the window going where
+// Opens, begins anew, saves and quits, asking first where work could be lost; and keeps the window going if
 // memory does not suffice.
 
 #include <exception>
@@ -14,27 +14,27 @@ namespace glint {
 void begin_pending(UiState& state, Pending::What what, const std::string& path = {});
 /// Goes on with what waited, after the answer or after saving.
 void finish_pending(UiState& state);
-/// Puts another document in hand. All that was about the scene before goes: gesture, probe, explanation, what
-/// was about to be done to one of its lights or objects.
+/// Makes `document` the open one. Everything about the scene before is dropped: gesture, probe, explanation,
+/// and what was about to be done to one of its lights or objects.
 void take_scene(UiState& state, SceneDocument document);
 /// A name to offer for a file: the document's own, with the ending that fits.
 [[nodiscard]] std::string offered_name(const UiState& state, const char* ending);
-/// Saves; asks for a name when there is none yet, and first when another program has changed the file. True
-/// when it is saved now.
+/// Saves the document. Asks for a name if there is none yet, and asks first if another program has changed
+/// the file. True if it is saved now.
 bool save(UiState& state);
 /// Saves whatever is in the file. True when it is saved now.
 bool save_over(UiState& state);
 /// Opens the document's file again, giving up what is not saved.
 void reload(UiState& state);
 
-// Where memory does not suffice the scene that could be drawn last stays in hand, and the window goes on.
+// If memory does not suffice, the scene that was drawn last stays open and the window goes on.
 
-/// After an exception while the edited scene (or, if `previewed`, another one in its place) was drawn: says
-/// so, puts the document or the scene that was drawn before back in hand, and draws that, smaller where
-/// `full` is too much. Rethrows when nothing has been drawn yet, or even an empty scene cannot be.
+/// Handles an exception while the edited scene (or, if `previewed`, another one in its place) was drawn: says
+/// so, restores the document or the scene that was drawn before, and draws that, smaller if `full` is too
+/// much. Rethrows if nothing has been drawn yet, or if not even an empty scene can be.
 void take_back(UiState& state, const std::exception& error, PictureSize full, bool previewed);
 
-/// After an exception anywhere in a frame: says so, closes what ImGui has open, and puts away what is drawn
+/// Handles an exception anywhere in a frame: says so, closes what ImGui has open, and closes the views drawn
 /// beside the picture. The next frame begins afresh.
 void give_up_frame(UiState& state, const std::exception& error);
 

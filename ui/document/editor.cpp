@@ -25,7 +25,7 @@ std::string Editor::title() const {
 bool Editor::has_scene_file() const { return lower_extension(document.path) == ".json"; }
 
 void take_document(Editor& editor, SceneDocument document) {
-    // Of two documents that were not drawn yet the older one goes: what could be drawn stays.
+    // A document in hand that was not drawn yet goes: the one before it, which could be drawn, stays.
     std::unique_ptr<Editor> before = std::move(editor.before);
     if (!before) before = std::make_unique<Editor>(std::move(editor));
     editor = {};

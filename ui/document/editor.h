@@ -15,23 +15,23 @@
 
 namespace glint {
 
-// Undo and redo: a list of scenes. A step costs what its plain data costs, and the meshes that it alone
-// keeps: those that the present scene has lost or changed.
+// Undo and redo: a list of scenes. A step costs the memory of its plain data and of those meshes that only it
+// keeps, because the present scene has lost or changed them.
 
 class History {
   public:
     /// Forgets all steps and begins at `scene`.
     void reset(const Scene& scene);
 
-    /// Adds a step from the present scene to `scene`, named by what changed, and drops what was undone.
-    /// Scenes of the same description add nothing. True when the present scene changed.
+    /// Adds a step from the present scene to `scene`, named by what changed, and drops undone steps. A scene
+    /// of the same description adds nothing. True if the present scene changed.
     bool commit(const Scene& scene);
-    /// The present scene is seen from there now: no step. What is undone later is seen from there too, unless
-    /// the step that is taken back edited the camera.
+    /// Sets the present step's view without adding a step. What is undone later is seen from there too,
+    /// unless the step that is taken back edited the camera.
     void look(const Camera& camera) { steps_[at_].scene.camera = camera; }
 
     [[nodiscard]] const Scene& present() const { return steps_[at_].scene; }
-    /// As the file had it or an edit made it last, wherever one has looked from since.
+    /// Returns the camera that the file or the last edit set, whatever view was taken since.
     [[nodiscard]] const Camera& edited_camera() const { return steps_[at_].edited_camera; }
     [[nodiscard]] bool can_undo() const { return at_ > 0; }
     [[nodiscard]] bool can_redo() const { return at_ + 1 < steps_.size(); }
@@ -64,7 +64,7 @@ class History {
 /// Empty when their descriptions are equal.
 [[nodiscard]] std::string step_name(const Scene& before, const Scene& after);
 
-/// Where the scene was seen from: what is looked at can be gone back to, and forward, apart from undo.
+/// The views that were left: one can go back to them and forward again, apart from undo.
 class ViewHistory {
   public:
     /// The view moves away from `camera`: one can come back to it.
@@ -111,15 +111,13 @@ void take_document(Editor& editor, SceneDocument document);
 /// over what another program, or another window, has put there.
 [[nodiscard]] bool changed_by_another(const Editor& editor);
 
-/// Loads meshes that an edit left unloaded. On a problem the scene goes back to the newest step of the
-/// history.
+/// Loads meshes that an edit left unloaded. On a problem the scene returns to the history's newest step.
 [[nodiscard]] std::optional<Problem> settle(Editor& editor);
 
-/// Puts what was done since into the histories, as an edit or as a look. `join`: the look goes on.
+/// Records what was done since, as an edit or a change of view. `join`: it continues the last such change.
 void remember_step(Editor& editor, bool join);
 
-/// One step back or forward; false when there is none. The view stays where it is, unless the step edited the
-/// camera.
+/// Goes one step back or forward; false if there is none. The view stays, unless the step edited the camera.
 bool undo(Editor& editor);
 bool redo(Editor& editor);
 

@@ -130,8 +130,7 @@ void folder_line(FileDialog& dialog) {
         go_to(dialog, dialog.folder);
 }
 
-/// True when an entry was double-clicked.
-/// What stands in the place of an empty list.
+/// Returns the words that stand in place of an empty list.
 const char* nothing_words(FilePurpose purpose) {
     switch (purpose) {
     case FilePurpose::OpenScene:
@@ -150,6 +149,7 @@ const char* nothing_words(FilePurpose purpose) {
     return "";  // not reached
 }
 
+/// Draws the list of entries. True when a file was double-clicked.
 bool entry_list(FileDialog& dialog) {
     bool decided = false;
     std::string enter_folder;

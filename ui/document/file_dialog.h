@@ -38,8 +38,8 @@ struct FileDialog {
     void ask(FilePurpose asked_for, const std::string& path);
 };
 
-/// Draws it. Precondition: it is open. The chosen path, once, when the user decides. `enter`: the key was
-/// pressed.
+/// Draws the dialog. Precondition: it is open. Returns the path once, when the user decides. `enter`: the
+/// Enter key was pressed.
 [[nodiscard]] std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter);
 
 }  // namespace glint

@@ -20,8 +20,8 @@ template <class T> class Job {
   public:
     using Work = std::function<Result<T>(LoadProgress&)>;
 
-    /// Starts `work`, which may only touch what it holds itself; loads in it report to the progress that it
-    /// is given, and so may it. `name`: what it is about, for the screen.
+    /// Starts `work`, which may touch only what it holds itself. Loads within it report to its LoadProgress,
+    /// and so may it. `name`: what it is about, for the screen.
     Job(std::string name, Work work) : name_(std::move(name)) {
         thread_ = std::thread([this, work = std::move(work)] { run(work); });
     }
@@ -35,7 +35,7 @@ template <class T> class Job {
 
     void cancel() { progress_.cancelled = true; }
     [[nodiscard]] bool done() const { return done_; }
-    /// What came of it, once. Precondition: done().
+    /// Returns the result, once. Precondition: done().
     [[nodiscard]] Result<T> take() { return std::move(result_); }
 
     [[nodiscard]] const std::string& name() const { return name_; }

@@ -113,8 +113,8 @@ void give_up_meshes(UiState& state) {
     state.loading.awaited.clear();
 }
 
-/// A mesh made finer or coarser by hand: the panel in which that is done has its words beside the sliders,
-/// and a drag brings many.
+/// Whether only the fineness of a mesh was edited: its panel has words of its own beside the sliders, and a
+/// drag brings many such edits.
 bool is_another_fineness(const AwaitedMesh& awaited) {
     return awaited.mesh_before && as_given(awaited.wanted) == as_given(awaited.before);
 }

@@ -1,6 +1,5 @@
 #pragma once
-// Documents and meshes that are being loaded while the window goes on: the scene in hand stays whole until
-// what is new is whole too.
+// Loads documents and meshes while the window goes on: the scene in hand stays until the new one is complete.
 
 #include <memory>
 #include <optional>
@@ -16,13 +15,13 @@ namespace glint {
 
 struct UiState;
 
-/// A mesh on its way. The object that wants it shows until then the mesh that it had.
+/// A mesh that is being loaded. Until then the object that wants it shows its old mesh.
 struct AwaitedMesh {
     MeshSource wanted, before;
     MeshPtr mesh_before;  // null: no object waits, a new one will be made of it
 };
 
-/// A copy that a window left behind, on its way like a file.
+/// An autosave that a window left behind, loaded like a file.
 struct Recovery {
     std::string autosave;                  // its path
     std::shared_ptr<const Scene> in_file;  // what its file has, which the copy is newer than; empty: no file
@@ -47,15 +46,14 @@ struct Loading {
 /// Begins to open a file; what was being opened is cancelled.
 void begin_open(UiState& state, const std::string& path);
 
-/// Begins to recover an autosave that a window left behind, in the same way; the document is then not saved.
+/// Begins to recover an autosave that a window left behind; the document then counts as unsaved.
 void recover_autosave(UiState& state, const std::string& path);
 
-/// Begins to load `source` and gives it to object `index` when it is there; a negative index makes a new
-/// object of it.
+/// Begins to load `source` and gives the mesh to object `index`; a negative index makes a new object of it.
 void begin_mesh(UiState& state, const MeshSource& source, int index);
 
-/// Once a frame, before anything is drawn: takes what has come. Meshes that an edit left unloaded are made
-/// at once where that is quick, else they are begun. A problem is a notification, and the scene stays.
+/// Takes finished loads, once a frame, before anything is drawn. Meshes that an edit left unloaded are made
+/// at once if that is quick, else loading begins. A problem is a notification, and the scene stays.
 void poll_loads(UiState& state);
 
 /// Whether an object waits for its mesh: no undo step yet.
@@ -64,7 +62,7 @@ void poll_loads(UiState& state);
 /// Ends all loads; the scene is as before them.
 void cancel_loads(UiState& state);
 
-/// The bar that says what is being loaded, in the middle of the window's upper part.
+/// Draws the bar that says what is being loaded, over the middle of the picture's upper edge.
 void loading_panel(UiState& state, const Rect& picture);
 
 /// Offers to recover the work that a crash interrupted, at the same place, while nothing is being loaded.

@@ -100,7 +100,7 @@ void loading_panel(UiState& state, const Rect& picture) {
 
 namespace {
 
-/// Nothing comes up by itself then.
+/// Whether the window is shown to others: then nothing pops up by itself.
 bool is_shown_to_others(const UiState& state) {
     return state.lecture.projector || state.lecture.frozen || state.lecture.pen.on ||
            state.layout.hides_columns || state.layout.hides_all;

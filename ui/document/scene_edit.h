@@ -22,7 +22,7 @@ struct Selection {
     return selection.kind == Selection::Kind::Light ? selection.index : -1;
 }
 
-/// How many lights and objects there are. While they stay, a number of one stands for one that exists.
+/// The numbers of lights and objects. While these stay, an index of one stands for one that exists.
 struct ItemCounts {
     std::size_t lights = 0, objects = 0;
     bool operator==(const ItemCounts&) const = default;
@@ -40,8 +40,8 @@ struct ItemCounts {
 /// `wanted`, or with the first number that makes it different from all names: "Bulb", "Bulb 2".
 [[nodiscard]] std::string free_name(const std::string& wanted, const Scene& scene);
 
-/// A new light where it can be seen and grabbed: above the scene, on the viewer's side. Its index; nothing
-/// when the scene holds as many as it may.
+/// Adds a light where it can be seen and grabbed: above the scene, on the viewer's side. Returns its index;
+/// nothing if the scene holds as many as it may.
 std::optional<int> add_light(Scene& scene, LightKind kind);
 
 /// A new object beside the others, its mesh not loaded. Its index, or nothing as above.

@@ -72,7 +72,7 @@ int run_tool(const std::vector<std::string>& command, int input) {
 
 using Json = JsonValue;
 
-/// A key that `a` has and `b` has not stands for its default there, which nothing here knows.
+/// Whether `b` has all keys of `a`: a missing key stands for its default, which is not known here.
 bool has_keys_of(const Json& b, const Json& a) {
     return std::all_of(a.members().begin(), a.members().end(),
                        [&b](const auto& member) { return b.find(member.first) != nullptr; });

@@ -1,6 +1,6 @@
 #pragma once
-// What is copied out of the window: pictures, which a tool of the desktop takes because GLFW's clipboard
-// holds text only, and commands.
+// Copies pictures and commands out of the window. GLFW's clipboard holds text only, so a tool of the desktop
+// takes the pictures.
 
 #include <string>
 #include <vector>

@@ -83,7 +83,7 @@ void size_rows(UiState& state, ExportOptions& options) {
     }
 }
 
-/// A new scene may have begun as the one that a first window shows, which has a file: what is shorter to say.
+/// Returns the shorter command: a new scene may have begun as the default scene, which has a file.
 std::string shortest_command(const UiState& state, const ExportOptions& options, const std::string& out) {
     const SceneDocument& document = state.editor.document;
     const auto command = [&](const SceneDocument& of, const Scene& in_file) {

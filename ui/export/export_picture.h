@@ -20,7 +20,7 @@ struct ExportOptions {
     int samples = 4;
 };
 
-/// What was written last: Copy as command gives it again, as long as the document is the same.
+/// What was written last. "Copy as command" repeats it as long as the document is the same.
 struct LastExport {
     ExportOptions options;
     std::string file;      // its name
@@ -34,8 +34,8 @@ struct ExportState {
     std::unique_ptr<Job<std::string>> job;  // its result: what to say when it is done
 };
 
-/// The scene whose picture of that size shows what the window would: with the field that the window widens
-/// where the picture is narrow (fitted()) written out.
+/// Returns the scene whose picture of that size shows what the window would: the field of view that the
+/// window widens for a narrow picture (fitted()) is written out.
 [[nodiscard]] Scene as_shown(Scene scene, PictureSize size);
 
 /// The bytes of a picture file: PNG that carries its scene, PFM or EXR, by the extension of `path`; mesh
@@ -43,11 +43,11 @@ struct ExportState {
 [[nodiscard]] Result<std::string> picture_file(const SceneDocument& document, const ExportOptions& options,
                                                const std::string& path, int threads);
 
-/// Draws and writes aside; a notification tells when it is there.
+/// Draws and writes in the background; a notification says when it is done.
 void begin_export(UiState& state, const ExportOptions& options, const std::string& path);
-/// The picture as it is shown, onto the clipboard, aside.
+/// Copies the picture as it is shown onto the clipboard, in the background.
 void begin_copy(UiState& state);
-/// Puts the command line that draws the edited scene so, into the file `out`, onto the clipboard.
+/// Copies the command line that draws the edited scene with these options into the file `out`.
 void copy_render_command(UiState& state, const ExportOptions& options, const std::string& out);
 /// The same as the scene was exported last; as it is shown where it was not. Precondition: it is drawn.
 void copy_last_command(UiState& state);

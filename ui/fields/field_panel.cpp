@@ -15,7 +15,7 @@ namespace {
 // How long a field that was asked for stays marked, and one that waits for a key.
 constexpr double marked_s = 1.5, waits_s = 6;
 
-// Of ImGui, from the one that asks for the keyboard to the one that shows the text cursor.
+// The number of ImGui's frames from asking for the keyboard until the text cursor shows.
 constexpr int frames_until_typed = 5;
 
 // Kept from frame to frame, as ui/ui.h says.

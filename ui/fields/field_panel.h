@@ -51,8 +51,8 @@ constexpr Typed typed_into(const Text&) { return Typed::Text; }
 
 // A field that was asked for by its pointer (the palette finds fields).
 
-/// Its panel scrolls to it in the frames that follow, marks it for a moment and, where something can be typed
-/// into it, puts the keyboard there: a switch turns by Space or Enter while it is marked.
+/// Makes the field's panel scroll to it in the frames that follow, mark it for a moment and, if it can be
+/// typed into, give it the keyboard: a switch turns by Space or Enter while it is marked.
 void ask_for_field(const std::string& pointer);
 /// Whether a field is asked for that lies below `pointer` ("/npr"): a fold that holds it has to open.
 [[nodiscard]] bool field_is_asked_below(const std::string& pointer);
@@ -70,8 +70,8 @@ class FieldPanel {
             if (Field* field = find(key)) draw(*field);
         return *this;
     }
-    /// Draws a field with a control of the panel's own: control(row, help, usual) says whether it edited;
-    /// usual() draws what would stand there otherwise.
+    /// Draws a field with a control of the panel's own: control(row, help, usual) returns whether it edited;
+    /// usual() draws the field's ordinary control.
     template <class Control> FieldPanel& draw_as(std::string_view key, const Control& control) {
         Field* field = find(key);
         if (field == nullptr) return *this;
@@ -157,9 +157,9 @@ template <class T> [[nodiscard]] bool field_rows(T& value, const std::string& po
     return FieldPanel(value, pointer).rest().edited();
 }
 
-/// Takes an edit back that breaks a condition between numbers (models/fields/scene_rules.h): what the scene
-/// file would refuse, the window does not let happen. Ranges of single numbers are kept by the fields. True
-/// when the edit stands.
+/// Reverts an edit that breaks a condition between numbers (models/fields/scene_rules.h): the window must not
+/// make what the scene file would refuse. The fields keep each number in its own range. True if the edit
+/// stands.
 template <class Item> bool keep_valid(Item& edited, const Item& before) {
     if (!violation_of(edited)) return true;
     edited = before;

@@ -1,5 +1,5 @@
 #pragma once
-// How much of an object's highlight its shading keeps: under flat and Gouraud shading it is lost where no
+// Measures how much of an object's highlight its shading keeps: flat and Gouraud shading lose it where no
 // corner lies under it. Lecture: Gouraud shading misses highlights.
 
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace glint {
 
-/// The brightest specular light that the object shows in a picture of that size, as a share of what it shows
-/// under Phong shading: 1 there; about 1 where triangles are small, and above it only by what a corner lies
-/// nearer to the peak than a pixel's middle. Nothing without a highlight. `object`: in Scene::objects.
+/// Returns the object's brightest specular light in a picture of that size, relative to Phong shading: about
+/// 1 if triangles are small, and above 1 only by as much as a corner lies nearer to the peak than a pixel's
+/// middle. Nothing if there is no highlight. `object`: index in Scene::objects.
 [[nodiscard]] std::optional<double> highlight_share(const Scene& scene, std::size_t object, PictureSize size);
 
-/// That, kept until the scene changes and rests.
+/// That share, cached until the scene changes and rests.
 struct HighlightShareState {
     struct Key {
         Scene scene;
@@ -25,8 +25,7 @@ struct HighlightShareState {
     Kept<Key, std::optional<double>> share;
 };
 
-/// The words beside a mesh; empty where pixels are lit rather than corners, and where
-/// nothing shines.
+/// Says the share beside a mesh; empty if pixels are lit rather than corners, or if nothing shines.
 [[nodiscard]] std::string highlight_words(HighlightShareState& state, const Scene& scene, std::size_t object,
                                           PictureSize size);
 

@@ -14,13 +14,13 @@
 
 namespace glint {
 
-/// `pointer`: the light's place in the scene file, "/lights/1". Kind and
-/// space change so that the light stays where it is, as seen in `map` and `dome`.
+/// Edits a light, whose JSON pointer is `pointer`: "/lights/1". When kind or space change, the light stays
+/// where it is, as seen in `map` and `dome`.
 [[nodiscard]] bool light_panel(Light& light, const std::string& pointer, const Camera& camera,
                                const Dome& dome, const ScreenMap& map);
 
-/// `pointer`: "/objects/0/material". Numbers that `reflection`
-/// does not use are dimmed.
+/// Edits a material, whose JSON pointer is `pointer`: "/objects/0/material". Numbers that `reflection` does
+/// not use are dimmed.
 [[nodiscard]] bool material_panel(Material& material, const std::string& pointer, Reflection reflection);
 
 /// Gives the material a preset's ambient, diffuse, specular and shininess; the rest stays.
@@ -48,8 +48,8 @@ struct ObjectRequests {
     std::string about_mesh;             // to be said beside the mesh's numbers
 };
 
-/// `pointer`: "/objects/0". A changed mesh source leaves
-/// Object::mesh null: the caller loads it, or takes the edit back.
+/// Edits an object, whose JSON pointer is `pointer`: "/objects/0". A changed mesh source leaves Object::mesh
+/// null: the caller loads it, or takes the edit back.
 [[nodiscard]] bool object_panel(Object& object, const std::string& pointer, Reflection reflection,
                                 ObjectRequests& requests);
 

@@ -88,7 +88,7 @@ bool space_button(Light& light, const Camera& camera) {
     return pressed;
 }
 
-/// What one row asks for; applied after the list is drawn, since it may change the list.
+/// Draws the row of a light. True when the scene was edited; its menu may have changed the list.
 bool light_row(Scene& scene, int index, Selection& selection) {
     Light& light = scene.lights[static_cast<std::size_t>(index)];
     const Selection row{Selection::Kind::Light, index};

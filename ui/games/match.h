@@ -1,6 +1,6 @@
 #pragma once
-// *Match the target*: a scene and a picture of it with a few numbers changed. The hand looks for them; the
-// difference falls while it does. Scene and target follow from a seed, so that a class can play the same one.
+// *Match the target*: the player changes a few numbers of a scene until its picture matches a target, and
+// sees the difference fall. Scene and target follow from a seed, so that a class can play the same one.
 
 #include <cstdint>
 #include <memory>
@@ -51,7 +51,7 @@ struct MatchState {
 
 /// Begins with that seed; the scene in hand is given up, which was asked before.
 void begin_match(UiState& state, std::uint64_t seed);
-/// The scene stays.
+/// Ends the game; the scene stays.
 void end_match(UiState& state);
 /// Once a frame: how far off the scene in hand is.
 void poll_match(UiState& state);

@@ -142,7 +142,7 @@ MatchTask match_task(std::uint64_t seed) {
     MatchTask task;
     task.start = drawn_scene(draws);
     task.target = task.start;
-    // One change, then two, then all three; which, the seed decides.
+    // The seed decides which of the three changes are made, at least one.
     const std::uint64_t changes = seed % 7 == 0 ? 7 : seed % 7;
     if ((changes & 1U) != 0) move_sun(task, draws);
     if ((changes & 2U) != 0) change_exponent(task, draws);

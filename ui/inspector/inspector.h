@@ -1,6 +1,6 @@
 #pragma once
-// The WHY column: what it remembers of the window, none of it the scene's, and what is being asked: which
-// pixel, which of its lit points, which light.
+// What the window remembers of the WHY column, none of it the scene's, and what is being asked: which pixel,
+// which of its lit points, which light.
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -31,7 +31,7 @@ enum class InspectorTab {
     Program
 };
 
-/// The point whose lights were asked: the picture (UiState::picture_serial), its pixel and corner.
+/// Identifies the point whose lights were asked: the picture (UiState::picture_serial), its pixel and corner.
 struct BlockedKey {
     std::uint64_t serial = 0;
     glm::ivec2 pixel{-1};
@@ -39,7 +39,7 @@ struct BlockedKey {
     bool operator==(const BlockedKey&) const = default;
 };
 
-/// A number of the equation to which one was led.
+/// A number of the equation that the user was led to.
 struct MarkedQuantity {
     Quantity quantity = Quantity::Result;
     int light = -1;                       // whose it is; -1: no light's

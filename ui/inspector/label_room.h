@@ -1,6 +1,6 @@
 #pragma once
-// Labels do not cover one another: each stands as near to where it would like to be as those before it
-// let it. The most important ones first.
+// Finds places for labels that do not cover one another: each lies as near to its wanted place as those
+// before it let it. The most important labels come first.
 
 #include <imgui.h>
 
@@ -20,8 +20,8 @@ class LabelRoom {
     /// Nothing may be written over `area`.
     void keep_free(const Rect& area) { taken_.push_back(area); }
 
-    /// The middle of a label of `size` that would like its middle at `wanted`, at most `reach` away from
-    /// there; its room is taken from now on. Nothing, and nothing taken, where there is no room.
+    /// Finds the middle for a label of `size`, at most `reach` away from `wanted`, and takes that room from
+    /// now on. Returns nothing, and takes nothing, if there is no room.
     [[nodiscard]] std::optional<ImVec2> place(ImVec2 wanted, ImVec2 size, float reach);
 
     /// As place(), but where there is no room it returns `wanted`.

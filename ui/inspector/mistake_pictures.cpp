@@ -70,7 +70,7 @@ bool at_rest(const UiState& state) {
 /// Notices that other pictures are wanted than those begun last.
 void ask_again(MistakePictures& m, const Scene& scene, PictureSize size) {
     const bool same_size = m.asked_size == size;
-    // Known to be of another scene: which one, is asked when the hand lets go. Meanwhile none is copied.
+    // The scene is known to have changed: it is compared and copied only when the button is released.
     if (same_size && !m.begun && ImGui::IsAnyMouseDown()) return;
     if (same_size && m.seen == scene) return;
     m.seen = scene;

@@ -1,6 +1,6 @@
 #pragma once
-// The open scene under each mistake alone, in small: drawn beside the window, while the hand rests and the
-// tab of the mistakes is looked at.
+// Small pictures of the open scene under each mistake alone, drawn in the background while the mouse rests
+// and the tab of mistakes is looked at.
 
 #include <cstddef>
 #include <span>
@@ -13,8 +13,8 @@ namespace glint {
 
 struct UiState;
 
-/// In place of the picture of a mistake under which the scene looks as without it; over one that can hardly
-/// be told from that.
+/// The first replaces the picture of a mistake that changes nothing; the second lies over one that can hardly
+/// be told from the scene without it.
 inline constexpr const char* no_difference = "no difference here";
 inline constexpr const char* hardly_differs = "hardly differs";
 
@@ -34,12 +34,12 @@ struct MistakePictures {
 /// Places in mistake_names(), in the order of the tab: group by group, as all_seen_as has them.
 [[nodiscard]] std::span<const std::size_t> mistakes_as_seen();
 
-/// Takes what has been drawn, and begins anew where the scene or the size is another and has stood still for
-/// a moment with no button down. Once a frame, by the tab.
+/// Takes what has been drawn, and begins anew if the scene or size has changed and stood still for a moment
+/// with no button down. The tab calls this once a frame.
 void look_at_mistake_pictures(UiState& state, PictureSize size);
 
-/// Ends the drawing, and keeps no mesh, where nobody has looked at the pictures in this frame. After all that
-/// might have.
+/// Ends the drawing and keeps no mesh if nobody has looked at the pictures in this frame. Call it after
+/// everything that might have.
 void rest_mistake_pictures(MistakePictures& of_mistakes);
 
 }  // namespace glint

@@ -26,8 +26,8 @@ struct SmallLook {
 /// Between the picture of a row and the row's edges.
 [[nodiscard]] float small_inset();
 
-/// Draws one, pale while it is of another scene than the open one, or the words in its place; its corner at
-/// `low`.
+/// Draws a small picture with its corner at `low`, pale while it is of another scene than the open one, or
+/// the words in its place.
 void draw_small(const SmallLook& look, int index, ImVec2 low);
 
 /// A click anywhere in it switches the mistake. True while it is pointed at. `index`: of its small picture.

@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-/// A linear colour, clamped: only of the explained sum is what the display makes of it known exactly.
+/// Clamps a linear colour: only for the explained sum is it known exactly what the display makes of it.
 ImU32 ink_of(glm::vec3 c) {
     return to_u32({std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f), 1});
 }
@@ -98,8 +98,8 @@ void mode_block(UiState& state, const Explanation& explanation, ShadingMode mode
     show_instead(state, other, fmt::format("{} shading", choice.label));
 }
 
-/// The shininess with which the other of Phong's and Blinn's highlights looks most like this one; a click
-/// takes model and shininess.
+/// Says with which shininess Blinn's highlight looks most like this one of Phong's; a click takes model and
+/// shininess.
 void like_line(UiState& state, const Explanation& explanation) {
     Scene& scene = state.editor.scene();
     const auto object = static_cast<std::size_t>(explanation.object_index);

@@ -58,8 +58,8 @@ struct LabelledPen : WorldPen {
     }
 };
 
-/// Lines of an object that is large beside what the camera looks at, a floor, are fainter: what stands on it
-/// is meant.
+/// Makes the lines of an object fainter if it is large beside what the camera looks at, such as a floor: what
+/// stands on it matters.
 float mesh_opacity(const Object& object, double reach) {
     const glm::dmat3 world(world_from_object(object.transform));
     const glm::dvec3 edges = glm::dvec3(object.mesh->bounds.max) - glm::dvec3(object.mesh->bounds.min);

@@ -115,9 +115,9 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
     tooltip("Forget this pixel", "Click the picture to pick another");
 }
 
-/// A square of the pixel's colour with its byte values, the pixel, and what it shows. A click on the object
-/// selects it, a click on the cross forgets the pixel. As high while no pixel is picked, when it says how to
-/// pick one: the tabs below it stay where they are.
+/// Draws a square of the pixel's colour, its byte values, the pixel, and what it shows. A click on the object
+/// selects it, a click on the cross forgets the pixel. Without a pixel it says how to pick one, at the same
+/// height, so that the tabs below it stay in place.
 void heading(UiState& state) {
     const Square square{ImGui::GetCursorScreenPos(), 2 * ImGui::GetTextLineHeight() + px(6)};
     if (state.explanation)

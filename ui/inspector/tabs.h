@@ -63,14 +63,13 @@ void mistakes_tab(UiState& state, const PictureView& view);
 /// How many mistakes are on.
 [[nodiscard]] int mistakes_on(const Mistakes& mistakes);
 
-// The matrices tab shows those of the camera with their numbers, and what they do: each light's position
-// carried into camera coordinates, the picked point on its way from the mesh to its pixel, with lighting's
-// place marked.
+// The matrices tab shows the camera's matrices and what they do: each light's position in camera coordinates,
+// and the picked point on its way from the mesh to its pixel, with the place of lighting marked.
 
 void matrices_tab(UiState& state, const PictureView& view);
 
-/// A light's position in both frames, w as in the scene: a direction stays a direction. The frames are those
-/// of the picture: `mistakes` may carry the light into wrong ones.
+/// A light's position in both frames, w as in the scene: a direction stays a direction. `mistakes` may carry
+/// the light into wrong frames, as they do in the picture.
 struct CarriedLight {
     glm::dvec4 world{0}, camera{0};
 };

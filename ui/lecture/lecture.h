@@ -41,7 +41,7 @@ void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view);
 /// hand.
 void pen_bar(PenState& pen, const PictureView& view);
 
-// The wedge has patches that differ little from their ground: a projector, in its room, tells some apart.
+// The wedge's patches differ little from their ground: a projector, in its room, tells only some apart.
 
 /// Differences in steps of 1/255 of the display's range.
 inline constexpr std::array<int, 10> wedge_steps{1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
@@ -76,8 +76,8 @@ void step_wedge(WedgeState& wedge);
 /// folder cannot be read.
 [[nodiscard]] std::vector<std::string> folder_scenes(const std::string& folder);
 
-/// The scene `step` places after `path` (before it, when negative) in its folder; for a path that is not in
-/// the list the one that would be next to it. Empty when there is none.
+/// Returns the scene `step` places after `path` (before it, if negative) in its folder; if `path` is not in
+/// the list, counted from where it would be. Empty if there is none.
 [[nodiscard]] std::string scene_beside(const std::string& path, int step);
 
 /// The scene `step` places after `path` (before it, when negative) among those that the program was given,

@@ -1,6 +1,6 @@
 #pragma once
-// A lesson made ready to be walked through: its scenes are loaded, its answers are computed, and it is cut
-// into stations, each with what is told, asked, shown and left to do. No drawing.
+// A lesson prepared for working through: its scenes are loaded, its answers computed, and it is cut into
+// stations, each with its text, questions, reveal and tasks. No drawing.
 
 #include <cstddef>
 #include <glm/vec2.hpp>
@@ -20,7 +20,7 @@ struct StationQuestion {
     RightAnswer right;
 };
 
-/// What is told behind the answer: text, or something to do.
+/// What follows the answer: text, or a task.
 struct StationPart {
     const std::vector<ProseBlock>* told = nullptr;  // one of the two
     const Task* task = nullptr;
@@ -50,7 +50,7 @@ struct Course {
 /// Whether a path names a lesson: it ends in .md.
 [[nodiscard]] bool is_lesson_file(const std::string& path);
 
-/// What somebody answers to a question, and whether it stands.
+/// An answer that somebody gives to a question, and whether it is final.
 struct GivenAnswer {
     JsonValue value;  // null: none is given yet
     bool locked = false, skipped = false;
@@ -61,7 +61,7 @@ struct GivenAnswer {
 /// An answer that was locked in counts as right where it is not farther off than the tolerance.
 [[nodiscard]] bool is_right(const StationQuestion& question, const GivenAnswer& given);
 
-/// How far somebody has come in a lesson: the same shape as its stations.
+/// How far somebody has come in a lesson; it has the shape of the lesson's stations.
 struct CourseProgress {
     std::size_t station = 0;
     std::vector<std::vector<GivenAnswer>> given;

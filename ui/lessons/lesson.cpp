@@ -27,7 +27,7 @@ void set_scene(UiState& state, const Scene& scene) {
     editor.selection = valid_selection(editor.selection, scene);
 }
 
-/// Whatever is shown in place of the picture, or over it, is not what the lesson speaks of.
+/// Closes whatever is shown in place of the picture or over it: the lesson does not speak of it.
 void put_all_away(UiState& state) {
     ViewsState& views = state.views;
     views.compare.choice.on = views.compare.choice.shows_stored = false;
@@ -62,7 +62,7 @@ void select_for_tasks(UiState& state) {
             else
                 continue;
             state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
-            // Nothing stands before what is looked at, where the object itself is to stay.
+            // The gizmo would hide what is looked at; it is needed only if the object itself is to move.
             if (pointer.find("/transform") == std::string::npos) state.viewport.gizmo = GizmoMode::None;
             return;
         }

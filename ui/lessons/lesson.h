@@ -19,7 +19,7 @@ namespace glint {
 struct UiState;
 struct PictureView;
 
-/// What a task's condition says of a scene.
+/// Which tasks of a station the scene `of` fulfils.
 struct WatchedTasks {
     Scene of;
     std::size_t station = 0;
@@ -50,33 +50,33 @@ struct LessonState {
     [[nodiscard]] const std::vector<GivenAnswer>& given() const { return progress.given[progress.station]; }
 };
 
-/// The lesson's column opens where it was left. Precondition: Course::document was put in hand, as
-/// take_scene() does.
+/// Opens the lesson's column where it was left. Precondition: Course::document is the open document, as
+/// take_scene() makes it.
 void begin_lesson(UiState& state, std::shared_ptr<const Course> course);
 /// The scene stays, the lesson goes.
 void leave_lesson(UiState& state);
 
-/// The open lesson's first question that waits for an answer at this station; nothing where none does.
+/// Returns the first question of this station that waits for an answer; nothing if none does.
 [[nodiscard]] std::optional<std::size_t> open_question(const LessonState& lesson);
-/// Whether such a question holds the picture: nothing of it can be changed or asked.
+/// Whether such a question holds the picture: then nothing of it can be changed or asked.
 [[nodiscard]] bool is_held(const UiState& state);
 
-/// To the next station or the one before, with its scene. At the ends it says so.
+/// Goes `steps` stations on, or back if negative, and shows the scene there. At the ends it says so.
 void go_on(UiState& state, int steps);
-/// What PgDn does: in a lecturer's hand it shows an open answer first.
+/// Does what PgDn and PgUp do; for a lecturer, PgDn first shows an open answer.
 void page_lesson(UiState& state, int steps);
 /// From the first station, with nothing answered.
 void begin_again(UiState& state);
 
 /// Whether what is given to the open question is an answer.
 [[nodiscard]] bool can_lock(const LessonState& lesson);
-/// The answer that is given stands; after the last one the answers are revealed.
+/// Makes the given answer final; after the station's last one, the answers are revealed.
 void lock_in(UiState& state);
 /// Shows all answers of the station; what was not locked in counts as not answered.
 void reveal_unanswered(UiState& state);
-/// The scene as the lesson has it here, as one step to undo.
+/// Restores the lesson's scene of this station, as one step to undo.
 void back_to_scene(UiState& state);
-/// Whether the scene is another than the lesson has it here. From where one looks counts too.
+/// Whether the scene differs from the lesson's here; a changed view counts too.
 [[nodiscard]] bool has_strayed(const UiState& state);
 
 /// Plays what the reveal lets go to and fro, or stops it.
@@ -86,10 +86,9 @@ void mark_in_equation(UiState& state, const Prediction& question);
 /// Asks about the pixel that the reveal names and leads to where the answer's number stands.
 void show_in_equation(UiState& state, const Prediction& question);
 
-/// Keeps the scene of an open question as it is, whatever was done in this frame. Before the picture is
-/// drawn.
+/// While a question waits, undoes whatever this frame did to its scene. Call it before the picture is drawn.
 void hold_lesson(UiState& state);
-/// Once a frame: the tasks' conditions are asked of the scene in hand; progress is written.
+/// Once a frame: tests the tasks' conditions on the scene in hand and writes the progress.
 void poll_lesson(UiState& state);
 
 /// The lesson's column: title, text, question, answer, tasks, and the ways on. Nothing without a lesson.
@@ -101,10 +100,10 @@ void lesson_column(UiState& state);
 [[nodiscard]] glm::dvec2 share_of_lesson_pixel(const UiState& state, glm::dvec2 pixel);
 [[nodiscard]] glm::dvec2 lesson_pixel_of_share(const UiState& state, glm::dvec2 share);
 
-/// The numbers of a sketch from A to B: one for each pixel.
+/// Returns the number of values in a sketch from A to B: one for each pixel.
 [[nodiscard]] std::size_t sketch_length(const Prediction& question);
-/// Draws with the hand: values from where it was to (number, value), others stay. Null values are not drawn
-/// yet.
+/// Draws with the mouse: values between `from` and `to`, each (number, value), follow the line; others stay.
+/// Null values are not drawn yet.
 void sketch(JsonValue& values, std::size_t count, glm::dvec2 from, glm::dvec2 to);
 
 }  // namespace glint

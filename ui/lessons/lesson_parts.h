@@ -1,5 +1,5 @@
 #pragma once
-// What the lesson's column and the quiz are made of, and the switch above the column.
+// The parts of the lesson's column and of the quiz, and the switch above the column.
 
 #include <imgui.h>
 
@@ -36,7 +36,7 @@ void revealed_answer(UiState& state, const StationQuestion& question, const Give
 /// What somebody has answered, in one line, while it is not revealed yet.
 [[nodiscard]] std::string given_words(const Prediction& question, const GivenAnswer& given);
 
-/// Into a lecturer's hand, or out of it: what was shown there was not looked at by a student.
+/// Switches the lecturer's mode: what was shown in it does not count as seen by a student.
 void switch_lecturer(UiState& state);
 
 /// Something to do: its words, its controls, and whether it is done.

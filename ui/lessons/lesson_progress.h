@@ -1,6 +1,6 @@
 #pragma once
-// How far one has come in which lesson, from one day to the next: a small JSON file beside the window's other
-// memory, read as untrusted.
+// Remembers how far one has come in each lesson: a small JSON file beside the window's other memory, read as
+// untrusted.
 
 #include <optional>
 #include <string>
@@ -19,12 +19,12 @@ struct LessonRecord {
     bool operator==(const LessonRecord&) const = default;
 };
 
-/// By what a lesson is remembered: its name where it comes with the program, else its absolute path.
+/// Returns the key of a lesson's record: its name if it comes with the program, else its absolute path.
 [[nodiscard]] std::string record_key(const std::string& folder, const std::string& path);
 
 /// As JSON: where one is, the score, and every answer.
 [[nodiscard]] JsonValue progress_json(const Course& course, const CourseProgress& progress);
-/// What progress_json() has written, for that lesson; nothing where it does not fit its questions any more.
+/// Reads what progress_json() has written for that lesson; nothing if it no longer fits the questions.
 [[nodiscard]] std::optional<CourseProgress> read_progress(const JsonValue& json, const Course& course);
 [[nodiscard]] std::optional<LessonRecord> read_record(const JsonValue& json);
 

@@ -1,6 +1,6 @@
 #pragma once
-// *Predict*: a pixel is picked, the picture stands still while the scene is changed, one says what the
-// pixel's colour will be, and then it is shown.
+// *Predict*: the user picks a pixel, changes the scene while the picture stands still, says what the pixel's
+// colour will be, and is shown what it is.
 
 #include <array>
 #include <glm/vec2.hpp>

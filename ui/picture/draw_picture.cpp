@@ -65,8 +65,8 @@ PictureSize size_for_memory(FramePace& pace, PictureSize paced, PictureSize full
     return paced.width < fitting.width ? paced : fitting;
 }
 
-/// Explains the pixel that shows at the asked one's place: of a smaller picture a larger pixel, which is the
-/// colour on the screen then.
+/// Explains the pixel at the asked place: in a smaller picture a larger pixel, whose colour is the one on the
+/// screen.
 void explain_asked(UiState& state, const PictureView& view) {
     state.explanation.reset();
     const auto asked = asked_pixel(state, view);
@@ -94,8 +94,8 @@ void picture_took(FramePace& pace, int divisor, double ms) {
     } else if (ms > 0.8 * pace.full_ms) {
         pace.in_vain = true;
     } else if (ms * pixels_fewer > pace.full_ms || ms * pixels_fewer < wanted_picture_ms / 2) {
-        // Dearer than thought, or cheap by far: small pictures have costs that do not shrink, so that in
-        // between nothing follows for a full one.
+        // The estimate was too low, or the small picture was very cheap: its fixed costs do not shrink, so
+        // times in between tell nothing about a full picture.
         pace.full_ms = ms * pixels_fewer;
     }
     if (pace.in_vain || pace.full_ms <= pace.slow_ms) {

@@ -1,5 +1,5 @@
 #pragma once
-// The picture is drawn when it must be, and as large as there is time for.
+// Draws the picture when it must be drawn, as large as there is time for.
 
 #include <optional>
 
@@ -13,8 +13,8 @@ namespace glint {
 
 struct UiState;
 
-// Keeps a drag fluent: when a picture of full size takes too long, smaller ones are drawn while the hand
-// moves, and the full one as soon as it rests. A state machine of its own: milliseconds in, a divisor out.
+// Keeps a drag fluent: if a full picture takes too long, smaller ones are drawn while something moves, and
+// the full one as soon as it rests. A state machine of its own: milliseconds in, a divisor out.
 
 /// A picture at full size that takes longer than this is drawn smaller while something moves.
 inline constexpr double slow_picture_ms = 33;
@@ -26,8 +26,8 @@ struct FramePace {
     bool in_vain = false;              // smaller ones are not faster: the time goes elsewhere
     double rests_since = 0;            // seconds on the clock that the caller keeps: the last change
     int drawn_at = 0;  // divisor of the picture drawn in this frame; 0: none was, or nothing moves
-    // For want of memory, pictures of this size are divided by that, hand or no hand. Now and then a larger
-    // one is tried.
+    // If memory does not suffice, pictures of this size are divided by that, whether or not something moves.
+    // Now and then a larger one is tried.
     PictureSize memory_divided{0, 0};
     int memory_divisor = 1;
     double memory_wait = 0, memory_rests_until = 0;  // seconds, on the clock as above
@@ -59,9 +59,9 @@ void picture_took(FramePace& pace, int divisor, double ms);
 /// is of no use.
 [[nodiscard]] const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size);
 
-/// The scene that the next picture shows in place of the edited one, with its meshes; nothing of it reaches
-/// the history or a file, and `explanation` stays what it was. Those that want one, in order: what is frozen,
-/// what is animated, what the mouse points at in the column, B.
+/// Returns the scene that the next picture shows in place of the edited one, with its meshes; nothing of it
+/// reaches the history or a file, and `explanation` stays what it was. The first that wants one wins: what is
+/// frozen, what is animated, what the mouse points at in the column, B.
 [[nodiscard]] std::optional<Scene> preview_of(const UiState& state);
 
 /// Whether `explanation` is there and names lights and objects by numbers that the open scene has.

@@ -29,8 +29,8 @@ void dolly(Camera& camera, glm::dvec2 cursor_px, double depth, double factor, Pi
 /// background.
 [[nodiscard]] double target_depth(const Camera& camera);
 
-/// Widens near and far to hold the whole of `bounds`, if `before` held it: moving the camera must not begin
-/// to cut the scene; a near plane that was set into the scene stays.
+/// Widens near and far to hold all of `bounds` if `before` held it: moving the camera must not start to cut
+/// the scene off. A near plane that was set into the scene stays.
 void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds);
 
 // The scene can be seen from the front, the side or above, in perspective or in parallel, and in views kept

@@ -101,7 +101,7 @@ bool leave_my_picture(UiState& state) {
     return true;
 }
 
-/// The innermost first.
+/// Escape runs the first of these that has something to leave: the innermost.
 const std::array left_by_escape{hand_tool.cancel, close_palette,   leave_dialog,      close_popup,
                                 cancel_loading,   close_shortcuts, close_wedge,       close_animate,
                                 pen_tool.cancel,  show_panels,     scope_tool.cancel, leave_prediction,

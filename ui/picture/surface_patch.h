@@ -1,5 +1,5 @@
 #pragma once
-// A patch is the surface that shows in a few pixels round one, with the slope of what is measured there.
+// A patch holds the surface in a few pixels round one, and measures the slope of a quantity there.
 
 #include <glm/vec2.hpp>
 #include <optional>
@@ -23,7 +23,7 @@ struct SurfaceView {
 /// background.
 [[nodiscard]] std::optional<SeenPoint> seen_at(const Renderer& renderer, PictureSize size, glm::dvec2 pixel);
 
-/// Square, 2 radius + 1 pixels a side, row by row. Pixels that show something else than the middle one
+/// A square of 2 radius + 1 pixels a side, row by row. Pixels that show something other than the middle one
 /// (another object, a part of it behind, a crease) are not used; in `points` the middle stands in for them.
 struct SurfacePatch {
     int radius = 0;

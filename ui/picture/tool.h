@@ -30,11 +30,11 @@ inline constexpr int not_taken = -1;
 
 /// Functions that a tool does not need are null.
 struct Tool {
-    /// While no button holds a tool: finds what is under the cursor, and forgets what was where the cursor is
-    /// not `over`. True when the cursor is this tool's: no tool after it is asked.
+    /// Called while no button holds a tool: finds what is under the cursor, and forgets it if the cursor is
+    /// not `over`. True if this tool takes the cursor: then no tool after it is asked.
     bool (*hover)(ToolFrame&) = nullptr;
-    /// A button may just have gone down on what hover() found. The button that holds the tool from now on
-    /// (ImGui's number), or not_taken.
+    /// Called when a button may have gone down on what hover() found. Returns the button that holds the tool
+    /// from now on (ImGui's number), or not_taken.
     int (*press)(ToolFrame&) = nullptr;
     /// Called in every frame while it is held. False when there is nothing to drag any more.
     bool (*drag)(ToolFrame&) = nullptr;

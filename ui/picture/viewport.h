@@ -1,5 +1,5 @@
 #pragma once
-// The picture is used by hand: by a press, a drag, a click and the wheel.
+// Handles presses, drags, clicks and the wheel on the picture.
 
 #include <glm/vec2.hpp>
 #include <optional>
@@ -27,7 +27,7 @@ struct ViewportState {
     Grip hovered_grip, pressed_grip;      // under the cursor now, and when the button went down
     Held held;                            // under Gesture::Hand
     HeldEffect effect;                    // under Gesture::Effect
-    std::optional<MainLight> main_light;  // of several, at the pixel under a cursor that holds nothing
+    std::optional<MainLight> main_light;  // of several lights, the one that counts most under a free cursor
     GizmoMode gizmo = GizmoMode::Move;
     std::optional<glm::dvec3>
         pivot;     // what GizmoMode::Rotate turns about, world coordinates; else where the gizmo stands
@@ -54,15 +54,15 @@ void ask_as_before(ViewportState& state);
 /// surfaces of the open scene.
 void find_main_light(ViewportState& state, const ViewportFrame& frame, glm::dvec2 cursor_px);
 
-/// From now on the selected light (where none is, the one that matters most under the cursor) follows the
-/// cursor by its effect, until a click keeps it or cancel_gesture() puts it back. Nothing without a light.
+/// Lets the selected light (if none is, the one that matters most under the cursor) follow the cursor by its
+/// effect until a click keeps it or cancel_gesture() puts it back. Does nothing without a light.
 void begin_effect(ViewportState& state, Scene& scene, Selection& selection, LightEffect effect);
 void follow_effect(ViewportState& state, const ViewportFrame& frame, glm::dvec2 cursor_px);
 [[nodiscard]] HandNote note_of(const HeldEffect& held, const Scene& scene);
 [[nodiscard]] std::string hint_of(const HeldEffect& held);
 
-/// Keeps the pixels asked about on their points when the picture gets another shape, and with it another
-/// field. One may come to lie outside; there it waits until the picture is wide enough again.
+/// Keeps the pixels asked about on their points when the picture gets another shape, and so another field of
+/// view. A pixel may come to lie outside; it waits there until the picture is wide enough again.
 void follow_shape(ViewportState& state, const Projection& projection, PictureSize size);
 
 /// The pixel asked about, in a picture of this size; none when it lies outside.

@@ -57,8 +57,8 @@ struct PlotPoint {
     const ExplainedPoint* at = nullptr;
     const Material* material = nullptr;
 };
-/// Takes the one of several lit points (corners) that counts most in the pixel, and an area light's middle
-/// sample.
+/// Takes, of several lit points (corners), the one that counts most in the pixel; of an area light, its
+/// middle sample.
 [[nodiscard]] PlotPoint plot_point(const std::optional<Explanation>& explanation, int light);
 
 /// The mark's place on each plot, read off the explanation.
@@ -103,8 +103,8 @@ struct PlotSubject {
 [[nodiscard]] std::vector<glm::dvec2> inverse_square(const std::vector<glm::dvec2>& falloff,
                                                      const PlotPoint& point);
 
-/// The light whose curves are shown, in Scene::lights: the one whose vectors are (ui/inspector), or the
-/// selected one where no pixel is picked, else the first.
+/// Returns the index in Scene::lights of the light whose curves are shown: the selected one, else the one
+/// whose vectors are shown (ui/inspector), else the first.
 [[nodiscard]] int plotted_light(const UiState& state);
 
 /// Room for a plot: as wide as the window, `height` logical pixels high; moves the cursor below it.

@@ -131,7 +131,7 @@ static std::vector<fs::path> entries_of(const std::string& folder) {
     return entries;
 }
 
-/// A window that was killed before it wrote its copy has left the lock of it alone. Taking it removes it.
+/// Removes, by taking it, a lock whose window was killed before it wrote its copy.
 static void remove_left_lock(const fs::path& path) {
     std::error_code failed;
     fs::path copy = path;

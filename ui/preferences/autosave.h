@@ -1,7 +1,7 @@
 #pragma once
-// A copy of unsaved work, kept beside the window's memory while it is unsaved, and found again after a crash.
-// Each window has a file of its own and holds a lock while it lives: a copy whose lock is free was left by a
-// window that is gone.
+// Keeps a copy of unsaved work beside the window's memory, to be found again after a crash. Each window has a
+// file of its own and holds a lock while it lives: a copy whose lock is free was left by a window that is
+// gone.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace glint {
 
-/// The right to a copy: a lock file beside it, held until this is destroyed or the process ends, however.
+/// The right to a copy: a lock file beside it, held until this is destroyed or the process ends in any way.
 class AutosaveLock {
   public:
     /// Takes the lock of the copy `path`, making its file; nothing when another holds it.
@@ -54,7 +54,7 @@ struct OrphanedAutosave {
 /// The document of a copy, its meshes loaded; where it was opened from is its path again.
 [[nodiscard]] Result<SceneDocument> open_autosave(const std::string& path);
 
-// Several windows share the folder: what they read, change and write there they do one at a time.
+// Several windows share the folder: only one at a time may read, change and write there.
 
 /// The right to the folder among those who ask for it this way, held until this is destroyed. Never waits.
 class FolderLock {

@@ -80,7 +80,7 @@ void note_preferences(UiState& state) {
     memory.written = memory.preferences;
 }
 
-/// Once, until a copy could be written again.
+/// Says that the copy failed, once until a copy could be written again.
 void tell_failed_autosave(UiState& state, const Problem& problem) {
     state.persistence.autosaved_scene.reset();  // the next one is tried in its time
     if (std::exchange(state.persistence.autosave_failed, true)) return;
@@ -90,7 +90,7 @@ void tell_failed_autosave(UiState& state, const Problem& problem) {
                                         problem.text()));
 }
 
-/// What has come of it, as a problem where there was no memory for it. Precondition: it is valid.
+/// Returns the result of the writing; a problem if there was no memory for it. Precondition: it is valid.
 Result<std::monostate> result_of(std::future<Result<std::monostate>>& writing) {
     try {
         return writing.get();

@@ -19,9 +19,9 @@ struct UiState;
 // What the window remembers from one day to the next: theme, columns, its size, how the picture is looked at.
 // It stands in a small JSON file, which is read as untrusted.
 
-/// How it is looked at where one asks for it, and the views that were kept by hand. What stands in place of
-/// the picture or over it (comparison, scope, false colours, needles) is asked for anew in each window: a
-/// picture that begins in false colours reads as a broken one.
+/// How the picture is looked at, and the views kept by hand. What stands over the picture or in place of it
+/// (comparison, scope, debug views, needles) begins switched off: a picture that begins in false colours
+/// reads as a broken one.
 struct ViewPreferences {
     CompareChoice compare;  // off, and without its B: a scene is not a preference
     glm::dvec2 scope_from{0.02, 0.5}, scope_to{0.98, 0.5};  // shares of the picture's size
@@ -64,11 +64,11 @@ inline constexpr std::size_t max_recent_files = 12;
                                                         const std::string& path);
 
 struct Persistence {
-    std::string folder;                    // empty: nothing is remembered
-    std::vector<std::string> recent;       // newest first
-    Preferences preferences, written;      // as they are; as the file has them
-    double preferences_changed = 0;        // ImGui's time
-    std::string opened;                    // the path of the open file, that stands first among the recent ones
+    std::string folder;                // empty: nothing is remembered
+    std::vector<std::string> recent;   // newest first
+    Preferences preferences, written;  // as they are; as the file has them
+    double preferences_changed = 0;    // ImGui's time
+    std::string opened;                // the path of the open file, that stands first among the recent ones
     std::optional<AutosaveLock> autosave;  // of the unsaved work, while there is some
     std::optional<Scene> autosaved_scene;  // what it holds, or will when it is written
     double autosaved_at = -1e9;            // ImGui's time
@@ -92,7 +92,7 @@ void begin_persistence(UiState& state, const std::string& folder);
 /// Once a frame: saves preferences that have been unchanged for a second, the recent files, and unsaved work.
 void poll_persistence(UiState& state);
 
-/// The scene was saved, or is given up: its copy goes. For a window that closes too.
+/// Removes the copy once the scene is saved or given up, also when the window closes.
 void drop_autosave(UiState& state);
 
 /// Writes at once what would be written later.

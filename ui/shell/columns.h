@@ -16,8 +16,8 @@ struct UiState;
 /// ImGui's current font is the one that the caption is written in.
 [[nodiscard]] Layout window_layout(const UiState& state);
 
-/// The least width at which `text`, in ImGui's current font, takes no more lines than at `width`: they are
-/// about equally long then, and none is a word alone. At most `width`.
+/// Returns the least width at which `text`, in ImGui's current font, takes no more lines than at `width`: the
+/// lines are then about equally long, and none is a single word. At most `width`.
 [[nodiscard]] float even_width(const std::string& text, float width);
 
 /// What the open scene says of itself, below the picture.

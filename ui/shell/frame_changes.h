@@ -1,5 +1,5 @@
 #pragma once
-// What of the window a frame draws otherwise than the one before. The rest is still there and need not be
+// Finds the parts of the window that a frame draws differently from the one before. The rest need not be
 // drawn again: in software, panels full of text take longer than the picture.
 
 #include <imgui.h>
@@ -20,10 +20,9 @@ struct DrawnList {
 /// Compares what ImGui draws in this frame to what it drew in the last.
 class FrameChanges {
   public:
-    /// Rects in ImGui's units, none of them empty and none overlapping another, that hold every pixel which
-    /// `data` draws otherwise than the data of the call before; none when nothing changed, the whole display
-    /// at the first call and when its size changed. Textures are compared by name: what is in them is not
-    /// seen.
+    /// Returns rects in ImGui's units, none empty and no two overlapping, that hold every pixel which `data`
+    /// draws differently from the call before: none if nothing changed, the whole display at the first call
+    /// or when its size changed. Textures are compared by name, not by what is in them.
     [[nodiscard]] std::vector<Rect> update(const ImDrawData& data);
 
   private:
@@ -31,7 +30,7 @@ class FrameChanges {
     ImVec2 size_{-1, -1};
 };
 
-/// Adds a rect to those that do not overlap: those that it touches become one with it, and at most
+/// Adds a rect to those that do not overlap, joining it with those that it overlaps; at most
 /// `max_changed_rects` stay.
 void add_rect(std::vector<Rect>& rects, Rect rect);
 

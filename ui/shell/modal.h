@@ -2,9 +2,9 @@
 // The dialogs that hold up the window until they are answered, and the one rule for all of them: one at a
 // time, begun after every other window of the frame.
 //
-// A window of ImGui that appears after a modal has begun for the first time, outside of it, ends the
-// program (imgui.cpp, FindBlockingModal). Two keys in one slow frame are enough to open both. So dialogs()
-// stands last in a frame, and what asks for a dialog only says so in UiState.
+// ImGui ends the program if a window appears, outside of a modal, after that modal has begun for the first
+// time (imgui.cpp, FindBlockingModal). Two keys in one slow frame are enough to open both. So dialogs()
+// stands last in a frame, and whoever asks for a dialog only says so in UiState.
 
 #include <imgui.h>
 
@@ -23,8 +23,8 @@ enum class Modal { None, Unsaved, Changed, Files, Export, Examples, Lessons, Qui
 /// Answers it as Escape does: nothing happens.
 void leave_modal(UiState& state);
 
-/// Before any window of a frame: a dialog that nobody asks for any more is taken off ImGui's list. A modal
-/// that is no longer drawn would hold up every window that appears.
+/// Takes a dialog that nobody asks for any more off ImGui's list, before any window of a frame: a modal that
+/// is no longer drawn would hold up every window that appears.
 void close_left_modal(const UiState& state);
 
 /// Opens the dialog `id` if it is not open yet and begins it; true: draw it, then ImGui::EndPopup().

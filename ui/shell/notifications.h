@@ -22,10 +22,10 @@ struct Notification {
 
 struct Notifications {
     std::vector<Notification> list;
-    bool owes_no_memory = false;  // that memory ran out, when it did not suffice to say so
+    bool owes_no_memory = false;  // memory ran out, and did not even suffice to say so
 
     void add(Tone tone, const std::string& text);
-    /// What a key did, for a moment, in place of what the key before it did.
+    /// Tells for a moment what a key did, in place of what the key before it did.
     void tell(const std::string& text);
     void add(const Problem& problem) { add(Tone::Error, problem.text()); }
     void add(const Warnings& warnings);

@@ -42,8 +42,8 @@ struct Variant {
 /// "Gouraud", "As edited", "B".
 [[nodiscard]] std::string label_of(Variant variant);
 
-/// The scene that a setting shows, seen by the edited scene's camera. Stored without a stored scene (null),
-/// and Mine: as edited.
+/// Returns the scene that a variant shows, seen by the edited scene's camera. Mine, and Stored without a
+/// stored scene (null), show the edited scene.
 [[nodiscard]] Scene scene_under(Variant variant, const Scene& edited, const Scene* stored);
 
 /// A comparison as it is chosen; changes to it change the picture.
@@ -94,8 +94,8 @@ struct DrawnScene {
 /// The part that this column (stacked: row) shows.
 [[nodiscard]] int part_at(const CompareChoice& choice, int along, int length);
 
-/// Draws every part and composes them: each pixel is that of its part's full picture. With a difference,
-/// that of the first and the last part, and `numbers`. Linear colours are composed where `drawn` has them.
+/// Draws every part and composes them: each pixel is that of its part's full picture. A difference shows the
+/// first against the last part and fills `numbers`. Linear colours are composed if `drawn` has them.
 const Picture& compose(CompareState& state, const DrawnScene& drawn);
 
 /// The part in which pixel (x, y) of the composed picture lies; -1 when no parts are shown.

@@ -10,8 +10,8 @@
 
 namespace glint {
 
-/// Leads from the pixels of one picture to those of another that the same camera sees: `scale` times the
-/// place, plus `offset`, in pixels of the other.
+/// Maps the pixels of one picture to those of another that the same camera sees: `scale` times the position,
+/// plus `offset`, in pixels of the other.
 struct PixelsBetween {
     glm::dvec2 scale{1}, offset{0};
 
@@ -23,9 +23,9 @@ struct PixelsBetween {
 [[nodiscard]] std::optional<glm::ivec2> pixel_in(const PixelsBetween& between, glm::ivec2 pixel,
                                                  PictureSize to);
 
-/// `picture` (bytes) at the size of `shown`, a picture of `scene`: each pixel the one that lies there. What
-/// it does not reach is grey, or as `shown` has it where `fills`. Linear colours, of the bytes, where `shown`
-/// has them.
+/// Returns `picture` (bytes) at the size of `shown`, a picture of `scene`: each pixel is the one that lies
+/// there. What `picture` does not reach is grey, or taken from `shown` if `fills`. Linear colours are made
+/// from the bytes if `shown` has them.
 [[nodiscard]] Picture fitted_picture(const Picture& picture, const Scene& scene, const Picture& shown,
                                      bool fills);
 

@@ -31,11 +31,11 @@ struct GridCell {
 /// and without cool-to-warm shading or a clamp of each light.
 [[nodiscard]] Scene with_cells(const Scene& scene, const std::vector<GridCell>& shown);
 
-/// How often brighter a term is shown so that it can be seen: a power of 2, at most 16, with which the
-/// brightest twentieth of its lit pixels may exceed 1 but no others do. 0 where it adds nothing anywhere.
-/// `drawn` is its picture, with Picture::linear; background does not count.
+/// Returns by how much a term is brightened so that it can be seen: a power of 2, at most 16, with which only
+/// the brightest twentieth of its lit pixels may exceed 1. 0 if the term adds nothing anywhere. `drawn`: its
+/// picture, with Picture::linear; background does not count.
 [[nodiscard]] int gain_of(const Renderer& drawn_by, const Picture& drawn, float exposure);
-/// The scene with its surfaces so often brighter, the background as it is.
+/// Returns the scene with its surfaces `gain` times as bright, and the background as it is.
 [[nodiscard]] Scene brightened(Scene scene, int gain);
 
 struct TermGridState {

@@ -55,8 +55,8 @@ void update_shown(UiState& state) {
     views.shown_from = from;
 }
 
-/// The picked pixel is explained by what drew the part in which it lies: nothing is, when that is B with
-/// other lights or objects, of whose numbers the columns make those of the edited scene.
+/// Lets the renderer of the picked pixel's part explain it. Nothing is explained if that part is B with other
+/// lights or objects: the columns would take their numbers for the edited scene's.
 void ask_part(UiState& state) {
     if (!state.explanation || !(state.rendered_scene == state.editor.scene())) return;
     const CompareState& compare = state.views.compare;

@@ -64,7 +64,7 @@ void update_lit_dots(LitDotsState& state, const Renderer& renderer, PictureSize 
 void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const Renderer& renderer, const Scene& scene,
                    const PictureView& view);
 
-/// The shown picture is made from this, beside the drawn one: as long as it stays, so does the picture.
+/// What the shown picture is made from, beside the drawn one; it is composed again when this changes.
 struct ShownFrom {
     CompareChoice compare;
     DebugViewSet debug_view;

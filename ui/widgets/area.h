@@ -38,8 +38,8 @@ struct Rect {
 /// Where the item drawn last lies.
 [[nodiscard]] inline Rect last_item() { return {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}; }
 
-/// Without a ground of their own: the window is cleared to the colour of panels, which a graphics card of
-/// software does far faster than it blends a rectangle of the same size.
+/// The window's parts draw no background: the window is cleared to the colour of panels, which software
+/// rendering does far faster than it blends a rectangle of the same size.
 inline constexpr ImGuiWindowFlags fixed_window =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground;

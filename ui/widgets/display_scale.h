@@ -21,10 +21,10 @@ struct DisplayScale {
     bool operator==(const DisplayScale&) const = default;
 };
 
-/// The scale that fits `extent`, `before` being the one in use. Dots per logical pixel stay within 0.75
-/// and 4, dots per unit within 0.5 and 4. A window that is being resized or has no area keeps its dots per
-/// unit, and so does one whose ratio differs by what rounding to whole dots makes: fonts are rebuilt only for
-/// a true change.
+/// Returns the scale that fits `extent`, `before` being the one in use. Dots per logical pixel stay within
+/// 0.75 and 4, dots per unit within 0.5 and 4. Dots per unit stay as they are while a window is resized, if
+/// it has no area, or if the ratio differs only by rounding to whole dots: fonts are rebuilt only for a true
+/// change.
 [[nodiscard]] DisplayScale display_scale(const WindowExtent& extent, const DisplayScale& before);
 
 }  // namespace glint

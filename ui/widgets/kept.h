@@ -12,7 +12,7 @@ namespace glint {
 
 template <class Key, class Value> class Kept {
   public:
-    /// Whether the result is that of `key`, as long as none differs from it by ==.
+    /// Whether the kept result is that of `key`, compared by ==.
     [[nodiscard]] bool is_of(const Key& key) const { return key_ == key; }
     /// What was kept last, of whatever key; null before the first.
     [[nodiscard]] const Value* value() const { return key_ ? &value_ : nullptr; }

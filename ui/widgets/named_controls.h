@@ -1,6 +1,6 @@
 #pragma once
-// Where the controls of a frame stand, by their names: tests find them so, instead of trying pixel after
-// pixel. The program lists none.
+// Lists the controls of a frame by name and place, so that tests find them without trying pixel after pixel.
+// The program itself lists none.
 
 #include <string>
 #include <vector>
@@ -20,8 +20,8 @@ struct NamedControl {
 /// Takes what is drawn from now on; null: nothing is listed.
 void list_controls_in(std::vector<NamedControl>* list);
 
-/// tooltip() calls this of the item drawn last; whoever draws what can be pointed at but has no tooltip calls
-/// it.
+/// Lists a control. tooltip() does so for the item drawn last; whoever draws something to point at without a
+/// tooltip calls this.
 void list_control(const char* name, const std::string& key, const Rect& at);
 
 }  // namespace glint

@@ -36,8 +36,8 @@ struct Theme {
 /// every ground that they stand on.
 [[nodiscard]] const Theme& projector_theme(bool dark);
 
-/// The ground of what is chosen, under the mouse (`pressed`: and pressed): a little away from accent_text, so
-/// that what stands upon it is read better, not worse.
+/// The background of what is chosen, while pointed at (`pressed`: and pressed): moved away from accent_text,
+/// so that the text upon it stays legible.
 [[nodiscard]] ImVec4 accent_pointed_at(const Theme& theme, bool pressed);
 
 /// The theme applied last.

@@ -73,7 +73,7 @@ std::optional<int> blocker(const Scene& scene, glm::dvec3 point, glm::dvec3 to_l
         if (!object.mesh || !object.visible) continue;
         const glm::dmat4 world = glm::dmat4(world_from_object(object.transform));
         const double volume = glm::determinant(glm::dmat3(world));
-        if (!std::isfinite(volume) || volume == 0) continue;  // squashed flat: no way back to its own
+        if (!std::isfinite(volume) || volume == 0) continue;  // squashed flat: the transform has no inverse
         const glm::dmat4 back = glm::inverse(world);
         const Ray ray{glm::dvec3(back * glm::dvec4(point, 1)), glm::dvec3(back * glm::dvec4(way, 0))};
         const glm::dvec3 size = glm::dvec3(object.mesh->bounds.max) - glm::dvec3(object.mesh->bounds.min);

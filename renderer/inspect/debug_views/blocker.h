@@ -1,6 +1,6 @@
 #pragma once
-// What stands between a point and a light. The picture does not ask: illumination here is local, no object
-// keeps light from another (lecture: "Local vs. Global Illumination"). This says where that shows.
+// Finds what stands between a point and a light. The picture does not use it: illumination is local, and no
+// object casts a shadow on another (lecture: "Local vs. Global Illumination"). This shows where that matters.
 
 #include <glm/vec3.hpp>
 #include <optional>
@@ -9,11 +9,10 @@
 
 namespace glint {
 
-/// The index of an object of which a face lies on the way from `point` (world coordinates) towards `to_light`
-/// (not zero), before the light, which is `distance` scene units away; 0: infinitely far. The object nearest
-/// to the point; nothing when the way is free. Faces within a thousandth of their object's size of the point
-/// do not count: it lies on one, and next to a coarse mesh's facets a smooth normal sees light that they
-/// would block.
+/// Returns the index of the nearest object with a face between `point` (world coordinates) and a light in the
+/// direction `to_light` (not zero), `distance` scene units away (0: infinitely far); nothing when the way is
+/// free. Faces within a thousandth of their object's size of the point do not count: the point lies on one,
+/// and next to the facets of a coarse mesh a smooth normal sees light that they would block.
 [[nodiscard]] std::optional<int> blocker(const Scene& scene, glm::dvec3 point, glm::dvec3 to_light,
                                          double distance);
 

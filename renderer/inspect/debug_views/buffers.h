@@ -1,5 +1,5 @@
 #pragma once
-// What lies behind every pixel, as pictures of numbers: for people who check a renderer of their own.
+// Writes the numbers behind every pixel as pictures, for people who check a renderer of their own.
 
 #include <functional>
 #include <string>
@@ -18,9 +18,8 @@ struct PixelBuffer {
 /// The names of a scene's buffers, in the order in which a program makes them. Background has 0 unless said;
 /// camera coordinates, scene units; scalars stand in all three numbers.
 ///   face                      1 where a surface shows, its object's number, its face's number (from 0)
-///   position, depth, normal   of the pixel's own point, which under flat and gouraud is not lit; depth is
-///   the
-///                             distance in front of the camera
+///   position, depth, normal   of the pixel's own point, which under flat and gouraud is not lit;
+///                             depth is the distance in front of the camera
 ///   side                      1 front, -1 back, by the winding on the screen
 ///   view                      unit, to the eye
 ///   l_N, n_dot_l_N            unit, to light N of Scene::lights; its cosine, not clamped; not of area lights
@@ -32,15 +31,15 @@ struct PixelBuffer {
 /// lit.
 [[nodiscard]] std::vector<std::string> buffer_names(const Scene& scene);
 
-/// Those of `names`, some of buffer_names(), of the last picture, which shows `scene` with one sample a
-/// pixel.
+/// Returns the buffers `names`, some of buffer_names(), of the renderer's last picture, which must show
+/// `scene` with one sample a pixel.
 [[nodiscard]] std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, const Scene& scene,
                                                      PictureSize size, const std::vector<std::string>& names);
 
 /// So many at once take about as much memory as drawing the picture.
 inline constexpr std::size_t buffers_at_once = 12;
-/// Visits those of `names`, some of buffer_names(), in their order, until `visit` returns false. Each pixel
-/// is explained once for as many buffers as are worked out at once.
+/// Calls visit() with the buffers `names`, some of buffer_names(), in their order, until it returns false.
+/// Buffers are computed `buffers_at_once` at a time, and each pixel is explained once each time.
 void visit_pixel_buffers(const Renderer& renderer, const Scene& scene, PictureSize size,
                          const std::vector<std::string>& names,
                          const std::function<bool(const PixelBuffer&)>& visit);

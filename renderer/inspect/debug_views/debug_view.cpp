@@ -22,7 +22,7 @@ template <class PixelWork> void for_pixels(PictureSize size, const PixelWork& wo
     });
 }
 
-/// Unit, camera coordinates.
+/// The unit direction to the eye, camera coordinates.
 glm::vec3 towards_eye(const SeenPoint& seen, bool parallel) {
     return parallel ? glm::vec3(0, 0, 1) : -glm::normalize(seen.position);
 }
@@ -70,7 +70,7 @@ void DebugViewPainter::measure_angles(const Scene& scene, PictureSize size) {
     for_pixels(size, [&](std::size_t i, int x, int y) {
         if (renderer_->object_at(x, y) < 0) return;
         const glm::dvec3 a = smooth.linear_at(x, y), b = facet.linear_at(x, y);
-        // Of the half angle: its sine keeps its digits where the angle is small.
+        // Computed from the half angle, whose sine keeps its digits where the angle is small.
         values_[i] = static_cast<float>(2 * std::atan2(glm::length(a - b), glm::length(a + b)) * 180 /
                                         std::numbers::pi);
     });

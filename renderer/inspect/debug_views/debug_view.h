@@ -1,8 +1,8 @@
 #pragma once
-// Quantities behind the picture, as pictures of their own: what a drop-down lets one see in place of the
-// colours. None has a formula of its own: a normal is what three suns along the camera's axes make of a white
-// surface by Lambert's law without its clamp, and n.l what the light in question makes of it. So the equation
-// itself measures them, as fast as it draws.
+// Debug views: quantities behind the picture, shown in place of its colours. None has a formula of its own. A
+// normal is the picture of a white surface under Lambert's law without its clamp, lit by three directional
+// lights along the camera's axes; n.l is its picture under the light in question. So the equation itself
+// measures them, as fast as it draws.
 
 #include <array>
 #include <cstdint>
@@ -57,13 +57,13 @@ struct DebugViewScale {
     std::string unit;
 };
 
-/// The colour, 0 to 255, of a value on a scale: of NDotL with its break at 0, else from dark to light.
+/// The colour, 0 to 255, of a value on a scale: from dark to light, or for NDotL two ramps with a break at 0.
 /// Values outside take the ends' colours.
 [[nodiscard]] std::array<std::uint8_t, 3> debug_view_color(DebugView view, const DebugViewScale& scale,
                                                            double value);
 /// The colour of a normal: (n + 1) / 2.
 [[nodiscard]] std::array<std::uint8_t, 3> normal_color(glm::vec3 normal);
-/// The colour of a face: neighbours in the file lie far apart.
+/// The colour of a face: neighbours in the file get very different colours.
 [[nodiscard]] std::array<std::uint8_t, 3> face_color(std::uint64_t number);
 /// Blue in front, red behind; darker where the surface is seen from the side.
 [[nodiscard]] std::array<std::uint8_t, 3> side_color(bool front, double n_dot_v);
@@ -74,8 +74,8 @@ class DebugViewPainter {
   public:
     explicit DebugViewPainter(int threads);
 
-    /// Paints what the choice shows of `scene`, which `drawn_by` has drawn last at this size. A light that
-    /// does not exist is the last one there is; a scene without lights has n.l nowhere. Background is dark
+    /// Paints what the choice shows of `scene`, which `drawn_by` has drawn last at this size. A light index
+    /// beyond the last stands for the last light; without lights, n.l is shown nowhere. Background is dark
     /// grey.
     const Picture& paint(DebugViewChoice choice, const Scene& scene, const Renderer& drawn_by,
                          PictureSize size);

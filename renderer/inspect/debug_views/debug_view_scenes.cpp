@@ -6,7 +6,7 @@
 namespace glint {
 namespace {
 
-/// Switches off those for which keep(mistake) is false.
+/// Switches off the mistakes for which keep(mistake) is false.
 template <class Keep> void keep_mistakes(Mistakes& mistakes, const Keep& keep) {
     for (const MistakeName& m : mistake_names()) mistakes.*m.flag &= keep(m);
 }
@@ -54,7 +54,7 @@ Scene normal_scene(const Scene& scene, bool facet) {
     Scene s = measuring_scene(scene);
     s.shading.mode = facet ? ShadingMode::Facet : ShadingMode::Phong;
     keep_mistakes(s.shading.mistakes, [](const MistakeName& m) { return m.stage != MistakeStage::Lights; });
-    // Cook-Torrance's diffuse term is Lambert's too, but of its shares none is rounded (rounding.h).
+    // Cook-Torrance's diffuse term is Lambert's too, but its shares are not rounded (rounding.h).
     s.shading.reflection = Reflection::CookTorrance;
     s.lights = {sun_along({1, 0, 0}), sun_along({0, 1, 0}), sun_along({0, 0, 1})};
     return s;

@@ -32,7 +32,7 @@ std::string font_path() {
     return {};
 }
 
-/// The character at the start of `text`, which is shortened by it.
+/// Takes the first character off `text` and returns it.
 char32_t take_character(std::string_view& text) {
     const std::size_t length = utf8_length(text);
     const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };

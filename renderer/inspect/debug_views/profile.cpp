@@ -21,8 +21,8 @@ void difference(std::vector<ProfileSample>& s) {
         s[i].second_difference = *s[i + 1].first_difference - *s[i].first_difference;
 }
 
-/// The samples' mean about number `at`, weighted by a Gaussian. At an end of the line the window is cut on
-/// both sides, so that an even rise stays one.
+/// The mean of the samples around sample `at`, weighted by a Gaussian. Near an end of the line the window is
+/// cut on both sides, so that an even rise stays one.
 double gaussian_mean(const std::vector<ProfileSample>& samples, std::ptrdiff_t at, double deviation_px,
                      double step_px) {
     const std::ptrdiff_t wanted = saturated_int(std::ceil(4 * deviation_px / step_px));

@@ -1,6 +1,6 @@
 #pragma once
-// Intensity along a line drawn on the picture, with its differences: what shows Mach bands, whose cause is a
-// jump of the first one. Lecture: "Gouraud Shading Artifacts" (Mach bands: discontinuity of the first
+// Intensity along a line drawn on the picture, with its differences. They show Mach bands, which a jump of
+// the first difference causes. Lecture: "Gouraud Shading Artifacts" (Mach bands: discontinuity of the first
 // derivative).
 
 #include <glm/vec2.hpp>
@@ -34,12 +34,12 @@ struct ProfileSample {
 [[nodiscard]] std::vector<ProfileSample> profile(const Renderer& renderer, const Picture& picture,
                                                  glm::ivec2 from, glm::ivec2 to);
 
-/// What an eye makes of the samples' intensity: I + (c - s), c and s the means under a narrow and a wide
-/// Gaussian of standard deviations 1 and `surround_px` (> 1) pixels along the line, cut at four deviations
-/// and at the line's ends. The weights of a mean sum to 1, so that even and evenly rising intensities stay
-/// as they are, and only where the slope changes a band appears: dark before a rise, bright after it. One
-/// value a sample. Source: the receptive field as a difference of Gaussians (R. Rodieck 1965); F. Ratliff,
-/// "Mach Bands" (1965).
+/// Returns the intensities as an eye perceives them: I + (c - s), where c and s are the means under a narrow
+/// and a wide Gaussian of standard deviations 1 and `surround_px` (> 1) pixels along the line, cut at four
+/// deviations and at the line's ends. The weights of a mean sum to 1, so that constant and evenly rising
+/// intensities stay as they are, and a band appears only where the slope changes: dark before a rise, bright
+/// after it. One value a sample. Source: the receptive field as a difference of Gaussians (R. Rodieck 1965);
+/// F. Ratliff, "Mach Bands" (1965).
 [[nodiscard]] std::vector<double> perceived(const std::vector<ProfileSample>& samples, double surround_px);
 
 /// A header and a line for each sample; what a sample does not have is an empty field. Numbers in the

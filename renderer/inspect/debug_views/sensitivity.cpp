@@ -44,7 +44,8 @@ class PixelProbe {
             return std::nullopt;
         if (!number.moves_faces && !lights_cull(scene))
             return color_of(still_.explain_as(scene, x_, y_), scene);
-        // What decides which face the pixel shows, or what is drawn over it: the picture is drawn anew.
+        // A number that decides which face the pixel shows, or what is drawn over it: the picture is drawn
+        // again.
         (void)moved_.render(scene, size_);
         return color_of(moved_.explain(x_, y_), scene);
     }
@@ -62,7 +63,7 @@ class PixelProbe {
 
 double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// What a number does to the pixel, a unit of it.
+/// The change of the pixel for each unit of a number.
 struct Slope {
     glm::dvec3 change{0};
     bool is_fixed = false, one_sided = false, is_none = true;
@@ -79,9 +80,9 @@ Slope slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& moved, 
     return found;
 }
 
-/// The slope over a thousandth of the number. Where that changes the pixel by little more than its last
-/// digits, as for a number near 0, the slope over a larger step, if the two differ by no more than these
-/// digits.
+/// Returns the slope over a thousandth of the number. Where that changes the pixel by little more than its
+/// last digits, as for a number near 0, it returns the slope over a larger step, if the two differ by no more
+/// than those digits.
 Slope clear_slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& moved) {
     constexpr double last_digits = 0x1p-20;
     const double h = 1e-3 * std::max(std::abs(moved.value), 0.1), wide = 1e-2 * std::abs(usual_move(moved));

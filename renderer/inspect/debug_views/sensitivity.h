@@ -37,7 +37,7 @@ struct Sensitivities {
 /// More lights than these are a problem: every number of each would take two pictures.
 inline constexpr std::size_t max_sensitivity_lights = 64;
 
-/// The work in steps, for a window that must not wait for all of it.
+/// Measures the sensitivities step by step, for a window that must not wait for all of them.
 class SensitivityRun {
   public:
     /// `document.scene` must be drawable, the pixel inside the picture. Threads as for Renderer.

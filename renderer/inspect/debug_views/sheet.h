@@ -58,9 +58,9 @@ inline constexpr std::size_t max_sheet_cells = 1024;
 [[nodiscard]] PictureSize sheet_size(const SheetAxis& rows, const SheetAxis& columns, PictureSize cell,
                                      const Font& font);
 
-/// draw(row, column) gives the picture of one cell, of size `cell`; it is asked row by row. Dark words on
-/// white: each column has its name and value above it, each row at its left; what is too long ends in an
-/// ellipsis.
+/// Draws the sheet. draw(row, column) returns the picture of one cell, of size `cell`, and is called row by
+/// row. Text is dark on white: each column has its name and value above it, each row at its left; text that
+/// is too long ends in an ellipsis.
 [[nodiscard]] Picture make_sheet(const SheetAxis& rows, const SheetAxis& columns, PictureSize cell,
                                  const Font& font,
                                  const std::function<const Picture&(std::size_t, std::size_t)>& draw);

@@ -15,7 +15,7 @@ namespace {
 const Light& light_of(const LightOfEquation& in) {
     return in.scene.lights[static_cast<std::size_t>(in.light.index)];
 }
-/// Where a number of the material stands in the scene; empty where mistakes made another one of it.
+/// The pointer to a number of the material in the scene; empty where mistakes changed the material.
 std::string material_pointer(const Scene& scene, const Explanation& explanation, const char* key) {
     if (explanation.material != scene.objects[static_cast<std::size_t>(explanation.object_index)].material)
         return {};
@@ -28,7 +28,8 @@ EquationFactor plain(Quantity quantity, double value) {
     return {.quantity = quantity, .value = glm::dvec3(value)};
 }
 
-/// f and the two colours: what every term of a light begins with. `key`: of both colours.
+/// The factors with which every term of a light begins: f and the two colours. `key`: the key of both colours
+/// in the scene file.
 std::vector<EquationFactor> common_factors(const LightOfEquation& in, Quantity of_light, Quantity of_material,
                                            glm::vec3 Light::*light, glm::vec3 Material::*material,
                                            const char* key) {
@@ -95,7 +96,7 @@ std::pair<Quantity, float> highlight_cosine(const ReflectionInfo& info, const Ex
     return {Quantity::Highlight, 0};
 }
 
-/// What the highlight's factor is made of, whether it is dropped or not.
+/// The factors of the highlight, whether it is dropped or not.
 std::vector<EquationFactor> highlight_factors(const LightOfEquation& in) {
     const ReflectionInfo info = info_of(in.explanation.reflection);
     const bool dropped = in.light.n_dot_l <= 0;
@@ -107,7 +108,8 @@ std::vector<EquationFactor> highlight_factors(const LightOfEquation& in) {
         base.power = power_of(in);
         const double power = std::pow(base.value.x, base.power->exponent);
         if (dropped) return {base};
-        // A float of a cosine near 1 is too short for a large exponent: the power has its remaining digits.
+        // A cosine near 1 has too few digits as a float for a large exponent: the power has the remaining
+        // ones.
         if (s.x > 0 && base.power->exponent > 0 && is_close(glm::dvec3(power), s))
             base.value = glm::dvec3(std::pow(s.x, 1 / base.power->exponent));
         if (is_close(glm::dvec3(power), s)) return {base};
@@ -142,7 +144,7 @@ void add_highlight(EquationLine& line, const LightOfEquation& in) {
     line.factors.push_back(mean);
 }
 
-/// Why a highlight that the model would give is none here; empty where there is no such reason.
+/// The reason why the model's highlight is dropped here; empty where there is none.
 std::string drop_reason(const LightOfEquation& in) {
     const bool is_area = !in.light.samples.empty();
     if (is_area || !info_of(in.explanation.reflection).has_highlight) return {};

@@ -1,7 +1,7 @@
 #pragma once
 // The lighting equation as it is written out: each term a product of named numbers, which the window, text
-// and LaTeX all write. Values are those of the explanation, none is computed anew but the means of an area
-// light's samples.
+// and LaTeX all write. Values are those of the explanation; only the means over an area light's samples are
+// computed here.
 
 #include <array>
 #include <glm/vec3.hpp>
@@ -41,12 +41,12 @@ struct EquationLine {
     Quantity term = Quantity::DiffuseTerm;
     std::vector<EquationFactor> factors;
     glm::dvec3 result{0};
-    /// Not empty: why the product of the factors is not the result, which is 0: "dropped: n·l < 0".
+    /// If not empty, the reason why the result is 0 and not the product of the factors: "dropped: n·l < 0".
     std::string left_out{};
-    /// Pointers to numbers by which factors came about: roughness, the reflectance f0.
+    /// Pointers to the numbers from which factors were computed: roughness, the reflectance f0.
     std::vector<std::string> made_by{};
 
-    /// What the factors come to in one channel (0 red, 1 green, 2 blue).
+    /// The product of the factors in one channel (0 red, 1 green, 2 blue).
     [[nodiscard]] double product(int channel) const;
 };
 
@@ -57,17 +57,17 @@ struct LightOfEquation {
     const ExplainedLight& light;
 };
 
-/// f = intensity × falloff × spot; of an area light intensity × form.
+/// Returns the line f = intensity × falloff × spot; for an area light, f = intensity × form.
 [[nodiscard]] EquationLine share_line(const LightOfEquation& in);
 /// Ambient, diffuse and, of a model with a highlight, specular, in this order; under cool-to-warm shading the
 /// specular one alone.
 [[nodiscard]] std::vector<EquationLine> light_lines(const LightOfEquation& in);
-/// Emission, and the ambient light that is there without a light. Precondition: no cool-to-warm shading.
+/// Returns the lines of emission and of global ambient light. Precondition: no cool-to-warm shading.
 [[nodiscard]] std::vector<EquationLine> unlit_lines(const Scene& scene, const Explanation& explanation,
                                                     const ExplainedPoint& point);
 
-/// How an area light's samples count in its means: what falloff makes of each, as shares of their sum, or 0
-/// where nothing arrives.
+/// The weights of an area light's samples in its means: the falloff of each as a share of their sum, or 0
+/// where no light arrives.
 [[nodiscard]] std::vector<double> sample_weights(const ExplainedLight& area);
 
 }  // namespace glint

@@ -27,8 +27,8 @@ std::string written_factor(const EquationFactor& f, int decimals, int exponent_d
     return fmt::format("({})^{}", text, short_text(f.power->exponent, exponent_decimals));
 }
 
-/// Those with which the product of the written factors is that of the factors in one channel, to within half
-/// of `last_digit`.
+/// The decimals with which the product of the written factors equals that of the factors in one channel, to
+/// within half of `last_digit`.
 LineDecimals decimals_of(const EquationLine& line, int channel, double last_digit) {
     constexpr double held_back = 0.45;  // of the last digit: the rest is for the float's own rounding
     std::vector<double> values;

@@ -21,8 +21,8 @@ struct LineDecimals {
 [[nodiscard]] LineDecimals written_decimals(const EquationLine& line, std::optional<int> channel,
                                             NumberText as);
 
-/// "f 1.5 · L_d 1 · k_d (0.8 0.1 0.1) · n·l 0.871", "(n·h 0.953)^32 = 0.2144, dropped: n·l < 0". Of one
-/// channel, or of all three with those in brackets that differ.
+/// "f 1.5 · L_d 1 · k_d (0.8 0.1 0.1) · n·l 0.871", "(n·h 0.953)^32 = 0.2144, dropped: n·l < 0". It is the
+/// text of one channel, or of all three: then factors whose channels differ stand in brackets.
 [[nodiscard]] std::string written_product(const EquationLine& line, std::optional<int> channel,
                                           NumberText as);
 

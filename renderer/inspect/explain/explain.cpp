@@ -28,7 +28,7 @@ struct ExplainedStages {
     const Lighting& lighting;
 };
 
-/// What makes the colour of a pixel of `face`, with weights by surface.choice.
+/// The lit points that make the colour of a pixel of `face`, with their weights by surface.choice.
 std::vector<ExplainedCorner> lit_corners(const ExplainedStages& stages, const SurfaceInputs& surface,
                                          const SampleFace& face, const LightJob& job, const Frames& frames) {
     const BlendedPoints sample = blended_points(surface, stages.geometry, face);

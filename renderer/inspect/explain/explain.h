@@ -1,5 +1,6 @@
 #pragma once
-// Why a pixel has its colour: the picture's own functions, run once more with `float`, every step kept.
+// Explains why a pixel has its colour: runs the picture's own functions again with `float` and keeps every
+// step.
 
 #include "renderer/inspect/explain/explanation.h"
 #include "renderer/stages.h"

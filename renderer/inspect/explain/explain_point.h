@@ -12,7 +12,7 @@
 
 namespace glint {
 
-/// Camera and world coordinates of the same vector or place.
+/// Gives the camera and the world coordinates of a vector or a position in camera coordinates.
 class Frames {
   public:
     explicit Frames(const Camera& camera) : world_from_view_(world_from_view(camera)) {}
@@ -26,8 +26,8 @@ class Frames {
     glm::dmat4 world_from_view_;
 };
 
-/// The equation at one point, step by step; the sum is added in the picture's own order. Not `lit`: its place
-/// and normal only.
+/// Evaluates the equation at one point and keeps every step; the sum is added in the picture's own order.
+/// Unless `lit`, only position, normal and view vector are filled in.
 [[nodiscard]] ExplainedPoint explain_point(const Lighting& lighting, const LightJob& job,
                                            const PositionNormal& place, const Frames& frames, bool lit);
 

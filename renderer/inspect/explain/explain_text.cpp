@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-/// Ten columns wide, the points below each other where a plain number will do.
+/// Writes a number ten columns wide, with the decimal points below each other where a plain number is enough.
 std::string in_column(float x) {
     const float size = std::abs(x);
     return x == 0 || (size >= 1e-4f && size < 1e4f) ? fmt::format("{:10.4f}", x) : fmt::format("{:10.2e}", x);

@@ -12,7 +12,8 @@ namespace glint {
 /// "back side", "back side, n turned to the eye", "front side, n points away from the eye". Precondition:
 /// hit.
 [[nodiscard]] std::string side_words(const Explanation& explanation);
-/// Whether that is what a closed surface with outward normals shows. Precondition: hit.
+/// Whether the pixel is what a closed surface with outward normals shows: its front side, n towards the eye.
+/// Precondition: hit.
 [[nodiscard]] bool is_plain_front(const Explanation& explanation);
 
 /// The first reason why this light adds little or nothing at the point: "behind the surface: n·l < 0",

@@ -14,7 +14,7 @@
 
 namespace glint {
 
-/// A vector or place in both frames (illumination is computed in the first).
+/// A vector or a position in both frames; illumination is computed in camera coordinates.
 struct InBothFrames {
     glm::vec3 camera{0}, world{0};
 };

@@ -60,7 +60,7 @@ std::vector<int> decimals_for(std::span<const double> values, std::span<const in
     };
     for (std::size_t i = 0; i < values.size(); ++i) measure(i);
     for (;;) {
-        // The errors of single numbers add up at worst; what they make together beyond that is far smaller.
+        // At worst the errors of the single numbers add up; their products are far smaller.
         double sum = 0;
         std::size_t worst = values.size();
         for (std::size_t i = 0; i < values.size(); ++i) {

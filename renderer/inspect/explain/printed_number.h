@@ -1,6 +1,6 @@
 #pragma once
-// How many digits a number of an equation is written with: as many as it takes for the written numbers to
-// give the written result.
+// Chooses the digits of an equation's numbers: as many as the written numbers need to give the written
+// result.
 
 #include <functional>
 #include <span>
@@ -18,15 +18,15 @@ inline constexpr int most_decimals = 9;
 [[nodiscard]] const char* decimal_format(double x, int decimals);
 /// x by that format.
 [[nodiscard]] std::string decimal_text(double x, int decimals);
-/// The same without zeros at the end that say nothing: "0.5", "1".
+/// As decimal_text(), without trailing zeros: "0.5", "1".
 [[nodiscard]] std::string short_text(double x, int decimals);
 
 /// One unit of the last digit that a number shows: 0.001 of "0.713", 1e-7 of "3.21e-05".
 [[nodiscard]] double last_digit_of(std::string_view number);
 
-/// The decimals of each of `values`, each at least its `least` (as many of them), with which what `formula`
-/// makes of the written values differs from what it makes of the values themselves by at most `tolerance`. As
-/// few as that takes; most_decimals where no number of them is enough.
+/// Returns how many decimals each of `values` needs, at least its entry in `least`, for the formula of the
+/// written values to differ by at most `tolerance` from the formula of the values themselves. As few as that
+/// takes; most_decimals where no number of them is enough.
 [[nodiscard]] std::vector<int> decimals_for(std::span<const double> values, std::span<const int> least,
                                             const std::function<double(std::span<const double>)>& formula,
                                             double tolerance);

@@ -1,5 +1,5 @@
 #pragma once
-// How one factor of the equation runs over its argument, for plots: sampled from the equation's own
+// Curves of one factor of the equation over its argument, for plots, sampled from the equation's own
 // functions. Lecture: "Light Source Falloff", "Light Sources" (spot), "Phong Lighting Model" (cos^n).
 
 #include <glm/vec2.hpp>
@@ -20,7 +20,7 @@ namespace glint {
 [[nodiscard]] std::vector<glm::dvec2> spot_curve(const Scene& scene, int light, int steps);
 
 /// (degrees between r and v, S) from -90 to 90 under a light at the normal: cos^n for Phong, cos^n of half
-/// the angle for Blinn-Phong. Reflection models without a power of a cosine give what they give.
+/// the angle for Blinn-Phong. Other reflection models have the curve of their own S.
 [[nodiscard]] std::vector<glm::dvec2> highlight_curve(Reflection reflection, float shininess, int steps);
 
 /// S of a surface with k_s = 1 in the direction `view_deg` from its normal, under a light at the normal.

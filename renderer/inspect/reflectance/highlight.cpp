@@ -102,8 +102,8 @@ std::vector<glm::dvec2> highlight_shape(HighlightShape shape, double n, int step
 
 std::optional<HighlightFit> fitted_highlight(Reflection reflection, std::span<const glm::dvec2> points) {
     if (points.size() < 2) return {};
-    // Points that a hand drew may have several valleys: first everywhere, in steps of a tenth of a decade;
-    // then thirds of the interval about the best until it is narrow.
+    // The misfit of points drawn by hand may have several minima, so the whole range is searched first, in
+    // steps of a tenth of a decade; then the interval around the best is narrowed by thirds.
     const auto step = [](int i) { return i < 0 ? 0 : std::min(std::pow(10, -1 + 0.1 * i), most); };
     constexpr int last = 50;
     int best = -1;

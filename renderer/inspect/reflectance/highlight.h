@@ -15,14 +15,14 @@
 
 namespace glint {
 
-/// The specular term of `light` (whether it is one of the scene's or not, on or off) at each of `points`, for
-/// a white light on a material with k_s = 1: the sum of the channels, falloff and cone included; of an area
-/// light the sum of its samples. Each point is lit as such, as under the mode `phong`. >= 0; 0 where the
-/// model has no highlight or the light is behind the surface.
+/// Returns the specular term of `light` (which need not be one of the scene's, nor be on) at each of
+/// `points`, for a white light on a material with k_s = 1: the sum of the channels, falloff and cone
+/// included; for an area light, the sum over its samples. Each point is lit itself, as under the mode
+/// `phong`. The term is >= 0, and 0 where the model has no highlight or the light is behind the surface.
 [[nodiscard]] std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
                                                std::span<const SeenPoint> points);
 
-/// The same on `material`, whatever the points' objects have.
+/// As above, on `material` in place of the objects' materials.
 [[nodiscard]] std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
                                                std::span<const SeenPoint> points, const Material& material);
 
@@ -45,7 +45,7 @@ enum class HighlightShape { Gaussian, Linear };
 /// The angle in degrees where cos^n is 1/2: 60 for n = 1; 90 where it stays above (n near 0). n >= 0.
 [[nodiscard]] double half_angle_deg(double n);
 
-/// (degrees, value) from 0 to 90.
+/// Returns the shape as (degrees, value) from 0 to 90.
 [[nodiscard]] std::vector<glm::dvec2> highlight_shape(HighlightShape shape, double n, int steps);
 
 struct HighlightFit {

@@ -20,9 +20,9 @@ namespace {
 using Vec = Vec3<float>;
 using std::numbers::pi;
 
-/// The integral of value(v) n.v over the hemisphere of v, by midpoints around the axis of the lobe: dense
-/// near it, as a smooth surface needs, and in each half-plane through it exactly down to the horizon, where
-/// the integrand breaks.
+/// The integral of value(v) n.v over the hemisphere of v, by the midpoint rule around the axis of the lobe:
+/// samples are dense near the axis, as a smooth surface needs, and in each half-plane through it they reach
+/// exactly to the horizon, where the integrand breaks off.
 glm::dvec3 over_hemisphere(glm::dvec3 axis, const std::function<glm::dvec3(glm::vec3)>& value) {
     constexpr int around = 128, outward = 512;
     const glm::dvec3 across(0, 1, 0), along = glm::cross(across, axis);

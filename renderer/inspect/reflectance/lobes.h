@@ -1,8 +1,7 @@
 #pragma once
-// Samples what a reflection model does with light from one direction: slices f(l, v) for plots, and what can
-// be said of the whole lobe: its energy, its albedo, whether it may be read backwards. Every value comes from
-// the equation's own illuminate(). Lecture: "Types of Reflection", "BRDF", the intensity plots at 60, 25 and
-// 0 degrees.
+// Samples what a reflection model does with light from one direction: slices f(l, v) for plots, and measures
+// the whole lobe: its energy, its albedo, whether it is reciprocal. Every value comes from the equation's own
+// illuminate(). Lecture: "Types of Reflection", "BRDF", the intensity plots at 60, 25 and 0 degrees.
 //
 // The surface has n = (0, 0, 1); the light is white, of intensity 1, at `light_deg` from n on the side of -x,
 // so that the mirror direction leans as far towards +x.
@@ -57,12 +56,12 @@ struct LobeSample {
 /// The integral of the specular term times n.v over all v: for Phong at light_deg = 0 it is k_s 2 pi /
 /// (shininess + 2).
 [[nodiscard]] glm::dvec3 specular_energy(const Reflector& reflector, double light_deg);
-/// The share of the light's power that is reflected, the integral of f n.v over all v; above 1 it would be
-/// made of nothing.
+/// The share of the light's power that is reflected, the integral of f n.v over all v; above 1, energy would
+/// be created.
 [[nodiscard]] glm::dvec3 directional_albedo(const Reflector& reflector, double light_deg);
 
 /// Largest |f(l, v) - f(v, l)| / max(f(l, v), f(v, l)) over 4096 pairs of directions with cosines above 0.05:
-/// 0 for a surface that may be read backwards (Helmholtz), to rounding. Same numbers on every run.
+/// 0, up to rounding, for a reciprocal surface (Helmholtz). Same numbers on every run.
 [[nodiscard]] double reciprocity_error(const Reflector& reflector);
 
 /// A header and a line a sample: view_deg, then r, g, b of ambient, diffuse, specular, intensity and brdf.
@@ -93,9 +92,9 @@ struct LobeBin {
 /// The scene's camera and shading with this light, on, as the only one, and no objects.
 [[nodiscard]] Scene alone(const Scene& scene, const Light& light);
 
-/// What the picture's equation makes of one light, taken as white, of intensity 1 and on, at any point of a
-/// material, mistakes and all. The scene gives camera and shading; diffuse and specular terms are on. Points
-/// and normals are in camera coordinates.
+/// Evaluates the picture's equation, mistakes included, for one light at any point of a material. The light
+/// is taken as white, of intensity 1 and switched on. The scene gives camera and shading; diffuse and
+/// specular terms are on. Points and normals are in camera coordinates.
 class LightAlone {
   public:
     LightAlone(const Scene& scene, PictureSize size, const Light& light, const Material& material);

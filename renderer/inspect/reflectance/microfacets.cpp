@@ -28,8 +28,8 @@ double random_tilt(std::mt19937& random, double sigma_deg) {
     }
 }
 
-/// Facets one after the other. Tilts are symmetric, so their sign is free: where the line has strayed, it
-/// leads back.
+/// Makes the facets one after the other. Tilts are symmetric, so their sign is free: where the line has
+/// strayed too far, the sign is chosen to lead it back.
 void make_profile(MicrofacetPicture& p, const MicrofacetOptions& options, std::mt19937& random) {
     glm::dvec2 at(0);
     p.profile.push_back(at);
@@ -91,8 +91,8 @@ FacetRay trace(const MicrofacetPicture& p, int facet, double along, double light
     return ray;
 }
 
-/// Rays side by side, as a lamp far away sends them, met by the facets of the middle half in proportion to
-/// the width that each turns towards the light.
+/// Aims parallel rays, as from a distant lamp, at the facets of the middle half, in proportion to the width
+/// that each shows the light.
 void aim_rays(MicrofacetPicture& p, const MicrofacetOptions& options, std::mt19937& random) {
     const int first = options.facets / 4, last = options.facets - first;
     std::vector<double> shown{0};  // running sum

@@ -55,7 +55,7 @@ inline constexpr int histogram_bins = 36;
 /// No facet is steeper: steeper tilts are drawn again.
 inline constexpr double steepest_deg = 80;
 
-/// Same options, same numbers, on every machine.
+/// Computes the picture. The same options give the same numbers on every machine.
 [[nodiscard]] MicrofacetPicture microfacet_picture(const MicrofacetOptions& options);
 
 /// Smith's G1 for this section's tilts: 1 / (1 + Lambda), Lambda the integral of (slope - m) over slopes

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double turn = std::numbers::pi / 180;  // one degree
 
-/// Two unit vectors across `a` and each other.
+/// Two unit vectors perpendicular to `a` and to each other.
 std::array<glm::dvec3, 2> across(glm::dvec3 a) {
     const Vec3<double> p = any_perpendicular(Vec3<double>{a.x, a.y, a.z});
     const glm::dvec3 first(p.x, p.y, p.z);
@@ -37,7 +37,7 @@ std::array<glm::vec3, 3> terms(const Reflector& reflector, glm::dvec3 n, glm::dv
 
 float largest(glm::vec3 d) { return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}); }
 
-/// What rounding in the change of frame may do to a term that stays; a share of the term.
+/// The change that rounding may cause in a term that does not depend on a vector; a share of the term.
 constexpr float rounding = 2e-6f;
 
 }  // namespace
@@ -110,7 +110,7 @@ LightSensitivity light_sensitivity(const Scene& scene, PictureSize size, const L
         sensitivity.specular.*what =
             std::max(sensitivity.specular.*what, largest(then.specular, now.specular));
     };
-    // Of a directional light the distance says nothing; that of the eye is as good as any.
+    // A directional light has no distance; that of the eye is as good as any.
     const bool has_place = light.kind != LightKind::Directional;
     const float eye = square_root(dot(p, p)), away = step * (has_place ? middle.distance : eye);
     const Vec l = middle.directions.l;

@@ -1,5 +1,5 @@
 #pragma once
-// The menu of a number that is only read: a right click copies it, or the line that it stands in.
+// The menu of a number that can only be read: a right click copies it, or the line that it stands in.
 
 #include <string>
 

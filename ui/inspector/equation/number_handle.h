@@ -1,5 +1,5 @@
 #pragma once
-// A number of the scene where it stands in the equation: a hand can drag it there.
+// A number of the scene that can be dragged where it stands in the equation.
 
 #include <string>
 

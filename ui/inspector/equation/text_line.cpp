@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-// Of the light whose card is drawn, for no longer than that (ui/inspector/equation/text_line.h).
+// The mark of the light whose card is being drawn (QuantityMark in ui/inspector/equation/text_line.h).
 std::optional<Quantity> marked;
 bool marked_scrolls = false;
 
@@ -107,7 +107,7 @@ TextLine& TextLine::raised(const std::string& text, const ImVec4& colour) {
 
 void TextLine::menu_of(const std::string& number) {
     if (measures_) return;
-    // Lines begin at places of their own.
+    // The line's position makes the ids of its menus unique.
     ImGui::PushID(saturated_int(left_));
     ImGui::PushID(saturated_int(y_ - ImGui::GetWindowPos().y + ImGui::GetScrollY()));
     copy_menu(numbers_++, number, line_);

@@ -14,8 +14,8 @@
 
 namespace glint {
 
-/// While it lives, the first letter of that quantity is framed, with the number behind it. `scrolls`: and
-/// brought into sight.
+/// While a mark lives, the first letter of that quantity is framed, with the number behind it; with `scrolls`
+/// it is brought into view, too.
 class QuantityMark {
   public:
     QuantityMark(std::optional<Quantity> quantity, bool scrolls);
@@ -43,13 +43,13 @@ class TextLine {
     /// A handle raised like an exponent; a plain number so.
     bool exponent(const NumberHandle& number, const ImVec4& colour);
     TextLine& raised(const std::string& text, const ImVec4& colour);
-    /// What "Copy line" in the menu of the numbers to come copies.
+    /// Sets what "Copy line" copies in the menus of the numbers that follow.
     TextLine& copied_as(std::string line);
     /// At the right edge of the column.
     void result(const std::string& text, const ImVec4& colour);
     TextLine& gap(float width);
-    /// What draw() draws on this line stays on one line where it fits into one: a value with its name. draw()
-    /// is called twice, the first time to measure, when handles answer false.
+    /// Keeps what draw() draws on one line if it fits into one: a value with its name. draw() is called
+    /// twice, the first time only to measure; handles return false then.
     template <class Draw> TextLine& together(const Draw& draw) {
         const float x = x_;
         measures_ = true;

@@ -24,8 +24,8 @@
 namespace glint {
 namespace {
 
-/// Where a group begins at "/lights/3" or "/objects/0/material": which light or object; -1 where it is
-/// neither.
+/// Returns which light or object a group begins with ("/lights/3", "/objects/0/material"); -1 if it is not
+/// one of `list`.
 int item_of(std::string_view pointer, std::string_view list) {
     if (!pointer.starts_with(list)) return -1;
     return std::atoi(std::string(pointer.substr(list.size())).c_str());
@@ -103,7 +103,7 @@ void words(TextLine& line, std::string_view text, const ImVec4& colour) {
     }
 }
 
-/// `scene`: whose numbers are dragged. The area that the call takes, from left to right of the column.
+/// Draws a call whose numbers edit `scene`. Returns its area, over the column's whole width.
 Rect draw_call(UiState& state, Scene& scene, const GlCall& call) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float right = low.x + ImGui::GetContentRegionAvail().x;
@@ -134,8 +134,8 @@ Rect draw_call(UiState& state, Scene& scene, const GlCall& call) {
     return area;
 }
 
-/// The calls of an object as they are written, and what a hand makes of them. `written`: the scene whose
-/// calls they are, with the transforms' numbers as they are written. True when `written` has changed.
+/// Draws the calls of an object as they are written, and applies what is dragged. `written_scene`: the scene
+/// of these calls, with the transforms' numbers as written. True when `written` has changed.
 bool draw_object(UiState& state, Scene& written_scene, int index, WrittenTransform& written,
                  const std::vector<GlCall>& calls) {
     Object& object = state.editor.scene().objects[static_cast<std::size_t>(index)];

@@ -20,10 +20,10 @@ struct WrittenTransform {
     bool operator==(const WrittenTransform&) const = default;
 };
 
-/// How the object of that number is written in the current window: as it was left, or in the file's order
-/// where something else has changed `transform` since.
+/// Returns how the object of that number is written in the current window: as it was left, or in the file's
+/// order if something else has changed `transform` since.
 [[nodiscard]] WrittenTransform written_transform(int object, const Transform& transform);
-/// Keeps it for the next frame; `transform` is what it came to.
+/// Keeps how it is written for the next frame; `transform` is the result.
 void keep_written(int object, const WrittenTransform& written, const Transform& transform);
 
 /// The transform that a call belongs to; nothing for other calls.
@@ -32,12 +32,12 @@ void keep_written(int object, const WrittenTransform& written, const Transform& 
 /// Puts the calls of the three transforms, which follow each other, into that order.
 void put_in_order(std::vector<GlCall>& calls, const TransformOrder& order);
 
-/// The order while the step's lines are held at the height `mouse_y`: past a neighbour where they would then
-/// lie under the mouse. `areas`: of the lines of each step, in the order in which they are written.
+/// Returns the order while the step's lines are held at height `mouse_y`: they pass a neighbour once they
+/// would then lie under the mouse. `areas`: of each step's lines, in the order in which they are written.
 [[nodiscard]] TransformOrder dragged_order(const TransformOrder& order, TransformStep held, float mouse_y,
                                            std::span<const Rect, 3> areas);
 
-/// Below the calls: what another order than the file's comes to. Nothing in the file's order.
+/// Says below the calls what an order other than the file's leads to; nothing in the file's order.
 void order_note(const WrittenTransform& written, const Transform& transform);
 
 }  // namespace glint

@@ -20,15 +20,15 @@ struct PointPen {
     glm::dvec3 origin{0};  // world
     double reach = 1;      // scene units: how long a unit vector is drawn
 
-    /// The window's place of what lies `offset` times the reach away from the origin.
+    /// Returns where the point at `offset` times the reach from the origin lies in the window.
     [[nodiscard]] ImVec2 at(glm::dvec3 offset) const;
 };
 
 /// A pen at `origin` whose unit vectors are `length` logical pixels long when seen from the side.
 [[nodiscard]] PointPen pen_at(ImDrawList& list, const PictureView& view, glm::dvec3 origin, float length);
 
-/// Words to be written once all arrows are known: none over another, nor over an arrow. Letters choose
-/// before angles, and among them those that come first.
+/// Words that are written once all arrows are known, none over another or over an arrow. Letters choose their
+/// places before angles; of several letters, the first comes first.
 class Words {
   public:
     /// Nothing is written over a line from `from` to `to`.

@@ -1,5 +1,5 @@
 #pragma once
-// Drags share the way from a cursor back to a place on a line, a plane, a sphere or a circle. All places are
+// Maps a cursor back to a position on a line, a plane, a sphere or a circle, for all drags. All positions are
 // in world coordinates.
 
 #include <glm/mat4x4.hpp>
@@ -22,13 +22,13 @@ struct Across {
 };
 [[nodiscard]] Across across(glm::dvec3 direction);
 
-/// The t for which `place` + t `axis` is nearest to the cursor on the screen. 0 where the line is seen end
-/// on, and beyond its vanishing point.
+/// Returns the t for which `place` + t `axis` is nearest to the cursor on the screen; 0 if the line is seen
+/// end on, or if the cursor is beyond its vanishing point.
 [[nodiscard]] double along_line(const ScreenMap& map, glm::dvec3 place, glm::dvec3 axis,
                                 glm::dvec2 cursor_px);
 
-/// Where the line of sight meets a sphere, on the half nearer to the eye or the one behind; past the rim, the
-/// rim.
+/// Returns where the line of sight meets a sphere, on the half nearer to the eye or the one behind; if it
+/// misses, the nearest point of the rim.
 [[nodiscard]] glm::dvec3 on_dome(const Dome& dome, const Ray& ray, bool nearer);
 
 /// Where the line of sight through the cursor meets the plane through `place` with unit normal `normal`.

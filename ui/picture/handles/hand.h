@@ -1,6 +1,6 @@
 #pragma once
-// The hand takes hold of what the cursor is over in the picture, and edits the scene while it drags that.
-// This is the closed list of grips; how each is dragged is said by pure functions in the files beside.
+// Finds what the cursor can take hold of in the picture, and edits the scene while that is dragged. This is
+// the closed list of grips; pure functions in the files beside say how each is dragged.
 
 #include <array>
 #include <string>
@@ -51,7 +51,7 @@ struct Grip {
     }
 };
 
-/// Whether what the grip belongs to is (still) in the scene.
+/// Whether the scene (still) has the light or object that the grip belongs to.
 [[nodiscard]] bool exists(const Grip& grip, const Scene& scene);
 
 /// The grip that the cursor (pixels of the picture) is over: marks first, then the selected light's
@@ -68,8 +68,8 @@ struct Held {
     bool dims = false;         // the hand changes how bright the light is, and it stays where it is
 };
 
-/// The gizmo of the selected object; nothing while none that is shown is selected. It stays on the place of
-/// the object on which it was when it was taken hold of, if `held` is it.
+/// Returns the gizmo of the selected object; nothing if no object is selected or it is not shown. While
+/// `held` drags the object, the gizmo stays at the point of the object at which it was taken hold of.
 [[nodiscard]] std::optional<ObjectGizmo> selected_gizmo(const ViewportFrame& frame,
                                                         const Held* held = nullptr);
 

@@ -15,9 +15,9 @@ namespace glint {
 namespace {
 
 constexpr int patch_radius = 3;  // pixels
-// Where a hollow surface brings the light's own mirror image near, its term hardly changes in one direction
-// and the falloff's slope leaves no peak at all: then the light stands a little nearer or farther, by as
-// little as needed.
+// Factors of the light's distance. Near the mirror image that a hollow surface makes of the light, the
+// specular term hardly changes in one direction, and the falloff's slope leaves no peak: then the light is
+// put a little nearer or farther, by as little as needed.
 constexpr double other_distances[] = {1, 1.25, 0.8, 1.6,  0.63, 2,  0.5,  3,    0.33, 4,    0.25,
                                       6, 0.16, 10,  0.13, 0.1,  16, 0.08, 0.06, 0.04, 0.025};
 
@@ -79,7 +79,7 @@ class PeakSearch {
     }
 
   private:
-    /// Steeper than any where the middle is dark: what is nowhere lit is level, but no peak.
+    /// Returns the slope; a huge one if the middle is dark, since an unlit patch is level but no peak.
     [[nodiscard]] glm::dvec2 slope(int radius, glm::dvec3 away) const {
         const std::vector<double> values =
             highlight_at(view_.scene, view_.map.size, light(away), patch_.points);
@@ -108,8 +108,8 @@ struct BestLight {
     }
 };
 
-/// Directions from which to search: the mirror's; for a panel also those with one of its samples, of which
-/// each has a peak of its own, in the mirror's place, those nearest to its middle first.
+/// Returns directions to search from: the mirror's; for a panel also those that put one of its middle
+/// samples, each of which has a peak of its own, in the mirror direction.
 std::vector<glm::dvec3> first_directions(const HighlightDrag& drag, const SurfaceView& view, glm::dvec3 place,
                                          glm::dvec3 mirror, double nearer) {
     std::vector<glm::dvec3> all{mirror};

@@ -2,10 +2,10 @@
 // A highlight is dragged: the light moves so that its specular term peaks under the cursor. It keeps its
 // distance from the surface (a directional light its dome), a spot or a panel turns along with it.
 //
-// Where (r.v)^n or (n.h)^n is largest is known: at l = v mirrored at n. But falloff, a cone, the samples of a
-// panel and the angles of microfacets shift the peak of the picture away from there, the more the duller the
-// surface. So the mirror direction is where the search begins, and the slope of the specular term over the
-// pixels round the cursor is brought to zero.
+// The direction in which (r.v)^n or (n.h)^n is largest is known: l is v mirrored at n. But falloff, a cone,
+// the samples of a panel and the angles of microfacets shift the picture's peak away from there, and more so
+// the duller the surface. So the search begins at the mirror direction and brings the slope of the specular
+// term, over the pixels round the cursor, to zero.
 
 #include <optional>
 #include <vector>
@@ -33,19 +33,19 @@ struct HighlightDrag {
 [[nodiscard]] std::optional<HighlightDrag> grab_highlight(const SurfaceView& view, const Light& light,
                                                           glm::dvec2 pixel);
 
-/// The light with the peak of its highlight at `pixel`, drag.nearer times as far away as when it was grabbed.
-/// Nothing where no light could do that: on the background, or where the surface turns away from the viewer.
+/// Returns the light with its highlight's peak at `pixel`, drag.nearer times as far away as when grabbed.
+/// Nothing if no light can do that: on the background, or where the surface turns away from the viewer.
 [[nodiscard]] std::optional<Light> dragged_highlight(const HighlightDrag& drag, const SurfaceView& view,
                                                      glm::dvec2 pixel);
 
-/// One movement of the cursor. The highlight goes along; in depth it stays, and the light goes farther away
-/// as the cursor goes up (a directional light has no distance), by a factor e in a third of the picture. The
-/// light, or nothing as above.
+/// Applies one movement of the cursor. The highlight goes along; in depth it stays, and the light moves away
+/// as the cursor goes up, by a factor e in a third of the picture (a directional light has no distance).
+/// Returns the light, or nothing as above.
 [[nodiscard]] std::optional<Light> moved_highlight(HighlightDrag& drag, const SurfaceView& view,
                                                    glm::dvec2 cursor_px, glm::dvec2 last_px, bool in_depth);
 
-/// The light carried to where it stands `away` (world, unit) from `place`; a spot or a panel turns so that it
-/// shines at `place` as it shone at the place that was grabbed.
+/// Returns the light moved in the direction `away` (world, unit) from `place`; a spot or a panel turns so
+/// that it shines at `place` as it shone at the grabbed place.
 [[nodiscard]] Light carried(const HighlightDrag& drag, const SurfaceView& view, glm::dvec3 place,
                             glm::dvec3 away, double nearer = 1);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which highlight the cursor is over, and on its rim it is made larger or smaller: the exponent, or the
+// Finds the highlight under the cursor. Dragging its rim makes it larger or smaller: the exponent, or the
 // roughness, follows so that the rim stays under the cursor. The rim is where the highlight is half of the
 // most that it could be there.
 
@@ -11,9 +11,9 @@
 
 namespace glint {
 
-/// What the highlight of a light is at a point of a surface with that material, as a share of what it would
-/// be if the light stood where its factor is largest there: (r.v)^n for Phong. 0 where the surface turns away
-/// from the viewer and where there is no highlight; noise may bring it a little above 1.
+/// Returns the highlight of a light at a point of a surface with that material, relative to what it would be
+/// if the light stood where its factor is largest there: (r.v)^n for Phong. 0 where the surface turns away
+/// from the viewer or there is no highlight; noise may bring it a little above 1.
 [[nodiscard]] double highlight_share(const SurfaceView& view, const Light& light, const SeenPoint& point,
                                      const Material& material);
 
@@ -23,14 +23,14 @@ struct HoveredHighlight {
     double share = 0;  // of the most that the highlight could be there, above 0
 };
 
-/// The light whose highlight covers the pixel: it must be seen (three twentieths of full brightness) and near
-/// its peak there (half of it). The brightest wins. Nothing on the background, without the specular term, and
-/// under models that have no highlight.
+/// Returns the light whose highlight covers the pixel: it must be visible (more than 0.15 of full brightness)
+/// and near its peak there (at least half of it). The brightest wins. Nothing on the background, without the
+/// specular term, or under models without a highlight.
 [[nodiscard]] std::optional<HoveredHighlight> highlight_under(const SurfaceView& view, glm::dvec2 pixel);
 
-/// The light whose highlight has its rim within `reach` pixels of a pixel: inside of a small highlight less,
-/// so that its middle is left to itself. Nothing on the background, without the specular term, and under
-/// models that have no highlight.
+/// Returns the light whose highlight has its rim within `reach` pixels; inside a small highlight within less,
+/// so that its middle can be grabbed too. Nothing on the background, without the specular term, or under
+/// models without a highlight.
 [[nodiscard]] std::optional<int> highlight_rim_under(const SurfaceView& view, glm::dvec2 pixel, double reach);
 
 struct SizeDrag {
@@ -39,8 +39,8 @@ struct SizeDrag {
     Material start;
 };
 
-/// The material with which the rim lies under `pixel`, or as near as its range allows. Nothing on the
-/// background, on other objects, and where the light has no highlight whatever the material.
+/// Returns the material with which the rim lies under `pixel`, or as near as its range allows. Nothing on the
+/// background, on other objects, or if the light has no highlight whatever the material.
 [[nodiscard]] std::optional<Material> sized_highlight(const SizeDrag& drag, const SurfaceView& view,
                                                       glm::dvec2 pixel);
 

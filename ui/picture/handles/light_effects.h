@@ -1,6 +1,6 @@
 #pragma once
-// A light is set by what it does at a point of the surface: it shines brightest there, or from behind, so
-// that the outline there is lit; and which of all lights does most there. Pure functions.
+// Sets a light by its effect at a point of the surface: it shines brightest there, or from behind, so that
+// the outline is lit. Also finds the light that contributes most there. Pure functions.
 
 #include <optional>
 
@@ -21,15 +21,14 @@ struct LightEffectInfo {
 };
 [[nodiscard]] const LightEffectInfo& info_of(LightEffect effect);
 
-/// The angle between n and l at the point that a rim light is set by, degrees. It is lit, and all from there
-/// to the outline.
+/// The angle between n and l, in degrees, at the point that a rim light is set by: the surface is lit from
+/// there to the outline.
 inline constexpr double rim_light_deg = 75;
 
-/// The light moved so that it does that at a pixel. Brightest: n.l = 1. Rim: n.l = cos 75 degrees, l in the
-/// plane of n and v on the far side of n. It keeps the distance that it has from the point (a directional
-/// light is turned); a spot or a panel is turned so that it shines at the point. Nothing on the background;
-/// for Rim, nothing where the surface faces the viewer by less than 15 degrees, where light from behind
-/// cannot come.
+/// Returns the light moved so that it has that effect at a pixel. Brightest: n.l = 1. Rim: n.l = cos 75
+/// degrees, l in the plane of n and v on the far side of n. It keeps its distance from the point (a
+/// directional light is turned); a spot or a panel turns to shine at the point. Nothing on the background;
+/// for Rim, nothing where n and v are less than 15 degrees apart: light from behind cannot come there.
 [[nodiscard]] std::optional<Light> with_effect(LightEffect effect, const Light& light,
                                                const SurfaceView& view, glm::dvec2 pixel);
 

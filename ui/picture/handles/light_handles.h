@@ -1,6 +1,6 @@
 #pragma once
-// Lights in the picture: what is drawn of them, what of them can be dragged, and what a drag makes of them. A
-// handle has the light's own colour, shows its kind, and stands on a stem so that depth can be judged.
+// Draws lights in the picture, and says what of them can be dragged and how a drag changes them. A handle has
+// the light's own colour, shows its kind, and stands on a stem so that depth can be judged.
 
 #include <imgui.h>
 
@@ -30,7 +30,7 @@ struct Handle {
     bool in_picture = false;  // else `at.pixel` is on the picture's border, towards where the light is
 };
 
-/// Handles of the scene's lights, in their order: of the first 300, which is more than an eye tells apart,
+/// Returns the handles of the scene's lights, in their order: of the first 300, more than an eye tells apart,
 /// and of `selected` (-1: none).
 [[nodiscard]] std::vector<Handle> light_handles(const Scene& scene, const PictureView& view, int selected);
 
@@ -58,8 +58,8 @@ void draw_light_disc(ImDrawList& list, ImVec2 at, float radius, const Light& lig
 void draw_note(ImDrawList& list, const PictureView& view, ImVec2 at, const HandNote& note,
                const std::optional<Rect>& clear);
 
-// A light's shape beside its place: a spot's cone, a panel's rectangle. These pure functions say where it is
-// in the world, what of it can be dragged, and what a drag makes of it.
+// A light has a shape beside its position: a spot's cone, a panel's rectangle. These pure functions say where
+// it is in the world, what of it can be dragged, and what a drag makes of it.
 
 /// The part of a cone that is drawn, world coordinates.
 struct ConeShape {
@@ -101,7 +101,7 @@ struct ShapeGrip {
 [[nodiscard]] glm::dvec3 place_of(const ShapeGrip& grip, const Light& light, const Dome& dome,
                                   const ScreenMap& map);
 
-/// The marks to draw: aim, four of the rim; corners and edges.
+/// Returns the marks to draw: aim and four of the rim for a cone; aim, corners and edges for a panel.
 [[nodiscard]] std::vector<ShapeGrip> shape_grips(const Light& light, const Dome& dome, const ScreenMap& map);
 
 /// The grip under the cursor (pixels of the picture); the rim can be taken hold of all round.
@@ -125,16 +125,16 @@ struct ShapeDrag {
 [[nodiscard]] Light dragged_shape(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_px,
                                   bool snap);
 
-/// The light turned so that it shines at a place in the world; as it was where it stands there. `snap`: at
+/// Returns the light turned to shine at a point of the world; unchanged if it stands there. `snap`: turned to
 /// the nearest direction that a directional light snaps to.
 [[nodiscard]] Light aimed_at(const Light& light, glm::dvec3 place, const DragView& view, bool snap = false);
 
 // A light is dragged by its handle, which stays under the cursor as exactly as float can hold the position.
 // Pure functions.
 
-/// Along what a light moves. ViewPlane: parallel to the picture. Depth: along the line of sight, up is away
-/// (a directional light instead turns round the picture's axes, past the rim of its dome). X, Y, Z: along an
-/// axis of the light's own coordinates (directional: round it).
+/// What a light moves along. ViewPlane: parallel to the picture. Depth: along the line of sight, up is away
+/// (a directional light turns round the picture's axes instead, past the rim of its dome). X, Y, Z: along an
+/// axis of the light's own coordinates (a directional light turns round it).
 enum class DragAlong { ViewPlane, Depth, X, Y, Z };
 
 /// A drag from the moment it began, or changed what it moves along.
@@ -152,8 +152,8 @@ struct LightDrag {
 /// A step of 1, 2 or 5 times a power of ten, near a twentieth of the scene's size.
 [[nodiscard]] double snap_step_for(const Bounds& bounds);
 
-// It is dragged by its terminator, the line on a surface where n.l = 0: it moves, as little as it must, into
-// the plane that touches the surface under the cursor.
+// A light is dragged by its terminator, the line on a surface where n.l = 0: the light moves, as little as it
+// must, into the plane that touches the surface under the cursor.
 
 struct TerminatorDrag {
     Light start;
@@ -163,8 +163,8 @@ struct TerminatorDrag {
 [[nodiscard]] bool terminator_under(const SurfaceView& view, const Light& light, glm::dvec2 pixel,
                                     double reach);
 
-/// The light with its terminator through `pixel`: a place goes straight down onto the tangent plane, a
-/// direction is turned into it. Nothing on the background, and where the light stands right above the pixel.
+/// Returns the light with its terminator through `pixel`: a position drops onto the tangent plane, a
+/// direction is turned into it. Nothing on the background, or if the light stands right above the pixel.
 [[nodiscard]] std::optional<Light> dragged_terminator(const TerminatorDrag& drag, const SurfaceView& view,
                                                       glm::dvec2 pixel);
 

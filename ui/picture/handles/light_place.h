@@ -1,6 +1,6 @@
 #pragma once
-// The place of a light in the world, and how its numbers change when it is moved there or given in other
-// coordinates. A directional light has no place; it is shown on a dome round the scene.
+// Finds the position of a light in the world, and how its numbers change when it is moved there or given in
+// other coordinates. A directional light has no position; it is shown on a dome round the scene.
 
 #include <glm/vec3.hpp>
 
@@ -27,7 +27,7 @@ namespace glint {
 /// centre).
 [[nodiscard]] Light placed_at(Light light, glm::dvec3 place, const Dome& dome, const ScreenMap& map);
 
-/// A vector (w = 0) or place (w = 1) of the light's own coordinates, in the world.
+/// Takes a vector (w = 0) or position (w = 1) from the light's own coordinates to the world.
 [[nodiscard]] glm::dvec3 to_world(const Light& light, glm::dvec3 own, double w, const ScreenMap& map);
 
 /// The inverse of to_world().

@@ -16,8 +16,8 @@ namespace glint {
 
 enum class GizmoMode { None, Move, Rotate, Scale };
 
-/// Axes, and planes at right angles to them; Free: in the view plane, round the line of sight, all axes
-/// alike.
+/// X, Y, Z: an axis. PlaneX, PlaneY, PlaneZ: the plane at right angles to it. Free: moves in the view plane,
+/// turns round the line of sight, scales all axes alike.
 enum class GizmoPart { X, Y, Z, PlaneX, PlaneY, PlaneZ, Free };
 
 /// Where the gizmo stands, world coordinates.
@@ -36,8 +36,8 @@ struct ObjectGizmo {
 /// bounds where the origin lies outside of them, or outside of the picture while the middle is in it.
 [[nodiscard]] glm::dvec3 gizmo_anchor(const Object& object, const PictureView& view);
 
-/// `pivot`: what Rotate turns about, world coordinates, in place of the anchor; other modes have no use for
-/// it. Nothing under None and where the gizmo would not stand in front of the eye.
+/// Where a gizmo stands. `pivot`: what Rotate turns about, world coordinates, in place of the anchor; other
+/// modes ignore it. gizmo_of() returns nothing under None, or if the gizmo would not be in front of the eye.
 struct GizmoPlace {
     glm::dvec3 anchor{0};  // object coordinates
     std::optional<glm::dvec3> pivot = {};
@@ -45,7 +45,7 @@ struct GizmoPlace {
 [[nodiscard]] std::optional<ObjectGizmo> gizmo_of(const Transform& transform, GizmoMode mode,
                                                   const PictureView& view, const GizmoPlace& place = {});
 
-/// The part under the cursor (pixels of the picture), axes before planes before Free.
+/// Returns the part under the cursor (pixels of the picture), Free before axes before planes (Rotate: last).
 [[nodiscard]] std::optional<GizmoPart> gizmo_under(const ObjectGizmo& gizmo, GizmoMode mode,
                                                    const PictureView& view, glm::dvec2 cursor_px);
 
@@ -64,8 +64,8 @@ struct ObjectDrag {
 [[nodiscard]] Transform dragged_object(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor_px,
                                        bool snap);
 
-/// Angles x, y, z in degrees with Rz Ry Rx = `rotation`, of all that give it those nearest to `near_deg`.
-/// At y = +-90 degrees, where x and z turn round the same axis, x is near's.
+/// Returns angles x, y, z in degrees with Rz Ry Rx = `rotation`; of several solutions, the nearest to
+/// `near_deg`. At y = +-90 degrees, where x and z turn round the same axis, x is that of `near_deg`.
 [[nodiscard]] glm::vec3 euler_deg(const glm::dmat3& rotation, glm::vec3 near_deg);
 
 /// The small squares between two axes by which an object is moved in a plane: from this to this share of the

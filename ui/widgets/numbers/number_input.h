@@ -11,12 +11,12 @@
 
 namespace glint {
 
-/// The ends of a range as floats that are in it.
+/// The lowest and highest floats that are in a range.
 [[nodiscard]] float lowest(const Range& range);
 [[nodiscard]] float highest(const Range& range);
 
-/// How far along its slider a value is, 0 at the low end of its range and 1 at Real::usual_max, more beyond;
-/// and the value there, within its range. Precondition: has_slider(kind).
+/// How far along its slider a value is: 0 at the low end of its range, 1 at Real::usual_max, more beyond; and
+/// back, within its range. Precondition: has_slider(kind).
 [[nodiscard]] double slider_share(double value, const Real& kind);
 [[nodiscard]] double slider_value(double share, const Real& kind);
 /// Whether the kind has a low end and a usual largest value, so that a bar can show how much of it there is.
@@ -25,11 +25,10 @@ namespace glint {
 /// The colour of a slider's bar on `ground`, opaque: text upon it can be read.
 [[nodiscard]] ImVec4 slider_fill(const Theme& theme, const ImVec4& ground);
 
-/// What Ctrl makes a drag go by: a round number (1, 2 or 5 times a power of ten), about that of ten pixels.
+/// Returns the step of a drag with Ctrl: 1, 2 or 5 times a power of ten, about as much as ten pixels.
 [[nodiscard]] double drag_step(const Real& kind, double value);
 
-/// `value` as it is shown; as it is copied, and typed into: the shortest text that reads back as the same
-/// float.
+/// Formats `value` for display; or as copied and typed: the shortest text that reads back as the same float.
 [[nodiscard]] std::string shown_text(float value, const Real& kind);
 [[nodiscard]] std::string exact_text(float value);
 
@@ -58,8 +57,7 @@ void type_into(const std::string& pointer);
 
 /// One line that a control has to say since the last call, for a notification; empty when there is none.
 [[nodiscard]] std::string take_said();
-/// The text that was left last and is not a number, once: whoever draws the field may know better what it
-/// says.
+/// Returns, once, the last text that was not a number: whoever draws the field may understand it better.
 [[nodiscard]] std::string take_refused_text();
 void say(const std::string& line);
 
