@@ -49,11 +49,11 @@ std::vector<PixelBuffer> read_buffers(const std::string& directory, const Scene&
 
 Outcome check(const CheckArguments& arguments) {
     require_file(arguments.scene);
-    require_given(arguments.directory, "DIR", "a directory with buffers as render --buffers writes them");
+    const std::string expected = "a directory with buffers as render --buffers writes them";
+    require_given(arguments.directory, "DIR", expected);
     std::error_code ignored;
     if (!std::filesystem::is_directory(arguments.directory, ignored))
-        throw wrong_usage("DIR", arguments.directory + " is not a directory",
-                          "a directory with buffers as render --buffers writes them");
+        throw wrong_usage("DIR", arguments.directory + " is not a directory", expected);
     const SceneDocument document = open_scene(arguments.scene);
     const std::vector<PixelBuffer> buffers = read_buffers(arguments.directory, document.scene);
     const MemoryShare share(memory_need(

@@ -37,7 +37,7 @@ PictureFormat format_of(const std::string& out) {
     return std::get<PictureFormat>(format);
 }
 
-/// Of the buffers beside a picture of that format.
+/// The format of the buffers that are written beside a picture of `format`.
 PictureFormat buffer_format(PictureFormat format) {
     return format == PictureFormat::Exr ? PictureFormat::Exr : PictureFormat::Pfm;
 }
@@ -69,7 +69,7 @@ void require_possible(const RenderArguments& arguments) {
                           "a directory that is there");
 }
 
-/// Of a picture and a buffer in one file one would be lost.
+/// Refuses a buffer in the picture's own file: one of the two would be lost.
 void require_apart(const RenderArguments& arguments, const Scene& scene) {
     if (arguments.buffers.empty()) return;
     for (const std::string& name : buffer_names(scene))

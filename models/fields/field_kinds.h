@@ -79,7 +79,7 @@ struct Count {
                (is_allowed == nullptr || is_allowed(static_cast<int>(x)));
     }
 };
-/// Words for "expected ...": "1, 4, 9", "a whole number from 1 to 8", or "1" where there is no other.
+/// Words for "expected ...": "1, 4, 9", "a whole number from 1 to 8", or "1" if that is the only value.
 [[nodiscard]] std::string words_of(const Count& count);
 /// A struct with fields of its own.
 struct Group {};

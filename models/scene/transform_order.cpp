@@ -6,7 +6,7 @@
 namespace glint {
 namespace {
 
-/// Of one step alone, without a move.
+/// The matrix of one step alone, rotation or scale, without the translation.
 glm::dmat3 linear_part(const Transform& written, TransformStep step) {
     Transform alone;
     if (step == TransformStep::Rotate) alone.rotate_deg = written.rotate_deg;

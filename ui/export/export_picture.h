@@ -49,11 +49,12 @@ void begin_export(UiState& state, const ExportOptions& options, const std::strin
 void begin_copy(UiState& state);
 /// Copies the command line that draws the edited scene with these options into the file `out`.
 void copy_render_command(UiState& state, const ExportOptions& options, const std::string& out);
-/// The same as the scene was exported last; as it is shown where it was not. Precondition: it is drawn.
+/// Copies the command line with the options of the scene's last export, or for the picture as it is shown if
+/// there was none. Precondition: the picture is drawn.
 void copy_last_command(UiState& state);
 /// Once a frame: says what has come of it.
 void poll_export(UiState& state);
-/// The same for any job whose result is what to say when it is done.
+/// Once a frame: if the job is done, shows its result as a notification and ends it.
 void poll_job(std::unique_ptr<Job<std::string>>& job, Notifications& notifications);
 
 /// The question about size and samples; the file's name is asked for after it.

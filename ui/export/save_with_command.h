@@ -7,7 +7,8 @@ namespace glint {
 
 /// Draws the picture into a new file of the working directory and puts the command for it onto the clipboard.
 void save_with_command(UiState& state, const ExportOptions& options);
-/// The same as it was exported last, else as it is shown. Precondition: it is drawn.
+/// Does so with the options of the scene's last export, or for the picture as it is shown if there was none.
+/// Precondition: the picture is drawn.
 void save_with_command(UiState& state);
 
 }  // namespace glint

@@ -22,7 +22,7 @@ struct MatchTask {
     Scene start, target;
     std::vector<std::string> numbers;  // pointers into the scene
 };
-/// The same task for the same seed on every machine.
+/// Makes the task of a seed, which is the same on every machine.
 [[nodiscard]] MatchTask match_task(std::uint64_t seed);
 
 /// How far two pictures of one size are apart: the root of the mean square over pixels and channels, in

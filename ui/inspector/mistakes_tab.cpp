@@ -17,7 +17,7 @@
 namespace glint {
 namespace {
 
-/// Of the small pictures: four to three, a third of the column at most.
+/// The size of the small pictures: four to three, at most a third of the column wide.
 PictureSize small_size(float room, bool keeps_width) {
     constexpr int largest = 192;
     const int width = std::clamp(saturated_int(std::min(px(96), room / 3)), 8, largest);

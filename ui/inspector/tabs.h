@@ -52,7 +52,7 @@ void models_tab(UiState& state, const PictureView& view);
 /// Precondition: the picture is of the edited scene, or of one with other lights, materials or shading.
 [[nodiscard]] std::array<Explanation, 4> under_each_mode(const UiState& state,
                                                          const Explanation& explanation);
-/// The same pixel lit at its own point. Nothing where the explanation is not of the edited scene.
+/// The pixel lit at its own point. Nothing if the explanation is not of the edited scene.
 [[nodiscard]] std::optional<Explanation> under_phong(const UiState& state, const Explanation& explanation);
 
 // The mistakes that students really make are switches: on, one sees how each is recognised; pointed at, one

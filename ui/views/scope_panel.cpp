@@ -39,8 +39,8 @@ Interval range_of_curves(std::initializer_list<const Points*> curves, bool aroun
     return range_of(values, around_zero ? 1e-4 : 1e-3, 0.08);
 }
 
-/// Of a curve of differences, one a sample: where an object ends, the jump is a hundred times as high as the
-/// bands that one looks for, and leaves the strip.
+/// The range of a curve of differences, one for each sample, without the jumps where objects end: they are a
+/// hundred times as high as the bands that one looks for, and may leave the strip.
 Interval range_within_objects(const Points& points, const std::vector<ProfileSample>& samples) {
     const auto object = [&](std::size_t i) { return samples[i].seen ? samples[i].seen->object : -1; };
     Points inside;

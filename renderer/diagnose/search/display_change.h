@@ -59,7 +59,7 @@ struct ByteRange {
 using ByteRanges = std::array<ByteRange, 256>;
 [[nodiscard]] ByteRanges byte_ranges(const DisplayChange& change);
 
-/// The same without the middle, which costs as much as both ends.
+/// Both ends of byte_ranges() without the middle, which costs as much to compute as the two.
 struct ByteBounds {
     std::array<float, 256> low{}, high{};
 };

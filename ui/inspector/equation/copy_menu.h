@@ -5,8 +5,8 @@
 
 namespace glint {
 
-/// Of the item drawn last. `number` is as it is written; an empty `line` is not offered. `id` tells numbers
-/// of one place apart.
+/// Offers to copy from the item drawn last, on a right click. `number` is as it is written; an empty `line`
+/// is not offered. `id` tells the numbers of one position apart.
 void copy_menu(int id, const std::string& number, const std::string& line);
 
 }  // namespace glint
