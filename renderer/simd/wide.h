@@ -4,7 +4,7 @@
 
 #include "renderer/simd/lanes.h"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef GLINT_SANITIZED
 #define GLINT_FLATTEN  // one huge function full of checks would take minutes to compile
 #else
 #define GLINT_FLATTEN [[gnu::flatten]]

@@ -97,7 +97,8 @@ void read_environment() {
 
 int (*main_of_program)(int, char**, char**) = nullptr;
 
-int counted_main(int count, char** arguments, char** environment) {
+// main() may have another type than the C library gives it.
+__attribute__((no_sanitize("undefined"))) int counted_main(int count, char** arguments, char** environment) {
     read_environment();
     is_on = true;
     return main_of_program(count, arguments, environment);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the fuzzers and runs each for SECONDS, or with tests/fuzz/run.sh SECONDS TARGET that one: from its corpus and from
-# what earlier runs found (build/fuzz/found). What fails is left in build/fuzz/failed/TARGET-*, and is run again by giving it
-# to build/fuzz/tests/fuzz/fuzz_TARGET. Ends with status 1 where one failed, after all have had their time.
+# what earlier runs found (build/dev/found). What fails is left in build/dev/failed/TARGET-*, and is run again by giving it
+# to build/dev/tests/fuzz/fuzz_TARGET. Ends with status 1 where one failed, after all have had their time.
 #
 #   GLINT_FUZZ_SEED=N           the same inputs in the same order every time, as far as the time goes
 #   tests/fuzz/run.sh merge     keeps in tests/fuzz/corpus some of what reaches everything that all runs reached
@@ -9,7 +9,7 @@ set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/../../cmake/prepare.sh"
 
 here=$glint_root/tests/fuzz
-tree=$glint_root/build/fuzz
+tree=$glint_root/build/dev
 
 if [ $# -lt 1 ] || [ $# -gt 2 ] || [[ ! $1 =~ ^([1-9][0-9]*|merge)$ ]]; then
     echo "glint: error: tests/fuzz/run.sh: expected SECONDS [TARGET], or merge" >&2
@@ -72,7 +72,7 @@ merge() {
 
 install_packages "$glint_root/cmake/packages.txt" "$glint_root/cmake/packages-ci.txt"
 # shellcheck disable=SC2086,SC2046  # one argument a target
-build fuzz OFF $(printf 'fuzz_%s ' $names)
+build dev OFF $(printf 'fuzz_%s ' $names)
 
 # As many at once as there are processors.
 seconds=$1

@@ -22,7 +22,7 @@ class MemoryLimit {
 };
 
 // The sanitizers take all of the address space for themselves.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef GLINT_SANITIZED
 inline constexpr bool can_limit_address_space = false;
 #else
 inline constexpr bool can_limit_address_space = true;

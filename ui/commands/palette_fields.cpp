@@ -119,7 +119,7 @@ template <class T> class SettingList {
 
     void of(const T& value) const {
         fields(value,
-               [this](const Row& row, const auto& kind, const auto& member) { at(row, kind, member); });
+               [this](const Row& row, const auto& kind, const auto& member) { this->at(row, kind, member); });
     }
 
   private:

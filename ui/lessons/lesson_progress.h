@@ -16,7 +16,6 @@ struct UiState;
 struct LessonRecord {
     std::size_t at = 0, stations = 1;  // the station that one was at last, from 0
     CourseScore score;
-    bool operator==(const LessonRecord&) const = default;
 };
 
 /// Returns the key of a lesson's record: its name if it comes with the program, else its absolute path.

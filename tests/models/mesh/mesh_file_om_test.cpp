@@ -13,7 +13,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/mesh_file_bytes.h"
 
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef GLINT_SANITIZED
 // OpenMesh's writer keeps 16 bytes to the end of the program; the leak check need not tell of them.
 extern "C" const char*
 __lsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier): the sanitizer's

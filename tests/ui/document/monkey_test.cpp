@@ -18,7 +18,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef GLINT_SANITIZED
 constexpr int events_a_run = 2'500;  // slow, and with seeds that Release does not have
 constexpr unsigned first_seed = 5;
 #else
@@ -233,7 +233,7 @@ TEMPLATE_TEST_CASE_SIG(
     CHECK(bench.state.notifications.list.size() <= 5);
 }
 
-#ifndef __SANITIZE_ADDRESS__
+#ifndef GLINT_SANITIZED
 TEST_CASE("a window that goes on and on holds no more memory than when it was warm", "[ui][monkey][long]") {
     const Cage cage;
     HeadlessWindow bench({900, 420});
