@@ -9,6 +9,12 @@
 
 namespace glint {
 
+/// U+FEFF, which some programs write before a text.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+[[nodiscard]] inline std::string_view without_byte_order_mark(std::string_view text) {
+    return text.substr(text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
+}
+
 /// Bytes of the well-formed character at the start of `text`, 1 to 4; 0 when there is none (empty text, a
 /// stray or missing continuation byte, an overlong form, a surrogate, a value above U+10FFFF).
 [[nodiscard]] std::size_t utf8_length(std::string_view text);

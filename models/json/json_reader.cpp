@@ -14,8 +14,6 @@
 namespace glint {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
 /// An iterator that reports how far it has read: the library tells its listener what it met, but not where.
 struct CountingIterator {
     using iterator_category = std::input_iterator_tag;
@@ -171,7 +169,7 @@ Json read_json(std::string_view text, const std::string& file) {
         throw ProblemFound{{file, "", fmt::format("the byte 0x{:02x} is not UTF-8", byte), "UTF-8 text",
                             line_of(text, bad)}};
     }
-    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    text = without_byte_order_mark(text);
     if (text.starts_with(byte_order_mark))  // the library would pass over this one
         throw ProblemFound{{file, "", "a second byte-order mark", "at most one before the text", 1}};
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)  // its end to the library

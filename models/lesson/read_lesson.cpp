@@ -109,7 +109,7 @@ class Builder {
 }  // namespace
 
 Result<Lesson> parse_lesson(std::string_view text, const std::string& path) {
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    text = without_byte_order_mark(text);
     try {
         if (text.size() > max_lesson_bytes) fail_at(0, "the lesson is too long", "at most 256 KiB");
         if (const std::size_t wrong = first_invalid_utf8(text); wrong < text.size())

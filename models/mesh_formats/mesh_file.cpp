@@ -11,6 +11,7 @@
 
 #include "models/gltf/gltf.h"
 #include "models/io/file.h"
+#include "models/io/utf8.h"
 #include "models/mesh/mesh_memory.h"
 #include "models/mesh_formats/mesh_reader.h"
 #include "models/progress.h"
@@ -64,6 +65,15 @@ template <class Read> Result<Mesh> mesh_of(const std::string& path, const Read& 
     }
 }
 
+/// The beginning of a file without a byte-order mark, where it is text.
+std::string_view without_mark(std::string_view extension, const FileBlock& first) {
+    const std::string_view text = without_byte_order_mark(first.bytes);
+    const bool is_binary =
+        extension == ".om" ||
+        (extension == ".stl" && (!begins_with_solid(text) || binary_stl_size(first.bytes) == first.size));
+    return is_binary ? first.bytes : text;
+}
+
 Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::string_view bytes,
                          const std::string& path, int part) {
     const Format* format = format_of(path);
@@ -74,7 +84,7 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
     if (part != 0)
         return Problem{path, "", fmt::format("it holds one mesh, and not a part {}", part), "part 0", 0};
     return mesh_of(path, [&]() -> Result<Mesh> {
-        Mesh mesh = format->read(bytes, path);
+        Mesh mesh = format->read(without_mark(format->extension, {bytes, 0, bytes.size()}), path);
         if (mesh.face_count() == 0) return Problem{path, "", "the mesh has no faces", "at least one", 0};
         require_room_for_triangles(mesh);
         finish_mesh(mesh);
@@ -91,7 +101,7 @@ Result<Mesh> part_of(const GltfFile& file, const std::string& path, int part) {
 /// True where the first block cannot begin a file of the format with that extension: the reader will fail
 /// within that block.
 bool begins_badly(std::string_view extension, const FileBlock& first) {
-    const std::string_view bytes = first.bytes;
+    const std::string_view bytes = without_mark(extension, first);
     if (extension == ".ply") return !bytes.starts_with("ply");
     if (extension == ".om") return !bytes.starts_with("OM");
     if (extension == ".stl" && bytes.size() >= binary_stl_header && !begins_with_solid(bytes))
@@ -105,7 +115,7 @@ bool is_text_mesh(std::string_view extension, const FileBlock& first) {
     if (extension == ".om") return false;
     if (extension == ".ply") return first.bytes.find("format ascii") != std::string_view::npos;
     if (extension != ".stl") return true;
-    return begins_with_solid(first.bytes) && binary_stl_size(first.bytes) != first.size;
+    return begins_with_solid(without_mark(extension, first)) && binary_stl_size(first.bytes) != first.size;
 }
 
 /// Whether the block holds nothing but zero bytes, as the holes of a file do, and more than a line of text

@@ -90,6 +90,25 @@ TEST_CASE("a message quotes no more of a file than a short word", "[mesh_file]")
     CHECK(error_of("m.obj", "Ölförderung").find("\"Ölförderung\"") != std::string::npos);
 }
 
+TEST_CASE("a byte-order mark before the text of a mesh is passed over", "[mesh_file]") {
+    const std::string mark = "\xEF\xBB\xBF";
+    const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    CHECK(read_text("m.obj", mark + obj).triangles.size() == 1);
+    CHECK(read_text("m.off", mark + "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").triangles.size() == 1);
+    CHECK(read_text("m.ply", mark + "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                                    "property float y\nproperty float z\nelement face 1\n"
+                                    "property list uchar int vertex_indices\nend_header\n"
+                                    "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+              .triangles.size() == 1);
+    CHECK(read_text("m.stl", mark + "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+                                    "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n")
+              .triangles.size() == 1);
+    CHECK(error_of("m.obj", mark + "w 0 0 0\n" + obj) ==
+          "m.obj:1: \"w\" is not a statement of an OBJ file; expected v, vt, vn, f, l, p, g, o, s, usemtl or "
+          "mtllib");
+    CHECK(error_of("m.obj", obj + mark + "f 1 2 3\n").starts_with("m.obj:5: "));  // at the start only
+}
+
 TEST_CASE("an OBJ's colours come after the place, white where there are none", "[mesh_file][obj]") {
     const Mesh mesh = read_text("m.obj", "v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0\nf 1 2 3\n");
     CHECK(mesh.colors == std::vector<glm::vec3>{{1, 1, 1}, {1, 0.5f, 0}, {1, 1, 1}});
