@@ -6,6 +6,7 @@
 
 #include "models/mesh/normals.h"
 #include "models/mesh/polygon.h"
+#include "models/mesh/repeated_corners.h"
 #include "models/mesh/topology.h"
 #include "models/problem.h"
 #include "models/progress.h"
@@ -33,8 +34,9 @@ void finish_mesh(Mesh& mesh) {
     if (mesh.corner_position.size() > 2 * mesh.face_count())
         mesh.triangles.reserve(mesh.corner_position.size() - 2 * mesh.face_count());
     Triangulator triangulator;
+    RepeatedCorners repeated;
     std::vector<std::uint32_t> corners;
-    std::size_t without_area = 0, repeating = 0, long_fans = 0;
+    std::size_t without_area = 0, repeating = 0, returning = 0, long_fans = 0;
     std::size_t next_report = corners_between_reports;
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
         const std::uint32_t first = mesh.first_corner[f], size = mesh.first_corner[f + 1] - first;
@@ -50,6 +52,7 @@ void finish_mesh(Mesh& mesh) {
         } else {
             distinct_corners(mesh, f, corners);
             repeating += corners.size() < size ? 1 : 0;
+            returning += repeated.comes_back(mesh, corners) ? 1 : 0;
             long_fans += triangulator.cut(mesh, f, corners, plane.normal, mesh.triangles) ? 0 : 1;
         }
     }
@@ -58,6 +61,8 @@ void finish_mesh(Mesh& mesh) {
          "degenerate faces have no area and are not drawn");
     warn(mesh.warnings, repeating, "face has a repeated corner, which was skipped",
          "faces have a repeated corner, which was skipped");
+    warn(mesh.warnings, returning, "face comes back to one of its corners and is drawn as well as it goes",
+         "faces come back to one of their corners and are drawn as well as it goes");
     warn(mesh.warnings, long_fans, "face is not convex and has more than 1000 corners: drawn as a fan",
          "faces are not convex and have more than 1000 corners: drawn as fans");
 }

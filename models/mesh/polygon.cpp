@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numeric>
 
 namespace glint {
@@ -71,6 +73,24 @@ template <class P> double turn(const P& a, const P& b, const P& c) {
     return bb * cc > 0 ? cross(a, b, c) / std::sqrt(bb * cc) : 0;
 }
 
+/// The longest side of a triangle: its cross product over that is its least height.
+template <class P> double longest_side(const P& a, const P& b, const P& c) {
+    return std::max({std::hypot(b.x - a.x, b.y - a.y), std::hypot(c.x - a.x, c.y - a.y),
+                     std::hypot(c.x - b.x, c.y - b.y)});
+}
+
+/// How far a corner and the line through two others can be moved against each other by the rounding of their
+/// coordinates: each by half of a float's last bit along each axis.
+double rounding_of(const Mesh& mesh, const std::vector<std::uint32_t>& corners) {
+    float largest = 0;
+    for (const std::uint32_t c : corners) {
+        const glm::vec3 size = glm::abs(mesh.positions[mesh.corner_position[c]]);
+        largest = std::max({largest, size.x, size.y, size.z});
+    }
+    constexpr double half_bit = std::numeric_limits<float>::epsilon() / 2;
+    return 2 * std::sqrt(3.0) * half_bit * static_cast<double>(largest);
+}
+
 }  // namespace
 
 void Triangulator::project(const Mesh& mesh, const std::vector<std::uint32_t>& corners,
@@ -89,17 +109,37 @@ void Triangulator::project(const Mesh& mesh, const std::vector<std::uint32_t>& c
     }
 }
 
-bool Triangulator::convex() const {
+bool Triangulator::convex(double noise) const {
     const std::size_t n = points_.size();
+    const auto turns_right = [noise](const Point& a, const Point& b, const Point& c) {
+        return turn(a, b, c) < -straight && cross(a, b, c) < -noise * longest_side(a, b, c);
+    };
     for (std::size_t i = 0; i < n; ++i) {
         const Point &here = points_[i], &next = points_[(i + 1) % n], &then = points_[(i + 2) % n];
-        if (turn(next, then, here) < -straight) return false;
+        if (turns_right(next, then, here)) return false;
         // Left turns alone are not enough, as a pentagram or a spiral winds round twice: the fan's triangles
         // must also be counter-clockwise and stay on the left of its first edge.
-        if (turn(points_[0], here, next) < -straight) return false;
-        if (turn(points_[0], points_[1], here) < -straight) return false;
+        if (turns_right(points_[0], here, next)) return false;
+        if (turns_right(points_[0], points_[1], here)) return false;
     }
     return true;
+}
+
+bool Triangulator::winds_once(double noise) const {
+    const auto first = std::min_element(points_.begin(), points_.end(),
+                                        [](const Point& a, const Point& b) { return a.x < b.x; });
+    std::size_t at = static_cast<std::size_t>(first - points_.begin()), turns = 0;
+    double sign = 1, furthest = first->x;  // 1 while x rises, -1 while it falls
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const double x = points_[at++ % points_.size()].x;
+        if (sign * x < furthest - noise) {
+            ++turns;
+            sign = -sign;
+            furthest = sign * x;
+        }
+        furthest = std::max(furthest, sign * x);
+    }
+    return turns <= 1;
 }
 
 bool Triangulator::cut(const Mesh& mesh, std::uint32_t face, const std::vector<std::uint32_t>& corners,
@@ -107,7 +147,7 @@ bool Triangulator::cut(const Mesh& mesh, std::uint32_t face, const std::vector<s
     bool is_convex = corners.size() <= 3;
     if (!is_convex) {
         project(mesh, corners, normal);
-        is_convex = convex();
+        is_convex = convex(0);
     }
     if (!is_convex && corners.size() <= longest_ear_clipping) {
         clip_ears(mesh, face, corners, triangles);
@@ -115,7 +155,9 @@ bool Triangulator::cut(const Mesh& mesh, std::uint32_t face, const std::vector<s
     }
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
         add(mesh, {{corners[0], corners[i], corners[i + 1]}, face}, triangles);
-    return is_convex;
+    if (is_convex) return true;
+    const double noise = rounding_of(mesh, corners);
+    return convex(noise) && winds_once(noise);
 }
 
 void Triangulator::make_ring() {

@@ -34,9 +34,9 @@ class Triangulator {
     /// Appends the triangles of polygon `face`, each with an area and wound as the polygon where it is
     /// simple: a fan from the first corner when it is convex in its Newell plane (`normal`, unit), else by
     /// ear clipping. `corners`: distinct_corners() of it; fewer than three give nothing. A polygon that
-    /// crosses itself is cut as well as it goes. False for one that is not convex but too long to clip ears:
-    /// it is cut as a fan. Time: linear when convex, else at most quadratic. Source: J. O'Rourke,
-    /// Computational Geometry in C, 1.6.
+    /// crosses itself is cut as well as it goes. False for one that is too long to clip ears and not convex,
+    /// not even but for the rounding of its coordinates: it is cut as a fan. Time: linear when convex, else
+    /// at most quadratic. Source: J. O'Rourke, Computational Geometry in C, 1.6.
     bool cut(const Mesh& mesh, std::uint32_t face, const std::vector<std::uint32_t>& corners,
              const glm::dvec3& normal, std::vector<Triangle>& triangles);
 
@@ -45,7 +45,10 @@ class Triangulator {
         double x, y;
     };
     void project(const Mesh& mesh, const std::vector<std::uint32_t>& corners, const glm::dvec3& normal);
-    [[nodiscard]] bool convex() const;
+    /// Whether no turn is to the right; those do not count that corners no further away than `noise` undo.
+    [[nodiscard]] bool convex(double noise) const;
+    /// Whether x rises and falls once on the way round, but for steps back that are no longer than `noise`.
+    [[nodiscard]] bool winds_once(double noise) const;
     void make_ring();
     void make_sweep();
     void clip(std::size_t i);

@@ -80,7 +80,8 @@ TEST_CASE("corners on a straight side leave no triangle without an area", "[tria
                                 {0, 2, 0}}));
 }
 
-TEST_CASE("what is not convex is not a fan, even where a fan would do or all turns are left", "[triangulate]") {
+TEST_CASE("what is not convex is not a fan, even where a fan would do or all turns are left",
+          "[triangulate]") {
     const auto is_fan = [](const Mesh& mesh) {
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
             if (mesh.triangles[i] != Triangle{{0, i + 1, i + 2}, 0}) return false;
@@ -203,6 +204,48 @@ TEST_CASE("above 1000 corners only what is not convex is warned of", "[triangula
     for (const Triangle& t : mesh.triangles) CHECK(t.corner[0] == 0);
     star.resize(1000);
     CHECK(make_polygon(star).warnings.empty());
+}
+
+TEST_CASE("a circle of very many corners is convex, whatever its corners are rounded to", "[triangulate]") {
+    for (const double radius : {1.0, 1e-20, 1e20})
+        for (const glm::dvec3& middle : {glm::dvec3(0), glm::dvec3(3, -2, 5)}) {
+            std::vector<glm::vec3> circle, notched;
+            for (int i = 0; i < 65536; ++i) {
+                const double angle = 6.283185307179586 * i / 65536;
+                // Across no axis, so that each coordinate is rounded by itself.
+                const glm::dvec3 p(0.6 * std::cos(angle), 0.8 * std::cos(angle), std::sin(angle));
+                circle.emplace_back(radius * (p + middle));
+                notched.emplace_back(radius * ((i == 40000 ? 1 - 1e-4 : 1) * p + middle));
+            }
+            CAPTURE(radius, middle.x);
+            CHECK(make_polygon(circle).warnings.empty());
+            CHECK(make_polygon(notched).warnings ==
+                  Warnings{"1 face is not convex and has more than 1000 corners: drawn as a fan"});
+        }
+    std::vector<glm::vec3> twice;  // as the pentagram winds round twice
+    for (int i = 0; i < 30001; ++i) {
+        const double angle = 6.283185307179586 * 2 * i / 30001;
+        twice.emplace_back(std::cos(angle), std::sin(angle), 0);
+    }
+    CHECK(make_polygon(twice).warnings ==
+          Warnings{"1 face is not convex and has more than 1000 corners: drawn as a fan"});
+}
+
+TEST_CASE("a face that comes back to one of its corners is told, one with a hole is not", "[triangulate]") {
+    const std::vector<glm::vec3> places{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0},
+                                        {1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}};
+    const auto warnings = [&](const std::vector<std::uint32_t>& face) {
+        return make_mesh(places, {face}).warnings;
+    };
+    const Warnings told{"1 face comes back to one of its corners and is drawn as well as it goes"};
+    CHECK(warnings({0, 1, 2, 3}).empty());
+    CHECK(warnings({0, 1, 2, 0, 3}) == told);                 // a spike to 3
+    CHECK(warnings({0, 1, 2, 1, 3}) == told);                 // a spike to 2
+    CHECK(warnings({4, 0, 1, 4, 2, 3}) == told);              // two triangles that meet at 4
+    CHECK(warnings({0, 1, 2, 3, 0, 4, 5, 6, 7, 4}).empty());  // a hole, joined by a bridge
+    CHECK(warnings({0, 1, 2, 3, 0, 4, 5, 4}) == told);        // a bridge that goes on as a spike
+    CHECK(make_mesh(places, {{0, 1, 2, 0, 3}, {0, 2, 0, 3, 1}}).warnings ==
+          Warnings{"2 faces come back to one of their corners and are drawn as well as it goes"});
 }
 
 TEST_CASE("coordinates of any size keep their triangles", "[triangulate][degenerate]") {
