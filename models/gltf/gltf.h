@@ -13,7 +13,8 @@
 
 namespace glint {
 
-/// The generator that our own files name; lights of such files are taken as bright as they say.
+/// The generator that our own files name; lights of such files are taken as bright as they say, and there are
+/// no others.
 inline constexpr std::string_view gltf_generator = "Glint";
 
 /// True for a path that ends in .gltf or .glb, in any case.
@@ -37,8 +38,10 @@ class GltfFile {
     struct Content {
         Scene scene;  // objects name `file_name` and the part; their meshes are not loaded
         bool has_camera = false, has_lights = false;
-        bool scales_lights = true;  // they are in candela and lux of somebody's choice
-        Warnings warnings;          // what is left out, one line a kind
+        bool is_ours = false;  // written by Glint; of others, lights are in candela and lux of their choice
+        glm::dvec3 ahead{0, 0, -1};  // where the camera looks, unit: its target is rounded
+        Warnings warnings;           // what is left out, one line a kind
+        Warnings objects_left_out;   // those of them that say why there are fewer objects
     };
     /// Converts the file's scene (the first one where it names none): an object for each primitive with
     /// triangles of each node, the camera of the first node that has one, and the lights. A light below that
@@ -57,7 +60,8 @@ struct GltfWritten {
 };
 /// Writes meshes with the normals that they are drawn with, transforms, the camera with the lights that move
 /// with it, lights of KHR_lights_punctual, and materials as metallic-roughness. Precondition: meshes are
-/// loaded.
+/// loaded. What is written can be opened: a scene of which that is not so is refused, with the pointer of its
+/// value.
 [[nodiscard]] Result<GltfWritten> glb_of(const Scene& scene, const std::string& name);
 
 }  // namespace glint

@@ -34,8 +34,9 @@ Chunks chunks_of(std::string_view bytes) {
     if (bytes.size() < header + chunk_header) fail("the file ends in its header", "a whole .glb file");
     if (number(4) != 2) fail(fmt::format("the container has version {}", number(4)), "2");
     const std::uint64_t length = number(8);
-    if (length > bytes.size())
-        fail(fmt::format("the header says {} bytes, the file has {}", length, bytes.size()), "a whole file");
+    if (length != bytes.size())
+        fail(fmt::format("the header says {} bytes, the file has {}", length, bytes.size()),
+             std::to_string(bytes.size()));
     Chunks chunks;
     std::size_t at = header;
     for (int i = 0; at + chunk_header <= length; ++i) {
@@ -152,6 +153,17 @@ void read_buffers(GltfDocument& document, const Chunks& chunks) {
                 .substr(0, lengths[i]));
 }
 
+bool is_quantized(const Node& root) {
+    bool is_named = false;
+    for (const char* list : {"extensionsUsed", "extensionsRequired"})
+        root.with(list, [&](const Node& names) {
+            names.each(max_json_values, "names", [&](const Node& name) {
+                is_named = is_named || text(name) == "KHR_mesh_quantization";
+            });
+        });
+    return is_named;
+}
+
 /// Extensions without which the shapes would be others.
 void check_extensions(const Node& root) {
     constexpr std::array<std::string_view, 2> read{"KHR_lights_punctual", "KHR_mesh_quantization"};
@@ -174,6 +186,10 @@ void check_version(const Node& root) {
         std::string version;
         read(asset, "version", version);
         if (!version.starts_with("2.")) asset.fail(in_quotes(version) + " is its version", "2.0");
+        asset.with("minVersion", [](const Node& least) {
+            if (text(least) != "2.0" && !text(least).starts_with("1."))
+                least.fail(in_quotes(text(least)) + " is needed to read it", "2.0");
+        });
     });
 }
 
@@ -204,6 +220,7 @@ Result<GltfFile> GltfFile::parse(std::string bytes, const std::string& path) {
         const Node root(document->root);
         check_version(root);
         check_extensions(root);
+        document->is_quantized = is_quantized(root);
         read_buffers(*document, chunks);
         return GltfFile(document);
     } catch (ProblemFound& found) {

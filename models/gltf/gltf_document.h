@@ -26,6 +26,7 @@ struct GltfDocument {
     std::vector<std::string> own;  // buffers that are not in it
     std::vector<std::string_view> buffers;
     Json root;
+    bool is_quantized = false;  // it names KHR_mesh_quantization
     MemoryShare share;
 };
 
@@ -52,10 +53,14 @@ void follow(const Node& root, const Node& from, std::string_view key, std::strin
     root.with(list, [&](const Node& all) { f(Node(all.value()[index], all, index)); });
 }
 
+/// GL's numbers of component types.
+inline constexpr int gltf_unsigned_byte = 5121, gltf_unsigned_short = 5123, gltf_unsigned_int = 5125,
+                     gltf_floats = 5126;
+
 /// The numbers of an accessor, read as floats: normalized integers become 0 to 1, or -1 to 1 if signed.
 struct GltfNumbers {
     std::size_t count = 0, components = 0;
-    int type = 0;  // GL's number of the component type
+    int type = 0;  // GL's number of the component type: gltf_floats, ...
     bool normalized = false;
     const char* data = nullptr;
     std::size_t stride = 0;

@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
+#include "models/fields/scene_rules.h"
 #include "models/gltf/gltf_document.h"
 #include "models/mesh/normals.h"
 
@@ -18,12 +18,13 @@ namespace {
 constexpr double sheared_from = 1e-4;  // the cosine between two axes
 constexpr double half_way = 0.25;      // glTF's brightness half way between the cosines of its two cones
 constexpr double sharp_below = 0.001;  // radians between them
+constexpr float least_near = 1e-3f;    // of a camera whose near plane lies at the eye
 
 template <class P> void read_planes(const Node& node, P& p) {
     read(node, "znear", p.near, at_least_zero);
-    p.near = std::max(p.near, 1e-3f);
-    p.far = p.near * 1e5f;  // without one it is infinite
+    p.far = std::max(p.near, least_near) * 1e5f;  // without one it is infinite
     read(node, "zfar", p.far, above_zero);
+    if (p.near == 0) p.near = std::min(least_near, p.far / 2);
     if (!(p.far > p.near)) node.fail("zfar is not above znear", "a zfar above znear");
 }
 
@@ -58,11 +59,20 @@ Material material_from(const glm::vec3& base, float metal, float roughness) {
 
 }  // namespace
 
+bool is_flat(const glm::dmat4& m) {
+    for (int i = 0; i < 3; ++i)
+        if (static_cast<float>(glm::length(glm::dvec3(m[i]))) == 0) return true;
+    return false;
+}
+
 std::optional<Transform> transform_of(const glm::dmat4& m, bool& sheared) {
+    if (is_flat(m)) return {};
     glm::dvec3 axis[3] = {glm::dvec3(m[0]), glm::dvec3(m[1]), glm::dvec3(m[2])};
     glm::dvec3 scale(glm::length(axis[0]), glm::length(axis[1]), glm::length(axis[2]));
     for (int i = 0; i < 3; ++i) {
-        if (!(scale[i] > 1e-30 && scale[i] <= max_number && std::abs(m[3][i]) <= max_number)) return {};
+        if (!any_number.contains(static_cast<float>(scale[i])) ||
+            !any_number.contains(static_cast<float>(m[3][i])))
+            return {};
         axis[i] /= scale[i];
     }
     if (glm::dot(glm::cross(axis[0], axis[1]), axis[2]) < 0) {
@@ -92,31 +102,6 @@ GltfCone cone_of(const SpotCone& cone) {
     out.is_alike = 2 * middle - std::cos(outer) <= 1 && outer - inner >= sharp_below;
     if (out.is_alike) out.inner = inner;
     return out;
-}
-
-glm::dmat4 local_of(const Node& node) {
-    glm::dmat4 m(1);
-    if (node.has("matrix")) {
-        node.with("matrix", [&](const Node& at) {
-            const std::vector<double> all = numbers(at, 16, 16);
-            for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = all[static_cast<std::size_t>(i)];
-        });
-        return m;
-    }
-    node.with("scale", [&](const Node& at) {
-        const std::vector<double> s = numbers(at, 3, 3);
-        for (int i = 0; i < 3; ++i) m[i] *= s[static_cast<std::size_t>(i)];
-    });
-    node.with("rotation", [&](const Node& at) {
-        const std::vector<double> q = numbers(at, 4, 4);
-        const glm::dquat turn(q[3], q[0], q[1], q[2]);
-        if (glm::dot(turn, turn) > 0) m = glm::mat4_cast(glm::normalize(turn)) * m;
-    });
-    node.with("translation", [&](const Node& at) {
-        const std::vector<double> t = numbers(at, 3, 3);
-        m[3] = glm::dvec4(t[0], t[1], t[2], 1);
-    });
-    return m;
 }
 
 GltfMaterial material_of(const Node& node) {
@@ -151,7 +136,7 @@ GltfMaterial material_of(const Node& node) {
     return {m, textured, alpha == "BLEND" || alpha == "MASK", both_sides};
 }
 
-Camera camera_from(const Node& at, const glm::dmat4& world) {
+GltfCamera camera_from(const Node& node, const Node& at, const glm::dmat4& world) {
     Camera camera;
     require_object(at);
     std::string type;
@@ -171,15 +156,30 @@ Camera camera_from(const Node& at, const glm::dmat4& world) {
             require_object(p);
             float fov = glm::radians(v.fov_y_deg);
             read(p, "yfov", fov, {0, std::numbers::pi, "more than 0, less than pi", true, true});
-            v.fov_y_deg = std::min(glm::degrees(fov), 179.9f);
+            v.fov_y_deg = std::min(glm::degrees(fov), std::nextafter(180.0f, 0.0f));
             read_planes(p, v);
         });
         camera.projection = v;
     }
     camera.eye = glm::vec3(world[3]);
-    camera.up = glm::vec3(unit_or_zero(glm::dvec3(world[1])));
-    camera.target = camera.eye - glm::vec3(unit_or_zero(glm::dvec3(world[2])));  // moved to the objects later
-    return camera;
+    const glm::dvec3 up = unit_or_zero(glm::dvec3(world[1])), back = unit_or_zero(glm::dvec3(world[2]));
+    camera.up = glm::vec3(up);
+    camera.target = target_of(camera.eye, -back, 1);
+    std::optional<Violation> wrong = violation_of(camera);
+    if (!is_within_ranges(camera)) wrong = Violation{"", "its place is beyond 1e30", ""};
+    if (wrong)
+        node.fail("no camera can stand there: " + wrong->what,
+                  "axes that have a length, at a place within 1e30");
+    const glm::dvec3 right = glm::normalize(glm::cross(up, back));
+    const glm::dmat3 world_from_view(right, glm::cross(back, right), back);
+    // Both begin at the eye, however far away that is.
+    return {camera, -back, glm::dmat4(glm::transpose(world_from_view) * glm::dmat3(world))};
+}
+
+glm::vec3 target_of(const glm::vec3& eye, const glm::dvec3& ahead, double distance) {
+    const glm::dvec3 from(eye), size(glm::abs(from));
+    const double clear = 1e-4 * std::max({size.x, size.y, size.z});
+    return glm::vec3(from + std::max(distance, clear) * ahead);
 }
 
 Light light_from(const Node& node, const std::string& name, const glm::dmat4& placed, LightSpace space) {

@@ -1,5 +1,5 @@
 #pragma once
-// Converts a material, camera, light or transform of glTF to ours. Each function throws ProblemFound with its
+// Converts a material, camera, light or matrix of glTF to ours. Each function throws ProblemFound with its
 // pointer. Inside models/gltf/ only.
 
 #include <glm/mat4x4.hpp>
@@ -11,10 +11,10 @@
 
 namespace glint {
 
-/// The matrix of a node, from its own coordinates to its parent's.
-[[nodiscard]] glm::dmat4 local_of(const Node& node);
-/// Splits a matrix into T R S; returns nothing where an axis has no length. Sets `sheared` where its axes are
-/// not at right angles, which T R S cannot express.
+/// Whether an axis of the matrix has no length that a float can hold.
+[[nodiscard]] bool is_flat(const glm::dmat4& m);
+/// Splits a matrix into T R S; returns nothing where it is flat, or has a number that a scene cannot have.
+/// Sets `sheared` where its axes are not at right angles, which T R S cannot express.
 [[nodiscard]] std::optional<Transform> transform_of(const glm::dmat4& m, bool& sheared);
 
 struct GltfMaterial {
@@ -41,8 +41,16 @@ struct GltfCone {
 };
 [[nodiscard]] GltfCone cone_of(const SpotCone& cone);
 
-/// Converts a camera. Its target is one unit ahead; an infinite far distance becomes 100,000 times near.
-[[nodiscard]] Camera camera_from(const Node& camera, const glm::dmat4& world_from_node);
+struct GltfCamera {
+    Camera camera;  // its target is near, straight ahead
+    glm::dvec3 ahead;
+    glm::dmat4 view_from_node;
+};
+/// Converts the camera of a node; an infinite far distance becomes 100,000 times near. Fails at the node
+/// where a scene can have no such camera.
+[[nodiscard]] GltfCamera camera_from(const Node& node, const Node& camera, const glm::dmat4& world_from_node);
+/// A point so far ahead of the eye, or further where floats could not tell its direction.
+[[nodiscard]] glm::vec3 target_of(const glm::vec3& eye, const glm::dvec3& ahead, double distance);
 
 /// Converts a light. `placed` transforms the node's coordinates to those of `space`.
 [[nodiscard]] Light light_from(const Node& light, const std::string& name, const glm::dmat4& placed,

@@ -1,8 +1,61 @@
 #include "models/gltf/gltf_left_out.h"
 
 namespace glint {
+namespace {
 
-void say(const GltfLeftOut& left, Warnings& w) {
+void say_camera(const GltfUnsaid& unsaid, Warnings& w) {
+    if (unsaid.frustum) w.emplace_back("the frustum is written as a view whose middle is straight ahead");
+    if (unsaid.mirroring)
+        w.emplace_back(
+            "the frustum mirrors the picture (left above right, or bottom above top), which is left out");
+    if (unsaid.angle)
+        w.emplace_back("the view's height is an angle that glTF cannot say: it is the nearest that it can");
+}
+
+void say_whole(const Scene& scene, Warnings& w) {
+    if (scene.shading.reflection != Reflection::CookTorrance)
+        w.emplace_back(
+            "the reflection model is written as metal and roughness (cook-torrance), the nearest that "
+            "glTF has");
+    if (scene.display.transfer != Transfer::Srgb)
+        w.emplace_back("glTF's pictures are encoded (sRGB): they are brighter than this scene's");
+    if (scene.global_ambient != glm::vec3(0))
+        w.emplace_back("the ambient light is left out, which glTF does not have");
+}
+
+void say_lights(const GltfUnsaid& unsaid, Warnings& w) {
+    warn(w, unsaid.off, "light that is off is left out", "lights that are off are left out");
+    warn(w, unsaid.areas, "area light is left out", "area lights are left out");
+    warn(w, unsaid.falloffs,
+         "light falls off otherwise than with the square of the distance: it is as bright at the "
+         "camera's target",
+         "lights fall off otherwise than with the square of the distance: they are as bright at the "
+         "camera's target");
+    warn(w, unsaid.cones, "spot has an exponent that no cone of glTF has, and becomes even up to its edge",
+         "spots have exponents that no cone of glTF has, and become even up to their edges");
+    warn(w, unsaid.ambients, "light has an ambient colour, which is left out",
+         "lights have ambient colours, which are left out");
+    warn(w, unsaid.speculars, "light has highlights of another colour, which is left out",
+         "lights have highlights of other colours, which are left out");
+}
+
+}  // namespace
+
+Warnings said_objects(const GltfLeftOut& left) {
+    Warnings w;
+    warn(w, left.lines, "primitive of points or lines is left out",
+         "primitives of points or lines are left out");
+    warn(w, left.sparse, "primitive with sparse accessors is left out",
+         "primitives with sparse accessors are left out");
+    warn(w, left.flat, "object has a scale of 0, which makes it flat, and is left out",
+         "objects have a scale of 0, which makes them flat, and are left out");
+    warn(w, left.far, "object is larger or further away than 1e30, and is left out",
+         "objects are larger or further away than 1e30, and are left out");
+    return w;
+}
+
+Warnings said(const GltfLeftOut& left) {
+    Warnings w;
     warn(w, left.textures, "material has textures, which are not read",
          "materials have textures, which are not read");
     warn(w, left.blended, "material is transparent, which is not drawn",
@@ -14,17 +67,29 @@ void say(const GltfLeftOut& left, Warnings& w) {
     warn(w, left.animations, "animation is left out", "animations are left out");
     warn(w, left.morphs, "primitive has morph targets, which are left out",
          "primitives have morph targets, which are left out");
-    warn(w, left.lines, "primitive of points or lines is left out",
-         "primitives of points or lines are left out");
-    warn(w, left.sparse, "primitive with sparse accessors is left out",
-         "primitives with sparse accessors are left out");
+    const Warnings objects = said_objects(left);
+    w.insert(w.end(), objects.begin(), objects.end());
     warn(w, left.cameras, "further camera is left out", "further cameras are left out");
     warn(w, left.lights, "light beyond the most that a scene has is left out",
          "lights beyond the most that a scene has are left out");
     warn(w, left.sheared, "object is sheared, which is straightened",
          "objects are sheared, which is straightened");
-    warn(w, left.flat, "object whose transform has no extent is left out",
-         "objects whose transforms have no extent are left out");
+    return w;
+}
+
+Warnings said(const GltfUnsaid& unsaid, const Scene& scene) {
+    Warnings w;
+    say_camera(unsaid, w);
+    say_whole(scene, w);
+    if (scene.shading.reflection == Reflection::CookTorrance)
+        warn(w, unsaid.materials, "material has colours that no metal has: its diffuse colour is kept",
+             "materials have colours that no metal has: their diffuse colours are kept");
+    warn(w, unsaid.bright, "material reflects more light than it gets: its colour ends at 1",
+         "materials reflect more light than they get: their colours end at 1");
+    say_lights(unsaid, w);
+    warn(w, unsaid.invisible, "invisible object is left out", "invisible objects are left out");
+    warn(w, unsaid.empty, "object without a triangle is left out", "objects without a triangle are left out");
+    return w;
 }
 
 }  // namespace glint

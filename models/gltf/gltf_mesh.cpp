@@ -1,8 +1,10 @@
 // A primitive of a mesh as a mesh of ours.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <initializer_list>
 
 #include "models/gltf/gltf.h"
 #include "models/gltf/gltf_document.h"
@@ -15,6 +17,14 @@
 namespace glint {
 namespace {
 
+/// Fails unless the accessor that `key` of `from` names has one of these component types.
+void require_type(const Node& from, std::string_view key, int type, std::initializer_list<int> allowed,
+                  const char* expected) {
+    if (std::find(allowed.begin(), allowed.end(), type) == allowed.end())
+        from.with(key,
+                  [&](const Node& at) { at.fail(fmt::format("its componentType is {}", type), expected); });
+}
+
 /// The numbers of the vertices around each triangle, in the order in which the mode strings them together.
 class Triangles {
   public:
@@ -23,6 +33,8 @@ class Triangles {
         if (!primitive.has("indices")) return;
         indices_ = numbers_of(document, root, primitive, "indices", "SCALAR");
         count_ = indices_.count;
+        require_type(primitive, "indices", indices_.type,
+                     {gltf_unsigned_byte, gltf_unsigned_short, gltf_unsigned_int}, "5121, 5123 or 5125");
         primitive.with("indices", [&](const Node& at) {
             for (std::size_t i = 0; i < count_; ++i)
                 if (!(indices_.at(i, 0) < static_cast<double>(vertices)) || indices_.at(i, 0) < 0)
@@ -57,7 +69,16 @@ class Triangles {
     GltfNumbers indices_;
 };
 
-std::vector<glm::vec3> vectors(const GltfNumbers& numbers, const Node& attributes, const char* what) {
+/// An attribute of the vertices: floats, or small integers where the file names the extension for them.
+std::vector<glm::vec3> vectors(const GltfDocument& document, const Node& root, const Node& attributes,
+                               const char* what) {
+    const GltfNumbers numbers = numbers_of(document, root, attributes, what, "VEC3");
+    if (numbers.type == gltf_unsigned_int)
+        require_type(attributes, what, numbers.type, {gltf_floats}, "5126 (floats)");
+    else if (!document.is_quantized)
+        require_type(attributes, what, numbers.type, {gltf_floats},
+                     "5126 (floats), or \"KHR_mesh_quantization\" in \"extensionsUsed\"");
+    require_memory(memory_need(MemoryUse::Meshes, 100 * numbers.count));
     std::vector<glm::vec3> all(numbers.count);
     for (std::size_t i = 0; i < all.size(); ++i) {
         all[i] = numbers.vector_at(i);
@@ -80,12 +101,9 @@ void read_primitive(const GltfDocument& document, const Node& root, const Node& 
             if (is_sparse(root, attributes, attribute))
                 attributes.fail(fmt::format("its {} is a sparse accessor", attribute),
                                 "one with all numbers");
-        const GltfNumbers places = numbers_of(document, root, attributes, "POSITION", "VEC3");
-        require_memory(memory_need(MemoryUse::Meshes, 100 * places.count));
-        const std::vector<glm::vec3> vertices = vectors(places, attributes, "POSITION");
+        const std::vector<glm::vec3> vertices = vectors(document, root, attributes, "POSITION");
         if (attributes.has("NORMAL")) {
-            mesh.normals =
-                vectors(numbers_of(document, root, attributes, "NORMAL", "VEC3"), attributes, "NORMAL");
+            mesh.normals = vectors(document, root, attributes, "NORMAL");
             if (mesh.normals.size() != vertices.size())
                 attributes.fail(fmt::format("it has {} normals", mesh.normals.size()),
                                 fmt::format("{}, one a vertex", vertices.size()));

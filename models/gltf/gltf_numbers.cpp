@@ -30,6 +30,20 @@ std::size_t size_of(std::uint64_t type) {
     }
 }
 
+/// The bytes from one element of a buffer view to the next; 0 where it does not say.
+std::size_t stride_of(const Node& view) {
+    std::size_t stride = 0;
+    view.with("byteStride", [&](const Node& at) {
+        const std::string expected = "a multiple of 4 from 4 to 252";
+        if (!at.value().is_number()) at.wrong_type(expected);
+        const double x = at.value().get<double>();
+        if (!(x >= 4 && x <= 252) || std::fmod(x, 4) != 0)
+            at.fail(fmt::format("{} is out of range", x), expected);
+        stride = static_cast<std::size_t>(x);
+    });
+    return stride;
+}
+
 /// Where a buffer view begins, and how long it and each of its elements is.
 struct View {
     std::string_view bytes;
@@ -46,7 +60,7 @@ View view_of(const GltfDocument& document, const Node& view) {
     if (offset > all.size() || length > all.size() - offset)
         view.fail(fmt::format("its bytes {} to {} lie beyond its buffer", offset, offset + length),
                   fmt::format("bytes 0 to {}", all.size()));
-    return {all.substr(offset, length), whole(view, "byteStride", 252, 0)};
+    return {all.substr(offset, length), stride_of(view)};
 }
 
 }  // namespace
@@ -121,6 +135,10 @@ GltfNumbers numbers_of(const GltfDocument& document, const Node& root, const Nod
             const View view = view_of(document, at);
             const std::uint64_t offset = whole(accessor, "byteOffset", 9e15, 0);
             numbers.stride = view.stride == 0 ? size : view.stride;
+            if (numbers.stride < size)
+                accessor.fail(
+                    fmt::format("its elements have {} bytes and lie {} bytes apart", size, numbers.stride),
+                    fmt::format("a byteStride of at least {}", size));
             const std::uint64_t needed = offset + (numbers.count - 1) * numbers.stride + size;
             if (needed > view.bytes.size())
                 accessor.fail(fmt::format("its {} numbers end at byte {} of its buffer view, which has {}",

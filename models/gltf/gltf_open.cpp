@@ -1,11 +1,12 @@
 #include "models/gltf/gltf_open.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <glm/geometric.hpp>
 
 #include "models/fields/range.h"
+#include "models/gltf/gltf_items.h"
 #include "models/mesh/mesh_memory.h"
 #include "models/progress.h"
 #include "models/scene_file/default_lights.h"
@@ -68,18 +69,26 @@ Result<std::monostate> load_parts(const GltfFile& file, Scene& scene) {
     return std::monostate{};
 }
 
+Problem nothing_drawn(const Warnings& left_out, const std::string& path) {
+    const std::string what =
+        left_out.empty() ? "its scene has no mesh"
+                         : fmt::format("nothing of its scene can be drawn: {}", fmt::join(left_out, ", "));
+    return {path, "", what, "at least one triangle"};
+}
+
 }  // namespace
 
-Result<GltfOpened> open_gltf(const std::string& path) {
+Result<GltfOpened> open_gltf(const std::string& path) { return open_gltf(GltfFile::read(path), path); }
+
+Result<GltfOpened> open_gltf(const Result<GltfFile>& file, const std::string& path) {
     try {
-        const Result<GltfFile> file = GltfFile::read(path);
         if (const Problem* problem = problem_of(file)) return *problem;
         const std::string name = std::filesystem::path(path).filename().string();
         Result<GltfFile::Content> read = std::get<GltfFile>(file).content(name);
         if (const Problem* problem = problem_of(read)) return *problem;
         auto& content = std::get<GltfFile::Content>(read);
         Scene& scene = content.scene;
-        if (scene.objects.empty()) return Problem{path, "", "its scene has no mesh", "at least one triangle"};
+        if (scene.objects.empty()) return nothing_drawn(content.objects_left_out, path);
         const Result<std::monostate> loaded = load_parts(std::get<GltfFile>(file), scene);
         if (const Problem* problem = problem_of(loaded)) return *problem;
         for (const Object& object : scene.objects)
@@ -88,14 +97,13 @@ Result<GltfOpened> open_gltf(const std::string& path) {
         const glm::dvec3 middle = middle_of(scene);
         if (content.has_camera) {
             // The target is moved to the objects' distance, so that turning the camera turns it round them.
-            const glm::dvec3 eye(scene.camera.eye), ahead = glm::dvec3(scene.camera.target) - eye;
-            const double distance = glm::dot(middle - eye, ahead);
-            if (distance > 0) scene.camera.target = glm::vec3(eye + distance * ahead);
+            const double distance = glm::dot(middle - glm::dvec3(scene.camera.eye), content.ahead);
+            if (distance > 0) scene.camera.target = target_of(scene.camera.eye, content.ahead, distance);
         } else {
             frame_camera(scene);
         }
-        if (!content.has_lights) scene.lights = default_lights();
-        if (content.scales_lights && content.has_lights) darken_lights(scene, middle, content.warnings);
+        if (!content.has_lights && !content.is_ours) scene.lights = default_lights();
+        if (!content.is_ours && content.has_lights) darken_lights(scene, middle, content.warnings);
         // What is opened can be saved, and opens again.
         const Result<Scene> read_back = parse_scene(scene_text(scene), path);
         if (const Problem* problem = problem_of(read_back)) return *problem;

@@ -9,6 +9,7 @@
 #include "models/gltf/gltf_document.h"
 #include "models/gltf/gltf_items.h"
 #include "models/gltf/gltf_left_out.h"
+#include "models/gltf/gltf_nodes.h"
 #include "models/gltf/gltf_parts.h"
 
 namespace glint {
@@ -19,15 +20,16 @@ class SceneReader {
     SceneReader(const Node& root, const std::string& file_name) : root_(root), file_name_(file_name) {}
 
     GltfFile::Content read() {
+        check_nodes(root_);
         count_all();
         std::vector<Placed> waiting;
         const auto begin_with = [&](const Node& scene) {
             require_object(scene);
-            scene.with("nodes", [&](const Node& list) { add_numbers(list, glm::dmat4(1), false, waiting); });
+            scene.with("nodes", [&](const Node& list) { add_numbers(list, glm::dmat4(1), {}, waiting); });
         };
         if (root_.has("scene"))
             follow(root_, root_, "scene", "scenes", begin_with);
-        else if (count("scenes") > 0)
+        else if (count_of(root_, "scenes") > 0)
             root_.with("scenes",
                        [&](const Node& all) { begin_with(Node(all.value()[0], all, std::size_t{0})); });
         else
@@ -45,65 +47,53 @@ class SceneReader {
   private:
     struct Placed {
         std::uint64_t node;
-        glm::dmat4 world;  // of its parent
-        bool below_camera;
+        glm::dmat4 world;                // of its parent
+        std::optional<glm::dmat4> view;  // of its parent, from the camera, where that is above it
     };
 
-    static std::uint64_t number_of(const Node& at) {
-        const double x = at.value().is_number() ? at.value().get<double>() : -1;
-        if (!(x >= 0 && x <= 4294967295.0) || x != std::floor(x))
-            at.fail("it is not the number of a node", "a whole number");
-        return static_cast<std::uint64_t>(x);
-    }
-    std::size_t count(const char* list) const {
-        const Json& all = root_.value();
-        return all.contains(list) && all[list].is_array() ? all[list].size() : 0;
-    }
-    static void add_numbers(const Node& list, const glm::dmat4& world, bool below_camera,
+    static void add_numbers(const Node& list, const glm::dmat4& world, const std::optional<glm::dmat4>& view,
                             std::vector<Placed>& to) {
         list.each(max_json_values, "numbers of nodes", [&](const Node& at) {
-            to.push_back({number_of(at), world, below_camera});
+            to.push_back({node_number(at), world, view});
         });
     }
     /// Without a scene, begins with the nodes that are not children of another node.
     void begin_with_roots(std::vector<Placed>& waiting) {
-        std::vector<char> is_child(count("nodes"), 0);
+        std::vector<char> is_child(count_of(root_, "nodes"), 0);
         root_.with("nodes", [&](const Node& nodes) {
             nodes.each(max_json_values, "nodes", [&](const Node& node) {
-                require_object(node);
                 node.with("children", [&](const Node& list) {
-                    list.each(max_json_values, "numbers of nodes", [&](const Node& at) {
-                        if (const std::uint64_t i = number_of(at); i < is_child.size()) is_child[i] = 1;
-                    });
+                    list.each(max_json_values, "numbers of nodes",
+                              [&](const Node& at) { is_child[node_number(at)] = 1; });
                 });
             });
         });
         for (std::size_t i = 0; i < is_child.size(); ++i)
-            if (is_child[i] == 0) waiting.push_back({i, glm::dmat4(1), false});
+            if (is_child[i] == 0) waiting.push_back({i, glm::dmat4(1), {}});
     }
 
     void visit(const Placed& at, std::vector<Placed>& waiting) {
-        if (at.node >= count("nodes"))
+        const std::size_t count = count_of(root_, "nodes");
+        if (at.node >= count)
             root_.fail(fmt::format("the scene has a node {}", at.node),
-                       fmt::format("one of {} nodes", count("nodes")));
-        visited_.resize(count("nodes"), 0);
+                       fmt::format("one of {} nodes", count));
+        visited_.resize(count, 0);
         root_.with("nodes", [&](const Node& nodes) {
             const Node node(nodes.value()[at.node], nodes, at.node);
-            require_object(node);
             if (std::exchange(visited_[at.node], 1) != 0)
                 node.fail("the node is below itself, or below two others", "a tree of nodes");
-            const glm::dmat4 world = at.world * local_of(node);
+            const glm::dmat4 local = local_of(node), world = at.world * local;
+            std::optional<glm::dmat4> view;
+            if (at.view) view = *at.view * local;
             std::string name;
             glint::read(node, "name", name);
-            bool is_camera = false;
-            if (node.has("camera")) is_camera = add_camera(node, world);
+            if (node.has("camera")) add_camera(node, world, view);
             if (node.has("skin")) ++left_.skins;
             if (node.has("mesh")) add_mesh(node, name, world);
-            const bool rides = at.below_camera || is_camera;
-            add_light(node, name, world, rides);
+            with_light(root_, node, [&](const Node& light) { add_light(light, name, world, view); });
             node.with("children", [&](const Node& list) {
                 std::vector<Placed> children;
-                add_numbers(list, world, rides, children);
+                add_numbers(list, world, view, children);
                 waiting.insert(waiting.end(), children.rbegin(), children.rend());
             });
         });
@@ -147,7 +137,7 @@ class SceneReader {
         left_.morphs += primitive.has("targets") ? 1 : 0;
         bool sheared = false;
         const std::optional<Transform> transform = transform_of(world, sheared);
-        if (!transform) return void(++left_.flat);
+        if (!transform) return void(++(is_flat(world) ? left_.flat : left_.far));
         left_.sheared += sheared ? 1 : 0;
         Object object;
         object.name = name.empty() ? fmt::format("Object {}", content_.scene.objects.size() + 1) : name;
@@ -171,47 +161,30 @@ class SceneReader {
         return m.material;
     }
 
-    bool add_camera(const Node& node, const glm::dmat4& world) {
-        if (content_.has_camera) {
-            ++left_.cameras;
-            return false;
-        }
-        follow(root_, node, "camera", "cameras",
-               [&](const Node& at) { content_.scene.camera = camera_from(at, world); });
-        return content_.has_camera = true;
-    }
-    void add_light(const Node& node, const std::string& name, const glm::dmat4& world, bool rides) {
-        node.with("extensions", [&](const Node& extensions) {
-            require_object(extensions);
-            extensions.with("KHR_lights_punctual", [&](const Node& reference) {
-                require_object(reference);
-                const std::uint64_t index = whole(reference, "light", 4294967295.0);
-                root_.with("extensions", [&](const Node& all) {
-                    require_object(all);
-                    all.with("KHR_lights_punctual", [&](const Node& punctual) {
-                        require_object(punctual);
-                        punctual.with("lights", [&](const Node& lights) {
-                            if (!lights.value().is_array() || index >= lights.value().size())
-                                reference.fail(fmt::format("light {} is not there", index),
-                                               "one of \"lights\"");
-                            if (content_.scene.lights.size() >= max_lights) return void(++left_.lights);
-                            const Node light(lights.value()[index], lights, index);
-                            require_object(light);
-                            content_.scene.lights.push_back(light_from(
-                                light, name, rides ? view_from_world(content_.scene.camera) * world : world,
-                                rides ? LightSpace::Camera : LightSpace::World));
-                            content_.has_lights = true;
-                        });
-                    });
-                });
-            });
+    /// Sets `view` where the node holds the scene's camera.
+    void add_camera(const Node& node, const glm::dmat4& world, std::optional<glm::dmat4>& view) {
+        if (content_.has_camera) return void(++left_.cameras);
+        follow(root_, node, "camera", "cameras", [&](const Node& at) {
+            const GltfCamera read = camera_from(node, at, world);
+            content_.scene.camera = read.camera;
+            content_.ahead = read.ahead;
+            view = read.view_from_node;
         });
+        content_.has_camera = true;
+    }
+    void add_light(const Node& light, const std::string& name, const glm::dmat4& world,
+                   const std::optional<glm::dmat4>& view) {
+        if (content_.scene.lights.size() >= max_lights) return void(++left_.lights);
+        require_object(light);
+        content_.scene.lights.push_back(
+            light_from(light, name, view.value_or(world), view ? LightSpace::Camera : LightSpace::World));
+        content_.has_lights = true;
     }
     void count_all() {
-        left_.animations = count("animations");
+        left_.animations = count_of(root_, "animations");
         std::string generator;
         root_.with("asset", [&](const Node& asset) { glint::read(asset, "generator", generator); });
-        content_.scales_lights = generator != gltf_generator;
+        content_.is_ours = generator == gltf_generator;
     }
     void say_left_out() {
         Scene& scene = content_.scene;
@@ -220,8 +193,9 @@ class SceneReader {
         scene.shading.two_sided = any_double_sided_;
         scene.display.transfer = Transfer::Srgb;
         scene.display.background = glm::vec3(0.01f, 0.01f, 0.013f);  // as dark as ours, once it is encoded
-        if (content_.has_lights) scene.global_ambient = glm::vec3(0);
-        say(left_, content_.warnings);
+        if (content_.has_lights || content_.is_ours) scene.global_ambient = glm::vec3(0);
+        content_.warnings = said(left_);
+        content_.objects_left_out = said_objects(left_);
     }
 
     const Node& root_;

@@ -95,6 +95,8 @@ model = {
     "bufferViews": views,
     "buffers": [{"byteLength": len(data)}],
 }
+if "small" in how:
+    model["extensionsUsed"].append("KHR_mesh_quantization")
 if "left" in how:
     model["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
     model["materials"][0]["alphaMode"] = "BLEND"
