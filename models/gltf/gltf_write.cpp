@@ -3,32 +3,35 @@
 
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <tuple>
 
 #include "models/gltf/gltf.h"
 #include "models/gltf/gltf_buffer.h"
 #include "models/gltf/gltf_items.h"
+#include "models/gltf/gltf_open.h"
+#include "models/gltf/gltf_write_view.h"
+#include "models/json/json_reader.h"
 #include "models/memory_limit.h"
 #include "models/scene_file/scene_file.h"
 
 namespace glint {
 namespace {
 
-/// What glTF cannot say, one line a kind.
-struct Unsaid {
-    std::size_t falloffs = 0, cones = 0, areas = 0, ambients = 0, speculars = 0, materials = 0, empty = 0;
-};
+constexpr const char* strength_extension = "KHR_materials_emissive_strength";
 
-/// Turns (0, 0, 1) into the unit vector.
-glm::dquat turn_from_z(const glm::dvec3& to) {
-    if (to.z < -1 + 1e-12) return {0, 1, 0, 0};  // half a turn about x
-    return glm::normalize(glm::dquat(1 + to.z, -to.y, to.x, 0));
+/// Nothing where these bytes can be opened; else why a scene cannot be written as them.
+std::optional<Problem> why_unreadable(std::string bytes) {
+    const Result<GltfOpened> opened = open_gltf(GltfFile::parse(std::move(bytes), ""), "written.glb");
+    const Problem* problem = problem_of(opened);
+    if (problem == nullptr) return {};
+    const std::string at = problem->pointer.empty() ? "" : problem->pointer + ": ";
+    return Problem{"", "", fmt::format("written as glTF it could not be opened: {}{}", at, problem->what),
+                   problem->expected};
 }
 
 class Writer {
@@ -36,28 +39,26 @@ class Writer {
     explicit Writer(const Scene& scene) : scene_(scene) {}
 
     GltfWritten write(const std::string& name) {
-        for (const Object& object : scene_.objects)
-            if (object.visible) add(object);
+        for (const Object& object : scene_.objects) add(object);
+        if (meshes_.empty())
+            throw ProblemFound{{"", "/objects", "no object is shown", "one with a triangle that is visible"}};
         const int camera = add_camera();
-        for (const Light& light : scene_.lights)
-            if (light.enabled) add(light, camera);
+        for (std::size_t i = 0; i < scene_.lights.size(); ++i) add_light(i, camera);
         json_["asset"] = {{"version", "2.0"}, {"generator", gltf_generator}};
         json_["scene"] = 0;
         json_["scenes"] = GltfJson::array({{{"name", name}, {"nodes", roots_}}});
         json_["nodes"] = nodes_;
-        if (!meshes_.empty()) {
-            json_["meshes"] = meshes_;
-            json_["materials"] = materials_;
-            json_["accessors"] = buffer_.accessors();
-            json_["bufferViews"] = buffer_.views();
-            json_["buffers"] = GltfJson::array({{{"byteLength", buffer_.bytes().size()}}});
-        }
+        json_["meshes"] = meshes_;
+        json_["materials"] = materials_;
+        json_["accessors"] = buffer_.accessors();
+        json_["bufferViews"] = buffer_.views();
+        json_["buffers"] = GltfJson::array({{{"byteLength", buffer_.bytes().size()}}});
         if (!lights_.empty()) {
-            json_["extensionsUsed"] = {"KHR_lights_punctual"};
+            json_["extensionsUsed"].push_back("KHR_lights_punctual");
             json_["extensions"]["KHR_lights_punctual"]["lights"] = lights_;
         }
-        say_unsaid();
-        return {glb_container(json_.dump(), buffer_.bytes()), std::move(warnings_)};
+        if (has_strength_) json_["extensionsUsed"].push_back(strength_extension);
+        return {glb_container(json_.dump(), buffer_.bytes()), said(unsaid_, scene_)};
     }
 
   private:
@@ -68,6 +69,7 @@ class Writer {
     }
 
     void add(const Object& object) {
+        if (!object.visible) return void(++unsaid_.invisible);
         if (object.mesh->triangles.empty()) return void(++unsaid_.empty);
         using Key = std::tuple<const Mesh*, NormalSource, NormalWeighting, float, bool>;
         const NormalOptions& n = object.normals;
@@ -92,7 +94,9 @@ class Writer {
         const bool is_physical = scene_.shading.reflection == Reflection::CookTorrance;
         const std::optional<GltfMetal> metal = is_physical ? metal_of(m) : std::nullopt;
         if (!metal || m.specular != glm::vec3(1)) ++unsaid_.materials;
-        const glm::vec3 base = glm::min(metal ? metal->base : m.diffuse, glm::vec3(1));
+        const glm::vec3 whole = metal ? metal->base : m.diffuse, base = glm::min(whole, glm::vec3(1));
+        // A metal's is reckoned, and so it may be a rounding's width above 1.
+        unsaid_.bright += glm::any(glm::greaterThan(whole, glm::vec3(1 + 1e-5f))) ? 1 : 0;
         // Blinn's highlight of that shininess, where the model has no roughness.
         const float roughness = is_physical ? m.roughness : std::pow(2 / (m.shininess + 2), 0.25f);
         GltfJson out{
@@ -101,121 +105,32 @@ class Writer {
               {"metallicFactor", number_json(metal ? std::clamp(metal->metal, 0.0f, 1.0f) : 0)},
               {"roughnessFactor", number_json(roughness)}}},
             {"doubleSided", scene_.shading.cull != Cull::Back}};
-        if (m.emission != glm::vec3(0))
-            out["emissiveFactor"] = numbers_json(glm::min(m.emission, glm::vec3(1)));
+        const float strength = std::max({m.emission.x, m.emission.y, m.emission.z, 1.0f});
+        if (m.emission != glm::vec3(0)) out["emissiveFactor"] = numbers_json(m.emission / strength);
+        if (strength > 1) {
+            out["extensions"][strength_extension]["emissiveStrength"] = number_json(strength);
+            has_strength_ = true;
+        }
         materials_.push_back(out);
         return static_cast<int>(materials_.size()) - 1;
     }
 
     int add_camera() {
-        const Camera& camera = scene_.camera;
-        GltfJson out;
-        if (const auto* o = std::get_if<Orthographic>(&camera.projection)) {
-            const float half = o->height / 2;
-            out = {{"type", "orthographic"},
-                   {"orthographic",
-                    {{"xmag", number_json(half * 16 / 9)},
-                     {"ymag", number_json(half)},
-                     {"znear", number_json(o->near)},
-                     {"zfar", number_json(o->far)}}}};
-        } else {
-            const auto* f = std::get_if<Frustum>(&camera.projection);
-            const double fov =
-                f != nullptr
-                    ? 2 * std::atan(std::abs(static_cast<double>(f->top - f->bottom)) /
-                                    (2 * static_cast<double>(f->near)))
-                    : glm::radians(static_cast<double>(std::get<Perspective>(camera.projection).fov_y_deg));
-            if (f != nullptr)
-                warnings_.push_back("the frustum is written as a view whose middle is straight ahead");
-            out = {{"type", "perspective"},
-                   {"perspective",
-                    {{"yfov", fov},
-                     {"znear", number_json(near_of(camera.projection))},
-                     {"zfar", number_json(far_of(camera.projection))}}}};
-        }
-        json_["cameras"] = GltfJson::array({out});
-        const glm::dmat4 m = world_from_view(camera);
-        GltfJson matrix = GltfJson::array();
-        for (int i = 0; i < 16; ++i) matrix.push_back(m[i / 4][i % 4]);
-        return add_node({{"name", "Camera"}, {"camera", 0}, {"matrix", matrix}}, roots_);
+        json_["cameras"] = GltfJson::array({camera_json(scene_.camera.projection, unsaid_)});
+        return add_node({{"name", "Camera"}, {"camera", 0}, {"matrix", camera_matrix(scene_.camera)}},
+                        roots_);
     }
 
-    void add(const Light& light, int camera) {
+    void add_light(std::size_t i, int camera) {
+        const Light& light = scene_.lights[i];
+        if (!light.enabled) return void(++unsaid_.off);
         if (light.kind == LightKind::Area) return void(++unsaid_.areas);
-        const glm::vec3 place(light.position);
-        const bool is_sun = light.kind == LightKind::Directional;
-        const glm::dvec3 back = glm::normalize(glm::dvec3(is_sun ? place : -light.spot.direction));
-        GltfJson out{{"name", light.name},
-                     {"type", is_sun                          ? "directional"
-                              : light.kind == LightKind::Spot ? "spot"
-                                                              : "point"},
-                     {"color", numbers_json(glm::min(light.diffuse, glm::vec3(1)))},
-                     {"intensity", intensity_of(light)}};
-        if (light.kind == LightKind::Spot) {
-            const GltfCone cone = cone_of(light.spot);
-            out["spot"] = {{"innerConeAngle", cone.inner}, {"outerConeAngle", cone.outer}};
-            unsaid_.cones += cone.is_alike ? 0 : 1;
-        }
-        unsaid_.ambients += light.ambient != glm::vec3(0) ? 1 : 0;
-        unsaid_.speculars += light.specular != light.diffuse ? 1 : 0;
-        lights_.push_back(out);
-        const glm::dquat q = turn_from_z(back);
-        GltfJson node{{"name", light.name},
-                      {"rotation", {q.x, q.y, q.z, q.w}},
-                      {"extensions", {{"KHR_lights_punctual", {{"light", lights_.size() - 1}}}}}};
-        if (!is_sun) node["translation"] = numbers_json(place);
-        GltfJson children = GltfJson::array();
-        if (light.space == LightSpace::World) return void(add_node(node, roots_));
-        add_node(node, children);
-        for (const GltfJson& child : children)
-            nodes_[static_cast<std::size_t>(camera)]["children"].push_back(child);
-    }
-    /// The intensity with which glTF's light, which falls off with the square, is as bright at the camera's
-    /// target as this light.
-    double intensity_of(const Light& light) {
-        const double most = std::max({light.diffuse.x, light.diffuse.y, light.diffuse.z, 1.0f});
-        const double i = static_cast<double>(light.intensity) * most * std::numbers::pi;
-        if (light.kind == LightKind::Directional) return i;
-        const auto& f = light.falloff;
-        if (f.constant == 0 && f.linear == 0) return i / static_cast<double>(f.quadratic);
-        ++unsaid_.falloffs;
-        const glm::dvec4 place(light.position);
-        const glm::dvec3 in_world(light.space == LightSpace::World ? place
-                                                                   : world_from_view(scene_.camera) * place);
-        const double r = std::max(glm::distance(in_world, glm::dvec3(scene_.camera.target)), 1e-3);
-        return i * r * r /
-               (static_cast<double>(f.constant) +
-                r * (static_cast<double>(f.linear) + r * static_cast<double>(f.quadratic)));
-    }
-
-    void say_unsaid() {
-        Warnings& w = warnings_;
-        if (scene_.shading.reflection != Reflection::CookTorrance)
-            w.push_back(
-                "the reflection model is written as metal and roughness (cook-torrance), the nearest that "
-                "glTF has");
-        else
-            warn(w, unsaid_.materials, "material has colours that no metal has: its diffuse colour is kept",
-                 "materials have colours that no metal has: their diffuse colours are kept");
-        if (scene_.display.transfer != Transfer::Srgb)
-            w.push_back("glTF's pictures are encoded (sRGB): they are brighter than this scene's");
-        if (scene_.global_ambient != glm::vec3(0))
-            w.push_back("the ambient light is left out, which glTF does not have");
-        warn(w, unsaid_.falloffs,
-             "light falls off otherwise than with the square of the distance: it is as bright at the "
-             "camera's target",
-             "lights fall off otherwise than with the square of the distance: they are as bright at the "
-             "camera's target");
-        warn(w, unsaid_.cones,
-             "spot has an exponent that no cone of glTF has, and becomes even up to its edge",
-             "spots have exponents that no cone of glTF has, and become even up to their edges");
-        warn(w, unsaid_.areas, "area light is left out", "area lights are left out");
-        warn(w, unsaid_.ambients, "light has an ambient colour, which is left out",
-             "lights have ambient colours, which are left out");
-        warn(w, unsaid_.speculars, "light has highlights of another colour, which is left out",
-             "lights have highlights of other colours, which are left out");
-        warn(w, unsaid_.empty, "object without a triangle is left out",
-             "objects without a triangle are left out");
+        lights_.push_back(light_json(light, scene_.camera, fmt::format("/lights/{}", i), unsaid_));
+        GltfJson node = light_node(light, lights_.size() - 1);
+        if (light.space == LightSpace::World) return void(add_node(std::move(node), roots_));
+        GltfJson child = GltfJson::array();
+        add_node(std::move(node), child);
+        nodes_[static_cast<std::size_t>(camera)]["children"].push_back(child[0]);
     }
 
     const Scene& scene_;
@@ -223,8 +138,8 @@ class Writer {
     GltfJson json_, nodes_ = GltfJson::array(), meshes_ = GltfJson::array(), materials_ = GltfJson::array(),
                     lights_ = GltfJson::array(), roots_ = GltfJson::array();
     std::map<std::tuple<const Mesh*, NormalSource, NormalWeighting, float, bool>, GltfJson> primitives_;
-    Unsaid unsaid_;
-    Warnings warnings_;
+    GltfUnsaid unsaid_;
+    bool has_strength_ = false;
 };
 
 }  // namespace
@@ -236,7 +151,11 @@ Result<GltfWritten> glb_of(const Scene& scene, const std::string& name) {
     if (bytes > most) return Problem{"", "", "the meshes are too large for one .glb file", "less than 4 GiB"};
     try {
         const MemoryShare share(memory_need(MemoryUse::Output, 2 * bytes));
-        return Writer(scene).write(name);
+        GltfWritten written = Writer(scene).write(name);
+        if (auto problem = why_unreadable(written.bytes)) return *std::move(problem);
+        return written;
+    } catch (const ProblemFound& found) {
+        return found.problem;
     } catch (const Refused& refused) {
         return memory_problem(refused);
     } catch (const std::bad_alloc&) {

@@ -1,0 +1,126 @@
+#include "models/gltf/gltf_write_view.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "models/fields/range.h"
+#include "models/gltf/gltf_items.h"
+#include "models/json/json_reader.h"
+
+namespace glint {
+namespace {
+
+/// Turns (0, 0, 1) into the unit vector.
+glm::dquat turn_from_z(const glm::dvec3& to) {
+    if (to.z < -1 + 1e-12) return {0, 1, 0, 0};  // half a turn about x
+    return glm::normalize(glm::dquat(1 + to.z, -to.y, to.x, 0));
+}
+
+GltfJson planes_json(const Projection& projection) {
+    return {{"znear", number_json(near_of(projection))}, {"zfar", number_json(far_of(projection))}};
+}
+
+/// The vertical angle, radians: above 0 and below pi, as floats have these.
+double yfov_of(const Projection& projection, GltfUnsaid& unsaid) {
+    double angle = 0;
+    if (const auto* f = std::get_if<Frustum>(&projection)) {
+        const double height = std::abs(static_cast<double>(f->top) - static_cast<double>(f->bottom));
+        angle = 2 * std::atan(height / (2 * static_cast<double>(f->near)));
+        unsaid.frustum = true;
+        unsaid.mirroring = f->left > f->right || f->bottom > f->top;
+    } else {
+        angle = glm::radians(static_cast<double>(std::get<Perspective>(projection).fov_y_deg));
+    }
+    constexpr double least = std::numeric_limits<float>::denorm_min();
+    const double most = std::nextafter(std::numbers::pi_v<float>, 0.0f);
+    unsaid.angle = angle < least || angle > most;
+    return std::clamp(angle, least, most);
+}
+
+/// The intensity with which glTF's light, which falls off with the square, is as bright at the camera's
+/// target as this light.
+double intensity_of(const Light& light, const Camera& camera, GltfUnsaid& unsaid) {
+    const double most = std::max({light.diffuse.x, light.diffuse.y, light.diffuse.z, 1.0f});
+    const double i = static_cast<double>(light.intensity) * most * std::numbers::pi;
+    if (light.kind == LightKind::Directional) return i;
+    const auto& f = light.falloff;
+    if (f.constant == 0 && f.linear == 0) return i / static_cast<double>(f.quadratic);
+    ++unsaid.falloffs;
+    const glm::dvec4 place(light.position);
+    const glm::dvec3 in_world(light.space == LightSpace::World ? place : world_from_view(camera) * place);
+    const double r = std::max(glm::distance(in_world, glm::dvec3(camera.target)), 1e-3);
+    return i * r * r /
+           (static_cast<double>(f.constant) +
+            r * (static_cast<double>(f.linear) + r * static_cast<double>(f.quadratic)));
+}
+
+}  // namespace
+
+GltfJson camera_json(const Projection& projection, GltfUnsaid& unsaid) {
+    GltfJson lens = planes_json(projection);
+    const auto* o = std::get_if<Orthographic>(&projection);
+    if (o == nullptr) {
+        lens["yfov"] = yfov_of(projection, unsaid);
+        return {{"type", "perspective"}, {"perspective", lens}};
+    }
+    const float half = std::max(o->height / 2, std::numeric_limits<float>::denorm_min());
+    lens["xmag"] = number_json(half * 16 / 9);
+    lens["ymag"] = number_json(half);
+    return {{"type", "orthographic"}, {"orthographic", lens}};
+}
+
+GltfJson camera_matrix(const Camera& camera) {
+    const glm::dmat4 m = world_from_view(camera);
+    GltfJson matrix = GltfJson::array();
+    for (int i = 0; i < 12; ++i) matrix.push_back(m[i / 4][i % 4]);
+    for (int i = 0; i < 3; ++i) matrix.push_back(number_json(camera.eye[i]));
+    matrix.push_back(1);
+    return matrix;
+}
+
+GltfJson light_json(const Light& light, const Camera& camera, const std::string& pointer,
+                    GltfUnsaid& unsaid) {
+    // Without a cone a spot shines everywhere, as a point light does.
+    const bool is_spot = light.kind == LightKind::Spot && light.spot.cutoff_deg < 180;
+    const float most = std::max({light.diffuse.x, light.diffuse.y, light.diffuse.z, 1.0f});
+    const double intensity = intensity_of(light, camera, unsaid);
+    if (!at_least_zero.contains(intensity))
+        throw ProblemFound{{"", pointer,
+                            fmt::format("as glTF counts it has an intensity of {:.3g}", intensity),
+                            "at most 1e30: a light that is dimmer, or nearer to the camera's target"}};
+    GltfJson out{{"name", light.name},
+                 {"type", light.kind == LightKind::Directional ? "directional"
+                          : is_spot                            ? "spot"
+                                                               : "point"},
+                 {"color", numbers_json(light.diffuse / most)},
+                 {"intensity", intensity}};
+    if (is_spot) {
+        const GltfCone cone = cone_of(light.spot);
+        out["spot"] = {{"innerConeAngle", cone.inner}, {"outerConeAngle", cone.outer}};
+        unsaid.cones += cone.is_alike ? 0 : 1;
+    }
+    unsaid.ambients += light.ambient != glm::vec3(0) ? 1 : 0;
+    unsaid.speculars += light.specular != light.diffuse ? 1 : 0;
+    return out;
+}
+
+GltfJson light_node(const Light& light, std::size_t index) {
+    const bool is_sun = light.kind == LightKind::Directional;
+    const glm::dvec3 back =
+        glm::normalize(glm::dvec3(is_sun ? glm::vec3(light.position) : -light.spot.direction));
+    const glm::dquat q = turn_from_z(back);
+    GltfJson node{{"name", light.name},
+                  {"rotation", {q.x, q.y, q.z, q.w}},
+                  {"extensions", {{"KHR_lights_punctual", {{"light", index}}}}}};
+    if (!is_sun) node["translation"] = numbers_json(glm::vec3(light.position));
+    return node;
+}
+
+}  // namespace glint

@@ -1,0 +1,219 @@
+// Scenes at the edge of what glTF can say: they read back, or one line says which value is the cause.
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+
+#include "models/gltf/gltf.h"
+#include "models/scene_file/scene_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+
+using namespace glint;
+
+namespace {
+
+/// What glTF can say without a warning.
+constexpr const char* plain = R"({"glint": 1, "global_ambient": [0, 0, 0],
+ "camera": {"eye": [0, 0, 6], "target": [0, 0, 0]},
+ "lights": [{"type": "point", "position": [0, 3, 3], "intensity": 9,
+   "falloff": {"constant": 0, "quadratic": 1}}],
+ "objects": [{"name": "Cube", "mesh": {"primitive": "cube", "detail": 1},
+   "material": {"diffuse": [0.5, 0.5, 0.5], "specular": [1, 1, 1], "f0": [0.04, 0.04, 0.04]}}],
+ "shading": {"mode": "phong", "reflection": "cook-torrance"}, "display": {"transfer": "srgb"}})";
+
+struct Exported {
+    Ended ended;
+    bool is_written = false;
+    Scene scene;  // read back
+};
+Exported exported(const std::vector<std::string>& settings) {
+    const TemporaryDirectory folder;
+    const std::string glb = folder.path("out.glb");
+    std::vector<std::string> line{"export", folder.file("scene.json", plain), "-o", glb};
+    for (const std::string& setting : settings) line.insert(line.end(), {"--set", setting});
+    Exported out{run_glint(line), std::filesystem::exists(glb), {}};
+    if (const std::size_t at = out.ended.err.find(folder.path() + "/"); at != std::string::npos)
+        out.ended.err.erase(at, folder.path().size() + 1);
+    if (!out.is_written) return out;
+    Result<SceneDocument> opened = open_document(glb);
+    if (const Problem* problem = problem_of(opened)) FAIL(problem->text());
+    out.scene = std::get<SceneDocument>(std::move(opened)).scene;
+    return out;
+}
+
+constexpr const char* frustum_of = R"(/camera/projection={{"type": "frustum", "left": {}, "right": {},)"
+                                   R"( "bottom": {}, "top": {}, "near": 1, "far": 100}})";
+
+}  // namespace
+
+TEST_CASE("a camera far from the origin, and its light, are written and read back", "[gltf]") {
+    for (const char* eye : {"1e5", "1e8", "1e10", "1e20", "1e30"}) {
+        CAPTURE(eye);
+        const float z = std::stof(eye);
+        const Exported out = exported({fmt::format("/camera/eye=[0, 0, {}]", eye), "/lights/0/space=camera",
+                                       "/lights/0/position=[0.25, 1, -2]"});
+        CHECK(out.ended.err.empty());
+        REQUIRE(out.ended.status == 0);
+        CHECK(out.scene.camera.eye == glm::vec3(0, 0, z));
+        CHECK(std::abs(out.scene.camera.target.z) <= 1e-6f * z);
+        REQUIRE(out.scene.lights.size() == 1);
+        CHECK(out.scene.lights[0].space == LightSpace::Camera);
+        CHECK(out.scene.lights[0].position == glm::vec4(0.25f, 1, -2, 1));
+    }
+}
+
+TEST_CASE("numbers that are as large or as small as a scene has them read back from a .glb", "[gltf]") {
+    const Exported thin = exported({"/objects/0/transform/scale=[1, 1e-38, 1]"});
+    REQUIRE(thin.ended.status == 0);
+    CHECK(thin.scene.objects.at(0).transform.scale == glm::vec3(1, 1e-38f, 1));
+    const Exported vast =
+        exported({"/objects/0/transform={\"scale\": [1e30, 1e30, 1e30], \"rotate_deg\": "
+                  "[10, 20, 45], \"translate\": [1e30, 0, 0]}"});
+    REQUIRE(vast.ended.status == 0);
+    CHECK(vast.scene.objects.at(0).transform.scale.x == Approx(1e30f));
+    const Exported close = exported({"/camera/projection/near=1e-5", "/camera/projection/far=2e-5"});
+    REQUIRE(close.ended.status == 0);
+    CHECK(near_of(close.scene.camera.projection) == 1e-5f);
+    CHECK(far_of(close.scene.camera.projection) == 2e-5f);
+    const Exported wide = exported({"/camera/projection/fov_y_deg=179.99"});
+    REQUIRE(wide.ended.status == 0);
+    CHECK(wide.ended.err.empty());
+    CHECK(std::get<Perspective>(wide.scene.camera.projection).fov_y_deg == Approx(179.99).epsilon(1e-6));
+}
+
+TEST_CASE("a frustum's mirroring and height beyond what glTF has are one line each", "[gltf]") {
+    const std::string straight =
+        "glint: warning: the frustum is written as a view whose middle is straight ahead\n";
+    const std::string mirrored =
+        "glint: warning: the frustum mirrors the picture (left above right, or bottom above top), which is "
+        "left out\n";
+    CHECK(exported({fmt::format(frustum_of, -1, 1, -1, 1)}).ended.err == straight);
+    CHECK(exported({fmt::format(frustum_of, 1, -1, -1, 1)}).ended.err == straight + mirrored);
+    CHECK(exported({fmt::format(frustum_of, -1, 1, 1, -1)}).ended.err == straight + mirrored);
+    const Exported tall = exported({fmt::format(frustum_of, -1, 1, -1e9, 1e9)});
+    CHECK(tall.ended.status == 0);
+    CHECK(tall.ended.err == straight +
+                                "glint: warning: the view's height is an angle that glTF cannot say: it is "
+                                "the nearest that it can\n");
+    CHECK(std::get<Perspective>(tall.scene.camera.projection).fov_y_deg > 179.99f);
+}
+
+TEST_CASE("a spot without a cone is written as the point light that it is", "[gltf]") {
+    const Exported out = exported({"/lights/0/type=spot", "/lights/0/spot/cutoff_deg=180"});
+    CHECK(out.ended.err.empty());
+    REQUIRE(out.scene.lights.size() == 1);
+    CHECK(out.scene.lights[0].kind == LightKind::Point);
+    CHECK(out.scene.lights[0].position == glm::vec4(0, 3, 3, 1));
+}
+
+TEST_CASE("a scene without light reads back without light", "[gltf]") {
+    const Exported none = exported({"/lights=[]"});
+    REQUIRE(none.ended.status == 0);
+    CHECK(none.ended.err.empty());
+    CHECK(none.scene.lights.empty());
+    CHECK(none.scene.global_ambient == glm::vec3(0));
+    const Exported off = exported({"/lights/0/enabled=false"});
+    REQUIRE(off.ended.status == 0);
+    CHECK(off.ended.err == "glint: warning: 1 light that is off is left out\n");
+    CHECK(off.scene.lights.empty());
+}
+
+TEST_CASE("colours above 1 keep their hue in a .glb", "[gltf]") {
+    const Exported out = exported({"/lights/0/diffuse=[4, 2, 0.5]", "/lights/0/specular=[4, 2, 0.5]",
+                                   "/objects/0/material/emission=[8, 1, 0]"});
+    CHECK(out.ended.err.empty());
+    REQUIRE(out.scene.lights.size() == 1);
+    const glm::vec3 light = out.scene.lights[0].intensity * out.scene.lights[0].diffuse;
+    CHECK(light.x == Approx(36));
+    CHECK(light.y == Approx(18));
+    CHECK(light.z == Approx(4.5));
+    CHECK(out.scene.objects.at(0).material.emission == glm::vec3(8, 1, 0));
+    CHECK(exported({"/objects/0/material/diffuse=[2, 0.5, 0.5]"}).ended.err ==
+          "glint: warning: 1 material reflects more light than it gets: its colour ends at 1\n");
+}
+
+TEST_CASE("a scene that glTF cannot hold is one line that names the value, and no file", "[gltf]") {
+    const auto check = [](const std::string& setting, const std::string& line) {
+        CAPTURE(setting);
+        const Exported out = exported({setting});
+        CHECK(out.ended.status == 1);
+        CHECK(out.ended.err == "glint: error: scene.json: " + line + "\n");
+        CHECK_FALSE(out.is_written);
+    };
+    check("/objects=[]", "/objects: no object is shown; expected one with a triangle that is visible");
+    check("/objects/0/visible=false",
+          "/objects: no object is shown; expected one with a triangle that is visible");
+    check("/lights/0/falloff={\"quadratic\": 1e-30, \"constant\": 0}",
+          "/lights/0: as glTF counts it has an intensity of 2.83e+31; expected at most 1e30: a light that is "
+          "dimmer, or nearer to the camera's target");
+    check("/lights/0={\"type\": \"point\", \"position\": [0, 1e17, 0]}",
+          "/lights/0: as glTF counts it has an intensity of 3.14e+34; expected at most 1e30: a light that is "
+          "dimmer, or nearer to the camera's target");
+}
+
+TEST_CASE("what is invisible is left out of a .glb, and that is said", "[gltf]") {
+    const Exported out =
+        exported({"/objects/1={\"visible\": false, \"mesh\": {\"primitive\": \"sphere\", \"detail\": 8}}"});
+    REQUIRE(out.ended.status == 0);
+    CHECK(out.ended.err == "glint: warning: 1 invisible object is left out\n");
+    CHECK(out.scene.objects.size() == 1);
+}
+
+TEST_CASE("whatever numbers a scene has, its .glb opens again or is refused", "[gltf][property]") {
+    const TemporaryDirectory folder;
+    const auto document = std::get<SceneDocument>(open_document(folder.file("scene.json", plain)));
+    std::mt19937 random(11);
+    const auto number = [&random] {
+        const int exponent = static_cast<int>(random() % 75) - 44;
+        const float sign = random() % 2 == 0 ? 1.0f : -1.0f;
+        const double size = std::stod(fmt::format("{}e{}", 1 + random() % 9, std::min(exponent, 29)));
+        return sign * static_cast<float>(size);
+    };
+    const auto text = [&number] { return fmt::format("{}", number()); };
+    const auto three = [&text] { return fmt::format("[{}, {}, {}]", text(), text(), text()); };
+    std::size_t written = 0, refused = 0;
+    for (int i = 0; i < 2000; ++i) {
+        std::vector<Assignment> settings;
+        const auto set = [&](const char* pointer, const std::string& value) {
+            if (random() % 3 == 0) settings.push_back({pointer, value});
+        };
+        set("/camera/eye", three());
+        set("/camera/target", three());
+        set("/camera/up", three());
+        set("/camera/projection",
+            fmt::format("{{\"type\": \"frustum\", \"left\": {}, \"right\": {}, \"bottom\": {}, \"top\": {}, "
+                        "\"near\": {}, \"far\": 1e30}}",
+                        text(), text(), text(), text(), std::abs(number())));
+        set("/camera/projection", fmt::format("{{\"type\": \"orthographic\", \"height\": {}, \"near\": "
+                                              "1e-40, \"far\": 1e-39}}",
+                                              std::abs(number())));
+        set("/lights/0/position", three());
+        set("/lights/0/space", random() % 2 == 0 ? "camera" : "world");
+        set("/lights/0/type", random() % 2 == 0 ? "spot" : "point");
+        set("/lights/0/intensity", fmt::format("{}", std::abs(number())));
+        set("/lights/0/spot/direction", three());
+        set("/lights/0/falloff",
+            fmt::format("{{\"constant\": {}, \"quadratic\": {}}}", std::abs(number()), std::abs(number())));
+        set("/objects/0/transform/translate", three());
+        set("/objects/0/transform/rotate_deg", three());
+        set("/objects/0/transform/scale", three());
+        const Result<Scene> scene = scene_variant(document, settings);
+        if (problem_of(scene) != nullptr) continue;
+        const Result<GltfWritten> made = glb_of(std::get<Scene>(scene), "m");
+        if (const Problem* problem = problem_of(made)) {
+            CAPTURE(problem->text());
+            CHECK(problem->pointer.starts_with("/"));  // which value is the cause
+            ++refused;
+            continue;
+        }
+        const Result<SceneDocument> opened =
+            open_document(folder.file("out.glb", std::get<GltfWritten>(made).bytes));
+        CAPTURE(scene_text(std::get<Scene>(scene)));
+        if (const Problem* problem = problem_of(opened)) FAIL_CHECK(problem->text());
+        ++written;
+    }
+    CHECK(written > 200);
+    CHECK(refused > 20);
+}
