@@ -198,7 +198,9 @@ Light light_from(const Node& node, const std::string& name, const glm::dmat4& pl
     light.space = space;
     const glm::vec3 back(unit_or_zero(glm::dvec3(placed[2])));  // it shines along -z
     light.position = {glm::vec3(placed[3]), 1};
-    light.spot.direction = -back;
+    if (back == glm::vec3(0) && type != "point")
+        node.fail("its node's scale leaves it no direction", "a node whose axes have a length");
+    if (type == "spot") light.spot.direction = -back;
     light.falloff = {0, 0, 1};
     if (type == "directional") {
         light.kind = LightKind::Directional;

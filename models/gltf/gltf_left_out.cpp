@@ -8,8 +8,7 @@ void say_camera(const GltfUnsaid& unsaid, Warnings& w) {
     if (unsaid.mirroring)
         w.emplace_back(
             "the frustum mirrors the picture (left above right, or bottom above top), which is left out");
-    if (unsaid.angle)
-        w.emplace_back("the view's height is an angle that glTF cannot say: it is the nearest that it can");
+    if (unsaid.angle) w.emplace_back("the angle of view is beyond what glTF can say: the nearest is written");
 }
 
 void say_whole(const Scene& scene, Warnings& w) {

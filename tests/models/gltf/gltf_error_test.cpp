@@ -206,6 +206,21 @@ TEST_CASE("a glTF file of which nothing can be drawn says why", "[gltf]") {
         "least one triangle");
 }
 
+TEST_CASE("a light that its node leaves no direction is one line, unless it needs none", "[gltf]") {
+    const auto error_with = [](const std::string& type) {
+        return error_of(
+            changed("\"nodes\": [{\"mesh\": 0}], \"scenes\": [{\"nodes\": [0]}]",
+                    "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"" + type +
+                        "\"}]}}, \"nodes\": [{\"mesh\": 0}, {\"scale\": [1, 1, 0], \"extensions\": "
+                        "{\"KHR_lights_punctual\": {\"light\": 0}}}], \"scenes\": [{\"nodes\": [0, 1]}]"));
+    };
+    CHECK(error_with("point").empty());
+    for (const char* type : {"spot", "directional"})
+        CHECK(error_with(type) ==
+              "t.gltf: /extensions/KHR_lights_punctual/lights/0: its node's scale leaves it no direction; "
+              "expected a node whose axes have a length");
+}
+
 TEST_CASE("a camera that its node leaves no direction is one line", "[gltf]") {
     const std::string camera = "\"cameras\": [{\"type\": \"perspective\"}], ";
     const auto check = [&](const std::string& node, const std::string& what) {

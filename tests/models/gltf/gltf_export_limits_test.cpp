@@ -95,8 +95,8 @@ TEST_CASE("a frustum's mirroring and height beyond what glTF has are one line ea
     const Exported tall = exported({fmt::format(frustum_of, -1, 1, -1e9, 1e9)});
     CHECK(tall.ended.status == 0);
     CHECK(tall.ended.err == straight +
-                                "glint: warning: the view's height is an angle that glTF cannot say: it is "
-                                "the nearest that it can\n");
+                                "glint: warning: the angle of view is beyond what glTF can say: the "
+                                "nearest is written\n");
     CHECK(std::get<Perspective>(tall.scene.camera.projection).fov_y_deg > 179.99f);
 }
 
