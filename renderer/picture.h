@@ -1,9 +1,11 @@
 #pragma once
 // What comes out: the framebuffer, as plain arrays.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <vector>
 
 #include "models/scene/camera.h"
@@ -22,6 +24,12 @@ struct Picture {
         return {p[0], p[1], p[2]};
     }
 };
+
+/// A component of a linear colour as a linear file holds it: times the exposure, held where floats end.
+[[nodiscard]] inline float exposed(float linear, float exposure) {
+    constexpr float most = std::numeric_limits<float>::max();
+    return std::clamp(linear * exposure, -most, most);
+}
 
 /// Bytes of `rgba` of a picture of that size.
 [[nodiscard]] inline std::uint64_t picture_memory(PictureSize size) {

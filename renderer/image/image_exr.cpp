@@ -23,8 +23,8 @@ bool is_whole(const std::string& bytes) {
 }  // namespace
 
 std::string exr_bytes(const Picture& picture, float exposure) {
-    std::vector<float> exposed(picture.linear.size());
-    for (std::size_t i = 0; i < exposed.size(); ++i) exposed[i] = picture.linear[i] * exposure;
+    std::vector<float> numbers(picture.linear.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = exposed(picture.linear[i], exposure);
 
     Imf::Header header(picture.size.width, picture.size.height);
     header.compression() = Imf::ZIP_COMPRESSION;
@@ -34,7 +34,7 @@ std::string exr_bytes(const Picture& picture, float exposure) {
     for (std::size_t c = 0; c < 3; ++c) {
         header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
         frame.insert(names[c],
-                     Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(exposed.data() + c), pixel, row));
+                     Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(numbers.data() + c), pixel, row));
     }
     ExrSink out;
     {

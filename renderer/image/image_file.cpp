@@ -199,7 +199,7 @@ std::string pfm_bytes(const Picture& picture, float exposure) {
     bytes.resize(at + 12 * width * height);
     for (std::size_t row = height; row-- > 0;) {
         for (std::size_t i = 3 * width * row; i < 3 * width * (row + 1); ++i, at += 4) {
-            const float value = picture.linear[i] * exposure;
+            const float value = exposed(picture.linear[i], exposure);
             std::memcpy(&bytes[at], &value, 4);
         }
     }

@@ -37,12 +37,12 @@ enum class PictureFormat { Png, Pfm, Exr };
 /// sections 5.3 and 11.3.4.5.
 [[nodiscard]] std::string png_bytes(const Picture& picture, const std::string& scene_json);
 
-/// PFM bytes: "PF", little-endian (scale -1.0), bottom row first, `linear` times `exposure`.
+/// PFM bytes: "PF", little-endian (scale -1.0), bottom row first, the numbers of `linear` exposed().
 /// Precondition: picture.linear is filled. Source: Debevec's PFM, as Netpbm's manual describes it.
 [[nodiscard]] std::string pfm_bytes(const Picture& picture, float exposure);
 
-/// OpenEXR bytes: 32-bit float channels R, G, B, ZIP-compressed without loss, `linear` times `exposure`: the
-/// numbers of the PFM. Precondition: picture.linear is filled. Source: OpenEXR 3, academysoftwarefoundation.
+/// OpenEXR bytes: 32-bit float channels R, G, B, ZIP-compressed without loss: the numbers of the PFM.
+/// Precondition: picture.linear is filled. Source: OpenEXR 3, academysoftwarefoundation.
 [[nodiscard]] std::string exr_bytes(const Picture& picture, float exposure);
 
 /// Reads a PNG of any colour type and depth, up to 16384x16384, as 8-bit RGBA; `linear` stays empty. Sample

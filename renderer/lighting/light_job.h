@@ -17,6 +17,10 @@ struct Float3 {
     bool operator==(const Float3&) const = default;
 };
 
+/// No term of one light exceeds this. The terms of the 64 samples of 4096 lights then have a sum that a float
+/// holds, 3e38, with room to spare for what the sum begins with.
+inline constexpr float largest_term = 1e31f;
+
 /// One light, or one sample of an area light: camera coordinates, colours times intensity.
 /// Members as in LightAt (renderer/lighting/light_source.h).
 struct LightSource {
@@ -27,6 +31,9 @@ struct LightSource {
     Float3 axis;
     float cos_cutoff = -1, exponent = 0;
     float patch = 0;
+    /// largest_term divided by the largest product of its colours with a material's, or by 1 where that is
+    /// less: what falloff, cone and reflection model multiply these colours with is held at this.
+    float most = largest_term;
     float distance_scale = 1;  // true distance divided by |xyz|: above 1 where a far source was moved nearer
     bool has_falloff = false, has_cone = false, is_patch = false;
     int light = 0;  // index in Scene::lights

@@ -14,8 +14,9 @@ namespace glint::inline GLINT_ISA {
 template <Number F>
 void apply_light_mistakes(const Mistakes& wrong, const LightAt<F>& light, F distance, Vec3<F> l, F& falloff,
                           F& spot) {
-    if (wrong.falloff_inverted && light.has_falloff)  // held so that it times a colour of 0 is 0
-        falloff = min(falloff_polynomial(light.constant, light.linear, light.quadratic, distance), F(1e37f));
+    if (wrong.falloff_inverted && light.has_falloff)
+        falloff =
+            min(falloff_polynomial(light.constant, light.linear, light.quadratic, distance), light.most);
     if (wrong.cone_cosines_swapped && light.has_cone)
         spot = select(along_axis(light, l) >= light.cos_cutoff, F(0), F(1));
 }
@@ -157,14 +158,12 @@ void apply_undefined_power(const Mistakes& wrong, Reflection model, const Direct
 }
 
 /// Clamps a to +-most.
-template <Number F> F held(F a, float most) { return min(max(a, F(-most)), F(most)); }
-/// Keeps the product of falloff and response finite, so that it times a colour of 0 is 0 and not NaN.
-template <Number F> F held_share(F a) { return held(a, 0x1p120f); }
+template <Number F> F held(F a, F most) { return min(max(a, -most), most); }
 
 /// The projected point, which replaces the point in camera coordinates; the origin for a point at the eye,
 /// which has no projection. Matrix and point must be within +-1e18, and so is the result.
 template <Number F> Vec3<F> projected(const LightJob::Projection& m, Vec3<F> p) {
-    constexpr float far = 1e18f;
+    const F far = F(1e18f);
     const F w = F(m.w_per_z) * p.z + F(m.w);
     const F inverse = select(abs(w) >= F(smallest_normal), F(1) / w, F(0));
     return {held((F(m.x) * p.x + F(m.x_per_z) * p.z + F(m.x_plus)) * inverse, far),

@@ -25,19 +25,26 @@ Float3 to_float3(glm::dvec3 v) {
 
 // Scenes may hold numbers to 1e30, whose products and squares do not fit a float; infinity times 0 is NaN.
 constexpr double largest_product = 1e30;
+// Cook-Torrance's other factors are 1e9 together at most, where its facets are as smooth as they may be.
+constexpr double largest_f0 = 1e28;
 
 /// A product of colours, held at 1e30.
 Float3 product(glm::dvec3 a, glm::dvec3 b, double most = largest_product) {
     return to_float3(glm::min(a * b, glm::dvec3(most)));
 }
 
-/// The largest colour that a light may have for its product with every material's to stay within 1e30.
-double max_light(const std::vector<Object>& objects) {
+/// The largest of 1 and all that the materials multiply lights with.
+double reflectance_of(const std::vector<Object>& objects) {
     float most = 1;
-    for (const Object& o : objects)
-        for (const glm::vec3& k : {o.material.ambient, o.material.diffuse, o.material.specular})
-            most = std::max({most, k.x, k.y, k.z});
-    return largest_product / static_cast<double>(most);
+    for (const Object& o : objects) most = std::max(most, largest_reflectance(o.material));
+    return most;
+}
+
+/// The largest component of its colours.
+double brightness(const LightSource& s) {
+    float most = 0;
+    for (const Float3& c : {s.ambient, s.diffuse, s.specular}) most = std::max({most, c.x, c.y, c.z});
+    return most;
 }
 
 /// Sets the position of a light source, or of one sample of an area light with the area factor `patch`. Where
@@ -155,8 +162,8 @@ void add_area(std::vector<LightSource>& sources, LightSource source, const Light
 struct LightsOfScene {
     const Scene& scene;
     glm::dmat4 view;
-    double max_color;  // each component of a light's colour times its intensity is clamped to this
-    double divisor;    // every light's intensity is divided by this
+    double reflectance;  // of its objects
+    double divisor;      // every light's intensity is divided by this
 };
 
 void add_directional(std::vector<LightSource>& sources, LightSource s, const Light& light, const Frame& frame,
@@ -175,9 +182,11 @@ void add_light(std::vector<LightSource>& sources, const LightsOfScene& all, std:
     LightSource s;
     s.light = static_cast<int>(index);
     const glm::dvec3 intensity(static_cast<double>(light.intensity) / all.divisor);
-    s.ambient = product(light.ambient, intensity, all.max_color);
-    s.diffuse = product(light.diffuse, intensity, all.max_color);
-    s.specular = product(light.specular, intensity, all.max_color);
+    const double max_color = largest_product / all.reflectance;  // times any material's it is within 1e30
+    s.ambient = product(light.ambient, intensity, max_color);
+    s.diffuse = product(light.diffuse, intensity, max_color);
+    s.specular = product(light.specular, intensity, max_color);
+    s.most = most_factor(brightness(s) * all.reflectance);
     const bool directional = light.kind == LightKind::Directional;
     if (directional && !mistakes.direction_is_position)
         return add_directional(sources, s, light, frame, mistakes);
@@ -258,12 +267,22 @@ float min_cosine_squared(float shininess) {
                          : std::numeric_limits<float>::lowest();  // anything to the power 0 is 1
 }
 
+float largest_reflectance(const Material& m) {
+    float most = 0;
+    for (const glm::vec3& k : {m.ambient, m.diffuse, m.specular}) most = std::max({most, k.x, k.y, k.z});
+    return most;
+}
+
+float most_factor(double product) {
+    return static_cast<float>(static_cast<double>(largest_term) / std::max(1.0, product));
+}
+
 SurfaceMaterial surface_material(const Material& m) {
     SurfaceMaterial s;
     s.k_a = to_float3(m.ambient);
     s.k_d = to_float3(m.diffuse);
     s.k_s = to_float3(m.specular);
-    s.f0 = to_float3(m.f0);
+    s.f0 = to_float3(glm::min(glm::dvec3(m.f0), glm::dvec3(largest_f0)));
     s.shininess = m.shininess;
     s.roughness = m.roughness;
     s.emission = to_float3(m.emission);
@@ -272,7 +291,7 @@ SurfaceMaterial surface_material(const Material& m) {
 }
 
 void light_sources(const Scene& scene, std::vector<LightSource>& sources) {
-    const LightsOfScene all{scene, view_from_world(scene.camera), max_light(scene.objects),
+    const LightsOfScene all{scene, view_from_world(scene.camera), reflectance_of(scene.objects),
                             share_divisor(scene)};
     sources.clear();
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {

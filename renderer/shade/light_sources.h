@@ -39,6 +39,11 @@ inline constexpr float opengl_max_shininess = 128;
 
 [[nodiscard]] inline Float3 to_float3(const glm::vec3& c) { return {c.x, c.y, c.z}; }
 
+/// The largest number that the material multiplies a light's colours with.
+[[nodiscard]] float largest_reflectance(const Material& material);
+/// LightSource::most where no product of the light's colours with a material's exceeds `product`.
+[[nodiscard]] float most_factor(double product);
+
 /// A material as the equation sees it, without k_a I_a: `global_ambient` stays 0.
 [[nodiscard]] SurfaceMaterial surface_material(const Material& material);
 

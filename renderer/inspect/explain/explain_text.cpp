@@ -200,7 +200,7 @@ class Writer {
     [[nodiscard]] std::string clips() const {
         std::string text;
         for (int i = 0; i < 3; ++i) {
-            const float shown = e_.sum[i] * scene_.display.exposure;
+            const float shown = exposed(e_.sum[i], scene_.display.exposure);
             if (shown >= 0 && shown <= 1) continue;
             const bool grey = e_.sum.x == e_.sum.y && e_.sum.y == e_.sum.z;
             const char* channel = grey ? "" : i == 0 ? "red " : i == 1 ? "green " : "blue ";

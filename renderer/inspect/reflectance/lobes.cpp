@@ -59,6 +59,7 @@ Reflected reflected(const Reflector& reflector, glm::vec3 l, glm::vec3 v) {
     LightAt<float> white;
     white.xyz = to_vec(l);
     white.ambient = white.diffuse = white.specular = {1, 1, 1};
+    white.most = most_factor(largest_reflectance(reflector.material));
     const LightTerms<float> t =
         illuminate({reflector.reflection, reflector.terms, nullptr}, white,
                    material_at<float>(surface_material(reflector.material)), {{}, {0, 0, 1}, to_vec(v)});
