@@ -11,7 +11,9 @@ namespace glint::inline GLINT_ISA {
 /// sRGB encoding of linear x in 0..1.
 template <Number F> F srgb_encoded(F x) {
     const F curve = F(1.055f) * power(x, F(1 / 2.4f)) - F(0.055f);
-    return select(x <= F(0.0031308f), F(12.92f) * x, curve);
+    const F encoded = select(x <= F(0.0031308f), F(12.92f) * x, curve);
+    // The curve misses 1 by the rounding of its two numbers.
+    return select(mask_and(x >= F(1), x <= F(1)), x, encoded);
 }
 
 /// Returns 0 to 1; NaN gives 0. The transfer function is monotonic and keeps 0 and 1, so clamping first gives
@@ -28,7 +30,7 @@ template <Number F> IntOf<F> byte_of(F shown) { return to_int(shown * F(255) + F
 template <Number F> F mistakenly_displayed(const DisplayJob& job, F linear) {
     const F exposed = linear * F(job.exposure);
     F shown = min(max0(exposed), F(1));
-    if (job.wraps) shown = select(abs(exposed) < F(0x1p127f), exposed, F(0));
+    if (job.wraps) shown = select(abs(exposed) < F(0x1p120f), exposed, F(0));
     if (job.srgb) shown = srgb_encoded(shown);
     return job.encoded_twice ? srgb_encoded(shown) : shown;
 }

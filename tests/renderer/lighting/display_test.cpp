@@ -46,3 +46,18 @@ TEST_CASE("light is exposed and only then cut off at what a screen can show", "[
         }
     CHECK(byte_shown(3, Transfer::None, 0.25f) == 191);  // 3/4 of 255; cut off first it would be 64
 }
+
+TEST_CASE("white is 1 on either display, and what is nearly white is less", "[display]") {
+    for (const Transfer transfer : {Transfer::None, Transfer::Srgb}) {
+        Scene scene;
+        scene.display.transfer = transfer;
+        scene.display.background = {1, 7, 0.999f};
+        Renderer renderer(1);
+        (void)renderer.render(scene, {1, 1});
+        const Explanation e = renderer.explain(0, 0);
+        CHECK(e.displayed.x == 1);
+        CHECK(e.displayed.y == 1);
+        CHECK(e.displayed.z < 1);
+        CHECK(e.byte[0] == 255);
+    }
+}
