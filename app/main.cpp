@@ -13,6 +13,7 @@
 #include <new>
 #include <set>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -38,6 +39,18 @@ void occupy_closed_descriptors() {
     }
 }
 
+/// Whether a library says that the system refuses it a thread.
+bool is_about_a_thread(const std::exception& error) {
+    return std::string_view(error.what()).find("pthread_create") != std::string_view::npos;
+}
+std::string what_of(const std::exception& error) {
+    return is_about_a_thread(error) ? "the system refuses a thread: " + std::string(error.what())
+                                    : error.what();
+}
+std::string needs_of(const std::exception& error) {
+    return is_about_a_thread(error) ? "more memory and processes (ulimit -v, ulimit -u), or --threads 1" : "";
+}
+
 std::atomic<bool> has_begun_to_say = false, has_said = false;  // one line ends the program
 
 /// Prints the current exception as one line like any other error, or as a fixed line if memory does not even
@@ -59,10 +72,10 @@ int say_what_ended_it(const char* before = "") noexcept {
             say("error", memory_problem(error));
         } catch (const std::exception& error) {
             say("error",
-                {.file = {}, .pointer = {}, .what = before + std::string(error.what()), .expected = {}});
+                {.file = {}, .pointer = {}, .what = before + what_of(error), .expected = needs_of(error)});
         }
     } catch (...) {
-        (void)std::fputs("glint: error: there is not enough memory\n", stderr);
+        (void)std::fputs("glint: error: there is not enough memory; expected more of it\n", stderr);
     }
     has_said = true;
     return status;
@@ -79,9 +92,13 @@ int say_what_ended_it(const char* before = "") noexcept {
     std::_Exit(static_cast<int>(ExitStatus::Impossible));
 }
 
-void print(const std::string& output) {
-    auto written = write_file("-", output);
-    if (Problem* problem = std::get_if<Problem>(&written)) problem->file = "standard output";
+/// Prints the output, and then lets the files that were put aside take their places.
+void finish(Outcome& outcome) {
+    if (!outcome.output.empty()) outcome.put_aside("-", std::move(outcome.output));
+    if (!outcome.files) return;
+    auto written = outcome.files->put_in_place();
+    if (Problem* problem = std::get_if<Problem>(&written); problem != nullptr && problem->file == "-")
+        problem->file = "standard output";
     (void)take(std::move(written));
 }
 
@@ -89,8 +106,8 @@ int run(const std::vector<std::string>& arguments) {
     if (const auto found = instruction_set_problem())
         throw Failure{found->unknown ? ExitStatus::WrongUsage : ExitStatus::Impossible, found->problem};
     if (auto problem = memory_limit_problem()) throw Failure{ExitStatus::WrongUsage, *problem};
-    const Outcome outcome = run_command_line(arguments);
-    if (!outcome.output.empty()) print(outcome.output);
+    Outcome outcome = run_command_line(arguments);
+    finish(outcome);
     std::set<std::string> said;  // the same mesh may stand in a scene twice
     for (const std::string& warning : outcome.warnings) {
         if (said.insert(warning).second) say_warning(warning);

@@ -57,6 +57,14 @@ void require_text(const std::string& option, const std::string& text, const std:
     if (text.empty()) throw wrong_usage(option, "is empty", expected);
 }
 
+/// Throws where the value of a short option begins with "=": CLI11 takes -o=a.png for the file "=a.png",
+/// which hardly anybody means.
+void require_no_equals(const std::string& option, const std::string& value_name, const std::string& text) {
+    if (text.starts_with('='))
+        throw wrong_usage(option, text + " begins with \"=\"",
+                          fmt::format("a value behind a blank, as in {} {}", option, value_name));
+}
+
 /// CLI11's exceptions name the option somewhere in their words: "--size: 1 required WxH missing".
 Failure of_parse_error(const CLI::ParseError& error) {
     std::istringstream words(error.what());
@@ -119,9 +127,12 @@ void Options::add_value(const std::string& names, const std::string& value_name,
                         ReadValue read) {
     const std::string option = names.substr(names.rfind(',') + 1);
     const std::string expected = value_name.empty() ? help : value_name;
-    const auto read_one = [option, expected, read = std::move(read)](const CLI::results_t& given) {
+    const bool is_short = option.starts_with('-') && !option.starts_with("--");
+    const auto read_one = [option, expected, value_name, is_short,
+                           read = std::move(read)](const CLI::results_t& given) {
         if (given.size() > 1) throw wrong_usage(option, "is given twice", "it once");
         require_text(option, given.front(), expected);
+        if (is_short) require_no_equals(option, value_name, given.front());
         read(given.front());
         return true;
     };

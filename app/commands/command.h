@@ -2,10 +2,12 @@
 // A command of the program: what its line looks like, and what it does once the line has been read.
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/failure.h"
+#include "models/io/file.h"
 #include "models/problem.h"
 
 namespace glint {
@@ -17,6 +19,14 @@ struct Outcome {
     std::string output;  // for standard output
     Warnings warnings;   // what was tolerated
     ExitStatus status = ExitStatus::Done;
+    std::unique_ptr<FilesTogether> files = nullptr;  // what put_aside() has written beside its targets
+
+    /// Writes bytes beside the file that they replace once the output has been printed, so that a command
+    /// whose output cannot be written replaces nothing. Throws Failure.
+    void put_aside(const std::string& path, std::string bytes) {
+        if (!files) files = std::make_unique<FilesTogether>();
+        (void)take(files->add(path, std::move(bytes)));
+    }
 };
 
 /// Throws Failure. All output is in the outcome, so that a failure leaves standard output empty.

@@ -33,12 +33,13 @@ Outcome compare(const CompareArguments& arguments) {
     Result<Comparison> compared = glint::compare(a, b);
     if (Problem* problem = std::get_if<Problem>(&compared)) problem->file = arguments.b;
     const Comparison result = take(std::move(compared));
-    if (!arguments.out.empty())
-        (void)take(
-            write_file(arguments.out, png_bytes(difference_picture(a, b, difference_gain(result)), {})));
     // More than was allowed is an answer, not an error: it is told by the status alone.
     const bool too_far = arguments.max_error && result.max_error > *arguments.max_error;
-    return {json_text(comparison_json(result)), {}, too_far ? ExitStatus::Impossible : ExitStatus::Done};
+    Outcome outcome{
+        json_text(comparison_json(result)), {}, too_far ? ExitStatus::Impossible : ExitStatus::Done};
+    if (!arguments.out.empty())
+        outcome.put_aside(arguments.out, png_bytes(difference_picture(a, b, difference_gain(result)), {}));
+    return outcome;
 }
 
 Run declare(Options& options) {
@@ -50,7 +51,7 @@ Run declare(Options& options) {
     options.add_value("--max-error", "E",
                       "end with status 1 when any channel of any pixel differs by more, 0 to 255",
                       [&max_error = arguments->max_error](const std::string& text) {
-                          max_error = read_amount("--max-error", text);
+                          max_error = read_amount("--max-error", text, 255);
                       });
     add_threads(options, arguments->threads);
     add_memory(options);

@@ -33,15 +33,15 @@ struct DiagnoseArguments {
     Format format = Format::Text;
 };
 
-void write_sheet(const DiagnoseArguments& arguments, const Font& font, const Diagnosis& found,
-                 const Scene& scene, const Picture& wrong) {
+std::string sheet_png(const DiagnoseArguments& arguments, const Font& font, const Diagnosis& found,
+                      const Scene& scene, const Picture& wrong) {
     const PictureSize size = diagnosis_sheet_size(found, font);
     if (size.width > max_picture_side || size.height > max_picture_side)
         throw wrong_usage("-o", fmt::format("the sheet would be {}x{} pixels large", size.width, size.height),
                           fmt::format("at most {0}x{0}", max_picture_side));
     const MemoryShare share(memory_need(MemoryUse::Output, png_memory(size) + 2 * picture_memory(size)));
     const Picture sheet = diagnosis_sheet(found, scene, wrong, font, arguments.scene.threads);
-    (void)take(write_file(arguments.out, png_bytes(sheet, {})));
+    return png_bytes(sheet, {});
 }
 
 void require_one_picture_for_a_sheet(const DiagnoseArguments& arguments) {
@@ -54,9 +54,10 @@ void require_one_picture_for_a_sheet(const DiagnoseArguments& arguments) {
     require_writable(arguments.out);
 }
 
-/// The diagnoses of all pictures, in their order; the sheet of the only one, where it is asked for.
-std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments,
-                                           const SceneDocument& document) {
+/// The diagnoses of all pictures, in their order; the sheet of the only one, where it is asked for, is put
+/// aside.
+std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments, const SceneDocument& document,
+                                           Outcome& outcome) {
     std::optional<Font> font;
     if (!arguments.out.empty()) font.emplace(take(Font::find()));
     const int threads = arguments.scene.threads;
@@ -76,7 +77,7 @@ std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments,
         const MemoryShare share(memory_need(MemoryUse::Pixels, picture_memory(picture.size)));
         const Picture wrong = as_shown(std::move(picture), document.scene.display);
         Diagnosis found = glint::diagnose(document, wrong, options);
-        if (font) write_sheet(arguments, *font, found, document.scene, wrong);
+        if (font) outcome.put_aside(arguments.out, sheet_png(arguments, *font, found, document.scene, wrong));
         all.push_back(diagnosed_picture(path, std::move(found), document.scene, wrong, threads));
     }
     return all;
@@ -142,8 +143,9 @@ Outcome diagnose(const DiagnoseArguments& arguments) {
                   "a picture of the scene that another program drew");
     require_one_picture_for_a_sheet(arguments);
     const SceneDocument document = open_scene(arguments.scene);
-    return {formatted(diagnose_all(arguments, document), arguments.format, document), document.warnings,
-            ExitStatus::Done};
+    Outcome outcome{{}, document.warnings, ExitStatus::Done};
+    outcome.output = formatted(diagnose_all(arguments, document, outcome), arguments.format, document);
+    return outcome;
 }
 
 Run declare(Options& options) {

@@ -1,6 +1,7 @@
 // glint render: one picture.
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "app/arguments.h"
@@ -69,21 +70,29 @@ void require_possible(const RenderArguments& arguments) {
                           "a directory that is there");
 }
 
-/// Refuses a buffer in the picture's own file: one of the two would be lost.
+/// Refuses a buffer in the file of the picture or of another buffer: one of the two would be lost.
 void require_apart(const RenderArguments& arguments, const Scene& scene) {
     if (arguments.buffers.empty()) return;
-    for (const std::string& name : buffer_names(scene))
-        if (replace_the_same(arguments.out, buffer_path(arguments, name)))
+    const std::string picture = replaced_file(arguments.out);
+    std::map<std::string, std::string> taken;  // what is replaced, and the buffer for which it is
+    for (const std::string& name : buffer_names(scene)) {
+        const std::string path = buffer_path(arguments, name), replaced = replaced_file(path);
+        if (replaced.empty()) continue;
+        if (replaced == picture)
             throw wrong_usage("-o", arguments.out + " is also where the buffer " + name + " goes",
                               "another name");
+        const auto [first, is_new] = taken.emplace(replaced, path);
+        if (!is_new)
+            throw wrong_usage("--buffers", path + " is the same file as " + first->second,
+                              "a directory in which each buffer has its own");
+    }
 }
 
-void add_buffers(FilesTogether& files, const RenderArguments& arguments, const Renderer& renderer,
+void add_buffers(Outcome& outcome, const RenderArguments& arguments, const Renderer& renderer,
                  const Scene& scene) {
     const PictureFormat format = buffer_format(format_of(arguments.out));
     visit_pixel_buffers(renderer, scene, arguments.size, buffer_names(scene), [&](const PixelBuffer& buffer) {
-        (void)take(
-            files.add(buffer_path(arguments, buffer.name), picture_bytes(buffer.picture, format, 1, {})));
+        outcome.put_aside(buffer_path(arguments, buffer.name), picture_bytes(buffer.picture, format, 1, {}));
         return true;
     });
 }
@@ -108,14 +117,12 @@ Outcome render(const RenderArguments& arguments) {
     std::string bytes = picture_bytes(
         picture, format, document.scene.display.exposure,
         arguments.no_scene ? "" : carried_scene_text(document.scene, document.mesh_dir, arguments.out));
-    FilesTogether files;  // a full disk leaves none of them
     if (arguments.out == "-") {
         outcome.output = std::move(bytes);
     } else {
-        (void)take(files.add(arguments.out, std::move(bytes)));
+        outcome.put_aside(arguments.out, std::move(bytes));
     }
-    if (!arguments.buffers.empty()) add_buffers(files, arguments, renderer, document.scene);
-    (void)take(files.put_in_place());
+    if (!arguments.buffers.empty()) add_buffers(outcome, arguments, renderer, document.scene);
     if (arguments.stats) outcome.output = json_text(stats_json(renderer, arguments.size));
     return outcome;
 }

@@ -45,9 +45,9 @@ using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>
 /// nothing when it could. For long work that ends in a file. Changes nothing.
 [[nodiscard]] std::optional<Problem> why_not_writable(const std::string& path);
 
-/// Whether write_file() would replace the same file for both: links followed, in whatever words the path is
-/// given. Streams, pipes and devices are replaced by nobody.
-[[nodiscard]] bool replace_the_same(const std::string& a, const std::string& b);
+/// The file that write_file() would replace: links followed, one name in whatever words the path is given.
+/// Empty for streams, pipes and devices, which nobody replaces, and for what cannot be written.
+[[nodiscard]] std::string replaced_file(const std::string& path);
 
 /// Writes several files as write_file() does, but lets them appear together: an error before the last one is
 /// written leaves none of them.

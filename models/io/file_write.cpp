@@ -204,15 +204,11 @@ std::optional<Problem> why_not_writable(const std::string& path) {
     return std::nullopt;
 }
 
-bool replace_the_same(const std::string& a, const std::string& b) {
-    const auto replaced = [](const std::string& path) -> std::filesystem::path {
-        const Target target = target_of(path);
-        if (target.error != 0 || target.straight) return {};
-        std::error_code ignored;
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(target.path, ignored), ignored);
-    };
-    const std::filesystem::path first = replaced(a);
-    return !first.empty() && first == replaced(b);
+std::string replaced_file(const std::string& path) {
+    const Target target = target_of(path);
+    if (target.error != 0 || target.straight) return {};
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(target.path, ignored), ignored);
 }
 
 struct FilesTogether::Staged {

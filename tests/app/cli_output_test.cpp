@@ -180,3 +180,46 @@ TEST_CASE("normals that an OBJ names and lacks are told of by info and by render
     CHECK(run_glint({"render", none, "-o", out, "--size", "8x8"}).err.find(of_none) != std::string::npos);
     CHECK(run_glint({"render", some, "-o", out, "--size", "8x8"}).err.find(of_some) != std::string::npos);
 }
+
+TEST_CASE("where standard output cannot be written no file is replaced", "[cli][buffers][bad-input]") {
+    const TemporaryDirectory in, out;
+    const std::string scene = in.file("scene.json", ball_text), face = out.file("face.pfm", "old"),
+                      picture = out.file("a.png", "old"), right = in.path("right.png");
+    REQUIRE(run_glint({"render", scene, "-o", right, "--size", "64x48"}).status == 0);
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"render", scene, "-o", "-", "--size", "8x8", "--buffers", out.path()},
+          {"render", scene, "-o", picture, "--size", "8x8", "--stats"},
+          {"compare", right, right, "-o", picture},
+          {"diagnose", scene, right, "-o", picture}}) {
+        const Ended ended = run_glint(arguments, {}, ">/dev/full");
+        CAPTURE(arguments[0], ended.err);
+        CHECK(ended.status == 1);
+        CHECK(ended.err.starts_with("glint: error: standard output: cannot write: no space left"));
+        CHECK(bytes_of(face) == "old");
+        CHECK(bytes_of(picture) == "old");
+        CHECK(out.names() == std::vector<std::string>{"a.png", "face.pfm"});
+        CHECK(run_glint(arguments).status == 0);
+        for (const std::string& name : out.names()) std::filesystem::remove(out.path(name));
+        (void)out.file("face.pfm", "old");
+        (void)out.file("a.png", "old");
+    }
+}
+
+TEST_CASE("two buffers that a link makes one file are refused before anything is drawn",
+          "[cli][buffers][bad-input]") {
+    const TemporaryDirectory in, out;
+    const std::string scene = in.file("scene.json", ball_text), face = out.file("face.pfm", "old");
+    std::filesystem::create_symlink("face.pfm", out.path("normal.pfm"));
+    const Ended ended =
+        run_glint({"render", scene, "-o", in.path("a.png"), "--size", "8x8", "--buffers", out.path()});
+    CHECK(ended.status == 2);
+    CHECK(ended.err == "glint: error: --buffers: " + out.path("normal.pfm") + " is the same file as " + face +
+                           "; expected a directory in which each buffer has its own\n");
+    CHECK(bytes_of(face) == "old");
+    CHECK(out.names() == std::vector<std::string>{"face.pfm", "normal.pfm"});
+    std::filesystem::remove(out.path("normal.pfm"));
+    std::filesystem::create_symlink(in.path("elsewhere.pfm"), out.path("normal.pfm"));  // which is its own
+    CHECK(run_glint({"render", scene, "-o", in.path("a.png"), "--size", "8x8", "--buffers", out.path()})
+              .status == 0);
+    CHECK(bytes_of(in.path("elsewhere.pfm")).starts_with("PF\n8 8\n"));
+}

@@ -103,9 +103,15 @@ TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-i
         {{"quiz", ""},
          "ANSWERS: is empty; expected files that people saved from the page: counts them, as JSON"},
         {{"compare", "a.png", "b.png", "--max-error", "much"},
-         "--max-error: much is not a number; expected 0 or more"},
+         "--max-error: much is not a number; expected 0 to 255"},
         {{"compare", "a.png", "b.png", "--max-error", "inf"},
-         "--max-error: inf is out of range; expected 0 or more"},
+         "--max-error: inf is out of range; expected 0 to 255"},
+        {{"compare", "a.png", "b.png", "--max-error", "256"},
+         "--max-error: 256 is out of range; expected 0 to 255"},
+        {{"render", scene, "-o=-z.png"},
+         "-o: =-z.png begins with \"=\"; expected a value behind a blank, as in -o OUT"},
+        {{"render", scene, "-o", "=z.png"},
+         "-o: =z.png begins with \"=\"; expected a value behind a blank, as in -o OUT"},
     };
     for (const WrongUsage& wrong : table) {
         std::string line = "glint";
