@@ -23,22 +23,34 @@ struct CheckArguments {
     Format format = Format::Text;
 };
 
+/// Whether something has that name, be it a link that leads nowhere, of which reading says so.
+bool is_there(const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::symlink_status(path, ignored).type() != std::filesystem::file_type::not_found;
+}
+
+/// The file of that buffer, .pfm or .exr; empty where there is none.
+std::string buffer_file(const std::string& directory, const std::string& name) {
+    const std::string path = (std::filesystem::path(directory) / name).string();
+    const std::string pfm = path + ".pfm", exr = path + ".exr";
+    if (!is_there(exr)) return is_there(pfm) ? pfm : "";
+    if (is_there(pfm))
+        throw Failure{ExitStatus::Impossible, {exr, "", "stands beside " + name + ".pfm", "one of the two"}};
+    return exr;
+}
+
 std::vector<PixelBuffer> read_buffers(const std::string& directory, const Scene& scene) {
     std::vector<PixelBuffer> buffers;
-    std::error_code ignored;
     const std::vector<std::string> names = checked_buffers(scene);
     for (const std::string& name : names) {
-        const std::string path = (std::filesystem::path(directory) / name).string();
-        for (const auto& [file, read] : {std::pair{path + ".pfm", &read_pfm}, {path + ".exr", &read_exr}}) {
-            if (!std::filesystem::exists(file, ignored)) continue;
-            buffers.push_back({name, take(read(file))});
-            const PictureSize size = buffers.front().picture.size;
-            if (buffers.back().picture.size != size)
-                throw Failure{ExitStatus::Impossible,
-                              {file, "", "has another size than " + buffers.front().name,
-                               fmt::format("{}x{}", size.width, size.height)}};
-            break;
-        }
+        const std::string file = buffer_file(directory, name);
+        if (file.empty()) continue;
+        buffers.push_back({name, take(read_picture(file))});
+        const PictureSize size = buffers.front().picture.size;
+        if (buffers.back().picture.size != size)
+            throw Failure{ExitStatus::Impossible,
+                          {file, "", "has another size than " + buffers.front().name,
+                           fmt::format("{}x{}", size.width, size.height)}};
     }
     if (buffers.empty())
         throw Failure{ExitStatus::Impossible,

@@ -241,3 +241,26 @@ TEST_CASE("glint check refuses bad input in one line", "[cli][check][bad-input]"
     const std::string position = buffers.file("position.pfm", "PF\n2 2\n-1.0\n");
     check(buffers.path(""), 1, position + ": ");
 }
+
+TEST_CASE("glint check passes over no buffer that cannot be read and over no second one of a name",
+          "[cli][buffers][check][bad-input]") {
+    const Files files;
+    const TemporaryDirectory buffers;
+    (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});
+    const std::string normal = buffers.path("normal.pfm"), beside = buffers.path("normal.exr");
+    const auto error = [&] { return run_glint({"check", files.scene, buffers.path("")}).err; };
+    (void)buffers.file("normal.exr", "");
+    CHECK(error() == "glint: error: " + beside + ": stands beside normal.pfm; expected one of the two\n");
+    std::filesystem::remove(beside);
+    std::filesystem::remove(normal);
+    std::filesystem::create_symlink("nowhere", normal);
+    CHECK(error() ==
+          "glint: error: " + normal +
+              ": cannot read: no such file or directory; expected a regular file that can be read\n");
+    std::filesystem::remove(normal);
+    std::filesystem::create_symlink("normal.pfm", normal);
+    CHECK(
+        error().starts_with("glint: error: " + normal + ": cannot read: Too many levels of symbolic links"));
+    std::filesystem::remove(normal);
+    CHECK(error().empty());
+}
