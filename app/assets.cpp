@@ -17,4 +17,8 @@ std::string asset_path(const std::string& relative) {
     return {};
 }
 
+std::string asset_places(const std::string& relative) {
+    return "assets/" + relative + " beside the program, or in ../share/glint from there";
+}
+
 }  // namespace glint

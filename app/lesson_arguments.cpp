@@ -22,8 +22,11 @@ bool is_named(const std::string& file, const std::string& word) {
 
 std::vector<std::string> own_lessons() {
     const std::string folder = asset_path("lessons");
-    if (folder.empty()) throw Failure{ExitStatus::Impossible, {"", "", "no lessons are installed", ""}};
-    return take(lesson_files({folder}));
+    std::vector<std::string> files;
+    if (!folder.empty()) files = take(lesson_files({folder}));
+    if (files.empty())
+        throw Failure{ExitStatus::Impossible, {"", "", "no lessons are installed", asset_places("lessons")}};
+    return files;
 }
 
 }  // namespace
@@ -35,6 +38,7 @@ std::vector<std::string> named_lessons(const std::vector<std::string>& words) {
         std::error_code ignored;
         if (fs::exists(word, ignored)) {
             const std::vector<std::string> found = take(lesson_files({word}));
+            if (found.empty()) throw wrong_usage(word, "holds no lesson", "a folder with one");
             files.insert(files.end(), found.begin(), found.end());
             continue;
         }
@@ -53,9 +57,7 @@ std::vector<std::string> named_lessons(const std::vector<std::string>& words) {
 std::string lesson_file(const std::string& word) {
     const std::vector<std::string> files = named_lessons({word});
     if (files.size() != 1)
-        throw wrong_usage(
-            word, files.empty() ? "holds no lesson" : std::to_string(files.size()) + " lessons are named",
-            files.empty() ? "a folder with one" : "one of them");
+        throw wrong_usage(word, std::to_string(files.size()) + " lessons are named", "one of them");
     return files[0];
 }
 

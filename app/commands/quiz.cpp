@@ -21,7 +21,9 @@ struct QuizArguments {
 
 Lesson inventory(const QuizArguments& arguments) {
     const std::string path = arguments.questions.empty() ? asset_path("inventory.md") : arguments.questions;
-    if (path.empty()) throw Failure{ExitStatus::Impossible, {"", "", "no inventory is installed", ""}};
+    if (path.empty())
+        throw Failure{ExitStatus::Impossible,
+                      {"", "", "no inventory is installed", asset_places("inventory.md")}};
     return take(read_lesson(path));
 }
 

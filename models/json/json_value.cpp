@@ -155,6 +155,17 @@ std::optional<JsonValue> JsonValue::parse(std::string_view text) {
     return std::move(builder).take();
 }
 
+Result<JsonValue> JsonValue::read(std::string_view text, const std::string& file) {
+    try {
+        Json strict = read_json(text, file);
+        take_apart(strict);
+    } catch (ProblemFound& found) {
+        return std::move(found.problem);
+    }
+    if (std::optional<JsonValue> value = parse(text)) return *std::move(value);
+    return Problem{file, "", "this is not JSON", "JSON"};
+}
+
 double JsonValue::number() const {
     const auto* whole = std::get_if<std::int64_t>(&value_);
     return whole != nullptr ? static_cast<double>(*whole) : std::get<double>(value_);

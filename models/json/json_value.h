@@ -15,6 +15,8 @@
 #include <variant>
 #include <vector>
 
+#include "models/problem.h"
+
 namespace glint {
 
 class JsonValue {
@@ -55,6 +57,9 @@ class JsonValue {
     /// Reads text that anyone may have written; nothing when it is not JSON, is nested deeper than 64, which
     /// no document of ours is, or has more than 2,000,000 values. Of two members of one name the last counts.
     [[nodiscard]] static std::optional<JsonValue> parse(std::string_view text);
+    /// The same for a file that a person may have changed: as strict as for a scene, and a problem says what
+    /// is wrong in which line of `file`.
+    [[nodiscard]] static Result<JsonValue> read(std::string_view text, const std::string& file);
 
     [[nodiscard]] bool is_boolean() const { return std::holds_alternative<bool>(value_); }
     [[nodiscard]] bool is_whole_number() const { return std::holds_alternative<std::int64_t>(value_); }

@@ -107,7 +107,17 @@ bool differ(const JsonValue& a, const JsonValue& b, double tolerance) {
     return is_more(is_more, differences);
 }
 
+/// What stands behind "within"; 0 where nothing does.
+double tolerance_of(const Node& comparison, const NamedValues& names) {
+    if (comparison.parts.size() < 3) return 0;
+    const double tolerance = as_number(value_of(comparison.parts[2], names));
+    if (tolerance < 0)
+        throw ExpressionProblem{"has the tolerance " + JsonValue(tolerance).text(), "0 or more"};
+    return tolerance;
+}
+
 JsonValue comparison_of(const Node& node, const NamedValues& names) {
+    const double tolerance = tolerance_of(node, names);
     const JsonValue a = value_of(node.parts[0], names), b = value_of(node.parts[1], names);
     const auto is_plain = [](const JsonValue& v) { return v.is_string() || v.is_boolean(); };
     if (is_plain(a) || is_plain(b)) {
@@ -115,7 +125,6 @@ JsonValue comparison_of(const Node& node, const NamedValues& names) {
             throw ExpressionProblem{"texts are compared by " + in_quotes(node.word), "= or !="};
         return (a == b) == (node.word == "=");
     }
-    const double tolerance = node.parts.size() > 2 ? as_number(value_of(node.parts[2], names)) : 0;
     return node.word == "!=" ? differ(a, b, tolerance) : all_hold(node.word, a, b, tolerance);
 }
 
@@ -174,6 +183,14 @@ const Node& first_false(const Node& node, const NamedValues& names) {
 }
 
 }  // namespace
+
+void require_tolerances(const ExpressionNode& node) {
+    for (const Node& part : node.parts) require_tolerances(part);
+    if (node.kind != Kind::Compare || node.parts.size() < 3) return;
+    std::vector<std::string> names;
+    collect_names(node.parts[2], names);
+    if (names.empty()) (void)tolerance_of(node, {});
+}
 
 Result<JsonValue> Expression::value(const NamedValues& names) const {
     try {

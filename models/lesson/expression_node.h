@@ -35,6 +35,9 @@ struct ExpressionProblem {
     std::string what, expected;
 };
 
+/// Throws ExpressionProblem where a tolerance that depends on no name is below 0, or is no number.
+void require_tolerances(const ExpressionNode& node);
+
 /// A function's value. Throws ExpressionProblem; `known` is asked while parsing.
 [[nodiscard]] JsonValue call_function(const std::string& name, const std::vector<JsonValue>& arguments);
 [[nodiscard]] bool known_function(std::string_view name);

@@ -240,6 +240,7 @@ Result<Expression> Expression::parse(std::string_view text) {
     expression.text_ = text;
     try {
         expression.root_ = std::make_shared<const Node>(Parser(text).whole());
+        require_tolerances(*expression.root_);
     } catch (const ExpressionProblem& problem) {
         return Problem{"", "", in_quotes(text) + " " + problem.what, problem.expected};
     }

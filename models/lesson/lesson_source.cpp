@@ -123,6 +123,14 @@ glm::ivec2 read_place(std::string_view text, int line) {
     return place;
 }
 
+glm::ivec2 read_place(std::string_view text, int line, PictureSize picture) {
+    const glm::ivec2 place = read_place(text, line);
+    if (place.x < 0 || place.y < 0 || place.x >= picture.width || place.y >= picture.height)
+        fail_at(line, in_quotes(text) + " is outside the picture",
+                fmt::format("0 to {}, 0 to {}", picture.width - 1, picture.height - 1));
+    return place;
+}
+
 double read_decimal(std::string_view text, int line) {
     double value = 0;
     if (!read_all(text, value) || !std::isfinite(value))

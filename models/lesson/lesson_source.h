@@ -53,8 +53,10 @@ using SourcePart = std::variant<SourceHeading, ProseBlock, SourceBlock>;
 /// Says what is wrong in a line. Does not return.
 [[noreturn]] void fail_at(int line, std::string what, std::string expected);
 
-/// Two whole numbers with a comma between them: a pixel.
+/// Two whole numbers with a comma between them: a pixel. The second form throws where it is outside the
+/// picture.
 [[nodiscard]] glm::ivec2 read_place(std::string_view text, int line);
+[[nodiscard]] glm::ivec2 read_place(std::string_view text, int line, PictureSize picture);
 [[nodiscard]] double read_decimal(std::string_view text, int line);
 /// "640x360", each side 1 to max_lesson_side.
 [[nodiscard]] PictureSize read_lesson_size(std::string_view text, int line);
@@ -70,8 +72,8 @@ using SourcePart = std::variant<SourceHeading, ProseBlock, SourceBlock>;
 /// Reads all lines of that key.
 [[nodiscard]] std::vector<Assignment> read_sets(const SourceBlock& block, std::string_view key);
 
-/// Reads a block that is neither "lesson" nor "scene".
-[[nodiscard]] LessonPart read_part(const SourceBlock& block);
+/// Reads a block that is neither "lesson" nor "scene". `picture`: the lesson's, in which pixels are counted.
+[[nodiscard]] LessonPart read_part(const SourceBlock& block, PictureSize picture);
 
 /// Reads an exercise's block, and tries it with the first value of each variable.
 [[nodiscard]] Exercise read_exercise(const SourceBlock& block);

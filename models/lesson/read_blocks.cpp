@@ -13,11 +13,11 @@ namespace glint {
 namespace {
 
 /// Two pixels with a blank between them.
-std::pair<glm::ivec2, glm::ivec2> read_ends(const BlockLine& line) {
+std::pair<glm::ivec2, glm::ivec2> read_ends(const BlockLine& line, PictureSize picture) {
     const std::vector<std::string> words = words_of(line.value);
     if (words.size() != 2)
         fail_at(line.line, in_quotes(line.value) + " is not a line", "two pixels as in 0,180 639,180");
-    return {read_place(words[0], line.line), read_place(words[1], line.line)};
+    return {read_place(words[0], line.line, picture), read_place(words[1], line.line, picture)};
 }
 
 /// A name from the catalogue of mistakes.
@@ -56,7 +56,7 @@ void read_options(const SourceBlock& block, Prediction& p) {
         fail_at(block.line, "a choice lacks options", "two at least, each with a line if: behind it");
 }
 
-Prediction read_prediction(const SourceBlock& block) {
+Prediction read_prediction(const SourceBlock& block, PictureSize picture) {
     const std::vector<std::string> kinds{"number", "choice", "click", "sketch", "colour"};
     const auto kind = std::find(kinds.begin(), kinds.end(), block.kind);
     if (kind == kinds.end())
@@ -80,17 +80,17 @@ Prediction read_prediction(const SourceBlock& block) {
     p.tolerance = read_expression(block.require("tolerance"), p.runs);
     if (const BlockLine* unit = block.find("unit")) p.unit = unit->value;
     if (const BlockLine* term = block.find("term")) p.term = term->value;
-    if (p.kind == PredictionKind::Sketch) std::tie(p.from, p.to) = read_ends(block.require("along"));
+    if (p.kind == PredictionKind::Sketch) std::tie(p.from, p.to) = read_ends(block.require("along"), picture);
     return p;
 }
 
-Reveal read_reveal(const SourceBlock& block) {
+Reveal read_reveal(const SourceBlock& block, PictureSize picture) {
     block.allow({"set", "pick", "along", "play"}, false);
     Reveal r;
     r.line = block.line;
     r.set = read_sets(block, "set");
-    if (const BlockLine* pick = block.find("pick")) r.pick = read_place(pick->value, pick->line);
-    if (const BlockLine* along = block.find("along")) r.along = read_ends(*along);
+    if (const BlockLine* pick = block.find("pick")) r.pick = read_place(pick->value, pick->line, picture);
+    if (const BlockLine* along = block.find("along")) r.along = read_ends(*along, picture);
     if (const BlockLine* play = block.find("play")) {
         const std::vector<std::string> words = words_of(play->value);
         if (words.size() != 4 || words[2] != "to" || words[0][0] != '/')
@@ -139,9 +139,9 @@ std::vector<Assignment> read_sets(const SourceBlock& block, std::string_view key
     return set;
 }
 
-LessonPart read_part(const SourceBlock& block) {
-    if (block.word == "predict") return read_prediction(block);
-    if (block.word == "reveal") return read_reveal(block);
+LessonPart read_part(const SourceBlock& block, PictureSize picture) {
+    if (block.word == "predict") return read_prediction(block, picture);
+    if (block.word == "reveal") return read_reveal(block, picture);
     if (block.word == "try") return read_task(block);
     if (block.word == "claim") return read_claim(block);
     return read_exercise(block);

@@ -78,7 +78,7 @@ class Builder {
             lesson_.steps.back().line = block.line;
             return;
         }
-        lesson_.steps.back().parts.push_back(read_part(block));
+        lesson_.steps.back().parts.push_back(read_part(block, lesson_.size));
     }
     Lesson take() && {
         if (lesson_.title.empty()) fail_at(1, "the lesson has no title", "a line # TITLE");

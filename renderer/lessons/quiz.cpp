@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
+#include <sstream>
+
 #include "models/io/markup.h"
 #include "renderer/image/html_image.h"
 #include "renderer/lessons/handout.h"
@@ -79,6 +82,15 @@ std::string options_html(const Prediction& p, std::size_t number, std::optional<
     return html + "</fieldset>\n";
 }
 
+/// Whether it is the title as a browser tells it of the page, which makes one blank of several.
+bool is_title(const JsonValue& told, const std::string& title) {
+    const auto words = [](const std::string& text) {
+        std::istringstream in(text);
+        return std::vector<std::string>(std::istream_iterator<std::string>(in), {});
+    };
+    return told.is_string() && words(told.string()) == words(title);
+}
+
 double share_of(std::size_t part, std::size_t whole) {
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
@@ -141,9 +153,13 @@ JsonValue answers_json(const Lesson& lesson, const QuizAnswers& answers) {
 
 Result<QuizAnswers> read_answers(const Lesson& lesson, std::string_view text, const std::string& file) {
     const std::vector<Posed> questions = questions_of(lesson);
-    const std::optional<JsonValue> json = JsonValue::parse(text);
-    const JsonValue* when = json ? json->find("when") : nullptr;
-    const JsonValue* answers = json ? json->find("answers") : nullptr;
+    const Result<JsonValue> read_text = JsonValue::read(text, file);
+    if (const Problem* problem = problem_of(read_text)) return *problem;
+    const auto& json = std::get<JsonValue>(read_text);
+    if (const JsonValue* quiz = json.find("quiz"); quiz != nullptr && !is_title(*quiz, lesson.title))
+        return Problem{file, "/quiz", "answers to " + quiz->text(), json_string(lesson.title)};
+    const JsonValue* when = json.find("when");
+    const JsonValue* answers = json.find("answers");
     const bool known =
         when != nullptr && when->is_string() && (when->string() == "before" || when->string() == "after");
     if (!known || answers == nullptr || answers->elements().size() != questions.size())

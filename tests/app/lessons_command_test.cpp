@@ -1,4 +1,5 @@
 // glint lessons and glint exercise, as a user runs them.
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -142,7 +143,8 @@ TEST_CASE("glint quiz writes the inventory and counts what a class has answered"
     CHECK(bytes_of(page).find("<!DOCTYPE html>") == 0);
     CHECK(bytes_of(page).find("class=\"right\"") == std::string::npos);
     CHECK(run_glint({"quiz", "-o", "-", "--key"}).out.find("class=\"right\"") != std::string::npos);
-    std::string answers = R"({"quiz": "x", "when": "before", "answers": [0)";
+    std::string answers =
+        R"({"quiz": "What do you believe about lighting?", "when": "before", "answers": [0)";
     for (int i = 1; i < 24; ++i) answers += ",0";
     const std::string a = directory.file("a.json", answers + "]}"), b = directory.file("b.json", "[]");
     const Ended counted = run_glint({"quiz", a, a});
@@ -157,4 +159,48 @@ TEST_CASE("glint quiz writes the inventory and counts what a class has answered"
     check_refused({"quiz"}, "-o: is missing");
     check_refused({"quiz", a, "-o", page}, "-o: stands beside ANSWERS");
     check_refused({"quiz", "-o", "x.png"}, "expected a name that ends in .html, or -");
+}
+
+TEST_CASE("a pixel of a reveal or of a line outside the lesson's picture is an error with its line",
+          "[cli][lesson][bad-input]") {
+    const TemporaryDirectory directory;
+    (void)directory.file("ball.json", ball_scene);
+    const std::string text =
+        lesson_text("ball.json", "e.hit") + "\n```reveal\npick: 31,31\nalong: 0,0 31,9\n```\n";
+    const auto with = [&](const std::string& from, const std::string& to) {
+        const std::size_t at = text.find(from);
+        REQUIRE(at != std::string::npos);
+        const std::string path = directory.file("l.md", std::string(text).replace(at, from.size(), to));
+        const std::string error = run_glint({"lessons", path}).err;
+        return error.empty() ? error : error.substr(("glint: error: " + path).size());
+    };
+    const std::string expected = " is outside the picture; expected 0 to 31, 0 to 31\n";
+    CHECK(with("", "").empty());
+    CHECK(with("31,31", "99,99") == ":16: \"99,99\"" + expected);
+    CHECK(with("31,31", "-1,0") == ":16: \"-1,0\"" + expected);
+    CHECK(with("31,9", "9,32") == ":17: \"9,32\"" + expected);
+    CHECK(with("check: e.hit", "check: 1 = 1 within -1") ==
+          ":12: \"1 = 1 within -1\" has the tolerance -1.0; expected 0 or more\n");
+}
+
+TEST_CASE("a folder without a lesson is no folder of lessons of which all hold", "[cli][lesson][bad-input]") {
+    const TemporaryDirectory empty;
+    const std::string line = empty.path() + ": holds no lesson; expected a folder with one";
+    check_refused({"lessons", empty.path()}, line);
+    check_refused({"lessons", empty.path(), "--check"}, line);
+    check_refused({"lessons", "5", empty.path(), "--format", "json"}, line);
+}
+
+TEST_CASE("a program that has lost its lessons says where it expects them", "[cli][lesson][bad-input]") {
+    const TemporaryDirectory elsewhere;
+    const std::string program = elsewhere.path("glint");
+    std::filesystem::copy_file(GLINT_PROGRAM, program);
+    for (const auto& [command, part] :
+         {std::pair{"lessons", "no lessons are installed; expected assets/lessons "},
+          {"quiz -o -", "no inventory is installed; expected assets/inventory.md "}}) {
+        const Ended ended = run_glint({"--version"}, {}, "; '" + program + "' " + command + " 2>&1");
+        CAPTURE(ended.out);
+        CHECK(ended.status == 1);
+        CHECK(ended.out.find("glint: error: " + std::string(part)) != std::string::npos);
+    }
 }

@@ -190,3 +190,17 @@ TEST_CASE("no text that anyone writes as an expression ends the program", "[less
     }
     CHECK(valid > 20);
 }
+
+TEST_CASE("a tolerance below 0 is refused, as it is read where it is a number, else where it is used",
+          "[lesson][bad-input]") {
+    CHECK(problem_with("1 = 1 within -1") ==
+          "\"1 = 1 within -1\" has the tolerance -1.0; expected 0 or more");
+    CHECK(problem_of(Expression::parse("1 = 1 within 2 - 3")) != nullptr);
+    CHECK(problem_of(Expression::parse("not (true and a.n != 1 within -1e-9)")) != nullptr);
+    CHECK(problem_of(Expression::parse("a.n = 1 within 0 - a.n")) == nullptr);
+    CHECK(problem_with("a.n = 1 within 0 - a.n") ==
+          "\"a.n = 1 within 0 - a.n\": has the tolerance -0.5; expected 0 or more");
+    CHECK(value_of("1 = 1 within 0") == JsonValue(true));
+    CHECK(value_of("1 = 2 within 1/0") == JsonValue(true));
+    CHECK(value_of("1 = 1.5 within a.n") == JsonValue(true));
+}

@@ -143,3 +143,22 @@ TEST_CASE("a class's statistics count options and give the gain", "[lesson][quiz
     CHECK(second.find("right_before")->number() == 0);
     CHECK(second.find("right_after")->number() == Approx(0.5));
 }
+
+TEST_CASE("answers to a quiz of another title are refused, and damaged ones with their line",
+          "[lesson][quiz][bad-input]") {
+    const Lesson lesson = inventory();
+    std::string list = "0";
+    for (int i = 1; i < 24; ++i) list += ",0";
+    const auto problem_with = [&](const std::string& text) {
+        const Result<QuizAnswers> read = read_answers(lesson, text, "a.json");
+        return problem_of(read) == nullptr ? "" : problem_of(read)->text();
+    };
+    const std::string rest = R"(, "when": "after", "answers": [)" + list + "]}";
+    CHECK(problem_with(R"({"quiz": ")" + lesson.title + '"' + rest).empty());
+    CHECK(problem_with(R"({"quiz": "Sound")" + rest) ==
+          "a.json: /quiz: answers to \"Sound\"; expected \"" + lesson.title + "\"");
+    CHECK(problem_with(R"({"quiz": 1)" + rest).starts_with("a.json: /quiz: "));
+    CHECK(problem_with("{\n\"when\": \"after\",\n\"answers\": [0,\n}") ==
+          "a.json:4: unexpected \"}\"; expected a value");
+    CHECK(problem_with("{\n\"when\": \"after\",\n\"when\": \"before\"}").starts_with("a.json:3: "));
+}
