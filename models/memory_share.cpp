@@ -73,7 +73,7 @@ MemoryNeed memory_need(MemoryUse use, std::uint64_t bytes) {
 }
 
 Problem memory_problem(const std::bad_alloc& error, const std::string& file) {
-    Problem problem{file, "", "there is not enough memory for this", ""};
+    Problem problem{file, "", "there is not enough memory for this", "more of it, or less to do at once"};
     if (const auto* refused = dynamic_cast<const Refused*>(&error)) {
         problem = refused->problem();
         problem.file = file;

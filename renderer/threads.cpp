@@ -2,11 +2,13 @@
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <new>
 
 #include "models/memory_limit.h"
@@ -25,11 +27,20 @@ void allow_threads() {
         new (place.data()) tbb::global_control(tbb::global_control::max_allowed_parallelism, max_threads);
 }
 
+/// Bytes of the address space that the process has taken; 0 where the system does not tell.
+std::uint64_t address_space_taken() {
+    std::ifstream pages("/proc/self/statm");
+    std::uint64_t taken = 0;
+    if (!(pages >> taken)) return 0;
+    return taken * static_cast<std::uint64_t>(std::max(sysconf(_SC_PAGESIZE), 1L));
+}
+
 /// How many threads have room for their stacks: where the system refuses a thread, the library ends the
 /// program.
 int threads_with_a_stack() {
     const std::uint64_t stack = tbb::global_control::active_value(tbb::global_control::thread_stack_size);
-    const std::uint64_t stacks = address_space_limit() / 4 / std::max<std::uint64_t>(stack, 1);
+    const std::uint64_t limit = address_space_limit(), taken = std::min(limit, address_space_taken());
+    const std::uint64_t stacks = (limit - taken) / 4 / std::max<std::uint64_t>(stack, 1);
     return static_cast<int>(std::min<std::uint64_t>(stacks, max_threads - 1));
 }
 

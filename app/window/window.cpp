@@ -38,10 +38,9 @@ constexpr int least_width = 320, least_height = 240;  // of the window, in its o
 constexpr double longest_farewell = 0.3;              // seconds that a closed window's loads may take to end
 
 /// What keeps the window from opening, with the way to do without it.
-Failure impossible(const std::string& what) {
-    Problem problem;
-    problem.what = what + "; use \"glint render FILE -o OUT.png\" for a picture without a window";
-    return {ExitStatus::Impossible, problem};
+Failure impossible(const std::string& what, const std::string& expected) {
+    const std::string without = ", or \"glint render FILE -o OUT.png\" for a picture without a window";
+    return {ExitStatus::Impossible, {"", "", what, expected + without}};
 }
 
 Result<SceneDocument> first_document(const WindowOptions& options) {
@@ -332,14 +331,15 @@ void run_window(const WindowOptions& options) {
     for (const std::string& warning : state.editor.document.warnings) say_warning(warning);
     begin_persistence(state, state_folder());
     const Glfw glfw;
-    if (!glfw.ready) throw impossible("no display to open a window on");
+    if (!glfw.ready)
+        throw impossible("no display to open a window on", "one that DISPLAY or WAYLAND_DISPLAY names");
     GLFWwindow* handle = make_window(state.persistence.preferences);
-    if (handle == nullptr) throw impossible("the display has no OpenGL 3.0");
+    if (handle == nullptr) throw impossible("the display has no OpenGL 3.0", "a driver that has it");
     glfwSetWindowSizeLimits(handle, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
     open_state = &state;
     handle_x_errors(end_without_display);
     Window window(handle, state);
-    if (!window.ready()) throw impossible("the display has no OpenGL 3.0");
+    if (!window.ready()) throw impossible("the display has no OpenGL 3.0", "a driver that has it");
     tell_averaged_normals(state);
     if (course) begin_lesson(state, course);
     try {

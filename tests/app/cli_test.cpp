@@ -1,4 +1,6 @@
 // The commands as a user runs them: what they write, what they answer, and that one agrees with the other.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -266,6 +268,22 @@ TEST_CASE("many threads draw where there are addresses for few of their stacks",
             CHECK(ended.out.ends_with("\nstatus 0\n"));
             CHECK(std::count(ended.out.begin(), ended.out.end(), '\n') == 2);
         }
+}
+
+TEST_CASE("where there are addresses for no second stack one thread draws", "[cli]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", three_lights);
+    const auto ended = [&](int limit, const char* threads) {
+        return run_glint({"--version"}, {},
+                         fmt::format("; (ulimit -v {}; '{}' render '{}' -o - --size 50x50 -j {} >/dev/null; "
+                                     "echo status $?) 2>&1",
+                                     limit, GLINT_PROGRAM, scene, threads))
+            .out;
+    };
+    for (int limit = 24000; limit <= 42000; limit += 1500) {
+        CAPTURE(limit);
+        CHECK(ended(limit, "2") == ended(limit, "1"));
+    }
 }
 #endif
 

@@ -60,6 +60,18 @@ TEST_CASE("whatever of files fails, a command ends in one line and the old file 
     fail_in_turn(kind, 1000);
 }
 
+TEST_CASE("where the system refuses a thread it is said what would help", "[faults]") {
+    Room room;
+    const Command render{"render two",
+                         {"render", room.scene_file, "-o", room.png, "--size", "640x480", "--threads", "2"},
+                         room.png};
+    REQUIRE(count_of(calls_of(render), Kind::Thread) > 0);
+    CHECK(error_of(render, {Kind::Thread, 0, LONG_MAX, 0})
+              .starts_with("glint: error: the system refuses a thread: pthread_create has failed"));
+    CHECK(error_of(render, {Kind::Thread, 0, LONG_MAX, 0})
+              .ends_with("; expected more memory and processes (ulimit -v, ulimit -u), or --threads 1\n"));
+}
+
 /// OpenEXR's library waits for ever where there is no memory for one of its tasks: not asked of it.
 TEST_CASE("wherever memory ends, a command ends in one line and the old file is whole", "[faults]") {
     fail_in_turn(Kind::Memory, 40);

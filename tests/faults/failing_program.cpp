@@ -135,6 +135,11 @@ std::string wrong_end(const Command& command, const Fault& fault, const Made& ri
     return fmt::format("{}, {}: {}\n{}", command.name, words_of(fault), wrong, ended.err.substr(0, 500));
 }
 
+std::string error_of(const Command& command, const Fault& fault) {
+    const TemporaryDirectory notes;
+    return run(command, text_of(fault), notes).err;
+}
+
 std::string words_of(const Fault& fault) { return text_of(fault); }
 
 std::vector<long> numbers(long count, long most) {

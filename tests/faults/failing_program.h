@@ -37,6 +37,9 @@ struct Made {
 /// and nothing else is in the file's folder. Else what was wrong with it. After ten seconds it hangs.
 [[nodiscard]] std::string wrong_end(const Command& command, const Fault& fault, const Made& right);
 
+/// What the command says on standard error with that fault.
+[[nodiscard]] std::string error_of(const Command& command, const Fault& fault);
+
 /// "the write 3 to 5 with no space": for messages.
 [[nodiscard]] std::string words_of(const Fault& fault);
 

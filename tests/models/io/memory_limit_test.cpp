@@ -2,6 +2,7 @@
 #include "models/memory_limit.h"
 
 #include <filesystem>
+#include <new>
 
 #include "tests/support/catch.h"
 #include "tests/support/memory_helpers.h"
@@ -118,4 +119,9 @@ TEST_CASE("the limit on the address space limits what may be asked for", "[memor
     if (!test::can_limit_address_space) return;
     const std::uint64_t here = default_memory_limit();
     CHECK(test::in_process_with_room(256 * mib, [here] { return default_memory_limit() < here; }));
+}
+
+TEST_CASE("where memory has run out it is said what would help", "[memory]") {
+    CHECK(memory_problem(std::bad_alloc(), "a.json").text() ==
+          "a.json: there is not enough memory for this; expected more of it, or less to do at once");
 }
