@@ -25,17 +25,15 @@ std::string Editor::title() const {
 bool Editor::has_scene_file() const { return lower_extension(document.path) == ".json"; }
 
 void take_document(Editor& editor, SceneDocument document) {
+    Editor next;  // it takes its place when it is whole, whatever memory there is
+    next.document = std::move(document);
+    next.saved = next.document.scene;
+    next.saved_edited_camera = next.saved.camera;
+    next.history.reset(next.document.scene);
+    if (!next.scene().lights.empty()) next.selection = {Selection::Kind::Light, 0};
     // A document in hand that was not drawn yet goes: the one before it, which could be drawn, stays.
-    std::unique_ptr<Editor> before = std::move(editor.before);
-    if (!before) before = std::make_unique<Editor>(std::move(editor));
-    editor = {};
-    editor.before = std::move(before);
-    editor.document = std::move(document);
-    editor.saved = editor.document.scene;
-    editor.saved_edited_camera = editor.saved.camera;
-    editor.history.reset(editor.document.scene);
-    editor.selection = {};
-    if (!editor.scene().lights.empty()) editor.selection = {Selection::Kind::Light, 0};
+    next.before = editor.before ? std::move(editor.before) : std::make_unique<Editor>(std::move(editor));
+    editor = std::move(next);
 }
 
 std::optional<Problem> save_file(Editor& editor, std::string path) {

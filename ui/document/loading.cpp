@@ -158,12 +158,13 @@ void take_loaded(UiState& state, SceneDocument document) {
     const std::optional<Recovery> recovery = std::exchange(loading.recovery, std::nullopt);
     if (recovery) drop_autosave(state);
     take_scene(state, std::move(document));
+    if (recovery) {  // before anything that may fail: what is in hand is not saved
+        state.editor.saved = std::move(*recovery->in_file);
+        keep_orphan(state, recovery->autosave);
+    }
     state.notifications.add(state.editor.document.warnings);
     tell_averaged_normals(state);
     if (const auto course = std::exchange(loading.course, nullptr)) begin_lesson(state, *course);
-    if (!recovery) return;
-    state.editor.saved = *recovery->in_file;
-    keep_orphan(state, recovery->autosave);
 }
 
 void poll_document(UiState& state) {
