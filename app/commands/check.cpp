@@ -32,7 +32,8 @@ bool is_there(const std::string& path) {
 /// The file of that buffer, .pfm or .exr; empty where there is none.
 std::string buffer_file(const std::string& directory, const std::string& name) {
     const std::string path = (std::filesystem::path(directory) / name).string();
-    const std::string pfm = path + ".pfm", exr = path + ".exr";
+    const std::string pfm = path + ".pfm";
+    std::string exr = path + ".exr";
     if (!is_there(exr)) return is_there(pfm) ? pfm : "";
     if (is_there(pfm))
         throw Failure{ExitStatus::Impossible, {exr, "", "stands beside " + name + ".pfm", "one of the two"}};

@@ -29,7 +29,7 @@ TEST_CASE("no command prints infinity or null where intensity over falloff is mo
     const std::string area =
         R"({"type": "area", "intensity": 1e30, "position": [0, 0.25, 0.9682458], "area": {"samples": 4}})";
     for (const std::string& scene :
-         {ball_under(bulb), ball_under(bulb + "," + bulb + "," + bulb), ball_under(area),
+         {ball_under(bulb), ball_under(fmt::format("{0},{0},{0}", bulb)), ball_under(area),
           ball_under(bulb, R"(, "display": {"exposure": 1e30, "transfer": "srgb"})"),
           ball_under(bulb, R"(, "shading": {"reflection": "cook-torrance"})"),
           ball_under(bulb, R"(, "shading": {"mode": "gouraud"})")})

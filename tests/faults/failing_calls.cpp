@@ -64,6 +64,7 @@ void log_line(const char* format, ...) {
     char line[2 * PATH_MAX];
     va_list arguments;
     va_start(arguments, format);
+    // NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized): va_start() has set it
     const int length = std::vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
     if (length > 0) (void)!::syscall(SYS_write, log_descriptor, line, std::size_t(length));

@@ -155,7 +155,7 @@ void take_loaded(UiState& state, SceneDocument document) {
     Loading& loading = state.loading;
     leave(loading, loading.meshes);
     loading.awaited.clear();
-    const std::optional<Recovery> recovery = std::exchange(loading.recovery, std::nullopt);
+    std::optional<Recovery> recovery = std::exchange(loading.recovery, std::nullopt);
     if (recovery) drop_autosave(state);
     take_scene(state, std::move(document));
     if (recovery) {  // before anything that may fail: what is in hand is not saved

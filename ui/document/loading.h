@@ -23,8 +23,8 @@ struct AwaitedMesh {
 
 /// An autosave that a window left behind, loaded like a file.
 struct Recovery {
-    std::string autosave;                  // its path
-    std::shared_ptr<const Scene> in_file;  // what its file has, which the copy is newer than; empty: no file
+    std::string autosave;            // its path
+    std::shared_ptr<Scene> in_file;  // what its file has, which the copy is newer than; empty: no file
 };
 
 struct Loading {

@@ -8,6 +8,7 @@
 #include "renderer/inspect/explain/equation_text.h"
 #include "renderer/inspect/explain/explain_format.h"
 #include "renderer/inspect/explain/explain_words.h"
+#include "renderer/picture.h"
 
 namespace glint {
 namespace {
