@@ -44,11 +44,16 @@ double yfov_of(const Projection& projection, GltfUnsaid& unsaid) {
     return std::clamp(angle, least, most);
 }
 
+/// What a light's colour is divided by, and its intensity multiplied with: a colour of glTF ends at 1.
+float color_scale(const Light& light) {
+    return std::max({light.diffuse.x, light.diffuse.y, light.diffuse.z, 1.0f});
+}
+
 /// The intensity with which glTF's light, which falls off with the square, is as bright at the camera's
 /// target as this light.
 double intensity_of(const Light& light, const Camera& camera, GltfUnsaid& unsaid) {
-    const double most = std::max({light.diffuse.x, light.diffuse.y, light.diffuse.z, 1.0f});
-    const double i = static_cast<double>(light.intensity) * most * std::numbers::pi;
+    const double i =
+        static_cast<double>(light.intensity) * static_cast<double>(color_scale(light)) * std::numbers::pi;
     if (light.kind == LightKind::Directional) return i;
     const auto& f = light.falloff;
     if (f.constant == 0 && f.linear == 0) return i / static_cast<double>(f.quadratic);
@@ -89,7 +94,6 @@ GltfJson light_json(const Light& light, const Camera& camera, const std::string&
                     GltfUnsaid& unsaid) {
     // Without a cone a spot shines everywhere, as a point light does.
     const bool is_spot = light.kind == LightKind::Spot && light.spot.cutoff_deg < 180;
-    const float most = std::max({light.diffuse.x, light.diffuse.y, light.diffuse.z, 1.0f});
     const double intensity = intensity_of(light, camera, unsaid);
     if (!at_least_zero.contains(intensity))
         throw ProblemFound{{"", pointer,
@@ -99,7 +103,7 @@ GltfJson light_json(const Light& light, const Camera& camera, const std::string&
                  {"type", light.kind == LightKind::Directional ? "directional"
                           : is_spot                            ? "spot"
                                                                : "point"},
-                 {"color", numbers_json(light.diffuse / most)},
+                 {"color", numbers_json(light.diffuse / color_scale(light))},
                  {"intensity", intensity}};
     if (is_spot) {
         const GltfCone cone = cone_of(light.spot);
