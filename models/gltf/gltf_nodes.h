@@ -41,8 +41,8 @@ template <class F> void with_light(const Node& root, const Node& node, F f) {
     });
 }
 
-/// Checks every node, whether a scene reaches it or not: fails where one has a transform that is none, or
-/// names a child, a mesh, a camera or a light that is not there.
+/// Checks every node, whether a scene reaches it or not: fails where local_of() fails, or where a node names
+/// a child, a mesh, a camera or a light that is not there.
 void check_nodes(const Node& root);
 
 }  // namespace glint

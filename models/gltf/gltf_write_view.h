@@ -13,7 +13,7 @@ namespace glint {
 /// What places a node where the camera stands.
 [[nodiscard]] GltfJson camera_matrix(const Camera& camera);
 
-/// An element of "lights". Precondition: it is no area light. Throws ProblemFound with `pointer`, the
+/// An element of "lights". Precondition: it is not an area light. Throws ProblemFound with `pointer`, the
 /// light's, where its intensity is beyond what is read.
 [[nodiscard]] GltfJson light_json(const Light& light, const Camera& camera, const std::string& pointer,
                                   GltfUnsaid& unsaid);

@@ -35,7 +35,7 @@ struct ExpressionProblem {
     std::string what, expected;
 };
 
-/// Throws ExpressionProblem where a tolerance that depends on no name is below 0, or is no number.
+/// Throws ExpressionProblem where a tolerance that depends on no name is below 0 or not a number.
 void require_tolerances(const ExpressionNode& node);
 
 /// A function's value. Throws ExpressionProblem; `known` is asked while parsing.

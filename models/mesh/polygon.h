@@ -34,8 +34,8 @@ class Triangulator {
     /// Appends the triangles of polygon `face`, each with an area and wound as the polygon where it is
     /// simple: a fan from the first corner when it is convex in its Newell plane (`normal`, unit), else by
     /// ear clipping. `corners`: distinct_corners() of it; fewer than three give nothing. A polygon that
-    /// crosses itself is cut as well as it goes. False for one that is too long to clip ears and not convex,
-    /// not even but for the rounding of its coordinates: it is cut as a fan. Time: linear when convex, else
+    /// crosses itself is cut as well as it goes. False for one that is too long to clip ears and not convex
+    /// even within the rounding of its coordinates: it is cut as a fan. Time: linear when convex, else
     /// at most quadratic. Source: J. O'Rourke, Computational Geometry in C, 1.6.
     bool cut(const Mesh& mesh, std::uint32_t face, const std::vector<std::uint32_t>& corners,
              const glm::dvec3& normal, std::vector<Triangle>& triangles);
