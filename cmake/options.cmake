@@ -33,6 +33,14 @@ function(compile_quickly target)
   target_compile_options(${target} PRIVATE $<IF:$<CONFIG:Debug>,-O0,$<$<CONFIG:Release>:-O2>>)
 endfunction()
 
+# Of an inline function that several files hold, the linker takes the first. Under the sanitizers, tests and window bring it as it
+# is without optimising; with the library in front of them it is the library's: most tests of drawing take a quarter of the time.
+function(link_first library)
+  if(GLINT_SANITIZE)
+    target_link_options(${library} INTERFACE "LINKER:--whole-archive,$<TARGET_FILE:${library}>,--no-whole-archive")
+  endif()
+endfunction()
+
 # Precompiled headers of libraries, for what nearly every file of a target includes: reading them is most of what
 # compiling a small file costs. Where folders are compiled as one, those of ours behind OURS too, which nearly every folder
 # includes; where files are compiled alone none of ours is among them, so that changing one compiles only what includes it.
