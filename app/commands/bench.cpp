@@ -151,7 +151,7 @@ Outcome bench(const BenchArguments& arguments) {
     return outcome;
 }
 
-Run declare(Options& options) {
+Run declare_bench(Options& options) {
     auto arguments = std::make_shared<BenchArguments>();
     add_scene(options, arguments->scene);
     add_size(options, arguments->size);
@@ -173,7 +173,7 @@ Run declare(Options& options) {
 
 Command bench_command() {
     return {"bench", "FILE", "measures frames while something is dragged, as JSON or a table",
-            "glint bench teapot.json --frames 200 --drag camera", declare};
+            "glint bench teapot.json --frames 200 --drag camera", declare_bench};
 }
 
 }  // namespace glint

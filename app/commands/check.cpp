@@ -15,12 +15,12 @@
 namespace glint {
 namespace {
 
-enum class Format { Text, Json };
+enum class CheckFormat { Text, Json };
 
 struct CheckArguments {
     SceneArguments scene;
     std::string directory;
-    Format format = Format::Text;
+    CheckFormat format = CheckFormat::Text;
 };
 
 /// Whether something has that name, be it a link that leads nowhere, of which reading says so.
@@ -76,11 +76,11 @@ Outcome check(const CheckArguments& arguments) {
         throw Failure{ExitStatus::Impossible,
                       {arguments.directory, "", "there is no pixel to compare",
                        "a size at which the scene shows a surface of some size"}};
-    return {arguments.format == Format::Json ? check_json(found) : check_text(found), document.warnings,
+    return {arguments.format == CheckFormat::Json ? check_json(found) : check_text(found), document.warnings,
             ExitStatus::Done};
 }
 
-Run declare(Options& options) {
+Run declare_check(Options& options) {
     auto arguments = std::make_shared<CheckArguments>();
     add_scene(options, arguments->scene);
     add_text(options, "DIR", "",
@@ -88,7 +88,7 @@ Run declare(Options& options) {
              arguments->directory);
     options.add_value("--format", "FORMAT", "text, the default, or json",
                       [&format = arguments->format](const std::string& text) {
-                          format = static_cast<Format>(read_word("--format", text, {"text", "json"}));
+                          format = static_cast<CheckFormat>(read_word("--format", text, {"text", "json"}));
                       });
     return [arguments] { return check(*arguments); };
 }
@@ -97,7 +97,7 @@ Run declare(Options& options) {
 
 Command check_command() {
     return {"check", "FILE DIR", "finds the first step in which another program's buffers differ",
-            "glint check teapot.json my-buffers", declare};
+            "glint check teapot.json my-buffers", declare_check};
 }
 
 }  // namespace glint

@@ -78,7 +78,7 @@ Outcome code(const CodeArguments& arguments) {
     return {{}, document.warnings, ExitStatus::Done};
 }
 
-Run declare(Options& options) {
+Run declare_code(Options& options) {
     auto arguments = std::make_shared<CodeArguments>();
     add_scene(options, arguments->scene);
     options.add_value("--language", "LANGUAGE", "gl1, glsl, cpp or python",
@@ -95,7 +95,7 @@ Run declare(Options& options) {
 
 Command code_command() {
     return {"code", "FILE --language LANGUAGE -o DIR", "writes a program that draws the scene",
-            "glint code teapot.json --language cpp -o teapot", declare};
+            "glint code teapot.json --language cpp -o teapot", declare_code};
 }
 
 }  // namespace glint

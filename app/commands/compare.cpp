@@ -42,7 +42,7 @@ Outcome compare(const CompareArguments& arguments) {
     return outcome;
 }
 
-Run declare(Options& options) {
+Run declare_compare(Options& options) {
     auto arguments = std::make_shared<CompareArguments>();
     add_text(options, "A.png", "", "a picture", arguments->a);
     add_text(options, "B.png", "", "another of the same size", arguments->b);
@@ -62,7 +62,7 @@ Run declare(Options& options) {
 
 Command compare_command() {
     return {"compare", "A.png B.png", "tells how far two pictures are apart, as JSON",
-            "glint compare before.png after.png -o difference.png --max-error 1", declare};
+            "glint compare before.png after.png -o difference.png --max-error 1", declare_compare};
 }
 
 }  // namespace glint

@@ -22,7 +22,7 @@
 namespace glint {
 namespace {
 
-enum class Format { Text, Json, Csv, Html };
+enum class DiagnosisFormat { Text, Json, Csv, Html };
 
 struct DiagnoseArguments {
     SceneArguments scene;
@@ -30,7 +30,7 @@ struct DiagnoseArguments {
     std::string out;
     bool pairs = false;
     std::vector<MistakeSet> apart;  // to be told apart, without a picture
-    Format format = Format::Text;
+    DiagnosisFormat format = DiagnosisFormat::Text;
 };
 
 std::string sheet_png(const DiagnoseArguments& arguments, const Font& font, const Diagnosis& found,
@@ -83,22 +83,22 @@ std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments, c
     return all;
 }
 
-std::string formatted(const std::vector<DiagnosedPicture>& all, Format format,
+std::string formatted(const std::vector<DiagnosedPicture>& all, DiagnosisFormat format,
                       const SceneDocument& document) {
     const bool many = all.size() > 1;
     std::string text;
     switch (format) {
-    case Format::Text:
+    case DiagnosisFormat::Text:
         for (const DiagnosedPicture& p : all)
             text += (many ? on_one_line(p.name) + "\n" : "") + diagnosis_text(p.diagnosis, document.scene) +
                     (many && &p != &all.back() ? "\n" : "");
         return text;
-    case Format::Json:
+    case DiagnosisFormat::Json:
         return many ? diagnoses_json(all, document.scene)
                     : diagnosis_json(all.front().diagnosis, document.scene);
-    case Format::Csv:
+    case DiagnosisFormat::Csv:
         return diagnoses_csv(all);
-    case Format::Html:
+    case DiagnosisFormat::Html:
         return diagnoses_html(all, document.path);
     }
     return text;  // not reached
@@ -126,13 +126,13 @@ std::vector<MistakeSet> read_mistakes(const std::string& option, const std::stri
 Outcome tell_apart(const DiagnoseArguments& arguments) {
     constexpr PictureSize size{640, 480};
     if (!arguments.pictures.empty()) throw wrong_usage("--apart", "is asked of a scene alone", "no PICTURE");
-    if (arguments.format != Format::Text && arguments.format != Format::Json)
+    if (arguments.format != DiagnosisFormat::Text && arguments.format != DiagnosisFormat::Json)
         throw wrong_usage("--apart", "gives no table", "--format text or json");
     if (!arguments.out.empty()) throw wrong_usage("-o", "--apart draws no sheet", "no -o");
     if (arguments.pairs) throw wrong_usage("--pairs", "--apart tries pairs of its own", "no --pairs");
     const SceneDocument document = open_scene(arguments.scene);
     const auto found = find_experiment(document, size, arguments.apart, arguments.scene.threads);
-    return {arguments.format == Format::Json ? experiment_json(found) : experiment_text(found),
+    return {arguments.format == DiagnosisFormat::Json ? experiment_json(found) : experiment_text(found),
             document.warnings, ExitStatus::Done};
 }
 
@@ -148,7 +148,7 @@ Outcome diagnose(const DiagnoseArguments& arguments) {
     return outcome;
 }
 
-Run declare(Options& options) {
+Run declare_diagnose(Options& options) {
     auto arguments = std::make_shared<DiagnoseArguments>();
     add_scene(options, arguments->scene);
     options.add_words(
@@ -161,7 +161,8 @@ Run declare(Options& options) {
     options.add_value(
         "--format", "FORMAT", "text, the default, json, csv or html (a page with small pictures)",
         [&format = arguments->format](const std::string& text) {
-            format = static_cast<Format>(read_word("--format", text, {"text", "json", "csv", "html"}));
+            format =
+                static_cast<DiagnosisFormat>(read_word("--format", text, {"text", "json", "csv", "html"}));
         });
     add_text(options, "-o", "SHEET.png",
              "write a sheet of one picture: it, the right one, the likeliest mistake, the differences",
@@ -173,7 +174,7 @@ Run declare(Options& options) {
 
 Command diagnose_command() {
     return {"diagnose", "FILE PICTURE...", "names the mistake in pictures that other programs drew",
-            "glint diagnose teapot.json mine.png --pairs -o sheet.png", declare};
+            "glint diagnose teapot.json mine.png --pairs -o sheet.png", declare_diagnose};
 }
 
 }  // namespace glint

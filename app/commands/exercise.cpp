@@ -49,7 +49,7 @@ Outcome exercise(const ExerciseArguments& arguments) {
     return {};
 }
 
-Run declare(Options& options) {
+Run declare_exercise(Options& options) {
     auto arguments = std::make_shared<ExerciseArguments>();
     add_text(options, "NAME", "", "a lesson by its name or number, or its file", arguments->name);
     options.add_value("--seed", "N",
@@ -71,7 +71,7 @@ Run declare(Options& options) {
 
 Command exercise_command() {
     return {"exercise", "NAME -o OUT", "writes exercises of a lesson, another sheet for each student",
-            "glint exercise lambert --seed 7 --count 30 -o sheets.html", declare};
+            "glint exercise lambert --seed 7 --count 30 -o sheets.html", declare_exercise};
 }
 
 }  // namespace glint

@@ -13,23 +13,23 @@
 namespace glint {
 namespace {
 
-enum class Format { Text, Json, Latex };
+enum class ExplanationFormat { Text, Json, Latex };
 
 struct ExplainArguments {
     SceneArguments scene;
     PictureSize size;
     std::optional<Pixel> pixel;
-    Format format = Format::Text;
+    ExplanationFormat format = ExplanationFormat::Text;
     bool sensitivity = false;
 };
 
-std::string formatted(const Explanation& explanation, const Scene& scene, Format format) {
+std::string formatted(const Explanation& explanation, const Scene& scene, ExplanationFormat format) {
     switch (format) {
-    case Format::Text:
+    case ExplanationFormat::Text:
         return explain_text(explanation, scene);
-    case Format::Json:
+    case ExplanationFormat::Json:
         return explain_json(explanation);
-    case Format::Latex:
+    case ExplanationFormat::Latex:
         return explain_latex(explanation, scene);
     }
     return {};  // not reached
@@ -54,7 +54,7 @@ Outcome explain(const ExplainArguments& arguments) {
     if (!arguments.pixel) throw wrong_usage("--pixel", "is missing", "X,Y as in --pixel 640,360");
     const Pixel pixel = *arguments.pixel;
     require_inside("--pixel", pixel, arguments.size);
-    if (arguments.sensitivity && arguments.format == Format::Latex)
+    if (arguments.sensitivity && arguments.format == ExplanationFormat::Latex)
         throw wrong_usage("--sensitivity", "is not available as LaTeX", "--format text or json");
     const SceneDocument document = open_scene(arguments.scene);
 
@@ -72,14 +72,15 @@ Outcome explain(const ExplainArguments& arguments) {
                                    progress->at(done);
                                }));
         progress.reset();
-        outcome.output = arguments.format == Format::Json ? with_sensitivities(explanation, s)
-                                                          : outcome.output + "\n" + sensitivity_text(s);
+        outcome.output = arguments.format == ExplanationFormat::Json
+                             ? with_sensitivities(explanation, s)
+                             : outcome.output + "\n" + sensitivity_text(s);
     }
     outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());
     return outcome;
 }
 
-Run declare(Options& options) {
+Run declare_explain(Options& options) {
     auto arguments = std::make_shared<ExplainArguments>();
     add_scene(options, arguments->scene);
     options.add_value(
@@ -89,7 +90,7 @@ Run declare(Options& options) {
     options.add_value(
         "--format", "FORMAT", "text, the default, json (docs/explain.md) or latex (needs amsmath)",
         [&format = arguments->format](const std::string& text) {
-            format = static_cast<Format>(read_word("--format", text, {"text", "json", "latex"}));
+            format = static_cast<ExplanationFormat>(read_word("--format", text, {"text", "json", "latex"}));
         });
     options.add_flag("--sensitivity", arguments->sensitivity,
                      "also how much the pixel changes with each number of the scene");
@@ -100,7 +101,7 @@ Run declare(Options& options) {
 
 Command explain_command() {
     return {"explain", "FILE --pixel X,Y", "tells every number behind one pixel",
-            "glint explain teapot.json --pixel 640,360 --format json", declare};
+            "glint explain teapot.json --pixel 640,360 --format json", declare_explain};
 }
 
 }  // namespace glint

@@ -30,7 +30,7 @@ Outcome export_scene(const ExportArguments& arguments) {
     return {{}, warnings, ExitStatus::Done};
 }
 
-Run declare(Options& options) {
+Run declare_export(Options& options) {
     auto arguments = std::make_shared<ExportArguments>();
     add_scene(options, arguments->scene);
     add_text(options, "-o", "OUT", "the .glb file to write", arguments->out);
@@ -41,7 +41,7 @@ Run declare(Options& options) {
 
 Command export_command() {
     return {"export", "FILE -o OUT.glb", "writes a scene as glTF 2.0, for Blender and other programs",
-            "glint export museum.json -o museum.glb", declare};
+            "glint export museum.json -o museum.glb", declare_export};
 }
 
 }  // namespace glint

@@ -26,7 +26,7 @@ Outcome info(const InfoArguments& arguments) {
     return {json_text(json), document.warnings, ExitStatus::Done};
 }
 
-Run declare(Options& options) {
+Run declare_info(Options& options) {
     auto arguments = std::make_shared<InfoArguments>();
     add_scene(options, arguments->scene);
     add_size(options, arguments->size);
@@ -45,7 +45,8 @@ Command schema_command() {
 }
 
 Command info_command() {
-    return {"info", "FILE", "tells what a mesh or a scene holds, as JSON", "glint info bunny.obj", declare};
+    return {"info", "FILE", "tells what a mesh or a scene holds, as JSON", "glint info bunny.obj",
+            declare_info};
 }
 
 }  // namespace glint

@@ -130,7 +130,7 @@ Outcome lessons(const LessonsArguments& arguments) {
     return {arguments.as_json ? list_json(all) : list_text(all), {}, ExitStatus::Done};
 }
 
-Run declare(Options& options) {
+Run declare_lessons(Options& options) {
     auto arguments = std::make_shared<LessonsArguments>();
     options.add_words(
         "NAME",
@@ -154,7 +154,7 @@ Run declare(Options& options) {
 
 Command lessons_command() {
     return {"lessons", "[NAME...]", "lists lessons, runs what they claim, or prints one",
-            "glint lessons lambert -o lambert.html --key", declare};
+            "glint lessons lambert -o lambert.html --key", declare_lessons};
 }
 
 }  // namespace glint

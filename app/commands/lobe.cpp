@@ -35,7 +35,7 @@ Outcome lobe(const LobeArguments& arguments) {
             document.warnings, ExitStatus::Done};
 }
 
-Run declare(Options& options) {
+Run declare_lobe(Options& options) {
     auto arguments = std::make_shared<LobeArguments>();
     add_scene(options, arguments->scene);
     options.add_value("--object", "N", "number of the object whose material is asked for; 0 when not given",
@@ -60,7 +60,7 @@ Run declare(Options& options) {
 
 Command lobe_command() {
     return {"lobe", "FILE", "lists how a surface reflects light, as CSV or JSON",
-            "glint lobe still-life.json --object 1 --angle 60 --format json", declare};
+            "glint lobe still-life.json --object 1 --angle 60 --format json", declare_lobe};
 }
 
 }  // namespace glint

@@ -21,7 +21,7 @@ Outcome microfacets(const MicrofacetArguments& arguments) {
     return {json_text(microfacets_json(options)), {}, ExitStatus::Done};
 }
 
-Run declare(Options& options) {
+Run declare_microfacets(Options& options) {
     auto arguments = std::make_shared<MicrofacetArguments>();
     MicrofacetOptions& o = arguments->options;
     options.add_value("--roughness", "R", "0 to 1, 90 degrees of tilt to 1; 0.25 when not given",
@@ -47,7 +47,7 @@ Run declare(Options& options) {
 
 Command microfacets_command() {
     return {"microfacets", "", "bounces rays off a rough surface of mirrors, as JSON",
-            "glint microfacets --roughness 0.3 --angle 60 --rays 1000", declare};
+            "glint microfacets --roughness 0.3 --angle 60 --rays 1000", declare_microfacets};
 }
 
 }  // namespace glint

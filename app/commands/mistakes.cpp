@@ -62,7 +62,7 @@ std::string catalogue_text() {
     return text;
 }
 
-Run declare(Options& options) {
+Run declare_mistakes(Options& options) {
     auto as_json = std::make_shared<bool>(false);
     options.add_value("--format", "FORMAT", "text, the default, or json", [as_json](const std::string& text) {
         *as_json = read_word("--format", text, {"text", "json"}) == 1;
@@ -77,7 +77,7 @@ Run declare(Options& options) {
 Command mistakes_command() {
     return {"mistakes", "",
             "lists the mistakes that people make when they light a scene, each a switch of it",
-            "glint mistakes --format json", declare};
+            "glint mistakes --format json", declare_mistakes};
 }
 
 }  // namespace glint

@@ -37,7 +37,7 @@ Outcome profile(const ProfileArguments& arguments) {
     return outcome;
 }
 
-Run declare(Options& options) {
+Run declare_profile(Options& options) {
     auto arguments = std::make_shared<ProfileArguments>();
     add_scene(options, arguments->scene);
     options.add_value(
@@ -57,7 +57,7 @@ Run declare(Options& options) {
 
 Command profile_command() {
     return {"profile", "FILE --from X,Y --to X,Y", "lists intensity along a line, as CSV or JSON",
-            "glint profile mach-bands.json --from 0,360 --to 1279,360 > bands.csv", declare};
+            "glint profile mach-bands.json --from 0,360 --to 1279,360 > bands.csv", declare_profile};
 }
 
 }  // namespace glint

@@ -52,7 +52,7 @@ Outcome quiz(const QuizArguments& arguments) {
     return {};
 }
 
-Run declare(Options& options) {
+Run declare_quiz(Options& options) {
     auto arguments = std::make_shared<QuizArguments>();
     options.add_words("ANSWERS", "files that people saved from the page: counts them, as JSON",
                       [&answers = arguments->answers](const std::string& text) { answers.push_back(text); });
@@ -69,7 +69,7 @@ Run declare(Options& options) {
 
 Command quiz_command() {
     return {"quiz", "-o OUT.html", "asks what people believe about lighting, and counts what they answered",
-            "glint quiz -o quiz.html", declare};
+            "glint quiz -o quiz.html", declare_quiz};
 }
 
 }  // namespace glint

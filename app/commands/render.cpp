@@ -127,7 +127,7 @@ Outcome render(const RenderArguments& arguments) {
     return outcome;
 }
 
-Run declare(Options& options) {
+Run declare_render(Options& options) {
     auto arguments = std::make_shared<RenderArguments>();
     add_scene(options, arguments->scene);
     add_text(options, "-o", "OUT",
@@ -150,7 +150,8 @@ Run declare(Options& options) {
 
 Command render_command() {
     return {"render", "FILE -o OUT", "draws one picture",
-            "glint render teapot.json -o teapot.png --size 640x480 --set /display/exposure=2", declare};
+            "glint render teapot.json -o teapot.png --size 640x480 --set /display/exposure=2",
+            declare_render};
 }
 
 }  // namespace glint

@@ -103,7 +103,7 @@ Outcome sheet(const SheetArguments& arguments) {
     return outcome;
 }
 
-Run declare(Options& options) {
+Run declare_sheet(Options& options) {
     auto arguments = std::make_shared<SheetArguments>();
     add_scene(options, arguments->scene);
     const std::string values =
@@ -127,7 +127,7 @@ Command sheet_command() {
             "draws a labelled grid of pictures over two parameters",
             "glint sheet sun.json --rows /shading/mode=flat,gouraud,phong "
             "--cols /objects/0/material/shininess=8,32,128 -o sheet.png",
-            declare};
+            declare_sheet};
 }
 
 }  // namespace glint

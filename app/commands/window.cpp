@@ -28,7 +28,7 @@ void require_all(const std::vector<std::string>& files) {
     }
 }
 
-Run declare(Options& options) {
+Run declare_window(Options& options) {
     auto arguments = std::make_shared<SceneArguments>();
     auto more = std::make_shared<std::vector<std::string>>();
     auto lesson = std::make_shared<std::string>();
@@ -57,6 +57,8 @@ Run declare(Options& options) {
 
 }  // namespace
 
-Command window_command() { return {"", "[FILE...]", "opens the window", "glint teapot.json", declare}; }
+Command window_command() {
+    return {"", "[FILE...]", "opens the window", "glint teapot.json", declare_window};
+}
 
 }  // namespace glint
