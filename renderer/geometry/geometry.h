@@ -22,8 +22,9 @@ struct ObjectGeometry {
     Transform transform;
     bool visible = true;  // false: none of its triangles is drawn; they keep their numbers
     // The transform contains a reflection (determinant < 0). Corners then run the other way round on the
-    // screen, so visibility/draw_tile.h exchanges front and back. Normals need no change: the inverse
-    // transpose keeps them pointing outward.
+    // screen, so visibility/draw_tile.h exchanges front and back. Normals need no change: with their inverse
+    // transpose, normal and direction keep the sign of their product, (M^-T n)·(M d) = n·d, so what lies
+    // outward of the surface stays there.
     bool mirrored = false;
     std::uint32_t first_triangle = 0;  // its triangles have the global numbers first_triangle + 0, 1, 2, ...
     glm::dmat4 view_from_object{1.0}, clip_from_object{1.0};

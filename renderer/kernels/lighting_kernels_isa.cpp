@@ -188,8 +188,8 @@ template <Number F> Vec3<F> colors_of(const ColorRecord* points, const std::uint
     return {color.a, color.b, color.c};
 }
 
-/// Blends the colours of pixels under Gouraud: `each` lit points a pixel, whose numbers and weights lie 16
-/// side by side.
+/// Gouraud shading: the colour of a pixel is the sum of its corners' colours, each times its weight. `each`
+/// corners (lit points) a pixel, whose numbers and weights lie 16 side by side.
 template <Number F>
 Vec3<F> blended_colors(const ColorRecord* points, const std::uint32_t* number, const float* weight,
                        int each) {

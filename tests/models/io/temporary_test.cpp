@@ -34,7 +34,7 @@ int status_of_child(const std::function<void()>& does) {
     return status;
 }
 
-/// The number of a process that is no more.
+/// The number of a process that has ended.
 pid_t gone_process() {
     const pid_t child = ::fork();
     if (child == 0) ::_exit(0);

@@ -1,4 +1,4 @@
-// What is no mistake of lighting is found and named: turned over, exchanged, brightened, encoded, shifted.
+// What is not a mistake of lighting is found and named: turned over, exchanged, brightened, encoded, shifted.
 #include <cmath>
 
 #include "renderer/diagnose/diagnose.h"

@@ -1,4 +1,4 @@
-// PFM and OpenEXR are read back, and what is no such file is told in one line.
+// PFM and OpenEXR are read back, and what is not such a file is told in one line.
 #include <limits>
 
 #include "renderer/image/image_file.h"

@@ -219,7 +219,7 @@ TEST_CASE("a slider's fill follows the hand pixel by pixel", "[ui][window][numbe
         CHECK(filled() - before == Approx(moved).margin(0.1));
     }
     bench.button(false);
-    CHECK_FALSE(ImGui::GetIO().WantTextInput);  // that was no click
+    CHECK_FALSE(ImGui::GetIO().WantTextInput);  // that was not a click
 }
 
 TEST_CASE("with Shift a drag is ten times finer, with Ctrl it goes by round steps", "[ui][window][numbers]") {
@@ -256,7 +256,7 @@ TEST_CASE("at the window's edge a drag goes on from the other side", "[ui][windo
     CHECK(put.x > 1200);
     const float there = red;
     bench.move(put);
-    CHECK(red == there);  // the jump itself is no drag
+    CHECK(red == there);  // the jump itself is not a drag
     bench.move({put.x - 5, at.y});
     CHECK(red == Approx(std::max(there - 0.02f, 0.0f)).margin(0.0051));
     bench.button(false);
