@@ -183,7 +183,8 @@ TEST_CASE("a pixel of a reveal or of a line outside the lesson's picture is an e
           ":12: \"1 = 1 within -1\" has the tolerance -1.0; expected 0 or more\n");
 }
 
-TEST_CASE("a folder without a lesson is an error, not a folder of lessons that all hold", "[cli][lesson][bad-input]") {
+TEST_CASE("a folder without a lesson is an error, not a folder of lessons that all hold",
+          "[cli][lesson][bad-input]") {
     const TemporaryDirectory empty;
     const std::string line = empty.path() + ": holds no lesson; expected a folder with one";
     check_refused({"lessons", empty.path()}, line);
