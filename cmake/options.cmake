@@ -33,6 +33,12 @@ function(compile_quickly target)
   target_compile_options(${target} PRIVATE $<IF:$<CONFIG:Debug>,-O0,$<$<CONFIG:Release>:-O1>>)
 endfunction()
 
+# clang's linker, where there is one, links what the sanitizers make in a fifth of the time.
+find_program(GLINT_LLD ld.lld)
+if(GLINT_LLD AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  add_link_options(-fuse-ld=lld)
+endif()
+
 # Of an inline function that several files hold, the linker takes the first. Tests, and under the sanitizers the window, bring it
 # as it is without optimising; with the library in front of them it is the library's: most tests of drawing then take a quarter of
 # the time under the sanitizers.
