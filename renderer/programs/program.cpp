@@ -164,7 +164,8 @@ std::string clear_call(const Display& display, const Flags& flags) {
         };
         if (display.transfer == Transfer::Srgb) x = srgb(x);
         if (flags.contains("wrong.encoded_twice")) x = srgb(x);
-        text += fmt::format("{:.7g}f, ", x);
+        const std::string number = fmt::format("{:.7g}", x);
+        text += number + (number.find_first_of(".e") == number.npos ? ".0f, " : "f, ");
     }
     return text + "1);  // the background";
 }

@@ -97,6 +97,11 @@ bool near_plane_cuts(const Facts& f) {
     });
 }
 
+/// Without a reflection model a mistake of lighting changes nothing, and no program makes it.
+bool shows(const MistakeName& mistake, const Facts& f) {
+    return f.is_lit() || mistake.stage == MistakeStage::Faces || mistake.stage == MistakeStage::Display;
+}
+
 /// What some language may lack.
 constexpr std::array need_rows{
     NeedRow{"mode.phong", "/shading/mode", "normals are interpolated and lit at each pixel",
@@ -151,6 +156,9 @@ constexpr std::array need_rows{
             [](const Facts& f) { return f.scene.display.transfer == Transfer::Srgb; }},
     NeedRow{"exposure", "/display/exposure", "colours are multiplied by the exposure",
             [](const Facts& f) { return f.scene.display.exposure != 1; }},
+    NeedRow{"culled.unlit", "/shading/mistakes/culled_by_light",
+            "a light that nothing is lit by leaves faces out",
+            [](const Facts& f) { return f.wrong.culled_by_light && !f.is_lit(); }},
     NeedRow{"normals.flip", "/objects", "an object's normals are turned round",
             [](const Facts& f) {
                 return f.is_lit() && std::any_of(f.objects.begin(), f.objects.end(),
@@ -239,7 +247,7 @@ std::vector<Need> needs_of(const Scene& scene) {
     const std::string model(name_of(scene.shading.reflection));
     needs.push_back({"reflection." + model, "/shading/reflection", "the model is " + model});
     for (const MistakeName& mistake : mistake_names())
-        if (scene.shading.mistakes.*mistake.flag)
+        if (scene.shading.mistakes.*mistake.flag && shows(mistake, facts))
             needs.push_back({fmt::format("wrong.{}", mistake.name),
                              fmt::format("/shading/mistakes/{}", mistake.name), "this mistake is made"});
     return needs;

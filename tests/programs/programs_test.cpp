@@ -220,3 +220,66 @@ TEST_CASE("an OpenGL 3.3 program draws more random scenes as we do", "[.][progra
 TEST_CASE("an OpenGL 3.3 program makes mistakes as we do", "[.][programs][every-mistake]") {
     CHECK(compare_mistakes(Language::Glsl) == "power_zero_is_nan culled_by_light");
 }
+
+namespace {
+
+/// A scene whose picture tells much, with these mistakes.
+Scene scene_with(std::initializer_list<bool Mistakes::*> mistakes) {
+    Scene scene = test::telling_scene();
+    for (bool Mistakes::*mistake : mistakes) scene.shading.mistakes.*mistake = true;
+    return scene;
+}
+
+void compare(Language language, const std::vector<std::pair<std::string, Scene>>& scenes) {
+    Comparison comparison;
+    for (const auto& [name, scene] : scenes) {
+        INFO(name);
+        REQUIRE(can(scene, language));
+        comparison.add(name, scene, small, language);
+    }
+    report(comparison, language);
+}
+
+}  // namespace
+
+TEST_CASE("OpenGL takes a background whose channels are whole numbers", "[programs]") {
+    Scene scene = fixed_function_scene(0);
+    scene.display.background = {0, 0.5f, 1};
+    compare(Language::Gl1, {{"whole numbers", scene}});
+    compare(Language::Glsl, {{"whole numbers", scene}});
+}
+
+TEST_CASE("an OpenGL 3.3 program encodes bytes that wrap, and facets' normals are unit, as ours",
+          "[programs]") {
+    Scene encoded = scene_with({&Mistakes::bytes_wrap});
+    encoded.display.transfer = Transfer::Srgb;
+    Scene facet = scene_with({&Mistakes::unnormalized_normals}), flat = facet;
+    facet.shading.mode = ShadingMode::Facet;
+    flat.shading.mode = ShadingMode::Flat;
+    compare(Language::Glsl, {{"encoded", encoded}, {"facet", facet}, {"flat", flat}});
+}
+
+TEST_CASE("two mistakes of one formula are written as we make them, in every language", "[programs]") {
+    const std::vector<std::pair<std::string, Scene>> scenes = {
+        {"cosine", scene_with({&Mistakes::no_clamp_of_cosine, &Mistakes::absolute_cosine})},
+        {"normals", scene_with({&Mistakes::normals_left_in_world, &Mistakes::normals_as_points})}};
+    for (const Language language : {Language::Cpp, Language::Glsl, Language::Python})
+        compare(language, scenes);
+}
+
+TEST_CASE("without a reflection model a program makes no mistake of lighting", "[programs]") {
+    Scene scene = test::telling_scene();
+    scene.shading.reflection = Reflection::None;
+    for (const MistakeName& mistake : mistake_names())
+        if (mistake.stage != MistakeStage::Faces && mistake.stage != MistakeStage::Display)
+            scene.shading.mistakes.*mistake.flag = true;
+    for (const Language language : {Language::Cpp, Language::Glsl, Language::Python})
+        compare(language, {{"none", scene}});
+    scene.shading.mistakes = {.culled_by_light = true};
+    const auto program = write_program({scene, small, ""}, Language::Cpp);
+    REQUIRE(problem_of(program) != nullptr);
+    CHECK(problem_of(program)->text() ==
+          "/shading/mistakes/culled_by_light: a light that nothing is lit by leaves faces out, which cpp "
+          "cannot "
+          "do; expected a scene without it: no language can");
+}

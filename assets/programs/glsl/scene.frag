@@ -42,6 +42,9 @@ void main() {
     color *= @exposure@;
     //@end
     //@if wrong.bytes_wrap
+    //@if transfer.srgb|wrong.encoded_twice
+    color = srgb(color);
+    //@end
     shown = vec4(mod(floor(255.0 * color + 0.5), 256.0) / 255.0, 1.0);
     //@else
     color = clamp(color, 0.0, 1.0);

@@ -33,7 +33,7 @@ void main() {
     //@else
     vec3 turned = mat3(for_normals) * normal;
     //@end
-    //@if !wrong.unnormalized_normals
+    //@if !wrong.unnormalized_normals|facet_normals_alone
     turned = dot(turned, turned) > 0.0 ? normalize(turned) : turned;
     //@end
     //@if lights_pixels
