@@ -198,6 +198,8 @@ void add_derived(Flags& flags, const Facts& f) {
     add("facet_normals_alone", f.is_lit() && (whole_faces || f.shading.mode == ShadingMode::Facet));
     add("lights.any", f.is_lit() && !f.lights.empty());
     add("first_light", f.is_lit() && (tone || f.wrong.culled_by_light));
+    add("cosine.above_1",
+        f.wrong.unnormalized_light || f.wrong.unnormalized_view || f.wrong.reflect_of_difference);
     add("clamped_highlight", !(f.wrong.no_clamp_of_cosine && f.uses_shininess()));
     add("mirrored", std::any_of(f.objects.begin(), f.objects.end(), [](const Object& o) {
             const glm::vec3& s = o.transform.scale;

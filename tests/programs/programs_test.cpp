@@ -259,6 +259,23 @@ TEST_CASE("an OpenGL 3.3 program encodes bytes that wrap, and facets' normals ar
     compare(Language::Glsl, {{"encoded", encoded}, {"facet", facet}, {"flat", flat}});
 }
 
+TEST_CASE("where l keeps its length, l.v is of a unit l, and a huge highlight is interpolated, as ours",
+          "[programs]") {
+    Scene scene = scene_with({&Mistakes::unnormalized_light}), gouraud = scene;
+    scene.lights[0].kind = LightKind::Directional;
+    scene.lights[0].position = {2, 3, 4, 0};
+    std::vector<std::pair<std::string, Scene>> scenes;
+    for (const Reflection model : {Reflection::Retro, Reflection::OrenNayar}) {
+        scene.shading.reflection = model;
+        scenes.emplace_back(name_of(model), scene);
+    }
+    compare(Language::Python, scenes);
+    gouraud.shading.mode = ShadingMode::Gouraud;
+    for (Object& object : gouraud.objects) object.material.shininess = 500;
+    scenes.emplace_back("gouraud", gouraud);
+    compare(Language::Glsl, scenes);
+}
+
 TEST_CASE("two mistakes of one formula are written as we make them, in every language", "[programs]") {
     const std::vector<std::pair<std::string, Scene>> scenes = {
         {"cosine", scene_with({&Mistakes::no_clamp_of_cosine, &Mistakes::absolute_cosine})},

@@ -51,7 +51,12 @@ vec3 unit(vec3 a) { return over(1.0, length(a)) * a; }
 // (what exceeds 1 counts as 1)
 float power(float x, float s) { return s == 0.0 ? 1.0 : x <= 0.0 ? 0.0 : pow(min(x, 1.0), s); }
 //@else
+//@if cosine.above_1
+// (a vector that is not unit makes it huge: infinity could not be interpolated)
+float power(float x, float s) { return s == 0.0 ? 1.0 : x <= 0.0 ? 0.0 : min(pow(x, s), 1.0e30); }
+//@else
 float power(float x, float s) { return s == 0.0 ? 1.0 : x <= 0.0 ? 0.0 : pow(x, s); }
+//@end
 //@end
 //@end
 //@if uses.unclamped_power
