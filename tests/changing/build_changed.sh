@@ -2,7 +2,10 @@
 # build_changed.sh SOURCE BUILD CMAKE: copies models and renderer, applies the patches, builds what came out without
 # optimising, for one instruction set, and runs its test. What did not change since the last time is not built again.
 set -eu
-source=$1 tree=$2/tree build=$2/build cmake=$3
+source=$1 tree=$2/tree cmake=$3
+# clang compiles without optimising in half of GCC's time.
+compiler=$(command -v clang++ || true)
+build=$2/${compiler:+clang_}build
 here=$source/tests/changing
 new=$(mktemp -d "$2/new.XXXXXX")
 trap 'rm -rf "$new"' EXIT
@@ -28,8 +31,6 @@ mkdir -p "$tree"
 (cd "$new" && find . -type f) | while read -r file; do
     cmp -s "$new/$file" "$tree/$file" || install -D -m 644 "$new/$file" "$tree/$file"
 done
-# clang compiles without optimising in half of GCC's time.
-compiler=$(command -v clang++ || true)
 "$cmake" -S "$tree" -B "$build" -G Ninja ${compiler:+-DCMAKE_CXX_COMPILER="$compiler"} -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 \
     -DGLINT_FOLDERS_AS_ONE=ON -DGLINT_PATCHES="$here" >"$2/log" || { cat "$2/log" >&2 && exit 1; }
 "$cmake" --build "$build" >"$2/log" || { cat "$2/log" >&2 && exit 1; }
