@@ -121,7 +121,7 @@ std::string expression_in(const std::string& text, Language language) {
 }
 
 std::string line_of(const Statement& s, Language language) {
-    const std::string right = s.name + " =" + expression_in(s.expression, language);
+    std::string right = s.name + " =" + expression_in(s.expression, language);
     if (language == Language::Python) return right;
     const bool is_result = s.name == "diffuse" || s.name == "S";
     const char* constant = language == Language::Cpp && !is_result ? "const " : "";
