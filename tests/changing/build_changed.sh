@@ -31,7 +31,7 @@ mkdir -p "$tree"
 (cd "$new" && find . -type f) | while read -r file; do
     cmp -s "$new/$file" "$tree/$file" || install -D -m 644 "$new/$file" "$tree/$file"
 done
-"$cmake" -S "$tree" -B "$build" -G Ninja ${compiler:+-DCMAKE_CXX_COMPILER="$compiler"} -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 \
-    -DGLINT_FOLDERS_AS_ONE=ON -DGLINT_PATCHES="$here" >"$2/log" || { cat "$2/log" >&2 && exit 1; }
+"$cmake" -S "$tree" -B "$build" -G Ninja ${compiler:+-DCMAKE_CXX_COMPILER="$compiler"} \
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DGLINT_FOLDERS_AS_ONE=ON -DGLINT_PATCHES="$here" >"$2/log" || { cat "$2/log" >&2 && exit 1; }
 "$cmake" --build "$build" >"$2/log" || { cat "$2/log" >&2 && exit 1; }
 "$build/changed_test"

@@ -506,7 +506,7 @@ vec3 color_of(const Seen& s) {
     //@if two_sided&wrong.flipped_twice
     if (s.back) turn = -turn;
     //@end
-    //@if wrong.some_faces_flipped&reflection.lit
+    //@if wrong.some_faces_flipped
     if (t.face % 3 == 0) turn = -turn;
     //@end
     //@if mode.flat

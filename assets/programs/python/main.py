@@ -571,7 +571,7 @@ def colors_of(number, o):
     #@if two_sided&wrong.flipped_twice
     turn = np.where(back != o.mirrored, -turn, turn)
     #@end
-    #@if wrong.some_faces_flipped&reflection.lit
+    #@if wrong.some_faces_flipped
     turn = np.where(o.face[t] % 3 == 0, -turn, turn)
     #@end
     #@if mode.flat
