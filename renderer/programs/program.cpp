@@ -194,11 +194,9 @@ Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
             {"const_n", flags.contains("wrong.no_normals_given") || flags.contains("wrong.some_faces_flipped")
                             ? ""
                             : "const "},
-            {"blending_normals", flags.contains("interpolation.screen") ? "noperspective" : "smooth"},
+            {"over_w", flags.contains("interpolation.screen") ? " * gl_FragCoord.w" : ""},
             {"light_count", fmt::format("{}", shining(s).size())},
-            {"blending", flags.contains("mode.flat")              ? "flat"
-                         : flags.contains("interpolation.screen") ? "noperspective"
-                                                                  : "smooth"},
+            {"blending", flags.contains("mode.flat") ? "flat" : "smooth"},
             {"turn", flags.contains("turned") ? "turn * " : ""},
             {"side", flags.contains("turned_normals") ? "side * " : ""},
             {"xy", flags.contains("needs.xy") ? ", x, y" : ""},

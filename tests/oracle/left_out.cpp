@@ -73,6 +73,10 @@ LeftOut left_out_at(const Scene& scene, PictureSize size, const Explanation& e) 
                            scene.shading.mode != ShadingMode::Facet;
     if (on_screen)
         if (const LeftOut cut = cut_at(scene, size, e); cut != LeftOut::None) return cut;
+    return left_out_by_lighting(scene, e);
+}
+
+LeftOut left_out_by_lighting(const Scene& scene, const Explanation& e) {
     if (scene.shading.reflection == Reflection::None) return LeftOut::None;
     if (!e.lit_per_corner) return left_out_by(scene, e.at);
     for (const ExplainedCorner& corner : e.corners)

@@ -10,6 +10,7 @@
 #include "tests/support/asset_scenes.h"
 #include "tests/support/catch.h"
 #include "tests/support/mistake_scenes.h"
+#include "tests/support/scenes.h"
 
 using namespace glint;
 using namespace glint::programs;
@@ -274,6 +275,21 @@ TEST_CASE("where l keeps its length, l.v is of a unit l, and a huge highlight is
     for (Object& object : gouraud.objects) object.material.shininess = 500;
     scenes.emplace_back("gouraud", gouraud);
     compare(Language::Glsl, scenes);
+}
+
+TEST_CASE("an OpenGL 3.3 program is linear on the screen where faces reach beyond the picture",
+          "[programs]") {
+    Scene phong;
+    phong.lights.emplace_back();
+    phong.objects.push_back(test::object_of(test::primitive(Primitive::Plane, 1)));
+    phong.objects[0].transform.rotate_deg = {60, 20, 0};
+    phong.objects[0].transform.scale = {3, 3, 3};
+    phong.shading.interpolation = Interpolation::Screen;
+    phong.shading.two_sided = true;
+    Scene gouraud = phong, unit = phong;
+    gouraud.shading.mode = ShadingMode::Gouraud;
+    unit.shading.mistakes.interpolated_normals_not_normalized = true;
+    compare(Language::Glsl, {{"phong", phong}, {"gouraud", gouraud}, {"normals as they are", unit}});
 }
 
 TEST_CASE("two mistakes of one formula are written as we make them, in every language", "[programs]") {

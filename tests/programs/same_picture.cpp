@@ -100,7 +100,7 @@ void Comparison::add(const std::string& name, const Scene& scene, PictureSize si
         for (int x = 1; x + 1 < size.width; ++x) {
             const Explanation& e = surfaces.at(x, y);
             if (!surfaces.interior(x, y)) continue;
-            if (e.hit && oracle::left_out_at(scene, size, e) != oracle::LeftOut::None) continue;
+            if (e.hit && oracle::left_out_by_lighting(scene, e) != oracle::LeftOut::None) continue;
             const std::size_t at = ours.pixel(x, y);
             const glm::vec3 linear = scene.display.exposure * ours.linear_at(x, y);
             double share = 0;

@@ -1,7 +1,7 @@
 // Topic: shading. The colour of a pixel.
 //@if lights_pixels
 smooth in vec3 p;
-@blending_normals@ in vec3 n;
+smooth in vec3 n;
 //@else
 @blending@ in vec3 front;
 //@if two_sided
@@ -18,9 +18,9 @@ vec3 srgb(vec3 c) { return vec3(srgb(c.r), srgb(c.g), srgb(c.b)); }
 void main() {
     //@if lights_pixels
     //@if wrong.interpolated_normals_not_normalized|wrong.unnormalized_normals
-    vec3 turned = n;
+    vec3 turned = n@over_w@;
     //@else
-    vec3 turned = unit(n);  // interpolated normals are shorter than 1
+    vec3 turned = unit(n@over_w@);  // interpolated normals are shorter than 1
     //@end
     //@if two_sided
     if (!gl_FrontFacing) turned = -turned;  // seen from behind, the normal is turned round
@@ -31,9 +31,9 @@ void main() {
     vec3 color = lit(p, turned);
     //@else
     //@if two_sided&!wrong.flipped_twice
-    vec3 color = gl_FrontFacing ? front : back;
+    vec3 color = (gl_FrontFacing ? front : back)@over_w@;
     //@else
-    vec3 color = front;
+    vec3 color = front@over_w@;
     //@if wrong.flipped_twice
     //@end
     //@end

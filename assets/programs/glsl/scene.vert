@@ -16,7 +16,7 @@ uniform mat4 for_normals;  // Topic: normals go by the inverse transpose
 
 //@if lights_pixels
 smooth out vec3 p;
-@blending_normals@ out vec3 n;
+smooth out vec3 n;
 //@else
 @blending@ out vec3 front;  // the colour seen from the front
 //@if two_sided
@@ -50,5 +50,17 @@ void main() {
     //@end
     //@else
     front = color;  // without lighting
+    //@end
+    //@if interpolation.screen
+    // Linear on the screen: times w here, over w at the pixel. noperspective is to say the same, but Mesa clips it
+    // wrongly where a face reaches beyond the picture.
+    //@if lights_pixels
+    n *= gl_Position.w;
+    //@else
+    front *= gl_Position.w;
+    //@if two_sided
+    back *= gl_Position.w;
+    //@end
+    //@end
     //@end
 }
