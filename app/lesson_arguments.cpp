@@ -49,7 +49,8 @@ std::vector<std::string> named_lessons(const std::vector<std::string>& words) {
             if (is_named(file, word)) files.push_back(file);
         }
         if (files.size() == before)
-            throw wrong_usage(word, "neither a file nor a lesson", nearest(word, names) + ", or a file");
+            throw wrong_usage(word, "neither a file nor a lesson",
+                              "a lesson, such as " + nearest(word, names) + ", or a file");
     }
     return files;
 }

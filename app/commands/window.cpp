@@ -1,7 +1,6 @@
 // glint [FILE...]: the window.
 #include "app/window/window.h"
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "app/commands/command.h"
 #include "app/failure.h"
 #include "app/lesson_arguments.h"
+#include "models/io/file.h"
 #include "ui/lessons/course.h"
 
 namespace glint {
@@ -17,15 +17,9 @@ namespace {
 
 /// Throws for a missing file now, before PgDn would come to it.
 void require_all(const std::vector<std::string>& files) {
-    for (const std::string& file : files) {
-        std::error_code failed;
-        if (!std::filesystem::exists(file, failed))
-            throw Failure{ExitStatus::Impossible,
-                          {.file = file,
-                           .pointer = {},
-                           .what = "cannot read: no such file or directory",
-                           .expected = "scenes, meshes, or pictures that Glint wrote"}};
-    }
+    for (const std::string& file : files)
+        if (auto problem = why_not_there(file, "scenes, meshes, or pictures that Glint wrote"))
+            throw Failure{ExitStatus::Impossible, *std::move(problem)};
 }
 
 Run declare_window(Options& options) {

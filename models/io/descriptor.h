@@ -39,6 +39,8 @@ inline std::string reason(int error) {
         return "no such file or directory";
     case EACCES:
         return "permission denied";
+    case ELOOP:
+        return "a loop of symbolic links";
     case EISDIR:
         return "is a directory";
     case ENOSPC:

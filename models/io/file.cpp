@@ -75,6 +75,13 @@ std::string lower_extension(const std::string& path) {
     return extension;
 }
 
+std::optional<Problem> why_not_there(const std::string& path, const char* expected) {
+    struct stat status {};
+    if (path.find('\0') != std::string::npos) return cannot("read", path, ENOENT, expected);
+    if (::stat(path.c_str(), &status) != 0) return cannot("read", path, errno, expected);
+    return std::nullopt;
+}
+
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes, const CheckBlock& check) {
     try {
         if (path == "-") return read_all(STDIN_FILENO, path, max_bytes, 0, check);

@@ -32,6 +32,9 @@ using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>
 [[nodiscard]] Result<std::string> read_file(const std::string& path, std::size_t max_bytes,
                                             const CheckBlock& check = {});
 
+/// Why the system finds nothing at `path`, links followed; nothing when it finds something, of whatever kind.
+[[nodiscard]] std::optional<Problem> why_not_there(const std::string& path, const char* expected);
+
 /// Writes beside the target and renames into place, so that a crash or a full disk leaves the old file whole.
 /// The old file's permission bits are kept, and its owner and group where the system lets us (where it does
 /// not, the group gets no more than all others have); until then nobody else can read what is written. A

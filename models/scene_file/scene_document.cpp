@@ -138,9 +138,10 @@ Result<SceneDocument> open_by_extension(const std::string& path, const std::vect
     if (extension == ".png") return open_picture(path, assignments);
     if (is_gltf_path(path)) return open_gltf_scene(path, assignments);
     if (is_mesh_path(path)) return open_mesh(path, assignments);
+    if (!path.empty())
+        if (auto problem = why_not_there(path, known_extensions))
+            return *problem;  // not that its name is wrong
     std::error_code error;
-    if (!path.empty() && !fs::exists(fs::status(path, error)))  // not that its name is wrong
-        return Problem{path, "", "cannot read: no such file or directory", known_extensions};
     if (fs::is_directory(path, error)) return Problem{path, "", "is a directory", known_extensions};
     return Problem{path, "", extension.empty() ? "has no extension" : "has another extension",
                    known_extensions};

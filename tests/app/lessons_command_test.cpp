@@ -99,7 +99,7 @@ TEST_CASE("glint lessons and glint exercise write pages", "[cli][lesson]") {
 
 TEST_CASE("wrong usage of glint lessons and glint exercise says what is wrong", "[cli][lesson][bad-input]") {
     check_refused({"lessons", "lambret"},
-                  "lambret: neither a file nor a lesson; expected 05-lambert, or a file");
+                  "lambret: neither a file nor a lesson; expected a lesson, such as 05-lambert, or a file");
     check_refused({"lessons", "-o", "x.html"}, "-o: prints one lesson");
     check_refused({"lessons", "5", "-o", "x.pdf"}, "expected a name that ends in .html, or -");
     check_refused({"lessons", "5", "--key"}, "--key: is without -o");
@@ -125,7 +125,7 @@ TEST_CASE("wrong usage of glint lessons and glint exercise says what is wrong", 
 }
 
 TEST_CASE("what keeps a lesson from opening in the window is one line", "[cli][lesson][bad-input]") {
-    check_refused({"--lesson", "lambart"}, "expected 05-lambert");
+    check_refused({"--lesson", "lambart"}, "such as 05-lambert");
     check_refused({"--lesson", "5", "--set", "/display/exposure=2"}, "stands beside a lesson");
     check_refused({"scene.json", "--lesson", "5"}, "--lesson: stands beside scene.json");
     const TemporaryDirectory directory;

@@ -196,6 +196,9 @@ TEST_CASE("a file of another kind is a problem that lists the kinds", "[scene_do
               place / name + ": cannot read: no such file or directory" + expected);
         REQUIRE(problem_of(write_file(place / name, "x")) == nullptr);
     }
+    std::filesystem::create_symlink(place / "loop", place / "loop");
+    CHECK(problem_at(place / "loop") ==
+          place / "loop: cannot read: a loop of symbolic links" + expected);
     CHECK(problem_at(place / "a.txt") == place / "a.txt: has another extension" + expected);
     CHECK(problem_at(place / "name") == place / "name: has no extension" + expected);
     CHECK(problem_at(place / "deep") == place / "deep: is a directory" + expected);
