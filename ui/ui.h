@@ -110,6 +110,7 @@ struct UiState {
     std::optional<Explanation> explanation;  // of the probe in `rendered`, where that shows the edited scene
     ItemCounts explained;  // of the scene that `explanation` is about: it names lights and objects by number
     glm::ivec2 asked{0};   // the pixel of the whole picture that `explanation` is about
+    PictureSize asked_size, explained_size;  // of the whole picture, and of `rendered`, when it was explained
 };
 
 struct UiRequests {

@@ -2,6 +2,8 @@
 // The camera: where the eye stands, and how the view volume is projected (lecture: "Viewing", "Perspective
 // Derivation"). Right-handed; in its own coordinates the camera looks down -z, x right, y up.
 
+#include <cassert>
+#include <cstddef>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <variant>
@@ -45,6 +47,7 @@ struct PictureSize {
     }
     /// Pixels are numbered row by row from the upper left corner. Precondition: (x, y) lies inside.
     [[nodiscard]] std::size_t index(int x, int y) const {
+        assert(x >= 0 && y >= 0 && x < width && y < height);
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     }
 };

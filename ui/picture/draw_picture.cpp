@@ -72,12 +72,23 @@ void explain_asked(UiState& state, const PictureView& view) {
     const auto asked = asked_pixel(state, view);
     if (!asked) return;
     const PictureSize whole = view.map.size, drawn = state.rendered->size;
-    const glm::ivec2 shown{asked->x * drawn.width / whole.width, asked->y * drawn.height / whole.height};
+    const glm::ivec2 shown = pixel_at_place(*asked, whole, drawn);
     state.explanation = state.renderer->explain(shown.x, shown.y);
     state.explanation->spaces.pixel *=
         glm::vec2(whole.width, whole.height) / glm::vec2(drawn.width, drawn.height);
     state.asked = *asked;
+    state.asked_size = whole;
+    state.explained_size = drawn;
     state.explained = item_counts(state.rendered_scene);
+}
+
+/// Under a preview the explanation stays that of the picture before. One of another size may lack its pixel:
+/// a frozen picture explains it again, and of others it is gone until they end.
+void follow_size(UiState& state, const PictureView& view) {
+    const bool same = state.asked_size == view.map.size && state.explained_size == state.rendered->size;
+    if (!state.explanation || same) return;
+    if (state.lecture.frozen) explain_asked(state, view);
+    if (!state.lecture.frozen || !is_explained(state)) state.explanation.reset();
 }
 
 }  // namespace
@@ -158,7 +169,7 @@ void draw_picture(UiState& state, const PictureView& view) {
             state.rendered = &state.renderer->render(shown, size, linear);
         } catch (const std::exception& error) {
             take_back(state, error, view.map.size, preview.has_value());
-            return;
+            return explain_asked(state, view);  // at another size
         }
         state.rendered_scene = shown;
         state.rendered_is_edited = !preview && !awaits_mesh(state);
@@ -166,7 +177,7 @@ void draw_picture(UiState& state, const PictureView& view) {
         if (moves && changed) state.pace.drawn_at = size == view.map.size ? 1 : state.pace.divisor;
     }
     if (!is_explained(state)) state.explanation.reset();
-    if (preview) return;
+    if (preview) return follow_size(state, view);
     state.editor.before.reset();
     explain_asked(state, view);
 }

@@ -66,6 +66,10 @@ glm::ivec2 nearest_pixel(PictureSize size, glm::dvec2 pixel) {
             std::clamp(saturated_int(pixel.y), 0, size.height - 1)};
 }
 
+glm::ivec2 pixel_at_place(glm::ivec2 pixel, PictureSize from, PictureSize to) {
+    return {pixel.x * to.width / from.width, pixel.y * to.height / from.height};
+}
+
 std::array<glm::dvec3, 8> corners_of(const Bounds& box) {
     std::array<glm::dvec3, 8> corners;
     for (std::size_t i = 0; i < corners.size(); ++i)

@@ -56,6 +56,9 @@ struct Dome {
     double radius = 1;
 };
 
+/// The pixel of a picture of size `to` at the place of a pixel inside one of size `from`, of the same view.
+[[nodiscard]] glm::ivec2 pixel_at_place(glm::ivec2 pixel, PictureSize from, PictureSize to);
+
 /// Where the picture lies in the window, in ImGui's units, and the camera that drew it.
 struct PictureView {
     ImVec2 origin;

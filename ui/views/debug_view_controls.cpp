@@ -127,7 +127,8 @@ void draw_bar(ImDrawList& list, const DebugViewState& state, const Rect& bar,
 std::vector<Reading> readings_of(const DebugViewState& state, const PictureView& view,
                                  std::optional<glm::ivec2> picked) {
     std::vector<Reading> readings;
-    const auto add = [&](const char* name, glm::ivec2 p) {
+    const auto add = [&](const char* name, glm::ivec2 whole) {
+        const glm::ivec2 p = pixel_at_place(whole, view.map.size, state.painter->size());
         readings.push_back({name, state.painter->value_text(p.x, p.y), state.painter->value_at(p.x, p.y)});
     };
     if (picked) add("picked", *picked);

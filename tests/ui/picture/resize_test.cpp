@@ -1,0 +1,82 @@
+// Pixels that were asked about in a picture of another size.
+#include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
+#include "ui/picture/screen.h"
+#include "ui/views/views.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+/// Asks about a pixel, as a share of the picture, that a smaller picture does not have.
+void ask_at(HeadlessWindow& window, glm::dvec2 share) {
+    window.frames(2);
+    const PictureSize size = window.state.rendered->size;
+    const glm::ivec2 pixel = nearest_pixel(size, share * glm::dvec2(size.width, size.height));
+    window.click(window.at_pixel(glm::dvec2(pixel) + 0.5));
+    window.move({1, 1});
+    window.frames(2);
+    REQUIRE(window.state.explanation);
+    REQUIRE(window.state.explanation->x == pixel.x);
+}
+constexpr glm::dvec2 corner{0.99, 0.99};
+
+void make_small(HeadlessWindow& window) {
+    ImGui::GetIO().DisplaySize = {900, 420};
+    window.frames(3);
+}
+
+bool shows_explained_bytes(const UiState& state) {
+    const Explanation& e = *state.explanation;
+    const std::size_t at = 4 * state.displayed->pixel(e.x, e.y);
+    for (std::size_t i = 0; i < 3; ++i)
+        if (e.byte[i] != state.displayed->rgba[at + i]) return false;
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("a frozen comparison explains a pixel that it has when the window gets smaller",
+          "[ui][window][compare]") {
+    HeadlessWindow window;
+    window.frames(2);
+    run_command(window.state, command(CommandId::Compare));
+    window.state.views.compare.choice.wipes = {0.6, 0.8};
+    ask_at(window, {0.5, 0.6});  // another renderer drew it there
+    REQUIRE(window.state.explanation->hit);
+    REQUIRE(window.state.explanation->mode == ShadingMode::Flat);
+    run_command(window.state, command(CommandId::Freeze));
+    window.frames(2);
+    make_small(window);
+    REQUIRE(window.state.explanation);
+    REQUIRE(
+        is_inside(window.state.displayed->size, {window.state.explanation->x, window.state.explanation->y}));
+    CHECK(shows_explained_bytes(window.state));
+}
+
+TEST_CASE("while another scene is shown, what was explained of a larger picture is gone", "[ui][window]") {
+    HeadlessWindow window;
+    ask_at(window, corner);
+    window.key(Key::B, true);  // stores it
+    window.key(Key::B);
+    window.frames(2);
+    CHECK(window.state.explanation);
+    make_small(window);
+    CHECK_FALSE(window.state.explanation);
+}
+
+TEST_CASE("the legend of a quantity reads the smaller picture that there is memory for",
+          "[ui][window][debug_view]") {
+    HeadlessWindow window;
+    ask_at(window, corner);
+    const PictureSize whole = window.state.rendered->size;
+    window.state.pace.memory_divided = whole;
+    window.state.pace.memory_divisor = 2;
+    window.state.pace.memory_rests_until = ImGui::GetTime() + 1000;
+    for (int i = 0; i < debug_view_count; ++i) {
+        window.key(Key::I);
+        window.frames(2);
+    }
+    CHECK(window.state.rendered->size.width == whole.width / 2);
+}
