@@ -54,6 +54,8 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     follow_b_key(state, input.b_held);
     poll_my_picture(state);
     close_left_modal(state);
+    // Whatever has changed the scene since the last frame.
+    state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
     ImGui::PushFont(fonts().body);
     begin_views(state);
     state.layout.lesson = state.lesson.course != nullptr || state.match.on;

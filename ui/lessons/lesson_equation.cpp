@@ -40,10 +40,9 @@ std::pair<TermPlace, int> place_of(std::string_view term) {
     if (std::sscanf(std::string(term).c_str(), "lights[%d]", &light) == 1)
         term.remove_prefix(term.find('.') + 1);
     for (const TermPlace& place : places) {
-        const std::string_view rest = term.substr(0, place.field.size());
-        const bool ends = term.size() == place.field.size() || term[place.field.size()] == '.' ||
-                          term[place.field.size()] == '[';
-        if (rest == place.field && ends) return {place, light};
+        if (!term.starts_with(place.field)) continue;
+        const std::string_view rest = term.substr(place.field.size());
+        if (rest.empty() || rest.front() == '.' || rest.front() == '[') return {place, light};
     }
     return {{"sum", Quantity::Result}, -1};
 }

@@ -134,6 +134,14 @@ TEST_CASE("moving away widens the depth range, but a near plane set into the sce
     CHECK(camera.projection == before.projection);
 }
 
+TEST_CASE("a near plane that is at the eye already does not move away from it", "[ui]") {
+    const Camera before{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{45, 0.01f, 1000}};
+    Camera camera = before;
+    camera.eye.z = 1.005f;
+    keep_depth_range(camera, before, {{-1, -1, -1}, {1, 1, 1}});
+    CHECK(camera.projection == before.projection);
+}
+
 TEST_CASE("a frustum's window shrinks with its near plane, so that the angle stays", "[ui]") {
     const Camera before{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Frustum{-0.5f, 0.25f, -0.125f, 0.75f, 1, 10}};
     Camera camera = before;
