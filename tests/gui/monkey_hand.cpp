@@ -212,9 +212,10 @@ class Hand {
             if (gone) started_.erase(started_.begin() + std::ptrdiff_t(i));
             if (gone)
                 ended(one, status);
-            else if (!complaints(one.errors).empty())
+            else if (!complaints(one.errors).empty()) {
+                rest(5000);  // a sanitizer goes on writing for as long as it looks up names
                 find("it complained", one);
-            else if (!answers(one) && waitpid(one.pid, &status, WNOHANG | WNOWAIT) == 0)
+            } else if (!answers(one) && waitpid(one.pid, &status, WNOHANG | WNOWAIT) == 0)
                 hangs(one);
         }
     }
