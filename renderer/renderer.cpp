@@ -60,7 +60,7 @@ struct Renderer::Kept {
         share.set(memory.certain);
     }
 
-    /// As if nothing had ever been drawn, and all memory given back.
+    /// Gives all memory back; the next picture is drawn like the first one.
     void forget() {
         const bool follow = stages.lighting.moving_light.allowed;
         stages = KeptStages{};

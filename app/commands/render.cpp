@@ -29,7 +29,7 @@ struct RenderArguments {
 /// With this many pixels, twelve buffers take about 2 GiB of memory.
 constexpr int max_buffer_pixels = 4096 * 4096;
 
-/// By the extension. "-", and a device or pipe whose name has none, take PNG.
+/// Returns the format that the extension names; PNG for "-", and for a device or pipe without an extension.
 PictureFormat format_of(const std::string& out) {
     if (takes_png(out)) return PictureFormat::Png;
     const Result<PictureFormat> format = picture_format(out);

@@ -133,7 +133,7 @@ void collect_input(GLFWwindow* window, WindowInput& input) {
 }
 
 void read_held_keys(GLFWwindow* window, UiInput& input) {
-    // By the layout's letters.
+    // A key is known by the letter that the keyboard's layout gives it.
     input.axis_held = {};
     input.b_held = false;
     for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) {

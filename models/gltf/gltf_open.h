@@ -13,7 +13,7 @@ struct GltfOpened {
 /// where the file has none; but a file of ours without lights is dark. Lights that are far too bright, as
 /// candela and lux can be, are all divided by one factor, which a warning gives.
 [[nodiscard]] Result<GltfOpened> open_gltf(const std::string& path);
-/// The same of a file that was read already.
+/// Does the same with a file that was read already.
 [[nodiscard]] Result<GltfOpened> open_gltf(const Result<GltfFile>& file, const std::string& path);
 
 }  // namespace glint

@@ -57,7 +57,7 @@ class JsonValue {
     /// Reads text that anyone may have written; nothing when it is not JSON, is nested deeper than 64, which
     /// no document of ours is, or has more than 2,000,000 values. Of two members of one name the last counts.
     [[nodiscard]] static std::optional<JsonValue> parse(std::string_view text);
-    /// The same for a file that a person may have changed: as strict as for a scene, and a problem says what
+    /// Reads a file that a person may have changed: as strict as for a scene, and a problem says what
     /// is wrong in which line of `file`.
     [[nodiscard]] static Result<JsonValue> read(std::string_view text, const std::string& file);
 

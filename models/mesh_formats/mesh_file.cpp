@@ -19,7 +19,7 @@
 namespace glint {
 namespace {
 
-// Of 2^31 vertices at 8 bytes a line: beyond it no index fits.
+// A file of 2^31 vertices, 8 bytes a line, is as long; beyond it no index fits.
 constexpr std::size_t largest_file = std::size_t{16} << 30;
 
 using Reader = Mesh (*)(std::string_view, const std::string&);

@@ -45,7 +45,7 @@ const double bump_frequency = std::sqrt(19.0) * std::acos(0.0);
 constexpr double bump_height = 0.05;
 
 /// Moves a point of the unit sphere along itself by the bumps and tilts its normal accordingly.
-/// For the surface r(u) u over unit u the normal is along r u - (gradient of r, its part across u).
+/// The normal of the surface r(u) u over unit u is along r u - (the part of r's gradient across u).
 void raise_bump(glm::dvec3& position, glm::dvec3& normal) {
     const glm::dvec3 u = position;
     const CosSin x = cos_sin(bump_frequency * u.x), y = cos_sin(bump_frequency * u.y),

@@ -27,7 +27,7 @@ Schema array_of(const Schema& each, std::size_t least, std::size_t most) {
 
 template <class T> Schema schema_of(const T& value);
 
-// Of a member: its schema without its words, and its default. Groups and lists have no default of their own.
+// A member's schema without its words, and its default. Groups and lists do not have a default of their own.
 struct Described {
     Schema schema, initial = nullptr;
 };

@@ -16,7 +16,7 @@ SheetAxis columns_of(const Diagnosis& d) {
     return axis;
 }
 
-/// As the display of the diagnosis would show a picture of the scene.
+/// Returns the picture of the scene as the diagnosed display would show it.
 Picture as_displayed(Picture picture, const DisplayChange& change) {
     const ByteRanges ranges = byte_ranges(change);
     for (std::size_t pixel = 0; pixel < picture.size.pixels(); ++pixel) {

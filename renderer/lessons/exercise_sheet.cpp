@@ -30,7 +30,7 @@ Problem in_exercise(Problem problem, const Lesson& lesson, const Exercise& exerc
     return problem;
 }
 
-/// As many digits as the tolerance leaves any sense to.
+/// Writes the answer with as many digits as are meaningful within the tolerance.
 std::string answer_text(const PosedQuestion& q) {
     const int digits = q.tolerance > 0 ? static_cast<int>(std::ceil(-std::log10(q.tolerance))) + 1 : 4;
     const double answer = std::abs(q.answer) < 1e-12 ? 0 : q.answer;

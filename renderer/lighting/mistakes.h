@@ -26,7 +26,7 @@ template <Number F>
 void apply_direction_mistakes(const Mistakes& wrong, Reflection model, Directions<F>& d,
                               const LightVector<F>& light_vector, const PointAt<F>& at) {
     if (wrong.unnormalized_light) {
-        // Of a unit l, which a directional light's vector is not here.
+        // l.v takes a unit l, and a directional light's vector is not one here.
         const F inverse = inverse_or_zero(square_root(dot(light_vector.xyz, light_vector.xyz)));
         const F l_dot_v = inverse * dot(light_vector.xyz, at.v);
         d = directions_for(light_vector, Attenuation<F>{}, at);

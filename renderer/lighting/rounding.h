@@ -7,7 +7,7 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// For rounded(): 1.5 * 2^23 * grid. grid: a power of two, or 0.
+/// Returns the `magic` of rounded(): 1.5 * 2^23 * grid. grid: a power of two, or 0.
 inline float rounding_magic(float grid) { return grid * 12582912.0f; }
 
 /// Rounds each component to the nearest multiple of `grid` by adding and subtracting `magic`, near which

@@ -38,7 +38,7 @@ std::vector<glm::vec3> normals_as_read(const Object& object, const CornerNormals
         done[which] = true;
         const bool own = has_own_normal(object, c);
         if (mistakes.cross_reversed && !own) normals[which] = -normals[which];
-        // As long as the file has them.
+        // They keep the length that they have in the file.
         if (mistakes.unnormalized_normals && own && mesh.given_normals == GivenNormals::File)
             normals[which] *= glm::length(mesh.normals[mesh.given_normal_of(c)]);
     }

@@ -189,7 +189,7 @@ inline GroupPlace place_of(const InterpolateJob& job, const PixelGroup& group) {
     return {static_cast<int>(group.first_pixel % row), static_cast<int>(group.first_pixel / row)};
 }
 
-/// As SurfaceKernels::weigh.
+/// Does what SurfaceKernels::weigh says.
 template <Number F>
 void weigh_groups(const InterpolateJob& job, const PixelGroup* groups, std::size_t count, float* out,
                   std::uint8_t* on_fast_path) {

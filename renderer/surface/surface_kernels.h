@@ -21,7 +21,7 @@ struct InterpolateJob {
     const TransformedVertex* vertices = nullptr;
     const CameraNormal* normals = nullptr;
     const std::uint32_t* triangle_vertices = nullptr;  // three a triangle
-    // For meshes with more than one normal a vertex, else null: each triangle's corners (four numbers, the
+    // Null unless the mesh has more than one normal a vertex: each triangle's corners (four numbers, the
     // last unused) and the index of each corner's normal.
     const std::uint32_t* triangle_corners = nullptr;
     const std::uint32_t* corner_normal = nullptr;

@@ -33,7 +33,7 @@ std::string shown_name(const UiState& state, const WindowCommand& command) {
 void menu_item(UiState& state, const WindowCommand& command) {
     const std::string refused = why_disabled(state, command);
     const std::string label = shown_name(state, command) + "##" + command.name;
-    // Of several keys the first; the sheet of shortcuts shows all.
+    // The menu shows a command's first key, the sheet of shortcuts all of them.
     const std::string keys = command.keys.empty() ? "" : text_of(command.keys[0]);
     if (ImGui::MenuItem(label.c_str(), keys.c_str(), is_on(state, command).value_or(false), refused.empty()))
         run_command(state, command);

@@ -97,7 +97,7 @@ void append_sets(std::string& command, const Json& a, const Json& b, const std::
     }
 }
 
-/// As one who stands in the working directory names a file: relative where it lies below it.
+/// Names a file as seen from the working directory: relative where it lies below it.
 std::string named_from_here(const std::string& path) {
     std::error_code failed;
     const fs::path whole = fs::absolute(path, failed);

@@ -239,7 +239,7 @@ bool object_panel(Object& object, const std::string& pointer, Reflection reflect
     edited |= detail_fields(object, pointer);
     mesh_facts(object, requests.about_mesh);
     const auto normals = [&] { panel.group("normals", object.normals, field_rows<NormalOptions>); };
-    // Of a mesh without normals they are what one looks for first.
+    // Without normals in the mesh, these fields are looked for first.
     const bool brings_normals = !object.mesh || object.mesh->given_normals != GivenNormals::None;
     if (!brings_normals) normals();
     // Below the fields, which stay where they are when it goes.

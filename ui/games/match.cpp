@@ -17,7 +17,7 @@
 namespace glint {
 namespace {
 
-/// From where the target is seen, wherever one looks from meanwhile.
+/// Returns the scene from where the target is seen, wherever its own camera stands.
 Scene seen_as_target(const MatchState& match, Scene scene) {
     scene.camera = match.task.target.camera;
     return scene;

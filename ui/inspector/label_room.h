@@ -24,7 +24,7 @@ class LabelRoom {
     /// now on. Returns nothing, and takes nothing, if there is no room.
     [[nodiscard]] std::optional<ImVec2> place(ImVec2 wanted, ImVec2 size, float reach);
 
-    /// As place(), but where there is no room it returns `wanted`.
+    /// Returns place(), or `wanted` where there is no room.
     [[nodiscard]] ImVec2 place_anyhow(ImVec2 wanted, ImVec2 size, float reach);
 
   private:

@@ -98,7 +98,8 @@ Camera outside_camera(const Scene& scene, const PictureView& main, PictureSize s
     glm::dvec3 low = seen[0], high = seen[0];
     for (const glm::dvec3& place : seen) low = glm::min(low, place), high = glm::max(high, place);
     const glm::dvec3 middle = (low + high) / 2.0;
-    // As near as the place that is farthest out allows, a tenth left for the words beside the marks.
+    // The camera is as near as the position farthest out allows; a tenth is left for the words beside the
+    // marks.
     constexpr double fov_y_deg = 40, used = 0.9;
     const double half_y = used * std::tan(fov_y_deg / 360 * std::numbers::pi);
     const double half_x = half_y * size.width / size.height;

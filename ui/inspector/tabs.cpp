@@ -69,7 +69,7 @@ void nothing_picked(const Square& square) {
     ImGui::EndGroup();
 }
 
-/// What of the parts has room beside the cross: the place always.
+/// Writes the parts that have room beside the cross; the place always.
 void pixel_line(const std::string& what, const std::string& place, const std::string& bytes) {
     ImGui::PushFont(fonts().figures);
     const float room = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - px(4);

@@ -47,7 +47,7 @@ class Cutter {
 /// The station's scenes and answers. `step`: its step's scene.
 std::optional<Problem> make_ready(Station& station, const Lesson& lesson, const SceneDocument& step,
                                   LessonRunner& runner) {
-    // As on paper: what the picture would tell is told by the reveal.
+    // It is asked as on paper: what the picture would tell is told by the reveal.
     Result<SceneDocument> asked = LessonRunner::for_paper(step, lesson.steps[station.step], lesson, false);
     if (const Problem* problem = problem_of(asked)) return *problem;
     station.asked = station.questions.empty() ? step.scene : std::get<SceneDocument>(std::move(asked)).scene;

@@ -75,7 +75,7 @@ void asked(const char* word, const std::string& text) {
     list_control(text.c_str(), word, {from, {from.x + ImGui::GetContentRegionAvail().x, end}});
 }
 
-/// For a lecturer: what can be answered, and nothing that could be chosen by mistake.
+/// Shows a lecturer what can be answered, and nothing that could be chosen by mistake.
 void posed(const StationQuestion& question) {
     const std::vector<LessonOption>& options = question.asks->options;
     for (std::size_t i = 0; i < options.size(); ++i)

@@ -21,7 +21,7 @@ struct LessonRecord {
 /// Returns the key of a lesson's record: its name if it comes with the program, else its absolute path.
 [[nodiscard]] std::string record_key(const std::string& folder, const std::string& path);
 
-/// As JSON: where one is, the score, and every answer.
+/// Writes as JSON which station is open, the score, and every answer.
 [[nodiscard]] JsonValue progress_json(const Course& course, const CourseProgress& progress);
 /// Reads what progress_json() has written for that lesson; nothing if it no longer fits the questions.
 [[nodiscard]] std::optional<CourseProgress> read_progress(const JsonValue& json, const Course& course);

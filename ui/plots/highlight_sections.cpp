@@ -116,7 +116,7 @@ void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subjec
     const Reflection model = fitted_model(subject.scene);
     const Symbol symbol = model == Reflection::Phong ? Symbol::R : Symbol::H;
     const auto power = half_highlight(model, subject.material.shininess);
-    // As wide as the power at half its height: Blinn-Phong's is over twice the angle.
+    // It is as wide as the power at half its height; Blinn-Phong's is over twice the angle.
     const double like = model == Reflection::Phong ? n : n / 4;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 cursor = ImGui::GetCursorScreenPos();

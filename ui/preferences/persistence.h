@@ -43,7 +43,7 @@ struct Preferences {
     bool operator==(const Preferences&) const = default;
 };
 
-/// As JSON, ending with a newline. What is written reads back equal.
+/// Writes them as JSON that ends with a newline. What is written reads back equal.
 [[nodiscard]] std::string preferences_text(const Preferences& preferences);
 
 /// Reads untrusted JSON: invalid or missing members keep their defaults, and numbers out of their range are
@@ -98,8 +98,8 @@ void drop_autosave(UiState& state);
 /// Writes at once what would be written later.
 void end_persistence(UiState& state);
 
-/// For a window that cannot go on: writes the copy of the unsaved work, if there is any, before it returns.
-/// True when there is a copy for the next window to offer.
+/// Writes the copy of the unsaved work, if there is any, for a window that cannot go on. Returns true if
+/// there is a copy for the next window to offer.
 bool keep_unsaved_work(UiState& state);
 
 /// Columns, theme, sizes and views as in a first window; kept views stay.

@@ -96,7 +96,7 @@ void edge(const char* id, float x, const Rect& column, float outwards, float ini
                                                   to_u32(theme().accent));
     }
     if (held) {
-        // From where the hand is, so that the edge stays under it also after a limit was reached.
+        // It is measured from the hand, so that the edge stays under it also after a limit was reached.
         const float wanted = outwards > 0 ? ImGui::GetIO().MousePos.x - column.low.x
                                           : column.high.x - ImGui::GetIO().MousePos.x;
         if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1))

@@ -30,7 +30,7 @@ struct CheckFrames {
 
 /// What kind of numbers a buffer holds.
 enum class BufferKind { Point, Depth, Normal, View, ToLight, Cosine, Color };
-/// By its name: "l_3" is ToLight.
+/// Returns the kind that a buffer's name tells: ToLight for "l_3".
 [[nodiscard]] BufferKind buffer_kind(const std::string& name);
 /// The index of the light in a buffer's name: 3 for "l_3" and "n_dot_l_3"; -1 for a buffer that does not
 /// belong to one light.

@@ -232,8 +232,8 @@ std::vector<Hypothesis> likeliest(std::vector<Drawn>& all, const WrongProbes& wr
 }  // namespace
 
 double explanation_cost(double excess, double noise, std::size_t mistakes, const DisplayChange& change) {
-    // Of equal explanations the one with one mistake is preferred to a change at the display, and that to
-    // two.
+    // Where explanations are equal, one mistake is preferred to a change at the display, and that to two
+    // mistakes.
     constexpr double nearly = 0.01;
     const double preference = mistakes == 1 ? 0 : nearly;
     return std::log2(excess + noise) + static_cast<double>(mistakes) + change.count() + preference;

@@ -24,7 +24,7 @@ struct Exhibit {
     const Picture& wrong;
     const Picture& right;
     const std::vector<PixelKind>& kinds;
-    // Of the wrong picture, by way_turned():
+    // The wrong picture's grounds, indexed by way_turned():
     std::array<std::optional<Rgb>, 4> grounds;  // background_of()
     std::array<Ground, 4> bare_grounds;         // ground_of()
 

@@ -81,7 +81,7 @@ class DebugViewPainter {
                          PictureSize size);
 
     [[nodiscard]] const DebugViewScale& scale() const { return scale_; }
-    /// Of the last painting.
+    /// The size of the last painting.
     [[nodiscard]] PictureSize size() const { return picture_.size; }
     /// The number at a pixel of the last painting, or a word where there is none.
     [[nodiscard]] std::string value_text(int x, int y) const;

@@ -18,7 +18,7 @@ inline constexpr int most_decimals = 9;
 [[nodiscard]] const char* decimal_format(double x, int decimals);
 /// x by that format.
 [[nodiscard]] std::string decimal_text(double x, int decimals);
-/// As decimal_text(), without trailing zeros: "0.5", "1".
+/// Returns decimal_text() without trailing zeros: "0.5", "1".
 [[nodiscard]] std::string short_text(double x, int decimals);
 
 /// One unit of the last digit that a number shows: 0.001 of "0.713", 1e-7 of "3.21e-05".

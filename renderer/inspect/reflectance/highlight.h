@@ -22,7 +22,7 @@ namespace glint {
 [[nodiscard]] std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
                                                std::span<const SeenPoint> points);
 
-/// As above, on `material` in place of the objects' materials.
+/// Returns the same on `material` in place of the objects' materials.
 [[nodiscard]] std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
                                                std::span<const SeenPoint> points, const Material& material);
 

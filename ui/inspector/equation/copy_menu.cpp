@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-/// As a program reads it: no spaces around, and a minus of the keyboard.
+/// Writes a number as a program reads it: without spaces around, and with the keyboard's minus.
 std::string plain(std::string_view number) {
     constexpr std::string_view minus = "−";
     std::string text;

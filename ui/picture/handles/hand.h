@@ -85,7 +85,7 @@ void drag_held(Held& held, ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec
 [[nodiscard]] std::string hint_of(const Grip& grip, const Scene& scene);
 [[nodiscard]] std::string hint_of(const Held& held);
 
-/// For the note at the hand.
+/// Returns what the note at the hand says.
 [[nodiscard]] HandNote note_of(const Grip& grip, const Scene& scene);
 [[nodiscard]] HandNote note_of(const Held& held, const Scene& scene);
 /// "Bulb DONE, world coordinates", and where it is.

@@ -46,7 +46,7 @@ double seen_brightness(const SurfaceView& view, const Light& light, const SeenPo
 double steepness(const SurfaceView& view, const Light& light, const SurfacePatch& patch,
                  const Material& material) {
     const auto share = [&](std::size_t i) { return highlight_share(view, light, patch.points[i], material); };
-    // Of the nine pixels those beside the middle: 1 above, 3 and 5 left and right, 7 below.
+    // Among the nine pixels, 1 is above the middle, 3 and 5 are left and right of it, 7 is below.
     const auto slope = [&](std::size_t before, std::size_t after) {
         const double span = (patch.used[before] ? 1 : 0) + (patch.used[after] ? 1 : 0);
         return span > 0 ? (share(after) - share(before)) / span : 0.0;

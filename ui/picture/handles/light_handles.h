@@ -112,8 +112,8 @@ struct ShapeDrag {
     Light start;
     ShapeGrip grip;
     glm::dvec2 grabbed_px{0};
-    // Of an aim: turned freely on its sphere, or aimed at a place, which has this depth in front of the
-    // camera (0: that of the grip).
+    // An aim is turned freely on its sphere, or aimed at a place that has this depth in front of the camera
+    // (0: that of the grip).
     bool free = false;
     std::optional<glm::dvec3> aimed = {};  // world
     double depth = 0;

@@ -54,7 +54,7 @@ Transform turned(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor
     const ObjectGizmo& g = drag.gizmo;
     const glm::dvec3 axis = ring_axis(g, drag.part);
     const Dome circle{g.origin, g.length};
-    // From where the ring was taken hold of to where the cursor is.
+    // It turns from where the ring was taken hold of to where the cursor is.
     const glm::dvec3 start = across(axis).u;
     const double from = turn_towards(view.map, circle, start, axis, drag.grabbed_px);
     const glm::dvec3 held = rotated(start, axis, from);
