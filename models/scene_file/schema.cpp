@@ -14,9 +14,9 @@ using Schema = nlohmann::ordered_json;
 Schema number_json(float x) { return Schema::parse(number_text(x)); }
 
 Schema range_json(const Range& range) {
-    const Schema within{{"type", "number"},
-                        {range.low_open ? "exclusiveMinimum" : "minimum", range.low},
-                        {range.high_open ? "exclusiveMaximum" : "maximum", range.high}};
+    Schema within{{"type", "number"},
+                  {range.low_open ? "exclusiveMinimum" : "minimum", range.low},
+                  {range.high_open ? "exclusiveMaximum" : "maximum", range.high}};
     if (!range.also) return within;
     return {{"anyOf", {within, {{"const", *range.also}}}}};
 }
