@@ -15,15 +15,27 @@
 namespace glint {
 namespace {
 
-/// The scene with only the object that shows, and the names of numbers in the whole scene.
+/// The scene with only the object that shows, and the names of numbers in the whole scene. A stroke over the
+/// pixel may be another object's: then all stay.
 struct PinnedScene {
     SceneDocument document;
     int object = -1;
+    bool is_alone = true;
 
     [[nodiscard]] std::string pointer_in_whole(const std::string& pointer) const {
-        constexpr std::string_view alone = "/objects/0/";
-        if (!pointer.starts_with(alone)) return pointer;
-        return fmt::format("/objects/{}/{}", object, pointer.substr(alone.size()));
+        constexpr std::string_view first = "/objects/0/";
+        if (!is_alone || !pointer.starts_with(first)) return pointer;
+        return fmt::format("/objects/{}/{}", object, pointer.substr(first.size()));
+    }
+    /// Of many objects, only the numbers of the one that shows.
+    [[nodiscard]] std::vector<SceneNumber> measured_numbers() const {
+        std::vector<SceneNumber> numbers = numbers_of(document.scene);
+        if (is_alone || document.scene.objects.size() <= max_stroking_objects) return numbers;
+        const std::string own = fmt::format("/objects/{}/", object);
+        std::erase_if(numbers, [&own](const SceneNumber& n) {
+            return n.pointer.starts_with("/objects/") && !n.pointer.starts_with(own);
+        });
+        return numbers;
     }
 };
 
@@ -119,7 +131,9 @@ void measure(Sensitivities& s, PixelProbe& probe, const PinnedScene& pinned, con
 PinnedScene pinned_scene(const SceneDocument& document, PictureSize size, int x, int y, int threads) {
     Renderer whole(threads);
     (void)whole.render(document.scene, size);
-    PinnedScene pinned{document, whole.object_at(x, y)};
+    const bool is_stroked = whole.explain(x, y).stroke.coverage > 0;
+    PinnedScene pinned{document, whole.object_at(x, y), !is_stroked};
+    if (is_stroked) return pinned;
     std::vector<Object>& objects = pinned.document.scene.objects;
     objects.clear();
     if (pinned.object >= 0)
@@ -145,9 +159,10 @@ struct SensitivityRun::State {
         : pinned(pinned_scene(document, size, x, y, threads)),
           probe(pinned.document, size, x, y, threads),
           now(probe.color_now()),
-          numbers(numbers_of(pinned.document.scene)) {
+          numbers(pinned.measured_numbers()) {
         for (std::size_t i = 0; i < document.scene.objects.size(); ++i)
-            if (static_cast<int>(i) != pinned.object) others.push_back(fmt::format("/objects/{}", i));
+            if (pinned.is_alone && static_cast<int>(i) != pinned.object)
+                others.push_back(fmt::format("/objects/{}", i));
     }
 
     PinnedScene pinned;

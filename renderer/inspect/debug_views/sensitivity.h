@@ -36,6 +36,7 @@ struct Sensitivities {
 
 /// More lights than these are a problem: every number of each would take two pictures.
 inline constexpr std::size_t max_sensitivity_lights = 64;
+inline constexpr std::size_t max_stroking_objects = 32;
 
 /// Measures the sensitivities step by step, for a window that must not wait for all of them.
 class SensitivityRun {
@@ -60,6 +61,8 @@ class SensitivityRun {
 
 /// Central differences over a thousandth of each number. The face at the pixel is pinned: the other objects,
 /// which under local illumination could change the pixel only by hiding it, are left out and have no effect.
+/// Where a stroke covers some of the pixel, they stay, and their numbers are measured too: of more than
+/// max_stroking_objects only those of the object that shows.
 /// `document.scene` must be drawable, the pixel inside the picture. `measured` is told how many numbers of
 /// how many are done, after each. Problem: more than max_sensitivity_lights.
 using SensitivityProgress = std::function<void(std::size_t done, std::size_t all)>;

@@ -171,6 +171,34 @@ TEST_CASE("sensitivity: of the second object the numbers keep their pointers", "
     CHECK(lists(s.no_effect, "/objects/0"));
 }
 
+TEST_CASE("sensitivity: another object's stroke over the pixel counts, as far as it covers it",
+          "[sensitivity]") {
+    SceneDocument document = balls();
+    Scene& scene = document.scene;
+    scene.objects[0].transform.scale = glm::vec3(2);  // fills the picture behind the other
+    scene.objects[1].transform.translate = {0, 0, 2};
+    scene.objects[1].transform.scale = glm::vec3(0.3f);
+    scene.npr.silhouettes = true;
+    scene.npr.stroke_width_px = 6;
+    Renderer renderer(1);
+    (void)renderer.render(scene, sensitive_size);
+    bool whole = false, partly = false;
+    for (int x = 16; x < 48; ++x) {  // around the small ball, far from the large one's own stroke
+        const Explanation e = renderer.explain(x, 24);
+        const double coverage = double(e.stroke.coverage);
+        if (e.object_index != 0 || coverage == 0 || (coverage == 1 ? whole : partly)) continue;
+        (coverage == 1 ? whole : partly) = true;
+        CAPTURE(x, coverage);
+        const Sensitivities s = of_pixel(document, x, 24);
+        CHECK(change_of(s, "/npr/stroke/0").x == Approx(coverage).epsilon(1e-3));
+        CHECK(lists(s.no_effect, "/objects/0/material/emission/0") == (coverage == 1));
+        CHECK_FALSE(lists(s.no_effect, "/objects/1"));
+        if (coverage < 1) CHECK(change_of(s, "/objects/1/transform/scale/0").x != 0);
+    }
+    CHECK(whole);
+    CHECK(partly);
+}
+
 TEST_CASE("sensitivity: how far it has come is told after each number", "[sensitivity]") {
     std::vector<std::size_t> told;
     std::size_t all = 0;
