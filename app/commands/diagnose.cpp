@@ -52,6 +52,7 @@ void require_one_picture_for_a_sheet(const DiagnoseArguments& arguments) {
             "one PICTURE, or --format html");
     require_png_file(arguments.out);
     require_writable(arguments.out);
+    require_other_file(arguments.out, arguments.pictures);
 }
 
 /// The diagnoses of all pictures, in their order; the sheet of the only one, where it is asked for, is put

@@ -95,6 +95,24 @@ struct PngImage {
     png_image image{};
 };
 
+/// Removes what a file says about its colours' encoding, by which libpng would change them: the bytes of a
+/// picture are compared as they are stored. All that stands before the first IDAT (PNG specification, 5.6).
+void drop_color_chunks(std::string& bytes) {
+    constexpr std::size_t signature = 8, frame = 12;  // frame: length, type and checksum of a chunk
+    std::size_t at = signature, kept = signature;
+    while (at + frame <= bytes.size()) {
+        const std::size_t length = frame + png_get_uint_32(reinterpret_cast<png_const_bytep>(&bytes[at]));
+        const std::string_view type(&bytes[at + 4], 4);
+        if (type == "IDAT" || length > bytes.size() - at) break;
+        if (type != "gAMA" && type != "cHRM" && type != "iCCP" && type != "sRGB") {
+            std::memmove(&bytes[kept], &bytes[at], length);
+            kept += length;
+        }
+        at += length;
+    }
+    if (kept < at) bytes.erase(kept, at - kept);
+}
+
 /// Checks the first block before the rest of the file is read.
 std::optional<Problem> check_first_block(const FileBlock& block, const std::string& path,
                                          MemoryShare& share) {
@@ -209,10 +227,11 @@ std::string pfm_bytes(const Picture& picture, float exposure) {
 Result<Picture> read_png(const std::string& path) {
     MemoryShare share;
     const auto check = [&](const FileBlock& block) { return check_first_block(block, path, share); };
-    const auto file = read_file(path, max_png_bytes, check);
+    auto file = read_file(path, max_png_bytes, check);
     if (const Problem* problem = problem_of(file)) return *problem;
-    const std::string& bytes = std::get<std::string>(file);
+    std::string& bytes = std::get<std::string>(file);
     if (bytes.empty()) return unreadable(path, "is empty");
+    drop_color_chunks(bytes);
 
     PngImage png;
     png_image& image = png.image;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -295,6 +296,40 @@ TEST_CASE("a failure leaves the old picture as it was", "[cli][bad-input]") {
     must({"render", directory.file("scene.json", three_lights), "-o", out, "--size", "8x8"});
     CHECK(bytes_of(out).substr(1, 3) == "PNG");
     CHECK(directory.names() == std::vector<std::string>{"a.png", "scene.json"});
+}
+
+TEST_CASE("a PNG's bytes are read as they are stored, whatever its gamma says", "[cli][compare]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", R"({"glint": 1})"),
+                      plain = directory.path("a.png");
+    must({"render", scene, "-o", plain, "--size", "4x2", "--set", "/display/background=[0.2,0.4,0.6]"});
+    std::string bytes = bytes_of(plain);
+    constexpr std::size_t behind_header = 33;
+    // A chunk gAMA of 1/1.0 (PNG specification, 11.3.2.2), with its CRC.
+    bytes.insert(behind_header, std::string("\0\0\0\4gAMA\0\1\x86\xA0\x31\xE8\x96\x5F", 16));
+    const std::string with_gamma = directory.file("b.png", bytes);
+    const Ended ended = run_glint({"compare", plain, with_gamma});
+    CAPTURE(ended.err);
+    CHECK(json::parse(ended.out)["max_error"] == 0);
+}
+
+TEST_CASE("a sheet or a difference does not replace the picture that it is made of", "[cli][compare]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", R"({"glint": 1})"), a = directory.path("a.png"),
+                      b = directory.path("b.png");
+    for (const std::string& picture : {a, b}) must({"render", scene, "-o", picture, "--size", "64x48"});
+    const std::string before = bytes_of(a), link = directory.path("link.png");
+    std::filesystem::create_symlink(a, link);
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"compare", a, b, "-o", a},
+                                                      {"compare", b, a, "-o", link},
+                                                      {"diagnose", scene, a, "-o", a}}) {
+        const Ended ended = run_glint(arguments);
+        CAPTURE(ended.err);
+        CHECK(ended.status == 2);
+        CHECK(ended.err.find("is the picture that is read, which would be lost; expected another name") !=
+              std::string::npos);
+        CHECK(bytes_of(a) == before);
+    }
 }
 
 TEST_CASE("compare answers in JSON, and by its status whether the difference is too large",

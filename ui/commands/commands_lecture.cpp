@@ -3,6 +3,7 @@
 #include "ui/document/document_actions.h"
 #include "ui/lecture/lecture.h"
 #include "ui/lessons/lesson_parts.h"
+#include "ui/picture/draw_picture.h"
 
 namespace glint {
 namespace {
@@ -47,11 +48,10 @@ void switch_projector(UiState& state) {
 }
 
 void switch_frozen(UiState& state) {
-    auto& frozen = state.lecture.frozen;
-    if (frozen)
-        frozen.reset();
+    if (state.lecture.frozen)
+        state.lecture.frozen.reset();
     else
-        frozen = state.rendered_scene;
+        freeze(state);
 }
 
 void switch_animate(UiState& state) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "models/scene/scene.h"
+#include "ui/document/scene_edit.h"
 #include "ui/picture/screen.h"
 
 namespace glint {
@@ -91,7 +92,8 @@ inline constexpr float projector_scale = 1.4f;
 struct LectureState {
     bool projector = false;                        // large type, strong contrast
     bool left_before = true, right_before = true;  // the columns that it found
-    std::optional<Scene> frozen;                   // shown whatever is edited
+    std::optional<Scene> frozen;                   // shown whatever is edited; set by freeze()
+    Selection frozen_selection;                    // in it
     PenState pen;
     WedgeState wedge;
     /// The scenes of the command line, a lecture in an order of one's own: PgDn and PgUp go through these

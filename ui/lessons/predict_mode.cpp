@@ -10,6 +10,7 @@
 #include "ui/commands/command.h"
 #include "ui/lessons/lesson_parts.h"
 #include "ui/lessons/prose.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
@@ -28,7 +29,7 @@ void stop_picture(UiState& state) {
     predict.before = state.explanation->byte;
     predict.mine = {};
     predict.answer.reset();
-    state.lecture.frozen = state.rendered_scene;
+    freeze(state);
 }
 
 void reveal(UiState& state) {

@@ -137,6 +137,11 @@ const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size) {
     return tells ? state.renderer.get() : nullptr;
 }
 
+void freeze(UiState& state) {
+    state.lecture.frozen = state.rendered_scene;
+    state.lecture.frozen_selection = valid_selection(state.editor.selection, state.rendered_scene);
+}
+
 std::optional<Scene> preview_of(const UiState& state) {
     if (state.lecture.frozen) return state.lecture.frozen;
     if (state.animate.frame) return state.animate.frame;

@@ -59,6 +59,9 @@ void picture_took(FramePace& pace, int divisor, double ms);
 /// is of no use.
 [[nodiscard]] const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size);
 
+/// Freezes what is shown: the drawn scene and its selection, until `lecture.frozen` is reset.
+void freeze(UiState& state);
+
 /// Returns the scene that the next picture shows in place of the edited one, with its meshes; nothing of it
 /// reaches the history or a file, and `explanation` stays what it was. The first that wants one wins: what is
 /// frozen, what is animated, what the mouse points at in the column, B.

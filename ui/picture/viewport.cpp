@@ -231,7 +231,7 @@ void hand_draw(ImDrawList& list, UiState& state, const PictureView& view) {
     ViewportFrame frame = viewport_frame(state, view);
     if (!state.lecture.frozen) return draw_overlay(list, state.viewport, frame);
     Scene& frozen = *state.lecture.frozen;
-    Selection selection = valid_selection(state.editor.selection, frozen);
+    Selection selection = state.lecture.frozen_selection;
     const bool is_drawn = state.rendered_scene == frozen && state.rendered->size == view.map.size;
     draw_overlay(
         list, state.viewport,

@@ -92,18 +92,25 @@ Slope slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& moved, 
     return found;
 }
 
-/// Returns the slope over a thousandth of the number. Where that changes the pixel by little more than its
-/// last digits, as for a number near 0, it returns the slope over a larger step, if the two differ by no more
-/// than those digits.
+/// Returns the slope over a thousandth of the number. While a step changes the pixel by little more than its
+/// last digits, as for a number near 0, a step ten times as large is tried, up to `wide`; it must differ from
+/// the one before by no more than those digits, or it has met something else, such as the next face.
 Slope clear_slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& moved) {
     constexpr double last_digits = 0x1p-20;
-    const double h = 1e-3 * std::max(std::abs(moved.value), 0.1), wide = 1e-2 * std::abs(usual_move(moved));
-    const Slope near = slope(probe, now, moved, h);
-    const double unsure = last_digits * std::max(1.0, largest(now)) / h;
-    if (near.is_fixed || wide <= h || largest(near.change) > 10 * unsure) return near;
-    const Slope far = slope(probe, now, moved, wide);
-    const bool agrees = !far.is_fixed && largest(far.change - near.change) <= unsure;
-    return agrees ? far : near;
+    const double wide = 1e-2 * std::abs(usual_move(moved));
+    double h = 1e-3 * std::max(std::abs(moved.value), 0.1);
+    Slope found = slope(probe, now, moved, h);
+    double clear = 10;  // of a larger step a hundredth of the slope is asked
+    while (!found.is_fixed && h < wide) {
+        const double unsure = last_digits * std::max(1.0, largest(now)) / h;
+        if (largest(found.change) > clear * unsure) break;
+        clear = 100;
+        h = std::min(10 * h, wide);
+        const Slope next = slope(probe, now, moved, h);
+        if (next.is_fixed || largest(next.change - found.change) > 2 * unsure) break;
+        found = next;
+    }
+    return found;
 }
 
 void measure(Sensitivities& s, PixelProbe& probe, const PinnedScene& pinned, const glm::dvec3& now,

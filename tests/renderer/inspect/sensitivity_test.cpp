@@ -161,6 +161,27 @@ TEST_CASE("sensitivity: what has no effect is named, and what cannot move a litt
     CHECK(background.numbers.size() == 4);  // three of the background, and the exposure
 }
 
+TEST_CASE("sensitivity: a step that clears the last digits does not reach the next face", "[sensitivity]") {
+    constexpr PictureSize size{160, 90};
+    auto opened = open_document(GLINT_SOURCE_DIR "/assets/scenes/spot-cone.json");
+    REQUIRE(problem_of(opened) == nullptr);
+    SceneDocument document = std::get<SceneDocument>(opened);
+    document.scene.shading.mode = ShadingMode::Flat;
+    document.scene.shading.local_viewer = false;
+    const auto red_at = [&](float turn_deg) {
+        Scene turned = document.scene;
+        turned.objects[2].transform.rotate_deg.z = turn_deg;
+        Renderer renderer(1);
+        return double(renderer.render(turned, size, true).linear_at(88, 44).x);
+    };
+    const double slope = (red_at(0.01f) - red_at(-0.01f)) / 0.02;
+    REQUIRE(slope < -0.001);
+    const auto made = sensitivities(document, size, 88, 44, 1);
+    REQUIRE(problem_of(made) == nullptr);
+    CHECK(change_of(std::get<Sensitivities>(made), "/objects/2/transform/rotate_deg/2").x ==
+          Approx(slope).epsilon(0.1));
+}
+
 TEST_CASE("sensitivity: of the second object the numbers keep their pointers", "[sensitivity]") {
     const SceneDocument document = balls();
     Renderer renderer(1);
