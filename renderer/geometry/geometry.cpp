@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <map>
@@ -133,6 +134,8 @@ std::uint32_t Geometry::object_of(std::uint32_t triangle) const {
 bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size) {
     if (same_inputs(kept, scene, size)) return false;
     count_triangles(scene);
+    static std::atomic<std::uint64_t> states = 0;
+    kept.state = ++states;
     kept.size = size;
     kept.camera = scene.camera;
     transform_objects(kept, scene);

@@ -47,6 +47,7 @@ struct Geometry {
     glm::dmat4 clip_from_view{1.0};
     std::vector<ObjectGeometry> objects;
     std::uint32_t triangle_count = 0;  // at most max_scene_triangles
+    std::uint64_t state = 0;           // another number after every change, of whatever Geometry; 0: empty
 
     /// The object that a global triangle number belongs to.
     [[nodiscard]] std::uint32_t object_of(std::uint32_t triangle) const;

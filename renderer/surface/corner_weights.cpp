@@ -3,6 +3,8 @@
 // Orientation".
 #include <algorithm>
 #include <cmath>
+#include <memory_resource>
+#include <numeric>
 
 #include "renderer/geometry/clip.h"
 #include "renderer/geometry/interpolate.h"
@@ -71,23 +73,21 @@ CornerWeights clipped_screen_weights(const Geometry& g, const SampleFace& face, 
 /// Where the scanline meets an edge of the polygon.
 struct Crossing {
     double x = 0, t = 0;  // t: share of the way from `from` to `to`
-    const ClippedCorner *from = nullptr, *to = nullptr;
+    ClippedCorner from, to;
 };
+using Crossings = std::pmr::vector<Crossing>;
 
 /// Crossings of the scanline at height y, from left to right. An edge is crossed if y0 <= y < y1 or y1 <= y <
 /// y0, so that a corner counts once and a horizontal edge never.
-std::pmr::vector<Crossing> crossings_at(const std::pmr::vector<ClippedCorner>& polygon, double y,
-                                        ClipMemory& memory) {
-    std::pmr::vector<Crossing> found(&memory.pool);
-    found.reserve(polygon.size());
+void find_crossings(Crossings& found, const std::pmr::vector<ClippedCorner>& polygon, double y) {
+    found.clear();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const ClippedCorner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
         if ((a.pixel.y <= y) == (b.pixel.y <= y)) continue;
         const double t = (y - a.pixel.y) / (b.pixel.y - a.pixel.y);
-        found.push_back({a.pixel.x + t * (b.pixel.x - a.pixel.x), t, &a, &b});
+        found.push_back({a.pixel.x + t * (b.pixel.x - a.pixel.x), t, a, b});
     }
     std::sort(found.begin(), found.end(), [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
-    return found;
 }
 
 /// The height of the sample, moved onto the polygon where the rasteriser's grid put it a hair outside.
@@ -98,35 +98,75 @@ double height_within(const std::pmr::vector<ClippedCorner>& polygon, double y) {
     return std::clamp(y, low->pixel.y, std::nextafter(high->pixel.y, low->pixel.y));
 }
 
+/// Crossings of the face with the scanline at height y.
+void cross_face(Crossings& found, const Geometry& g, std::uint32_t object, std::uint32_t face, double y) {
+    const Mesh& mesh = *g.objects[object].mesh;
+    ClipMemory memory;
+    std::pmr::vector<std::uint32_t> corners(mesh.first_corner[face + 1] - mesh.first_corner[face],
+                                            &memory.pool);
+    std::iota(corners.begin(), corners.end(), mesh.first_corner[face]);
+    const auto polygon = clip_at_near(g, object, corners, memory);
+    found.clear();
+    if (!polygon.empty()) find_crossings(found, polygon, height_within(polygon, y));
+}
+
+/// The crossings that this thread found last. Pixels come row by row: without these, a polygon of n corners
+/// costs n for each of its pixels, which takes minutes where it has 100,000.
+struct CrossedRow {
+    std::uint64_t geometry = 0;  // Geometry::state
+    std::uint32_t object = 0, face = 0;
+    double y = 0;
+    Crossings crossings;
+};
+
+const Crossings& crossings_of_row(const Geometry& g, std::uint32_t object, std::uint32_t face, double y) {
+    thread_local CrossedRow row;
+    if (row.geometry != g.state || row.object != object || row.face != face || row.y != y) {
+        row.geometry = 0;  // should there be no memory for the crossings
+        cross_face(row.crossings, g, object, face, y);
+        row.geometry = g.state, row.object = object, row.face = face, row.y = y;
+    }
+    return row.crossings;
+}
+
+/// The first of the two crossings around x; of a polygon that is not convex there may be several twos, and
+/// where x lies in none it is the nearest, of equals the left one. Precondition: there are two.
+std::size_t nearest_two(const Crossings& crossings, double x) {
+    const auto outside = [&](std::size_t two) {
+        return std::max({crossings[2 * two].x - x, x - crossings[2 * two + 1].x, 0.0});
+    };
+    std::size_t low = 0,
+                end = crossings.size() / 2 - 1;  // the first that ends at x or behind it, or the last
+    while (low < end) {
+        const std::size_t middle = low + (end - low) / 2;
+        if (crossings[2 * middle + 1].x < x)
+            low = middle + 1;
+        else
+            end = middle;
+    }
+    while (low > 0 && outside(low - 1) <= outside(low)) --low;
+    return 2 * low;
+}
+
 CornerWeights scanline_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
-    const Vec3<float> perspective{face.weights.x, face.weights.y, face.weights.z};
+    constexpr std::uint32_t few = 16;  // to look whether the row is known costs as much
     const Mesh& mesh = *g.objects[face.object].mesh;
     ClipMemory memory;
-    std::pmr::vector<std::uint32_t> corners(&memory.pool);
-    for (std::uint32_t c = mesh.first_corner[triangle.face]; c < mesh.first_corner[triangle.face + 1]; ++c)
-        corners.push_back(c);
-    const auto polygon = clip_at_near(g, face.object, corners, memory);
-    CornerWeights weights;
-    if (polygon.empty()) return of_triangle(triangle, perspective);
-    const auto crossing = crossings_at(polygon, height_within(polygon, face.at.y), memory);
-    // The pair of crossings around the sample; of a polygon that is not convex there may be several pairs.
+    Crossings own(&memory.pool);
+    const bool has_few = mesh.first_corner[triangle.face + 1] - mesh.first_corner[triangle.face] <= few;
+    if (has_few) cross_face(own, g, face.object, triangle.face, face.at.y);
+    const Crossings& crossings = has_few ? own : crossings_of_row(g, face.object, triangle.face, face.at.y);
+    if (crossings.size() < 2) return of_triangle(triangle, {face.weights.x, face.weights.y, face.weights.z});
     const double at = face.at.x;
-    const Crossing *left = nullptr, *right = nullptr;
-    double best = HUGE_VAL;
-    for (std::size_t i = 1; i < crossing.size(); i += 2) {
-        const double outside = std::max({crossing[i - 1].x - at, at - crossing[i].x, 0.0});
-        if (outside >= best) continue;
-        best = outside;
-        left = &crossing[i - 1];
-        right = &crossing[i];
-    }
-    if (!left) return of_triangle(triangle, perspective);
-    const double span = right->x - left->x;
-    const double s = span > 0 ? std::clamp((at - left->x) / span, 0.0, 1.0) : 0.0;
-    add_clipped(weights, *left->from, (1 - s) * (1 - left->t));
-    add_clipped(weights, *left->to, (1 - s) * left->t);
-    add_clipped(weights, *right->from, s * (1 - right->t));
-    add_clipped(weights, *right->to, s * right->t);
+    const std::size_t first = nearest_two(crossings, at);
+    const Crossing &left = crossings[first], &right = crossings[first + 1];
+    const double span = right.x - left.x;
+    const double s = span > 0 ? std::clamp((at - left.x) / span, 0.0, 1.0) : 0.0;
+    CornerWeights weights;
+    add_clipped(weights, left.from, (1 - s) * (1 - left.t));
+    add_clipped(weights, left.to, (1 - s) * left.t);
+    add_clipped(weights, right.from, s * (1 - right.t));
+    add_clipped(weights, right.to, s * right.t);
     return weights;
 }
 

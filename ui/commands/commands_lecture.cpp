@@ -59,9 +59,8 @@ void switch_animate(UiState& state) {
     state.animate.playing &= state.animate.open;
 }
 
-}  // namespace
-
-std::vector<WindowCommand> lecture_commands() {
+/// Scenes one after another, and what is asked about them.
+std::vector<WindowCommand> asking_commands() {
     return {
         {.name = "Next scene of the folder",
          .keys = {{Key::PageDown}},
@@ -97,6 +96,12 @@ std::vector<WindowCommand> lecture_commands() {
          .why_disabled =
              [](const UiState& s) { return unless(s.lesson.course != nullptr, "No lesson is open"); },
          .quiet = true},
+    };
+}
+
+/// How the picture stands before an audience.
+std::vector<WindowCommand> showing_commands() {
+    return {
         {.name = "Projector: large type, strong contrast",
          .keys = {{Key::F9}},
          .menu = Menu::Lecture,
@@ -151,6 +156,15 @@ std::vector<WindowCommand> lecture_commands() {
          .run = [](UiState& s) { s.shows_shortcuts ^= true; },
          .is_on = [](const UiState& s) { return s.shows_shortcuts; }},
     };
+}
+
+}  // namespace
+
+std::vector<WindowCommand> lecture_commands() {
+    std::vector<WindowCommand> all = asking_commands();
+    const std::vector<WindowCommand> showing = showing_commands();
+    all.insert(all.end(), showing.begin(), showing.end());
+    return all;
 }
 
 }  // namespace glint

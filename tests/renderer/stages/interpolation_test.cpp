@@ -63,6 +63,35 @@ TEST_CASE("scanline interpolation of a skew quad depends on how it is turned", "
     }
 }
 
+TEST_CASE("more corners along straight edges leave scanline interpolation as it was, in every frame",
+          "[interpolation]") {
+    // The skew quad of above, each edge cut into 40.
+    constexpr int pieces = 40;
+    const std::array<glm::vec2, 4> quad{glm::vec2(0, 0), glm::vec2(4, 0), glm::vec2(6, 4), glm::vec2(0, 4)};
+    std::vector<glm::vec3> positions, colors;
+    std::vector<std::uint32_t> face;
+    for (std::size_t edge = 0; edge < 4; ++edge)
+        for (int i = 0; i < pieces; ++i) {
+            const float t = float(i) / pieces, value = edge % 2 == 0 ? t : 1 - t;
+            positions.emplace_back(glm::mix(quad[edge], quad[(edge + 1) % 4], t) - glm::vec2(3, 2), 0);
+            colors.emplace_back(value);
+            face.push_back(static_cast<std::uint32_t>(face.size()));
+        }
+    Mesh mesh = make_mesh(positions, {face});
+    mesh.colors = colors;
+    Scene scene = values_scene(std::make_shared<const Mesh>(std::move(mesh)), 0.1f);
+    scene.shading.interpolation = Interpolation::Scanline;
+    Renderer renderer(1);
+    constexpr PictureSize one_row{101, 1};  // in which every frame begins where the last one ended
+    const std::array<std::array<float, 2>, 5> rows{
+        {{0, 0.5f}, {90, 0.625f}, {45, 0.833333f}, {15, 0.648808f}, {0, 0.5f}}};
+    for (const auto& [turn, value] : rows) {
+        scene.objects[0].transform.rotate_deg.z = turn;
+        CAPTURE(turn);
+        CHECK(renderer.render(scene, one_row, true).linear_at(50, 0).x == Approx(value).epsilon(1e-4));
+    }
+}
+
 TEST_CASE("a vertex shared on one side only makes a step on the crossing scanline",
           "[interpolation][lecture]") {
     // The slide's A..H: 8 x 8, centred, so that the shared edge x = 4 stands at 0. 801 pixels over 8.01
