@@ -24,7 +24,7 @@ std::optional<int> whole_number(std::string_view text) {
     return value;
 }
 
-/// Also of a number that is too large for an int.
+/// Says whether it is a whole number, also one that is too large for an int.
 bool are_digits(std::string_view text) {
     if (text.starts_with('-')) text.remove_prefix(1);
     return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;

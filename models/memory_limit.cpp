@@ -56,7 +56,8 @@ std::optional<Result<std::uint64_t>> from_environment() {
     return parse_memory_size("GLINT_MEMORY", text);
 }
 
-/// Without set_memory_limit(); neither the environment nor the machine changes while the program runs.
+/// Returns the limit where set_memory_limit() was not called; neither the environment nor the machine changes
+/// while the program runs.
 std::uint64_t limit_of_surroundings() {
     static const std::uint64_t limit = [] {
         const auto named = from_environment();

@@ -20,6 +20,12 @@ Problem cannot_read(const std::string& path, int error) {
     return cannot("read", path, error, "a regular file that can be read");
 }
 
+/// Asks for the file, links followed; returns 0 or the errno.
+int ask_status(const std::string& path, struct stat& status) {
+    if (path.find('\0') != std::string::npos) return ENOENT;
+    return ::stat(path.c_str(), &status) == 0 ? 0 : errno;
+}
+
 std::optional<Problem> why_not_readable(const std::string& path, const struct stat& status) {
     const auto problem = [&](const char* what) { return Problem{path, "", what, "a regular file"}; };
     if (S_ISDIR(status.st_mode)) return problem("is a directory");
@@ -56,8 +62,7 @@ Result<std::string> read_all(int descriptor, const std::string& path, std::size_
 
 Result<std::string> read_regular(const std::string& path, std::size_t max_bytes, const CheckBlock& check) {
     struct stat status {};
-    if (path.find('\0') != std::string::npos) return cannot_read(path, ENOENT);
-    if (::stat(path.c_str(), &status) != 0) return cannot_read(path, errno);
+    if (const int error = ask_status(path, status)) return cannot_read(path, error);
     // Asked before opening, which would wait at a pipe and may do things to a device; and again after.
     if (auto problem = why_not_readable(path, status)) return *problem;
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
@@ -77,8 +82,7 @@ std::string lower_extension(const std::string& path) {
 
 std::optional<Problem> why_not_there(const std::string& path, const char* expected) {
     struct stat status {};
-    if (path.find('\0') != std::string::npos) return cannot("read", path, ENOENT, expected);
-    if (::stat(path.c_str(), &status) != 0) return cannot("read", path, errno, expected);
+    if (const int error = ask_status(path, status)) return cannot("read", path, error, expected);
     return std::nullopt;
 }
 

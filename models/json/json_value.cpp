@@ -78,7 +78,7 @@ class ValueBuilder {
     std::size_t count_ = 0;
 };
 
-/// In the shortest form that reads back equal; null when it is not finite.
+/// Writes the shortest form that reads back equal; null when it is not finite.
 std::string number_text(double value) { return nlohmann::json(value).dump(); }
 
 bool is_structured(const JsonValue& json) { return json.is_array() || json.is_object(); }

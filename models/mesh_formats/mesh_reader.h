@@ -24,7 +24,7 @@ inline constexpr std::size_t max_corners = std::numeric_limits<std::int32_t>::ma
 
 /// Throws Refused when what the mesh holds so far does not fit in the memory that there is for it.
 void require_room(const Mesh& mesh);
-/// To be called after each vertex: asks require_room() now and then.
+/// Asks require_room() now and then; readers call it after each vertex.
 inline void vertex_read(const Mesh& mesh) {
     constexpr std::size_t vertices_between = 1 << 16;
     if (mesh.positions.size() % vertices_between == 0) require_room(mesh);

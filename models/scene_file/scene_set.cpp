@@ -81,7 +81,7 @@ class MissingParent {
     template <class Kind> void at(const Kind&, const glm::vec3& v, std::size_t step, Json& found) const {
         if (step == path_.size()) found = Json::array({v.x, v.y, v.z});
     }
-    /// Without its w, which belongs to the light's type.
+    /// Leaves w out, which belongs to the light's type.
     void at(const Homogeneous& kind, const glm::vec4& v, std::size_t step, Json& found) const {
         at(kind, glm::vec3(v), step, found);
     }

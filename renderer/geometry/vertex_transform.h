@@ -39,7 +39,7 @@ template <Number D> Outside<D> outside_of(const Point4<D>& camera, const Point4<
 /// A point on the rasteriser's grid, in its units (1/256 pixel), y down; and its depth.
 template <Number D> struct GridPoint { D x, y, inv_w; };
 
-/// To the nearest whole number, halves away from zero. |a| < 2^31.
+/// Rounds to the nearest whole number, halves away from zero. |a| < 2^31.
 template <Number D> D nearest(D a) {
     const D towards_zero = truncated(a), rest = a - towards_zero;  // exact
     return towards_zero + select(rest >= D(0.5), D(1), D(0)) - select(rest <= D(-0.5), D(1), D(0));

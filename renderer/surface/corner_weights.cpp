@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory_resource>
 #include <numeric>
+#include <optional>
 
 #include "renderer/geometry/clip.h"
 #include "renderer/geometry/interpolate.h"
@@ -70,63 +71,73 @@ CornerWeights clipped_screen_weights(const Geometry& g, const SampleFace& face, 
     return best;
 }
 
-/// Where the scanline meets an edge of the polygon.
+/// A face before the near plane.
+using Polygon = std::pmr::vector<ClippedCorner>;
+
+Polygon clipped_face(const Geometry& g, std::uint32_t object, std::uint32_t face, ClipMemory& memory) {
+    const Mesh& mesh = *g.objects[object].mesh;
+    std::pmr::vector<std::uint32_t> corners(mesh.first_corner[face + 1] - mesh.first_corner[face],
+                                            &memory.pool);
+    std::iota(corners.begin(), corners.end(), mesh.first_corner[face]);
+    return clip_at_near(g, object, corners, memory);
+}
+
+/// The scanline meets an edge of the polygon there.
 struct Crossing {
     double x = 0, t = 0;  // t: share of the way from `from` to `to`
-    ClippedCorner from, to;
+    const ClippedCorner *from = nullptr, *to = nullptr;
 };
 using Crossings = std::pmr::vector<Crossing>;
 
 /// Crossings of the scanline at height y, from left to right. An edge is crossed if y0 <= y < y1 or y1 <= y <
 /// y0, so that a corner counts once and a horizontal edge never.
-void find_crossings(Crossings& found, const std::pmr::vector<ClippedCorner>& polygon, double y) {
+void find_crossings(Crossings& found, const Polygon& polygon, double y) {
     found.clear();
+    found.reserve(polygon.size());
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const ClippedCorner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
         if ((a.pixel.y <= y) == (b.pixel.y <= y)) continue;
         const double t = (y - a.pixel.y) / (b.pixel.y - a.pixel.y);
-        found.push_back({a.pixel.x + t * (b.pixel.x - a.pixel.x), t, a, b});
+        found.push_back({a.pixel.x + t * (b.pixel.x - a.pixel.x), t, &a, &b});
     }
     std::sort(found.begin(), found.end(), [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
 }
 
 /// The height of the sample, moved onto the polygon where the rasteriser's grid put it a hair outside.
-double height_within(const std::pmr::vector<ClippedCorner>& polygon, double y) {
+double height_within(const Polygon& polygon, double y) {
     const auto [low, high] = std::minmax_element(
         polygon.begin(), polygon.end(),
         [](const ClippedCorner& a, const ClippedCorner& b) { return a.pixel.y < b.pixel.y; });
     return std::clamp(y, low->pixel.y, std::nextafter(high->pixel.y, low->pixel.y));
 }
 
-/// Crossings of the face with the scanline at height y.
-void cross_face(Crossings& found, const Geometry& g, std::uint32_t object, std::uint32_t face, double y) {
-    const Mesh& mesh = *g.objects[object].mesh;
-    ClipMemory memory;
-    std::pmr::vector<std::uint32_t> corners(mesh.first_corner[face + 1] - mesh.first_corner[face],
-                                            &memory.pool);
-    std::iota(corners.begin(), corners.end(), mesh.first_corner[face]);
-    const auto polygon = clip_at_near(g, object, corners, memory);
-    found.clear();
-    if (!polygon.empty()) find_crossings(found, polygon, height_within(polygon, y));
-}
+/// The face of many corners that this thread met last, with its crossings in the row asked last. Pixels come
+/// row by row: else a polygon of n corners costs n for each of its pixels, minutes where it has 100,000.
+struct KnownFace {
+    KnownFace(const Geometry& g, std::uint32_t of_object, std::uint32_t of_face)
+        : geometry(g.state),
+          object(of_object),
+          face(of_face),
+          polygon(clipped_face(g, object, face, memory)) {}
 
-/// The crossings that this thread found last. Pixels come row by row: without these, a polygon of n corners
-/// costs n for each of its pixels, which takes minutes where it has 100,000.
-struct CrossedRow {
-    std::uint64_t geometry = 0;  // Geometry::state
-    std::uint32_t object = 0, face = 0;
-    double y = 0;
+    std::uint64_t geometry;  // Geometry::state
+    std::uint32_t object, face;
+    ClipMemory memory;
+    Polygon polygon;
+    std::optional<double> y;  // of the row that `crossings` are of
     Crossings crossings;
 };
 
-const Crossings& crossings_of_row(const Geometry& g, std::uint32_t object, std::uint32_t face, double y) {
-    thread_local CrossedRow row;
-    if (row.geometry != g.state || row.object != object || row.face != face || row.y != y) {
-        row.geometry = 0;  // should there be no memory for the crossings
-        cross_face(row.crossings, g, object, face, y);
-        row.geometry = g.state, row.object = object, row.face = face, row.y = y;
+const Crossings& known_crossings(const Geometry& g, std::uint32_t object, std::uint32_t face, double y) {
+    thread_local std::optional<KnownFace> known;
+    if (!known || known->geometry != g.state || known->object != object || known->face != face)
+        known.emplace(g, object, face);
+    if (known->y != y && !known->polygon.empty()) {
+        known->y.reset();  // should there be no memory for the crossings
+        find_crossings(known->crossings, known->polygon, height_within(known->polygon, y));
+        known->y = y;
     }
-    return row.crossings;
+    return known->crossings;
 }
 
 /// The first of the two crossings around x; of a polygon that is not convex there may be several twos, and
@@ -135,8 +146,8 @@ std::size_t nearest_two(const Crossings& crossings, double x) {
     const auto outside = [&](std::size_t two) {
         return std::max({crossings[2 * two].x - x, x - crossings[2 * two + 1].x, 0.0});
     };
-    std::size_t low = 0,
-                end = crossings.size() / 2 - 1;  // the first that ends at x or behind it, or the last
+    // Looks for the first that ends at x or behind it, or the last.
+    std::size_t low = 0, end = crossings.size() / 2 - 1;
     while (low < end) {
         const std::size_t middle = low + (end - low) / 2;
         if (crossings[2 * middle + 1].x < x)
@@ -148,26 +159,35 @@ std::size_t nearest_two(const Crossings& crossings, double x) {
     return 2 * low;
 }
 
-CornerWeights scanline_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
-    constexpr std::uint32_t few = 16;  // to look whether the row is known costs as much
-    const Mesh& mesh = *g.objects[face.object].mesh;
-    ClipMemory memory;
-    Crossings own(&memory.pool);
-    const bool has_few = mesh.first_corner[triangle.face + 1] - mesh.first_corner[triangle.face] <= few;
-    if (has_few) cross_face(own, g, face.object, triangle.face, face.at.y);
-    const Crossings& crossings = has_few ? own : crossings_of_row(g, face.object, triangle.face, face.at.y);
-    if (crossings.size() < 2) return of_triangle(triangle, {face.weights.x, face.weights.y, face.weights.z});
-    const double at = face.at.x;
-    const std::size_t first = nearest_two(crossings, at);
+/// Interpolates between the crossings around x, and along their edges.
+CornerWeights weights_between(const Crossings& crossings, double x) {
+    const std::size_t first = nearest_two(crossings, x);
     const Crossing &left = crossings[first], &right = crossings[first + 1];
     const double span = right.x - left.x;
-    const double s = span > 0 ? std::clamp((at - left.x) / span, 0.0, 1.0) : 0.0;
+    const double s = span > 0 ? std::clamp((x - left.x) / span, 0.0, 1.0) : 0.0;
     CornerWeights weights;
-    add_clipped(weights, left.from, (1 - s) * (1 - left.t));
-    add_clipped(weights, left.to, (1 - s) * left.t);
-    add_clipped(weights, right.from, s * (1 - right.t));
-    add_clipped(weights, right.to, s * right.t);
+    add_clipped(weights, *left.from, (1 - s) * (1 - left.t));
+    add_clipped(weights, *left.to, (1 - s) * left.t);
+    add_clipped(weights, *right.from, s * (1 - right.t));
+    add_clipped(weights, *right.to, s * right.t);
     return weights;
+}
+
+CornerWeights scanline_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
+    constexpr std::uint32_t few = 16;  // clipping them anew costs no more than looking whether they are known
+    const Mesh& mesh = *g.objects[face.object].mesh;
+    const auto or_perspective = [&](const Crossings& crossings) {
+        return crossings.size() >= 2
+                   ? weights_between(crossings, face.at.x)
+                   : of_triangle(triangle, {face.weights.x, face.weights.y, face.weights.z});
+    };
+    if (mesh.first_corner[triangle.face + 1] - mesh.first_corner[triangle.face] > few)
+        return or_perspective(known_crossings(g, face.object, triangle.face, face.at.y));
+    ClipMemory memory;
+    const Polygon polygon = clipped_face(g, face.object, triangle.face, memory);
+    Crossings crossings(&memory.pool);
+    if (!polygon.empty()) find_crossings(crossings, polygon, height_within(polygon, face.at.y));
+    return or_perspective(crossings);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ std::string unless_light(const UiState& state) {
     return unless(!state.editor.scene().lights.empty(), "The scene has no light");
 }
 
-/// Under the cursor, else at the picked point.
+/// Returns the light that matters most under the cursor, else at the picked point.
 std::optional<MainLight> light_that_matters(const UiState& state) {
     if (state.viewport.main_light) return state.viewport.main_light;
     return is_explained(state) ? main_light(*state.explanation) : std::nullopt;

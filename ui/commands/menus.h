@@ -29,7 +29,7 @@ struct PaletteState {
     ItemCounts made_for;  // of the scene: entries name its lights and objects by number
 };
 
-/// Between ImGui::BeginMenuBar() and EndMenuBar().
+/// Draws the menus; called between ImGui::BeginMenuBar() and EndMenuBar().
 void menu_bar(UiState& state);
 
 /// The sheet of keys and of what the mouse does (F1 or ?), while it is open.

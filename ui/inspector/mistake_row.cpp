@@ -41,7 +41,7 @@ void cut_line(ImDrawList& list, const Rect& line, const ImVec4& colour, const ch
 }
 
 /// Words in the font in use, broken into as many lines as fit into `area`, the last one cut off with dots.
-/// Where they end.
+/// Writes the lines and returns where they end.
 float broken_lines(ImDrawList& list, const Rect& area, const ImVec4& colour, std::string_view words) {
     const float height = ImGui::GetTextLineHeight();
     const char *at = words.data(), *const end = at + words.size();

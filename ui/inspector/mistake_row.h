@@ -23,7 +23,7 @@ struct SmallLook {
     [[nodiscard]] std::string words(int index) const;
 };
 
-/// Between the picture of a row and the row's edges.
+/// Returns the distance between the picture of a row and the row's edges.
 [[nodiscard]] float small_inset();
 
 /// Draws a small picture with its corner at `low`, pale while it is of another scene than the open one, or

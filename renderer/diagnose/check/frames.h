@@ -42,7 +42,7 @@ inline constexpr std::array all_frames{Frame::Object, Frame::World, Frame::Camer
                                          glm::dvec3 point) {
     return glm::dvec3(glm::inverse(camera_from(frame, at, f)) * glm::dvec4(point, 1));
 }
-/// In normalized device coordinates.
+/// Returns the position in normalized device coordinates.
 [[nodiscard]] inline glm::dvec3 device_point(const ReadAt& at, const CheckFrames& f) {
     const glm::dvec4 clip = f.clip_from_view * glm::dvec4(at.position, 1);
     return glm::dvec3(clip) / clip.w;

@@ -27,7 +27,7 @@ struct PinnedScene {
         if (!is_alone || !pointer.starts_with(first)) return pointer;
         return fmt::format("/objects/{}/{}", object, pointer.substr(first.size()));
     }
-    /// Of many objects, only the numbers of the one that shows.
+    /// Returns the numbers to measure; if there are many objects, only those of the one that shows.
     [[nodiscard]] std::vector<SceneNumber> measured_numbers() const {
         std::vector<SceneNumber> numbers = numbers_of(document.scene);
         if (is_alone || document.scene.objects.size() <= max_stroking_objects) return numbers;
@@ -48,7 +48,7 @@ class PixelProbe {
     }
 
     [[nodiscard]] glm::dvec3 color_now() const { return color_of(still_.explain(x_, y_), document_.scene); }
-    /// With another value of one number; nothing where the scene does not allow it.
+    /// Returns the colour with another value of one number; nothing where the scene does not allow it.
     [[nodiscard]] std::optional<glm::dvec3> color_with(const SceneNumber& number, double value) {
         Scene scene = document_.scene;
         if (set_number(scene, number.pointer, value)) return std::nullopt;

@@ -45,7 +45,7 @@ class TextLine {
     TextLine& raised(const std::string& text, const ImVec4& colour);
     /// Sets what "Copy line" copies in the menus of the numbers that follow.
     TextLine& copied_as(std::string line);
-    /// At the right edge of the column.
+    /// Writes the result at the right edge of the column.
     void result(const std::string& text, const ImVec4& colour);
     TextLine& gap(float width);
     /// Keeps what draw() draws on one line if it fits into one: a value with its name. draw() is called
