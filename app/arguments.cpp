@@ -147,12 +147,11 @@ void require_writable(const std::string& out) {
     if (const auto problem = why_not_writable(out)) throw Failure{ExitStatus::Impossible, *problem};
 }
 
-void require_other_file(const std::string& out, const std::vector<std::string>& pictures) {
+void require_other_file(const std::string& out, const std::vector<std::string>& files) {
     const std::string replaced = replaced_file(out);
-    for (const std::string& picture : pictures)
-        if (!replaced.empty() && replaced == replaced_file(picture))
-            throw wrong_usage("-o", out + " is the picture that is read, which would be lost",
-                              "another name");
+    for (const std::string& file : files)
+        if (!replaced.empty() && replaced == replaced_file(file))
+            throw wrong_usage("-o", out + " is the file that is read, which would be lost", "another name");
 }
 
 bool takes_png(const std::string& out) {

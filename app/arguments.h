@@ -58,8 +58,8 @@ void require_file(const SceneArguments& arguments);
 /// Throws the Failure of an output file that could not be written when the work is done; "-" can.
 void require_writable(const std::string& out);
 
-/// Throws the Failure of an output that would replace one of the pictures it is made from.
-void require_other_file(const std::string& out, const std::vector<std::string>& pictures);
+/// Throws the Failure of an output that would replace one of the files it is made from.
+void require_other_file(const std::string& out, const std::vector<std::string>& files);
 
 /// True for an output that is written as PNG: "-", a name that ends in .png, and a device or pipe whose name
 /// has no extension.

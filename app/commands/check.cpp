@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -38,6 +39,28 @@ std::string buffer_file(const std::string& directory, const std::string& name) {
     if (is_there(pfm))
         throw Failure{ExitStatus::Impossible, {exr, "", "stands beside " + name + ".pfm", "one of the two"}};
     return exr;
+}
+
+/// A warning of the pictures in the directory that are none of the scene's buffers, by their names.
+Warnings unknown_pictures(const std::string& directory, std::vector<std::string> known) {
+    constexpr std::size_t most = 5;
+    known.emplace_back("face");  // render writes it, and nothing is compared with it
+    std::vector<std::string> unknown;
+    std::error_code ignored;
+    for (std::filesystem::directory_iterator at(directory, ignored), end; !ignored && at != end;
+         at.increment(ignored)) {
+        const std::filesystem::path file = at->path().filename();
+        const bool is_picture = file.extension() == ".pfm" || file.extension() == ".exr";
+        if (is_picture && std::find(known.begin(), known.end(), file.stem().string()) == known.end())
+            unknown.push_back(on_one_line(file.string()));
+    }
+    if (unknown.empty()) return {};
+    std::sort(unknown.begin(), unknown.end());
+    const std::size_t more = unknown.size() - std::min(unknown.size(), most);
+    unknown.resize(unknown.size() - more);
+    return {fmt::format("{}: no buffer of this scene has the name of {}{}: not compared",
+                        on_one_line(directory), fmt::join(unknown, ", "),
+                        more > 0 ? fmt::format(" and {} more", more) : "")};
 }
 
 std::vector<PixelBuffer> read_buffers(const std::string& directory, const Scene& scene) {
@@ -76,7 +99,10 @@ Outcome check(const CheckArguments& arguments) {
         throw Failure{ExitStatus::Impossible,
                       {arguments.directory, "", "there is no pixel to compare",
                        "a size at which the scene shows a surface of some size"}};
-    return {arguments.format == CheckFormat::Json ? check_json(found) : check_text(found), document.warnings,
+    Warnings warnings = document.warnings;
+    for (std::string& unknown : unknown_pictures(arguments.directory, checked_buffers(document.scene)))
+        warnings.push_back(std::move(unknown));
+    return {arguments.format == CheckFormat::Json ? check_json(found) : check_text(found), warnings,
             ExitStatus::Done};
 }
 

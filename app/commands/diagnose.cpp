@@ -66,9 +66,9 @@ std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments, c
     std::optional<Progress> progress;
     if (many) progress.emplace("picture", arguments.pictures.size());
     DiagnosisOptions options{arguments.pairs, threads, {}};
-    if (!many && arguments.pairs)
+    if (!many)
         options.progress = [&progress](std::size_t done, std::size_t all) {
-            if (!progress) progress.emplace("pair", all);
+            if (!progress) progress.emplace("explanation", all);
             progress->at(done);
         };
     std::vector<DiagnosedPicture> all;

@@ -19,6 +19,7 @@ Outcome export_scene(const ExportArguments& arguments) {
     require_given(arguments.out, "-o", "a .glb file");
     if (lower_extension(arguments.out) != ".glb")
         throw wrong_usage("-o", arguments.out + " has another extension", ".glb");
+    require_other_file(arguments.out, {arguments.scene.file});
     const SceneDocument document = open_scene(arguments.scene);
     const std::string name = std::filesystem::path(arguments.scene.file).stem().string();
     Result<GltfWritten> made = glb_of(document.scene, name);

@@ -36,6 +36,8 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
         *std::find_if(all.begin(), all.end(), [](const Judged& j) { return j.mistakes.empty(); });
     d.unlike = static_cast<double>(none.score.unlike) / static_cast<double>(none.score.compared);
     d.display = display_finding(exhibit, best.drawing.picture, best.change);
+    const Judged& shown = best.score.fits() ? best : none;
+    d.pixels = count_unlike(exhibit, shown.drawing.picture, shown.change);
     if (best.score.fits() && best.is_right) {
         d.verdict = Verdict::NoMistake;
         return;

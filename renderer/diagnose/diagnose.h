@@ -69,7 +69,10 @@ struct Diagnosis {
     std::string why;  // of NotComparable
     DisplayFinding display;
     std::vector<Candidate> candidates;  // best first
-    double unlike = 0;                  // share of the comparable pixels that differ from the right picture
+    // What differs, by PixelKind, from the right picture, or from the first candidate where that is the
+    // verdict:
+    std::array<PixelCount, 3> pixels{};
+    double unlike = 0;  // share of the comparable pixels that differ from the right picture
     std::vector<DifferenceRegion> regions;
     std::vector<DifferenceTerm> terms;
     std::optional<Experiment> experiment;

@@ -72,6 +72,17 @@ JsonValue difference_json(const Diagnosis& d, const Scene& scene) {
     return json;
 }
 
+JsonValue pixels_json(const std::array<PixelCount, 3>& counts) {
+    JsonValue json;
+    for (const auto& [name, kind] : {std::pair{"surface", PixelKind::Surface},
+                                     {"edge", PixelKind::Edge},
+                                     {"background", PixelKind::Background}}) {
+        const PixelCount& count = counts[static_cast<std::size_t>(kind)];
+        json[name] = {{"pixels", count.pixels}, {"unlike", count.unlike}};
+    }
+    return json;
+}
+
 JsonValue answer_json(const Diagnosis& d, const Scene& scene) {
     JsonValue json;
     json["verdict"] = verdict_text(d.verdict);
@@ -79,6 +90,7 @@ JsonValue answer_json(const Diagnosis& d, const Scene& scene) {
     json["width"] = d.size.width;
     json["height"] = d.size.height;
     json["display"] = display_json(d.display);
+    json["pixels"] = pixels_json(d.pixels);
     JsonValue& candidates = json["candidates"] = JsonValue::array();
     for (const Candidate& c : d.candidates) candidates.push_back(candidate_json(c));
     if (d.verdict == Verdict::NotInCatalogue) json["difference"] = difference_json(d, scene);

@@ -87,6 +87,21 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
     return text;
 }
 
+/// What differs although nothing is wrong: at edges, or in too few pixels. Empty where nothing does.
+std::string still_unlike_line(const std::array<PixelCount, 3>& counts) {
+    std::vector<std::string> kinds;
+    const auto add = [&](PixelKind kind, std::string_view where) {
+        const PixelCount& count = counts[static_cast<std::size_t>(kind)];
+        if (count.unlike > 0) kinds.push_back(fmt::format("{} of {} {}", count.unlike, count.pixels, where));
+    };
+    add(PixelKind::Surface, "on surfaces, too few for a mistake");
+    add(PixelKind::Edge, "at edges, which are not compared");
+    add(PixelKind::Background, "in the background, which is not compared");
+    if (kinds.empty()) return "";
+    return fmt::format("Pixels that differ by more than {} levels: {}.\n", visible_levels,
+                       fmt::join(kinds, "; "));
+}
+
 }  // namespace
 
 std::string_view verdict_text(Verdict verdict) {
@@ -137,6 +152,7 @@ std::string diagnosis_text(const Diagnosis& d, const Scene& scene) {
     if (d.verdict == Verdict::NotComparable) return text;
     if (const std::string display = display_text(d.display); !display.empty())
         text += "Taken away first, as no mistake of lighting: " + display + ".\n";
+    if (d.verdict == Verdict::NoMistake) text += still_unlike_line(d.pixels);
     if (d.verdict == Verdict::Mistake) text += candidate_lines(d.candidates.front());
     if (d.experiment) text += "To be sure, " + experiment_line(*d.experiment);
     if (d.verdict == Verdict::NotInCatalogue) text += difference_lines(d, scene);

@@ -152,6 +152,21 @@ void take_normals(std::vector<ObjectNormals>& kept, const Scene& scene) {
     }
 }
 
+/// The facet normal, object coordinates. The last of a face of many corners is kept by each thread: pixels
+/// come face by face, and else a polygon of n corners would cost n for each of its pixels.
+glm::vec3 known_facet_normal(const std::shared_ptr<const Mesh>& mesh, std::uint32_t face) {
+    constexpr std::size_t many_corners = 64;
+    if (mesh->corners_of(face).size() < many_corners) return facet_normal(*mesh, face);
+    struct Known {
+        std::weak_ptr<const Mesh> mesh;  // whose address no other mesh has as long as it is not expired
+        std::uint32_t face = 0;
+        glm::vec3 normal{0};
+    };
+    thread_local Known known;
+    if (known.face != face || known.mesh.lock() != mesh) known = {mesh, face, facet_normal(*mesh, face)};
+    return known.normal;
+}
+
 }  // namespace
 
 NormalMistakes normal_mistakes(const Mistakes& m) {
@@ -185,7 +200,7 @@ bool same_normals(const std::vector<ObjectNormals>& kept, const Scene& scene) {
 
 glm::vec3 camera_facet_normal(const ObjectGeometry& object, bool flip, std::uint32_t face,
                               const NormalMistakes& mistakes) {
-    const glm::vec3 facet = facet_normal(*object.mesh, face);
+    const glm::vec3 facet = known_facet_normal(object.mesh, face);
     const Vec3<double> n = object_normal(mistakes.facets_reversed ? -facet : facet, mistakes);
     return to_glm(unit_or_zero(normal_frame(object, flip, mistakes).to_camera(n)));
 }

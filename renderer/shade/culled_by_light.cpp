@@ -1,5 +1,6 @@
 #include "renderer/shade/culled_by_light.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <glm/geometric.hpp>
@@ -36,10 +37,18 @@ std::vector<std::uint8_t> culled_by_light(const Scene& scene, const Geometry& g)
     for (std::size_t o = 0; o < g.objects.size(); ++o) {
         const ObjectGeometry& object = g.objects[o];
         const std::vector<Triangle>& triangles = object.mesh->triangles;
-        tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t t) {
-            const std::uint32_t face = triangles[t].face;
-            const glm::vec3 n = camera_facet_normal(object, scene.objects[o].normals.flip, face, mistakes);
-            culled[object.first_triangle + t] = faces_away(object, face, glm::dvec3(n), light);
+        const bool flip = scene.objects[o].normals.flip;
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, triangles.size()), [&](const auto& range) {
+            std::uint32_t face = no_index;  // of the triangle before: a polygon of many is asked once
+            std::uint8_t away = 0;
+            for (std::size_t t = range.begin(); t != range.end(); ++t) {
+                if (triangles[t].face != face) {
+                    face = triangles[t].face;
+                    const glm::dvec3 n(camera_facet_normal(object, flip, face, mistakes));
+                    away = faces_away(object, face, n, light) ? 1 : 0;
+                }
+                culled[object.first_triangle + t] = away;
+            }
         });
     }
     return culled;

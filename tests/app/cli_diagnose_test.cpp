@@ -71,6 +71,45 @@ TEST_CASE("glint diagnose says what it found in at most five lines", "[cli][diag
     CHECK(lines(mistake.out) <= 5);
 }
 
+TEST_CASE("glint diagnose counts what differs where nothing is compared", "[cli][diagnose]") {
+    const Files files;
+    const TemporaryDirectory buffers;
+    Picture depth, picture = std::get<Picture>(read_png(files.drawn("right.png", {})));
+    (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});
+    depth = std::get<Picture>(read_picture(buffers.path("depth.pfm")));
+    const auto paint = [&](int x, int y) {
+        picture.rgba[4 * picture.size.index(x, y)] = 255;
+        picture.rgba[4 * picture.size.index(x, y) + 1] ^= 0x80;
+    };
+    const auto shown = [&](int x, int y) { return depth.linear[3 * depth.size.index(x, y)] > 0; };
+    std::size_t outline = 0;
+    for (int y = 0; y < picture.size.height; ++y)
+        for (int x = 0; x + 1 < picture.size.width; ++x)
+            if (shown(x, y) && !shown(x + 1, y)) {
+                paint(x, y);
+                ++outline;
+            }
+    paint(0, 0);
+    paint(2, 0);
+    REQUIRE(outline > 20);
+    const std::string painted = files.directory.file("painted.png", png_bytes(picture, {}));
+    const json counts =
+        json::parse(run_glint({"diagnose", files.scene, painted, "--format", "json"}).out)["pixels"];
+    CHECK(counts["edge"]["unlike"] == outline);
+    CHECK(counts["surface"]["unlike"] == 0);
+    CHECK(counts["background"]["unlike"] == 2);
+    std::size_t all = 0;
+    for (const json& count : counts) all += count["pixels"].get<std::size_t>();
+    CHECK(all == picture.size.pixels());
+    CHECK(run_glint({"diagnose", files.scene, painted}).out ==
+          fmt::format(
+              "No mistake: the picture shows the scene as Glint does.\nPixels that differ by more than "
+              "2 levels: {} of {} at edges, which are not compared; 2 of {} in the background, which is "
+              "not compared.\n",
+              outline, counts["edge"]["pixels"].get<std::size_t>(),
+              counts["background"]["pixels"].get<std::size_t>()));
+}
+
 TEST_CASE("glint diagnose writes a sheet of four pictures", "[cli][diagnose]") {
     const Files files;
     const std::string wrong = files.drawn("wrong.png", {"--set", "/shading/mistakes/normals_flipped=true"});
@@ -216,6 +255,23 @@ TEST_CASE("glint check reads buffers that are EXR", "[cli][buffers][check]") {
     REQUIRE(std::filesystem::exists(buffers.path("sum.exr")));
     CHECK(run_glint({"check", files.scene, buffers.path("")}).out.find("Nothing differs.\n") !=
           std::string::npos);
+}
+
+TEST_CASE("glint check names the pictures that it does not compare", "[cli][buffers][check]") {
+    const Files files;
+    const TemporaryDirectory buffers;
+    (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});
+    const auto warning = [&] { return run_glint({"check", files.scene, buffers.path("")}).err; };
+    CHECK(warning().empty());  // face.pfm is there, and nobody expects it to be compared
+    (void)buffers.file("notes.txt", "");
+    (void)buffers.file("l_99.pfm", "");
+    (void)buffers.file("normals.exr", "");
+    CHECK(warning() == "glint: warning: " + buffers.path("") +
+                           ": no buffer of this scene has the name of l_99.pfm, normals.exr: not compared\n");
+    for (int i = 0; i < 9; ++i) (void)buffers.file(fmt::format("a{}.pfm", i), "");
+    CHECK(warning() == "glint: warning: " + buffers.path("") +
+                           ": no buffer of this scene has the name of a0.pfm, a1.pfm, a2.pfm, a3.pfm, a4.pfm "
+                           "and 6 more: not compared\n");
 }
 
 TEST_CASE("glint check refuses bad input in one line", "[cli][check][bad-input]") {

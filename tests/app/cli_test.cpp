@@ -313,22 +313,28 @@ TEST_CASE("a PNG's bytes are read as they are stored, whatever its gamma says", 
     CHECK(json::parse(ended.out)["max_error"] == 0);
 }
 
-TEST_CASE("a sheet or a difference does not replace the picture that it is made of", "[cli][compare]") {
+TEST_CASE("a sheet, a difference or an export does not replace the file that it is made of",
+          "[cli][compare][export]") {
     const TemporaryDirectory directory;
-    const std::string scene = directory.file("scene.json", R"({"glint": 1})"), a = directory.path("a.png"),
-                      b = directory.path("b.png");
+    const std::string scene = directory.file(
+        "scene.json", R"({"glint": 1, "objects": [{"mesh": {"primitive": "sphere", "detail": 4}}]})");
+    const std::string a = directory.path("a.png"), b = directory.path("b.png"),
+                      model = directory.path("model.glb");
     for (const std::string& picture : {a, b}) must({"render", scene, "-o", picture, "--size", "64x48"});
-    const std::string before = bytes_of(a), link = directory.path("link.png");
+    must({"export", scene, "-o", model});
+    const std::string link = directory.path("link.png");
     std::filesystem::create_symlink(a, link);
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{"compare", a, b, "-o", a},
                                                       {"compare", b, a, "-o", link},
-                                                      {"diagnose", scene, a, "-o", a}}) {
+                                                      {"diagnose", scene, a, "-o", a},
+                                                      {"export", model, "-o", model}}) {
+        const std::string before = bytes_of(arguments.back());
         const Ended ended = run_glint(arguments);
         CAPTURE(ended.err);
         CHECK(ended.status == 2);
-        CHECK(ended.err.find("is the picture that is read, which would be lost; expected another name") !=
+        CHECK(ended.err.find("is the file that is read, which would be lost; expected another name") !=
               std::string::npos);
-        CHECK(bytes_of(a) == before);
+        CHECK(bytes_of(arguments.back()) == before);
     }
 }
 

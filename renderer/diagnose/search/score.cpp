@@ -154,6 +154,29 @@ Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
     return all;
 }
 
+std::array<PixelCount, 3> count_unlike(const Exhibit& e, const Picture& drawn, const DisplayChange& change) {
+    const ByteRanges ranges = byte_ranges(change);
+    std::optional<Rgb> background = e.grounds[way_turned(change)];
+    if (background && change.red_blue) std::swap((*background)[0], (*background)[2]);
+    const Expected expected(drawn, nullptr, ranges, change.soft, {});
+    std::array<PixelCount, 3> counts;
+    for (int y = 0; y < drawn.size.height; ++y)
+        for (int x = 0; x < drawn.size.width; ++x) {
+            const PixelKind kind = e.kinds[drawn.size.index(x, y)];
+            const Rgb mine = mine_at(e.wrong, change, x, y);
+            const std::array<ByteRange, 3> ours = expected.at(x, y);
+            float off = 0;
+            for (std::size_t c = 0; c < 3; ++c)
+                off = std::max(off, kind == PixelKind::Background && background
+                                        ? std::abs(float((*background)[c]) - float(mine[c]))
+                                        : ours[c].distance(mine[c]));
+            PixelCount& count = counts[static_cast<std::size_t>(kind)];
+            ++count.pixels;
+            count.unlike += off > visible_levels ? 1 : 0;
+        }
+    return counts;
+}
+
 Rgb shown(const ByteRanges& ranges, Rgb drawn) {
     Rgb colour{};
     for (std::size_t c = 0; c < 3; ++c) {

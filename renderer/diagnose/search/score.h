@@ -59,6 +59,15 @@ inline constexpr float visible_levels = 2;
 [[nodiscard]] Score score(const Exhibit& exhibit, const Drawing& drawn, const DisplayChange& change,
                           int step = 1);
 
+/// How many pixels there are of a kind, and how many of them differ by more than visible_levels.
+struct PixelCount {
+    std::uint64_t pixels = 0, unlike = 0;
+};
+/// Of each PixelKind, what differs from a drawing: of the background from the colour that more than half of
+/// it has in the wrong picture, where there is one.
+[[nodiscard]] std::array<PixelCount, 3> count_unlike(const Exhibit& exhibit, const Picture& drawn,
+                                                     const DisplayChange& change);
+
 /// What the changed picture would show of a byte of the scene's, in whole levels.
 [[nodiscard]] Rgb shown(const ByteRanges& ranges, Rgb drawn);
 /// The wrong picture's colour at a pixel of the scene's picture, channels in the scene's order.

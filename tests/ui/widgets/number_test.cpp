@@ -163,6 +163,23 @@ TEST_CASE("what is not a number leaves the number alone and says so in one line"
     CHECK(bench.last_note().find('\n') == std::string::npos);
 }
 
+TEST_CASE("a long calculation is calculated to its end, and one that fills the field is no number",
+          "[ui][window][numbers]") {
+    Bench bench;
+    const auto typed = [&](int terms) {
+        bench.click(bench.field());
+        std::string sum = "0.5";
+        for (int i = 0; i < terms; ++i) sum += "+1";
+        bench.type(sum.c_str());
+        bench.tap(enter_key);
+        return bench.intensity();
+    };
+    CHECK(typed(200) == 200.5f);
+    CHECK(bench.state.notifications.list.empty());
+    CHECK(typed(2000) == 200.5f);
+    CHECK(bench.last_note().find("+1+…” is not a number: it fills the field") != std::string::npos);
+}
+
 TEST_CASE("what is typed out of range is the nearest in it, and that is said", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());

@@ -9,14 +9,15 @@
 #include <cstdlib>
 #include <utility>
 
+#include "models/json/json_reader.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/numbers/expression.h"
 
 namespace glint {
 namespace {
 
-constexpr float press_becomes_drag = 3;  // logical pixels that a press may move and still be a click
-constexpr std::size_t longest_text = 128;
+constexpr float press_becomes_drag = 3;     // logical pixels that a press may move and still be a click
+constexpr std::size_t longest_text = 1024;  // bytes, with the 0 at its end
 
 // The one number in hand, kept from frame to frame as ui/ui.h says.
 
@@ -74,12 +75,19 @@ void begin_typing(ImGuiID id, float value) {
     GImGui->NavActivateFlags = ImGuiActivateFlags_PreferInput;
 }
 
+/// What more would have been typed does not get lost unseen: a full field is no number.
+Calculated calculated_typing(const Typing& typing) {
+    const std::string_view text = typing.text.data();
+    if (text.size() + 1 == longest_text) return {0, "it fills the field, which takes no more characters"};
+    return calculated(text, double(typing.before));
+}
+
 bool take_typed(float& value, const Range& range) {
     Typing& typing = hand.typing;
     const std::string text = typing.text.data();
     typing.problem.clear();
     if (text == typing.began_with) return assign(value, double(typing.before), range);
-    const Calculated found = calculated(text, double(typing.before));
+    const Calculated found = calculated_typing(typing);
     typing.problem = found.problem;
     return found.problem.empty() && assign(value, found.value, range);
 }
@@ -90,10 +98,10 @@ bool end_typing(float& value, const Range& range) {
     hand = {};
     const std::string text = typing.text.data();
     if (text.empty() || text == typing.began_with) return assign(value, double(typing.before), range);
-    const Calculated found = calculated(text, double(typing.before));
+    const Calculated found = calculated_typing(typing);
     if (!found.problem.empty()) {
         refused_text = text;
-        say(fmt::format("“{}” is not a number: {}. The field keeps {}", text, found.problem,
+        say(fmt::format("“{}” is not a number: {}. The field keeps {}", shortened(text), found.problem,
                         exact_text(typing.before)));
         return assign(value, double(typing.before), range);
     }
