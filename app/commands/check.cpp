@@ -92,8 +92,9 @@ Outcome check(const CheckArguments& arguments) {
         throw wrong_usage("DIR", arguments.directory + " is not a directory", expected);
     const SceneDocument document = open_scene(arguments.scene);
     const std::vector<PixelBuffer> buffers = read_buffers(arguments.directory, document.scene);
-    const MemoryShare share(memory_need(
-        MemoryUse::Pixels, buffers_memory(buffers.front().picture.size, buffers.size() + buffers_at_once)));
+    const PictureSize size = buffers.front().picture.size;
+    const MemoryShare share(
+        memory_need(MemoryUse::Pixels, buffers_memory(size, buffers.size() + buffers_at_once(size))));
     const BufferCheck found = check_buffers(document, buffers, arguments.scene.threads);
     if (found.compared == 0)
         throw Failure{ExitStatus::Impossible,

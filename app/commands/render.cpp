@@ -6,6 +6,7 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
+#include "app/progress.h"
 #include "models/io/file.h"
 #include "models/memory_limit.h"
 #include "renderer/image/image_file.h"
@@ -45,8 +46,9 @@ PictureFormat buffer_format(PictureFormat format) {
 
 /// Asked for before anything is drawn, which may take long.
 MemoryShare share_of_output(const RenderArguments& arguments, PictureFormat format) {
+    const PictureSize size = arguments.size;
     const std::uint64_t buffers =
-        arguments.buffers.empty() ? 0 : buffers_memory(arguments.size) + exr_memory(arguments.size);
+        arguments.buffers.empty() ? 0 : buffers_memory(size, buffers_at_once(size)) + exr_memory(size);
     return MemoryShare(memory_need(MemoryUse::Output, file_memory(format, arguments.size) + buffers));
 }
 
@@ -91,7 +93,11 @@ void require_apart(const RenderArguments& arguments, const Scene& scene) {
 void add_buffers(Outcome& outcome, const RenderArguments& arguments, const Renderer& renderer,
                  const Scene& scene) {
     const PictureFormat format = buffer_format(format_of(arguments.out));
-    visit_pixel_buffers(renderer, scene, arguments.size, buffer_names(scene), [&](const PixelBuffer& buffer) {
+    const std::vector<std::string> names = buffer_names(scene);
+    Progress progress("buffer", names.size());
+    std::size_t count = 0;
+    visit_pixel_buffers(renderer, scene, arguments.size, names, [&](const PixelBuffer& buffer) {
+        progress.at(++count);
         outcome.put_aside(buffer_path(arguments, buffer.name), picture_bytes(buffer.picture, format, 1, {}));
         return true;
     });

@@ -206,6 +206,22 @@ Result<GltfFile> GltfFile::read(const std::string& path) {
     return parse(std::get<std::string>(std::move(bytes)), path);
 }
 
+namespace {
+
+std::vector<std::size_t> first_parts_of(const Json& root) {
+    std::vector<std::size_t> first{0};
+    const auto meshes = root.find("meshes");
+    if (meshes == root.end() || !meshes->is_array()) return first;
+    for (const Json& one : *meshes) {
+        const auto primitives = one.is_object() ? one.find("primitives") : one.end();
+        const bool has_any = primitives != one.end() && primitives->is_array();
+        first.push_back(first.back() + (has_any ? primitives->size() : 0));
+    }
+    return first;
+}
+
+}  // namespace
+
 Result<GltfFile> GltfFile::parse(std::string bytes, const std::string& path) {
     const auto document = std::make_shared<GltfDocument>();
     try {
@@ -222,6 +238,7 @@ Result<GltfFile> GltfFile::parse(std::string bytes, const std::string& path) {
         check_extensions(root);
         document->is_quantized = is_quantized(root);
         read_buffers(*document, chunks);
+        document->first_parts = first_parts_of(document->root);
         return GltfFile(document);
     } catch (ProblemFound& found) {
         found.problem.file = path;

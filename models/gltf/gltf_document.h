@@ -27,6 +27,8 @@ struct GltfDocument {
     std::vector<std::string_view> buffers;
     Json root;
     bool is_quantized = false;  // it names KHR_mesh_quantization
+    // #meshes + 1: the number of each mesh's first primitive, counted through all, and how many there are.
+    std::vector<std::size_t> first_parts;
     MemoryShare share;
 };
 

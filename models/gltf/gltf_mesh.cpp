@@ -149,22 +149,24 @@ Result<Mesh> GltfFile::mesh(int part) const {
     Mesh mesh;
     try {
         const Node root(document_->root);
-        int number = 0;
+        const std::vector<std::size_t>& first = document_->first_parts;
+        if (part < 0 || static_cast<std::size_t>(part) >= first.back())
+            return Problem{
+                document_->path, "", fmt::format("there is no part {}", part),
+                first.back() == 0 ? "a file with a mesh" : fmt::format("0 to {}", first.back() - 1)};
+        const auto number = static_cast<std::size_t>(part);
+        // The last mesh that begins there or before: those without primitives begin where the next does.
+        const auto in_mesh = static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), number) -
+                                                      first.begin() - 1);
         root.with("meshes", [&](const Node& meshes) {
-            meshes.each(max_json_values, "meshes", [&](const Node& one) {
-                require_object(one);
-                one.with("primitives", [&](const Node& primitives) {
-                    primitives.each(max_json_values, "primitives", [&](const Node& primitive) {
-                        if (number++ != part) return;
-                        require_object(primitive);
-                        read_primitive(*document_, root, primitive, mesh);
-                    });
-                });
+            const Node one(meshes.value()[in_mesh], meshes, in_mesh);
+            one.with("primitives", [&](const Node& primitives) {
+                const std::size_t index = number - first[in_mesh];
+                const Node primitive(primitives.value()[index], primitives, index);
+                require_object(primitive);
+                read_primitive(*document_, root, primitive, mesh);
             });
         });
-        if (part >= number)
-            return Problem{document_->path, "", fmt::format("there is no part {}", part),
-                           number == 0 ? "a file with a mesh" : fmt::format("0 to {}", number - 1)};
         finish_mesh(mesh);
         const auto time = std::chrono::steady_clock::now() - start;
         mesh.load_ms = std::chrono::duration<double, std::milli>(time).count();

@@ -17,7 +17,8 @@ namespace {
 
 class SceneReader {
   public:
-    SceneReader(const Node& root, const std::string& file_name) : root_(root), file_name_(file_name) {}
+    SceneReader(const Node& root, const std::vector<std::size_t>& first_parts, const std::string& file_name)
+        : root_(root), first_parts_(first_parts), file_name_(file_name) {}
 
     GltfFile::Content read() {
         check_nodes(root_);
@@ -105,24 +106,19 @@ class SceneReader {
             const std::uint64_t index = whole(node, "mesh", 4294967295.0);
             std::string mesh_name;
             glint::read(mesh, "name", mesh_name);
-            int part = first_part(index);
+            auto part = static_cast<int>(first_parts_[index]);
             mesh.with("primitives", [&](const Node& primitives) {
+                // Many nodes may show a mesh of many primitives of which none becomes an object.
+                visited_primitives_ += primitives.value().size();
+                if (visited_primitives_ > max_json_values)
+                    node.fail("the nodes show too many primitives",
+                              fmt::format("at most {}", max_json_values));
                 primitives.each(max_json_values, "primitives", [&](const Node& primitive) {
                     require_object(primitive);
                     add_primitive(primitive, part++, !name.empty() ? name : mesh_name, world);
                 });
             });
         });
-    }
-    int first_part(std::uint64_t mesh) {
-        if (first_parts_.empty()) {
-            std::size_t sum = 0;
-            for (const Json& one : root_.value()["meshes"]) {
-                first_parts_.push_back(sum);
-                if (one.is_object() && one.contains("primitives")) sum += one["primitives"].size();
-            }
-        }
-        return static_cast<int>(first_parts_[mesh]);
     }
     void add_primitive(const Node& primitive, int part, const std::string& name, const glm::dmat4& world) {
         if (mode_of(primitive) == PrimitiveMode::None) return void(++left_.lines);
@@ -199,11 +195,12 @@ class SceneReader {
     }
 
     const Node& root_;
+    const std::vector<std::size_t>& first_parts_;  // GltfDocument::first_parts
     const std::string& file_name_;
     GltfFile::Content content_;
     GltfLeftOut left_;
     std::vector<char> visited_;
-    std::vector<std::size_t> first_parts_;
+    std::size_t visited_primitives_ = 0;
     bool any_double_sided_ = false;
 };
 
@@ -212,7 +209,7 @@ class SceneReader {
 Result<GltfFile::Content> GltfFile::content(const std::string& file_name) const {
     try {
         const Node root(document_->root);
-        return SceneReader(root, file_name).read();
+        return SceneReader(root, document_->first_parts, file_name).read();
     } catch (ProblemFound& found) {
         found.problem.file = document_->path;
         return std::move(found.problem);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
+#include <string_view>
 
 namespace glint {
 namespace {
@@ -31,9 +33,9 @@ OfPixel of_lit_points(const OfPoint& value) {
 
 OfPixel of_light(int index, OfLight value) {
     return of_lit_points([index, value](const ExplainedPoint& at) {
-        for (const ExplainedLight& light : at.lights)
-            if (light.index == index) return value(light);
-        return glm::vec3(0);
+        const auto light = std::lower_bound(at.lights.begin(), at.lights.end(), index,
+                                            [](const ExplainedLight& l, int i) { return l.index < i; });
+        return light != at.lights.end() && light->index == index ? value(*light) : glm::vec3(0);
     });
 }
 
@@ -108,6 +110,11 @@ std::vector<std::string> buffer_names(const Scene& scene) {
     return names;
 }
 
+std::size_t buffers_at_once(PictureSize size) {
+    constexpr std::uint64_t fewest = 12, room = std::uint64_t{64} << 20;
+    return static_cast<std::size_t>(std::max(fewest, room / buffers_memory(size, 1)));
+}
+
 std::uint64_t buffers_memory(PictureSize size, std::size_t buffers) {
     return std::uint64_t{buffers} * 3 * sizeof(float) * size.pixels();
 }
@@ -115,10 +122,8 @@ std::uint64_t buffers_memory(PictureSize size, std::size_t buffers) {
 std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, const Scene& scene, PictureSize size,
                                        const std::vector<std::string>& names) {
     std::vector<Buffer> wanted = all_buffers(scene);
-    const auto is_unwanted = [&names](const Buffer& b) {
-        return std::find(names.begin(), names.end(), b.name) == names.end();
-    };
-    wanted.erase(std::remove_if(wanted.begin(), wanted.end(), is_unwanted), wanted.end());
+    const std::set<std::string_view> named(names.begin(), names.end());
+    std::erase_if(wanted, [&named](const Buffer& b) { return named.count(b.name) == 0; });
     std::vector<PixelBuffer> buffers;
     buffers.reserve(wanted.size());
     for (const Buffer& b : wanted)
@@ -140,15 +145,13 @@ std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, const Scene& sc
 void visit_pixel_buffers(const Renderer& renderer, const Scene& scene, PictureSize size,
                          const std::vector<std::string>& names,
                          const std::function<bool(const PixelBuffer&)>& visit) {
-    for (std::size_t from = 0; from < names.size(); from += buffers_at_once) {
+    const std::size_t at_once = buffers_at_once(size);
+    for (std::size_t from = 0; from < names.size(); from += at_once) {
         const auto first = names.begin() + static_cast<std::ptrdiff_t>(from);
         const std::vector<std::string> some(
-            first, first + static_cast<std::ptrdiff_t>(std::min(buffers_at_once, names.size() - from)));
-        const std::vector<PixelBuffer> buffers = pixel_buffers(renderer, scene, size, some);
-        for (const std::string& name : some) {
-            const auto has_name = [&name](const PixelBuffer& b) { return b.name == name; };
-            if (!visit(*std::find_if(buffers.begin(), buffers.end(), has_name))) return;
-        }
+            first, first + static_cast<std::ptrdiff_t>(std::min(at_once, names.size() - from)));
+        for (const PixelBuffer& buffer : pixel_buffers(renderer, scene, size, some))
+            if (!visit(buffer)) return;
     }
 }
 

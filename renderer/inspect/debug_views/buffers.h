@@ -32,18 +32,18 @@ struct PixelBuffer {
 [[nodiscard]] std::vector<std::string> buffer_names(const Scene& scene);
 
 /// Returns the buffers `names`, some of buffer_names(), of the renderer's last picture, which must show
-/// `scene` with one sample a pixel.
+/// `scene` with one sample a pixel, in the order of buffer_names().
 [[nodiscard]] std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, const Scene& scene,
                                                      PictureSize size, const std::vector<std::string>& names);
 
-/// So many at once take about as much memory as drawing the picture.
-inline constexpr std::size_t buffers_at_once = 12;
-/// Calls visit() with the buffers `names`, some of buffer_names(), in their order, until it returns false.
-/// Buffers are computed `buffers_at_once` at a time, and each pixel is explained once each time.
+/// So many are computed at a time, and each pixel is explained once each time: those of a large picture take
+/// about as much memory as drawing it, those of a small one 64 MiB at most.
+[[nodiscard]] std::size_t buffers_at_once(PictureSize size);
+/// Calls visit() with the buffers `names`, some of buffer_names() and in that order, until it returns false.
 void visit_pixel_buffers(const Renderer& renderer, const Scene& scene, PictureSize size,
                          const std::vector<std::string>& names,
                          const std::function<bool(const PixelBuffer&)>& visit);
 /// The memory that so many buffers take, in bytes.
-[[nodiscard]] std::uint64_t buffers_memory(PictureSize size, std::size_t buffers = buffers_at_once);
+[[nodiscard]] std::uint64_t buffers_memory(PictureSize size, std::size_t buffers);
 
 }  // namespace glint

@@ -7,6 +7,7 @@
 #include "models/mesh_formats/mesh_file.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/gltf_triangle.h"
 #include "tests/support/program.h"
 
 using namespace glint;
@@ -135,6 +136,56 @@ TEST_CASE("a scene of glTF is changed, saved and opened again as others are", "[
     const Result<Mesh> none = read_mesh(path, 7);
     REQUIRE(problem_of(none) != nullptr);
     CHECK(problem_of(none)->text() == path + ": there is no part 7; expected 0 to 2");
+}
+
+TEST_CASE("parts are counted through all meshes, those without primitives too", "[gltf]") {
+    // Triangle i has the corners i, i + 1 and i + 2 of (0,0,0) (1,0,0) (0,1,0) (2,0,0) (0,3,0).
+    const std::string text = R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 1}, {"mesh": 4}],
+      "scenes": [{"nodes": [1, 0]}],
+      "meshes": [{}, {"primitives": [{"attributes": {"POSITION": 0}}, {"attributes": {"POSITION": 1}}]},
+                 {"name": "empty"}, {"primitives": []}, {"primitives": [{"attributes": {"POSITION": 2}}]}],
+      "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+                    {"bufferView": 0, "byteOffset": 12, "componentType": 5126, "count": 3, "type": "VEC3"},
+                    {"bufferView": 0, "byteOffset": 24, "componentType": 5126, "count": 3, "type": "VEC3"}],
+      "bufferViews": [{"buffer": 0, "byteLength": 60}], "buffers": [{"byteLength": 60, "uri":
+      "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAQAAAAAAAAAAAAAAAAAAAQEAAAAAA"}]})";
+    const Result<GltfFile> file = GltfFile::parse(text, "t.gltf");
+    REQUIRE(problem_of(file) == nullptr);
+    const std::vector<glm::vec3> first{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    for (int part = 0; part < 3; ++part) {
+        const Result<Mesh> mesh = std::get<GltfFile>(file).mesh(part);
+        REQUIRE(problem_of(mesh) == nullptr);
+        CHECK(std::get<Mesh>(mesh).positions.front() == first[static_cast<std::size_t>(part)]);
+    }
+    for (const int part : {-1, 3}) {
+        const Result<Mesh> mesh = std::get<GltfFile>(file).mesh(part);
+        REQUIRE(problem_of(mesh) != nullptr);
+        CHECK(problem_of(mesh)->text() == fmt::format("t.gltf: there is no part {}; expected 0 to 2", part));
+    }
+    const TemporaryDirectory folder;
+    const SceneDocument document = opened(folder.file("t.gltf", text));
+    REQUIRE(document.scene.objects.size() == 3);
+    const std::vector<int> parts{2, 0, 1};  // as the nodes follow one another
+    for (std::size_t o = 0; o < 3; ++o)
+        CHECK(std::get<MeshFile>(document.scene.objects[o].source).part == parts[o]);
+}
+
+TEST_CASE("nodes that show a mesh of very many lines end in one line", "[gltf]") {
+    std::string lines = R"({"attributes": {"POSITION": 0}, "mode": 1})", nodes = R"({"mesh": 0})",
+                numbers = "0";
+    for (int i = 1; i < 2001; ++i) {
+        lines += R"(,{"attributes": {"POSITION": 0}, "mode": 1})";
+        nodes += R"(,{"mesh": 0})";
+        numbers += fmt::format(",{}", i);
+    }
+    // 2001 primitives are shown 1000 times: more than two million.
+    std::string text = gltf_triangle::changed(R"({"attributes": {"POSITION": 0}})", lines);
+    for (const auto& [from, to] :
+         {std::pair<std::string, std::string>{R"("nodes": [{"mesh": 0}])", "\"nodes\": [" + nodes + "]"},
+          {R"("nodes": [0])", "\"nodes\": [" + numbers + "]"}})
+        text.replace(text.find(from), from.size(), to);
+    CHECK(gltf_triangle::error_of(text) ==
+          "t.gltf: /nodes/999: the nodes show too many primitives; expected at most 2000000");
 }
 
 TEST_CASE("lights in candela become as bright as a display, all by one factor", "[gltf]") {

@@ -1,6 +1,7 @@
 // Polygons of very many corners: what is found once a face and not once a pixel or triangle.
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <glm/trigonometric.hpp>
 #include <memory>
 
 #include "renderer/renderer.h"
