@@ -1,10 +1,12 @@
 #include "ui/document/file_dialog.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
 
 #include "models/io/file.h"
@@ -54,6 +56,11 @@ bool serves(const std::string& name, FilePurpose purpose) {
     const std::vector<std::string> known = extensions(purpose);
     return std::find(known.begin(), known.end(), lower_extension(name)) != known.end() ||
            (!saves(purpose) && purpose != FilePurpose::MyPicture && is_mesh_path(name));
+}
+
+/// A file a frame.
+bool writes_many(const std::string& path, FilePurpose purpose) {
+    return purpose == FilePurpose::SaveFrames && lower_extension(path) != ".gif";
 }
 
 struct Words {
@@ -113,7 +120,7 @@ std::optional<std::string> decide(FileDialog& dialog) {
         return {};
     }
     const std::string path = whole_path(dialog);
-    if (saves(dialog.purpose) && !dialog.asks_overwrite && fs::exists(path, failed)) {
+    if (saves(dialog.purpose) && !dialog.asks_overwrite && may_replace(path, dialog.purpose)) {
         dialog.asks_overwrite = true;
         return {};
     }
@@ -199,6 +206,25 @@ std::vector<FolderEntry> list_folder(const std::string& folder, FilePurpose purp
     return entries;
 }
 
+std::string frame_path(const std::string& path, int frame) {
+    const fs::path file(path);
+    return (file.parent_path() / fmt::format("{}-{:04}.png", file.stem().string(), frame + 1)).string();
+}
+
+bool may_replace(const std::string& path, FilePurpose purpose) {
+    std::error_code failed;
+    if (!writes_many(path, purpose)) return fs::exists(path, failed);
+    const fs::path file(path), folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, failed);
+    for (; !failed && it != fs::directory_iterator(); it.increment(failed)) {
+        const std::string name = it->path().filename().string(), before = file.stem().string() + "-";
+        if (!name.starts_with(before)) continue;
+        const int number = std::atoi(name.c_str() + before.size());
+        if (number > 0 && name == fs::path(frame_path(path, number - 1)).filename()) return true;
+    }
+    return false;
+}
+
 void FileDialog::ask(FilePurpose asked_for, const std::string& path) {
     purpose = asked_for;
     open = true;
@@ -225,7 +251,10 @@ std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
     decided |= ImGui::Button(dialog.asks_overwrite ? "Replace" : say.button, {px(84), 0}) || enter;
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {px(84), 0})) dialog.open = false;
-    dim_text(dialog.asks_overwrite ? "It is there already. Replace it?" : say.hint);
+    const bool many = writes_many(whole_path(dialog), dialog.purpose);
+    const char* const question =
+        many ? "Frames of that name are there already. Replace them?" : "It is there already. Replace it?";
+    dim_text(dialog.asks_overwrite ? question : say.hint);
     if (decided) chosen = decide(dialog);
     if (!dialog.open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();

@@ -26,6 +26,11 @@ struct FolderEntry {
 /// Entries of `folder` that serve the purpose (its extensions). Nothing when it cannot be read.
 [[nodiscard]] std::vector<FolderEntry> list_folder(const std::string& folder, FilePurpose purpose);
 
+/// Where frame `frame`, from 0, of an animation goes: beside NAME.png as NAME-0001.png, NAME-0002.png, ...
+[[nodiscard]] std::string frame_path(const std::string& path, int frame);
+/// Whether writing to `path` may replace a file: of frames as PNGs any of that name, whatever its number.
+[[nodiscard]] bool may_replace(const std::string& path, FilePurpose purpose);
+
 struct FileDialog {
     bool open = false;
     FilePurpose purpose = FilePurpose::OpenScene;

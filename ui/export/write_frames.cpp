@@ -7,6 +7,7 @@
 
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
+#include "ui/document/file_dialog.h"
 #include "ui/export/animation.h"
 #include "ui/ui.h"
 
@@ -43,16 +44,10 @@ std::optional<Problem> for_each_frame(const FrameJob& job, LoadProgress& progres
     return {};
 }
 
-std::string numbered(const std::string& path, int frame) {
-    const fs::path file(path);
-    const std::string name = fmt::format("{}-{:04}.png", file.stem().string(), frame + 1);
-    return (file.parent_path() / name).string();
-}
-
 Result<std::string> write_pngs(const FrameJob& job, LoadProgress& progress) {
     const auto take = [&job](int frame, const Scene& scene,
                              const Picture& picture) -> std::optional<Problem> {
-        const std::string path = numbered(job.path, frame);
+        const std::string path = frame_path(job.path, frame);
         const std::string carried = carried_scene_text(scene, job.document.mesh_dir, path);
         const auto written = write_file(path, png_bytes(picture, carried));
         if (const Problem* problem = problem_of(written)) return *problem;
@@ -60,8 +55,8 @@ Result<std::string> write_pngs(const FrameJob& job, LoadProgress& progress) {
     };
     if (const auto problem = for_each_frame(job, progress, take)) return *problem;
     return fmt::format("Wrote {} frames: {} to {}", job.animation.frames,
-                       fs::path(numbered(job.path, 0)).filename().string(),
-                       fs::path(numbered(job.path, job.animation.frames - 1)).filename().string());
+                       fs::path(frame_path(job.path, 0)).filename().string(),
+                       fs::path(frame_path(job.path, job.animation.frames - 1)).filename().string());
 }
 
 Result<std::string> write_gif(const FrameJob& job, LoadProgress& progress) {

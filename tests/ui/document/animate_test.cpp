@@ -142,6 +142,28 @@ TEST_CASE("frames are written as numbered pictures that carry their scenes", "[u
     CHECK(bench.state.notifications.list.back().text == "Wrote turn.gif with 4 frames");
 }
 
+TEST_CASE("numbered frames are asked about before they are replaced", "[ui][window][animate]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    for (const char* other : {"turn-12.png", "turn-00001.png", "turn-0000.png", "turn-000a.png",
+                              "turn-0001.gif", "turns-0001.png", "turn.png"})
+        (void)folder.file(other, "precious");
+    CHECK_FALSE(may_replace(folder.path("turn.png"), FilePurpose::SaveFrames));
+    CHECK_FALSE(may_replace(folder.path("turn.gif"), FilePurpose::SaveFrames));
+    (void)folder.file("turn-0007.png", "precious");
+    CHECK(may_replace(folder.path("turn.png"), FilePurpose::SaveFrames));
+    CHECK_FALSE(may_replace(folder.path("turn.gif"), FilePurpose::SaveFrames));
+    CHECK(may_replace(folder.path("turn.png"), FilePurpose::SavePicture));
+    bench.state.files.ask(FilePurpose::SaveFrames, folder.path("turn.png"));
+    bench.frames(2);
+    bench.key(Key::Enter);
+    bench.frames(2);
+    CHECK(bench.state.files.asks_overwrite);
+    CHECK(bench.state.files.open);
+    CHECK_FALSE(bench.state.animate.job);
+    CHECK(bytes_of(folder.path("turn-0007.png")) == "precious");
+}
+
 TEST_CASE("what plays is shown and leaves the scene and its history alone", "[ui][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
