@@ -36,14 +36,14 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
         *std::find_if(all.begin(), all.end(), [](const Judged& j) { return j.mistakes.empty(); });
     d.unlike = static_cast<double>(none.score.unlike) / static_cast<double>(none.score.compared);
     d.display = display_finding(exhibit, best.drawing.picture, best.change);
-    const Judged& shown = best.score.fits() ? best : none;
+    const Judged& shown = best.is_believed ? best : none;
     d.pixels = count_unlike(exhibit, shown.drawing.picture, shown.change);
-    if (best.score.fits() && best.is_right) {
+    if (best.is_believed && best.is_right) {
         d.verdict = Verdict::NoMistake;
         return;
     }
     d.candidates = candidates_of(exhibit, all);
-    if (!best.score.fits()) return say_what_is_unexplained(d, renderer, document.scene, exhibit, none);
+    if (!best.is_believed) return say_what_is_unexplained(d, renderer, document.scene, exhibit, none);
     d.verdict = Verdict::Mistake;
     d.experiment = find_experiment(document, d.size, to_tell_apart(d.candidates), threads);
 }

@@ -32,7 +32,6 @@ struct Candidate {
     DisplayChange change;          // under which it explains the picture
     double residual = 0;           // RMS in levels of 0 to 255, over what can be compared
     double explained = 0;          // share of the wrong pixels that it explains, 0 to 1
-    bool fits = false;             // explains the whole picture
     // The pixel that distinguishes this candidate best from the right picture, and its colours: in the wrong
     // picture, and in the right and the mistaken picture as this display would show them.
     glm::ivec2 pixel{0};

@@ -48,6 +48,18 @@ Judged judged(Renderer& renderer, const Scene& scene, const Exhibit& exhibit, co
     return best;
 }
 
+/// Takes the change away where the whole picture speaks for it less than the few rows did that chose it.
+void prefer_no_change(Judged& j, const Exhibit& exhibit) {
+    const Score changed = j.score;
+    const DisplayChange change = j.change;
+    const double cost = j.cost;
+    judge(j, exhibit, {}, 1);
+    if (j.cost <= cost) return;
+    j.score = changed;
+    j.change = change;
+    j.cost = cost;
+}
+
 /// Whether two drawings are the same within one level wherever they can be compared.
 bool look_alike(const Exhibit& exhibit, const Drawing& a, const Drawing& b) {
     for (std::size_t i = 0; i < exhibit.kinds.size(); ++i) {
@@ -58,13 +70,27 @@ bool look_alike(const Exhibit& exhibit, const Drawing& a, const Drawing& b) {
     return true;
 }
 
+/// Whether an explanation, as its display shows it, is the right picture as that of no mistake does.
+bool undoes_itself(const Exhibit& exhibit, const Judged& j, const Judged& none) {
+    if (way_turned(j.change) != way_turned(none.change) || j.change.red_blue != none.change.red_blue)
+        return false;
+    const ByteRanges ranges = byte_ranges(j.change), right = byte_ranges(none.change);
+    for (std::size_t i = 0; i < exhibit.kinds.size(); ++i) {
+        if (exhibit.kinds[i] != PixelKind::Surface) continue;
+        for (std::size_t c = 4 * i; c < 4 * i + 3; ++c) {
+            const ByteRange& shows = ranges[j.drawing.picture.rgba[c]];
+            if (levels_outside(shows.low, shows.high, right[exhibit.right.rgba[c]].middle) > 1) return false;
+        }
+    }
+    return true;
+}
+
 Candidate candidate_of(const Exhibit& exhibit, const Judged& j) {
     Candidate c;
     c.mistakes = j.mistakes;
     c.change = j.change;
     c.residual = j.score.residual();
     c.explained = j.score.share_explained();
-    c.fits = j.score.fits();
     c.pixel = j.score.pixel;
     const ByteRanges ranges = byte_ranges(j.change);
     const std::size_t pixel = exhibit.right.pixel(c.pixel.x, c.pixel.y);
@@ -82,8 +108,10 @@ std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<J
     constexpr std::size_t most = 3;
     std::vector<Candidate> candidates;
     std::vector<const Judged*> shown;
+    const Judged& none =
+        *std::find_if(all.begin(), all.end(), [](const Judged& j) { return j.mistakes.empty(); });
     for (const Judged& j : all) {
-        if (j.is_right) continue;
+        if (j.is_right || undoes_itself(exhibit, j, none)) continue;
         const auto like = std::find_if(shown.begin(), shown.end(), [&](const Judged* s) {
             return look_alike(exhibit, s->drawing, j.drawing);
         });
@@ -126,12 +154,14 @@ std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhi
                      [](const Judged& a, const Judged& b) { return a.cost < b.cost; });
     all.resize(std::min(all.size(), judged_whole));
     const Drawing right{exhibit.right, {}};
+    for (Judged& j : all) judge(j, exhibit, j.change, 1);
+    prefer_no_change(all.front(), exhibit);
     for (Judged& j : all) {
-        judge(j, exhibit, j.change, 1);
         j.is_right = j.mistakes.empty() || look_alike(exhibit, j.drawing, right);
+        j.is_believed = j.score.fits() && (j.is_right || j.cost < all.front().cost);
     }
     std::stable_sort(all.begin(), all.end(), [](const Judged& a, const Judged& b) {
-        return a.score.fits() != b.score.fits() ? a.score.fits() : a.cost < b.cost;
+        return a.is_believed != b.is_believed ? a.is_believed : a.cost < b.cost;
     });
     return all;
 }

@@ -14,14 +14,16 @@ struct Judged {
     Score score;
     double cost = 0;
     Drawing drawing;
-    bool is_right = false;  // the drawing is the right one, but for a level
+    bool is_right = false;     // the drawing is the right one, but for a level
+    bool is_believed = false;  // it shows the whole picture, and takes more away than it supposes
 };
 
-/// The likeliest explanations, those that fit first. One of them is that there is no mistake.
+/// The likeliest explanations, those that are believed first. One of them is that there is no mistake.
 [[nodiscard]] std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhibit& exhibit,
                                             const DiagnosisOptions& options);
 
-/// The best few mistakes, each with those that look like it.
+/// The best few mistakes, each with those that look like it. One that a change at the display undoes, so that
+/// both together show the right picture, is none.
 [[nodiscard]] std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<Judged>& all);
 
 /// Bytes that judge_all() takes beside what drawing takes.

@@ -127,6 +127,51 @@ TEST_CASE("a picture of another scene is in no catalogue, or not comparable", "[
     CHECK(100 * refused >= 95 * all);
 }
 
+TEST_CASE("a mistake that a change at the display undoes is no candidate", "[diagnose]") {
+    const SceneDocument document = diagnosed_scene(2);
+    Picture wrong = picture_under(document.scene, {});
+    std::size_t brightened = 0;  // a block, as none of the catalogue's mistakes gives it
+    Renderer renderer(1);
+    (void)renderer.render(document.scene, diagnosed_size);
+    for (int y = 50; y < 70; ++y)
+        for (int x = 60; x < 100; ++x) {
+            if (renderer.object_at(x, y) < 0) continue;
+            ++brightened;
+            std::uint8_t& green = wrong.rgba[4 * wrong.pixel(x, y) + 1];
+            green = static_cast<std::uint8_t>(green < 128 ? green + 40 : green - 40);
+        }
+    REQUIRE(brightened > 200);
+    const Diagnosis d = diagnose(document, wrong, {false, 1, {}});
+    CHECK(d.verdict == Verdict::NotInCatalogue);
+    for (const Candidate& c : d.candidates) CHECK(name_of(c.mistakes) != "encoded_twice");
+}
+
+TEST_CASE("a mistake that leaves more than half of the difference is not the verdict", "[diagnose]") {
+    // An egg's normals are wrong, and thin lines across the wall are so, too, and further off.
+    const PictureSize size{320, 240};
+    SceneDocument document;
+    Scene& scene = document.scene;
+    scene.camera.eye = {0, 0, 6};
+    scene.lights = {assorted_lights()[0]};
+    scene.lights[0].position = {0.5f, 1, 1, 0};
+    Object wall = object_of(primitive(Primitive::Plane, 1)),
+           egg = object_of(primitive(Primitive::Sphere, 32));
+    wall.transform = {{0, 0, -1}, {90, 0, 0}, {9, 9, 9}};
+    egg.transform.scale = {0.5f, 0.43f, 0.5f};
+    scene.objects = {wall, egg};
+    Scene mistaken = scene;
+    mistaken.shading.mistakes.normals_by_model_matrix = true;
+    Picture wrong = Renderer(1).render(mistaken, size);
+    const Diagnosis whole = diagnose(document, wrong, {false, 1, {}});
+    REQUIRE(whole.verdict == Verdict::Mistake);
+    CHECK(name_of(whole.candidates.front().mistakes) == "normals_by_model_matrix");
+    for (const int y : {30, 60, 210})
+        for (int x = 10; x < 255; ++x)
+            for (std::size_t c = 0; c < 3; ++c) wrong.rgba[4 * wrong.pixel(x, y) + c] ^= 0x40;
+    const Diagnosis partly = diagnose(document, wrong, {false, 1, {}});
+    CHECK(partly.verdict == Verdict::NotInCatalogue);
+}
+
 TEST_CASE("the answer is the same on one thread and on many", "[diagnose]") {
     const SceneDocument document = diagnosed_scene(3);
     const Picture wrong = picture_under(document.scene, {2, 10});
