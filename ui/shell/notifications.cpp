@@ -1,5 +1,7 @@
 #include "ui/shell/notifications.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <limits>
 #include <new>
@@ -13,6 +15,7 @@ namespace glint {
 namespace {
 
 constexpr std::size_t max_at_once = 5;
+constexpr double seconds_over_dialog = 10;
 
 double seconds_shown(Tone tone) {
     switch (tone) {
@@ -37,14 +40,25 @@ float draw_one(const Notification& note, int index, ImVec2 low_right, float widt
     ImGui::SetNextWindowSize({width, 0});
     ImGui::SetNextWindowBgAlpha(0.95f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
+    // What a dialog did is read in front of it, and clicks go through to it.
+    const double left = note.since + seconds_over_dialog - ImGui::GetTime();
+    const bool over_dialog = ImGui::GetTopMostPopupModal() != nullptr && left > 0;
+    if (over_dialog) redraw_within(left);
     ImGui::Begin(id.c_str(), nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
-                     ImGuiWindowFlags_NoNav);
+                     ImGuiWindowFlags_NoNav | (over_dialog ? ImGuiWindowFlags_NoInputs : 0));
+    if (over_dialog)
+        ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+    else if (ImGuiWindow* dialog = ImGui::GetTopMostPopupModal())
+        ImGui::BringWindowToDisplayBehind(ImGui::GetCurrentWindow(), dialog);
     const ImVec2 low = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
-    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + px(4), low.y + size.y}, to_u32(ink(note.tone)),
-                                              px(2));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(low, low + size);  // the window's own leaves its padding out
+    list.AddRectFilled(low, {low.x + px(4), low.y + size.y}, to_u32(ink(note.tone)), px(6),
+                       ImDrawFlags_RoundCornersLeft);
+    list.PopClipRect();
     ImGui::PushTextWrapPos(width - px(34));
     ImGui::TextUnformatted(note.text.c_str());
     ImGui::PopTextWrapPos();
@@ -65,10 +79,10 @@ void Notifications::tell(const std::string& text) {
 }
 
 void Notifications::add(Tone tone, const std::string& text) {
-    const double until = ImGui::GetTime() + seconds_shown(tone);
+    const double now = ImGui::GetTime(), until = now + seconds_shown(tone);
     const auto same = [&text](const Notification& note) { return note.text == text; };
     list.erase(std::remove_if(list.begin(), list.end(), same), list.end());
-    list.push_back({tone, text, until});
+    list.push_back({tone, text, until, false, now});
     if (list.size() > max_at_once) list.erase(list.begin());
 }
 

@@ -18,6 +18,7 @@ struct Notification {
     std::string text;
     double until = 0;     // ImGui's time; infinity: until closed
     bool of_key = false;  // what a key did: the next key's takes its place
+    double since = 0;     // ImGui's time
 };
 
 struct Notifications {
@@ -32,6 +33,7 @@ struct Notifications {
 };
 
 /// Draws them upwards from the corner `low_right`, newest at the bottom, and drops those whose time is over.
+/// In front of a dialog, which may have caused them, they stand for some seconds.
 void draw_notifications(Notifications& notifications, ImVec2 low_right, float max_width);
 
 }  // namespace glint

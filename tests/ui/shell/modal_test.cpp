@@ -3,9 +3,11 @@
 
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"
 #include "ui/commands/command.h"
@@ -107,4 +109,27 @@ TEST_CASE("the Enter that answers one dialog does not answer the next", "[ui][mo
     bench.key(Key::Enter);
     bench.frames(2);
     CHECK(folder.names() == std::vector<std::string>{"new.json"});
+}
+
+TEST_CASE("a notification is in front of the dialog that it comes from, and lets clicks through",
+          "[ui][modal][notifications]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    run_command(bench.state, test::command_named("Export picture…"));
+    bench.frames(3);
+    REQUIRE(modal_of(bench.state) == Modal::Export);
+    bench.state.notifications.add(Tone::Error, "No room.");
+    bench.frames(3);
+    const auto place = [](const std::string& part) {
+        const auto& windows = ImGui::GetCurrentContext()->Windows;  // from the back to the front
+        return std::find(windows.begin(), windows.end(), test::window_named(part)) - windows.begin();
+    };
+    CHECK(place("##note0") > place(ImGui::GetTopMostPopupModal()->Name));
+    CHECK((test::window_named("##note0")->Flags & ImGuiWindowFlags_NoMouseInputs) != 0);
+    bench.state.notifications.list.back().since -= 60;  // it is read by now
+    bench.frames(3);
+    CHECK(place("##note0") < place(ImGui::GetTopMostPopupModal()->Name));
+    bench.key(Key::Escape);
+    bench.frames(3);
+    CHECK((test::window_named("##note0")->Flags & ImGuiWindowFlags_NoMouseInputs) == 0);
 }
