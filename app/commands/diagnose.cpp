@@ -84,14 +84,20 @@ std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments, c
     return all;
 }
 
-std::string formatted(const std::vector<DiagnosedPicture>& all, DiagnosisFormat format,
+std::string text_of(const DiagnosedPicture& p, const Scene& scene, bool pairs) {
+    const bool may_be_two = !pairs && p.diagnosis.verdict == Verdict::NotInCatalogue;
+    return diagnosis_text(p.diagnosis, scene) +
+           (may_be_two ? "Two mistakes at once are looked for with --pairs.\n" : "");
+}
+
+std::string formatted(const std::vector<DiagnosedPicture>& all, const DiagnoseArguments& arguments,
                       const SceneDocument& document) {
     const bool many = all.size() > 1;
     std::string text;
-    switch (format) {
+    switch (arguments.format) {
     case DiagnosisFormat::Text:
         for (const DiagnosedPicture& p : all)
-            text += (many ? on_one_line(p.name) + "\n" : "") + diagnosis_text(p.diagnosis, document.scene) +
+            text += (many ? on_one_line(p.name) + "\n" : "") + text_of(p, document.scene, arguments.pairs) +
                     (many && &p != &all.back() ? "\n" : "");
         return text;
     case DiagnosisFormat::Json:
@@ -145,7 +151,7 @@ Outcome diagnose(const DiagnoseArguments& arguments) {
     require_one_picture_for_a_sheet(arguments);
     const SceneDocument document = open_scene(arguments.scene);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
-    outcome.output = formatted(diagnose_all(arguments, document, outcome), arguments.format, document);
+    outcome.output = formatted(diagnose_all(arguments, document, outcome), arguments, document);
     return outcome;
 }
 

@@ -71,6 +71,19 @@ TEST_CASE("glint diagnose says what it found in at most five lines", "[cli][diag
     CHECK(lines(mistake.out) <= 5);
 }
 
+TEST_CASE("glint diagnose says how two mistakes are looked for where no single one is found",
+          "[cli][diagnose]") {
+    const Files files;
+    const std::string other =
+        files.drawn("other.png", {"--set", "/objects/0/material/diffuse=[0.1,0.9,0.2]"});
+    const std::string hint = "Two mistakes at once are looked for with --pairs.\n";
+    const Ended single = run_glint({"diagnose", files.scene, other});
+    CHECK(single.out.starts_with("Not in the catalogue: "));
+    CHECK(single.out.ends_with(hint));
+    CHECK_FALSE(run_glint({"diagnose", files.scene, other, "--pairs"}).out.ends_with(hint));
+    CHECK_FALSE(run_glint({"diagnose", files.scene, files.drawn("right.png", {})}).out.ends_with(hint));
+}
+
 TEST_CASE("glint diagnose counts what differs where nothing is compared", "[cli][diagnose]") {
     const Files files;
     const TemporaryDirectory buffers;
