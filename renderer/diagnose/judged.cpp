@@ -70,8 +70,9 @@ bool look_alike(const Exhibit& exhibit, const Drawing& a, const Drawing& b) {
     return true;
 }
 
-/// Whether an explanation, as its display shows it, is the right picture as that of no mistake does.
+/// Whether an explanation supposes more at the display than that of no mistake does, and shows the same.
 bool undoes_itself(const Exhibit& exhibit, const Judged& j, const Judged& none) {
+    if (j.is_believed || j.change.count() <= none.change.count()) return false;
     if (way_turned(j.change) != way_turned(none.change) || j.change.red_blue != none.change.red_blue)
         return false;
     const ByteRanges ranges = byte_ranges(j.change), right = byte_ranges(none.change);

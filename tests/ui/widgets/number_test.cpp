@@ -106,6 +106,15 @@ TEST_CASE("what is not a number has one reason why", "[ui][numbers]") {
     CHECK_FALSE(calculated(std::string(100'000, '('), 0).problem.empty());  // and does not exhaust the stack
 }
 
+TEST_CASE("a number too long for its field is shown with a power of ten", "[ui][numbers]") {
+    Real kind;
+    kind.format = "%.2f";
+    CHECK(shown_text(-3.25f, kind) == "-3.25");
+    CHECK(shown_text(-123456.5f, kind) == "-123456.50");
+    CHECK(shown_text(-1234567.5f, kind) == "-1.23457e+06");
+    CHECK(shown_text(1e30f, kind) == "1e+30");
+}
+
 TEST_CASE("a plain click on a number types, and what is typed is one step of undo", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());

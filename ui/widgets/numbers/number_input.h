@@ -28,7 +28,8 @@ namespace glint {
 /// Returns the step of a drag with Ctrl: 1, 2 or 5 times a power of ten, about as much as ten pixels.
 [[nodiscard]] double drag_step(const Real& kind, double value);
 
-/// Formats `value` for display; or as copied and typed: the shortest text that reads back as the same float.
+/// Formats `value` for display, with a power of ten where it would not fit into a field; or as copied and
+/// typed: the shortest text that reads back as the same float.
 [[nodiscard]] std::string shown_text(float value, const Real& kind);
 [[nodiscard]] std::string exact_text(float value);
 

@@ -51,8 +51,10 @@ double drag_step(const Real& kind, double value) {
 
 std::string shown_text(float value, const Real& kind) {
     if (value == 0 && *kind.zero != 0) return kind.zero;
+    constexpr int longest = 10;  // letters: a field is not wider, and its end must not be cut off
     char text[64];
-    std::snprintf(text, sizeof text, kind.format, double(value));
+    if (std::snprintf(text, sizeof text, kind.format, double(value)) > longest)
+        std::snprintf(text, sizeof text, "%.6g", double(value));
     return text;
 }
 
