@@ -13,6 +13,7 @@ std::string text_of(Rgb c) { return fmt::format("({}, {}, {})", c[0], c[1], c[2]
 
 std::string names_of(const std::vector<MistakeSet>& sets) {
     std::vector<std::string> names;
+    names.reserve(sets.size());
     for (const MistakeSet& set : sets) names.push_back(name_of(set));
     return fmt::format("{}", fmt::join(names, ", "));
 }

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "models/memory_limit.h"
+#include "ui/widgets/area.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
