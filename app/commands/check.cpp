@@ -41,7 +41,7 @@ std::string buffer_file(const std::string& directory, const std::string& name) {
     return exr;
 }
 
-/// A warning of the pictures in the directory that are none of the scene's buffers, by their names.
+/// Names in one warning the pictures in the directory that are not buffers of the scene.
 Warnings unknown_pictures(const std::string& directory, std::vector<std::string> known) {
     constexpr std::size_t most = 5;
     known.emplace_back("face");  // render writes it, and nothing is compared with it

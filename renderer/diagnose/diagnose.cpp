@@ -32,9 +32,7 @@ std::vector<MistakeSet> to_tell_apart(const std::vector<Candidate>& candidates) 
 void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, const Exhibit& exhibit,
               const std::vector<Judged>& all, int threads) {
     const Judged& best = all.front();
-    const Judged& none =
-        *std::find_if(all.begin(), all.end(), [](const Judged& j) { return j.mistakes.empty(); });
-    d.unlike = static_cast<double>(none.score.unlike) / static_cast<double>(none.score.compared);
+    const Judged& none = of_no_mistake(all);
     d.display = display_finding(exhibit, best.drawing.picture, best.change);
     const Judged& shown = best.is_believed ? best : none;
     d.pixels = count_unlike(exhibit, shown.drawing.picture, shown.change);

@@ -70,8 +70,7 @@ struct Diagnosis {
     std::vector<Candidate> candidates;  // best first
     // What differs, by PixelKind, from the right picture, or from the first candidate where that is the
     // verdict:
-    std::array<PixelCount, 3> pixels{};
-    double unlike = 0;  // share of the comparable pixels that differ from the right picture
+    PixelCounts pixels{};
     std::vector<DifferenceRegion> regions;
     std::vector<DifferenceTerm> terms;
     std::optional<Experiment> experiment;

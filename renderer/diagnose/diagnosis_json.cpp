@@ -54,7 +54,7 @@ JsonValue answer_json(const Experiment& e) {
 
 JsonValue difference_json(const Diagnosis& d, const Scene& scene) {
     JsonValue json;
-    json["wrong"] = d.unlike;
+    json["wrong"] = count_of(d.pixels, PixelKind::Surface).share();
     JsonValue& regions = json["regions"] = JsonValue::array();
     for (const DifferenceRegion& r : d.regions)
         regions.push_back({{"object", scene.objects[static_cast<std::size_t>(r.object)].name},
@@ -72,12 +72,12 @@ JsonValue difference_json(const Diagnosis& d, const Scene& scene) {
     return json;
 }
 
-JsonValue pixels_json(const std::array<PixelCount, 3>& counts) {
+JsonValue pixels_json(const PixelCounts& counts) {
     JsonValue json;
     for (const auto& [name, kind] : {std::pair{"surface", PixelKind::Surface},
                                      {"edge", PixelKind::Edge},
                                      {"background", PixelKind::Background}}) {
-        const PixelCount& count = counts[static_cast<std::size_t>(kind)];
+        const PixelCount& count = count_of(counts, kind);
         json[name] = {{"pixels", count.pixels}, {"unlike", count.unlike}};
     }
     return json;

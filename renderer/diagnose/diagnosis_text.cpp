@@ -34,7 +34,7 @@ std::string verdict_line(const Diagnosis& d) {
     case Verdict::NotInCatalogue:
         return fmt::format(
             "Not in the catalogue: {:.0f} % of the pixels are wrong, and no mistake explains them.",
-            100 * d.unlike);
+            100 * count_of(d.pixels, PixelKind::Surface).share());
     case Verdict::Mistake:
         break;
     }
@@ -89,10 +89,10 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
 }
 
 /// What differs although nothing is wrong: at edges, or in too few pixels. Empty where nothing does.
-std::string still_unlike_line(const std::array<PixelCount, 3>& counts) {
+std::string still_unlike_line(const PixelCounts& counts) {
     std::vector<std::string> kinds;
     const auto add = [&](PixelKind kind, std::string_view where) {
-        const PixelCount& count = counts[static_cast<std::size_t>(kind)];
+        const PixelCount& count = count_of(counts, kind);
         if (count.unlike > 0) kinds.push_back(fmt::format("{} of {} {}", count.unlike, count.pixels, where));
     };
     add(PixelKind::Surface, "on surfaces, too few for a mistake");

@@ -28,6 +28,18 @@ void judge(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int s
     j.cost = explanation_cost(j.score.excess, noise / step, j.mistakes.size(), change);
 }
 
+/// Judges under another change, too, and keeps the cheaper one.
+void judge_also(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int step) {
+    const Score score = j.score;
+    const DisplayChange kept = j.change;
+    const double cost = j.cost;
+    judge(j, exhibit, change, step);
+    if (j.cost < cost) return;
+    j.score = score;
+    j.change = kept;
+    j.cost = cost;
+}
+
 /// The best of the changes that the hypothesis allows, judged by every so many rows.
 Judged judged(Renderer& renderer, const Scene& scene, const Exhibit& exhibit, const Hypothesis& hypothesis,
               int step) {
@@ -37,27 +49,9 @@ Judged judged(Renderer& renderer, const Scene& scene, const Exhibit& exhibit, co
     best.drawing.picture = renderer.render(under_mistakes(scene, hypothesis.mistakes), size);
     best.drawing.bare = bare_mask(renderer, size);
     judge(best, exhibit, hypothesis.changes.front(), step);
-    for (std::size_t i = 1; i < hypothesis.changes.size(); ++i) {
-        const double before = best.cost;
-        const DisplayChange kept = best.change;
-        judge(best, exhibit, hypothesis.changes[i], step);
-        if (best.cost < before) continue;
-        best.cost = before;
-        best.change = kept;
-    }
+    for (std::size_t i = 1; i < hypothesis.changes.size(); ++i)
+        judge_also(best, exhibit, hypothesis.changes[i], step);
     return best;
-}
-
-/// Takes the change away where the whole picture speaks for it less than the few rows did that chose it.
-void prefer_no_change(Judged& j, const Exhibit& exhibit) {
-    const Score changed = j.score;
-    const DisplayChange change = j.change;
-    const double cost = j.cost;
-    judge(j, exhibit, {}, 1);
-    if (j.cost <= cost) return;
-    j.score = changed;
-    j.change = change;
-    j.cost = cost;
 }
 
 /// Whether two drawings are the same within one level wherever they can be compared.
@@ -105,12 +99,15 @@ Candidate candidate_of(const Exhibit& exhibit, const Judged& j) {
 
 std::uint64_t judging_memory(PictureSize size) { return (drawings_of(size) + 3) * picture_memory(size); }
 
+const Judged& of_no_mistake(const std::vector<Judged>& all) {
+    return *std::find_if(all.begin(), all.end(), [](const Judged& j) { return j.mistakes.empty(); });
+}
+
 std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<Judged>& all) {
     constexpr std::size_t most = 3;
     std::vector<Candidate> candidates;
     std::vector<const Judged*> shown;
-    const Judged& none =
-        *std::find_if(all.begin(), all.end(), [](const Judged& j) { return j.mistakes.empty(); });
+    const Judged& none = of_no_mistake(all);
     for (const Judged& j : all) {
         if (j.is_right || undoes_itself(exhibit, j, none)) continue;
         const auto like = std::find_if(shown.begin(), shown.end(), [&](const Judged* s) {
@@ -156,7 +153,8 @@ std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhi
     all.resize(std::min(all.size(), judged_whole));
     const Drawing right{exhibit.right, {}};
     for (Judged& j : all) judge(j, exhibit, j.change, 1);
-    prefer_no_change(all.front(), exhibit);
+    // The whole picture may speak against a change that few rows chose.
+    judge_also(all.front(), exhibit, {}, 1);
     for (Judged& j : all) {
         j.is_right = j.mistakes.empty() || look_alike(exhibit, j.drawing, right);
         j.is_believed = j.score.fits() && (j.is_right || j.cost < all.front().cost);

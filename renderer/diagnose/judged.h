@@ -15,15 +15,18 @@ struct Judged {
     double cost = 0;
     Drawing drawing;
     bool is_right = false;     // the drawing is the right one, but for a level
-    bool is_believed = false;  // it shows the whole picture, and takes more away than it supposes
+    bool is_believed = false;  // it shows the whole picture, and costs less than no mistake does
 };
 
 /// The likeliest explanations, those that are believed first. One of them is that there is no mistake.
 [[nodiscard]] std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhibit& exhibit,
                                             const DiagnosisOptions& options);
 
+/// The one of judge_all() without a mistake.
+[[nodiscard]] const Judged& of_no_mistake(const std::vector<Judged>& all);
+
 /// The best few mistakes, each with those that look like it. One that a change at the display undoes, so that
-/// both together show the right picture, is none.
+/// both together show the right picture, is left out.
 [[nodiscard]] std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<Judged>& all);
 
 /// Bytes that judge_all() takes beside what drawing takes.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 
@@ -58,7 +59,7 @@ bool serves(const std::string& name, FilePurpose purpose) {
            (!saves(purpose) && purpose != FilePurpose::MyPicture && is_mesh_path(name));
 }
 
-/// A file a frame.
+/// Whether each frame of an animation gets a file of its own.
 bool writes_many(const std::string& path, FilePurpose purpose) {
     return purpose == FilePurpose::SaveFrames && lower_extension(path) != ".gif";
 }
@@ -219,7 +220,8 @@ bool may_replace(const std::string& path, FilePurpose purpose) {
     for (; !failed && it != fs::directory_iterator(); it.increment(failed)) {
         const std::string name = it->path().filename().string(), before = file.stem().string() + "-";
         if (!name.starts_with(before)) continue;
-        const int number = std::atoi(name.c_str() + before.size());
+        int number = 0;
+        std::from_chars(name.data() + before.size(), name.data() + name.size(), number);
         if (number > 0 && name == fs::path(frame_path(path, number - 1)).filename()) return true;
     }
     return false;

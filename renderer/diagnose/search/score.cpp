@@ -154,12 +154,12 @@ Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
     return all;
 }
 
-std::array<PixelCount, 3> count_unlike(const Exhibit& e, const Picture& drawn, const DisplayChange& change) {
+PixelCounts count_unlike(const Exhibit& e, const Picture& drawn, const DisplayChange& change) {
     const ByteRanges ranges = byte_ranges(change);
     std::optional<Rgb> background = e.grounds[way_turned(change)];
     if (background && change.red_blue) std::swap((*background)[0], (*background)[2]);
     const Expected expected(drawn, nullptr, ranges, change.soft, {});
-    std::array<PixelCount, 3> counts;
+    PixelCounts counts;
     for (int y = 0; y < drawn.size.height; ++y)
         for (int x = 0; x < drawn.size.width; ++x) {
             const PixelKind kind = e.kinds[drawn.size.index(x, y)];

@@ -62,11 +62,19 @@ inline constexpr float visible_levels = 2;
 /// How many pixels there are of a kind, and how many of them differ by more than visible_levels.
 struct PixelCount {
     std::uint64_t pixels = 0, unlike = 0;
+
+    [[nodiscard]] double share() const {
+        return pixels == 0 ? 0 : static_cast<double>(unlike) / static_cast<double>(pixels);
+    }
 };
+using PixelCounts = std::array<PixelCount, 3>;  // by PixelKind
+[[nodiscard]] inline const PixelCount& count_of(const PixelCounts& counts, PixelKind kind) {
+    return counts[static_cast<std::size_t>(kind)];
+}
 /// Of each PixelKind, what differs from a drawing: of the background from the colour that more than half of
 /// it has in the wrong picture, where there is one.
-[[nodiscard]] std::array<PixelCount, 3> count_unlike(const Exhibit& exhibit, const Picture& drawn,
-                                                     const DisplayChange& change);
+[[nodiscard]] PixelCounts count_unlike(const Exhibit& exhibit, const Picture& drawn,
+                                       const DisplayChange& change);
 
 /// What the changed picture would show of a byte of the scene's, in whole levels.
 [[nodiscard]] Rgb shown(const ByteRanges& ranges, Rgb drawn);

@@ -75,7 +75,7 @@ void begin_typing(ImGuiID id, float value) {
     GImGui->NavActivateFlags = ImGuiActivateFlags_PreferInput;
 }
 
-/// What more would have been typed does not get lost unseen: a full field is no number.
+/// A full field is not a number: what was typed after its last character would be lost unseen.
 Calculated calculated_typing(const Typing& typing) {
     const std::string_view text = typing.text.data();
     if (text.size() + 1 == longest_text) return {0, "it fills the field, which takes no more characters"};
