@@ -1,10 +1,11 @@
 #include "app/window/x_errors.h"
 
 #include <X11/Xlib.h>
-#include <dlfcn.h>
 #include <fmt/core.h>
 
 #include <utility>
+
+#include "app/window/xlib.h"
 
 namespace glint {
 namespace {
@@ -20,13 +21,6 @@ int on_error(Display*, XErrorEvent* error) {
 int on_broken_connection(Display*) {
     display_gone();
     return 0;  // not reached: then Xlib would end the program
-}
-
-/// Returns a function of the Xlib that GLFW has loaded; null if there is none. The program itself does not
-/// link Xlib: a GLFW for Wayland comes without it.
-template <class Function> Function* from_xlib(const char* name) {
-    static void* const xlib = ::dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
-    return xlib != nullptr ? reinterpret_cast<Function*>(::dlsym(xlib, name)) : nullptr;
 }
 
 }  // namespace

@@ -114,5 +114,10 @@ middle_of() {
     [ -n "$y" ] && [ "$w" -lt 100 ] && echo $((x + w / 2)) $((y + h / 2 + 50))
 }
 
+middle_is() { # COLOUR, in the middle of a display of 1280x800
+    import -window root -crop 1x1+640+420 +repage "$work/middle.png"
+    [ "$(convert "$work/middle.png" -format '%[hex:u.p{0,0}]' info: | cut -c1-6)" = "$1" ]
+}
+
 # How many pixels differ between two looks.
 difference() { compare -metric AE "$work/$1.png" "$work/$2.png" null: 2>&1 | sed 's/[^0-9.e+].*//'; }

@@ -29,10 +29,6 @@ drop() { # FILE
     sleep 0.2
     "$source" "$work/$1" || fail "$1 was not taken"
 }
-middle_is() { # COLOUR, in the middle of the picture
-    import -window root -crop 1x1+640+420 +repage "$work/middle.png"
-    [ "$(convert "$work/middle.png" -format '%[hex:u.p{0,0}]' info: | cut -c1-6)" = "$1" ]
-}
 xdotool key F10 # the picture alone
 within 10 middle_is 003300 || fail "the first scene is not to be seen"
 drop second.json

@@ -24,10 +24,11 @@ void copy(const std::string& text) {
     say(fmt::format("{} is on the clipboard", text));
 }
 
-/// True when the clipboard held a number.
+/// True when the clipboard held a number. Where its text did not come, the window has said so.
 bool paste(float& value, const Range& range) {
     const char* text = ImGui::GetClipboardText();
-    const Calculated found = calculated(text != nullptr ? text : "", double(value));
+    if (text == nullptr) return false;
+    const Calculated found = calculated(text, double(value));
     if (!found.problem.empty()) {
         say("The clipboard holds no number: " + found.problem);
         return false;
