@@ -324,7 +324,7 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& given,
     job.infinite_viewer = !scene.shading.local_viewer || is_orthographic(scene.camera.projection);
     job.clamp = opengl && at_corners;
     apply_job_mistakes(scene, size, job);
-    job.grid = rounding_grid(job);
+    job.grid = rounding_grid(job, scene.display.exposure);
     job.material.min_cosine_squared = min_cosine_squared(job.material.shininess);
     return job;
 }

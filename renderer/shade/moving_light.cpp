@@ -84,8 +84,9 @@ double max_share(const LightJob& job, const LightSource& light) {
 
 }  // namespace
 
-float rounding_grid(const LightJob& job) {
+float rounding_grid(const LightJob& job, float exposure) {
     constexpr std::size_t fewest_lights = 3;
+    constexpr double coarsest = 0x1p-18;  // of white: a hundredth of a level where sRGB is steepest
     const bool bounded = info_of(job.model).is_bounded;
     if (job.light_count < fewest_lights || !bounded || job.tone.on || job.power_table > 0 || job.clamp)
         return 0;
@@ -99,8 +100,10 @@ float rounding_grid(const LightJob& job) {
         sum += share;
     }
     const double steps = std::max(std::ldexp(most, -22), std::ldexp(sum, -24));  // as rounded() demands
-    const bool usable = steps > 1e-30 && steps < 1e30;
-    return usable ? static_cast<float>(std::exp2(std::ceil(std::log2(steps)))) : 0;
+    if (!(steps > 1e-30 && steps < 1e30)) return 0;
+    // A light that is far away, or all but falls to nothing, may add far less than its bound.
+    const double grid = std::exp2(std::ceil(std::log2(steps)));
+    return grid * double(exposure) <= coarsest ? static_cast<float>(grid) : 0;
 }
 
 int changed_light(const std::vector<Light>& kept, const std::vector<Light>& now) {

@@ -65,7 +65,8 @@ class MovingLight {
 
 /// Returns LightJob::grid: the power of two to whose multiples each light's share is rounded, so that the sum
 /// is exact. 0, no rounding, where a share has no bound (near a light without constant falloff, an area
-/// light, Cook-Torrance), and for so few lights that keeping a sum would not pay.
-[[nodiscard]] float rounding_grid(const LightJob& job);
+/// light, Cook-Torrance), where the bounds are so high that rounding might be seen at this exposure, and for
+/// so few lights that keeping a sum would not pay.
+[[nodiscard]] float rounding_grid(const LightJob& job, float exposure);
 
 }  // namespace glint

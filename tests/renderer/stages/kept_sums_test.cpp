@@ -1,5 +1,9 @@
 // The sum of all lights but the one that is dragged, kept from frame to frame: it may not change a bit.
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <utility>
+#include <vector>
 
 #include "models/scene_file/scene_file.h"
 #include "renderer/renderer.h"
@@ -119,5 +123,39 @@ TEST_CASE("lights without a bound, or too few of them, keep no sum and change no
     for (const Scene& scene : {near, few}) {
         const auto move = [](Scene& s) { s.lights[1].position.x += 0.3f; };
         check_same_bytes(scene, {move, move, move});
+    }
+}
+
+TEST_CASE("many lights of which one is very strong at its place add up to what each gives alone",
+          "[renderer]") {
+    for (const auto& [constant, intensity] :
+         {std::pair{1e-8f, 1.0f}, {1e-4f, 1.0f}, {1.0f, 1e6f}, {1.0f, 1.0f}}) {
+        Scene scene = eight_lights();
+        scene.shading.reflection = Reflection::Phong;
+        for (Light& light : scene.lights) light.intensity *= 0.2f;
+        Light& strong = scene.lights[2];
+        strong.position = glm::vec4(glm::vec3(strong.position) * std::sqrt(intensity), 1);
+        strong.falloff = {constant, 0, 1};
+        strong.intensity = intensity;
+        INFO("constant " << constant << ", intensity " << intensity);
+
+        Renderer renderer(1);
+        const std::vector<float> all = renderer.render(scene, sum_size, true).linear;
+        std::vector<double> sum(all.size());
+        const auto add = [&](double factor) {
+            const std::vector<float> part = renderer.render(scene, sum_size, true).linear;
+            for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor * double(part[i]);
+        };
+        for (Light& light : scene.lights) light.enabled = false;
+        add(1 - double(scene.lights.size()));  // what is there without lights is in each picture
+        for (Light& light : scene.lights) {
+            light.enabled = true;
+            add(1);
+            light.enabled = false;
+        }
+        double worst = 0;
+        for (std::size_t i = 0; i < sum.size(); ++i)
+            worst = std::max(worst, std::abs(double(all[i]) - sum[i]));
+        CHECK(worst < 1e-4);
     }
 }
