@@ -7,6 +7,7 @@
 #include "models/memory_limit.h"
 #include "renderer/diagnose/display_finding.h"
 #include "renderer/diagnose/experiment.h"
+#include "renderer/diagnose/search/noise.h"
 #include "renderer/diagnose/unexplained.h"
 #include "renderer/lighting/display.h"
 #include "renderer/threads.h"
@@ -46,6 +47,13 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
     d.experiment = find_experiment(document, d.size, to_tell_apart(d.candidates), threads);
 }
 
+/// Whether an explanation leaves no more than rounding does. Between a pixel's neighbours noise finds room,
+/// too.
+bool is_exact(const Judged& best) {
+    constexpr double rounding = 0.3;  // levels
+    return best.is_believed && !best.change.soft && best.score.residual() < rounding;
+}
+
 Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, const DiagnosisOptions& options) {
     Diagnosis d;
     d.size = wrong.size;
@@ -58,8 +66,16 @@ Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, cons
         d.why = "the scene shows no surface of some size in a picture of this size";
         return d;
     }
-    const Exhibit exhibit(wrong, right, kinds);
-    conclude(d, renderer, document, exhibit, judge_all(renderer, document.scene, exhibit, options),
+    const Exhibit clean(wrong, right, kinds);
+    std::vector<Judged> all = judge_all(renderer, document.scene, clean, options);
+    const float noise = is_exact(all.front()) ? 0 : noise_of(wrong, right);
+    if (noise == 0) {
+        conclude(d, renderer, document, clean, all, options.threads);
+        return d;
+    }
+    all.clear();  // its drawings are large
+    const Exhibit noisy(wrong, right, kinds, noise);
+    conclude(d, renderer, document, noisy, judge_all(renderer, document.scene, noisy, options),
              options.threads);
     return d;
 }

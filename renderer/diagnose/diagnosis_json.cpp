@@ -21,6 +21,7 @@ JsonValue display_json(const DisplayFinding& display) {
     if (c.red_blue) json["red_blue_exchanged"] = true;
     if (c.encodings() != 0) json["srgb"] = c.encodings() > 0 ? "encoded" : "decoded";
     if (c.gain != 1) json["gain"] = c.gain;
+    if (c.noise > 0) json["noise"] = c.noise;
     if (display.background) json["background"] = rgb_json(*display.background);
     if (display.shift != glm::vec2(0)) json["shift"] = JsonValue{display.shift.x, display.shift.y};
     if (display.smooth_edges) json["smooth_edges"] = true;

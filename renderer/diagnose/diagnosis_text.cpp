@@ -132,6 +132,7 @@ std::string display_text(const DisplayFinding& display) {
         words.emplace_back(c.encodings() > 0 ? "sRGB-encoded once too often"
                                              : "sRGB-encoded once too seldom");
     if (c.gain != 1) words.push_back(fmt::format("all brightness times {:.3g}", c.gain));
+    if (c.noise > 0) words.push_back(fmt::format("noise of about {:.1f} levels", c.noise));
     if (display.background) words.push_back("another background, " + text_of(*display.background));
     if (display.shift != glm::vec2(0))
         words.push_back(fmt::format("shifted by {:.2f} pixels to the right and {:.2f} down", display.shift.x,

@@ -22,11 +22,10 @@ std::optional<Rgb> other_background(const Exhibit& e, const ByteRanges& ranges, 
     if (!ground || pixel == e.kinds.end()) return std::nullopt;
     if (change.red_blue) std::swap((*ground)[0], (*ground)[2]);
     const Rgb right = rgb_at(e.right, static_cast<std::size_t>(pixel - e.kinds.begin()));
-    constexpr int near = 2;
-    if (distance(*ground, right) <= near) return std::nullopt;
+    const float near = 2 + change.scatter();
+    if (static_cast<float>(distance(*ground, right)) <= near) return std::nullopt;
     bool as_displayed = true;
-    for (std::size_t c = 0; c < 3; ++c)
-        as_displayed &= ranges[right[c]].distance((*ground)[c]) <= static_cast<float>(near);
+    for (std::size_t c = 0; c < 3; ++c) as_displayed &= ranges[right[c]].distance((*ground)[c]) <= near;
     if (as_displayed) return std::nullopt;
     return ground;
 }
@@ -133,38 +132,64 @@ DisplayFinding display_finding(const Exhibit& e, const Picture& drawn, const Dis
     return finding;
 }
 
-std::optional<std::string> other_outline(const Exhibit& e) {
-    constexpr int near = 3, dark = 8;
-    constexpr double most_outside = 0.02, most_inside = 0.2;
-    double least_outside = 1, inside = 0;
+namespace {
+
+/// How a picture's outline differs from the scene's, in shares of 0 to 1.
+struct Outline {
+    double outside = 1;  // of what is background in the scene, what shows something
+    double inside = 1;   // of the surfaces that are told from the background in the right picture, what shows
+                         // the background
+};
+
+Outline outline_of(const Exhibit& e, const DisplayChange& turned, Rgb right_ground) {
+    constexpr int dark = 8, clear = 16;
+    const float near = 3 + e.least_change.scatter();
+    const std::optional<Rgb> ground = e.grounds[way_turned(turned)];
+    std::size_t outside = 0, background = 0, bare = 0, surface = 0;
     const PictureSize size = e.right.size;
-    for (const DisplayChange& turned : ways_of_turning()) {
-        const std::optional<Rgb> ground = e.grounds[way_turned(turned)];
-        std::size_t outside = 0, background = 0, bare = 0, surface = 0;
-        for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x) {
-                const PixelKind kind = e.kinds[size.index(x, y)];
-                if (kind == PixelKind::Edge) continue;
-                const Rgb mine = rgb_at(e.wrong, changed_index(turned, size, x, y));
-                const bool is_ground = ground && distance(mine, *ground) <= near;
-                ++(kind == PixelKind::Background ? background : surface);
-                outside += kind == PixelKind::Background && !is_ground ? 1 : 0;
-                bare += kind == PixelKind::Surface && is_ground ? 1 : 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const PixelKind kind = e.kinds[size.index(x, y)];
+            const Rgb mine = rgb_at(e.wrong, changed_index(turned, size, x, y));
+            const bool is_ground = ground && static_cast<float>(distance(mine, *ground)) <= near;
+            if (kind == PixelKind::Background) {
+                ++background;
+                outside += is_ground ? 0 : 1;
+            } else if (kind == PixelKind::Surface &&
+                       distance(rgb_at(e.right, size.index(x, y)), right_ground) > clear) {
+                ++surface;
+                bare += is_ground ? 1 : 0;
             }
-        if (background == 0) return std::nullopt;
-        const double share = static_cast<double>(outside) / static_cast<double>(background);
-        if (share >= least_outside) continue;
-        least_outside = share;
-        const bool black = ground && distance(*ground, Rgb{}) <= dark;
-        inside = black || surface == 0 ? 0 : static_cast<double>(bare) / static_cast<double>(surface);
+        }
+    const auto share = [](std::size_t part, std::size_t of) {
+        return of == 0 ? 0 : static_cast<double>(part) / static_cast<double>(of);
+    };
+    const bool black = ground && distance(*ground, Rgb{}) <= dark;  // as a surface may be, too
+    return {share(outside, background), black ? 0 : share(bare, surface)};
+}
+
+}  // namespace
+
+std::optional<std::string> other_outline(const Exhibit& e) {
+    constexpr double most_outside = 0.02, most_inside = 0.2;
+    const auto pixel = std::find(e.kinds.begin(), e.kinds.end(), PixelKind::Background);
+    if (pixel == e.kinds.end()) return std::nullopt;
+    const Rgb right_ground = rgb_at(e.right, static_cast<std::size_t>(pixel - e.kinds.begin()));
+    const auto misfit = [](const Outline& o) {
+        return std::max(o.outside / most_outside, o.inside / most_inside);
+    };
+    Outline best;
+    for (const DisplayChange& turned : ways_of_turning()) {
+        const Outline outline = outline_of(e, turned, right_ground);
+        if (misfit(outline) < misfit(best)) best = outline;
     }
     const char* const reason = "it has another aspect or camera, or is another scene's";
-    if (least_outside > most_outside)
+    if (best.outside > most_outside)
         return fmt::format("{:.0f} % of what is background in the scene shows something in the picture: {}",
-                           100 * least_outside, reason);
-    if (inside > most_inside)
+                           100 * best.outside, reason);
+    if (best.inside > most_inside)
         return fmt::format("{:.0f} % of what is surface in the scene is background in the picture: {}",
-                           100 * inside, reason);
+                           100 * best.inside, reason);
     return std::nullopt;
 }
 

@@ -20,12 +20,12 @@ std::size_t drawings_of(PictureSize size) {
     return std::clamp<std::size_t>(drawings_bytes / picture_memory(size), fewest_drawings, most_drawings);
 }
 
-constexpr double noise = 50;  // in excess_of() over a whole picture
+constexpr double free_in_picture = 50;  // in excess_of() over a whole picture
 
 void judge(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int step) {
     j.change = change;
     j.score = score(exhibit, j.drawing, change, step);
-    j.cost = explanation_cost(j.score.excess, noise / step, j.mistakes.size(), change);
+    j.cost = explanation_cost(j.score.excess, free_in_picture / step, j.mistakes.size(), change);
 }
 
 /// Judges under another change, too, and keeps the cheaper one.
@@ -137,9 +137,9 @@ std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhi
         tried = of;
         options.progress(done, of + drawings);
     };
-    const std::vector<Hypothesis> likely =
-        likely_hypotheses(scene, exhibit.wrong, at, options.pairs, drawings, options.threads,
-                          options.progress ? DiagnosisProgress(search_progress) : DiagnosisProgress());
+    const std::vector<Hypothesis> likely = likely_hypotheses(
+        scene, exhibit.wrong, exhibit.least_change.noise, at, options.pairs, drawings, options.threads,
+        options.progress ? DiagnosisProgress(search_progress) : DiagnosisProgress());
     const int step = std::clamp(size.height / coarse_rows, 1, most_step);
     std::vector<Judged> all;
     for (std::size_t i = 0; i < std::min(drawings, likely.size()); ++i) {
@@ -154,7 +154,7 @@ std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhi
     const Drawing right{exhibit.right, {}};
     for (Judged& j : all) judge(j, exhibit, j.change, 1);
     // The whole picture may speak against a change that few rows chose.
-    judge_also(all.front(), exhibit, {}, 1);
+    judge_also(all.front(), exhibit, exhibit.least_change, 1);
     for (Judged& j : all) {
         j.is_right = j.mistakes.empty() || look_alike(exhibit, j.drawing, right);
         j.is_believed = j.score.fits() && (j.is_right || j.cost < all.front().cost);

@@ -14,7 +14,7 @@ std::vector<DisplayChange> cautious_changes(const Exhibit& exhibit, const Judged
     turned.before = turned.after = Code::Same;
     turned.gain = 1;
     turned.soft = false;
-    std::vector<DisplayChange> changes{DisplayChange{}};
+    std::vector<DisplayChange> changes{exhibit.least_change};
     std::uint64_t least = score(exhibit, none.drawing, changes.front()).unlike;
     for (const DisplayChange& change : {turned, none.change}) {
         const std::uint64_t unlike = score(exhibit, none.drawing, change).unlike;

@@ -84,16 +84,20 @@ std::size_t changed_index(const DisplayChange& change, PictureSize size, int x, 
 
 ByteBounds byte_bounds(const DisplayChange& change) {
     constexpr float rounding = 0.5f;
+    const float scatter = change.scatter();
     ByteBounds bounds;
     if (keeps_brightness(change)) {
-        for (std::size_t i = 0; i < 256; ++i) bounds.low[i] = bounds.high[i] = static_cast<float>(i);
+        for (std::size_t i = 0; i < 256; ++i) {
+            bounds.low[i] = static_cast<float>(i) - scatter;
+            bounds.high[i] = static_cast<float>(i) + scatter;
+        }
         return bounds;
     }
     const Change curve(change);
     for (std::size_t i = 0; i < 256; ++i) {
         const float edge = curve.at(2 * i);  // between the level before and this one
-        bounds.low[i] = edge - rounding;
-        if (i > 0) bounds.high[i - 1] = edge + rounding;
+        bounds.low[i] = edge - rounding - scatter;
+        if (i > 0) bounds.high[i - 1] = edge + rounding + scatter;
     }
     bounds.high[255] = 255;  // may have been any brightness from there on before it was clamped
     return bounds;
@@ -104,7 +108,7 @@ ByteRanges byte_ranges(const DisplayChange& change) {
     const Change curve(change);
     ByteRanges ranges;
     for (std::size_t i = 0; i < ranges.size(); ++i)
-        ranges[i] = {bounds.low[i], keeps_brightness(change) ? bounds.low[i] : curve.at(2 * i + 1),
+        ranges[i] = {bounds.low[i], keeps_brightness(change) ? static_cast<float>(i) : curve.at(2 * i + 1),
                      bounds.high[i]};
     return ranges;
 }

@@ -22,12 +22,17 @@ struct DisplayChange {
     /// Pixels may show anything between their neighbours: edges are smoothed, or all is shifted by up to a
     /// pixel.
     bool soft = false;
+    /// The standard deviation, in levels, of what every pixel is off at random.
+    float noise = 0;
     bool operator==(const DisplayChange&) const = default;
 
     /// How many sRGB encodings the picture has too many: -1, 0 or 1.
     [[nodiscard]] int encodings() const;
-    /// How many things happened.
+    /// How many things happened, noise left out: it is measured, not supposed.
     [[nodiscard]] int count() const;
+    /// Levels by which noise may take a pixel from what it would be: four deviations, which one in 16,000
+    /// exceeds.
+    [[nodiscard]] float scatter() const { return 4 * noise; }
 };
 
 /// Number of the way in which a picture is turned over, 0 to 3, and one change for each.

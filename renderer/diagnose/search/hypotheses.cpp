@@ -16,7 +16,7 @@ namespace glint {
 namespace {
 
 constexpr std::size_t even_probes = 1200, probes_a_mistake = 24, changes_kept = 3;
-constexpr double probe_noise = 8;
+constexpr double free_in_probes = 8;
 
 /// Every n-th of some pixels, so that there are about `count`.
 void add_every(std::vector<Probe>& probes, const std::vector<std::size_t>& pixels, PictureSize size,
@@ -132,7 +132,7 @@ struct CostedChange {
 /// tried to its end whatever rounding does.
 double most_excess(double cost, std::size_t mistakes, const DisplayChange& change) {
     constexpr double hair = 1 + 1e-9;
-    return std::exp2(cost - explanation_cost(1, 0, mistakes, change)) * hair - probe_noise;
+    return std::exp2(cost - explanation_cost(1, 0, mistakes, change)) * hair - free_in_probes;
 }
 
 /// Tries all that can have happened at the display, each with the gain that fits it, if a picture was drawn
@@ -144,11 +144,12 @@ void try_changes(std::size_t mistakes, const DrawnProbes& drawn, const WrongProb
     static const std::vector<DisplayChange> changes = all_changes();
     constexpr float no_gain = 0.004f;
     const auto attempt = [&](DisplayChange change) {
+        change.noise = wrong.noise();
         const ByteBounds bounds = byte_bounds(change);
         for (const bool soft : {false, true}) {
             change.soft = soft;
             const double excess = excess_at(drawn, wrong, change, bounds, enough(change));
-            take(change, explanation_cost(excess, probe_noise, mistakes, change));
+            take(change, explanation_cost(excess, free_in_probes, mistakes, change));
         }
     };
     for (DisplayChange change : changes) {
@@ -231,21 +232,21 @@ std::vector<Hypothesis> likeliest(std::vector<Drawn>& all, const WrongProbes& wr
 
 }  // namespace
 
-double explanation_cost(double excess, double noise, std::size_t mistakes, const DisplayChange& change) {
+double explanation_cost(double excess, double free, std::size_t mistakes, const DisplayChange& change) {
     // Where explanations are equal, one mistake is preferred to a change at the display, and that to two
     // mistakes.
     constexpr double nearly = 0.01;
     const double preference = mistakes == 1 ? 0 : nearly;
-    return std::log2(excess + noise) + static_cast<double>(mistakes) + change.count() + preference;
+    return std::log2(excess + free) + static_cast<double>(mistakes) + change.count() + preference;
 }
 
-std::vector<Hypothesis> likely_hypotheses(const Scene& scene, const Picture& wrong, PictureSize at,
-                                          bool pairs, std::size_t count, int threads,
+std::vector<Hypothesis> likely_hypotheses(const Scene& scene, const Picture& wrong, float noise,
+                                          PictureSize at, bool pairs, std::size_t count, int threads,
                                           const DiagnosisProgress& progress) {
     Renderer renderer(threads);
     Singles s = draw_singles(renderer, scene, at, pairs ? DiagnosisProgress() : progress);
     s.probes = choose_probes(s, at);
-    const WrongProbes mine(s.probes, resampled(wrong, at), s.kinds);
+    const WrongProbes mine(s.probes, resampled(wrong, at), s.kinds, noise);
     std::vector<Drawn> all;
     for (std::size_t m = 0; m < s.mistakes.size(); ++m)
         all.push_back({s.mistakes[m], drawn_at(s.probes, s.picture[m], is_bare(s.bare[m], at))});

@@ -19,8 +19,8 @@ struct Hypothesis {
 };
 
 /// How much a wrong picture speaks against an explanation: `excess` is the sum of excess_of(). One thing more
-/// that is supposed to have happened must take away more than half of the excess, and more than `noise`.
-[[nodiscard]] double explanation_cost(double excess, double noise, std::size_t mistakes,
+/// that is supposed to have happened must take away more than half of the excess, and more than `free`.
+[[nodiscard]] double explanation_cost(double excess, double free, std::size_t mistakes,
                                       const DisplayChange& change);
 
 /// Told how many of how many explanations are tried; from the thread that asked. What it throws ends the
@@ -28,9 +28,9 @@ struct Hypothesis {
 using DiagnosisProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// The `count` likeliest explanations, without mistakes that change no byte. The first holds no mistake, the
-/// others follow by their costs. `wrong` has any size of the picture's aspect; `at` is the size to draw at.
-/// `progress` counts mistakes, or with `pairs` the twos of them.
-[[nodiscard]] std::vector<Hypothesis> likely_hypotheses(const Scene& scene, const Picture& wrong,
+/// others follow by their costs. `wrong` has any size of the picture's aspect, and noise as DisplayChange has
+/// it; `at` is the size to draw at. `progress` counts mistakes, or with `pairs` the twos of them.
+[[nodiscard]] std::vector<Hypothesis> likely_hypotheses(const Scene& scene, const Picture& wrong, float noise,
                                                         PictureSize at, bool pairs, std::size_t count,
                                                         int threads, const DiagnosisProgress& progress);
 

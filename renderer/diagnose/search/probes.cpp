@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 
 namespace glint {
@@ -26,6 +27,17 @@ DrawnProbes drawn_at(const std::vector<Probe>& probes, const Picture& picture, c
     return drawn;
 }
 
+namespace {
+
+std::uint8_t median_of(const std::array<std::int64_t, 256>& counts, std::int64_t all) {
+    std::size_t median = 0;
+    for (std::int64_t below = counts[0]; 2 * below <= all && median < 255; below += counts[++median]) {
+    }
+    return static_cast<std::uint8_t>(median);
+}
+
+}  // namespace
+
 std::optional<Rgb> background_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
                                  const DisplayChange& change, double share) {
     const PictureSize size = wrong.size;
@@ -35,14 +47,20 @@ std::optional<Rgb> background_of(const Picture& wrong, const std::vector<PixelKi
                 if (kinds[size.index(x, y)] == PixelKind::Background)
                     take(rgb_at(wrong, changed_index(change, size, x, y)));
     };
-    Rgb colour{};  // Boyer and Moore's vote: what more than half have is left over
-    std::int64_t votes = 0, all = 0, agree = 0;
+    std::array<std::array<std::int64_t, 256>, 3> counts{};
+    std::int64_t all = 0, agree = 0;
     for_each([&](const Rgb& one) {
-        if (votes == 0) colour = one;
-        votes += one == colour ? 1 : -1;
+        for (std::size_t c = 0; c < 3; ++c) ++counts[c][one[c]];
         ++all;
     });
-    for_each([&](const Rgb& one) { agree += one == colour ? 1 : 0; });
+    // What more than half have is the median of each channel, and noise leaves the median where it is.
+    const Rgb colour{median_of(counts[0], all), median_of(counts[1], all), median_of(counts[2], all)};
+    for_each([&](const Rgb& one) {
+        bool near = true;
+        for (std::size_t c = 0; c < 3; ++c)
+            near = near && static_cast<float>(std::abs(int{one[c]} - int{colour[c]})) <= change.scatter();
+        agree += near ? 1 : 0;
+    });
     if (static_cast<double>(agree) <= share * static_cast<double>(all)) return std::nullopt;
     return colour;
 }
@@ -59,8 +77,10 @@ Ground ground_of(const Picture& wrong, const std::vector<PixelKind>& kinds, cons
 }
 
 WrongProbes::WrongProbes(const std::vector<Probe>& probes, const Picture& wrong,
-                         const std::vector<PixelKind>& kinds) {
-    for (const DisplayChange& turned : ways_of_turning()) {
+                         const std::vector<PixelKind>& kinds, float noise)
+    : noise_(noise) {
+    for (DisplayChange turned : ways_of_turning()) {
+        turned.noise = noise;
         const std::size_t way = way_turned(turned);
         for (const Probe& p : probes)
             at_[way].push_back(rgb_at(wrong, changed_index(turned, wrong.size, p.x, p.y)));
@@ -79,8 +99,8 @@ double excess_at(const DrawnProbes& drawn, const WrongProbes& wrong, const Displ
         const bool shows_ground = drawn.bare[i] != 0 && ground.is_known;
         for (std::size_t c = 0; c < 3; ++c) {
             const std::size_t k = changed_channel(change, c);
-            const float low = shows_ground ? ground.levels[k] : bounds.low[lows[i][c]];
-            const float high = shows_ground ? ground.levels[k] : bounds.high[highs[i][c]];
+            const float low = shows_ground ? ground.levels[k] - change.scatter() : bounds.low[lows[i][c]];
+            const float high = shows_ground ? ground.levels[k] + change.scatter() : bounds.high[highs[i][c]];
             sum += double(excess_of(levels_outside(low, high, static_cast<float>(mine[i][k]))));
         }
     }

@@ -33,8 +33,9 @@ using IsBare = std::function<bool(int x, int y)>;
 [[nodiscard]] DrawnProbes drawn_at(const std::vector<Probe>& probes, const Picture& picture,
                                    const IsBare& is_bare);
 
-/// The colour of more than `share`, at least half, of the pixels that show no surface in the scene; nothing
-/// where there is none.
+/// The colour of more than `share`, at least half, of the pixels that show no surface in the scene, but for
+/// the change's noise; nothing where there is none. Of the change, only how the picture is turned over and
+/// its noise matter.
 [[nodiscard]] std::optional<Rgb> background_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
                                                const DisplayChange& change, double share = 0.5);
 
@@ -51,7 +52,10 @@ struct Ground {
 /// The picture under diagnosis at the probes, for each of the four ways of turning it over.
 class WrongProbes {
   public:
-    WrongProbes(const std::vector<Probe>& probes, const Picture& wrong, const std::vector<PixelKind>& kinds);
+    /// `noise`: of DisplayChange.
+    WrongProbes(const std::vector<Probe>& probes, const Picture& wrong, const std::vector<PixelKind>& kinds,
+                float noise);
+    [[nodiscard]] float noise() const { return noise_; }
     /// In the order of the scene's channels only when nothing exchanged them.
     [[nodiscard]] const std::vector<Rgb>& at(const DisplayChange& change) const {
         return at_[way_turned(change)];
@@ -63,6 +67,7 @@ class WrongProbes {
   private:
     std::array<std::vector<Rgb>, 4> at_;
     std::array<Ground, 4> ground_;
+    float noise_;
 };
 
 /// A difference up to this is a matter of rounding: it counts nothing.

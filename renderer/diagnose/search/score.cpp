@@ -12,8 +12,8 @@ namespace {
 class Expected {
   public:
     Expected(const Picture& drawn, const BareMask* bare, const ByteRanges& ranges, bool soft,
-             const Ground& ground)
-        : drawn_(drawn), bare_(bare), ranges_(ranges), soft_(soft), ground_(ground) {}
+             const Ground& ground, float scatter = 0)
+        : drawn_(drawn), bare_(bare), ranges_(ranges), soft_(soft), ground_(ground), scatter_(scatter) {}
 
     [[nodiscard]] std::array<ByteRange, 3> at(int x, int y) const {
         const std::size_t pixel = drawn_.pixel(x, y);
@@ -21,7 +21,7 @@ class Expected {
         if (bare_ != nullptr && !bare_->empty() && ground_.is_known && (*bare_)[pixel] != 0) {
             for (std::size_t c = 0; c < 3; ++c) {
                 const float level = ground_.levels[c];
-                expected[c] = {level, level, level};
+                expected[c] = {level - scatter_, level, level + scatter_};
             }
             return expected;
         }
@@ -46,6 +46,7 @@ class Expected {
     const ByteRanges& ranges_;
     bool soft_;
     Ground ground_;
+    float scatter_;
 };
 
 /// Returns whether the pixel is unlike what is explained.
@@ -107,9 +108,11 @@ bool Score::may_fit() const {
 }
 
 Exhibit::Exhibit(const Picture& wrong_picture, const Picture& right_picture,
-                 const std::vector<PixelKind>& of_pixels)
+                 const std::vector<PixelKind>& of_pixels, float noise)
     : wrong(wrong_picture), right(right_picture), kinds(of_pixels) {
-    for (const DisplayChange& turned : ways_of_turning()) {
+    least_change.noise = noise;
+    for (DisplayChange turned : ways_of_turning()) {
+        turned.noise = noise;
         grounds[way_turned(turned)] = background_of(wrong, kinds, turned);
         bare_grounds[way_turned(turned)] = ground_of(wrong, kinds, turned);
     }
@@ -134,7 +137,7 @@ Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
     const ByteRanges ranges = byte_ranges(change);
     Ground ground = e.bare_grounds[way_turned(change)];
     if (change.red_blue) std::swap(ground.levels[0], ground.levels[2]);
-    const Expected explained(drawn.picture, &drawn.bare, ranges, change.soft, ground);
+    const Expected explained(drawn.picture, &drawn.bare, ranges, change.soft, ground, change.scatter());
     const Expected right(e.right, nullptr, ranges, change.soft, ground);
     const PictureSize size = e.right.size;
     std::vector<Score> rows(static_cast<std::size_t>(size.height / step));
@@ -167,9 +170,10 @@ PixelCounts count_unlike(const Exhibit& e, const Picture& drawn, const DisplayCh
             const std::array<ByteRange, 3> ours = expected.at(x, y);
             float off = 0;
             for (std::size_t c = 0; c < 3; ++c)
-                off = std::max(off, kind == PixelKind::Background && background
-                                        ? std::abs(float((*background)[c]) - float(mine[c]))
-                                        : ours[c].distance(mine[c]));
+                off =
+                    std::max(off, kind == PixelKind::Background && background
+                                      ? std::abs(float((*background)[c]) - float(mine[c])) - change.scatter()
+                                      : ours[c].distance(mine[c]));
             PixelCount& count = counts[static_cast<std::size_t>(kind)];
             ++count.pixels;
             count.unlike += off > visible_levels ? 1 : 0;

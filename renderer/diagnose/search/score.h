@@ -27,9 +27,11 @@ struct Exhibit {
     // The wrong picture's grounds, indexed by way_turned():
     std::array<std::optional<Rgb>, 4> grounds;  // background_of()
     std::array<Ground, 4> bare_grounds;         // ground_of()
+    DisplayChange least_change;                 // nothing happened but noise
 
+    /// `noise`: of DisplayChange.
     Exhibit(const Picture& wrong_picture, const Picture& right_picture,
-            const std::vector<PixelKind>& of_pixels);
+            const std::vector<PixelKind>& of_pixels, float noise = 0);
 };
 
 struct Score {

@@ -1,0 +1,74 @@
+// Noise, as a renderer that samples or dithering leaves it, is neither a mistake nor hides one.
+#include "renderer/diagnose/search/noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "renderer/diagnose/diagnose.h"
+#include "renderer/diagnose/diagnosis_format.h"
+#include "tests/renderer/diagnose/wrong_pictures.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+/// The picture with normally distributed noise of that deviation, in levels.
+Picture noisy(Picture picture, double deviation, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0, deviation);
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+        if (i % 4 != 3)
+            picture.rgba[i] = static_cast<std::uint8_t>(
+                std::clamp(std::lround(double(picture.rgba[i]) + noise(random)), 0L, 255L));
+    return picture;
+}
+
+SceneDocument shipped(const std::string& name) {
+    return std::get<SceneDocument>(open_document(std::string(GLINT_SOURCE_DIR) + "/assets/scenes/" + name));
+}
+
+}  // namespace
+
+TEST_CASE("noise is measured, and what a clean picture shows is none", "[diagnose]") {
+    const Picture right = picture_under(diagnosed_scene(4).scene, {});
+    CHECK(noise_of(right, right) == 0);
+    CHECK(noise_of(noisy(right, 0.4, 1), right) == 0);
+    for (const double deviation : {1.5, 3.0, 6.0})
+        CHECK(double(noise_of(noisy(right, deviation, 2), right)) == Approx(deviation).epsilon(0.2));
+    Picture grey = right;
+    std::fill(grey.rgba.begin(), grey.rgba.end(), std::uint8_t{128});
+    CHECK(noise_of(grey, grey) == 0);
+}
+
+TEST_CASE("a right picture with noise has no mistake", "[diagnose]") {
+    for (const char* name : {"sun.json", "still-life.json", "default.json"}) {
+        const SceneDocument document = shipped(name);
+        const Picture right = picture_under(document.scene, {});
+        for (const double deviation : {1.0, 2.0, 5.0}) {
+            INFO(name << ", noise " << deviation);
+            const Diagnosis d = diagnose(document, noisy(right, deviation, 3), {false, 1, {}});
+            CHECK(d.verdict == Verdict::NoMistake);
+            CHECK(display_text(d.display).starts_with("noise of about "));
+        }
+    }
+}
+
+TEST_CASE("a mistake is named in a noisy picture", "[diagnose]") {
+    SceneDocument document = shipped("default.json");
+    document.scene.shading.reflection = Reflection::Phong;
+    for (const char* name : {"reflect_sign", "normals_left_in_world", "encoded_twice", "missing_pi"})
+        for (const double deviation : {1.0, 2.0}) {
+            const MistakeSet mistake{place_of(name)};
+            const Picture wrong = noisy(picture_under(document.scene, mistake), deviation, 4);
+            INFO(name << ", noise " << deviation);
+            const Diagnosis d = diagnose(document, wrong, {false, 1, {}});
+            REQUIRE(d.verdict == Verdict::Mistake);
+            const Candidate& first = d.candidates.front();
+            CHECK((first.mistakes == mistake ||
+                   std::count(first.also.begin(), first.also.end(), mistake) == 1));
+        }
+}
