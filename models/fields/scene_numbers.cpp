@@ -217,6 +217,9 @@ std::optional<Problem> set_number(Scene& scene, const std::string& pointer, doub
 
 std::string words_of_pointer(const Scene& scene, const std::string& pointer) {
     if (const auto number = number_at(scene, pointer)) return number->words;
+    // A vector is called as its first number is, without the name of the component.
+    if (const auto first = number_at(scene, pointer + "/0"))
+        return first->words.substr(0, first->words.rfind(' '));
     std::string keys;
     for (const std::string_view token : tokens_of(pointer))
         keys.append(keys.empty() ? "" : " ").append(token);

@@ -40,7 +40,8 @@ struct SceneNumber {
 /// "--set") says why.
 [[nodiscard]] std::optional<Problem> set_number(Scene& scene, const std::string& pointer, double value);
 
-/// Returns SceneNumber::words of the number there, or the pointer's keys if it leads to no number.
+/// Returns SceneNumber::words of the number there; of a vector the same without the component ("eye"); else
+/// the pointer's keys.
 [[nodiscard]] std::string words_of_pointer(const Scene& scene, const std::string& pointer);
 
 }  // namespace glint

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "ui/commands/command_rows.h"
@@ -86,16 +87,25 @@ void run_command(UiState& state, const WindowCommand& command) {
     command.run(state);
 }
 
+namespace {
+
+/// Whether a key belongs to the text that is being typed. Saving, opening and ending do what they do, as
+/// pages and F keys do.
+bool is_for_text(KeyPress press) {
+    constexpr std::array of_files{Key::N, Key::O, Key::Q, Key::S};
+    if (press.key >= Key::PageUp && press.key <= Key::F12) return false;
+    return !press.ctrl || std::find(of_files.begin(), of_files.end(), press.key) == of_files.end();
+}
+
+}  // namespace
+
 void run_keys(UiState& state, const UiInput& input) {
     const bool busy =
         state.viewport.gesture != Gesture::None || (ImGui::IsAnyMouseDown() && ImGui::IsAnyItemActive());
     for (const KeyPress& press : input.presses) {
         if (press.key == Key::Escape && !number_in_hand()) escape(state);
         if (busy || state.palette.open || modal_of(state) != Modal::None) continue;
-        // While text is typed its keys are text; Ctrl+S still saves, and pages and F keys do what they do.
-        const bool typing = ImGui::GetIO().WantTextInput;
-        const bool is_no_text = press.key >= Key::PageUp && press.key <= Key::F12;
-        if (typing && !is_no_text && !(press.ctrl && press.key == Key::S)) continue;
+        if (ImGui::GetIO().WantTextInput && is_for_text(press)) continue;
         const auto has_key = [&press](const WindowCommand& command) {
             return std::find(command.keys.begin(), command.keys.end(), press) != command.keys.end();
         };

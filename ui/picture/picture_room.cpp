@@ -211,7 +211,7 @@ void picture_overlay(UiState& state, const Layout& layout) {
         std::erase_if(state.notifications.list, [](const Notification& n) { return n.tone == Tone::Done; });
     // Beside the legend of a false colour, which is read while they stand.
     const float legend = state.layout.hides_all ? 0 : legend_width(state.views.debug_view);
-    draw_notifications(state.notifications, layout.centre.high - px(18) * ImVec2(1, 1),
+    draw_notifications(state.notifications, layout.centre.high - px(18) * ImVec2(1, 1), layout.centre.low.y,
                        std::max(layout.centre.size().x - px(36) - legend, px(160)));
 }
 

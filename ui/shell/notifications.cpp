@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t max_at_once = 5;
 constexpr double seconds_over_dialog = 10;
+constexpr std::size_t longest_text = 480;  // bytes: some nine lines
 
 double seconds_shown(Tone tone) {
     switch (tone) {
@@ -34,11 +35,24 @@ const ImVec4& ink(Tone tone) {
     return tone == Tone::Error ? theme().error : tone == Tone::Warning ? theme().warning : theme().accent;
 }
 
-/// Returns the height taken; sets `closed`.
-float draw_one(const Notification& note, int index, ImVec2 low_right, float width, bool& closed) {
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+/// A long text without its middle: what it begins with says where, what it ends with says what was expected.
+std::string without_middle(const std::string& text) {
+    if (text.size() <= longest_text) return text;
+    std::size_t head = longest_text * 2 / 3, tail = text.size() - longest_text / 3;
+    while (continues_character(text[head])) --head;
+    while (tail < text.size() && continues_character(text[tail])) ++tail;
+    return text.substr(0, head) + " … " + text.substr(tail);
+}
+
+/// In a room whose lowest right point is `low_right`, below `top`: where it is too low for the text, its
+/// cross is seen and the wheel shows the rest. Returns the height taken; sets `closed`.
+float draw_one(const Notification& note, int index, ImVec2 low_right, float top, float width, bool& closed) {
     const std::string id = "##note" + std::to_string(index);
     ImGui::SetNextWindowPos(low_right, ImGuiCond_Always, {1, 1});
     ImGui::SetNextWindowSize({width, 0});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(low_right.y - top, px(40))});
     ImGui::SetNextWindowBgAlpha(0.95f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
     // What a dialog did is read in front of it, and clicks go through to it.
@@ -79,7 +93,8 @@ void Notifications::tell(const std::string& text) {
     list.back().of_key = true;
 }
 
-void Notifications::add(Tone tone, const std::string& text) {
+void Notifications::add(Tone tone, const std::string& whole) {
+    const std::string text = without_middle(whole);
     const double now = ImGui::GetTime(), until = now + seconds_shown(tone);
     const auto same = [&text](const Notification& note) { return note.text == text; };
     list.erase(std::remove_if(list.begin(), list.end(), same), list.end());
@@ -91,7 +106,7 @@ void Notifications::add(const Warnings& warnings) {
     for (const std::string& warning : warnings) add(Tone::Warning, warning);
 }
 
-void draw_notifications(Notifications& notifications, ImVec2 low_right, float max_width) {
+void draw_notifications(Notifications& notifications, ImVec2 low_right, float top, float max_width) {
     auto& list = notifications.list;
     if (notifications.owes_no_memory) notifications.add(memory_problem(std::bad_alloc()));
     notifications.owes_no_memory = false;
@@ -103,7 +118,7 @@ void draw_notifications(Notifications& notifications, ImVec2 low_right, float ma
     for (int i = static_cast<int>(list.size()) - 1; i >= 0; --i) {
         const Notification& note = list[static_cast<std::size_t>(i)];
         bool closed = false;
-        low_right.y -= draw_one(note, i, low_right, std::min(px(420), max_width), closed) + px(6);
+        low_right.y -= draw_one(note, i, low_right, top, std::min(px(420), max_width), closed) + px(6);
         if (closed) closed_one = i;
         redraw_within(note.until - now);
     }

@@ -25,6 +25,7 @@ struct Notifications {
     std::vector<Notification> list;
     bool owes_no_memory = false;  // memory ran out, and did not even suffice to say so
 
+    /// A text of more than some nine lines is shown without its middle.
     void add(Tone tone, const std::string& text);
     /// Tells for a moment what a key did, in place of what the key before it did.
     void tell(const std::string& text);
@@ -32,8 +33,8 @@ struct Notifications {
     void add(const Warnings& warnings);
 };
 
-/// Draws them upwards from the corner `low_right`, newest at the bottom, and drops those whose time is over.
-/// In front of a dialog, which may have caused them, they stand for some seconds.
-void draw_notifications(Notifications& notifications, ImVec2 low_right, float max_width);
+/// Draws them upwards from the corner `low_right` to `top`, newest at the bottom, and drops those whose time
+/// is over. In front of a dialog, which may have caused them, they stand for some seconds.
+void draw_notifications(Notifications& notifications, ImVec2 low_right, float top, float max_width);
 
 }  // namespace glint
