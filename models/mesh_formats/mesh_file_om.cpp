@@ -123,9 +123,15 @@ class OmReader {
         fail(fmt::format("a chunk is of the unknown kind {}", header.entity()), "0, 1, 2, 4, 6 or 7");
     }
 
+    /// Before version 2 OpenMesh called the bytes of a colour floats.
+    [[nodiscard]] bool is_old_color(const ChunkHeader& header) const {
+        return version_ < version_2 && header.type() == Chunk::Type_Color && header.dimensions() == 3;
+    }
+
     std::size_t data_size(const ChunkHeader& header, std::size_t at) {
         if (header.type() == Chunk::Type_Status) return 4 * count(header);
-        if (header.type() != Chunk::Type_Topology) return count(header) * header.vector_bytes();
+        if (header.type() != Chunk::Type_Topology)
+            return count(header) * (is_old_color(header) ? 3 : header.vector_bytes());
         const std::size_t size = header.integer_bytes();
         if (size > 4) fail("indices have 8 bytes", "1, 2 or 4");
         if (header.entity() == Chunk::Entity_Halfedge) return 3 * size * count(header);  // next, vertex, face
@@ -160,7 +166,7 @@ class OmReader {
         } else if (header.type() == Chunk::Type_Normal) {
             floats ? once(normals_) : void(other_normals_ = true);
         } else if (header.type() == Chunk::Type_Color) {
-            bytes ? once(colors_) : void(other_colors_ = true);
+            bytes || is_old_color(header) ? once(colors_) : void(other_colors_ = true);
         }
     }
 

@@ -82,6 +82,22 @@ TEST_CASE("an OM is read with vertex indices (version 1) and with half-edges (ve
     CHECK(read_text("m.om", test::om()).corner_position == std::vector<std::uint32_t>{0, 1, 2});
 }
 
+TEST_CASE("colours that OpenMesh before 2.0 called floats are the bytes that they are", "[mesh_file][om]") {
+    using namespace std::string_literals;
+    // As OpenMesh 1 wrote a triangle: version 1.2; headers of positions, of vertex colours, of faces.
+    std::string file = "OMT\x22"s + "\3\0\0\0\1\0\0\0\3\0\0\0"s + "\x00\x16"s;
+    const std::string zero(4, '\0'), one = "\0\0\x80\x3f"s;
+    file += zero + zero + zero + one + zero + zero + zero + one + zero;
+    file += "\x80\x14"s + "\xff\x33\0"s + "\0\0\xff"s + "\1\2\3"s;
+    file += "\xe8\x00"s + "\0\1\2"s;
+    const Mesh mesh = read_text("m.om", file);
+    REQUIRE(mesh.colors.size() == 3);
+    CHECK(mesh.colors[0] == glm::vec3(1, 51 / 255.f, 0));
+    CHECK(mesh.colors[2].b == Approx(3 / 255.));
+    CHECK(mesh.face_count() == 1);
+    CHECK(mesh.warnings.empty());
+}
+
 TEST_CASE("a malformed OM is answered with what was expected", "[mesh_file][om]") {
     const std::string good = test::om();
     const auto with = [](std::string bytes, std::size_t at, char byte) {

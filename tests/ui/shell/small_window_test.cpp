@@ -1,7 +1,9 @@
 // Windows and displays of every size: nothing of no area reaches ImGui, and the scale stays one that can be
 // drawn.
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
@@ -117,5 +119,29 @@ TEST_CASE("rounding to whole dots is not a change of scale", "[ui][small]") {
         const auto dots = [](int units) { return static_cast<int>(static_cast<float>(units) * 1.25f); };
         scale = display_scale(extent({width, width / 2}, {dots(width), dots(width / 2)}, 1.25f), scale);
         REQUIRE(scale == first);
+    }
+}
+
+TEST_CASE("a notification stays within the window however long its text is", "[ui][small][notifications]") {
+    for (const ImVec2 size : {ImVec2(1280, 800), ImVec2(480, 300)}) {
+        HeadlessWindow bench(size);
+        bench.frames(2);
+        bench.state.notifications.add(Tone::Error,
+                                      "no such file: " + std::string(4000, 'x') + "; expected a mesh");
+        bench.frames(3);
+        const ImGuiWindow& note = *test::window_named("##note0");
+        CHECK(note.Pos.y >= 0);  // its cross is at the top
+        CHECK(note.Pos.y + note.Size.y <= size.y);
+        const std::string& shown = bench.state.notifications.list.back().text;
+        CHECK(shown.size() < 500);
+        CHECK(shown.starts_with("no such file: "));
+        CHECK(shown.ends_with("; expected a mesh"));
+        std::string many;
+        for (int i = 0; i < 2000; ++i) many += "é";
+        bench.state.notifications.add(Tone::Warning, many);
+        const std::string& accents = bench.state.notifications.list.back().text;
+        CHECK(accents.substr(0, 2) == "é");
+        CHECK(std::count(accents.begin(), accents.end(), '\xC3') ==
+              std::count(accents.begin(), accents.end(), '\xA9'));
     }
 }
