@@ -97,20 +97,17 @@ class MissingParent {
     const Tokens& path_;
 };
 
-/// The number of an element, or in a list the one past the last, for which "-" stands too. A vector does not
-/// grow.
+/// The number of an element, or the one past the last, for which "-" stands too.
 std::size_t index_of(const std::string& token, const Json& array, const std::string& pointer) {
-    const bool grows = array.empty() || !array.front().is_number();
     std::size_t index = 0;
-    if (token == "-" && grows) return array.size();
+    if (token == "-") return array.size();
     const char* const end = token.data() + token.size();
     const auto [rest, error] = std::from_chars(token.data(), end, index);
     const bool number = error == std::errc{} && rest == end && (token == "0" || token.front() != '0');
-    if (number && index < array.size() + (grows ? 1 : 0)) return index;
+    if (number && index <= array.size()) return index;
     fail(pointer,
          in_quotes(token) + (number ? " is past the end of the array" : " is not an index of an array"),
          array.empty() ? "0 or -, for a new one"
-         : !grows      ? fmt::format("0 to {}", array.size() - 1)
                        : fmt::format("0 to {0}; {0} and - are a new one at the end", array.size()));
 }
 
