@@ -24,14 +24,6 @@ struct Named {
     std::string missed;  // those that the first name does not name
 };
 
-/// The mistake's place in the catalogue.
-std::size_t place_of(std::string_view name) {
-    const auto all = mistake_names();
-    const auto at =
-        std::find_if(all.begin(), all.end(), [&](const MistakeName& m) { return m.name == name; });
-    return static_cast<std::size_t>(at - all.begin());
-}
-
 bool names(const Candidate& c, const MistakeSet& mistakes) {
     return c.mistakes == mistakes || std::find(c.also.begin(), c.also.end(), mistakes) != c.also.end();
 }

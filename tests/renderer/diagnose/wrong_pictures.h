@@ -6,7 +6,9 @@
 #include <cstdlib>
 #include <random>
 #include <string>
+#include <string_view>
 
+#include "models/scene/mistakes.h"
 #include "models/scene_file/scene_file.h"
 #include "renderer/diagnose/diagnose.h"
 #include "renderer/renderer.h"
@@ -54,6 +56,14 @@ inline SceneDocument diagnosed_scene(unsigned seed) {
     SceneDocument document;
     document.scene = scene;
     return document;
+}
+
+/// The mistake's place in the catalogue.
+inline std::size_t place_of(std::string_view name) {
+    const auto all = mistake_names();
+    const auto at =
+        std::find_if(all.begin(), all.end(), [&](const MistakeName& m) { return m.name == name; });
+    return static_cast<std::size_t>(at - all.begin());
 }
 
 struct WrongPicture {

@@ -1,11 +1,14 @@
 // Windows and displays of every size: nothing of no area reaches ImGui, and the scale stays one that can be
 // drawn.
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
 #include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
 #include "tests/support/headless_window.h"
 #include "ui/inspector/tabs.h"
 #include "ui/widgets/display_scale.h"
