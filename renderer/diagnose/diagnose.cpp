@@ -1,5 +1,6 @@
 #include "renderer/diagnose/diagnose.h"
 
+#include <fmt/format.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -16,6 +17,9 @@ namespace glint {
 namespace {
 
 constexpr std::uint64_t fewest_compared = 16;
+/// Levels. Stronger noise of light is clipped and encoded, which moves its mean: mistakes were named in right
+/// pictures from 17 on.
+constexpr float most_noise = 12;
 
 /// The sets of mistakes that an experiment is to tell apart: the first candidate and those that look like it,
 /// or else the second candidate.
@@ -71,6 +75,12 @@ Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, cons
     const float noise = is_exact(all.front()) ? 0 : noise_of(wrong, right);
     if (noise == 0) {
         conclude(d, renderer, document, clean, all, options.threads);
+        return d;
+    }
+    if (noise > most_noise) {
+        d.why = fmt::format(
+            "noise of about {:.0f} levels hides what mistakes would change; {:.0f} at most can be judged",
+            noise, most_noise);
         return d;
     }
     all.clear();  // its drawings are large

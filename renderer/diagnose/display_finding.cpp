@@ -183,7 +183,8 @@ std::optional<std::string> other_outline(const Exhibit& e) {
         const Outline outline = outline_of(e, turned, right_ground);
         if (misfit(outline) < misfit(best)) best = outline;
     }
-    const char* const reason = "it has another aspect or camera, or is another scene's";
+    const char* const reason =
+        "it has another aspect or camera, is another scene's, or went through a filter or lossy compression";
     if (best.outside > most_outside)
         return fmt::format("{:.0f} % of what is background in the scene shows something in the picture: {}",
                            100 * best.outside, reason);

@@ -57,6 +57,13 @@ TEST_CASE("a right picture with noise has no mistake", "[diagnose]") {
     }
 }
 
+TEST_CASE("a picture with more noise than can be judged is not comparable, and that is said", "[diagnose]") {
+    const SceneDocument document = shipped("default.json");
+    const Diagnosis d = diagnose(document, noisy(picture_under(document.scene, {}), 20, 5), {false, 1, {}});
+    CHECK(d.verdict == Verdict::NotComparable);
+    CHECK(d.why.starts_with("noise of about "));
+}
+
 TEST_CASE("a mistake is named in a noisy picture", "[diagnose]") {
     SceneDocument document = shipped("default.json");
     document.scene.shading.reflection = Reflection::Phong;
