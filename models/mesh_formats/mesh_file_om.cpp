@@ -123,9 +123,10 @@ class OmReader {
         fail(fmt::format("a chunk is of the unknown kind {}", header.entity()), "0, 1, 2, 4, 6 or 7");
     }
 
-    /// Before version 2 OpenMesh called the bytes of a colour floats.
+    /// Before version 2 OpenMesh called the bytes of a colour 4-byte floats.
     [[nodiscard]] bool is_old_color(const ChunkHeader& header) const {
-        return version_ < version_2 && header.type() == Chunk::Type_Color && header.dimensions() == 3;
+        return version_ < version_2 && header.type() == Chunk::Type_Color && header.dimensions() == 3 &&
+               header.is_float() && header.size_code() == Chunk::Float_32;
     }
 
     std::size_t data_size(const ChunkHeader& header, std::size_t at) {
