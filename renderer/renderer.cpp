@@ -13,7 +13,7 @@
 #include "renderer/inspect/explain/explain.h"
 #include "renderer/kernels/instruction_set.h"
 #include "renderer/shade/culled_by_light.h"
-#include "renderer/shade/light_sources.h"
+#include "renderer/shade/surface_material.h"
 #include "renderer/stages.h"
 #include "renderer/threads.h"
 

@@ -17,7 +17,8 @@ class Clipboard {
     Clipboard(const Clipboard&) = delete;
     Clipboard& operator=(const Clipboard&) = delete;
 
-    /// Has ImGui copy to it and paste from it. Precondition: ImGui's backend has begun; this outlives it.
+    /// Makes ImGui copy to this clipboard and paste from it. Precondition: ImGui's backend has begun; this
+    /// outlives it.
     void serve_imgui();
 
     void set(const char* text);

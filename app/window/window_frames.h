@@ -33,7 +33,7 @@ class WindowFrames {
     /// False where the display has no OpenGL 3.0.
     [[nodiscard]] bool ready() const { return canvas_ && canvas_->ready(); }
 
-    /// Frame after frame until the window is closed. Precondition: ready().
+    /// Draws frame after frame until the window is closed. Precondition: ready().
     void run();
 
   private:

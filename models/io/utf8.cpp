@@ -57,7 +57,7 @@ std::size_t utf8_length(std::string_view text) {
     if (lead.length < 2 || text.size() < lead.length) return lead.length == 1 ? 1 : 0;
     if (byte_at(text, 1) < lead.second_min || byte_at(text, 1) > lead.second_max) return 0;
     for (std::size_t i = 2; i < lead.length; ++i)
-        if ((byte_at(text, i) & 0xC0) != 0x80) return 0;
+        if (!continues_character(text[i])) return 0;
     return lead.length;
 }
 

@@ -15,6 +15,11 @@ inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     return text.substr(text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
 }
 
+/// Whether a byte of UTF-8 goes on with the character of the byte before it.
+[[nodiscard]] inline bool continues_character(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0u) == 0x80;
+}
+
 /// Bytes of the well-formed character at the start of `text`, 1 to 4; 0 when there is none (empty text, a
 /// stray or missing continuation byte, an overlong form, a surrogate, a value above U+10FFFF).
 [[nodiscard]] std::size_t utf8_length(std::string_view text);

@@ -15,17 +15,23 @@ int distance(Rgb a, Rgb b) {
     return most;
 }
 
+/// The right picture's background; nothing where it shows none.
+std::optional<Rgb> right_ground(const Exhibit& e) {
+    const auto pixel = std::find(e.kinds.begin(), e.kinds.end(), PixelKind::Background);
+    if (pixel == e.kinds.end()) return std::nullopt;
+    return rgb_at(e.right, static_cast<std::size_t>(pixel - e.kinds.begin()));
+}
+
 /// The background of the wrong picture where it is neither the scene's nor what the display makes of that.
 std::optional<Rgb> other_background(const Exhibit& e, const ByteRanges& ranges, const DisplayChange& change) {
     std::optional<Rgb> ground = e.grounds[way_turned(change)];
-    const auto pixel = std::find(e.kinds.begin(), e.kinds.end(), PixelKind::Background);
-    if (!ground || pixel == e.kinds.end()) return std::nullopt;
+    const std::optional<Rgb> right = right_ground(e);
+    if (!ground || !right) return std::nullopt;
     if (change.red_blue) std::swap((*ground)[0], (*ground)[2]);
-    const Rgb right = rgb_at(e.right, static_cast<std::size_t>(pixel - e.kinds.begin()));
     const float near = 2 + change.scatter();
-    if (static_cast<float>(distance(*ground, right)) <= near) return std::nullopt;
+    if (static_cast<float>(distance(*ground, *right)) <= near) return std::nullopt;
     bool as_displayed = true;
-    for (std::size_t c = 0; c < 3; ++c) as_displayed &= ranges[right[c]].distance((*ground)[c]) <= near;
+    for (std::size_t c = 0; c < 3; ++c) as_displayed &= ranges[(*right)[c]].distance((*ground)[c]) <= near;
     if (as_displayed) return std::nullopt;
     return ground;
 }
@@ -141,7 +147,7 @@ struct Outline {
                          // the background
 };
 
-Outline outline_of(const Exhibit& e, const DisplayChange& turned, Rgb right_ground) {
+Outline outline_of(const Exhibit& e, const DisplayChange& turned, Rgb right_background) {
     constexpr int dark = 8, clear = 16;
     const float near = 3 + e.least_change.scatter();
     const std::optional<Rgb> ground = e.grounds[way_turned(turned)];
@@ -156,7 +162,7 @@ Outline outline_of(const Exhibit& e, const DisplayChange& turned, Rgb right_grou
                 ++background;
                 outside += is_ground ? 0 : 1;
             } else if (kind == PixelKind::Surface &&
-                       distance(rgb_at(e.right, size.index(x, y)), right_ground) > clear) {
+                       distance(rgb_at(e.right, size.index(x, y)), right_background) > clear) {
                 ++surface;
                 bare += is_ground ? 1 : 0;
             }
@@ -172,15 +178,14 @@ Outline outline_of(const Exhibit& e, const DisplayChange& turned, Rgb right_grou
 
 std::optional<std::string> other_outline(const Exhibit& e) {
     constexpr double most_outside = 0.02, most_inside = 0.2;
-    const auto pixel = std::find(e.kinds.begin(), e.kinds.end(), PixelKind::Background);
-    if (pixel == e.kinds.end()) return std::nullopt;
-    const Rgb right_ground = rgb_at(e.right, static_cast<std::size_t>(pixel - e.kinds.begin()));
+    const std::optional<Rgb> background = right_ground(e);
+    if (!background) return std::nullopt;
     const auto misfit = [](const Outline& o) {
         return std::max(o.outside / most_outside, o.inside / most_inside);
     };
     Outline best;
     for (const DisplayChange& turned : ways_of_turning()) {
-        const Outline outline = outline_of(e, turned, right_ground);
+        const Outline outline = outline_of(e, turned, *background);
         if (misfit(outline) < misfit(best)) best = outline;
     }
     const char* const reason =

@@ -6,27 +6,19 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
-#include <limits>
 #include <numbers>
-#include <utility>
 
 #include "models/mesh/normals.h"
 #include "renderer/geometry/clip.h"
 #include "renderer/lighting/light_source.h"
 #include "renderer/shade/moving_light.h"
-#include "renderer/simd/pow.h"
+#include "renderer/shade/surface_material.h"
 
 namespace glint {
 namespace {
 
-Float3 to_float3(glm::dvec3 v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 // Scenes may hold numbers to 1e30, whose products and squares do not fit a float; infinity times 0 is NaN.
 constexpr double largest_product = 1e30;
-// Cook-Torrance's other factors are 1e9 together at most, where its facets are as smooth as they may be.
-constexpr double largest_f0 = 1e28;
 
 /// A product of colours, held at 1e30.
 Float3 product(glm::dvec3 a, glm::dvec3 b, double most = largest_product) {
@@ -103,13 +95,6 @@ void apply_source_mistakes(const Mistakes& wrong, const Light& light, LightSourc
     const double angle = light.spot.cutoff_deg / (wrong.cutoff_as_full_angle ? 2.0 : 1.0);
     const double cosine = wrong.degrees_for_radians ? std::cos(angle) : cos_of_cutoff(angle);
     source.cos_cutoff = static_cast<float>(cosine);
-}
-
-/// The sRGB encoding of a linear component of a colour, 0 and above; 0 and 1 stay exactly what they are,
-/// which floats alone (srgb_encoded) miss by their last bit.
-float srgb_of(float x) {
-    if (x <= 0.0031308f) return 12.92f * x;
-    return static_cast<float>(1.055 * static_cast<double>(power(x, 1 / 2.4f)) - 0.055);
 }
 
 LightJob::Projection projection_of(const glm::dmat4& m) {  // m[column][row]
@@ -245,16 +230,6 @@ glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world
     return wrong.light_moved_twice ? view_from_world * frame : frame;
 }
 
-Material mistaken_material(const Mistakes& wrong, Material m) {
-    if (wrong.lit_in_srgb)
-        for (glm::vec3* color : {&m.ambient, &m.diffuse, &m.specular, &m.emission})
-            for (int i = 0; i < 3; ++i) (*color)[i] = srgb_of((*color)[i]);
-    if (wrong.coefficients_swapped) std::swap(m.diffuse, m.specular);
-    if (wrong.shininess_as_fraction) m.shininess /= 128;
-    if (wrong.shininess_inverted && m.shininess > 0) m.shininess = std::min(1 / m.shininess, 1e30f);
-    return m;
-}
-
 double share_divisor(const Scene& scene) {
     if (!scene.shading.mistakes.average_of_lights) return 1;
     const auto enabled =
@@ -262,32 +237,8 @@ double share_divisor(const Scene& scene) {
     return static_cast<double>(std::max(enabled, decltype(enabled){1}));
 }
 
-float min_cosine_squared(float shininess) {
-    return shininess > 0 ? static_cast<float>(std::exp2(-48.0 / static_cast<double>(shininess)))
-                         : std::numeric_limits<float>::lowest();  // anything to the power 0 is 1
-}
-
-float largest_reflectance(const Material& m) {
-    float most = 0;
-    for (const glm::vec3& k : {m.ambient, m.diffuse, m.specular}) most = std::max({most, k.x, k.y, k.z});
-    return most;
-}
-
 float most_factor(double product) {
     return static_cast<float>(static_cast<double>(largest_term) / std::max(1.0, product));
-}
-
-SurfaceMaterial surface_material(const Material& m) {
-    SurfaceMaterial s;
-    s.k_a = to_float3(m.ambient);
-    s.k_d = to_float3(m.diffuse);
-    s.k_s = to_float3(m.specular);
-    s.f0 = to_float3(glm::min(glm::dvec3(m.f0), glm::dvec3(largest_f0)));
-    s.shininess = m.shininess;
-    s.roughness = m.roughness;
-    s.emission = to_float3(m.emission);
-    s.min_cosine_squared = min_cosine_squared(m.shininess);
-    return s;
 }
 
 void light_sources(const Scene& scene, std::vector<LightSource>& sources) {

@@ -1,7 +1,6 @@
 #pragma once
-// Converts the scene's lights and materials to what the kernels take: camera coordinates, colours times
-// intensity. Lecture: "Light Sources": standard: world coordinates; alternative: camera coordinates (car
-// headlights).
+// Converts the scene's lights to what the kernels take: camera coordinates, colours times intensity. Lecture:
+// "Light Sources": standard: world coordinates; alternative: camera coordinates (car headlights).
 
 #include <glm/mat4x4.hpp>
 #include <vector>
@@ -22,9 +21,6 @@ void light_sources(const Scene& scene, std::vector<LightSource>& sources);
 [[nodiscard]] glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world,
                                            const Mistakes& mistakes = {});
 
-/// The material as the equation takes it: as it is, but for mistakes.
-[[nodiscard]] Material mistaken_material(const Mistakes& mistakes, Material material);
-
 /// What every light's share is divided by: 1, but for the mistake of averaging, where it is the number of
 /// enabled lights, at least 1.
 [[nodiscard]] double share_divisor(const Scene& scene);
@@ -34,21 +30,7 @@ void light_sources(const Scene& scene, std::vector<LightSource>& sources);
 [[nodiscard]] LightJob light_job(const Scene& scene, PictureSize size, const Material& material,
                                  const std::vector<LightSource>& lights, bool at_corners);
 
-/// OpenGL 2.1 knows no shininess above 128.
-inline constexpr float opengl_max_shininess = 128;
-
-[[nodiscard]] inline Float3 to_float3(const glm::vec3& c) { return {c.x, c.y, c.z}; }
-
-/// The largest number that the material multiplies a light's colours with.
-[[nodiscard]] float largest_reflectance(const Material& material);
 /// LightSource::most where no product of the light's colours with a material's exceeds `product`.
 [[nodiscard]] float most_factor(double product);
-
-/// A material as the equation sees it, without k_a I_a: `global_ambient` stays 0.
-[[nodiscard]] SurfaceMaterial surface_material(const Material& material);
-
-/// The square of the cosine whose power is 2^-24, the last bit of a highlight of 1; the lowest float,
-/// below every square with its sign, for a shininess of 0, where every cosine counts (0^0 is 1).
-[[nodiscard]] float min_cosine_squared(float shininess);
 
 }  // namespace glint

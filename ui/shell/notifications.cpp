@@ -6,6 +6,7 @@
 #include <limits>
 #include <new>
 
+#include "models/io/utf8.h"
 #include "models/memory_limit.h"
 #include "ui/widgets/area.h"
 #include "ui/widgets/icons.h"
@@ -35,8 +36,6 @@ const ImVec4& ink(Tone tone) {
     return tone == Tone::Error ? theme().error : tone == Tone::Warning ? theme().warning : theme().accent;
 }
 
-bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
-
 /// A long text without its middle: what it begins with says where, what it ends with says what was expected.
 std::string without_middle(const std::string& text) {
     if (text.size() <= longest_text) return text;
@@ -46,8 +45,8 @@ std::string without_middle(const std::string& text) {
     return text.substr(0, head) + " … " + text.substr(tail);
 }
 
-/// In a room whose lowest right point is `low_right`, below `top`: where it is too low for the text, its
-/// cross is seen and the wheel shows the rest. Returns the height taken; sets `closed`.
+/// Draws it from `low_right` upwards, `top` at most: where the text is higher, its cross is seen and the
+/// wheel shows the rest. Returns the height taken; sets `closed`.
 float draw_one(const Notification& note, int index, ImVec2 low_right, float top, float width, bool& closed) {
     const std::string id = "##note" + std::to_string(index);
     ImGui::SetNextWindowPos(low_right, ImGuiCond_Always, {1, 1});

@@ -23,8 +23,8 @@ struct Hypothesis {
 [[nodiscard]] double explanation_cost(double excess, double free, std::size_t mistakes,
                                       const DisplayChange& change);
 
-/// Told how many of how many explanations are tried; from the thread that asked. What it throws ends the
-/// search.
+/// The search tells it how many explanations have been tried, and of how many, on the thread that asked. An
+/// exception that it throws ends the search.
 using DiagnosisProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// The `count` likeliest explanations, without mistakes that change no byte. The first holds no mistake, the

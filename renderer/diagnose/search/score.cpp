@@ -11,9 +11,15 @@ namespace {
 /// The colours that a picture may show at one pixel, channels in the scene's order.
 class Expected {
   public:
-    Expected(const Picture& drawn, const BareMask* bare, const ByteRanges& ranges, bool soft,
-             const Ground& ground, float scatter = 0)
-        : drawn_(drawn), bare_(bare), ranges_(ranges), soft_(soft), ground_(ground), scatter_(scatter) {}
+    /// `ranges` are those of `change`.
+    Expected(const Picture& drawn, const BareMask* bare, const ByteRanges& ranges,
+             const DisplayChange& change, const Ground& ground)
+        : drawn_(drawn),
+          bare_(bare),
+          ranges_(ranges),
+          soft_(change.soft),
+          scatter_(change.scatter()),
+          ground_(ground) {}
 
     [[nodiscard]] std::array<ByteRange, 3> at(int x, int y) const {
         const std::size_t pixel = drawn_.pixel(x, y);
@@ -45,8 +51,8 @@ class Expected {
     const BareMask* bare_;
     const ByteRanges& ranges_;
     bool soft_;
-    Ground ground_;
     float scatter_;
+    Ground ground_;
 };
 
 /// Returns whether the pixel is unlike what is explained.
@@ -137,8 +143,8 @@ Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
     const ByteRanges ranges = byte_ranges(change);
     Ground ground = e.bare_grounds[way_turned(change)];
     if (change.red_blue) std::swap(ground.levels[0], ground.levels[2]);
-    const Expected explained(drawn.picture, &drawn.bare, ranges, change.soft, ground, change.scatter());
-    const Expected right(e.right, nullptr, ranges, change.soft, ground);
+    const Expected explained(drawn.picture, &drawn.bare, ranges, change, ground);
+    const Expected right(e.right, nullptr, ranges, change, ground);
     const PictureSize size = e.right.size;
     std::vector<Score> rows(static_cast<std::size_t>(size.height / step));
     std::vector<std::uint8_t> unlike(step == 1 ? size.pixels() : 0);
@@ -161,7 +167,7 @@ PixelCounts count_unlike(const Exhibit& e, const Picture& drawn, const DisplayCh
     const ByteRanges ranges = byte_ranges(change);
     std::optional<Rgb> background = e.grounds[way_turned(change)];
     if (background && change.red_blue) std::swap((*background)[0], (*background)[2]);
-    const Expected expected(drawn, nullptr, ranges, change.soft, {});
+    const Expected expected(drawn, nullptr, ranges, change, {});
     PixelCounts counts;
     for (int y = 0; y < drawn.size.height; ++y)
         for (int x = 0; x < drawn.size.width; ++x) {

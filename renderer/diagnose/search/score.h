@@ -73,8 +73,8 @@ using PixelCounts = std::array<PixelCount, 3>;  // by PixelKind
 [[nodiscard]] inline const PixelCount& count_of(const PixelCounts& counts, PixelKind kind) {
     return counts[static_cast<std::size_t>(kind)];
 }
-/// Of each PixelKind, what differs from a drawing: of the background from the colour that more than half of
-/// it has in the wrong picture, where there is one.
+/// Counts, for each PixelKind, the pixels that differ from a drawing. The background is compared with the
+/// colour that more than half of it has in the wrong picture, where there is one.
 [[nodiscard]] PixelCounts count_unlike(const Exhibit& exhibit, const Picture& drawn,
                                        const DisplayChange& change);
 

@@ -8,6 +8,7 @@
 
 #include "models/scene/reflection.h"
 #include "renderer/shade/light_sources.h"
+#include "renderer/shade/surface_material.h"
 
 namespace glint {
 namespace {

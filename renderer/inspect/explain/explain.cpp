@@ -10,6 +10,7 @@
 #include "renderer/inspect/explain/explain_point.h"
 #include "renderer/lighting/display.h"
 #include "renderer/shade/light_sources.h"
+#include "renderer/shade/surface_material.h"
 #include "renderer/simd/glm_vec3.h"
 #include "renderer/strokes/strokes.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "models/fields/choices.h"
+#include "models/io/utf8.h"
 #include "models/problem.h"
 #include "renderer/inspect/explain/equation_text.h"
 #include "renderer/inspect/explain/explain_format.h"
@@ -32,7 +33,7 @@ constexpr std::size_t product_width = 62;
 /// A term: its name, the product that makes it, and its red, green and blue (on the next line where it is
 /// long).
 std::string term(std::string_view name, std::string_view product, glm::vec3 value) {
-    const auto is_start = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80; };  // of UTF-8
+    const auto is_start = [](char byte) { return !continues_character(byte); };
     const auto width = static_cast<std::size_t>(std::count_if(product.begin(), product.end(), is_start));
     if (width <= product_width)
         return fmt::format("  {:<9} {:<{}}{}\n", name, product, product_width, in_columns(value));

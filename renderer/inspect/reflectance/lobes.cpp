@@ -12,6 +12,7 @@
 #include "renderer/lighting/cook_torrance.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"
+#include "renderer/shade/surface_material.h"
 #include "renderer/simd/glm_vec3.h"
 
 namespace glint {

@@ -119,7 +119,7 @@ TEST_CASE("a picture of another scene is in no catalogue, or not comparable", "[
     CHECK(100 * refused >= 95 * all);
 }
 
-TEST_CASE("a mistake that a change at the display undoes is no candidate", "[diagnose]") {
+TEST_CASE("a mistake that a change at the display undoes is not a candidate", "[diagnose]") {
     const SceneDocument document = diagnosed_scene(2);
     Picture wrong = picture_under(document.scene, {});
     std::size_t brightened = 0;  // a block, as none of the catalogue's mistakes gives it

@@ -172,7 +172,7 @@ TEST_CASE("what is not a number leaves the number alone and says so in one line"
     CHECK(bench.last_note().find('\n') == std::string::npos);
 }
 
-TEST_CASE("a long calculation is calculated to its end, and one that fills the field is no number",
+TEST_CASE("a long calculation is calculated to its end, and one that fills the field is not a number",
           "[ui][window][numbers]") {
     Bench bench;
     const auto typed = [&](int terms) {
