@@ -60,6 +60,9 @@ void require_writable(const std::string& out);
 
 /// Throws the Failure of an output that would replace one of the files it is made from.
 void require_other_file(const std::string& out, const std::vector<std::string>& files);
+/// The files that a scene was read from: FILE, and those of its meshes.
+[[nodiscard]] std::vector<std::string> scene_files(const SceneArguments& arguments,
+                                                   const SceneDocument& document);
 
 /// True for an output that is written as PNG: "-", a name that ends in .png, and a device or pipe whose name
 /// has no extension.

@@ -114,7 +114,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
         std::pair distance(edits(word, candidate, [](char a, char b) { return lower(a) != lower(b); }),
                            edits(word, candidate, [](char a, char b) { return a != b; }));
         // Who stops short of a long name means it, however many letters are missing.
-        if (word.size() >= 3 && candidate.starts_with(word))
+        if (!word.empty() && candidate.starts_with(word))
             distance.first = std::min(distance.first, std::size_t{1});
         if (distance < least) {
             least = distance;

@@ -19,8 +19,8 @@ Outcome export_scene(const ExportArguments& arguments) {
     require_given(arguments.out, "-o", "a .glb file");
     if (lower_extension(arguments.out) != ".glb")
         throw wrong_usage("-o", arguments.out + " has another extension", ".glb");
-    require_other_file(arguments.out, {arguments.scene.file});
     const SceneDocument document = open_scene(arguments.scene);
+    require_other_file(arguments.out, scene_files(arguments.scene, document));
     const std::string name = std::filesystem::path(arguments.scene.file).stem().string();
     Result<GltfWritten> made = glb_of(document.scene, name);
     if (auto* problem = std::get_if<Problem>(&made)) problem->file = arguments.scene.file;

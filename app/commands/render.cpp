@@ -90,6 +90,16 @@ void require_apart(const RenderArguments& arguments, const Scene& scene) {
     }
 }
 
+/// Refuses a picture in place of a file of its scene. One that carries the scene may replace the one that it
+/// was read from.
+void require_scene_kept(const RenderArguments& arguments, PictureFormat format,
+                        const SceneDocument& document) {
+    std::vector<std::string> files = scene_files(arguments.scene, document);
+    const bool carries = format == PictureFormat::Png && !arguments.no_scene;
+    if (carries && lower_extension(files.front()) == ".png") files.erase(files.begin());
+    require_other_file(arguments.out, files);
+}
+
 void add_buffers(Outcome& outcome, const RenderArguments& arguments, const Renderer& renderer,
                  const Scene& scene) {
     const PictureFormat format = buffer_format(format_of(arguments.out));
@@ -112,6 +122,7 @@ Outcome render(const RenderArguments& arguments) {
     require_writable(arguments.out);
     if (!arguments.buffers.empty()) require_writable(buffer_path(arguments, "sum"));
     const SceneDocument document = open_scene(arguments.scene);
+    require_scene_kept(arguments, format, document);
     require_apart(arguments, document.scene);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 

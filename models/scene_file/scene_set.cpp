@@ -105,9 +105,12 @@ std::size_t index_of(const std::string& token, const Json& array, const std::str
     const auto [rest, error] = std::from_chars(token.data(), end, index);
     const bool number = error == std::errc{} && rest == end && (token == "0" || token.front() != '0');
     if (number && index <= array.size()) return index;
+    // A new number is nothing that a vector takes, but for the w of a light's position.
+    const bool is_vector = !array.empty() && array.front().is_number();
     fail(pointer,
          in_quotes(token) + (number ? " is past the end of the array" : " is not an index of an array"),
          array.empty() ? "0 or -, for a new one"
+         : is_vector   ? fmt::format("0 to {}", array.size() - 1)
                        : fmt::format("0 to {0}; {0} and - are a new one at the end", array.size()));
 }
 

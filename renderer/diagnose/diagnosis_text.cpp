@@ -84,7 +84,8 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
     }
     if (!d.candidates.empty())
         text += fmt::format("Nearest is {}, which explains {:.0f} % of the wrong pixels: too few.\n",
-                            name_of(d.candidates.front().mistakes), 100 * d.candidates.front().explained);
+                            name_of(d.candidates.front().mistakes),
+                            std::floor(100 * d.candidates.front().explained));
     return text;
 }
 
@@ -128,7 +129,10 @@ std::string display_text(const DisplayFinding& display) {
         words.emplace_back(c.upside_down ? "upside down" : "mirrored");
     }
     if (c.red_blue) words.emplace_back("red and blue exchanged");
-    if (c.encodings() != 0)
+    if (c.is_by_power())
+        words.emplace_back(c.encodings() > 0 ? "encoded once too often, by a power of 2.2"
+                                             : "encoded by a power of 2.2 in place of sRGB's curve");
+    else if (c.encodings() != 0)
         words.emplace_back(c.encodings() > 0 ? "sRGB-encoded once too often"
                                              : "sRGB-encoded once too seldom");
     if (c.gain != 1) words.push_back(fmt::format("all brightness times {:.3g}", c.gain));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "models/scene/mistakes.h"
+
 namespace glint {
 namespace {
 
@@ -64,8 +66,28 @@ bool look_alike(const Exhibit& exhibit, const Drawing& a, const Drawing& b) {
     return true;
 }
 
+/// Judges the right picture as one that was encoded by a power, too. That is what most programs do which do
+/// not encode as sRGB, so it is tried for no mistake alone.
+void judge_by_power(Judged& none, const Exhibit& exhibit) {
+    DisplayChange change = none.change;
+    change.after = Code::Power;
+    change.gain = 1;
+    change.soft = false;
+    for (const Code before : {Code::Same, Code::Decoded}) {
+        change.before = before;
+        judge_also(none, exhibit, change, 1);
+    }
+}
+
+/// Whether it supposes that colours were encoded twice, and decoded again.
+bool encodes_and_decodes(const Judged& j) {
+    const auto encodes = [](std::size_t m) { return mistake_names()[m].flag == &Mistakes::encoded_twice; };
+    return j.change.encodings() < 0 && std::any_of(j.mistakes.begin(), j.mistakes.end(), encodes);
+}
+
 /// Whether an explanation supposes more at the display than that of no mistake does, and shows the same.
 bool undoes_itself(const Exhibit& exhibit, const Judged& j, const Judged& none) {
+    if (encodes_and_decodes(j)) return true;
     if (j.is_believed || j.change.count() <= none.change.count()) return false;
     if (way_turned(j.change) != way_turned(none.change) || j.change.red_blue != none.change.red_blue)
         return false;
@@ -155,9 +177,11 @@ std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhi
     for (Judged& j : all) judge(j, exhibit, j.change, 1);
     // The whole picture may speak against a change that few rows chose.
     judge_also(all.front(), exhibit, exhibit.least_change, 1);
+    judge_by_power(all.front(), exhibit);
     for (Judged& j : all) {
         j.is_right = j.mistakes.empty() || look_alike(exhibit, j.drawing, right);
-        j.is_believed = j.score.fits() && (j.is_right || j.cost < all.front().cost);
+        const bool may_be = j.score.fits() && !encodes_and_decodes(j);
+        j.is_believed = may_be && (j.is_right || j.cost < all.front().cost);
     }
     std::stable_sort(all.begin(), all.end(), [](const Judged& a, const Judged& b) {
         return a.is_believed != b.is_believed ? a.is_believed : a.cost < b.cost;

@@ -313,7 +313,7 @@ TEST_CASE("a PNG's bytes are read as they are stored, whatever its gamma says", 
     CHECK(json::parse(ended.out)["max_error"] == 0);
 }
 
-TEST_CASE("a sheet, a difference or an export does not replace the file that it is made of",
+TEST_CASE("a sheet, a picture, a difference or an export does not replace a file that it is made of",
           "[cli][compare][export]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file(
@@ -324,11 +324,22 @@ TEST_CASE("a sheet, a difference or an export does not replace the file that it 
     must({"export", scene, "-o", model});
     const std::string link = directory.path("link.png");
     std::filesystem::create_symlink(a, link);
-    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"compare", a, b, "-o", a},
-                                                      {"compare", b, a, "-o", link},
-                                                      {"diagnose", scene, a, "-o", a},
-                                                      {"export", model, "-o", model}}) {
+    const std::string of_model =
+        directory.file("of_model.json", R"({"glint": 1, "objects": [{"mesh": {"file": "model.glb"}}]})");
+    const std::string scene_link = directory.path("scene.png");
+    std::filesystem::create_symlink(scene, scene_link);
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"compare", a, b, "-o", a},
+          {"compare", b, a, "-o", link},
+          {"diagnose", scene, a, "-o", a},
+          {"diagnose", a, b, "-o", a},
+          {"render", a, "--no-scene", "-o", a},
+          {"render", scene, "-o", scene_link},
+          {"sheet", a, "--rows", "/display/exposure=1", "--cols", "/camera/eye/0=1", "-o", link},
+          {"export", of_model, "-o", model},
+          {"export", model, "-o", model}}) {
         const std::string before = bytes_of(arguments.back());
+        CAPTURE(arguments);
         const Ended ended = run_glint(arguments);
         CAPTURE(ended.err);
         CHECK(ended.status == 2);
@@ -336,6 +347,8 @@ TEST_CASE("a sheet, a difference or an export does not replace the file that it 
               std::string::npos);
         CHECK(bytes_of(arguments.back()) == before);
     }
+    must({"render", a, "-o", a, "--size", "32x24"});  // a picture carries its scene on
+    CHECK(run_glint({"info", a}).status == 0);
 }
 
 TEST_CASE("compare answers in JSON, and by its status whether the difference is too large",

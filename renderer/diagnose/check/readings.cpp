@@ -220,19 +220,24 @@ std::string first_reading(const std::vector<Reading>& readings, const std::vecto
     return {};
 }
 
-/// "ours times 0.318": where nearly all are the same multiple.
+/// "ours times 0.318": where nearly all are the same multiple, and their differences from it are small beside
+/// the numbers themselves: those of another small term may all be near any small multiple.
 std::string multiple(const std::vector<ReadPoint>& points) {
-    double product = 0, square = 0;
+    constexpr double most_left = 1e-3;  // of the sum of squares, that is, about 3 % of the numbers
+    double product = 0, square = 0, square_of_mine = 0;
     for (const ReadPoint& p : points) {
-        product += glm::dot(glm::dvec3(p.mine), glm::dvec3(p.ours));
-        square += glm::dot(glm::dvec3(p.ours), glm::dvec3(p.ours));
+        const glm::dvec3 mine = p.mine, ours = p.ours;
+        product += glm::dot(mine, ours);
+        square += glm::dot(ours, ours);
+        square_of_mine += glm::dot(mine, mine);
     }
     if (square <= 0) return {};
-    const double factor = product / square;
+    const double factor = product / square, left = square_of_mine - factor * product;
     const auto agrees = [factor](const ReadPoint& p) {
         return equal_nearly(p.mine, factor * glm::dvec3(p.ours));
     };
-    return nearly_all(points, agrees) ? fmt::format("ours times {:.4g}", factor) : std::string();
+    if (left > most_left * square_of_mine || !nearly_all(points, agrees)) return {};
+    return fmt::format("ours times {:.4g}", factor);
 }
 
 /// Whether the light has a position, that is, is not directional.

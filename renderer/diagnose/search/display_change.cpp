@@ -8,7 +8,9 @@
 namespace glint {
 namespace {
 
-int steps_of(Code code) { return code == Code::Encoded ? 1 : code == Code::Decoded ? -1 : 0; }
+int steps_of(Code code) {
+    return code == Code::Encoded || code == Code::Power ? 1 : code == Code::Decoded ? -1 : 0;
+}
 
 float decoded(float x) { return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f); }
 
@@ -58,6 +60,8 @@ float coded(Code code, float x) {
         return srgb_encoded(x);
     case Code::Decoded:
         return decoded(x);
+    case Code::Power:
+        return std::pow(x, 1 / 2.2f);
     }
     return x;  // not reached
 }
@@ -65,8 +69,8 @@ float coded(Code code, float x) {
 int DisplayChange::encodings() const { return steps_of(before) + steps_of(after); }
 
 int DisplayChange::count() const {
-    return int{upside_down} + int{mirrored} + int{red_blue} + int{encodings() != 0} + int{gain != 1} +
-           int{soft};
+    return int{upside_down} + int{mirrored} + int{red_blue} + int{encodings() != 0 || is_by_power()} +
+           int{gain != 1} + int{soft};
 }
 
 std::array<DisplayChange, 4> ways_of_turning() {

@@ -11,12 +11,13 @@
 
 namespace glint {
 
-/// sRGB's curve, applied to what is shown (IEC 61966-2-1): not at all, from linear to encoded, or back.
-enum class Code { Same, Encoded, Decoded };
+/// A curve applied to what is shown: none, sRGB's (IEC 61966-2-1) from linear to encoded, the same back, or
+/// the power of 1 / 2.2 that many programs encode with in its place.
+enum class Code { Same, Encoded, Decoded, Power };
 
 struct DisplayChange {
     bool upside_down = false, mirrored = false, red_blue = false;
-    // A channel c of 0 to 1 became after(gain * before(c)), clamped.
+    // A channel c of 0 to 1 became after(gain * before(c)), clamped; `before` is not Power.
     Code before = Code::Same, after = Code::Same;
     float gain = 1;
     /// Pixels may show anything between their neighbours: edges are smoothed, or all is shifted by up to a
@@ -26,8 +27,9 @@ struct DisplayChange {
     float noise = 0;
     bool operator==(const DisplayChange&) const = default;
 
-    /// How many sRGB encodings the picture has too many: -1, 0 or 1.
+    /// How many encodings the picture has too many: -1, 0 or 1.
     [[nodiscard]] int encodings() const;
+    [[nodiscard]] bool is_by_power() const { return after == Code::Power; }
     /// How many things happened, noise left out: it is measured, not supposed.
     [[nodiscard]] int count() const;
     /// Levels by which noise may take a pixel from what it would be: four deviations, which one in 16,000

@@ -234,9 +234,9 @@ std::vector<Hypothesis> likeliest(std::vector<Drawn>& all, const WrongProbes& wr
 
 double explanation_cost(double excess, double free, std::size_t mistakes, const DisplayChange& change) {
     // Where explanations are equal, one mistake is preferred to a change at the display, and that to two
-    // mistakes.
+    // mistakes; softness, which leaves room for much, comes last.
     constexpr double nearly = 0.01;
-    const double preference = mistakes == 1 ? 0 : nearly;
+    const double preference = (mistakes == 1 ? 0 : nearly) + (change.soft ? nearly : 0);
     return std::log2(excess + free) + static_cast<double>(mistakes) + change.count() + preference;
 }
 

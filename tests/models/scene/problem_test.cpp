@@ -64,6 +64,7 @@ TEST_CASE("nearest finds the name that was meant", "[problem]") {
     CHECK(nearest("no_clamp", {"bytes_wrap", "no_clamp_of_cosine"}) == "no_clamp_of_cosine");
     CHECK(nearest(std::string(1'000'000, 'x'), keys) == "name");  // all as far: the first, quickly
     CHECK(nearest("", keys) == "name");
+    CHECK(nearest("p", {"lobe", "position"}) == "position");
     CHECK(nearest("x", {}).empty());
     CHECK(nearest("KD", {"kd", "KD"}) == "KD");
 }

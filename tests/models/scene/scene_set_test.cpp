@@ -143,6 +143,8 @@ TEST_CASE("a pointer that leads nowhere is a problem", "[scene_set]") {
     CHECK(problem_with(R"({"glint": 1, "lights": [{}, {}]})", {"/lights/3/name=a"}) ==
           "--set: /lights/3/name: \"3\" is past the end of the array; expected 0 to 2; 2 and - are a new one "
           "at the end");
+    CHECK(problem_with(smallest, {"/camera/eye/4=1"}) ==
+          "--set: /camera/eye/4: \"4\" is past the end of the array; expected 0 to 2");
     const std::string escape = problem_with(smallest, {R"(/about="\ud800")"});
     CHECK(escape.find("an escape that JSON does not know") != std::string::npos);
     CHECK(problem_with(smallest, {R"(/about="\")"}).find("a string that does not end") != std::string::npos);

@@ -125,6 +125,15 @@ TEST_CASE("a term that is a multiple is named by its factor, and what nothing ex
     CHECK(found_in("normal", [](glm::dvec3 n) { return glm::dvec3(n.y * n.y, n.x, 0.3); }).empty());
 }
 
+TEST_CASE("small numbers of another term are no multiple of the right ones", "[diagnose][check]") {
+    static const RightBuffers torus(torus_scene());
+    const auto of_normal = [](glm::dvec3, const Explanation& e) {
+        return 0.02 * glm::abs(glm::dvec3(e.at.normal.camera));
+    };
+    CHECK(torus.found_in("diffuse", of_normal).empty());
+    CHECK(found_in("diffuse", [](glm::dvec3 d) { return d / 500.0; }) == "ours times 0.002");
+}
+
 TEST_CASE("what differs in a small part of the picture is named by what that part has", "[diagnose][check]") {
     // Of the torus's pixels a few in a hundred face away from the light: all others have the same either way.
     SceneDocument document = torus_scene();

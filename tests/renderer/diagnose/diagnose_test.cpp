@@ -138,6 +138,27 @@ TEST_CASE("a mistake that a change at the display undoes is not a candidate", "[
     for (const Candidate& c : d.candidates) CHECK(name_of(c.mistakes) != "encoded_twice");
 }
 
+TEST_CASE("a right picture that a power of 2.2 encoded has no mistake, and the power is told", "[diagnose]") {
+    for (unsigned seed = 1; seed <= scenes(6); ++seed)
+        for (const Transfer transfer : {Transfer::Srgb, Transfer::None}) {
+            SceneDocument document = diagnosed_scene(400 + seed);
+            document.scene.display.transfer = transfer;
+            Picture wrong = turned_over(picture_under(document.scene, {}), seed % 2 == 0, false);
+            for (std::size_t i = 0; i < wrong.rgba.size(); ++i) {
+                const double x = wrong.rgba[i] / 255.0;  // IEC 61966-2-1, back to linear
+                const double back = x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+                const double linear = transfer == Transfer::Srgb ? back : x;
+                if (i % 4 == 3) continue;
+                wrong.rgba[i] = static_cast<std::uint8_t>(std::lround(255 * std::pow(linear, 1 / 2.2)));
+            }
+            const Diagnosis d = diagnose(document, wrong, {false, 1, {}});
+            CAPTURE(seed, transfer, d.candidates.empty() ? "" : name_of(d.candidates[0].mistakes));
+            CHECK(d.verdict == Verdict::NoMistake);
+            CHECK(d.display.change.is_by_power());
+            CHECK(d.display.change.encodings() == (transfer == Transfer::Srgb ? 0 : 1));
+        }
+}
+
 TEST_CASE("a mistake that leaves more than half of the difference is not the verdict", "[diagnose]") {
     // An egg's normals are wrong, and thin lines across the wall are so, too, and further off.
     const PictureSize size{320, 240};
