@@ -1,6 +1,7 @@
 #include "ui/ui.h"
 
 #include <fmt/core.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <chrono>
@@ -25,6 +26,12 @@
 namespace glint {
 namespace {
 
+/// Dear ImGui 1.86 leaves 0 segments to a corner whose radius is below a millionth of a pixel, and divides by
+/// them. A bar that runs along comes to such a width some day.
+void give_tiny_corners_segments() {
+    ImGui::GetDrawListSharedData()->CircleSegmentCounts[0] = IM_DRAWLIST_ARCFAST_SAMPLE_MAX;
+}
+
 /// One step when nothing has the scene in hand any more.
 void remember(UiState& state, bool in_hand) {
     if (in_hand || ImGui::IsAnyItemActive() || awaits_mesh(state)) return;
@@ -47,6 +54,7 @@ UiRequests requests(UiState& state) {
 }
 
 UiRequests whole_frame(UiState& state, const UiInput& input) {
+    give_tiny_corners_segments();
     reset_next_redraw();
     if (input.close_asked) run_command(state, CommandId::Quit);
     take_dropped(state, input);

@@ -412,3 +412,15 @@ TEST_CASE("a frame that is not asked for by anything lets the window sleep", "[u
     for (int i = 0; i < 60; ++i) (void)bench.frame();
     CHECK(std::isinf(bench.frame().sleep_s));
 }
+
+TEST_CASE("a rect may be as wide as leaves its corners next to nothing", "[ui][window]") {
+    HeadlessWindow bench;
+    (void)bench.frame();
+    ImGui::NewFrame();
+    // Half of its width less one pixel is the radius of its corners: 1e-7.
+    const float width = std::nextafter(2.0f, 3.0f);
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    list.AddRectFilled({0, 0}, {width, 20}, IM_COL32_WHITE, 2);
+    CHECK(list.VtxBuffer.Size >= 4);
+    ImGui::EndFrame();
+}
