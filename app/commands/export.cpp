@@ -5,6 +5,7 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "models/gltf/gltf.h"
+#include "models/io/utf8.h"
 
 namespace glint {
 namespace {
@@ -21,7 +22,8 @@ Outcome export_scene(const ExportArguments& arguments) {
         throw wrong_usage("-o", arguments.out + " has another extension", ".glb");
     const SceneDocument document = open_scene(arguments.scene);
     require_other_file(arguments.out, scene_files(arguments.scene, document));
-    const std::string name = std::filesystem::path(arguments.scene.file).stem().string();
+    const std::string name =
+        with_invalid_replaced(std::filesystem::path(arguments.scene.file).stem().string());
     Result<GltfWritten> made = glb_of(document.scene, name);
     if (auto* problem = std::get_if<Problem>(&made)) problem->file = arguments.scene.file;
     const GltfWritten written = take(std::move(made));

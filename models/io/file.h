@@ -44,6 +44,9 @@ using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>
 /// left behind and the problem names the path and the reason.
 [[nodiscard]] Result<std::monostate> write_file(const std::string& path, std::string_view bytes);
 
+/// As write_file(), but a pipe is a problem: for a window, which must not wait until somebody reads.
+[[nodiscard]] Result<std::monostate> write_file_at_once(const std::string& path, std::string_view bytes);
+
 /// Why write_file() could not write there, as far as that can be told before there is anything to write;
 /// nothing when it could. For long work that ends in a file. Changes nothing.
 [[nodiscard]] std::optional<Problem> why_not_writable(const std::string& path);

@@ -193,6 +193,13 @@ Result<std::monostate> write_file(const std::string& path, std::string_view byte
     return written(path, write_to(target_of(path), bytes));
 }
 
+Result<std::monostate> write_file_at_once(const std::string& path, std::string_view bytes) {
+    std::error_code ignored;
+    if (std::filesystem::is_fifo(path, ignored))
+        return Problem{path, "", "cannot write: is a pipe", "a file"};
+    return write_file(path, bytes);
+}
+
 std::optional<Problem> why_not_writable(const std::string& path) {
     const Target target = target_of(path);
     int error = target.error;

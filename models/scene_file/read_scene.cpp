@@ -134,18 +134,39 @@ void Reader::operator()(const Row& row, const OneProjection&, Projection& to) co
     });
 }
 
+/// Those that are not among `others`.
+std::vector<std::string> keys_not_among(const std::vector<std::string>& others,
+                                        std::vector<std::string> keys) {
+    std::erase_if(keys, [&](const std::string& key) {
+        return std::find(others.begin(), others.end(), key) != others.end();
+    });
+    return keys;
+}
+
+/// Refuses what is unknown, and the keys of a primitive beside a file, and the other way round.
+void allow_keys_of_one_mesh(const Node& node) {
+    MeshFile file;
+    PrimitiveMesh primitive;
+    const std::vector<std::string> of_file = keys_of(file), of_primitive = keys_of(primitive);
+    const std::vector<std::string> file_alone = keys_not_among(of_primitive, of_file),
+                                   primitive_alone = keys_not_among(of_file, of_primitive);
+    std::vector<std::string> keys = of_file;
+    keys.insert(keys.end(), primitive_alone.begin(), primitive_alone.end());
+    node.allow_keys(keys);
+    if (node.has("file") && node.has("primitive"))
+        node.fail("both \"file\" and \"primitive\"", "one of the two");
+    const bool is_file = node.has("file");
+    for (const std::string& key : is_file ? primitive_alone : file_alone)
+        if (node.has(key))
+            node.fail(fmt::format("\"{}\" {} \"file\"", key, is_file ? "beside" : "without"),
+                      is_file ? "it for a primitive only" : "it for a file only");
+}
+
 void Reader::operator()(const Row& row, const OneMesh&, MeshSource& to) const {
     object_.with(row.key, [&](const Node& node) {
         PrimitiveMesh primitive;
         MeshFile file;
-        std::vector<std::string> keys = keys_of(file);
-        for (std::string& key : keys_of(primitive))
-            if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(std::move(key));
-        node.allow_keys(keys);
-        if (node.has("file") && node.has("primitive"))
-            node.fail("both \"file\" and \"primitive\"", "one of the two");
-        if (node.has("file") && node.has("detail"))
-            node.fail("\"detail\" beside \"file\"", "it for a primitive only");
+        allow_keys_of_one_mesh(node);
         if (node.has("file")) {
             fields(file, Reader(node));
             to = file;

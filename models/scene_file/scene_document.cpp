@@ -201,7 +201,7 @@ Result<SceneDocument> save_document(const SceneDocument& document, const std::st
     if (!same_description(std::get<Scene>(read_back), saved.scene))
         return Problem{path, "", "a name in the scene is not UTF-8 and would not read back",
                        "names in UTF-8"};
-    const Result<std::monostate> written = write_file(path, text);
+    const Result<std::monostate> written = write_file_at_once(path, text);
     if (const Problem* problem = problem_of(written)) return *problem;
     saved.stamp = file_stamp(path);
     return saved;

@@ -351,6 +351,14 @@ TEST_CASE("a sheet, a picture, a difference or an export does not replace a file
     CHECK(run_glint({"info", a}).status == 0);
 }
 
+TEST_CASE("a scene is exported whose file's name is not UTF-8", "[cli][export]") {
+    const TemporaryDirectory directory;
+    const std::string mesh = directory.file("m\xff.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string model = directory.path("model.glb");
+    must({"export", mesh, "-o", model});
+    CHECK(run_glint({"info", model}).status == 0);
+}
+
 TEST_CASE("compare answers in JSON, and by its status whether the difference is too large",
           "[cli][compare]") {
     const TemporaryDirectory directory;

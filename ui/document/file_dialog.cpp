@@ -246,11 +246,13 @@ std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
     if (!begin_modal(id.c_str(), &dialog.open, 0)) return {};
     folder_line(dialog);
     bool decided = entry_list(dialog);
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    const bool appears = ImGui::IsWindowAppearing();
+    if (appears) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-px(180));
     if (ImGui::InputTextWithHint("##name", "name or path", &dialog.name)) dialog.asks_overwrite = false;
     ImGui::SameLine();
-    decided |= ImGui::Button(dialog.asks_overwrite ? "Replace" : say.button, {px(84), 0}) || enter;
+    decided |=
+        ImGui::Button(dialog.asks_overwrite ? "Replace" : say.button, {px(84), 0}) || (enter && !appears);
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {px(84), 0})) dialog.open = false;
     const bool many = writes_many(whole_path(dialog), dialog.purpose);

@@ -145,7 +145,7 @@ void begin_export(UiState& state, const ExportOptions& options, const std::strin
     const std::string folder = fs::absolute(path, failed).lexically_normal().parent_path().string();
     begin_picture(state, options, path,
                   [path, name, folder, options](const std::string& bytes) -> Result<std::string> {
-                      const auto written = write_file(path, bytes);
+                      const auto written = write_file_at_once(path, bytes);
                       if (const Problem* problem = problem_of(written)) return *problem;
                       return fmt::format("Saved {} in {} ({} × {}, {} {} a pixel)", name, folder,
                                          options.size.width, options.size.height, options.samples,

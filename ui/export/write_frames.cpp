@@ -49,7 +49,7 @@ Result<std::string> write_pngs(const FrameJob& job, LoadProgress& progress) {
                              const Picture& picture) -> std::optional<Problem> {
         const std::string path = frame_path(job.path, frame);
         const std::string carried = carried_scene_text(scene, job.document.mesh_dir, path);
-        const auto written = write_file(path, png_bytes(picture, carried));
+        const auto written = write_file_at_once(path, png_bytes(picture, carried));
         if (const Problem* problem = problem_of(written)) return *problem;
         return {};
     };
@@ -68,7 +68,7 @@ Result<std::string> write_gif(const FrameJob& job, LoadProgress& progress) {
     if (const auto problem = for_each_frame(job, progress, take)) return *problem;
     const Result<std::string> bytes = gif.finish();
     if (const Problem* problem = problem_of(bytes)) return *problem;
-    const auto written = write_file(job.path, std::get<std::string>(bytes));
+    const auto written = write_file_at_once(job.path, std::get<std::string>(bytes));
     if (const Problem* problem = problem_of(written)) return *problem;
     return fmt::format("Wrote {} with {} frames", fs::path(job.path).filename().string(),
                        job.animation.frames);

@@ -179,7 +179,7 @@ void quiz_dialog(UiState& state) {
 void save_answers(UiState& state, const std::string& path) {
     const QuizState& quiz = state.quiz;
     const auto written =
-        write_file(path, json_text(answers_json(quiz.pages->lesson, {quiz.after, quiz.taken})));
+        write_file_at_once(path, json_text(answers_json(quiz.pages->lesson, {quiz.after, quiz.taken})));
     if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
     state.notifications.add(Tone::Done,
                             fmt::format("Saved {}", std::filesystem::path(path).filename().string()));

@@ -139,7 +139,7 @@ void keep_progress(UiState& state) {
     JsonValue records = lesson_records(state);
     records[record_key(lesson.folder, lesson.course->lesson.path)] =
         progress_json(*lesson.course, lesson.progress);
-    (void)write_file(file_of(state), json_text(records));
+    (void)write_file_at_once(file_of(state), json_text(records));
     lesson.written = lesson.progress;
 }
 

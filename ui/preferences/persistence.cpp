@@ -35,7 +35,7 @@ std::string text_of(const Persistence& memory, const char* name) {
 
 /// What cannot be remembered is not worth a word: nothing that the user made is lost.
 void write(const Persistence& memory, const char* name, const std::string& text) {
-    (void)write_file(file_in(memory, name), text);
+    (void)write_file_at_once(file_in(memory, name), text);
 }
 
 /// The file to open again: a lesson's, as long as what it shows was not saved under a name.
@@ -127,7 +127,7 @@ void write_autosave(UiState& state) {
     memory.autosave_writing = std::async(
         std::launch::async,
         [document = state.editor.document, folder = memory.folder, path = memory.autosave->path()] {
-            return write_file(path, autosave_text(document, folder));
+            return write_file_at_once(path, autosave_text(document, folder));
         });
     memory.autosaved_scene = state.editor.scene();
 }
@@ -210,7 +210,7 @@ bool keep_unsaved_work(UiState& state) {
     try {
         if (!has_autosave_name(memory)) return false;
         const std::string text = autosave_text(state.editor.document, memory.folder);
-        return problem_of(write_file(memory.autosave->path(), text)) == nullptr;
+        return problem_of(write_file_at_once(memory.autosave->path(), text)) == nullptr;
     } catch (const std::bad_alloc&) {
         return false;
     }

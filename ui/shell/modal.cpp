@@ -26,7 +26,7 @@ void unsaved_question(UiState& state, bool enter) {
     if (!begin_question("Unsaved changes##question")) return;
     ImGui::TextUnformatted(fmt::format("{} has changes that are not saved.", state.editor.title()).c_str());
     ImGui::Dummy({px(380), px(6)});
-    if (ImGui::Button("Save", {px(110), 0}) || enter) {
+    if (ImGui::Button("Save", {px(110), 0}) || (enter && !ImGui::IsWindowAppearing())) {
         state.pending.asking = false;
         if (save(state)) finish_pending(state);
     }
@@ -67,7 +67,7 @@ void changed_question(UiState& state) {
 void save_picture(UiState& state, const std::string& path) {
     const std::string carried =
         carried_scene_text(state.rendered_scene, state.editor.document.mesh_dir, path);
-    const auto written = write_file(path, png_bytes(*state.rendered, carried));
+    const auto written = write_file_at_once(path, png_bytes(*state.rendered, carried));
     if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
     state.notifications.add(Tone::Done,
                             fmt::format("Saved {}", std::filesystem::path(path).filename().string()));

@@ -36,7 +36,8 @@ void close_left_modal(const UiState& state);
 
 // The dialogs: the questions before work is lost, the file browser, the export.
 
-/// Draws the one that is asked for, and does what it is answered. Last in a frame: ui/shell/modal.h.
+/// Draws the one that is asked for, and does what it is answered. Last in a frame: ui/shell/modal.h. An Enter
+/// answers only a dialog that the frame before has shown: the palette's Enter may have opened this one.
 void dialogs(UiState& state, const UiInput& input);
 
 /// Files that were dropped on the window: the first is opened, or compared where it is a picture without a

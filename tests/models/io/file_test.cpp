@@ -162,6 +162,7 @@ TEST_CASE("a pipe is written straight through, and one without a reader is a pro
     reader.join();
     CHECK(got == "through");
     CHECK(fs::is_fifo(pipe));
+    CHECK(problem_text(write_file_at_once(pipe, "x")) == pipe + ": cannot write: is a pipe; expected a file");
 
     std::array<int, 2> ends{};
     REQUIRE(::pipe(ends.data()) == 0);

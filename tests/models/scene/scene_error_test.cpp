@@ -238,6 +238,8 @@ TEST_CASE("an object outside its rules is a problem at its pointer", "[scene_err
          R"(/objects/0/mesh: both "file" and "primitive"; expected one of the two)"},
         {R"("objects": [{"mesh": {"file": "a.obj", "detail": 3}}])",
          R"(/objects/0/mesh: "detail" beside "file"; expected it for a primitive only)"},
+        {R"("objects": [{"mesh": {"primitive": "cube", "part": null}}])",
+         R"(/objects/0/mesh: "part" without "file"; expected it for a file only)"},
         {R"("objects": [{"mesh": {"file": ""}}])",
          "/objects/0/mesh/file: an empty file name; expected the name of a mesh file"},
         {R"("objects": [{"mesh": {"file": "a\u0000.obj"}}])",

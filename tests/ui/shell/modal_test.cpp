@@ -111,6 +111,39 @@ TEST_CASE("the Enter that answers one dialog does not answer the next", "[ui][mo
     CHECK(folder.names() == std::vector<std::string>{"new.json"});
 }
 
+TEST_CASE("the Enter that chooses in the palette does not answer the dialog that opens by it",
+          "[ui][modal]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    const std::string path = folder.path("a.json");
+    REQUIRE_FALSE(save_file(bench.state.editor, path));
+    const std::string saved = bytes_of(path);
+    bench.scene().shading.mode = ShadingMode::Flat;
+    bench.frames(2);
+    const auto choose = [&](const char* words) {
+        bench.key(Key::K, true);
+        bench.frames(1);
+        bench.type(words);
+        bench.key(Key::Enter);
+        bench.frames(2);
+    };
+    for (const auto& [words, asks] : {std::pair{"quit", Modal::Unsaved},
+                                      {"new scene", Modal::Unsaved},
+                                      {"save as", Modal::Files},
+                                      {"save picture", Modal::Files}}) {
+        CAPTURE(words);
+        choose(words);
+        CHECK(modal_of(bench.state) == asks);
+        CHECK_FALSE(bench.state.files.asks_overwrite);
+        CHECK_FALSE(bench.state.quits);
+        CHECK(folder.names() == std::vector<std::string>{"a.json"});
+        CHECK(bytes_of(path) == saved);
+        bench.key(Key::Escape);
+        bench.frames(2);
+    }
+}
+
 TEST_CASE("a notification is in front of the dialog that it comes from, and lets clicks through",
           "[ui][modal][notifications]") {
     HeadlessWindow bench;
