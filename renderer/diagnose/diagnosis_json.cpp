@@ -20,7 +20,7 @@ JsonValue display_json(const DisplayFinding& display) {
     if (c.mirrored) json["mirrored"] = true;
     if (c.red_blue) json["red_blue_exchanged"] = true;
     if (c.encodings() != 0) json["srgb"] = c.encodings() > 0 ? "encoded" : "decoded";
-    if (c.is_by_power()) json["power"] = 2.2;
+    if (c.is_by_power()) json["power"] = encoding_power;
     if (c.gain != 1) json["gain"] = c.gain;
     if (c.noise > 0) json["noise"] = c.noise;
     if (display.background) json["background"] = rgb_json(*display.background);

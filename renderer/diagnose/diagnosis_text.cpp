@@ -130,8 +130,10 @@ std::string display_text(const DisplayFinding& display) {
     }
     if (c.red_blue) words.emplace_back("red and blue exchanged");
     if (c.is_by_power())
-        words.emplace_back(c.encodings() > 0 ? "encoded once too often, by a power of 2.2"
-                                             : "encoded by a power of 2.2 in place of sRGB's curve");
+        words.push_back(
+            c.encodings() > 0
+                ? fmt::format("encoded once too often, by a power of {}", encoding_power)
+                : fmt::format("encoded by a power of {} in place of sRGB's curve", encoding_power));
     else if (c.encodings() != 0)
         words.emplace_back(c.encodings() > 0 ? "sRGB-encoded once too often"
                                              : "sRGB-encoded once too seldom");

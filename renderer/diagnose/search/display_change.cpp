@@ -61,7 +61,7 @@ float coded(Code code, float x) {
     case Code::Decoded:
         return decoded(x);
     case Code::Power:
-        return std::pow(x, 1 / 2.2f);
+        return std::pow(x, static_cast<float>(1 / encoding_power));
     }
     return x;  // not reached
 }

@@ -11,8 +11,11 @@
 
 namespace glint {
 
+/// Many programs encode by the power of 1 / 2.2 in place of sRGB's curve.
+inline constexpr double encoding_power = 2.2;
+
 /// A curve applied to what is shown: none, sRGB's (IEC 61966-2-1) from linear to encoded, the same back, or
-/// the power of 1 / 2.2 that many programs encode with in its place.
+/// the power of 1 / encoding_power.
 enum class Code { Same, Encoded, Decoded, Power };
 
 struct DisplayChange {

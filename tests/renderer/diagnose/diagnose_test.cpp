@@ -3,12 +3,14 @@
 #include "renderer/diagnose/diagnose.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <string_view>
 
 #include "models/progress.h"
 #include "models/scene/mistakes.h"
+#include "renderer/diagnose/diagnosis_format.h"
 #include "renderer/diagnose/experiment.h"
 #include "tests/renderer/diagnose/wrong_pictures.h"
 #include "tests/support/catch.h"
@@ -155,6 +157,7 @@ TEST_CASE("a right picture that a power of 2.2 encoded has no mistake, and the p
             CAPTURE(seed, transfer, d.candidates.empty() ? "" : name_of(d.candidates[0].mistakes));
             CHECK(d.verdict == Verdict::NoMistake);
             CHECK(d.display.change.is_by_power());
+            CHECK(diagnosis_text(d, document.scene).find("by a power of 2.2") != std::string::npos);
             CHECK(d.display.change.encodings() == (transfer == Transfer::Srgb ? 0 : 1));
         }
 }
