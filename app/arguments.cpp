@@ -148,7 +148,7 @@ void require_writable(const std::string& out) {
 }
 
 void require_other_file(const std::string& out, const std::vector<std::string>& files) {
-    const std::string replaced = out == "-" ? std::string() : replaced_file(out);
+    const std::string replaced = replaced_file(out);
     for (const std::string& file : files)
         if (!replaced.empty() && replaced == replaced_file(file))
             throw wrong_usage("-o", out + " is the file that is read, which would be lost", "another name");
@@ -158,7 +158,7 @@ std::vector<std::string> scene_files(const SceneArguments& arguments, const Scen
     std::vector<std::string> files{arguments.file};
     for (const Object& o : document.scene.objects)
         if (const auto* mesh = std::get_if<MeshFile>(&o.source))
-            files.push_back((std::filesystem::path(document.mesh_dir) / mesh->path).string());
+            files.push_back(path_from(document.mesh_dir, mesh->path));
     return files;
 }
 

@@ -60,7 +60,7 @@ struct Command {
 [[nodiscard]] Command exercise_command();
 [[nodiscard]] Command quiz_command();
 
-/// Those that have a name, in the order of --help.
+/// Returns the commands that have a name, in the order of --help.
 [[nodiscard]] std::vector<Command> named_commands();
 
 /// Runs the command that `arguments` (argv without its first) name: splits its line, and says what is wrong

@@ -150,7 +150,7 @@ Outcome diagnose(const DiagnoseArguments& arguments) {
                   "a picture of the scene that another program drew");
     require_one_picture_for_a_sheet(arguments);
     const SceneDocument document = open_scene(arguments.scene);
-    if (!arguments.out.empty()) require_other_file(arguments.out, scene_files(arguments.scene, document));
+    require_other_file(arguments.out, scene_files(arguments.scene, document));
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
     outcome.output = formatted(diagnose_all(arguments, document, outcome), arguments, document);
     return outcome;

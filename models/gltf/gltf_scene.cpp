@@ -58,7 +58,7 @@ class SceneReader {
             to.push_back({node_number(at), world, view});
         });
     }
-    /// Without a scene, begins with the nodes that are not children of another node.
+    /// Begins, where the file has no scene, with the nodes that are not children of another node.
     void begin_with_roots(std::vector<Placed>& waiting) {
         std::vector<char> is_child(count_of(root_, "nodes"), 0);
         root_.with("nodes", [&](const Node& nodes) {

@@ -44,7 +44,7 @@ using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>
 /// left behind and the problem names the path and the reason.
 [[nodiscard]] Result<std::monostate> write_file(const std::string& path, std::string_view bytes);
 
-/// As write_file(), but a pipe is a problem: for a window, which must not wait until somebody reads.
+/// Does what write_file() does, but takes a pipe for a problem: a window must not wait until somebody reads.
 [[nodiscard]] Result<std::monostate> write_file_at_once(const std::string& path, std::string_view bytes);
 
 /// Why write_file() could not write there, as far as that can be told before there is anything to write;

@@ -24,10 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string resolved(const std::string& path, const std::string& mesh_dir) {
-    return (fs::path(mesh_dir) / fs::path(path)).string();  // an absolute path stands alone
-}
-
 /// Why the path of a mesh leads to no file, in the words of the scene that names it.
 std::string why_no_file(const std::string& path) {
     std::error_code error;
@@ -61,7 +57,7 @@ Result<MeshPtr> load(const MeshSource& source, const std::string& mesh_dir, Gltf
     try {
         if (const auto* mesh = std::get_if<PrimitiveMesh>(&source)) return share_mesh(made(*mesh));
         const auto& named = std::get<MeshFile>(source);
-        const std::string path = resolved(named.path, mesh_dir);
+        const std::string path = path_from(mesh_dir, named.path);
         Result<Mesh> read =
             is_gltf_path(path) ? part_of(path, named.part, files) : read_mesh(path, named.part);
         if (const Problem* problem = problem_of(read)) return *problem;
@@ -169,7 +165,7 @@ class Loader {
         MeshPtr& known = known_[key_of(as_given(source))];
         if (known) return known;
         if (named != nullptr) {
-            const std::string why = why_no_file(resolved(named->path, mesh_dir_));
+            const std::string why = why_no_file(path_from(mesh_dir_, named->path));
             if (!why.empty())
                 return Problem{file_, pointer + "/file",
                                fmt::format("cannot read \"{}\": {}", named->path, why), "a mesh file"};
@@ -195,7 +191,7 @@ class Loader {
         if (const auto* mesh = std::get_if<PrimitiveMesh>(&source))
             return {std::string(name_of(mesh->primitive)), mesh->detail, 0, 0};  // details begin at 1
         const auto& named = std::get<MeshFile>(source);
-        const std::string path = resolved(named.path, mesh_dir_);
+        const std::string path = path_from(mesh_dir_, named.path);
         auto found = key_of_path_.find(path);
         if (found == key_of_path_.end()) found = key_of_path_.emplace(path, key_of_file(path)).first;
         GivenKey key = found->second;

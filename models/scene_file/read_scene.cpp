@@ -134,30 +134,19 @@ void Reader::operator()(const Row& row, const OneProjection&, Projection& to) co
     });
 }
 
-/// Those that are not among `others`.
-std::vector<std::string> keys_not_among(const std::vector<std::string>& others,
-                                        std::vector<std::string> keys) {
-    std::erase_if(keys, [&](const std::string& key) {
-        return std::find(others.begin(), others.end(), key) != others.end();
-    });
-    return keys;
-}
-
 /// Refuses what is unknown, and the keys of a primitive beside a file, and the other way round.
 void allow_keys_of_one_mesh(const Node& node) {
     MeshFile file;
     PrimitiveMesh primitive;
-    const std::vector<std::string> of_file = keys_of(file), of_primitive = keys_of(primitive);
-    const std::vector<std::string> file_alone = keys_not_among(of_primitive, of_file),
-                                   primitive_alone = keys_not_among(of_file, of_primitive);
-    std::vector<std::string> keys = of_file;
-    keys.insert(keys.end(), primitive_alone.begin(), primitive_alone.end());
-    node.allow_keys(keys);
-    if (node.has("file") && node.has("primitive"))
-        node.fail("both \"file\" and \"primitive\"", "one of the two");
     const bool is_file = node.has("file");
-    for (const std::string& key : is_file ? primitive_alone : file_alone)
-        if (node.has(key))
+    const std::vector<std::string> own = is_file ? keys_of(file) : keys_of(primitive),
+                                   others = is_file ? keys_of(primitive) : keys_of(file);
+    std::vector<std::string> keys = own;
+    keys.insert(keys.end(), others.begin(), others.end());
+    node.allow_keys(keys);
+    if (is_file && node.has("primitive")) node.fail("both \"file\" and \"primitive\"", "one of the two");
+    for (const std::string& key : others)
+        if (node.has(key) && std::find(own.begin(), own.end(), key) == own.end())
             node.fail(fmt::format("\"{}\" {} \"file\"", key, is_file ? "beside" : "without"),
                       is_file ? "it for a primitive only" : "it for a file only");
 }

@@ -162,6 +162,10 @@ std::string directory_of(const std::string& path) {
     return path == "-" ? "" : fs::path(path).parent_path().string();
 }
 
+std::string path_from(const std::string& mesh_dir, const std::string& path) {
+    return (fs::path(mesh_dir) / path).string();
+}
+
 Scene with_mesh_paths_from(Scene scene, const std::string& old_directory, const std::string& new_directory) {
     const fs::path before = canonical_directory(old_directory), after = canonical_directory(new_directory);
     if (before == after) return scene;

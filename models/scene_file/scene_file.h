@@ -68,6 +68,9 @@ struct SceneDocument {
 /// and for "-".
 [[nodiscard]] std::string directory_of(const std::string& path);
 
+/// Returns where the path of a mesh leads that is relative to `mesh_dir`; an absolute one stands alone.
+[[nodiscard]] std::string path_from(const std::string& mesh_dir, const std::string& path);
+
 /// Returns the scene with relative mesh paths that lead from the new directory where they led from the old
 /// one.
 [[nodiscard]] Scene with_mesh_paths_from(Scene scene, const std::string& old_directory,

@@ -45,14 +45,14 @@ int failure(Kind kind) {
     return fault.error != 0 ? fault.error : usual_errors[index];
 }
 
-/// For a call that returns -1 and sets errno.
+/// Returns whether a call of this kind is to fail; it then returns -1, and errno is set.
 bool fails(Kind kind) {
     const int error = failure(kind);
     if (error != 0) errno = error;
     return error != 0;
 }
 
-/// The same function, the library's own.
+/// Returns the library's own function of that name.
 template <class Function> Function* real(const char* name) {
     return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));  // NOLINT: as dlsym is meant
 }

@@ -38,7 +38,7 @@ void send_to(int descriptor, const std::string& path) {
     ::close(file);
 }
 
-/// In the child process: becomes the program.
+/// Turns the child process into the program.
 [[noreturn]] void become(const Command& command, const std::string& fault, const TemporaryDirectory& notes) {
     if (*GLINT_FAILING_CALLS != 0) ::setenv("LD_PRELOAD", GLINT_FAILING_CALLS, 1);
     ::setenv("GLINT_FAULT", fault.c_str(), 1);

@@ -57,7 +57,7 @@ void read(std::string_view bytes) {
 
 }  // namespace
 
-/// Of a container the JSON is changed, and its lengths are put right; or bytes, as they are.
+/// Changes a container's JSON and puts its lengths right, or changes bytes as they are.
 std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                     unsigned seed) {
     constexpr std::size_t header = 20;  // of the container and of its first chunk

@@ -22,7 +22,8 @@ namespace {
 constexpr std::size_t most_side = 24;  // pixels
 constexpr int pixels_explained = 3, most_edits = 3;
 
-/// The same number: a NaN equals itself, and 0 equals -0, as where a scene is asked for what was changed.
+/// Returns whether two numbers count as unchanged, as a scene compares them: a NaN equals itself, 0 equals
+/// -0.
 bool same(float a, float b) {
     return a == b || std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }

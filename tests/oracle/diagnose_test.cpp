@@ -87,7 +87,7 @@ struct NumberedScene {
     Scene scene;
 };
 
-/// Those of the first `count` random scenes.
+/// Returns the usual ones among the first `count` random scenes.
 std::vector<NumberedScene> usual_scenes(unsigned count) {
     std::vector<NumberedScene> usual;
     for (unsigned i = 0; i < count; ++i) {

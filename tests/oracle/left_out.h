@@ -23,7 +23,7 @@ inline constexpr std::size_t left_out_count = 7;
 
 /// The first of these at any point that the pixel's sum is made of.
 [[nodiscard]] LeftOut left_out_at(const Scene& scene, PictureSize size, const Explanation& e);
-/// The same of those that lighting has, for what interpolates as we do.
+/// Returns the first that lighting has, for a program that interpolates as we do.
 [[nodiscard]] LeftOut left_out_by_lighting(const Scene& scene, const Explanation& e);
 
 }  // namespace glint::oracle

@@ -11,7 +11,7 @@ namespace glint::oracle {
 /// or below 128, so that the equation is well conditioned.
 [[nodiscard]] Scene random_scene(unsigned number);
 
-/// Likewise for fixed-function OpenGL, with up to 8 lights.
+/// Returns scene number `number` for fixed-function OpenGL, with up to 8 lights.
 [[nodiscard]] Scene random_fixed_function_scene(unsigned number);
 
 }  // namespace glint::oracle

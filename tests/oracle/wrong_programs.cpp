@@ -13,7 +13,7 @@ namespace {
 
 using Change = std::function<bool(Scene&)>;
 
-/// For every light; the program is right where none is changed.
+/// Changes every light; the program is right where none is changed.
 Change lights(const std::function<bool(Light&, const Scene&)>& change) {
     return [change](Scene& scene) {
         bool any = false;

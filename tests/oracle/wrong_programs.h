@@ -12,7 +12,7 @@
 
 namespace glint::oracle {
 
-/// In all shaders every `from` becomes `to`.
+/// Replaces every `from` in all shaders by `to`.
 struct TextChange {
     std::string from, to;
 };

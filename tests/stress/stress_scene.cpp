@@ -10,14 +10,14 @@ namespace glint {
 /// A factor: 1, or where the scene is wild there a power of ten.
 float StressScenes::stretch() { return wild() ? std::pow(10.0f, between(-18, 18)) : 1.0f; }
 
-/// Of any size that a scene file takes, but plain where the scene is.
+/// Returns a number of any size that a scene file takes, but a plain one where the scene is plain.
 float StressScenes::positive() {
     constexpr float hard[] = {1e30f, 1e-45f, 1e-38f, 1e18f, 1e17f, 1e-18f, 16777217.0f, 1.0f};
     if (!wild()) return between(0.1, 3);
     return one_in(2) ? hard[below(std::size(hard))] : std::pow(10.0f, between(-30, 30));
 }
 
-/// From 0 to 1, the ends often; or of any size.
+/// Returns a number from 0 to 1, often an end; or one of any size.
 float StressScenes::share() {
     if (one_in(4)) return static_cast<float>(below(2));
     return wild() ? positive() : between(0, 1);

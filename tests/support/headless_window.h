@@ -99,10 +99,10 @@ class HeadlessWindow {
         (void)frame();
     }
 
-    /// Those of the last frame.
+    /// Returns the controls of the last frame.
     [[nodiscard]] const std::vector<NamedControl>& controls() const { return controls_; }
-    /// Of a control in sight within `area` by its name or its key in the scene file, "/lights/0/diffuse"; of
-    /// several, the one that was drawn first.
+    /// Returns where a control in sight lies within `area`, by its name or its key in the scene file,
+    /// "/lights/0/diffuse"; of several, the one that was drawn first.
     [[nodiscard]] Rect area_of(std::string_view name_or_key, const Rect& area) const {
         for (const NamedControl& control : controls_) {
             const ImVec2 at = middle_of(control.at);

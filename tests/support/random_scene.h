@@ -38,7 +38,8 @@ class RandomScene {
     float between(double low, double high) {
         return static_cast<float>(low + (high - low) * static_cast<double>(random_()) / 4294967295.0);
     }
-    /// Of any size that a scene file takes, most of them plain; now and then one that is hard to write.
+    /// Returns a number of any size that a scene file takes, most often a plain one; now and then one that is
+    /// hard to write.
     float positive() {
         constexpr float hard[] = {1e30f,       1e-45f,          7.0385307e-26f, 0.1f,
                                   16777216.0f, 1.17549435e-38f, 3.14159274f};

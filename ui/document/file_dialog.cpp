@@ -246,13 +246,12 @@ std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
     if (!begin_modal(id.c_str(), &dialog.open, 0)) return {};
     folder_line(dialog);
     bool decided = entry_list(dialog);
-    const bool appears = ImGui::IsWindowAppearing();
-    if (appears) ImGui::SetKeyboardFocusHere();
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-px(180));
     if (ImGui::InputTextWithHint("##name", "name or path", &dialog.name)) dialog.asks_overwrite = false;
     ImGui::SameLine();
     decided |=
-        ImGui::Button(dialog.asks_overwrite ? "Replace" : say.button, {px(84), 0}) || (enter && !appears);
+        ImGui::Button(dialog.asks_overwrite ? "Replace" : say.button, {px(84), 0}) || enter_answers(enter);
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {px(84), 0})) dialog.open = false;
     const bool many = writes_many(whole_path(dialog), dialog.purpose);

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "models/json/json_value.h"
+#include "models/scene_file/scene_file.h"
 
 extern char** environ;
 
@@ -109,7 +110,7 @@ Scene with_absolute_meshes(Scene scene, const std::string& mesh_dir) {
     for (Object& object : scene.objects)
         if (auto* file = std::get_if<MeshFile>(&object.source)) {
             std::error_code failed;
-            const fs::path whole = fs::weakly_canonical(fs::path(mesh_dir) / file->path, failed);
+            const fs::path whole = fs::weakly_canonical(path_from(mesh_dir, file->path), failed);
             if (!failed) file->path = whole.string();
         }
     return scene;

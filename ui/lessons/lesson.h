@@ -65,7 +65,7 @@ void leave_lesson(UiState& state);
 void go_on(UiState& state, int steps);
 /// Does what PgDn and PgUp do; for a lecturer, PgDn first shows an open answer.
 void page_lesson(UiState& state, int steps);
-/// From the first station, with nothing answered.
+/// Begins the lesson at its first station again, with nothing answered.
 void begin_again(UiState& state);
 
 /// Whether what is given to the open question is an answer.

@@ -235,7 +235,7 @@ void left_column(UiState& state, const Layout& layout, const PictureView& view) 
 
 namespace {
 
-/// In place of all numbers, which would tell the answer.
+/// Draws a note in place of all numbers, which would tell the answer.
 void held_note() {
     ImGui::Dummy({0, px(8)});
     ImGui::PushFont(fonts().title);

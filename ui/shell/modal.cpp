@@ -26,7 +26,7 @@ void unsaved_question(UiState& state, bool enter) {
     if (!begin_question("Unsaved changes##question")) return;
     ImGui::TextUnformatted(fmt::format("{} has changes that are not saved.", state.editor.title()).c_str());
     ImGui::Dummy({px(380), px(6)});
-    if (ImGui::Button("Save", {px(110), 0}) || (enter && !ImGui::IsWindowAppearing())) {
+    if (ImGui::Button("Save", {px(110), 0}) || enter_answers(enter)) {
         state.pending.asking = false;
         if (save(state)) finish_pending(state);
     }
@@ -157,6 +157,8 @@ bool begin_modal(const char* id, bool* open, ImGuiWindowFlags flags) {
     ImGui::PopStyleVar();
     return drawn;
 }
+
+bool enter_answers(bool enter) { return enter && !ImGui::IsWindowAppearing(); }
 
 bool begin_question(const char* id) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;

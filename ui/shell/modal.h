@@ -31,13 +31,16 @@ void close_left_modal(const UiState& state);
 /// `open`: where its cross is noted; null: it has none.
 [[nodiscard]] bool begin_modal(const char* id, bool* open, ImGuiWindowFlags flags);
 
+/// Whether a pressed Enter answers the dialog that was begun: not in the frame in which it appears, whose
+/// Enter is the one that asked for it, in the palette.
+[[nodiscard]] bool enter_answers(bool enter);
+
 /// Begins a dialog as large as what is in it, in the middle of the window.
 [[nodiscard]] bool begin_question(const char* id);
 
 // The dialogs: the questions before work is lost, the file browser, the export.
 
-/// Draws the one that is asked for, and does what it is answered. Last in a frame: ui/shell/modal.h. An Enter
-/// answers only a dialog that the frame before has shown: the palette's Enter may have opened this one.
+/// Draws the one that is asked for, and does what it is answered. Last in a frame: ui/shell/modal.h.
 void dialogs(UiState& state, const UiInput& input);
 
 /// Files that were dropped on the window: the first is opened, or compared where it is a picture without a

@@ -27,7 +27,7 @@ template <class Button> bool with_choice(bool chosen, const Button& button) {
     return clicked;
 }
 
-/// With line ends between words where a line of `width` is full. ImGui would break after a decimal point,
+/// Breaks a text between words where a line of `width` is full. ImGui would break after a decimal point,
 /// too.
 std::string in_lines(const std::string& text, float width) {
     std::string lines, line;
@@ -45,7 +45,7 @@ std::string in_lines(const std::string& text, float width) {
     return lines;
 }
 
-/// As ImGui's wrapped text, with in_lines().
+/// Draws wrapped text as ImGui does, but breaks it by in_lines().
 void wrapped(const ImVec4& colour, const std::string& text) {
     ImGui::PushTextWrapPos(0);  // for a word that is longer than a line
     coloured(colour, in_lines(text, ImGui::GetContentRegionAvail().x));

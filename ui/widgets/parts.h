@@ -27,11 +27,11 @@ void legend(std::initializer_list<std::pair<Symbol, std::string>> words);
 /// A sentence that warns.
 void warning_text(const std::string& text);
 void wrapped_dim(const std::string& text);
-/// In the small font.
+/// Draws dim text in the small font.
 void small_dim(const std::string& text);
 /// A heading that folds away what stands below it; true while that is to be drawn. A click opens and closes
-/// it, and it stays so while the window is open. `open_at_first`: how it is until somebody clicks. `opens`: it
-/// opens now.
+/// it, and it stays so while the window is open. `open_at_first`: how it is until somebody clicks. `opens`:
+/// it opens now.
 [[nodiscard]] bool fold(const char* title, bool open_at_first, bool opens = false);
 
 // Choices.

@@ -48,7 +48,7 @@ struct Ring {
                    return !beside && !outside && p != a && p != b && p != c;
                });
     }
-    /// From `start` round: the first ear, else the first of the corners that turn left most.
+    /// Returns the first ear from `start` round, else the first of the corners that turn left most.
     [[nodiscard]] std::size_t next(std::size_t start) const {
         const std::size_t n = left.size();
         std::size_t best = start;

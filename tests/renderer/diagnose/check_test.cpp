@@ -125,10 +125,11 @@ TEST_CASE("a term that is a multiple is named by its factor, and what nothing ex
     CHECK(found_in("normal", [](glm::dvec3 n) { return glm::dvec3(n.y * n.y, n.x, 0.3); }).empty());
 }
 
-TEST_CASE("small numbers of another term are no multiple of the right ones", "[diagnose][check]") {
+TEST_CASE("small numbers of another term are not taken for a multiple of the right ones",
+          "[diagnose][check]") {
     static const RightBuffers torus(torus_scene());
     const auto of_normal = [](glm::dvec3, const Explanation& e) {
-        return 0.02 * glm::abs(glm::dvec3(e.at.normal.camera));
+        return 0.006 * glm::abs(glm::dvec3(e.at.normal.camera));
     };
     CHECK(torus.found_in("diffuse", of_normal).empty());
     CHECK(found_in("diffuse", [](glm::dvec3 d) { return d / 500.0; }) == "ours times 0.002");

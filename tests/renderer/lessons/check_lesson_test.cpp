@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* darken = "set: /lights/0/intensity=0.5\n";
 
-/// Of a ball under a light of intensity 1: the last thing that is checked in these steps.
+/// Returns the last thing that these steps check, of a ball under a light of intensity 1.
 Checked last_checked(const std::string& steps) {
     const TemporaryDirectory directory;
     (void)directory.file("ball.json", R"({"glint": 1, "global_ambient": [0, 0, 0],

@@ -32,7 +32,7 @@ class FirstException {
             thrown_.store(true, std::memory_order_relaxed);
         }
     }
-    /// After all threads have ended.
+    /// Throws what a thread threw first. To be called after all threads have ended.
     void rethrow() const {
         if (first_) std::rethrow_exception(first_);
     }

@@ -35,7 +35,7 @@ float intensity_in(const std::string& path) {
     return std::get<SceneDocument>(opened).scene.lights[0].intensity;
 }
 
-/// As another program does: beside it, and renamed into its place.
+/// Writes as another program does: beside the file, and renamed into its place.
 void write_as_another(const std::string& path, float intensity) {
     Scene scene = test::busy_scene();
     scene.lights[0].intensity = intensity;

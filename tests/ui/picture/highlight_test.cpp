@@ -142,7 +142,7 @@ glm::dvec2 peak_near(const std::vector<float>& values, glm::dvec2 pixel, int rad
     return peak;
 }
 
-/// Of `count` random grabs, those after which the peak is more than a pixel away from the cursor.
+/// Returns after how many of `count` random grabs the peak is more than a pixel away from the cursor.
 int misses(unsigned seed, int count, const std::vector<Object>& shapes, Fall fall, Models models = powers) {
     std::mt19937 random(seed);
     Renderer renderer(1);

@@ -47,7 +47,7 @@ struct DrawnBall {
     }
 };
 
-/// Of the light's place, or of its direction, at a point: by geometry in the world, without the equation.
+/// What a light's position or direction gives at a point, by geometry in the world and without the equation.
 struct Geometry {
     glm::dvec3 n, l, v;
     double distance = 0;

@@ -14,7 +14,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Of ImGui's io.KeysDown, for this test.
+/// Places in ImGui's io.KeysDown that this test gives to keys.
 constexpr int enter_key = 1, escape_key = 2, tab_key = 3;
 
 /// A window whose selected light's intensity stands in the panel, with a clipboard of its own.

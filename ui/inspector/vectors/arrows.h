@@ -55,7 +55,8 @@ struct ArrowLook {
     const char* letter = "";
     Words* words = nullptr;  // that the letter goes to; null: it is written at once
 };
-/// From `from` to `to` with its letter at the tip; where the arrow points at us or away, a circle with a dot.
+/// Draws an arrow from `from` to `to` with its letter at the tip; where the arrow points at us or away, a
+/// circle with a dot.
 void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look);
 
 /// The arc from direction a to b (unit) with its degrees, at `radius` of the pen's reach. The degrees are

@@ -53,7 +53,7 @@ std::string said, refused_text;
 
 bool is_held(ImGuiID id) { return hand.id == id && hand.frame + 1 >= ImGui::GetFrameCount(); }
 
-/// As near to `wanted` as the range allows; true when it is another value than before.
+/// Brings the value as near to `wanted` as the range allows; true when it is another value than before.
 bool assign(float& value, double wanted, const Range& range) {
     const float before = value;
     const auto near = static_cast<float>(std::clamp(wanted, -max_number, max_number));
