@@ -46,7 +46,11 @@ std::string sheet_png(const DiagnoseArguments& arguments, const Font& font, cons
 
 void require_one_picture_for_a_sheet(const DiagnoseArguments& arguments) {
     if (arguments.out.empty()) return;
-    if (arguments.pictures.size() > 1)
+    const bool many = arguments.pictures.size() > 1;
+    if (arguments.format == DiagnosisFormat::Html && (many || lower_extension(arguments.out) != ".png"))
+        throw wrong_usage("-o", "is a sheet of one picture, .png, and the page of --format html is printed",
+                          "> PAGE.html in place of -o");
+    if (many)
         throw wrong_usage(
             "-o", fmt::format("is the sheet of one picture, and {} are given", arguments.pictures.size()),
             "one PICTURE, or --format html");

@@ -152,6 +152,12 @@ TEST_CASE("glint diagnose refuses bad input in one line", "[cli][diagnose][bad-i
           "-o: is the sheet of one picture, and 2 are given; expected one PICTURE, or --format html");
     check(run_glint({"diagnose", files.scene, wrong, "-o", "sheet.jpg"}), 2,
           "-o: sheet.jpg cannot be written; expected a name that ends in .png");
+    const std::string printed =
+        "-o: is a sheet of one picture, .png, and the page of --format html is printed; "
+        "expected > PAGE.html in place of -o";
+    check(run_glint({"diagnose", files.scene, wrong, wrong, "--format", "html", "-o", "sheet.png"}), 2,
+          printed);
+    check(run_glint({"diagnose", files.scene, wrong, "--format", "html", "-o", "page.html"}), 2, printed);
     const std::string bytes = bytes_of(wrong);
     const std::string cut = files.directory.file("cut.png", bytes.substr(0, bytes.size() / 2));
     const Ended corrupt = run_glint({"diagnose", files.scene, cut});

@@ -104,6 +104,7 @@ TEST_CASE("wrong usage of glint lessons and glint exercise says what is wrong", 
     check_refused({"lessons", "5", "-o", "x.pdf"}, "expected a name that ends in .html, or -");
     check_refused({"lessons", "5", "--key"}, "--key: is without -o");
     check_refused({"lessons", "5", "--check", "-o", "x.html"}, "--check: stands beside -o");
+    check_refused({"lessons", "5", "--format", "json", "-o", "x.html"}, "--format: is json beside -o");
     const TemporaryDirectory directory;
     (void)directory.file("ball.json", ball_scene);
     for (const char* const name : {"one.md", "two.md"})
@@ -158,6 +159,7 @@ TEST_CASE("glint quiz writes the inventory and counts what a class has answered"
     CHECK(wrong.err.find(b + ": these are not answers to inventory") != std::string::npos);
     check_refused({"quiz"}, "-o: is missing");
     check_refused({"quiz", a, "-o", page}, "-o: stands beside ANSWERS");
+    check_refused({"quiz", a, "--key"}, "--key: stands beside ANSWERS");
     check_refused({"quiz", "-o", "x.png"}, "expected a name that ends in .html, or -");
 }
 
