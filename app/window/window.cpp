@@ -124,6 +124,7 @@ void run_window(const WindowOptions& options) {
     }
     open_state = nullptr;  // all is answered: what is not saved was not to be
     end_persistence(state);
+    leave_lesson(state);
     // Ends jobs that nobody waits for any more. Everything that was to be kept is written.
     glfwHideWindow(handle);
     if (!end_jobs(state, longest_farewell)) std::quick_exit(0);

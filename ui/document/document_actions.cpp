@@ -14,6 +14,7 @@
 #include "models/memory_limit.h"
 #include "ui/diagnosis/my_picture.h"
 #include "ui/ui.h"
+#include "ui/widgets/numbers/number_input.h"
 
 namespace glint {
 namespace {
@@ -118,6 +119,7 @@ void take_scene(UiState& state, SceneDocument document) {
     end_prediction(state);
     end_match(state);
     (void)cancel_gesture(state.viewport, state.editor.scene());
+    let_go_of_fields();
     take_document(state.editor, std::move(document));
     state.viewport.probe.reset();
     state.viewport.probe_before.reset();

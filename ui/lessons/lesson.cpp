@@ -7,8 +7,10 @@
 #include "ui/lessons/lesson_parts.h"
 #include "ui/lessons/lesson_progress.h"
 #include "ui/lessons/predict_mode.h"
+#include "ui/preferences/autosave.h"
 #include "ui/ui.h"
 #include "ui/widgets/numbers/expression.h"
+#include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -18,6 +20,7 @@ namespace {
 void set_scene(UiState& state, const Scene& scene) {
     Editor& editor = state.editor;
     (void)cancel_gesture(state.viewport, editor.scene());
+    let_go_of_fields();
     remember_step(editor, false);
     editor.scene() = scene;
     editor.edits_camera = true;
@@ -121,7 +124,7 @@ void begin_lesson(UiState& state, std::shared_ptr<const Course> course) {
 void leave_lesson(UiState& state) {
     LessonState& lesson = state.lesson;
     if (!lesson.course) return;
-    keep_progress(state);
+    keep_progress(state, patience_at_end);
     state.animate.playing = false;
     forget_input(lesson);
     lesson.course.reset();

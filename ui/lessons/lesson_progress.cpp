@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "models/io/file.h"
+#include "ui/preferences/autosave.h"
 #include "ui/ui.h"
 
 namespace glint {
@@ -130,15 +131,30 @@ CourseProgress recall_progress(const UiState& state, const Course& course) {
     return read_progress(*record, course).value_or(fresh_progress(course));
 }
 
-void keep_progress(UiState& state) {
+CourseProgress with_changes(CourseProgress kept, const CourseProgress& before, const CourseProgress& now) {
+    if (now.station != before.station) kept.station = now.station;
+    for (std::size_t i = 0; i < kept.given.size(); ++i)
+        for (std::size_t q = 0; q < kept.given[i].size(); ++q)
+            if (json_of(now.given[i][q]) != json_of(before.given[i][q])) kept.given[i][q] = now.given[i][q];
+    for (std::size_t i = 0; i < kept.tasks.size(); ++i)
+        for (std::size_t t = 0; t < kept.tasks[i].size(); ++t)
+            if (now.tasks[i][t] != before.tasks[i][t]) kept.tasks[i][t] = now.tasks[i][t];
+    return kept;
+}
+
+void keep_progress(UiState& state, double patience) {
+    constexpr double ask_again = 0.02;  // seconds
     LessonState& lesson = state.lesson;
     if (!lesson.course || lesson.lecturer || state.persistence.folder.empty()) return;
     if (lesson.progress == lesson.written) return;
-    const FolderLock lock(state.persistence.folder);
-    if (!lock.held()) return;  // another window writes: in a later frame
+    const FolderLock lock(state.persistence.folder, patience);
+    if (!lock.held()) return redraw_within(ask_again);
+    const Course& course = *lesson.course;
     JsonValue records = lesson_records(state);
-    records[record_key(lesson.folder, lesson.course->lesson.path)] =
-        progress_json(*lesson.course, lesson.progress);
+    JsonValue& record = records[record_key(lesson.folder, course.lesson.path)];
+    const std::optional<CourseProgress> kept = read_progress(record, course);
+    record =
+        progress_json(course, kept ? with_changes(*kept, lesson.written, lesson.progress) : lesson.progress);
     (void)write_file_at_once(file_of(state), json_text(records));
     lesson.written = lesson.progress;
 }

@@ -32,7 +32,12 @@ struct LessonRecord {
 
 /// What is remembered of the lesson, else a fresh beginning.
 [[nodiscard]] CourseProgress recall_progress(const UiState& state, const Course& course);
-/// Writes what has changed since. Not in a lecturer's hand.
-void keep_progress(UiState& state);
+/// Returns `kept`, that another window may have written, with what was done between `before` and `now`. All
+/// three are of one course.
+[[nodiscard]] CourseProgress with_changes(CourseProgress kept, const CourseProgress& before,
+                                          const CourseProgress& now);
+/// Writes what has changed since, and leaves what another window has written of the same lesson. Not in a
+/// lecturer's hand. While another window writes for longer than `patience` seconds, it is for a later frame.
+void keep_progress(UiState& state, double patience = 0);
 
 }  // namespace glint

@@ -56,10 +56,14 @@ struct OrphanedAutosave {
 
 // Several windows share the folder: only one at a time may read, change and write there.
 
-/// The right to the folder among those who ask for it this way, held until this is destroyed. Never waits.
+/// How long a window that ends waits for another that writes; seconds.
+inline constexpr double patience_at_end = 1;
+
+/// The right to the folder among those who ask for it this way, held until this is destroyed.
 class FolderLock {
   public:
-    explicit FolderLock(const std::string& folder);
+    /// Waits at most `patience` seconds for another that holds it.
+    explicit FolderLock(const std::string& folder, double patience = 0);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;

@@ -7,11 +7,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <new>
-#include <thread>
 #include <utility>
 
 #include "models/io/file.h"
 #include "models/memory_limit.h"
+#include "ui/picture/orbit.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
 
@@ -21,7 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double seconds_between_copies = 5, seconds_of_rest = 1, seconds_between_asking = 0.02;
-constexpr int max_asking = 50;  // times, of a window that ends
 constexpr std::size_t longest_memory = 1 << 16;
 
 std::string file_in(const Persistence& memory, const char* name) {
@@ -44,17 +43,32 @@ const std::string& open_file(const UiState& state) {
     return scene.empty() && state.lesson.course ? state.lesson.course->lesson.path : scene;
 }
 
-/// False when another window has the list just now.
-bool note_recent(UiState& state) {
+/// False when another window has the list just now, for longer than `patience` seconds.
+bool note_recent(UiState& state, double patience = 0) {
     Persistence& memory = state.persistence;
     const std::string& path = open_file(state);
     if (path == memory.opened) return true;
     // Other windows write there too: their files stay in the list.
-    const FolderLock lock(memory.folder);
+    const FolderLock lock(memory.folder, patience);
     if (!lock.held()) return false;
     memory.opened = path;
     memory.recent = with_recent_file(read_recent_files(text_of(memory, "recent.json")), path);
     write(memory, "recent.json", recent_files_text(memory.recent));
+    return true;
+}
+
+/// Views that other windows have kept stay. False when one of them writes for longer than `patience` seconds.
+bool write_preferences(Persistence& memory, double patience = 0) {
+    if (memory.preferences == memory.written) return true;
+    const FolderLock lock(memory.folder, patience);
+    if (!lock.held()) return false;
+    Preferences all = memory.preferences;
+    const std::string text = text_of(memory, "window.json");
+    if (!text.empty())
+        all.views.kept = with_changed_views(read_preferences(text).views.kept, memory.written.views.kept,
+                                            memory.preferences.views.kept);
+    write(memory, "window.json", preferences_text(all));
+    memory.written = memory.preferences;
     return true;
 }
 
@@ -76,8 +90,7 @@ void note_preferences(UiState& state) {
     if (memory.preferences == memory.written) return;
     const double rest = memory.preferences_changed + seconds_of_rest - time;
     if (rest > 0) return redraw_within(rest);
-    write(memory, "window.json", preferences_text(memory.preferences));
-    memory.written = memory.preferences;
+    if (!write_preferences(memory)) redraw_within(seconds_between_asking);
 }
 
 /// Says that the copy failed, once until a copy could be written again.
@@ -143,6 +156,17 @@ void note_autosave(UiState& state) {
     write_autosave(state);
 }
 
+/// Makes the folder if it is not there; why it cannot be used.
+std::optional<Problem> why_no_folder(const std::string& folder) {
+    const char* const expected = "a folder of your own";
+    if (folder.empty())
+        return Problem{"", "", "neither $XDG_STATE_HOME nor $HOME is set to an absolute path", expected};
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (failed) return Problem{folder, "", "cannot be made: " + failed.message(), expected};
+    return {};
+}
+
 }  // namespace
 
 std::string state_folder() {
@@ -155,8 +179,8 @@ std::string state_folder() {
 
 void begin_persistence(UiState& state, const std::string& folder) {
     Persistence& memory = state.persistence;
-    std::error_code failed;
-    if (folder.empty() || (fs::create_directories(folder, failed), failed)) return;
+    memory.no_folder = why_no_folder(folder);
+    if (memory.no_folder) return;
     memory.folder = folder;
     memory.recent = read_recent_files(text_of(memory, "recent.json"));
     memory.preferences = memory.written = read_preferences(text_of(memory, "window.json"));
@@ -167,6 +191,8 @@ void begin_persistence(UiState& state, const std::string& folder) {
 }
 
 void poll_persistence(UiState& state) {
+    if (state.persistence.no_folder && state.editor.unsaved())
+        tell_failed_autosave(state, *state.persistence.no_folder);
     if (state.persistence.folder.empty()) return;
     if (!note_recent(state)) redraw_within(seconds_between_asking);
     note_preferences(state);
@@ -197,10 +223,8 @@ void end_persistence(UiState& state) {
     Persistence& memory = state.persistence;
     if (memory.folder.empty()) return;
     drop_autosave(state);
-    for (int i = 0; i < max_asking && !note_recent(state); ++i)
-        std::this_thread::sleep_for(std::chrono::duration<double>(seconds_between_asking));
-    if (!(memory.preferences == memory.written))
-        write(memory, "window.json", preferences_text(memory.preferences));
+    (void)note_recent(state, patience_at_end);
+    (void)write_preferences(memory, patience_at_end);
 }
 
 bool keep_unsaved_work(UiState& state) {

@@ -65,6 +65,7 @@ inline constexpr std::size_t max_recent_files = 12;
 
 struct Persistence {
     std::string folder;                // empty: nothing is remembered
+    std::optional<Problem> no_folder;  // why begin_persistence() found none
     std::vector<std::string> recent;   // newest first
     Preferences preferences, written;  // as they are; as the file has them
     double preferences_changed = 0;    // ImGui's time
@@ -86,7 +87,8 @@ struct Persistence {
 /// Source: XDG Base Directory Specification 0.8 (a relative path is to be ignored).
 [[nodiscard]] std::string state_folder();
 
-/// Reads what is remembered in `folder`, making it if need be. Before the first frame.
+/// Reads what is remembered in `folder`, making it if need be. Before the first frame. Where there is no such
+/// folder nothing is remembered, and the first unsaved edit says that it is not kept.
 void begin_persistence(UiState& state, const std::string& folder);
 
 /// Once a frame: saves preferences that have been unchanged for a second, the recent files, and unsaved work.

@@ -11,6 +11,7 @@
 #include "tests/support/scenes.h"
 #include "ui/document/document_actions.h"
 #include "ui/fields/field_panel.h"
+#include "ui/picture/orbit.h"
 #include "ui/preferences/autosave.h"
 #include "ui/preferences/persistence.h"
 
@@ -187,6 +188,57 @@ TEST_CASE("theme and columns are there again in the next window", "[ui][memory]"
     CHECK(bench.state.dark);
 }
 
+TEST_CASE("views that another window keeps stay, and what this one forgets goes", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    const std::string file = folder.path("state/window.json");
+    const auto camera_at = [](float x) {
+        Camera camera;
+        camera.eye.x = x;
+        return camera;
+    };
+    const Camera ours = camera_at(1), theirs = camera_at(2), newest = camera_at(3);
+    const auto kept = [&file] { return read_preferences(bytes_of(file)).views.kept; };
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
+    bench.frames(2);
+    const auto write_after = [&bench](const auto& change) {
+        change(bench.state);
+        bench.frames(2);
+        end_persistence(bench.state);
+    };
+    write_after([&](UiState& state) { keep_view(state.kept_views, ours); });
+    Preferences other = read_preferences(bytes_of(file));
+    other.views.kept.push_back(theirs);
+    REQUIRE(problem_of(write_file(file, preferences_text(other))) == nullptr);
+    write_after([](UiState& state) { state.layout.left = false; });
+    CHECK(kept() == std::vector<Camera>{ours, theirs});
+    CHECK_FALSE(read_preferences(bytes_of(file)).layout.left);
+    write_after([&](UiState& state) { keep_view(state.kept_views, newest); });
+    CHECK(kept() == std::vector<Camera>{ours, theirs, newest});
+    write_after([](UiState& state) { state.kept_views.erase(state.kept_views.begin()); });
+    CHECK(kept() == std::vector<Camera>{theirs, newest});
+    std::filesystem::remove(file);
+    write_after([](UiState& state) { state.layout.left = true; });
+    CHECK(kept() == std::vector<Camera>{newest});
+}
+
+TEST_CASE("settings wait while another window writes there", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
+    bench.frames(2);
+    bench.state.dark = false;
+    bench.frames(2);
+    {
+        const FolderLock other(folder.path("state"));
+        bench.state.persistence.preferences_changed = -1e9;
+        CHECK(bench.frame().sleep_s < 0.1);  // it asks again by itself
+        CHECK(bytes_of(folder.path("state/window.json")).empty());
+    }
+    bench.frames(1);
+    CHECK_FALSE(read_preferences(bytes_of(folder.path("state/window.json"))).dark);
+}
+
 TEST_CASE("a file that is opened stands first among the recent ones, in every window", "[ui][memory]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("one.json", scene_text(test::busy_scene()));
@@ -261,6 +313,27 @@ TEST_CASE("no copy for want of a folder is said too", "[ui][memory]") {
     bench.frames(2);
     copy_again(bench, 0.25f);
     CHECK(notes_with(bench, "No copy") == 1);
+}
+
+TEST_CASE("where there is no state folder the first edit is told that no copy of it is kept",
+          "[ui][memory]") {
+    const TemporaryDirectory folder;
+    const std::string in_the_way = folder.file("state", "a file");
+    for (const auto& [path, why] :
+         {std::pair<std::string, std::string>{in_the_way, "state: cannot be made: "},
+          {"", "neither $XDG_STATE_HOME nor $HOME is set"}}) {
+        HeadlessWindow bench;
+        begin_persistence(bench.state, path);
+        bench.frames(2);
+        CHECK(notes_with(bench, "No copy") == 0);
+        bench.scene().lights[0].intensity = 0.25f;
+        bench.frames(3);
+        CHECK(notes_with(bench, why) == 1);
+        bench.state.notifications.list.clear();
+        bench.scene().lights[0].intensity = 0.5f;
+        bench.frames(3);
+        CHECK(notes_with(bench, "No copy") == 0);
+    }
 }
 
 TEST_CASE("a window that cannot go on leaves its newest work behind", "[ui][memory]") {

@@ -9,7 +9,9 @@
 #include "tests/support/lesson_window.h"
 #include "tests/support/program.h"
 #include "ui/document/document_actions.h"
+#include "ui/lessons/lesson_progress.h"
 #include "ui/lessons/prose.h"
+#include "ui/preferences/persistence.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -104,6 +106,23 @@ TEST_CASE("what was explored is put back to the lesson's scene, and undo brings 
     CHECK_FALSE(bench.state.editor.unsaved());
     bench.key(Key::Z, true);
     CHECK(bench.scene().lights[0].intensity == 0.25f);
+}
+
+TEST_CASE("what was typed and not locked in is no answer to the next page's question",
+          "[ui][window][lesson]") {
+    HeadlessWindow bench({1280, 1000});
+    bench.frames(2);
+    test::drop(bench, test::shipped_lesson("06-mirror-vector"));
+    bench.key(Key::PageDown);
+    bench.frames(2);
+    bench.click(bench.control("Your answer"));
+    test::type(bench, "7");
+    CHECK(bench.state.lesson.typed == "7");
+    bench.key(Key::PageDown);
+    bench.frames(3);
+    REQUIRE(test::asked(bench).asks->kind == PredictionKind::Number);
+    CHECK(bench.state.lesson.typed.empty());
+    CHECK_FALSE(can_lock(bench.state.lesson));
 }
 
 TEST_CASE("PgDn and PgUp turn the lesson's pages while a number is typed, and each begins with its scene",
@@ -206,6 +225,32 @@ TEST_CASE("progress is kept with every answer, and a lesson goes on where it was
     REQUIRE(bench.state.lessons.beside[4].record);
     CHECK(bench.state.lessons.beside[4].record->score.locked == 1);
     CHECK(bench.state.lessons.beside[4].record->at == 1);
+}
+
+TEST_CASE("what another window has answered of the same lesson stays", "[ui][window][lesson]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench({1280, 1000});
+    begin_persistence(bench.state, folder.path());
+    bench.frames(2);
+    test::drop(bench, test::shipped_lesson("05-lambert"));
+    const Course& course = *bench.state.lesson.course;
+    bench.key(Key::PageDown);
+    bench.frames(2);
+    CourseProgress theirs = fresh_progress(course);
+    theirs.given[1][0] = {JsonValue(0.4), true, false};
+    const JsonValue records{{record_key("", course.lesson.path), progress_json(course, theirs)}};
+    REQUIRE(problem_of(write_file(folder.path("lessons.json"), json_text(records))) == nullptr);
+    bench.key(Key::PageDown);  // answers nothing
+    bench.frames(2);
+    CHECK(recall_progress(bench.state, course).given[1][0] == theirs.given[1][0]);
+    CHECK(recall_progress(bench.state, course).station == 2);
+    CourseProgress& ours = bench.state.lesson.progress;
+    ours.given[1][0] = {JsonValue(0.7), true, false};
+    bench.frames(2);
+    CHECK(recall_progress(bench.state, course).given[1][0] == ours.given[1][0]);
+    ours = fresh_progress(course);  // begins again
+    bench.frames(2);
+    CHECK(recall_progress(bench.state, course) == fresh_progress(course));
 }
 
 TEST_CASE("a lecturer's questions cannot be answered by mistake, and PgDn shows the answer first",

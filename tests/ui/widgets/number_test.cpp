@@ -6,6 +6,8 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
+#include "tests/support/lesson_window.h"
+#include "tests/support/program.h"
 #include "ui/widgets/numbers/expression.h"
 #include "ui/widgets/numbers/number_input.h"
 
@@ -149,6 +151,34 @@ TEST_CASE("a click elsewhere ends the typing and keeps it", "[ui][window][number
     bench.frames(2);
     CHECK(bench.intensity() == 0.75f);
     CHECK_FALSE(ImGui::GetIO().WantTextInput);
+}
+
+TEST_CASE("what is in hand of one scene changes nothing in another that is opened", "[ui][window][numbers]") {
+    const TemporaryDirectory folder;
+    Scene other = first_scene().scene;
+    other.lights[0].name = "Moon";
+    other.lights[0].intensity = 0.85f;
+    const std::string path = folder.file("other.json", scene_text(other));
+    for (const char* const field : {"Name", "/lights/0/intensity"})
+        for (const bool drags : {false, true}) {
+            INFO(field << drags);
+            Bench bench;
+            const ImVec2 at = bench.control(field);
+            bench.click(at);
+            if (drags) bench.button(true);
+            if (drags) bench.move({at.x + 30, at.y});
+            bench.state.editor.saved = bench.scene();  // so that nothing is asked
+            test::drop(bench, path);
+            CHECK(bench.scene().lights[0].name == "Moon");
+            CHECK(bench.intensity() == 0.85f);
+            bench.move({at.x + 60, at.y});
+            bench.button(false);
+            bench.click({5, 795});
+            bench.frames(2);
+            CHECK(bench.scene().lights[0].name == "Moon");
+            CHECK(bench.intensity() == 0.85f);
+            CHECK_FALSE(bench.state.editor.unsaved());
+        }
 }
 
 TEST_CASE("Tab ends the typing and goes on with the next number", "[ui][window][numbers]") {

@@ -290,6 +290,12 @@ bool number_input(const char* label, float& value, const NumberInput& input) {
 
 void type_into(const std::string& pointer) { awaited = {pointer, ImGui::GetFrameCount()}; }
 
+void let_go_of_fields() {
+    hand = {};
+    awaited = {};
+    ImGui::ClearActiveID();
+}
+
 bool number_in_hand() { return hand.id != 0 && GImGui->ActiveId == hand.id; }
 
 void say(const std::string& line) { said = line; }
