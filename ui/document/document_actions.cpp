@@ -13,6 +13,7 @@
 
 #include "models/memory_limit.h"
 #include "ui/diagnosis/my_picture.h"
+#include "ui/shell/modal.h"
 #include "ui/ui.h"
 #include "ui/widgets/numbers/number_input.h"
 
@@ -115,6 +116,7 @@ void take_scene(UiState& state, SceneDocument document) {
         put_picture_away(state);
         lay_level(state.views.scope);
     }
+    leave_dialogs_of_scene(state);
     leave_lesson(state);
     end_prediction(state);
     end_match(state);

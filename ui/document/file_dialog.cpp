@@ -190,6 +190,10 @@ bool entry_list(FileDialog& dialog) {
 
 }  // namespace
 
+bool is_about_scene(FilePurpose purpose) {
+    return purpose != FilePurpose::OpenScene && purpose != FilePurpose::SaveAnswers;
+}
+
 std::vector<FolderEntry> list_folder(const std::string& folder, FilePurpose purpose) {
     std::vector<FolderEntry> entries;
     std::error_code failed;

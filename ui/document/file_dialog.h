@@ -23,6 +23,9 @@ struct FolderEntry {
     std::string name;
     bool folder = false;
 };
+/// Whether the answer is about the scene in hand: the dialog closes when another takes its place.
+[[nodiscard]] bool is_about_scene(FilePurpose purpose);
+
 /// Entries of `folder` that serve the purpose (its extensions). Nothing when it cannot be read.
 [[nodiscard]] std::vector<FolderEntry> list_folder(const std::string& folder, FilePurpose purpose);
 

@@ -145,6 +145,15 @@ void leave_modal(UiState& state) {
     }
 }
 
+void leave_dialogs_of_scene(UiState& state) {
+    const bool files = state.files.open && is_about_scene(state.files.purpose);
+    if (!files && !state.exporting.open && !state.asks_overwrite) return;
+    if (files) state.files.open = false;
+    state.exporting.open = state.asks_overwrite = false;
+    state.notifications.add(Tone::Warning,
+                            fmt::format("The dialog was closed: it was about {}", state.editor.title()));
+}
+
 void close_left_modal(const UiState& state) {
     if (modal_of(state) == Modal::None && ImGui::GetTopMostPopupModal() != nullptr)
         ImGui::ClosePopupToLevel(0, true);

@@ -188,3 +188,42 @@ TEST_CASE("what is saved under a name without .json gets it, and in capitals it 
     }
     CHECK(folder.names() == std::vector<std::string>{"a.scene.json", "b.JSON", "plain.json"});
 }
+
+TEST_CASE("what was asked of one scene is not answered for another that comes in between", "[ui][save]") {
+    const TemporaryDirectory folder;
+    const std::string one = folder.file("one.json", scene_text(test::busy_scene()));
+    Scene scene = test::busy_scene();
+    scene.lights[0].intensity = 0.125f;
+    const std::string two = folder.file("two.json", scene_text(scene)), before = bytes_of(one);
+    HeadlessWindow bench;
+    open(bench, one);
+    bench.state.files.ask(FilePurpose::SaveScene, one);
+    bench.frames(3);
+    bench.key(Key::Enter);
+    REQUIRE(bench.state.files.asks_overwrite);
+    open(bench, two);
+    REQUIRE_FALSE(bench.state.notifications.list.empty());
+    CHECK(bench.state.notifications.list.back().text == "The dialog was closed: it was about one.json");
+    bench.key(Key::Enter);
+    bench.frames(2);
+    CHECK(bytes_of(one) == before);
+    CHECK(bench.state.editor.document.path == two);
+    using Purpose = FilePurpose;
+    for (const Purpose purpose : {Purpose::OpenMesh, Purpose::MyPicture, Purpose::SavePicture,
+                                  Purpose::ExportPicture, Purpose::SaveFrames}) {
+        bench.state.files.ask(purpose, one);
+        open(bench, bench.state.editor.document.path == one ? two : one);
+        CHECK(modal_of(bench.state) == Modal::None);
+    }
+    bench.state.exporting.open = true;
+    open(bench, two);
+    CHECK(modal_of(bench.state) == Modal::None);
+    bench.state.asks_overwrite = true;
+    open(bench, one);
+    CHECK(modal_of(bench.state) == Modal::None);
+    for (const Purpose purpose : {Purpose::OpenScene, Purpose::SaveAnswers}) {  // about no scene
+        bench.state.files.ask(purpose, "");
+        open(bench, two);
+        CHECK(modal_of(bench.state) == Modal::Files);
+    }
+}

@@ -293,7 +293,7 @@ void type_into(const std::string& pointer) { awaited = {pointer, ImGui::GetFrame
 void let_go_of_fields() {
     hand = {};
     awaited = {};
-    ImGui::ClearActiveID();
+    if (ImGui::GetTopMostPopupModal() == nullptr) ImGui::ClearActiveID();
 }
 
 bool number_in_hand() { return hand.id != 0 && GImGui->ActiveId == hand.id; }

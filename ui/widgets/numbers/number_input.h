@@ -54,7 +54,7 @@ struct NumberInput {
 void type_into(const std::string& pointer);
 
 /// Takes number, text or colour out of the hand as it is now, for a scene that takes the place of another:
-/// what was typed or held was about the scene before.
+/// what was typed or held was about the scene before. A dialog keeps its fields.
 void let_go_of_fields();
 
 /// Whether a number is being typed or dragged: Escape is then about that number alone.
