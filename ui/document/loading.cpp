@@ -171,6 +171,7 @@ void poll_document(UiState& state) {
     Loading& loading = state.loading;
     if (!state.pending.asking) loading.loaded.reset();  // the answer was no
     if (!loading.document || !loading.document->done()) return;
+    if (state.pending.asking) return;  // the question is about the scene in hand
     Result<SceneDocument> result = loading.document->take();
     loading.document.reset();
     if (const Problem* problem = problem_of(result)) return state.notifications.add(*problem);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <future>
+#include <thread>
 
 #include "models/io/file.h"
 #include "tests/support/catch.h"
@@ -56,6 +57,31 @@ TEST_CASE("while a file is loaded the scene in hand stays, and can be worked on"
     bench.wait_for_loads();
     CHECK(bench.scene().lights.empty());
     CHECK(bench.state.editor.document.path == "slow.json");
+}
+
+TEST_CASE("a file that has been loaded waits for the answer to a question about the scene in hand",
+          "[ui][loading]") {
+    const TemporaryDirectory folder;
+    const std::string asked_for = folder.file("asked.json", scene_text(first_scene().scene));
+    HeadlessWindow bench;
+    bench.frames(2);
+    Gate gate;
+    SceneDocument other = first_scene();
+    other.path = "slow.json";
+    bench.state.loading.document = gate.job(other);
+    bench.key(Key::Digit1);
+    bench.frames(2);
+    bench.state.loading.scene_then = bench.scene();
+    begin_pending(bench.state, Pending::What::Open, asked_for);
+    REQUIRE(bench.state.pending.asking);
+    gate.open.set_value();
+    while (!bench.state.loading.document->done()) std::this_thread::yield();
+    bench.frames(2);
+    CHECK(bench.state.editor.document.path.empty());
+    CHECK(bench.state.pending.path == asked_for);
+    finish_pending(bench.state);
+    bench.wait_for_loads();
+    CHECK(bench.state.editor.document.path == asked_for);
 }
 
 TEST_CASE("what is being loaded is said over the picture, and covers no row of buttons", "[ui][loading]") {

@@ -8,6 +8,7 @@
 #include "tests/support/headless_inspector.h"
 #include "tests/support/lesson_window.h"
 #include "tests/support/program.h"
+#include "ui/document/document_actions.h"
 #include "ui/widgets/numbers/expression.h"
 #include "ui/widgets/numbers/number_input.h"
 
@@ -179,6 +180,15 @@ TEST_CASE("what is in hand of one scene changes nothing in another that is opene
             CHECK(bench.intensity() == 0.85f);
             CHECK_FALSE(bench.state.editor.unsaved());
         }
+}
+
+TEST_CASE("the menu of a number closes when another scene is opened", "[ui][window][numbers]") {
+    Bench bench;
+    bench.right_click(bench.field());
+    REQUIRE(GImGui->OpenPopupStack.Size == 1);
+    take_scene(bench.state, first_scene());
+    bench.frames(2);
+    CHECK(GImGui->OpenPopupStack.empty());
 }
 
 TEST_CASE("Tab ends the typing and goes on with the next number", "[ui][window][numbers]") {

@@ -293,7 +293,9 @@ void type_into(const std::string& pointer) { awaited = {pointer, ImGui::GetFrame
 void let_go_of_fields() {
     hand = {};
     awaited = {};
-    if (ImGui::GetTopMostPopupModal() == nullptr) ImGui::ClearActiveID();
+    if (ImGui::GetTopMostPopupModal() != nullptr) return;
+    ImGui::ClearActiveID();
+    if (!GImGui->OpenPopupStack.empty()) ImGui::ClosePopupToLevel(0, true);
 }
 
 bool number_in_hand() { return hand.id != 0 && GImGui->ActiveId == hand.id; }

@@ -53,8 +53,8 @@ struct NumberInput {
 /// The number at `pointer`, or the first below it, takes the keyboard if it is drawn in this frame.
 void type_into(const std::string& pointer);
 
-/// Takes number, text or colour out of the hand as it is now, for a scene that takes the place of another:
-/// what was typed or held was about the scene before. A dialog keeps its fields.
+/// Takes number, text or colour out of the hand as it is now, and closes menus, for a scene that takes the
+/// place of another: what was typed, held or asked was about the scene before. A dialog stays as it is.
 void let_go_of_fields();
 
 /// Whether a number is being typed or dragged: Escape is then about that number alone.
