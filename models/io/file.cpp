@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <filesystem>
 #include <new>
 #include <sstream>
@@ -71,6 +72,12 @@ Result<std::string> read_regular(const std::string& path, std::size_t max_bytes,
     return read_all(file.number(), path, max_bytes, static_cast<std::size_t>(status.st_size), check);
 }
 
+Result<std::string> read_standard_input(std::size_t max_bytes, const CheckBlock& check) {
+    static std::atomic<bool> was_read = false;
+    if (was_read.exchange(true)) return Problem{"-", "", "standard input was read already", "it once"};
+    return read_all(STDIN_FILENO, "-", max_bytes, 0, check);
+}
+
 }  // namespace
 
 std::string lower_extension(const std::string& path) {
@@ -88,7 +95,7 @@ std::optional<Problem> why_not_there(const std::string& path, const char* expect
 
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes, const CheckBlock& check) {
     try {
-        if (path == "-") return read_all(STDIN_FILENO, path, max_bytes, 0, check);
+        if (path == "-") return read_standard_input(max_bytes, check);
         return read_regular(path, max_bytes, check);
     } catch (const Refused& refused) {
         return memory_problem(refused, path);

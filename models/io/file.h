@@ -27,8 +27,8 @@ struct FileBlock {
 /// problem ends the reading.
 using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>;
 
-/// The bytes of a regular file, or of standard input for "-". A directory, a device, a pipe, a missing file,
-/// one longer than `max_bytes` (of which nothing is read) or one that `check` refuses is a problem.
+/// The bytes of a regular file, or of standard input for "-", once. A directory, a device, a pipe, a missing
+/// file, one longer than `max_bytes` (of which nothing is read) or one that `check` refuses is a problem.
 [[nodiscard]] Result<std::string> read_file(const std::string& path, std::size_t max_bytes,
                                             const CheckBlock& check = {});
 

@@ -153,7 +153,8 @@ JsonValue answers_json(const Lesson& lesson, const QuizAnswers& answers) {
 
 Result<QuizAnswers> read_answers(const Lesson& lesson, std::string_view text, const std::string& file) {
     const std::vector<Posed> questions = questions_of(lesson);
-    const Result<JsonValue> read_text = JsonValue::read(text, file);
+    const bool is_blank = text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+    const Result<JsonValue> read_text = JsonValue::read(is_blank ? "null" : text, file);
     if (const Problem* problem = problem_of(read_text)) return *problem;
     const auto& json = std::get<JsonValue>(read_text);
     if (const JsonValue* quiz = json.find("quiz"); quiz != nullptr && !is_title(*quiz, lesson.title))

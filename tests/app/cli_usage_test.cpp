@@ -148,6 +148,9 @@ TEST_CASE("a picture's name may be in capitals, and a pipe without a name's endi
     const int reader = ::open(pipe.c_str(), O_RDWR);  // so that who writes need not wait
     REQUIRE(reader >= 0);
     CHECK(run_glint({"compare", picture, picture, "-o", upper}).status == 0);
+    CHECK(run_glint({"compare", "-", picture}, bytes_of(picture)).status == 0);
+    check_error(run_glint({"compare", "-", "-"}, bytes_of(picture)), 1,
+                "-: standard input was read already; expected it once");
     CHECK(run_glint({"compare", picture, picture, "-o", pipe}).status == 0);
     std::string head(4, ' ');
     CHECK(::read(reader, head.data(), head.size()) == 4);

@@ -160,6 +160,7 @@ TEST_CASE("glint quiz writes the inventory and counts what a class has answered"
     check_refused({"quiz"}, "-o: is missing");
     check_refused({"quiz", a, "-o", page}, "-o: stands beside ANSWERS");
     check_refused({"quiz", a, "--key"}, "--key: stands beside ANSWERS");
+    CHECK(run_glint({"quiz", "-"}).err.find("-: these are not answers to inventory") != std::string::npos);
     check_refused({"quiz", "-o", "x.png"}, "expected a name that ends in .html, or -");
 }
 

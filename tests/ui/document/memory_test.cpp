@@ -310,6 +310,7 @@ TEST_CASE("no copy for want of a folder is said too", "[ui][memory]") {
     HeadlessWindow bench;
     begin_persistence(bench.state, folder.path("state"));
     std::filesystem::remove_all(folder.path("state"));
+    if (GENERATE(false, true)) (void)folder.file("state", "a file in its place");
     bench.frames(2);
     copy_again(bench, 0.25f);
     CHECK(notes_with(bench, "No copy") == 1);
