@@ -12,6 +12,7 @@
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
 #include "ui/commands/command.h"
+#include "ui/document/document_actions.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -21,10 +22,13 @@ namespace {
 #ifdef GLINT_SANITIZED
 constexpr int events_a_run = 2'500;  // slow, and with seeds that Release does not have
 constexpr unsigned first_seed = 5;
+constexpr int scenes_exchanged = 40;
 #else
 constexpr int events_a_run = 7'500;
 constexpr unsigned first_seed = 1;
+constexpr int scenes_exchanged = 400;
 #endif
+constexpr int events_before_exchange = 40;
 constexpr int events_a_scene = 250;  // then everything is undone: fewer steps than the history keeps
 
 /// In a folder of its own, without a clipboard, so that nothing outside is touched.
@@ -86,11 +90,15 @@ class Monkey {
         }
     }
 
-    /// Lets everything go and leaves whatever is open.
-    void calm_down() {
+    /// Lets the mouse and all keys go.
+    void let_go() {
         for (bool& down : ImGui::GetIO().MouseDown) down = false;
         ImGui::GetIO().KeyShift = ImGui::GetIO().KeyCtrl = ImGui::GetIO().KeyAlt = false;
         held_ = {};
+    }
+    /// Lets everything go and leaves whatever is open.
+    void calm_down() {
+        let_go();
         for (int i = 0; i < 6; ++i) (void)bench_.key(Key::Escape);
         bench_.move({1, 1});
         bench_.frames(3);
@@ -231,6 +239,38 @@ TEMPLATE_TEST_CASE_SIG(
     CHECK(undone > events_a_run * 300 / 20'000);  // it did things
     CHECK(compared > events_a_run / events_a_scene / 2);
     CHECK(bench.state.notifications.list.size() <= 5);
+}
+
+TEST_CASE("whatever a hand holds, a scene that takes the place of another is as its file has it",
+          "[ui][monkey][long]") {
+    const Cage cage;
+    HeadlessWindow bench({900, 420});
+    Monkey monkey(bench, first_seed);
+    SceneDocument other = small_document();
+    for (Light& light : other.scene.lights) {
+        light.name += " of the other";
+        light.intensity = light.diffuse.x = 0.375f;
+    }
+    other.scene.objects[0].name = "Other";
+    other.scene.objects[0].material.shininess = 3;
+    other.scene.objects[0].transform.rotate_deg = {10, 20, 30};
+    other.scene.camera.eye = {1, 2, 3};
+    for (int round = 0; round < scenes_exchanged; ++round) {
+        INFO("round " << round);
+        bench.state.layout = {};
+        take_scene(bench.state, small_document());
+        bench.state.editor.selection = {};
+        for (int event = 0; event < events_before_exchange; ++event) monkey.act();
+        take_scene(bench.state, other);
+        bench.frames(2);
+        monkey.let_go();
+        bench.frames(2);
+        for (const Key key : {Key::Escape, Key::Enter, Key::Escape}) (void)bench.key(key);
+        bench.frames(2);
+        REQUIRE(bench.scene() == other.scene);
+        CHECK_FALSE(bench.state.editor.unsaved());
+        monkey.calm_down();
+    }
 }
 
 #ifndef GLINT_SANITIZED
