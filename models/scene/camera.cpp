@@ -61,16 +61,16 @@ glm::dmat4 world_from_view(const Camera& camera) {
 }
 
 Projection fitted(const Projection& projection, PictureSize size) {
-    constexpr double composed_for = 16.0 / 9, widest_deg = 179.9;
+    constexpr double widest_deg = 179.9;
     const double aspect = static_cast<double>(size.width) / size.height;
     if (!is_widened(size)) return projection;
     Projection shown = projection;
     if (auto* p = std::get_if<Perspective>(&shown)) {
-        const double half = std::tan(p->fov_y_deg * std::numbers::pi / 360) * composed_for / aspect;
+        const double half = std::tan(p->fov_y_deg * std::numbers::pi / 360) * composed_aspect / aspect;
         const double fov_y_deg = std::min(std::atan(half) * 360 / std::numbers::pi, widest_deg);
         p->fov_y_deg = std::max(static_cast<float>(fov_y_deg), p->fov_y_deg);
     } else if (auto* o = std::get_if<Orthographic>(&shown)) {
-        o->height = static_cast<float>(std::min(o->height * composed_for / aspect, 1e30));
+        o->height = static_cast<float>(std::min(o->height * composed_aspect / aspect, 1e30));
     }
     return shown;
 }

@@ -62,6 +62,9 @@ struct PictureSize {
 /// columns and the same precondition.
 [[nodiscard]] glm::dmat4 world_from_view(const Camera& camera);
 
+/// Width by height of the picture that a scene is composed for.
+inline constexpr double composed_aspect = 16.0 / 9;
+
 /// Whether the field is wider there than the projection says.
 [[nodiscard]] constexpr bool is_widened(PictureSize size) {
     return size.keeps_width && 9LL * size.width < 16LL * size.height;

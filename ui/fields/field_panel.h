@@ -13,6 +13,7 @@
 #include "models/fields/choices.h"
 #include "models/fields/scene_fields.h"
 #include "models/fields/scene_rules.h"
+#include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -161,7 +162,9 @@ template <class T> [[nodiscard]] bool field_rows(T& value, const std::string& po
 /// make what the scene file would refuse. The fields keep each number in its own range. True if the edit
 /// stands.
 template <class Item> bool keep_valid(Item& edited, const Item& before) {
-    if (!violation_of(edited)) return true;
+    const auto found = violation_of(edited);
+    if (!found) return true;
+    refuse_edit(found->what + "; expected " + found->expected);
     edited = before;
     return false;
 }

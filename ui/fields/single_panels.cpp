@@ -66,10 +66,14 @@ void note_fitted(const Camera& camera, PictureSize size) {
 }
 
 Projection as_projection(const Camera& camera, ProjectionKind kind, PictureSize size) {
-    // A frustum is not widened for a narrow picture: it takes over what is seen.
+    // A frustum is not widened for a narrow picture: it takes over what is seen, and hands that back.
+    const bool is_frustum = kind == ProjectionKind::Frustum;
+    const bool was_frustum = kind_of(camera.projection) == ProjectionKind::Frustum;
+    const double aspect = static_cast<double>(size.width) / size.height;
     Camera shown = camera;
-    if (kind == ProjectionKind::Frustum) shown.projection = fitted(camera.projection, size);
-    const double half = half_height(shown), aspect = static_cast<double>(size.width) / size.height;
+    if (is_frustum) shown.projection = fitted(camera.projection, size);
+    const bool will_be_widened = was_frustum && !is_frustum && is_widened(size);
+    const double half = half_height(shown) * (will_be_widened ? aspect / composed_aspect : 1);
     const float near = near_of(camera.projection), far = far_of(camera.projection);
     if (kind == ProjectionKind::Perspective)
         return Perspective{std::clamp(static_cast<float>(2 * std::atan(half) / degree), 0.1f, 179.0f), near,

@@ -148,7 +148,7 @@ TEST_CASE("a folder lists folders first, then what serves the purpose, by name",
 
 TEST_CASE("another kind of projection shows the target at the same size", "[ui]") {
     const Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{50, 0.1f, 100}};
-    const PictureSize size{800, 500};
+    const PictureSize size = GENERATE(PictureSize{800, 500}, PictureSize{700, 723, true});
     const glm::dvec3 place{0.7, 0.4, 0};
     const OnScreen before = project(screen_map(camera, size), place);
     for (const ProjectionKind kind : enumerators<ProjectionKind>) {
@@ -159,6 +159,8 @@ TEST_CASE("another kind of projection shows the target at the same size", "[ui]"
         CHECK(after.pixel.x == Approx(before.pixel.x).epsilon(1e-4));
         CHECK(after.pixel.y == Approx(before.pixel.y).epsilon(1e-4));
         CHECK_FALSE(violation_of(other));
+        const Projection back = as_projection(other, ProjectionKind::Perspective, size);
+        CHECK(std::get<Perspective>(back).fov_y_deg == Approx(50));
     }
 }
 

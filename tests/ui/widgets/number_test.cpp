@@ -182,6 +182,65 @@ TEST_CASE("what is in hand of one scene changes nothing in another that is opene
         }
 }
 
+TEST_CASE("a number that another forbids leaves the field as it was, and a notification says why",
+          "[ui][window][numbers]") {
+    Bench bench;
+    bench.scene().camera.projection = Perspective{45, 0.5f, 80};
+    bench.state.editor.selection = {Selection::Kind::Camera, 0};
+    bench.frames(2);
+    const auto near = [&bench] { return near_of(bench.scene().camera.projection); };
+    const auto type_near = [&bench](std::initializer_list<const char*> parts, int key) {
+        bench.click(bench.control("/camera/projection/near"));
+        for (const char* const part : parts) bench.type(part);
+        bench.tap(key);
+        bench.frames(2);
+    };
+    const std::string why = "near 200 is not less than far 80; expected 0 < near < far. The field keeps 0.5";
+    for (const auto& parts : {std::initializer_list<const char*>{"2", "0", "0"}, {"200"}, {"20", "0"}}) {
+        bench.state.notifications.list.clear();
+        type_near(parts, enter_key);
+        CHECK(near() == 0.5f);
+        CHECK(bench.last_note() == "200 is not possible: " + why);
+    }
+    bench.state.notifications.list.clear();
+    type_near({"2", "0"}, enter_key);
+    CHECK(near() == 20);
+    CHECK(bench.state.notifications.list.empty());
+    type_near({"90"}, escape_key);
+    CHECK(near() == 20);
+    CHECK(bench.state.notifications.list.empty());
+    bench.clipboard = "200";
+    bench.right_click(bench.control("/camera/projection/near"));
+    bench.click(bench.control("Paste"));
+    bench.frames(2);
+    CHECK(near() == 20);
+    CHECK(bench.last_note() == "Not possible: near 200 is not less than far 80; expected 0 < near < far");
+}
+
+TEST_CASE("a last letter and Enter in one frame are judged like the letters before",
+          "[ui][window][numbers]") {
+    Bench bench;
+    bench.scene().camera.projection = Perspective{45, 0.5f, 80};
+    bench.state.editor.selection = {Selection::Kind::Camera, 0};
+    bench.frames(2);
+    bench.click(bench.control("/camera/projection/near"));
+    bench.type("20");
+    ImGui::GetIO().AddInputCharacter('0');
+    bench.tap(enter_key);
+    CHECK(near_of(bench.scene().camera.projection) == 0.5f);
+    CHECK(bench.last_note().find("200 is not possible") == 0);
+}
+
+TEST_CASE("what is pasted out of range is the nearest in it, and that is said", "[ui][window][numbers]") {
+    Bench bench;
+    bench.clipboard = "-3";
+    bench.right_click(bench.field());
+    bench.click(bench.control("Paste"));
+    bench.frames(2);
+    CHECK(bench.intensity() == 0);
+    CHECK(bench.last_note().find("-3 is out of range") == 0);
+}
+
 TEST_CASE("the menu of a number closes when another scene is opened", "[ui][window][numbers]") {
     Bench bench;
     bench.right_click(bench.field());

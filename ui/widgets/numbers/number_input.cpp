@@ -34,6 +34,7 @@ struct Typing {
     std::string began_with;
     std::array<char, longest_text> text{};
     std::string problem;  // of the text as it is
+    std::string refused;  // why the scene does not take the number that it is
 };
 struct InHand {
     ImGuiID id = 0;
@@ -52,15 +53,6 @@ Awaited awaited;
 std::string said, refused_text;
 
 bool is_held(ImGuiID id) { return hand.id == id && hand.frame + 1 >= ImGui::GetFrameCount(); }
-
-/// Brings the value as near to `wanted` as the range allows; true when it is another value than before.
-bool assign(float& value, double wanted, const Range& range) {
-    const float before = value;
-    const auto near = static_cast<float>(std::clamp(wanted, -max_number, max_number));
-    // contains(): also the one number beside the range.
-    value = range.contains(near) ? near : std::clamp(near, lowest(range), highest(range));
-    return value != before;
-}
 
 // Typing.
 
@@ -86,13 +78,14 @@ bool take_typed(float& value, const Range& range) {
     Typing& typing = hand.typing;
     const std::string text = typing.text.data();
     typing.problem.clear();
+    typing.refused.clear();
     if (text == typing.began_with) return assign(value, double(typing.before), range);
     const Calculated found = calculated_typing(typing);
     typing.problem = found.problem;
     return found.problem.empty() && assign(value, found.value, range);
 }
 
-/// What is not a number at the end leaves the value as it was before.
+/// What is not a number at the end, or not one for this scene, leaves the value as it was before.
 bool end_typing(float& value, const Range& range) {
     const Typing typing = hand.typing;
     hand = {};
@@ -105,9 +98,13 @@ bool end_typing(float& value, const Range& range) {
                         exact_text(typing.before)));
         return assign(value, double(typing.before), range);
     }
+    if (!typing.refused.empty()) {
+        say(fmt::format("{} is not possible: {}. The field keeps {}", shortened(text), typing.refused,
+                        exact_text(typing.before)));
+        return assign(value, double(typing.before), range);
+    }
     if (!range.contains(found.value) && value != static_cast<float>(found.value))
-        say(fmt::format("{:.6g} is out of range ({}): the field takes {}", found.value, range.words,
-                        exact_text(value)));
+        say_out_of_range(found.value, range, value);
     return false;
 }
 
@@ -124,14 +121,16 @@ ImRect frame_for_typing(const ImRect& frame) {
 bool type_text(ImGuiID id, const ImRect& frame, const char* label, float& value, const Range& range) {
     hand.frame = ImGui::GetFrameCount();
     bool edited = false;
-    const bool wrong = !hand.typing.problem.empty();
+    const bool wrong = !hand.typing.problem.empty() || !hand.typing.refused.empty();
     if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, theme().error);
     if (ImGui::TempInputText(frame, id, label, hand.typing.text.data(), int(longest_text),
                              ImGuiInputTextFlags_AutoSelectAll))
         edited = take_typed(value, range);
     if (wrong) ImGui::PopStyleColor();
-    if (GImGui->ActiveId != id) edited |= end_typing(value, range);
-    return edited;
+    if (GImGui->ActiveId == id) return edited;
+    if (!edited) return end_typing(value, range);
+    redraw_within(0);  // whether the scene takes it is known in the next frame
+    return true;
 }
 
 // Dragging.
@@ -257,6 +256,14 @@ void take_in_hand(ImGuiID id, float value, const NumberInput& input, bool hovere
 
 }  // namespace
 
+bool assign(float& value, double wanted, const Range& range) {
+    const float before = value;
+    const auto near = static_cast<float>(std::clamp(wanted, -max_number, max_number));
+    // contains(): also the one number beside the range.
+    value = range.contains(near) ? near : std::clamp(near, lowest(range), highest(range));
+    return value != before;
+}
+
 bool number_input(const char* label, float& value, const NumberInput& input) {
     ImGuiWindow* window = ImGui::GetCurrentWindow();
     if (window->SkipItems) return false;
@@ -286,6 +293,18 @@ bool number_input(const char* label, float& value, const NumberInput& input) {
     ImGui::PopFont();
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup(number_menu_id);
     return number_menu(value, input) || edited;
+}
+
+void say_out_of_range(double wanted, const Range& range, float taken) {
+    say(fmt::format("{:.6g} is out of range ({}): the field takes {}", wanted, range.words,
+                    exact_text(taken)));
+}
+
+void refuse_edit(const std::string& why) {
+    if (hand.id == 0)
+        say("Not possible: " + why);
+    else if (hand.types)
+        hand.typing.refused = why;
 }
 
 void type_into(const std::string& pointer) { awaited = {pointer, ImGui::GetFrameCount()}; }

@@ -15,6 +15,9 @@ namespace glint {
 [[nodiscard]] float lowest(const Range& range);
 [[nodiscard]] float highest(const Range& range);
 
+/// Brings the value as near to `wanted` as the range allows; true when it is another value than before.
+bool assign(float& value, double wanted, const Range& range);
+
 /// How far along its slider a value is: 0 at the low end of its range, 1 at Real::usual_max, more beyond; and
 /// back, within its range. Precondition: has_slider(kind).
 [[nodiscard]] double slider_share(double value, const Real& kind);
@@ -49,6 +52,13 @@ struct NumberInput {
 /// types, as calculated() reads it: what is typed counts at once, Escape puts back what there was before, and
 /// a text that is not a number leaves it too and says so (take_said()). The right button opens a menu.
 [[nodiscard]] bool number_input(const char* id, float& value, const NumberInput& input);
+
+/// Takes note that the scene does not allow what was edited in this frame, and why; whoever calls has put it
+/// back. What is being typed then ends as it was before, and says so; a drag stays at the last number that is
+/// possible; what was chosen or pasted says it at once.
+void refuse_edit(const std::string& why);
+/// Says that a number was brought into its range.
+void say_out_of_range(double wanted, const Range& range, float taken);
 
 /// The number at `pointer`, or the first below it, takes the keyboard if it is drawn in this frame.
 void type_into(const std::string& pointer);

@@ -24,7 +24,7 @@ void copy(const std::string& text) {
     say(fmt::format("{} is on the clipboard", text));
 }
 
-/// True when the clipboard held a number. Where its text did not come, the window has said so.
+/// True when the clipboard held another number. Where its text did not come, the window has said so.
 bool paste(float& value, const Range& range) {
     const char* text = ImGui::GetClipboardText();
     if (text == nullptr) return false;
@@ -33,8 +33,9 @@ bool paste(float& value, const Range& range) {
         say("The clipboard holds no number: " + found.problem);
         return false;
     }
-    value = std::clamp(static_cast<float>(found.value), lowest(range), highest(range));
-    return true;
+    const bool edited = assign(value, found.value, range);
+    if (!range.contains(found.value)) say_out_of_range(found.value, range, value);
+    return edited;
 }
 
 }  // namespace
