@@ -42,7 +42,8 @@ UiRequests requests(UiState& state) {
     UiRequests wants;
     const Course* course = state.lesson.course.get();
     wants.title = fmt::format("{}{} – Glint", state.editor.unsaved() ? "● " : "",
-                              course != nullptr ? course->lesson.title : state.editor.title());
+                              course != nullptr && state.editor.document.path.empty() ? course->lesson.title
+                                                                                      : state.editor.title());
     wants.sleep_s = next_redraw();
     const std::optional<Scene> preview = preview_of(state);
     const Scene& next = preview ? *preview : state.editor.scene();

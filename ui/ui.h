@@ -44,7 +44,7 @@ namespace glint {
 
 /// What waits for the answer to "save changes?".
 struct Pending {
-    enum class What { Nothing, New, Open, Recover, Match, Quit };
+    enum class What { Nothing, New, Open, Recover, Match, Page, Quit };
     What what = What::Nothing;
     std::string path;     // to open; of the copy to take up; the seed of a match
     bool asking = false;  // the question is on the screen; else the changes are being saved

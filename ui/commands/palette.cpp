@@ -219,7 +219,9 @@ void palette(UiState& state, const UiInput& input) {
     if (ImGui::InputTextWithHint("##text", "What would you like to do?", &palette.text)) palette.chosen = 0;
     const int decided = entry_list(palette, input);
     const bool left = !palette.appearing && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
-    palette.appearing = false;
+    const bool entered = std::any_of(input.presses.begin(), input.presses.end(),
+                                     [](const KeyPress& press) { return press.key == Key::Enter; });
+    palette.appearing = entered && decided < 0;  // Enter took the keyboard from the text
     ImGui::End();
     ImGui::PopStyleVar(2);
     if (left) palette.open = false;

@@ -9,6 +9,7 @@
 #include "ui/commands/command.h"
 #include "ui/commands/palette_rows.h"
 #include "ui/fields/field_panel.h"
+#include "ui/fields/panels.h"
 #include "ui/ui.h"
 
 namespace glint {
@@ -156,6 +157,21 @@ void add_settings_of(Entries& entries, const UiState& state, const SettingsOf<T>
     SettingList<T>(entries, settings).of(settings.in(scene_only_read));
 }
 
+/// The kind is no row of the scene's fields: with another one other fields are there.
+void add_projections(Entries& entries, const UiState& state) {
+    const ProjectionKind now = kind_of(state.editor.scene().camera.projection);
+    for (const ProjectionKind kind : enumerators<ProjectionKind>)
+        entries.push_back({fmt::format("Projection: {}", choice_of(kind).label),
+                           kind == now ? "Camera · chosen" : "Camera", "", "",
+                           [kind](UiState& s) {
+                               if (s.rendered == nullptr) return;
+                               Camera& camera = s.editor.scene().camera;
+                               camera.projection = as_projection(camera, kind, s.rendered->size);
+                               s.editor.edits_camera = true;
+                           },
+                           choice_of(kind).meaning});
+}
+
 }  // namespace
 
 void add_fields(Entries& entries, const UiState& state) {
@@ -172,6 +188,7 @@ void add_fields(Entries& entries, const UiState& state) {
 }
 
 void add_settings(Entries& entries, const UiState& state) {
+    add_projections(entries, state);
     add_settings_of<Shading>(entries, state,
                              {[](Scene& s) -> Shading& { return s.shading; }, "/shading", "Shading"});
     add_settings_of<Npr>(entries, state,

@@ -173,7 +173,8 @@ void candidates(UiState& state) {
 void experiment(UiState& state) {
     const Experiment* shown = shown_experiment(state);
     const auto& found = state.mine.answer->diagnosis.experiment;
-    const Experiment* e = shown != nullptr ? shown : found ? &*found : nullptr;
+    // Its pointers are those of the scene that was asked about.
+    const Experiment* e = shown != nullptr ? shown : found && state.mine.current ? &*found : nullptr;
     if (e == nullptr) return;
     section_heading("To be sure");
     for (const Assignment& a : e->set) {

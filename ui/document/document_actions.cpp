@@ -143,6 +143,7 @@ void finish_pending(UiState& state) {
     }
     if (now.what == Pending::What::Recover) recover_autosave(state, now.path);
     if (now.what == Pending::What::Open) begin_open(state, now.path);
+    if (now.what == Pending::What::Page) turn_page(state, std::atoi(now.path.c_str()));
     if (now.what == Pending::What::Match) begin_match(state, std::strtoull(now.path.c_str(), nullptr, 10));
 }
 

@@ -12,6 +12,7 @@
 #include <glm/mat4x4.hpp>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "models/fields/scene_numbers.h"
 #include "ui/commands/fuzzy.h"
@@ -49,6 +50,23 @@ std::vector<SceneNumber> matching(const Scene& scene, const std::string& text) {
     return found;
 }
 
+/// After lights or objects went, were renamed or came with another scene, the pointer may lead to another.
+void forget_number_that_is_gone(UiState& state) {
+    AnimateState& animate = state.animate;
+    if (animate.animation.pointer.empty()) return;
+    const Scene& scene = state.editor.scene();
+    const bool is_there = number_at(scene, animate.animation.pointer).has_value();
+    const std::string words = is_there ? words_for(scene, animate.animation.pointer) : "";
+    if (animate.number.empty()) animate.number = words;
+    if (is_there && words == animate.number) return;
+    const std::string gone = std::exchange(animate.number, {});
+    animate.animation.pointer.clear();
+    animate.refused.clear();
+    if (animate.animation.motion != Motion::PingPong) return;
+    animate.playing = false;
+    state.notifications.tell("Animate: there is no “" + gone + "” any more");
+}
+
 void choose_number(AnimateState& animate, const Scene& scene) {
     Animation& animation = animate.animation;
     ImGui::SetNextItemWidth(label_cell("Number"));
@@ -62,6 +80,7 @@ void choose_number(AnimateState& animate, const Scene& scene) {
         tooltip(words.c_str(), number.help, "", number.pointer);
         if (!chosen) continue;
         animation.pointer = number.pointer;
+        animate.number = words;
         animation.from = number.value;
         animation.to = number.value == 0 ? 1 : 2 * number.value;
         animate.began = ImGui::GetTime();
@@ -152,6 +171,7 @@ void animate_panel(UiState& state) {
 void poll_animation(UiState& state) {
     AnimateState& animate = state.animate;
     poll_job(animate.job, state.notifications);
+    forget_number_that_is_gone(state);
     animate.frame.reset();
     if (!animate.playing) return;
     const double frame = (ImGui::GetTime() - animate.began) * animate.frames_a_second;

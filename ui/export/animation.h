@@ -47,6 +47,7 @@ struct AnimateState {
     std::optional<Scene> frame;  // while it plays: what the next picture shows
     Animation animation;
     std::string search;                     // for the number that shall move
+    std::string number;  // Animation::pointer in words when it was chosen: "Bulb: intensity"; empty: not yet
     int frames_a_second = 25;               // 1 to 50: GIF counts hundredths of a second
     double began = 0;                       // ImGui's time at frame 0
     std::string refused;                    // why it cannot play; empty when it can

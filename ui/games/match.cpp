@@ -109,7 +109,8 @@ void end_match(UiState& state) {
 void poll_match(UiState& state) {
     MatchState& match = state.match;
     if (!match.on || match.asked_of == state.editor.scene() || awaits_mesh(state)) return;
-    match.asked_of = state.editor.saved = state.editor.scene();  // play, and nobody's work
+    match.asked_of = state.editor.scene();
+    if (state.editor.document.path.empty()) state.editor.saved = match.asked_of;  // play, and nobody's work
     match.now = distance_to_target(match, match.asked_of);
     match.hint.clear();
     match.solved = match.solved || match.now <= match_tolerance;
@@ -133,7 +134,8 @@ void match_column(UiState& state) {
             "it is, until the picture is this one.");
     hint(match, match.asked_of);
     ImGui::Dummy({0, px(4)});
-    const bool beside = state.views.compare.choice.on;
+    const CompareChoice& choice = state.views.compare.choice;
+    const bool beside = choice.on && choice.stored && *choice.stored == match.task.target;
     if (chosen_button("Target beside it", beside)) show_beside(state, !beside);
     tooltip("Target beside it", "Half of the picture is the target, behind a line to drag");
     ImGui::SameLine(0, px(8));
@@ -141,7 +143,7 @@ void match_column(UiState& state) {
     tooltip("Begin again", "As it was at first; undo brings yours back");
     const bool another = match.solved ? main_button("Another") : ImGui::Button("Another");
     tooltip("Another", "The next number: some are harder");
-    if (another) begin_match(state, match.seed + 1);
+    if (another) begin_pending(state, Pending::What::Match, std::to_string(match.seed + 1));
 }
 
 }  // namespace glint

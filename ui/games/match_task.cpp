@@ -122,6 +122,7 @@ Picture term_picture(Renderer& renderer, const Scene& scene, Symbol term) {
 /// How `mine` is to `wanted`: elsewhere, too large, too small, too bright, too dark.
 std::string how(const Blob& mine, const Blob& wanted, const char* what, bool has_size) {
     constexpr double far = 5, larger = 1.25, brighter = 1.08;  // pixels of match_size; ratios
+    if (mine.bright == 0) return fmt::format("{} is not there", what);
     if (glm::length(mine.middle - wanted.middle) > far) return fmt::format("{} lies elsewhere", what);
     if (has_size && mine.bright > larger * wanted.bright) return fmt::format("{} is too large", what);
     if (has_size && wanted.bright > larger * mine.bright) return fmt::format("{} is too small", what);
@@ -159,6 +160,8 @@ std::string match_hint(Renderer& renderer, const Scene& scene, const Scene& targ
     constexpr std::array terms{Term{Symbol::Ambient, "ambient", "it", false},
                                Term{Symbol::Diffuse, "diffuse", "its light", false},
                                Term{Symbol::Specular, "specular", "its highlight", true}};
+    if (scene.shading != target.shading)
+        return "The shading is not the target's: Begin again brings it back.";
     double most = 0;
     std::string hint = "Nothing is off.";
     for (const Term& term : terms) {

@@ -16,13 +16,16 @@
 namespace glint {
 namespace {
 
-/// A scene of the lesson is not an edit that could be lost, but it is a step that can be undone.
+/// A scene of the lesson is not an edit that could be lost, but it is a step that can be undone. It belongs
+/// to no file, whatever name the one before was saved under.
 void set_scene(UiState& state, const Scene& scene) {
     Editor& editor = state.editor;
     (void)cancel_gesture(state.viewport, editor.scene());
     let_go_of_fields();
     remember_step(editor, false);
     editor.scene() = scene;
+    editor.document.path.clear();
+    editor.document.stamp = {};
     editor.edits_camera = true;
     remember_step(editor, false);
     editor.saved = scene;
@@ -109,6 +112,11 @@ void arrive(UiState& state) {
         set_scene(state, lesson.station().asked);
 }
 
+/// What was saved under a name is somebody's work; the lesson's scene, however it was explored, is not.
+bool has_own_file_unsaved(const UiState& state) {
+    return !state.editor.document.path.empty() && state.editor.unsaved();
+}
+
 }  // namespace
 
 void begin_lesson(UiState& state, std::shared_ptr<const Course> course) {
@@ -142,7 +150,13 @@ std::optional<std::size_t> open_question(const LessonState& lesson) {
 bool is_held(const UiState& state) { return open_question(state.lesson).has_value(); }
 
 void go_on(UiState& state, int steps) {
+    if (has_own_file_unsaved(state)) return begin_pending(state, Pending::What::Page, std::to_string(steps));
+    turn_page(state, steps);
+}
+
+void turn_page(UiState& state, int steps) {
     LessonState& lesson = state.lesson;
+    if (!lesson.course) return;
     const auto wanted = static_cast<std::ptrdiff_t>(lesson.progress.station) + steps;
     if (wanted < 0) return state.notifications.tell("This is where the lesson begins");
     if (wanted >= std::ssize(lesson.course->stations))
@@ -220,6 +234,7 @@ void play_reveal(UiState& state) {
     constexpr int frames = 75;  // three seconds there and back
     animate.playing = !animate.playing;
     animate.animation = {Motion::PingPong, reveal.play, reveal.play_from, reveal.play_to, frames};
+    animate.number.clear();
     animate.frames_a_second = 25;
     animate.began = ImGui::GetTime();
 }

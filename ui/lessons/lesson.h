@@ -61,8 +61,11 @@ void leave_lesson(UiState& state);
 /// Whether such a question holds the picture: then nothing of it can be changed or asked.
 [[nodiscard]] bool is_held(const UiState& state);
 
-/// Goes `steps` stations on, or back if negative, and shows the scene there. At the ends it says so.
+/// Goes `steps` stations on, or back if negative, and shows the scene there. At the ends it says so. Asks
+/// first where the scene in hand was saved under a name and has changes that were not.
 void go_on(UiState& state, int steps);
+/// Goes without asking.
+void turn_page(UiState& state, int steps);
 /// Does what PgDn and PgUp do; for a lecturer, PgDn first shows an open answer.
 void page_lesson(UiState& state, int steps);
 /// Begins the lesson at its first station again, with nothing answered.

@@ -179,6 +179,23 @@ TEST_CASE("what plays is shown and leaves the scene and its history alone", "[ui
     CHECK(bench.state.rendered_scene == before);
 }
 
+TEST_CASE("a number whose light is gone moves no other light in its place", "[ui][animate]") {
+    HeadlessWindow bench;
+    bench.scene().lights.push_back(bench.scene().lights[1]);
+    bench.scene().lights[2].name = "Lamp";
+    bench.state.animate.animation = {Motion::PingPong, "/lights/1/intensity", 0, 1, 4};
+    bench.state.animate.open = bench.state.animate.playing = true;
+    bench.frames(3);
+    CHECK(bench.state.animate.playing);
+    bench.scene().lights.erase(bench.scene().lights.begin() + 1);
+    bench.frames(3);
+    CHECK_FALSE(bench.state.animate.playing);
+    CHECK(bench.state.animate.animation.pointer.empty());
+    REQUIRE_FALSE(bench.state.notifications.list.empty());
+    CHECK(bench.state.notifications.list.back().text == "Animate: there is no “Bulb: intensity” any more");
+    CHECK(bench.state.rendered_scene == bench.scene());
+}
+
 TEST_CASE("Escape closes Animate", "[ui][animate]") {
     HeadlessWindow bench;
     bench.key(Key::T, true);

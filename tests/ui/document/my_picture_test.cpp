@@ -157,6 +157,21 @@ TEST_CASE("the experiment is one step, picks its pixel, and shows there what it 
     CHECK(bench.scene() == start);
 }
 
+TEST_CASE("an experiment is offered for the scene that it was found for alone", "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const TemporaryDirectory folder;
+    bring(bench, folder, flipped_picture(bench));
+    const auto is_offered = [&bench] {
+        return std::any_of(bench.controls().begin(), bench.controls().end(),
+                           [](const NamedControl& c) { return c.name == "Change the scene so"; });
+    };
+    CHECK(is_offered());
+    bench.scene().lights.erase(bench.scene().lights.begin());
+    bench.frames(2);
+    CHECK_FALSE(is_offered());
+}
+
 TEST_CASE("the search ends when it is told to, and begins anew when the scene changes",
           "[ui][window][mine]") {
     HeadlessWindow bench;

@@ -113,6 +113,44 @@ TEST_CASE("a hint names the term that is off, and how", "[ui][match]") {
     scene = task.target;
     scene.lights[0].position.x = -scene.lights[0].position.x;
     CHECK(match_hint(renderer, scene, task.target).find("elsewhere") != std::string::npos);
+    scene.lights.clear();
+    CHECK(match_hint(renderer, scene, task.target) ==
+          "The diffuse term is off most: its light is not there.");
+    scene = task.target;
+    scene.shading.terms.diffuse = false;
+    CHECK(match_hint(renderer, scene, task.target) ==
+          "The shading is not the target's: Begin again brings it back.");
+}
+
+TEST_CASE("a game that was saved under a name is work, and its changes are asked about",
+          "[ui][window][match]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.path("game.json");
+    HeadlessWindow bench({1280, 1000});
+    open_game(bench, 2);
+    bench.scene().objects[0].material.shininess = 3;
+    bench.frames(2);
+    CHECK_FALSE(bench.state.editor.unsaved());
+    REQUIRE_FALSE(save_file(bench.state.editor, path));
+    bench.scene().objects[0].material.shininess = 4;
+    bench.frames(2);
+    CHECK(bench.state.editor.unsaved());
+    bench.click(bench.control("Another"));
+    bench.frames(2);
+    CHECK(bench.state.pending.asking);
+    CHECK(bench.state.match.seed == 2);
+}
+
+TEST_CASE("another stored scene is not the target beside it", "[ui][window][match]") {
+    HeadlessWindow bench({1280, 1000});
+    open_game(bench, 2);
+    bench.click(bench.control("Target beside it"));
+    bench.state.views.compare.choice.stored = std::make_shared<const Scene>(bench.scene());
+    bench.frames(2);
+    bench.click(bench.control("Target beside it"));
+    bench.frames(2);
+    CHECK(bench.state.views.compare.choice.on);
+    CHECK(*bench.state.views.compare.choice.stored == bench.state.match.task.target);
 }
 
 TEST_CASE("the game is played by its buttons: hint, target beside, again, another, leave",

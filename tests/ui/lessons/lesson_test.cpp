@@ -108,6 +108,33 @@ TEST_CASE("what was explored is put back to the lesson's scene, and undo brings 
     CHECK(bench.scene().lights[0].intensity == 0.25f);
 }
 
+TEST_CASE("the next page's scene belongs to no file, and one's own is asked about before it goes",
+          "[ui][window][lesson]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.path("mine.json");
+    LambertWindow bench;
+    bench.answer("0.5");
+    REQUIRE_FALSE(save_file(bench.state.editor, path));
+    const std::string saved = bytes_of(path);
+    CHECK(bench.frame().title == "mine.json – Glint");
+    bench.scene().lights[0].intensity = 0.25f;
+    bench.frames(2);
+    const std::size_t station = bench.lesson().progress.station;
+    bench.key(Key::PageDown);
+    bench.frames(2);
+    REQUIRE(bench.state.pending.asking);
+    CHECK(bench.lesson().progress.station == station);
+    CHECK(bench.scene().lights[0].intensity == 0.25f);
+    finish_pending(bench.state);  // Don't save
+    bench.frames(2);
+    CHECK(bench.lesson().progress.station == station + 1);
+    CHECK(bench.scene() == bench.lesson().station().asked);
+    bench.key(Key::S, true);
+    bench.frames(2);
+    CHECK(bench.state.files.open);  // for a name
+    CHECK(bytes_of(path) == saved);
+}
+
 TEST_CASE("what was typed and not locked in is no answer to the next page's question",
           "[ui][window][lesson]") {
     HeadlessWindow bench({1280, 1000});

@@ -175,6 +175,40 @@ TEST_CASE("where nothing is near the palette does nothing at Enter", "[ui][palet
     CHECK(bench.scene() == before);
 }
 
+TEST_CASE("after Enter found nothing the palette goes on taking letters", "[ui][palette][window]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyMap[ImGuiKey_Enter] = 1;
+    (void)bench.key(Key::K, true);
+    bench.frames(1);
+    bench.type("zzzz");
+    io.KeysDown[1] = true;
+    (void)bench.key(Key::Enter);
+    io.KeysDown[1] = false;
+    bench.frames(3);
+    bench.type("y");
+    CHECK(bench.state.palette.text == "zzzzy");
+}
+
+TEST_CASE("the palette finds every kind of projection, and what is seen stays", "[ui][palette][window]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    for (const ProjectionKind kind :
+         {ProjectionKind::Frustum, ProjectionKind::Orthographic, ProjectionKind::Perspective}) {
+        const std::string name = choice_of(kind).label;
+        const auto entries = found(bench.state, "Projection: " + name);
+        REQUIRE_FALSE(entries.empty());
+        CHECK(entries[0].name == "Projection: " + name);
+        entries[0].run(bench.state);
+        CHECK(kind_of(bench.scene().camera.projection) == kind);
+        bench.frames(2);
+    }
+    CHECK(bench.state.editor.history.can_undo());  // it is an edit, no look
+    const auto back = std::get<Perspective>(bench.scene().camera.projection);
+    CHECK(back.fov_y_deg == Approx(std::get<Perspective>(first_scene().scene.camera.projection).fov_y_deg));
+}
+
 TEST_CASE("a letter that acts at once says what it did", "[ui][window][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
