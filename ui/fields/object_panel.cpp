@@ -183,15 +183,23 @@ void mesh_facts(const Object& object, const std::string& about_mesh) {
     if (!about_mesh.empty()) line(about_mesh);
 }
 
+template <class Vector> auto largest_of(const Vector& scale) {
+    const Vector size = glm::abs(scale);
+    return std::max({size.x, size.y, size.z});
+}
+
 /// One number for all three scales: they keep their ratio, and their signs. It is the largest of them.
 bool uniform_scale_field(glm::vec3& scale, const std::string& pointer) {
-    const glm::vec3 size = glm::abs(scale);
-    const float largest = std::max({size.x, size.y, size.z});
-    float wanted = largest;
+    // Kept from frame to frame, as ui/ui.h says: the ratio is that of the scales before this field changed
+    // them, because "0", on the way to "0.5", leaves hardly any.
+    static glm::dvec3 before;
+    static glm::vec3 written;
+    if (scale != written) before = scale;
+    float wanted = largest_of(scale);
     const Real kind{.range = above_zero, .step = 0.01f, .format = "%.2f", .logarithmic = true};
     const Help help{"Multiplies the three scales, which keep their ratio: the largest of them", pointer};
     if (!number_field("Scale all", wanted, kind, 1, help)) return false;
-    scale *= wanted / largest;
+    scale = written = glm::vec3(before * (double(wanted) / largest_of(before)));
     return true;
 }
 

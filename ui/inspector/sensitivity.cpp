@@ -102,6 +102,7 @@ void poll_sensitivity(SensitivityState& state, const SceneDocument& document, Pi
         const auto* found = std::get_if<Sensitivities>(&state.job->result());
         state.shown = found != nullptr ? std::optional(*found) : std::nullopt;
         state.rank = found != nullptr ? ranked(*found) : std::vector<Sensitivity>();
+        state.shown_scene = state.asked_scene;
         state.current = true;
         state.job.reset();
         return;
@@ -131,7 +132,7 @@ void number_tooltip(const NamedNumber& named, const Sensitivity& number) {
 
 /// A line: how much, as a bar and in figures, and of what. A click selects it.
 void number_row(UiState& state, const Sensitivity& number, double most) {
-    const NamedNumber named = named_number(number.pointer, state.editor.scene());
+    const NamedNumber named = named_number(number.pointer, state.sensitivity.shown_scene);
     const float line = ImGui::GetTextLineHeight();
     ImGui::PushID(number.pointer.c_str());
     if (ImGui::Selectable("##row", false, 0, {ImGui::GetContentRegionAvail().x, line + px(5)}))
@@ -160,7 +161,7 @@ void owners(UiState& state, const char* title, const std::vector<std::string>& p
     if (pointers.empty() || !fold(title, false)) return;
     std::vector<std::pair<NamedNumber, std::string>> lines;
     for (const std::string& pointer : pointers) {
-        const NamedNumber named = named_number(pointer, state.editor.scene());
+        const NamedNumber named = named_number(pointer, state.sensitivity.shown_scene);
         const auto same = std::find_if(lines.begin(), lines.end(), [&](const auto& line) {
             return line.first.owner == named.owner && line.first.selection == named.selection;
         });

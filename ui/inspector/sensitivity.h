@@ -55,6 +55,7 @@ struct SensitivityState {
     PictureSize asked_size;
     std::optional<Sensitivities> shown;
     std::vector<Sensitivity> rank;  // of `shown`
+    Scene shown_scene;              // that `shown` is of: its pointers are of this scene
     bool current = false;           // `shown` is of the scene and pixel as they are
 };
 

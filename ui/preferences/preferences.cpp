@@ -170,6 +170,7 @@ ViewPreferences views_to_remember(const UiState& state) {
     ViewPreferences memory;
     view_fields(memory, [&](const char*, auto& value, auto now) { value = now(state); });
     if (state.mine.shown) memory.compare = state.mine.compare_before;
+    if (state.match.on) memory.compare = state.match.compare_before;
     memory.compare.stored.reset();  // a scene is not a preference
     memory.compare.shows_stored = memory.compare.on = false;
     return memory;

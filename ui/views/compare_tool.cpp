@@ -80,18 +80,25 @@ void draw_wipe(ImDrawList& list, const CompareState& state, int wipe, const Pict
         arrow_head(list, middle + px(5) * side * way, side * way, 3.5f, 3.5f, to_u32({0.2f, 0.2f, 0.2f, 1}));
 }
 
+/// Whether a part is to show the stored B, and there is none: it then shows the scene in hand.
+bool lacks_stored(const CompareChoice& choice, const Variant& variant) {
+    return variant.kind == Variant::Kind::Stored && choice.stored == nullptr;
+}
+
 void draw_label(ImDrawList& list, const CompareState& state, int part, const PictureView& view) {
     const Rect rect = label_rect(state.choice, part, view);
     badge_ground(list, rect, state.label_under == part);
     list.PushClipRect(rect.low, rect.high, true);
+    const Variant& variant = state.choice.parts[static_cast<std::size_t>(part)];
+    const std::string label = lacks_stored(state.choice, variant) ? "B: none is stored" : label_of(variant);
     list.AddText(fonts().small, small_text_height(), rect.low + px(1) * ImVec2(8, 4), to_u32(theme().text),
-                 label_of(state.choice.parts[static_cast<std::size_t>(part)]).c_str());
+                 label.c_str());
     list.PopClipRect();
 }
 
 /// A row of a list, which needs what `variant` shows. True when it was clicked.
 bool variant_row(const CompareChoice& choice, const std::string& label, Variant variant, bool chosen) {
-    const bool lacks_b = variant.kind == Variant::Kind::Stored && choice.stored == nullptr;
+    const bool lacks_b = lacks_stored(choice, variant);
     const bool lacks_mine = variant.kind == Variant::Kind::Mine && choice.mine == nullptr;
     const bool can = !lacks_b && !lacks_mine;
     const bool clicked = ImGui::Selectable(label.c_str(), chosen, can ? 0 : ImGuiSelectableFlags_Disabled);

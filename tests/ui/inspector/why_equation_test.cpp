@@ -123,6 +123,21 @@ TEST_CASE("the distance in the equation moves its light towards the point, in it
     }
 }
 
+TEST_CASE("a distance that is typed digit by digit keeps the direction to its light", "[ui][window][why]") {
+    HeadlessWindow bench({1280, 1400});
+    Light third = bench.scene().lights[1];
+    third.name = "Third";
+    bench.scene().lights.push_back(third);
+    test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
+    const ExplainedLight before = bench.state.explanation->at.lights[1];
+    bench.click(test::in_column(bench, "Distance of Bulb"));
+    for (const char* const digit : {"0", ".", "5"}) bench.type(digit);
+    bench.frames(2);
+    const ExplainedLight& after = bench.state.explanation->at.lights[1];
+    CHECK(after.distance == Approx(0.5));
+    CHECK(glm::dot(after.l.world, before.l.world) == Approx(1).margin(1e-5));
+}
+
 TEST_CASE("the distance has no default to go back to, and its menu offers none", "[ui][window][why]") {
     HeadlessWindow bench({1280, 1400});
     test::ask(bench, InspectorTab::Equation, {0.4, 0.4});

@@ -67,6 +67,25 @@ TEST_CASE("the sensitivity shown is that of glint explain --sensitivity", "[ui][
     CHECK(bench.state.sensitivity.shown->numbers.front().change != expected.numbers.front().change);
 }
 
+TEST_CASE("until it is measured again the numbers keep the names of what they were of", "[ui][window][why]") {
+    HeadlessWindow bench({1280, 1400});
+    Object aside = bench.scene().objects[0];
+    aside.transform.translate = {100, 0, 0};
+    bench.scene().objects.insert(bench.scene().objects.begin(), aside);
+    test::ask(bench, InspectorTab::Sensitivity, {0.5, 0.45});
+    REQUIRE(wait_for_numbers(bench));
+    bench.frames(2);
+    const auto is_listed = [&bench](std::string_view name) {
+        return std::any_of(bench.controls().begin(), bench.controls().end(),
+                           [&](const NamedControl& control) { return control.name == name; });
+    };
+    REQUIRE(is_listed("Ball: move y"));
+    bench.scene().objects.erase(bench.scene().objects.begin());
+    bench.frames(1);
+    REQUIRE_FALSE(bench.state.sensitivity.current);
+    CHECK(is_listed("Ball: move y"));
+}
+
 TEST_CASE("numbers are ranked by what a usual move of each does, not by their units", "[ui][why]") {
     Sensitivities measured;
     const auto number = [](const char* pointer, double change, double effect) {

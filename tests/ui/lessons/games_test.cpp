@@ -8,6 +8,7 @@
 #include "renderer/lessons/quiz.h"
 #include "tests/support/lesson_window.h"
 #include "tests/support/program.h"
+#include "ui/preferences/persistence.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -139,6 +140,16 @@ TEST_CASE("a game that was saved under a name is work, and its changes are asked
     bench.frames(2);
     CHECK(bench.state.pending.asking);
     CHECK(bench.state.match.seed == 2);
+}
+
+TEST_CASE("what a game compares is not remembered for the next window", "[ui][window][match]") {
+    HeadlessWindow bench({1280, 1000});
+    bench.frames(2);
+    const ViewPreferences before = views_to_remember(bench.state);
+    open_game(bench, 2);
+    bench.click(bench.control("Target beside it"));
+    bench.frames(2);
+    CHECK(views_to_remember(bench.state) == before);
 }
 
 TEST_CASE("another stored scene is not the target beside it", "[ui][window][match]") {

@@ -89,6 +89,31 @@ TEST_CASE("one number scales an object as a whole and keeps the ratio and the mi
     CHECK(bench.state.editor.history.undo_name() == "Scale Ball");
 }
 
+TEST_CASE("a scale of all that is typed digit by digit keeps the ratio, and 0 is refused",
+          "[ui][window][objects]") {
+    HeadlessWindow bench({1280, 1200});
+    const glm::vec3 first = GENERATE(glm::vec3(1), glm::vec3(1, -0.5f, 0.25f), glm::vec3(1, 0.625f, 0.625f));
+    bench.scene().objects[0].transform.scale = first;
+    take_document(bench.state.editor, bench.state.editor.document);
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    bench.frames(3);
+    const glm::vec3& scale = bench.scene().objects[0].transform.scale;
+    const auto type = [&bench](const char* text) {
+        bench.click(bench.control("Scale all"));
+        for (const char* letter = text; *letter != 0; ++letter) bench.type(std::string(1, *letter).c_str());
+        bench.click({5, 1195});
+        bench.frames(2);
+    };
+    type("0.5");
+    CHECK(scale == 0.5f * first);
+    type("0");
+    CHECK(scale.x > 0);
+    type("2");
+    CHECK(scale == 2.0f * first);
+    CHECK(same_description(std::get<Scene>(parse_scene(scene_text(bench.scene()), "scaled.json")),
+                           bench.scene()));
+}
+
 TEST_CASE("the gizmo stands in the middle of what is drawn where the origin is outside of it",
           "[ui][objects]") {
     const Seen seen;

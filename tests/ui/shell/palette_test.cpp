@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "models/fields/choices.h"
 #include "models/fields/scene_numbers.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"

@@ -23,6 +23,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/named_controls.h"
+#include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
@@ -61,6 +62,19 @@ NumberHandle light_number(Scene& scene, int light, const char* key, int decimals
     return handle;
 }
 
+/// From the point that is lit to a light, in the light's own coordinates.
+struct Ray {
+    int light = -1;
+    glm::dvec3 lit{0}, way{0};  // way: of length 1
+    glm::vec4 written{0};       // where the light was put on it
+};
+
+Ray ray_to(const Light& light, const ExplainedLight& explained) {
+    const glm::dvec3 way = light.space == LightSpace::World ? explained.l.world : explained.l.camera;
+    const glm::dvec3 place = glm::dvec3(light.position) / double(light.position.w);
+    return {explained.index, place - double(explained.distance) * way, way, light.position};
+}
+
 /// "dist" and the number that moves the light towards the point and away from it, where l stays.
 bool distance_handle(TextLine& line, Scene& scene, const ExplainedLight& explained, int decimals) {
     Light& light = scene.lights[static_cast<std::size_t>(explained.index)];
@@ -75,10 +89,14 @@ bool distance_handle(TextLine& line, Scene& scene, const ExplainedLight& explain
                           .format = decimal_format(distance, decimals),
                           .logarithmic = true};
     handle.number.place = &distance;
+    // Kept from frame to frame, as ui/ui.h says, while the number is in hand: at a distance of "0", on the
+    // way to "0.5", nothing tells any more from where the light shines.
+    static Ray kept;
+    const bool goes_on = number_in_hand() && kept.light == explained.index && light.position == kept.written;
+    const Ray ray = goes_on ? kept : ray_to(light, explained);
     if (!line.symbol(Quantity::Distance).gap(2).handle(handle, theme().text)) return false;
-    const glm::vec3 l = light.space == LightSpace::World ? explained.l.world : explained.l.camera;
-    const glm::vec3 place = glm::vec3(light.position) / light.position.w;
-    light.position = glm::vec4(place + (distance - explained.distance) * l, 1);
+    light.position = glm::vec4(ray.lit + double(distance) * ray.way, 1);
+    kept = {explained.index, ray.lit, ray.way, light.position};
     return true;
 }
 
