@@ -32,9 +32,10 @@ std::string text_of(const Persistence& memory, const char* name) {
     return problem_of(text) == nullptr ? std::get<std::string>(text) : "";
 }
 
-/// What cannot be remembered is not worth a word: nothing that the user made is lost.
-void write(const Persistence& memory, const char* name, const std::string& text) {
-    (void)write_file_at_once(file_in(memory, name), text);
+/// What cannot be remembered is not worth a word: nothing that the user made is lost. True when it was
+/// written.
+bool write(const Persistence& memory, const char* name, const std::string& text) {
+    return problem_of(write_file_at_once(file_in(memory, name), text)) == nullptr;
 }
 
 /// The file to open again: a lesson's, as long as what it shows was not saved under a name.
@@ -53,7 +54,7 @@ bool note_recent(UiState& state, double patience = 0) {
     if (!lock.held()) return false;
     memory.opened = path;
     memory.recent = with_recent_file(read_recent_files(text_of(memory, "recent.json")), path);
-    write(memory, "recent.json", recent_files_text(memory.recent));
+    (void)write(memory, "recent.json", recent_files_text(memory.recent));
     return true;
 }
 
@@ -67,8 +68,8 @@ bool write_preferences(Persistence& memory, double patience = 0) {
     if (!text.empty())
         all.views.kept = with_changed_views(read_preferences(text).views.kept, memory.written.views.kept,
                                             memory.preferences.views.kept);
-    write(memory, "window.json", preferences_text(all));
-    memory.written = memory.preferences;
+    memory.tried = memory.preferences;
+    if (write(memory, "window.json", preferences_text(all))) memory.written = memory.preferences;
     return true;
 }
 
@@ -87,7 +88,7 @@ void note_preferences(UiState& state) {
     const double time = ImGui::GetTime();
     if (!(now == memory.preferences)) memory.preferences_changed = time;
     memory.preferences = now;
-    if (memory.preferences == memory.written) return;
+    if (memory.preferences == memory.written || memory.preferences == memory.tried) return;
     const double rest = memory.preferences_changed + seconds_of_rest - time;
     if (rest > 0) return redraw_within(rest);
     if (!write_preferences(memory)) redraw_within(seconds_between_asking);

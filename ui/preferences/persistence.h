@@ -68,8 +68,10 @@ struct Persistence {
     std::optional<Problem> no_folder;  // why begin_persistence() found none
     std::vector<std::string> recent;   // newest first
     Preferences preferences, written;  // as they are; as the file has them
-    double preferences_changed = 0;    // ImGui's time
-    std::string opened;                // the path of the open file, that stands first among the recent ones
+    std::optional<Preferences>
+        tried;                       // that were to be written last: it is not tried again until they change
+    double preferences_changed = 0;  // ImGui's time
+    std::string opened;              // the path of the open file, that stands first among the recent ones
     std::optional<AutosaveLock> autosave;  // of the unsaved work, while there is some
     std::optional<Scene> autosaved_scene;  // what it holds, or will when it is written
     double autosaved_at = -1e9;            // ImGui's time

@@ -12,6 +12,7 @@
 #include "models/json/json_reader.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/numbers/expression.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {

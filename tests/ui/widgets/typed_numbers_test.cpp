@@ -1,0 +1,124 @@
+// Every number of the window, typed digit by digit: what stands there on the way is in the scene, too.
+#include <imgui.h>
+
+#include <string>
+#include <vector>
+
+#include "models/fields/scene_numbers.h"
+#include "models/scene_file/scene_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
+#include "tests/support/scenes.h"
+#include "ui/widgets/numbers/number_input.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+struct Shown {
+    std::string name, key;
+    ImVec2 at;
+};
+
+/// A window on a scene, in which numbers are typed and taken back.
+class Typist {
+  public:
+    explicit Typist(const Scene& scene) {
+        SceneDocument document;
+        document.scene = scene;
+        take_document(bench_.state.editor, document);
+        test::ask(bench_, InspectorTab::Equation, {0.5, 0.55});
+        first_ = bench_.scene();
+    }
+
+    /// Types "0", "." and "5" into every number that the panel of `selection` and `tab` show.
+    void type_into_all(const Selection& selection, InspectorTab tab) {
+        bench_.state.editor.selection = selection;
+        bench_.state.inspector.tab = tab;
+        bench_.frames(3);
+        for (const Shown& shown : in_sight()) {
+            INFO(shown.name << " " << shown.key);
+            if (type(shown.at)) check_and_take_back(shown);
+        }
+    }
+    [[nodiscard]] int typed() const { return typed_; }
+
+  private:
+    /// What stands for something of the scene, and can be clicked.
+    [[nodiscard]] std::vector<Shown> in_sight() const {
+        std::vector<Shown> all;
+        for (const NamedControl& control : bench_.controls())
+            if (control.in_sight && control.key.starts_with('/'))
+                all.push_back({control.name, control.key, HeadlessWindow::middle_of(control.at)});
+        return all;
+    }
+
+    /// False where the click did not begin a number's text; whatever it did is taken back.
+    bool type(ImVec2 at) {
+        bench_.state.notifications.list.clear();
+        bench_.click(at);
+        bench_.frames(2);
+        const bool types = number_in_hand() && ImGui::GetIO().WantTextInput;
+        if (types)
+            for (const char* const letter : {"0", ".", "5"}) bench_.type(letter);
+        bench_.click({2, height - 2});
+        bench_.frames(2);
+        bench_.wait_for_loads();
+        if (!types) take_back();
+        return types;
+    }
+
+    void check_and_take_back(const Shown& shown) {
+        ++typed_;
+        const auto read = parse_scene(scene_text(bench_.scene()), "typed.json");
+        REQUIRE(problem_of(read) == nullptr);
+        CHECK(same_description(std::get<Scene>(read), bench_.scene()));
+        const auto number = number_at(bench_.scene(), shown.key);
+        const bool is_told = !bench_.state.notifications.list.empty();
+        if (number && !number->is_whole) CHECK((is_told || number->value == 0.5));
+        while (undo(bench_.state.editor)) {
+        }
+        bench_.wait_for_loads();
+        CHECK(same_description(bench_.scene(), first_));
+        take_back();
+    }
+
+    void take_back() {
+        (void)bench_.key(Key::Escape);
+        bench_.state.viewport.probe = glm::dvec2{0.5, 0.55};
+        bench_.scene() = first_;
+        bench_.frames(2);
+        bench_.wait_for_loads();
+    }
+
+    static constexpr float height = 1500;
+    HeadlessWindow bench_{{900, height}};
+    Scene first_;
+    int typed_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE("each number that is typed digit by digit stands in the scene at last, or it is said why not",
+          "[ui][window][numbers]") {
+    Scene scene = test::busy_scene();
+    for (Light& light : scene.lights) light.enabled = true;
+    int typed = 0;
+    for (const Projection& projection :
+         {Projection(Perspective{}), Projection(Orthographic{}), Projection(Frustum{})}) {
+        scene.camera.projection = projection;
+        Typist typist(scene);
+        typist.type_into_all({Selection::Kind::Camera, 0}, InspectorTab::Matrices);
+        typed += typist.typed();
+    }
+    scene.camera.projection = Perspective{};
+    Typist typist(scene);
+    for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i)
+        typist.type_into_all({Selection::Kind::Light, i}, InspectorTab::Equation);
+    typist.type_into_all({Selection::Kind::Object, 0}, InspectorTab::Program);
+    typist.type_into_all({Selection::Kind::Shading, 0}, InspectorTab::Models);
+    typist.type_into_all({Selection::Kind::Display, 0}, InspectorTab::Vectors);
+    typed += typist.typed();
+    CHECK(typed > 120);
+}
