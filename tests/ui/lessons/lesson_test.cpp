@@ -135,7 +135,7 @@ TEST_CASE("the next page's scene belongs to no file, and one's own is asked abou
     CHECK(bytes_of(path) == saved);
 }
 
-TEST_CASE("what was typed and not locked in is no answer to the next page's question",
+TEST_CASE("what was typed and not locked in does not answer the next page's question",
           "[ui][window][lesson]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);

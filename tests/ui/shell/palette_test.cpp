@@ -205,7 +205,7 @@ TEST_CASE("the palette finds every kind of projection, and what is seen stays", 
         CHECK(kind_of(bench.scene().camera.projection) == kind);
         bench.frames(2);
     }
-    CHECK(bench.state.editor.history.can_undo());  // it is an edit, no look
+    CHECK(bench.state.editor.history.can_undo());  // it counts as an edit
     const auto back = std::get<Perspective>(bench.scene().camera.projection);
     CHECK(back.fov_y_deg == Approx(std::get<Perspective>(first_scene().scene.camera.projection).fov_y_deg));
 }

@@ -61,6 +61,17 @@ struct Bench : HeadlessWindow {
     std::string clipboard;
 };
 
+/// The same with the camera's near plane at 0.5, in front of a far plane at 80.
+struct CameraBench : Bench {
+    CameraBench() {
+        scene().camera.projection = Perspective{45, 0.5f, 80};
+        state.editor.selection = {Selection::Kind::Camera, 0};
+        frames(2);
+    }
+    float near() { return near_of(scene().camera.projection); }
+    ImVec2 near_field() { return control("/camera/projection/near"); }
+};
+
 double value_of(const char* text, double before = 10) {
     const Calculated found = calculated(text, before);
     INFO(text << ": " << found.problem);
@@ -184,13 +195,9 @@ TEST_CASE("what is in hand of one scene changes nothing in another that is opene
 
 TEST_CASE("a number that another forbids leaves the field as it was, and a notification says why",
           "[ui][window][numbers]") {
-    Bench bench;
-    bench.scene().camera.projection = Perspective{45, 0.5f, 80};
-    bench.state.editor.selection = {Selection::Kind::Camera, 0};
-    bench.frames(2);
-    const auto near = [&bench] { return near_of(bench.scene().camera.projection); };
+    CameraBench bench;
     const auto type_near = [&bench](std::initializer_list<const char*> parts, int key) {
-        bench.click(bench.control("/camera/projection/near"));
+        bench.click(bench.near_field());
         for (const char* const part : parts) bench.type(part);
         bench.tap(key);
         bench.frames(2);
@@ -199,35 +206,32 @@ TEST_CASE("a number that another forbids leaves the field as it was, and a notif
     for (const auto& parts : {std::initializer_list<const char*>{"2", "0", "0"}, {"200"}, {"20", "0"}}) {
         bench.state.notifications.list.clear();
         type_near(parts, enter_key);
-        CHECK(near() == 0.5f);
+        CHECK(bench.near() == 0.5f);
         CHECK(bench.last_note() == "200 is not possible: " + why);
     }
     bench.state.notifications.list.clear();
     type_near({"2", "0"}, enter_key);
-    CHECK(near() == 20);
+    CHECK(bench.near() == 20);
     CHECK(bench.state.notifications.list.empty());
     type_near({"90"}, escape_key);
-    CHECK(near() == 20);
+    CHECK(bench.near() == 20);
     CHECK(bench.state.notifications.list.empty());
     bench.clipboard = "200";
-    bench.right_click(bench.control("/camera/projection/near"));
+    bench.right_click(bench.near_field());
     bench.click(bench.control("Paste"));
     bench.frames(2);
-    CHECK(near() == 20);
+    CHECK(bench.near() == 20);
     CHECK(bench.last_note() == "Not possible: near 200 is not less than far 80; expected 0 < near < far");
 }
 
 TEST_CASE("a last letter and Enter in one frame are judged like the letters before",
           "[ui][window][numbers]") {
-    Bench bench;
-    bench.scene().camera.projection = Perspective{45, 0.5f, 80};
-    bench.state.editor.selection = {Selection::Kind::Camera, 0};
-    bench.frames(2);
-    bench.click(bench.control("/camera/projection/near"));
+    CameraBench bench;
+    bench.click(bench.near_field());
     bench.type("20");
     ImGui::GetIO().AddInputCharacter('0');
     bench.tap(enter_key);
-    CHECK(near_of(bench.scene().camera.projection) == 0.5f);
+    CHECK(bench.near() == 0.5f);
     CHECK(bench.last_note().find("200 is not possible") == 0);
 }
 

@@ -45,7 +45,7 @@ class Typist {
     [[nodiscard]] int typed() const { return typed_; }
 
   private:
-    /// What stands for something of the scene, and can be clicked.
+    /// Returns what stands for something of the scene, and can be clicked.
     [[nodiscard]] std::vector<Shown> in_sight() const {
         std::vector<Shown> all;
         for (const NamedControl& control : bench_.controls())
