@@ -72,7 +72,7 @@ struct UiState {
     SensitivityState sensitivity;
     MistakePictures mistake_pictures;
     HighlightShareState highlight_share;  // of the selected object
-    ViewsState views;  // how the picture is looked at
+    ViewsState views;                     // how the picture is looked at
     MyPictureState mine;
     Notifications notifications;
     FileDialog files;
@@ -107,6 +107,7 @@ struct UiState {
     PlacedPicture picture_rect;              // where it lies in the window
     Scene rendered_scene;                    // what `rendered` shows
     bool rendered_is_edited = false;         // that was the edited scene: no preview, none that awaits a mesh
+    Scene edited_drawn;                      // the edited scene as it was drawn last, whatever shows since
     std::optional<Explanation> explanation;  // of the probe in `rendered`, where that shows the edited scene
     ItemCounts explained;  // of the scene that `explanation` is about: it names lights and objects by number
     glm::ivec2 asked{0};   // the pixel of the whole picture that `explanation` is about
@@ -115,7 +116,7 @@ struct UiState {
 
 struct UiRequests {
     bool quit = false;
-    std::string title;  // of the window; empty: as it is
+    std::string title;                                         // of the window; empty: as it is
     double sleep_s = std::numeric_limits<double>::infinity();  // until the next frame, if no event comes
 };
 

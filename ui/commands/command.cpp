@@ -117,7 +117,10 @@ void run_keys(UiState& state, const UiInput& input) {
         };
         if (is_one_letter(press))
             std::erase_if(state.notifications.list, [](const Notification& n) { return n.of_key; });
+        const ItemCounts before = item_counts(state.editor.scene());
         run_command(state, *found);
+        // An open field or colour picker is one of an item by its number: from now on it would be another's.
+        if (item_counts(state.editor.scene()) != before) let_go_of_fields();
         if (is_one_letter(press) && !told()) tell(state, *found, press);  // some say it better themselves
     }
 }

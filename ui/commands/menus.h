@@ -22,7 +22,8 @@ struct PaletteEntry {
 };
 
 struct PaletteState {
-    bool open = false, appearing = false;
+    bool open = false;
+    bool takes_keyboard = false;  // in the next frame: it appears, or Enter took the keyboard from its text
     std::string text;
     int chosen = 0;  // of those that match
     std::vector<PaletteEntry> entries;

@@ -111,7 +111,7 @@ bool move_choice(PaletteState& state, const UiInput& input, int count) {
     for (const KeyPress& press : input.presses) {
         if (press.key == Key::Up) --state.chosen;
         if (press.key == Key::Down) ++state.chosen;
-        if (press.key == Key::Enter) decided = !state.appearing;
+        if (press.key == Key::Enter) decided = !state.takes_keyboard;
     }
     if (count > 0) state.chosen = (state.chosen % count + count) % count;
     return decided && count > 0;
@@ -208,20 +208,20 @@ void palette(UiState& state, const UiInput& input) {
     const float width = std::min(px(560), window.x - px(20));
     ImGui::SetNextWindowPos({(window.x - width) / 2, std::min(px(90), window.y / 8)});
     ImGui::SetNextWindowSize({width, 0});
-    if (palette.appearing) ImGui::SetNextWindowFocus();
+    if (palette.takes_keyboard) ImGui::SetNextWindowFocus();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(8));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::Begin("##palette", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav);
-    if (palette.appearing) ImGui::SetKeyboardFocusHere();
+    if (palette.takes_keyboard) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
     if (ImGui::InputTextWithHint("##text", "What would you like to do?", &palette.text)) palette.chosen = 0;
     const int decided = entry_list(palette, input);
-    const bool left = !palette.appearing && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
+    const bool left = !palette.takes_keyboard && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
     const bool entered = std::any_of(input.presses.begin(), input.presses.end(),
                                      [](const KeyPress& press) { return press.key == Key::Enter; });
-    palette.appearing = entered && decided < 0;  // Enter took the keyboard from the text
+    palette.takes_keyboard = entered && decided < 0;  // Enter took the keyboard from the text
     ImGui::End();
     ImGui::PopStyleVar(2);
     if (left) palette.open = false;

@@ -59,7 +59,8 @@ void forget_number_that_is_gone(UiState& state) {
     const std::string words = is_there ? words_for(scene, animate.animation.pointer) : "";
     if (animate.number.empty()) animate.number = words;
     if (is_there && words == animate.number) return;
-    const std::string gone = std::exchange(animate.number, {});
+    const std::string gone = animate.number.empty() ? animate.animation.pointer : animate.number;
+    animate.number.clear();
     animate.animation.pointer.clear();
     animate.refused.clear();
     if (animate.animation.motion != Motion::PingPong) return;
@@ -179,6 +180,7 @@ void poll_animation(UiState& state) {
     if (const Problem* problem = problem_of(scene)) {
         animate.refused = problem->text();
         animate.playing = false;
+        if (!animate.open) state.notifications.add(*problem);  // a lesson plays without the panel
         return;
     }
     animate.frame = std::get<Scene>(std::move(scene));

@@ -77,7 +77,8 @@ std::string off_words(const Prediction& question, double off, double right) {
     switch (question.kind) {
     case PredictionKind::Number: {
         const std::string by = "Off by " + answer_text(off, question.unit);
-        return right == 0 ? by : fmt::format("{}, {:.0f} % of it", by, 100 * off / std::abs(right));
+        const double percent = 100 * off / std::abs(right);
+        return percent < 10'000 ? fmt::format("{}, {:.0f} % of it", by, percent) : by;
     }
     case PredictionKind::Click:
         return fmt::format("{:.0f} of the lesson's pixels beside it", off);

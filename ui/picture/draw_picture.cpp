@@ -145,7 +145,9 @@ void freeze(UiState& state) {
 std::optional<Scene> preview_of(const UiState& state) {
     if (state.lecture.frozen) return state.lecture.frozen;
     if (state.animate.frame) return state.animate.frame;
-    if (state.inspector.instead) return state.inspector.instead;
+    // Not before an edit has been drawn and explained: the numbers beside the preview are those of the scene.
+    const bool explains_edited = state.edited_drawn == state.editor.scene();
+    if (state.inspector.instead && explains_edited) return state.inspector.instead;
     const CompareChoice& compare = state.views.compare.choice;
     if (!compare.shows_stored) return {};
     return scene_under({Variant::Kind::Stored, 0}, state.editor.scene(), compare.stored.get());
@@ -184,6 +186,7 @@ void draw_picture(UiState& state, const PictureView& view) {
     if (!is_explained(state)) state.explanation.reset();
     if (preview) return follow_size(state, view);
     state.editor.before.reset();
+    if (!(state.edited_drawn == shown)) state.edited_drawn = shown;
     explain_asked(state, view);
 }
 

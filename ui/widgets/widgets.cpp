@@ -86,7 +86,11 @@ bool integer_field(const char* label, int& value, const Count& count, int initia
                     .zero = count.zero};
     float real = float(value);
     if (!number_field(label, real, kind, float(initial), help)) return false;
-    const int whole = std::clamp(saturated_int(std::round(real)), low, high);
+    if (real != std::round(real)) {  // typed or pasted: a drag gives whole ones
+        refuse_edit("the field takes whole numbers");
+        return false;
+    }
+    const int whole = std::clamp(saturated_int(real), low, high);
     const bool changed = whole != value;
     value = whole;
     return changed;

@@ -107,7 +107,7 @@ TEST_CASE("the columns say nothing of a scene that is gone, while a preview show
     REQUIRE(bench.state.explanation->object_index == 2);
     const Scene shown = bench.scene();
     bench.scene().objects.resize(1);
-    bench.state.inspector.instead = shown;
+    bench.state.animate.frame = shown;
     bench.frames(1);
     CHECK_FALSE(bench.state.explanation.has_value());
 }

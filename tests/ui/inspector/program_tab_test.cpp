@@ -63,6 +63,27 @@ TEST_CASE("resting on a light's call shows that light alone", "[ui][window][prog
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 
+TEST_CASE("undo under a preview leaves no answer of the scene before, and the preview comes back",
+          "[ui][window][program]") {
+    HeadlessWindow bench({1280, 1400});
+    test::ask(bench, InspectorTab::Program);
+    const auto sum = [&bench] { return bench.state.explanation->sum; };
+    const glm::vec3 at_first = sum();
+    bench.scene().global_ambient = glm::vec3(0.5f);
+    bench.frames(2);
+    REQUIRE(sum() != at_first);
+    const ImVec2 number = test::in_column(bench, "/lights/1/position/0");
+    bench.move({number.x - 60, number.y});
+    bench.frames(2);
+    REQUIRE(bench.state.rendered_scene == with_light_alone(bench.scene(), 1));
+    bench.key(Key::Z, true);
+    bench.frames(1);
+    CHECK(sum() == at_first);
+    bench.frames(2);
+    CHECK(sum() == at_first);
+    CHECK(bench.state.rendered_scene == with_light_alone(bench.scene(), 1));
+}
+
 TEST_CASE("a transform dragged past another keeps its numbers and moves the object",
           "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});

@@ -371,6 +371,27 @@ TEST_CASE("the lesson's text stays where it is when the first thing is dragged",
     CHECK(bench.area_of("Back to the lesson's scene").low.y == before.low.y);
 }
 
+TEST_CASE("what a lesson plays of a light that is gone is told, and nothing plays", "[ui][window][lesson]") {
+    HeadlessWindow bench({1280, 1000});
+    bench.frames(2);
+    test::drop(bench, test::shipped_lesson("03-falloff"));
+    while (bench.state.lesson.station().reveal == nullptr ||
+           bench.state.lesson.station().reveal->play.empty()) {
+        (void)bench.key(Key::PageDown);
+        bench.frames(3);
+    }
+    REQUIRE(bench.state.lesson.station().reveal->play == "/lights/0/position/0");
+    bench.click(bench.control("Show it without"));
+    bench.frames(3);
+    bench.scene().lights.clear();
+    bench.frames(2);
+    REQUIRE_FALSE(bench.state.animate.playing);
+    bench.click(bench.control("Play it"));
+    bench.frames(3);
+    CHECK_FALSE(bench.state.animate.playing);
+    CHECK(says(bench, "there is no “/lights/0/position/0” any more"));
+}
+
 TEST_CASE("another scene ends the lesson, and so does its cross", "[ui][window][lesson]") {
     LambertWindow bench;
     bench.click(bench.control("Leave"));

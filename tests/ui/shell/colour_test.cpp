@@ -78,6 +78,22 @@ TEST_CASE("a preset of the picker gives its colour, as one step that can be undo
     CHECK(bench.scene() == before);
 }
 
+TEST_CASE("a picker closes when its light is deleted, and when that light comes back before another's",
+          "[ui][window]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    (void)open_picker(bench);
+    bench.key(Key::Delete);
+    bench.frames(2);
+    REQUIRE(bench.scene().lights.size() == 1);
+    CHECK(open_popup() == nullptr);
+    (void)open_picker(bench);
+    bench.key(Key::Z, true);
+    bench.frames(2);
+    REQUIRE(bench.scene().lights.size() == 2);
+    CHECK(open_popup() == nullptr);
+}
+
 TEST_CASE("a swatch dragged onto another gives it its colour", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);

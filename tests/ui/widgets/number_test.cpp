@@ -1,4 +1,5 @@
 // Numbers by hand: dragged, typed, and their menu.
+#include <fmt/core.h>
 #include <imgui_internal.h>
 
 #include <cmath>
@@ -243,6 +244,31 @@ TEST_CASE("what is pasted out of range is the nearest in it, and that is said", 
     bench.frames(2);
     CHECK(bench.intensity() == 0);
     CHECK(bench.last_note().find("-3 is out of range") == 0);
+}
+
+TEST_CASE("a number of whole ones takes no other, typed or pasted, and says so", "[ui][window][numbers]") {
+    Bench bench;
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    bench.frames(2);
+    const auto detail = [&bench] { return std::get<PrimitiveMesh>(bench.scene().objects[0].source).detail; };
+    const ImVec2 field = bench.control("/objects/0/mesh/detail");
+    const int before = detail();
+    bench.clipboard = "2.1";
+    bench.right_click(field);
+    bench.click(bench.control("Paste"));
+    bench.frames(2);
+    CHECK(detail() == before);
+    CHECK(bench.last_note() == "Not possible: the field takes whole numbers");
+    bench.click(field);
+    for (const char* const letter : {"2", ".", "5"}) bench.type(letter);
+    bench.tap(enter_key);
+    CHECK(detail() == before);
+    CHECK(bench.last_note() ==
+          fmt::format("2.5 is not possible: the field takes whole numbers. The field keeps {}", before));
+    bench.click(field);
+    for (const char* const letter : {"2", ".", "5", "*", "2"}) bench.type(letter);
+    bench.tap(enter_key);
+    CHECK(detail() == 5);
 }
 
 TEST_CASE("the menu of a number closes when another scene is opened", "[ui][window][numbers]") {
