@@ -38,8 +38,8 @@ Rect part_rect(const CompareChoice& choice, int part, const PictureView& view) {
 Rect label_rect(const CompareChoice& choice, int part, const PictureView& view) {
     const Rect room = part_rect(choice, part, view);
     const float left = room.low.x, right = room.high.x;
-    const ImVec2 text = fonts().small->CalcTextSizeA(
-        small_text_height(), 1e9f, 0, label_of(choice.parts[static_cast<std::size_t>(part)]).c_str());
+    const std::string label = part_label(choice, static_cast<std::size_t>(part));
+    const ImVec2 text = fonts().small->CalcTextSizeA(small_text_height(), 1e9f, 0, label.c_str());
     const ImVec2 half{std::min(text.x / 2 + px(8), (right - left) / 2), text.y / 2 + px(4)};
     const ImVec2 middle{(left + right) / 2, room.low.y + px(8) + half.y};
     return {middle - half, middle + half};
@@ -80,17 +80,11 @@ void draw_wipe(ImDrawList& list, const CompareState& state, int wipe, const Pict
         arrow_head(list, middle + px(5) * side * way, side * way, 3.5f, 3.5f, to_u32({0.2f, 0.2f, 0.2f, 1}));
 }
 
-/// Whether a part is to show the stored B, and there is none: it then shows the scene in hand.
-bool lacks_stored(const CompareChoice& choice, const Variant& variant) {
-    return variant.kind == Variant::Kind::Stored && choice.stored == nullptr;
-}
-
 void draw_label(ImDrawList& list, const CompareState& state, int part, const PictureView& view) {
     const Rect rect = label_rect(state.choice, part, view);
     badge_ground(list, rect, state.label_under == part);
     list.PushClipRect(rect.low, rect.high, true);
-    const Variant& variant = state.choice.parts[static_cast<std::size_t>(part)];
-    const std::string label = lacks_stored(state.choice, variant) ? "B: none is stored" : label_of(variant);
+    const std::string label = part_label(state.choice, static_cast<std::size_t>(part));
     list.AddText(fonts().small, small_text_height(), rect.low + px(1) * ImVec2(8, 4), to_u32(theme().text),
                  label.c_str());
     list.PopClipRect();
@@ -98,8 +92,7 @@ void draw_label(ImDrawList& list, const CompareState& state, int part, const Pic
 
 /// A row of a list, which needs what `variant` shows. True when it was clicked.
 bool variant_row(const CompareChoice& choice, const std::string& label, Variant variant, bool chosen) {
-    const bool lacks_b = lacks_stored(choice, variant);
-    const bool lacks_mine = variant.kind == Variant::Kind::Mine && choice.mine == nullptr;
+    const bool lacks_b = lacks_stored(choice, variant), lacks_mine = lacks_picture(choice, variant);
     const bool can = !lacks_b && !lacks_mine;
     const bool clicked = ImGui::Selectable(label.c_str(), chosen, can ? 0 : ImGuiSelectableFlags_Disabled);
     if (lacks_b) tooltip(label.c_str(), "Store a scene first", "", keys_of(CommandId::StoreB));

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <cstddef>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
@@ -61,6 +62,13 @@ struct CompareChoice {
     bool operator==(const CompareChoice&) const = default;
 };
 inline constexpr int max_gain = 64;
+
+/// Whether a part is to show the stored B, or a picture that somebody brought, and there is none: it then
+/// shows the edited scene.
+[[nodiscard]] bool lacks_stored(const CompareChoice& choice, Variant variant);
+[[nodiscard]] bool lacks_picture(const CompareChoice& choice, Variant variant);
+/// What stands over a part in the picture: its variant's label, or that this lacks what it shows.
+[[nodiscard]] std::string part_label(const CompareChoice& choice, std::size_t part);
 
 struct CompareState {
     CompareChoice choice;

@@ -74,6 +74,20 @@ std::string label_of(Variant variant) {
     return variant == variant_of(Reflection::None) ? label : label + " " + named.noun;
 }
 
+bool lacks_stored(const CompareChoice& choice, Variant variant) {
+    return variant.kind == Variant::Kind::Stored && choice.stored == nullptr;
+}
+
+bool lacks_picture(const CompareChoice& choice, Variant variant) {
+    return variant.kind == Variant::Kind::Mine && choice.mine == nullptr;
+}
+
+std::string part_label(const CompareChoice& choice, std::size_t part) {
+    const Variant variant = choice.parts[part];
+    if (lacks_stored(choice, variant)) return "B: none is stored";
+    return lacks_picture(choice, variant) ? "My picture: none is open" : label_of(variant);
+}
+
 Scene scene_under(Variant variant, const Scene& edited, const Scene* stored) {
     const auto index = static_cast<std::size_t>(variant.index);
     Scene scene = edited;

@@ -134,6 +134,23 @@ TEST_CASE("the difference shows the first part against the last, with the number
     CHECK(wrong == 0);
 }
 
+TEST_CASE("a part that lacks its scene or picture says so, and shows the scene as it is edited",
+          "[ui][window][compare]") {
+    HeadlessWindow bench;
+    comparing(bench);
+    CompareChoice& choice = bench.state.views.compare.choice;
+    set_parts(choice, {{}, {Variant::Kind::Stored, 0}, {Variant::Kind::Mine, 0}});
+    bench.frames(2);
+    CHECK(part_label(choice, 0) == "As edited");
+    CHECK(part_label(choice, 1) == "B: none is stored");
+    CHECK(part_label(choice, 2) == "My picture: none is open");
+    CHECK(bench.state.displayed->rgba == bench.state.rendered->rgba);
+    choice.stored = std::make_shared<const Scene>(bench.scene());
+    choice.mine = std::make_shared<const Picture>(*bench.state.rendered);
+    CHECK(part_label(choice, 1) == "B, stored");
+    CHECK(part_label(choice, 2) == "My picture");
+}
+
 TEST_CASE("B is the stored scene, shown by a key and never edited by it", "[ui][window][compare]") {
     HeadlessWindow bench;
     bench.frames(2);
