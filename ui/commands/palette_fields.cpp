@@ -157,7 +157,7 @@ void add_settings_of(Entries& entries, const UiState& state, const SettingsOf<T>
     SettingList<T>(entries, settings).of(settings.in(scene_only_read));
 }
 
-/// The kind is no row of the scene's fields: with another one other fields are there.
+/// The kind is not a row of the scene's fields: with another one other fields are there.
 void add_projections(Entries& entries, const UiState& state) {
     const ProjectionKind now = kind_of(state.editor.scene().camera.projection);
     for (const ProjectionKind kind : enumerators<ProjectionKind>)

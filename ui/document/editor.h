@@ -85,7 +85,7 @@ struct Editor {
     Camera saved_edited_camera;  // History::edited_camera() at that time
     History history;
     ViewHistory views;
-    bool edits_camera = false;  // the camera's numbers are being edited: that is an edit, no look
+    bool edits_camera = false;  // the camera's numbers are being edited: that is an edit, not a look
     Selection selection;
     std::unique_ptr<Editor> before;  // what was in hand, until this document has been drawn; then null
 
