@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <new>
 #include <optional>
 #include <string_view>
 
@@ -16,11 +17,6 @@
 
 namespace glint {
 namespace {
-
-// A picture of the largest size, 16 bits a channel, that cannot be compressed at all.
-constexpr std::size_t max_png_bytes = std::size_t{9} * max_picture_side * max_picture_side;
-// Deflate never makes more than 1032 bytes of one, so a larger claim is a lie (zlib, "Technical Details").
-constexpr std::size_t max_inflation = 1032;
 
 /// A picture being written by libpng into `bytes`. Nothing but memory can fail here, and then std::bad_alloc
 /// is thrown.
@@ -76,54 +72,6 @@ class PngWriter {
 };
 
 constexpr std::uint64_t bytes_beside_pixels = 1 << 20;  // of the libraries
-
-Problem unreadable(const std::string& path, const std::string& what) {
-    return {.file = path, .pointer = {}, .what = what, .expected = "a PNG picture of 1x1 to 16384x16384"};
-}
-
-/// libpng's reader of a whole picture.
-struct PngImage {
-    PngImage() { image.version = PNG_IMAGE_VERSION; }
-    ~PngImage() { png_image_free(&image); }
-    PngImage(const PngImage&) = delete;
-    PngImage& operator=(const PngImage&) = delete;
-
-    [[nodiscard]] std::optional<Problem> begin(std::string_view bytes, const std::string& path) {
-        if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) != 0) return {};
-        return unreadable(path, std::string("cannot be read as a PNG (") + image.message + ")");
-    }
-    png_image image{};
-};
-
-/// Removes what a file says about its colours' encoding, by which libpng would change them: the bytes of a
-/// picture are compared as they are stored. All that stands before the first IDAT (PNG specification, 5.6).
-void drop_color_chunks(std::string& bytes) {
-    constexpr std::size_t signature = 8, frame = 12;  // frame: length, type and checksum of a chunk
-    std::size_t at = signature, kept = signature;
-    while (at + frame <= bytes.size()) {
-        const std::size_t length = frame + png_get_uint_32(reinterpret_cast<png_const_bytep>(&bytes[at]));
-        const std::string_view type(&bytes[at + 4], 4);
-        if (type == "IDAT" || length > bytes.size() - at) break;
-        if (type != "gAMA" && type != "cHRM" && type != "iCCP" && type != "sRGB") {
-            std::memmove(&bytes[kept], &bytes[at], length);
-            kept += length;
-        }
-        at += length;
-    }
-    if (kept < at) bytes.erase(kept, at - kept);
-}
-
-/// Checks the first block before the rest of the file is read.
-std::optional<Problem> check_first_block(const FileBlock& block, const std::string& path,
-                                         MemoryShare& share) {
-    constexpr std::size_t signature_bytes = 8;
-    if (block.at > 0) return {};
-    const auto* first = reinterpret_cast<png_const_bytep>(block.bytes.data());
-    if (png_sig_cmp(first, 0, std::min(signature_bytes, block.bytes.size())) != 0)
-        if (auto problem = PngImage().begin(block.bytes, path)) return problem;
-    share.set(memory_need(MemoryUse::Files, block.size));
-    return {};
-}
 
 }  // namespace
 
@@ -222,42 +170,6 @@ std::string pfm_bytes(const Picture& picture, float exposure) {
         }
     }
     return bytes;
-}
-
-Result<Picture> read_png(const std::string& path) {
-    MemoryShare share;
-    const auto check = [&](const FileBlock& block) { return check_first_block(block, path, share); };
-    auto file = read_file(path, max_png_bytes, check);
-    if (const Problem* problem = problem_of(file)) return *problem;
-    std::string& bytes = std::get<std::string>(file);
-    if (bytes.empty()) return unreadable(path, "is empty");
-    drop_color_chunks(bytes);
-
-    PngImage png;
-    png_image& image = png.image;
-    if (auto problem = png.begin(bytes, path)) return *problem;
-    const std::size_t pixels = std::size_t{image.width} * image.height;
-    if (image.width > max_picture_side || image.height > max_picture_side) {
-        return unreadable(
-            path, "has " + std::to_string(image.width) + "x" + std::to_string(image.height) + " pixels");
-    }
-    // One bit a pixel is the least that a PNG can hold.
-    if (pixels / 8 > max_inflation * bytes.size())
-        return unreadable(path, "claims more pixels than it can hold");
-
-    image.format = PNG_FORMAT_RGBA;
-    image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // else 16-bit samples would be taken as linear light
-    try {
-        require_memory(memory_need(MemoryUse::Pixels, 4 * pixels));
-    } catch (const Refused& refused) {
-        return memory_problem(refused, path);
-    }
-    Picture picture{{static_cast<int>(image.width), static_cast<int>(image.height)}, {}, {}};
-    picture.rgba.resize(4 * pixels);
-    if (png_image_finish_read(&image, nullptr, picture.rgba.data(), 0, nullptr) == 0) {
-        return unreadable(path, std::string("cannot be read as a PNG (") + image.message + ")");
-    }
-    return picture;
 }
 
 }  // namespace glint

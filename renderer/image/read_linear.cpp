@@ -3,6 +3,7 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
+#include <fmt/core.h>
 #include <openexr.h>
 
 #include <algorithm>
@@ -146,15 +147,23 @@ Result<Picture> read_pfm(const std::string& path) {
     const auto channels = static_cast<std::size_t>(heading->channels);
     const auto width = static_cast<std::size_t>(heading->width);
     const auto height = static_cast<std::size_t>(heading->height);
-    if (bytes.size() - heading->end < 4 * channels * width * height)
-        return unreadable(path, "ends too early", "a PFM");
+    const std::size_t pixel_bytes = 4 * channels * width * height;
+    const bool has_line_end = bytes[heading->end - 1] == '\r' && bytes[heading->end] == '\n';
+    // Of a program that ends lines with both, unless the second is the first pixel's.
+    const std::size_t first =
+        heading->end + (has_line_end && bytes.size() - heading->end > pixel_bytes ? 1 : 0);
+    if (bytes.size() - first < pixel_bytes) return unreadable(path, "ends too early", "a PFM");
+    if (bytes.size() - first > pixel_bytes)
+        return unreadable(
+            path, fmt::format("has {} bytes after its last pixel", bytes.size() - first - pixel_bytes),
+            "a PFM");
     try {
         Picture picture = empty_linear(heading->width, heading->height);
         const bool little = heading->scale < 0;
         for (std::size_t i = 0; i < 3 * width * height; ++i) {
             const std::size_t pixel = i / 3, row = height - 1 - pixel / width;
             const std::size_t from = channels * (row * width + pixel % width) + (channels == 3 ? i % 3 : 0);
-            picture.linear[i] = pfm_number(&bytes[heading->end + 4 * from], little);
+            picture.linear[i] = pfm_number(&bytes[first + 4 * from], little);
         }
         return picture;
     } catch (const Refused& refused) {

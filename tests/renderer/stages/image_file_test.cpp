@@ -5,6 +5,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -65,11 +66,59 @@ std::string deflated(const std::string& raw) {
 
 /// A PNG put together by hand. `raw` is its scanlines, each behind a filter byte.
 std::string png(std::size_t width, std::size_t height, char depth, char color_type, const std::string& raw,
-                const std::string& palette = {}) {
-    const std::string header = be32(width) + be32(height) + depth + color_type + std::string(3, '\0');
+                const std::string& palette = {}, bool interlaced = false) {
+    const std::string header =
+        be32(width) + be32(height) + depth + color_type + std::string(2, '\0') + (interlaced ? '\1' : '\0');
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + (palette.empty() ? "" : chunk("PLTE", palette)) +
            chunk("IDAT", deflated(raw)) + chunk("IEND", "");
 }
+
+/// A pass over a picture: the first pixel and the steps to the next ones (PNG specification, 8.2).
+struct Pass {
+    std::size_t x, y, dx, dy;
+};
+const std::vector<Pass> row_by_row{{0, 0, 1, 1}};
+const std::vector<Pass> adam7{{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
+                              {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
+
+/// Random samples of `depth` bits, so many a pixel.
+struct Samples {
+    std::size_t width, height, channels;
+    int depth;
+    std::vector<unsigned> values;
+
+    Samples(std::size_t w, std::size_t h, std::size_t c, int d) : width(w), height(h), channels(c), depth(d) {
+        std::mt19937 random(7);
+        for (std::size_t i = 0; i < w * h * c; ++i)
+            values.push_back(static_cast<unsigned>(random() >> (32 - d)));
+    }
+    [[nodiscard]] unsigned at(std::size_t x, std::size_t y, std::size_t c) const {
+        return values[(y * width + x) * channels + c];
+    }
+    /// Scanlines without a filter; of a pass without a pixel there is none.
+    [[nodiscard]] std::string scanlines(const std::vector<Pass>& passes) const {
+        std::string raw;
+        for (const Pass& p : passes)
+            for (std::size_t y = p.y; y < height && p.x < width; y += p.dy) {
+                std::vector<bool> bits;
+                for (std::size_t x = p.x; x < width; x += p.dx)
+                    for (std::size_t c = 0; c < channels; ++c)
+                        for (int b = depth - 1; b >= 0; --b) bits.push_back((at(x, y, c) >> b & 1) != 0);
+                raw += '\0';
+                for (std::size_t i = 0; i < bits.size(); i += 8) {
+                    unsigned byte = 0;
+                    for (std::size_t b = 0; b < 8; ++b)
+                        byte = byte << 1 | (i + b < bits.size() && bits[i + b] ? 1 : 0);
+                    raw += static_cast<char>(byte);
+                }
+            }
+        return raw;
+    }
+    /// The nearest level of 0 to 255.
+    [[nodiscard]] int level(std::size_t x, std::size_t y, std::size_t c) const {
+        return static_cast<int>(std::lround(at(x, y, c) * 255.0 / ((1u << depth) - 1)));
+    }
+};
 
 std::vector<int> rgba_of(const Result<Picture>& result) {
     REQUIRE(std::holds_alternative<Picture>(result));
@@ -148,6 +197,44 @@ TEST_CASE("grey, palette, 16-bit and translucent PNGs are read as 8-bit RGBA", "
           std::vector<int>{128, 255, 0, 255});
     CHECK(rgba_of(read_bytes(png(1, 1, 8, 6, std::string("\0\x0A\x14\x1E\x28", 5)))) ==
           std::vector<int>{10, 20, 30, 40});
+}
+
+TEST_CASE("every kind of PNG is read as 8-bit RGBA, whole rows first or interlaced", "[image]") {
+    constexpr int grey = 0, rgb = 2, indexed = 3, grey_alpha = 4, rgb_alpha = 6;
+    struct Kind {
+        int color_type;
+        std::size_t channels;
+        std::vector<int> depths;
+    };
+    std::string palette;
+    for (int i = 0; i < 3 * 256; ++i) palette += static_cast<char>(i * 31 % 251);
+    for (const Kind& kind :
+         {Kind{grey, 1, {1, 2, 4, 8, 16}}, Kind{rgb, 3, {8, 16}}, Kind{indexed, 1, {1, 2, 4, 8}},
+          Kind{grey_alpha, 2, {8, 16}}, Kind{rgb_alpha, 4, {8, 16}}})
+        for (const int depth : kind.depths)
+            for (const auto& [width, height] : {std::pair<std::size_t, std::size_t>{1, 1}, {5, 3}, {9, 17}})
+                for (const bool interlaced : {false, true}) {
+                    const Samples samples(width, height, kind.channels, depth);
+                    const std::size_t entries = kind.color_type == indexed ? std::size_t{3} << depth : 0;
+                    const Result<Picture> read = read_bytes(
+                        png(width, height, static_cast<char>(depth), static_cast<char>(kind.color_type),
+                            samples.scanlines(interlaced ? adam7 : row_by_row), palette.substr(0, entries),
+                            interlaced));
+                    std::vector<int> expected;
+                    for (std::size_t y = 0; y < height; ++y)
+                        for (std::size_t x = 0; x < width; ++x) {
+                            for (std::size_t c = 0; c < 3; ++c)
+                                expected.push_back(
+                                    kind.color_type == indexed
+                                        ? static_cast<std::uint8_t>(palette[3 * samples.at(x, y, 0) + c])
+                                        : samples.level(x, y, kind.channels < 3 ? 0 : c));
+                            expected.push_back(kind.channels % 2 == 0 ? samples.level(x, y, kind.channels - 1)
+                                                                      : 255);
+                        }
+                    INFO("color type " << kind.color_type << ", " << depth << " bits, " << width << "x"
+                                       << height << (interlaced ? ", interlaced" : ""));
+                    CHECK(rgba_of(read) == expected);
+                }
 }
 
 TEST_CASE("what is not a PNG, or a broken one, is refused in one line", "[image][bad-input]") {

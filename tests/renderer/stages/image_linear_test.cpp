@@ -49,6 +49,20 @@ TEST_CASE("a PFM may be grey, with the high byte first", "[image]") {
     CHECK(std::get<Picture>(read).linear == std::vector<float>{2, 2, 2, 1, 1, 1});
 }
 
+TEST_CASE("a PFM whose lines end as Windows ends them is read, and one that is too long is not", "[image]") {
+    const TemporaryDirectory directory;
+    const std::string pixels("\x0a\x00\x80\x3f\x00\x00\x00\x40", 8);  // 1.0000012 and 2, a line's end first
+    const std::vector<float> numbers{1 + 10 * 0x1p-23f, 1 + 10 * 0x1p-23f, 1 + 10 * 0x1p-23f, 2, 2, 2};
+    for (const char* const heading : {"Pf\r\n2 1\r\n-1.0\r\n", "Pf\n2 1\n-1.0\n", "Pf 2 1 -1.0\r"}) {
+        const auto read = read_pfm(directory.file("a.pfm", heading + pixels));
+        INFO(heading);
+        REQUIRE(problem_of(read) == nullptr);
+        CHECK(std::get<Picture>(read).linear == numbers);
+        check_problem(read_pfm(directory.file("a.pfm", heading + pixels + "abc")),
+                      " bytes after its last pixel");
+    }
+}
+
 TEST_CASE("what is neither a PFM nor an EXR is a problem", "[image][bad-input]") {
     const TemporaryDirectory directory;
     const std::string pfm = pfm_bytes(six_pixels(), 1), exr = exr_bytes(six_pixels(), 1);
