@@ -56,6 +56,12 @@ struct PlacedPicture {
     bool operator==(const PlacedPicture&) const = default;
 };
 
+/// A scene that is shown in place of the edited one, and what it is called in a sentence.
+struct OtherScene {
+    Scene scene;
+    const char* name = "";
+};
+
 /// Everything that the window remembers from frame to frame, beside ImGui's own context and what ui/widgets
 /// keeps of the current one: the theme and scale applied last (theme.cpp), the fonts loaded last (fonts.cpp);
 /// the item on which the pointer rests, the earliest frame asked for, and the list in which tests find
@@ -101,16 +107,19 @@ struct UiState {
     OutsideState outside;
 
     std::unique_ptr<Renderer> renderer;
-    const Picture* rendered = nullptr;       // the last one drawn
-    const Picture* displayed = nullptr;      // what the window shows: `rendered`, or what ui/views made of it
-    std::uint64_t picture_serial = 0;        // counts what was shown: the texture follows it
-    PlacedPicture picture_rect;              // where it lies in the window
-    Scene rendered_scene;                    // what `rendered` shows
-    bool rendered_is_edited = false;         // that was the edited scene: no preview, none that awaits a mesh
-    Scene edited_drawn;                      // the edited scene as it was drawn last, whatever shows since
-    std::optional<Explanation> explanation;  // of the probe in `rendered`, where that shows the edited scene
-    ItemCounts explained;  // of the scene that `explanation` is about: it names lights and objects by number
-    glm::ivec2 asked{0};   // the pixel of the whole picture that `explanation` is about
+    const Picture* rendered = nullptr;   // the last one drawn
+    const Picture* displayed = nullptr;  // what the window shows: `rendered`, or what ui/views made of it
+    std::uint64_t picture_serial = 0;    // counts what was shown: the texture follows it
+    PlacedPicture picture_rect;          // where it lies in the window
+    Scene rendered_scene;                // what `rendered` shows
+    bool rendered_is_edited = false;     // that was the edited scene: no preview, none that awaits a mesh
+    Scene edited_drawn;                  // the edited scene as it was drawn last, whatever shows since
+    std::optional<OtherScene> resting;   // on the screen in place of the edited scene, until the user ends it
+    // Of the probe, in the scene that rests on the screen or in that of a comparison's part.
+    std::optional<Explanation> explanation;
+    std::optional<OtherScene> asked_other;   // that scene, where it is not the edited one
+    ItemCounts explained;                    // of it: `explanation` names lights and objects by number
+    glm::ivec2 asked{0};                     // the pixel of the whole picture that `explanation` is about
     PictureSize asked_size, explained_size;  // of the whole picture, and of `rendered`, when it was explained
 };
 

@@ -44,6 +44,7 @@ template <LightEffect effect> void follow_by_effect(UiState& state) {
 }
 
 std::string unless_light(const UiState& state) {
+    if (is_out_of_hand(state)) return "The picture shows another scene than the one that is edited";
     return unless(!state.editor.scene().lights.empty(), "The scene has no light");
 }
 

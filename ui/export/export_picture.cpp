@@ -18,6 +18,7 @@
 #include "ui/document/document_actions.h"
 #include "ui/export/clipboard.h"
 #include "ui/export/save_with_command.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
 #include "ui/widgets/named_controls.h"
@@ -83,9 +84,16 @@ void size_rows(UiState& state, ExportOptions& options) {
     }
 }
 
+/// The open document with the scene that the picture shows.
+SceneDocument shown_document(const UiState& state) {
+    SceneDocument document = state.editor.document;
+    document.scene = shown_scene(state);
+    return document;
+}
+
 /// Returns the shorter command: a new scene may have begun as the default scene, which has a file.
 std::string shortest_command(const UiState& state, const ExportOptions& options, const std::string& out) {
-    const SceneDocument& document = state.editor.document;
+    const SceneDocument document = shown_document(state);
     const auto command = [&](const SceneDocument& of, const Scene& in_file) {
         return render_command_text(of, in_file, options.size, options.samples, out);
     };
@@ -102,13 +110,13 @@ std::string shortest_command(const UiState& state, const ExportOptions& options,
     return from_first.size() < own.size() ? from_first : own;
 }
 
-/// Draws the edited scene aside into a picture file for `path`, whose bytes `deliver` puts where they go.
+/// Draws the shown scene aside into a picture file for `path`, whose bytes `deliver` puts where they go.
 void begin_picture(UiState& state, const ExportOptions& options, const std::string& path,
                    const std::function<Result<std::string>(const std::string& bytes)>& deliver) {
     const int threads = state.renderer->stats().threads;
     state.exporting.job = std::make_unique<Job<std::string>>(
         fs::path(path).filename().string(),
-        [document = state.editor.document, options, path, threads,
+        [document = shown_document(state), options, path, threads,
          deliver](LoadProgress& progress) -> Result<std::string> {
             const Result<std::string> bytes = picture_file(document, options, path, threads);
             if (const Problem* problem = problem_of(bytes)) return *problem;

@@ -47,9 +47,10 @@ Scene with_term_alone(Scene scene, Symbol term) {
     return scene;
 }
 
-void show_instead(UiState& state, const Scene& scene, const std::string& name) {
+void show_instead(UiState& state, const Scene& scene, const std::string& name, bool rests) {
     if (same_description(scene, state.editor.scene())) return;  // a click has just taken it
     state.inspector.instead = scene;
+    state.inspector.instead_rests = rests;
     state.inspector.preview_name = name;
 }
 

@@ -62,7 +62,8 @@ struct InspectorState {
     // The scene that the next picture shows in place of the edited one, while the mouse points at a line that
     // asks for it (a term alone, another model, a mistake).
     std::optional<Scene> instead;
-    std::string preview_name;              // over it; or empty
+    bool instead_rests = false;  // it stays when the mouse goes: cells of the grid that were left out
+    std::string preview_name;    // over it; or empty
     std::optional<MarkedQuantity> marked;  // shown in the equation for a moment
 };
 
@@ -87,7 +88,8 @@ struct PictureView;
 /// One light alone: no other, no emission, no global ambient light.
 [[nodiscard]] Scene with_light_alone(Scene scene, int light);
 
-/// The picture shows `scene` in the next frame, with its name written over it.
-void show_instead(UiState& state, const Scene& scene, const std::string& name);
+/// The picture shows `scene` in the next frame, with its name written over it. `rests`: it does not go with
+/// the mouse, so what is asked of the picture is asked of it.
+void show_instead(UiState& state, const Scene& scene, const std::string& name, bool rests = false);
 
 }  // namespace glint

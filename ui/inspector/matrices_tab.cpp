@@ -9,6 +9,7 @@
 #include "renderer/shade/light_sources.h"
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/tabs.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
@@ -71,7 +72,7 @@ void row(const char* name, const std::string& numbers) {
 std::string four_numbers(glm::vec4 v) { return shown_vector(v) + " " + shown_number(v.w); }
 
 void light_rows(UiState& state) {
-    const Scene& scene = state.editor.scene();
+    const Scene& scene = asked_scene(state);
     section_heading("Lights, carried into camera coordinates");
     if (scene.lights.empty()) return wrapped_dim("There is no light.");
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -130,7 +131,7 @@ CarriedLight carried(const Light& light, const Camera& camera, const Mistakes& m
 
 void matrices_tab(UiState& state, const PictureView& view) {
     carried_point(state);
-    camera_matrices(state.editor.scene().camera, view.map.size);
+    camera_matrices(asked_scene(state).camera, view.map.size);
     light_rows(state);
 }
 

@@ -8,6 +8,7 @@
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/tabs.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
@@ -143,7 +144,7 @@ std::array<Explanation, 4> under_each_mode(const UiState& state, const Explanati
 }
 
 std::optional<Explanation> under_phong(const UiState& state, const Explanation& explanation) {
-    Scene other = state.editor.scene();
+    Scene other = asked_scene(state);
     if (explanation.mode != other.shading.mode || !same_faces(state.rendered_scene, other)) return {};
     other.shading.mode = ShadingMode::Phong;
     return state.renderer->explain_as(other, explanation.x, explanation.y);

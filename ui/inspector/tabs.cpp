@@ -13,6 +13,7 @@
 #include "ui/inspector/equation/equation_tab.h"
 #include "ui/inspector/outside_view.h"
 #include "ui/inspector/vectors/vectors_tab.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/plots/plots_tab.h"
 #include "ui/ui.h"
 #include "ui/views/term_grid.h"
@@ -26,26 +27,27 @@ namespace {
 
 constexpr std::array tabs{
     InspectorTabInfo{InspectorTab::Equation, "Equation",
-                     "The lighting equation at the picked pixel, with its numbers", equation_tab, true},
+                     "The lighting equation at the picked pixel, with its numbers", equation_tab, true, true},
     InspectorTabInfo{InspectorTab::Vectors, "Vectors",
-                     "n, l, v, r and h at the picked point, and the facet's own normal", vectors_tab, true},
+                     "n, l, v, r and h at the picked point, and the facet's own normal", vectors_tab, true,
+                     true},
     InspectorTabInfo{InspectorTab::Models, "Models",
-                     "The same pixel under flat, facet, Gouraud and Phong shading", models_tab, true},
+                     "The same pixel under flat, facet, Gouraud and Phong shading", models_tab, false, true},
     InspectorTabInfo{InspectorTab::Mistakes, "Mistakes", "Mistakes that are really made, each a switch",
-                     mistakes_tab, true},
+                     mistakes_tab, false, true},
     InspectorTabInfo{InspectorTab::MyPicture, "My picture",
                      "What is wrong in a picture of this scene that your own program drew", my_picture_tab},
     InspectorTabInfo{InspectorTab::Program, "Program",
                      "The calls by which OpenGL draws this scene, every number to be dragged", program_tab},
     InspectorTabInfo{InspectorTab::Plots, "Plots",
-                     "Falloff, highlight, cone, lobes and microfacets as curves", plots_tab},
+                     "Falloff, highlight, cone, lobes and microfacets as curves", plots_tab, true},
     InspectorTabInfo{InspectorTab::Grid, "Light × term",
                      "Every term of every light as a small picture: alone, or left out", term_grid_tab},
     InspectorTabInfo{InspectorTab::Sensitivity, "Sensitivity",
                      "What matters here: every number, sorted by how much the pixel moves with it",
                      sensitivity_tab},
     InspectorTabInfo{InspectorTab::Matrices, "Matrices", "View, its inverse, projection, and what they carry",
-                     matrices_tab},
+                     matrices_tab, true},
     InspectorTabInfo{InspectorTab::Outside, "From outside",
                      "The eye, its view volume and the lights, seen from outside", outside_tab},
 };
@@ -96,9 +98,11 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
         const float room = ImGui::GetContentRegionAvail().x - px(26) - ImGui::CalcTextSize(side).x - px(12);
         const std::string what = fmt::format("{}, face {}", explanation.object, explanation.face);
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        if (ImGui::Selectable("##object", false, 0, {room, 0}))
+        const bool clicked = ImGui::Selectable("##object", false, 0, {room, 0});
+        if (clicked && is_explained(state))
             state.editor.selection = {Selection::Kind::Object, explanation.object_index};
-        tooltip("Object", "Click to show its panel", what);
+        tooltip("Object", is_explained(state) ? "Click to show its panel" : "Of the scene that is shown",
+                what);
         ImGui::RenderTextEllipsis(&list, at, {at.x + room, at.y + ImGui::GetTextLineHeight()}, at.x + room,
                                   at.x + room, what.data(), what.data() + what.size(), nullptr);
         ImGui::SameLine(0, px(12));
@@ -183,6 +187,21 @@ void tab_bar(InspectorState& inspector) {
     ImGui::Dummy({0, px(3)});
 }
 
+/// Draws a tab while what was asked is of another scene than the edited one.
+void draw_beside_other(UiState& state, const InspectorTabInfo& info, const PictureView& view) {
+    const char* const which = state.asked_other->name;
+    if (!info.is_of_asked) {
+        wrapped_dim(fmt::format("The pixel is of {}. What follows is of the edited scene.", which));
+        return info.draw(state, view);
+    }
+    wrapped_dim(fmt::format("Numbers of {}: not to be edited.", which));
+    ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, 1);  // they are there to be read
+    ImGui::BeginDisabled();
+    info.draw(state, view);
+    ImGui::EndDisabled();
+    ImGui::PopStyleVar();
+}
+
 }  // namespace
 
 std::span<const InspectorTabInfo> inspector_tabs() { return tabs; }
@@ -195,7 +214,10 @@ void inspector(UiState& state, const PictureView& view) {
     for (const InspectorTabInfo& info : tabs) {
         if (info.tab != state.inspector.tab) continue;
         ImGui::BeginChild(info.label);  // each tab keeps its own place of scrolling
-        info.draw(state, view);
+        if (state.asked_other)
+            draw_beside_other(state, info, view);
+        else
+            info.draw(state, view);
         ImGui::EndChild();
     }
     if (pointed_vector != state.inspector.pointed_vector || pointed_light != state.inspector.pointed_light)

@@ -28,6 +28,9 @@ struct InspectorTabInfo {
     const char* label;
     const char* what;
     void (*draw)(UiState&, const PictureView&);
+    /// Its numbers are those of asked_scene(), which cannot be edited where it is not the edited scene. The
+    /// others are about the edited scene.
+    bool is_of_asked = false;
     bool is_first = false;  // it stands in the bar, not behind More
 };
 

@@ -22,7 +22,13 @@ JsonValue json_of(const std::array<int, 3>& colour) {
     return {colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0};
 }
 
+/// What is predicted is a colour of the edited scene: no part of a comparison, and not B's.
+void show_edited_alone(UiState& state) {
+    state.views.compare.choice.on = state.views.compare.choice.shows_stored = false;
+}
+
 void stop_picture(UiState& state) {
+    show_edited_alone(state);
     PredictState& predict = state.predict;
     predict.stage = PredictStage::Change;
     predict.probe = state.viewport.probe;
@@ -89,7 +95,10 @@ void switch_prediction(UiState& state) {
     if (state.predict.stage != PredictStage::Off) return end_prediction(state);
     state.layout.right = state.left_shows_inspector = true;
     state.layout.hides_columns = false;
-    if (state.explanation && state.viewport.probe)
+    state.views.compare.choice.on =
+        false;  // what is predicted is the colour in the picture of the edited scene
+    state.views.compare.choice.shows_stored = false;
+    if (is_explained(state) && state.viewport.probe)
         stop_picture(state);
     else
         state.predict.stage = PredictStage::Pick;
@@ -102,7 +111,8 @@ void end_prediction(UiState& state) {
 
 void poll_prediction(UiState& state) {
     PredictState& predict = state.predict;
-    if (predict.stage == PredictStage::Pick && state.viewport.probe && state.explanation) stop_picture(state);
+    if (predict.stage == PredictStage::Pick && state.viewport.probe && is_explained(state))
+        stop_picture(state);
     if (predict.stage == PredictStage::Change && !state.lecture.frozen) end_prediction(state);  // by F8
     if (predict.stage != PredictStage::Revealed || predict.answer) return;
     if (!state.viewport.probe) return end_prediction(state);

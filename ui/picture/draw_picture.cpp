@@ -79,16 +79,33 @@ void explain_asked(UiState& state, const PictureView& view) {
     state.asked = *asked;
     state.asked_size = whole;
     state.explained_size = drawn;
+    state.asked_other = state.resting;
     state.explained = item_counts(state.rendered_scene);
 }
 
-/// Under a preview the explanation stays that of the picture before. One of another size may lack its pixel:
-/// a frozen picture explains it again, and of others it is gone until they end.
+/// What shows until the user ends it, whatever is edited.
+std::optional<OtherScene> resting_scene(const UiState& state) {
+    if (state.lecture.frozen) return OtherScene{*state.lecture.frozen, "the frozen picture"};
+    if (state.inspector.instead && state.inspector.instead_rests)
+        return OtherScene{*state.inspector.instead, "the cells that are shown"};
+    const CompareChoice& compare = state.views.compare.choice;
+    if (!compare.shows_stored) return {};
+    return OtherScene{scene_under({Variant::Kind::Stored, 0}, state.editor.scene(), compare.stored.get()),
+                      name_of_stored};
+}
+
+/// Whether `explanation` names lights and objects by numbers that the scene has which it is about.
+bool is_of_its_scene(const UiState& state) {
+    return state.explanation && state.explained == item_counts(asked_scene(state));
+}
+
+/// Under a preview of a moment the explanation stays that of the picture before. One of another size may lack
+/// its pixel: a frozen picture explains it again, and of others it is gone until they end.
 void follow_size(UiState& state, const PictureView& view) {
     const bool same = state.asked_size == view.map.size && state.explained_size == state.rendered->size;
     if (!state.explanation || same) return;
-    if (state.lecture.frozen) explain_asked(state, view);
-    if (!state.lecture.frozen || !is_explained(state)) state.explanation.reset();
+    if (state.lecture.frozen) return explain_asked(state, view);
+    state.explanation.reset();
 }
 
 }  // namespace
@@ -145,21 +162,35 @@ void freeze(UiState& state) {
 std::optional<Scene> preview_of(const UiState& state) {
     if (state.lecture.frozen) return state.lecture.frozen;
     if (state.animate.frame) return state.animate.frame;
-    // Not before an edit has been drawn and explained: the numbers beside the preview are those of the scene.
-    const bool explains_edited = state.edited_drawn == state.editor.scene();
-    if (state.inspector.instead && explains_edited) return state.inspector.instead;
-    const CompareChoice& compare = state.views.compare.choice;
-    if (!compare.shows_stored) return {};
-    return scene_under({Variant::Kind::Stored, 0}, state.editor.scene(), compare.stored.get());
+    // Under the mouse not before an edit has been drawn and explained: the numbers beside the preview are
+    // those of the scene.
+    const bool explains_shown = state.inspector.instead_rests || state.edited_drawn == state.editor.scene();
+    if (state.inspector.instead && explains_shown) return state.inspector.instead;
+    const std::optional<OtherScene> stored = resting_scene(state);
+    return stored ? std::optional(stored->scene) : std::nullopt;
 }
 
-bool is_explained(const UiState& state) {
-    return state.explanation && state.explained == item_counts(state.editor.scene());
+bool is_explained(const UiState& state) { return !state.asked_other && is_of_its_scene(state); }
+
+Scene& asked_scene(UiState& state) {
+    return state.asked_other ? state.asked_other->scene : state.editor.scene();
+}
+const Scene& asked_scene(const UiState& state) {
+    return state.asked_other ? state.asked_other->scene : state.editor.scene();
+}
+
+bool is_out_of_hand(const UiState& state) {
+    return state.lecture.frozen || state.views.compare.choice.shows_stored;
+}
+
+const Scene& shown_scene(const UiState& state) {
+    return state.resting ? state.resting->scene : state.editor.scene();
 }
 
 void draw_picture(UiState& state, const PictureView& view) {
     poll_loads(state);
     if (const auto problem = settle(state.editor)) state.notifications.add(*problem);
+    state.resting = resting_scene(state);
     const std::optional<Scene> preview = preview_of(state);
     const Scene& shown = preview ? *preview : state.editor.scene();
     const bool moves = may_be_small(state, preview.has_value());
@@ -176,6 +207,7 @@ void draw_picture(UiState& state, const PictureView& view) {
             state.rendered = &state.renderer->render(shown, size, linear);
         } catch (const std::exception& error) {
             take_back(state, error, view.map.size, preview.has_value());
+            state.resting = resting_scene(state);
             return explain_asked(state, view);  // at another size
         }
         state.rendered_scene = shown;
@@ -183,10 +215,12 @@ void draw_picture(UiState& state, const PictureView& view) {
         ++state.picture_serial;
         if (moves && changed) state.pace.drawn_at = size == view.map.size ? 1 : state.pace.divisor;
     }
-    if (!is_explained(state)) state.explanation.reset();
-    if (preview) return follow_size(state, view);
-    state.editor.before.reset();
-    if (!(state.edited_drawn == shown)) state.edited_drawn = shown;
+    if (!is_of_its_scene(state)) state.explanation.reset();
+    if (state.lecture.frozen && !state.asked_other) state.asked_other = state.resting;
+    const bool passes = preview && !(state.resting && state.resting->scene == *preview);
+    if (state.lecture.frozen || passes) return follow_size(state, view);
+    if (!preview) state.editor.before.reset();
+    if (!preview && !(state.edited_drawn == shown)) state.edited_drawn = shown;
     explain_asked(state, view);
 }
 

@@ -67,8 +67,22 @@ void freeze(UiState& state);
 /// frozen, what is animated, what the mouse points at in the column, B.
 [[nodiscard]] std::optional<Scene> preview_of(const UiState& state);
 
-/// Whether `explanation` is there and names lights and objects by numbers that the open scene has.
+/// Where numbers of B are told.
+inline constexpr const char* name_of_stored = "B, the stored scene";
+
+/// Whether `explanation` is there and about the edited scene: its lights and objects are those that can be
+/// selected and edited.
 [[nodiscard]] bool is_explained(const UiState& state);
+
+/// The scene that `explanation` is about. What is changed in one that is not the edited scene is lost.
+[[nodiscard]] Scene& asked_scene(UiState& state);
+[[nodiscard]] const Scene& asked_scene(const UiState& state);
+
+/// Whether the picture shows a scene that a hand in it does not edit: a frozen one, or B.
+[[nodiscard]] bool is_out_of_hand(const UiState& state);
+
+/// The scene that the picture shows, previews of a moment aside: what is copied or exported of it.
+[[nodiscard]] const Scene& shown_scene(const UiState& state);
 
 /// Draws what shows (the edited scene or a preview) if it, or the size, is not that of the last picture; then
 /// asks the edited scene about the probe. While a hand moves something, a picture that would take too long is

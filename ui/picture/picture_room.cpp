@@ -189,9 +189,9 @@ bool picture_room(UiState& state, const Layout& layout, const UiInput& input) {
 }
 
 void picture_overlay(UiState& state, const Layout& layout) {
-    // What is drawn over a frozen picture is frozen with it.
-    const Scene& scene = state.lecture.frozen ? *state.lecture.frozen : state.editor.scene();
-    const PictureView view = view_of(scene, layout.centre, state);
+    // What is drawn over a frozen picture is frozen with it; over B lie B's lights.
+    const PictureView view =
+        view_of(is_out_of_hand(state) ? shown_scene(state) : state.editor.scene(), layout.centre, state);
     resume_area("##view");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(view.origin, view.end(), true);

@@ -10,6 +10,7 @@
 #include "ui/picture/orbit.h"
 #include "ui/picture/tool.h"
 #include "ui/ui.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
@@ -162,6 +163,19 @@ ViewportFrame viewport_frame(UiState& state, const PictureView& view) {
             state.viewport.gizmo, state.viewport.pivot};
 }
 
+/// What drew the picture under the cursor, which may be a part of a comparison; null where its lights are not
+/// those of the edited scene.
+const Renderer* renderer_under(const UiState& state, const ViewportFrame& frame) {
+    if (is_out_of_hand(state) || frame.renderer == nullptr || state.displayed == nullptr) return nullptr;
+    const CompareState& compare = state.views.compare;
+    const glm::ivec2 pixel = nearest_pixel(frame.view.map.size, cursor_px(frame));
+    const int part = part_of(compare, pixel, state.displayed->size);
+    if (part < 0) return frame.renderer;
+    const Variant::Kind kind = compare.choice.parts[static_cast<std::size_t>(part)].kind;
+    if (kind == Variant::Kind::Stored || kind == Variant::Kind::Mine) return nullptr;
+    return part_renderer(compare, pixel, state.displayed->size);
+}
+
 /// The mouse belongs to the light that follows it, wherever it is.
 bool hover_with_effect(ViewportState& state, const ViewportFrame& frame) {
     state.hovered = ImGui::IsItemHovered();
@@ -186,9 +200,13 @@ bool hand_hover(ToolFrame& tool) {
     if (state.gesture == Gesture::Effect) return hover_with_effect(state, frame);
     state.hovered = tool.over;
     // With Alt nothing but the camera is taken hold of.
-    state.hovered_grip =
-        state.hovered && !ImGui::GetIO().KeyAlt ? grip_under(frame, cursor_px(frame)) : Grip{};
-    find_main_light(state, frame, cursor_px(frame));
+    // With Alt nothing but the camera is taken hold of; of another scene than the edited one nothing can be.
+    const bool takes_hold = state.hovered && !ImGui::GetIO().KeyAlt && !is_out_of_hand(tool.state);
+    state.hovered_grip = takes_hold ? grip_under(frame, cursor_px(frame)) : Grip{};
+    ViewportFrame seen = frame;
+    seen.renderer = renderer_under(tool.state, frame);
+    find_main_light(state, seen, cursor_px(frame));
+    if (tool.state.lecture.frozen) return tool.over;
     wheel(state, frame);
     set_cursor(state);
     return tool.over;
@@ -196,6 +214,7 @@ bool hand_hover(ToolFrame& tool) {
 
 int hand_press(ToolFrame& tool) {
     ViewportState& state = tool.state.viewport;
+    if (tool.state.lecture.frozen && state.gesture == Gesture::None) return not_taken;
     ViewportFrame frame = viewport_frame(tool.state, tool.view);
     if (state.gesture == Gesture::Effect) {
         end_effect(state, frame.scene);
@@ -219,23 +238,26 @@ bool hand_drag(ToolFrame& tool) {
 
 void hand_release(ToolFrame& tool) {
     ViewportState& state = tool.state.viewport;
-    const bool frozen = tool.state.lecture.frozen.has_value();  // with what was asked about it
-    if (state.gesture == Gesture::Press && !frozen) click(state, tool.view.map.size);
+    if (state.gesture == Gesture::Press) click(state, tool.view.map.size);
     end_gesture(state);
 }
 
 bool hand_cancel(UiState& state) { return cancel_gesture(state.viewport, state.editor.scene()); }
-std::string hand_hint(const UiState& state) { return gesture_hint(state.viewport, state.editor.scene()); }
+std::string hand_hint(const UiState& state) {
+    if (state.lecture.frozen && state.viewport.hovered)
+        return "Frozen · " + keys_of(CommandId::Freeze) + ": go on";
+    return gesture_hint(state.viewport, state.editor.scene());
+}
 
 void hand_draw(ImDrawList& list, UiState& state, const PictureView& view) {
     ViewportFrame frame = viewport_frame(state, view);
-    if (!state.lecture.frozen) return draw_overlay(list, state.viewport, frame);
-    Scene& frozen = *state.lecture.frozen;
-    Selection selection = state.lecture.frozen_selection;
-    const bool is_drawn = state.rendered_scene == frozen && state.rendered->size == view.map.size;
+    if (!state.resting || !is_out_of_hand(state)) return draw_overlay(list, state.viewport, frame);
+    Scene& shown = state.resting->scene;
+    Selection selection = state.lecture.frozen ? state.lecture.frozen_selection : Selection{};
+    const bool is_drawn = state.rendered_scene == shown && state.rendered->size == view.map.size;
     draw_overlay(
         list, state.viewport,
-        {frozen, selection, is_drawn ? state.renderer.get() : nullptr, view, frame.gizmo, frame.pivot});
+        {shown, selection, is_drawn ? state.renderer.get() : nullptr, view, frame.gizmo, frame.pivot});
 }
 
 }  // namespace

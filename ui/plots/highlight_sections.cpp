@@ -10,6 +10,7 @@
 #include "models/scene/reflection.h"
 #include "renderer/inspect/reflectance/curves.h"
 #include "renderer/inspect/reflectance/highlight.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/plots/plot.h"
 #include "ui/plots/plots_tab.h"
 #include "ui/ui.h"
@@ -53,8 +54,8 @@ void fit_row(UiState& state, HighlightSketch& sketch, const std::optional<Highli
         const auto object = state.explanation && state.explanation->hit
                                 ? static_cast<std::size_t>(state.explanation->object_index)
                                 : std::size_t{0};
-        if (object < state.editor.scene().objects.size())
-            state.editor.scene().objects[object].material.shininess = static_cast<float>(fit->shininess);
+        if (object < asked_scene(state).objects.size())
+            asked_scene(state).objects[object].material.shininess = static_cast<float>(fit->shininess);
     }
     tooltip("Use this n", "As the shininess of the picked object, or of the first");
     ImGui::SameLine();

@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "ui/inspector/inspector.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
@@ -73,7 +74,7 @@ Rect plot_room(float height) {
 }
 
 int plotted_light(const UiState& state) {
-    const std::vector<Light>& lights = state.editor.scene().lights;
+    const std::vector<Light>& lights = asked_scene(state).lights;
     const auto exists = [&](int light) {
         return light >= 0 && static_cast<std::size_t>(light) < lights.size();
     };
@@ -88,7 +89,7 @@ int plotted_light(const UiState& state) {
 }
 
 void plots_tab(UiState& state, const PictureView& view) {
-    const Scene& scene = state.editor.scene();
+    const Scene& scene = asked_scene(state);
     PlotsState& plots = state.views.plots;
     if (scene.lights.empty()) return wrapped_dim("The curves are those of a light: add one (L).");
     const int light = plotted_light(state);

@@ -231,7 +231,7 @@ void term_grid_tab(UiState& state, const PictureView& view) {
     const std::optional<GridCell> alone = pointed ? pointed : grid.solo;
     for (const GridCell cell : grid_cells(scene))
         if (alone ? cell == *alone : !is_among(grid.muted, cell)) shown.push_back(cell);
-    if (alone || !grid.muted.empty()) show_instead(state, with_cells(scene, shown), "");
+    if (alone || !grid.muted.empty()) show_instead(state, with_cells(scene, shown), "", !pointed);
 }
 
 }  // namespace glint

@@ -55,8 +55,7 @@ void update_shown(UiState& state) {
     views.shown_from = from;
 }
 
-/// Lets the renderer of the picked pixel's part explain it. Nothing is explained if that part is B with other
-/// lights or objects: the columns would take their numbers for the edited scene's.
+/// Lets the renderer of the picked pixel's part explain it.
 void ask_part(UiState& state) {
     if (!state.explanation || !(state.rendered_scene == state.editor.scene())) return;
     const CompareState& compare = state.views.compare;
@@ -66,8 +65,10 @@ void ask_part(UiState& state) {
     state.explanation = renderer->explain(pixel.x, pixel.y);
     const int part = part_of(compare, pixel, state.displayed->size);
     const Variant setting = compare.choice.parts[static_cast<std::size_t>(part)];
-    state.explained = item_counts(scene_under(setting, state.rendered_scene, compare.choice.stored.get()));
-    if (!is_explained(state)) state.explanation.reset();
+    Scene asked = scene_under(setting, state.rendered_scene, compare.choice.stored.get());
+    state.explained = item_counts(asked);
+    // Another setting of the edited scene has its numbers.
+    if (setting.kind == Variant::Kind::Stored) state.asked_other = {std::move(asked), name_of_stored};
 }
 
 /// A button that runs a command and shows whether it is on.

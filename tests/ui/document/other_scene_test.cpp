@@ -112,26 +112,6 @@ TEST_CASE("the columns say nothing of a scene that is gone, while a preview show
     CHECK_FALSE(bench.state.explanation.has_value());
 }
 
-TEST_CASE("a pixel of B is explained only where B has the lights and objects of the scene", "[ui][other]") {
-    HeadlessWindow bench({1280, 500});
-    take_scene(bench.state, three_objects());
-    bench.frames(2);
-    bench.key(Key::B, true);  // stored with three objects
-    CompareChoice& choice = bench.state.views.compare.choice;
-    choice.on = true;
-    set_parts(choice, {{Variant::Kind::Stored, 0}, {Variant::Kind::Edited, 0}});
-    choice.wipes = {0.9};
-    bench.scene().lights[0].intensity = 0.5f;
-    bench.frames(2);
-    bench.state.viewport.probe = glm::dvec2(0.5, 0.5);
-    bench.frames(1);
-    REQUIRE(bench.state.explanation.has_value());
-    CHECK(bench.state.explanation->object_index == 2);
-    bench.scene().objects.erase(bench.scene().objects.begin(), bench.scene().objects.begin() + 2);
-    bench.frames(2);
-    CHECK_FALSE(bench.state.explanation.has_value());  // B's ball is number 2, and there is no number 2
-}
-
 TEST_CASE("the palette names the lights that there are", "[ui][other]") {
     HeadlessWindow bench({420, 300});
     bench.frames(2);

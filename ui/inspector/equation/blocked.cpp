@@ -9,6 +9,7 @@
 #include "renderer/inspect/debug_views/blocker.h"
 #include "ui/inspector/equation/equation_tab.h"
 #include "ui/inspector/inspector.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 
 namespace glint {
@@ -55,7 +56,7 @@ std::vector<int> blocker_indices(const Scene& scene, const ExplainedPoint& point
 
 std::string blocked_words(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
                           std::size_t which) {
-    const Scene& scene = state.editor.scene();
+    const Scene& scene = asked_scene(state);
     const BlockedKey key{state.picture_serial, {explanation.x, explanation.y}, state.inspector.corner};
     auto& blocked = state.inspector.blocked;
     const bool slow = triangle_count(scene) * point.lights.size() > at_once;

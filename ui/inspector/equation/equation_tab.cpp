@@ -18,6 +18,7 @@
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/tabs.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/numbers/number_input.h"
@@ -53,7 +54,7 @@ void lit_at(InspectorState& state, const Explanation& explanation) {
 /// What the pixel would be under each way of weighing the corners: resting shows the picture so, a click
 /// takes it.
 void interpolations(UiState& state, const Explanation& explanation) {
-    Interpolation& chosen = state.editor.scene().shading.interpolation;
+    Interpolation& chosen = asked_scene(state).shading.interpolation;
     for (const ExplainedInterpolation& each : explanation.interpolations) {
         const Choice choice = choice_of(each.interpolation);
         const bool is_chosen = each.interpolation == explanation.interpolation;
@@ -66,7 +67,7 @@ void interpolations(UiState& state, const Explanation& explanation) {
         mono_text(shown_vector(each.sum));
         ImGui::PopID();
         if (!pointed || is_chosen) continue;
-        Scene other = state.editor.scene();
+        Scene other = asked_scene(state);
         other.shading.interpolation = each.interpolation;
         show_instead(state, other, fmt::format("{} weights", choice.label));
     }
@@ -115,9 +116,9 @@ void unlit(UiState& state, const Explanation& explanation, const ExplainedPoint&
     const bool is_marked = marked && marked->light < 0;
     const QuantityMark mark(is_marked ? std::optional(marked->quantity) : std::nullopt, false);
     if (point.cool_to_warm.used) return tone_line(point.cool_to_warm, channel);
-    for (const EquationLine& line : unlit_lines(state.editor.scene(), explanation, point)) {
+    for (const EquationLine& line : unlit_lines(asked_scene(state), explanation, point)) {
         ImGui::PushID(static_cast<int>(line.term));
-        (void)draw_line(line, state.editor.scene(), channel);
+        (void)draw_line(line, asked_scene(state), channel);
         ImGui::PopID();
     }
 }
@@ -195,7 +196,7 @@ void equation_tab(UiState& state, const PictureView&) {
     const Explanation& explanation = *state.explanation;
     forget_old_mark(state.inspector);
     if (!explanation.hit) return wrapped_dim("No object shows here: the pixel has the background's colour.");
-    if (static_cast<std::size_t>(explanation.object_index) >= state.editor.scene().objects.size()) return;
+    if (static_cast<std::size_t>(explanation.object_index) >= asked_scene(state).objects.size()) return;
     formula(explanation.reflection);
     if (!is_plain_front(explanation)) warning_text("The surface is seen from its " + side_words(explanation));
     sum_table(state, explanation);
@@ -203,7 +204,7 @@ void equation_tab(UiState& state, const PictureView&) {
     my_pixel(state);
     if (explanation.reflection != Reflection::None) {
         section_heading(section_title(state.inspector, explanation).c_str());
-        mistakes_note(state.editor.scene());
+        mistakes_note(asked_scene(state));
         lit_at(state.inspector, explanation);
         interpolations(state, explanation);
         against_phong(state, explanation);
@@ -212,7 +213,7 @@ void equation_tab(UiState& state, const PictureView&) {
         for (std::size_t i = 0; i < point.lights.size(); ++i) light_card(state, explanation, point, i);
         if (point.lights.empty()) wrapped_dim("No light is on: only ambient and emission are left.");
     }
-    copy_buttons(explanation, state.editor.scene());
+    copy_buttons(explanation, asked_scene(state));
 }
 
 }  // namespace glint

@@ -20,6 +20,7 @@
 #include "ui/inspector/equation/text_line.h"
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/inspector.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/named_controls.h"
@@ -205,7 +206,7 @@ const char* name_of_term(Symbol term) {
 
 /// A term's line; pointed at, the picture shows this term of this light alone.
 bool light_term(UiState& state, const EquationLine& term, int light) {
-    Scene& scene = state.editor.scene();
+    Scene& scene = asked_scene(state);
     ImGui::PushID(static_cast<int>(term.term));
     ImGui::BeginGroup();
     const bool edited = draw_line(term, scene, state.inspector.channel);
@@ -229,7 +230,7 @@ bool light_term(UiState& state, const EquationLine& term, int light) {
 void light_card(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
                 std::size_t which) {
     const ExplainedLight& explained = point.lights[which];
-    Scene& scene = state.editor.scene();
+    Scene& scene = asked_scene(state);
     const auto index = static_cast<std::size_t>(explained.index);
     if (index >= scene.lights.size()) return;
     const Light before = scene.lights[index];

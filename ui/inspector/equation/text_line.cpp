@@ -1,5 +1,7 @@
 #include "ui/inspector/equation/text_line.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <utility>
@@ -184,7 +186,8 @@ bool TextLine::edit(const NumberHandle& handle, const ImVec4& colour, float down
                                      {n.help, n.pointer}, width);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);
-    dotted_line(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), to_u32(colour, 0.8f));
+    const bool can = (GImGui->CurrentItemFlags & ImGuiItemFlags_Disabled) == 0;
+    if (can) dotted_line(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), to_u32(colour, 0.8f));
     return changed;
 }
 

@@ -10,6 +10,7 @@
 #include "models/mesh/normals.h"
 #include "ui/inspector/vectors/arrows.h"
 #include "ui/inspector/vectors/vectors_tab.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
@@ -34,7 +35,7 @@ std::optional<Facet> picked_facet(const Explanation& explanation, const Scene& s
 }
 
 void facet_section(const UiState& state, const Explanation& explanation) {
-    const auto facet = picked_facet(explanation, state.editor.scene());
+    const auto facet = picked_facet(explanation, asked_scene(state));
     if (!facet) return;
     section_heading("The facet's own normal, object coordinates");
     const Symbol edge = Symbol::Construction;
@@ -53,10 +54,10 @@ void facet_section(const UiState& state, const Explanation& explanation) {
 }
 
 void draw_facet(ImDrawList& list, const UiState& state, const PictureView& view) {
-    const auto facet = picked_facet(*state.explanation, state.editor.scene());
+    const auto facet = picked_facet(*state.explanation, asked_scene(state));
     if (!facet) return;
     const Object& object =
-        state.editor.scene().objects[static_cast<std::size_t>(state.explanation->object_index)];
+        asked_scene(state).objects[static_cast<std::size_t>(state.explanation->object_index)];
     const glm::dmat4 world = world_from_object(object.transform);
     const auto place = [&](glm::vec3 p) { return glm::dvec3(world * glm::dvec4(glm::dvec3(p), 1)); };
     glm::dvec3 middle(0);

@@ -13,6 +13,7 @@
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/vectors/arrows.h"
 #include "ui/inspector/vectors/vectors_tab.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
@@ -92,7 +93,7 @@ class Diagram {
 
 /// The lobe in polar form, its longest ray as long as a unit vector.
 std::vector<glm::vec2> lobe_outline(const UiState& state, double light_deg) {
-    const Shading& shading = state.editor.scene().shading;
+    const Shading& shading = asked_scene(state).shading;
     const Reflector reflector{shading.reflection, state.explanation->material, shading.terms};
     const std::vector<LobeSample> slice = lobe_slice(reflector, light_deg, lobe_steps);
     const auto strength = [&](const LobeSample& s) {

@@ -12,6 +12,7 @@
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/tabs.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
@@ -152,7 +153,7 @@ void cell(float moved, const ImVec4& colour) {
 /// Shows live at the picked point how far each term moves when normal, light or viewer is turned by a degree.
 void sensitivity_of_terms(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light) {
     section_heading("Which term needs what: moved by a turn of 1°");
-    const Shading& shading = state.editor.scene().shading;
+    const Shading& shading = asked_scene(state).shading;
     const Reflector reflector{shading.reflection, state.explanation->material, Terms{}};
     const auto sensitivity =
         term_sensitivity(reflector, point.normal.camera, light.l.camera, point.view.camera);

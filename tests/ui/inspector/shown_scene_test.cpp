@@ -1,0 +1,262 @@
+// Where the picture shows another scene than the one that is edited (B, or a frozen one), what is asked of it
+// is answered of that scene, and no hand in the picture or the column edits the other.
+#include "renderer/image/image_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
+#include "tests/support/program.h"
+#include "ui/export/export_picture.h"
+#include "ui/picture/draw_picture.h"
+#include "ui/views/views.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+/// B is stored with two lights; then the edited scene's first light is deleted and the other one is brighter.
+struct StoredWindow : HeadlessWindow {
+    StoredWindow() : HeadlessWindow({1280, 1000}) {
+        frames(2);
+        (void)key(Key::B, true);
+        b = scene();
+        REQUIRE(b.lights.size() == 2);
+        scene().lights.erase(scene().lights.begin());
+        scene().lights[0].intensity = 3;
+        frames(2);
+        edited = scene();
+        state.inspector.tab = InspectorTab::Equation;
+    }
+    ImVec2 at_share(double x, double y) {
+        const PictureSize size = state.rendered->size;
+        const glm::ivec2 pixel = nearest_pixel(size, {x * size.width, y * size.height});
+        return at_pixel(glm::dvec2(pixel) + 0.5);
+    }
+    /// What is explained is that pixel of B, as a renderer of its own explains it.
+    void check_explains_b() {
+        REQUIRE(state.explanation.has_value());
+        const Explanation& e = *state.explanation;
+        Renderer alone(1);
+        (void)alone.render(b, state.rendered->size);
+        const Explanation expected = alone.explain(e.x, e.y);
+        CHECK(e.hit);
+        CHECK(e.sum == expected.sum);
+        CHECK(e.at.lights.size() == 2);
+        CHECK(asked_scene(state) == b);
+    }
+    /// Every number of the column that can be taken hold of, dragged and clicked, changes nothing.
+    void check_column_edits_nothing() {
+        frames(2);
+        const Rect column = test::right_column(*this);
+        std::vector<ImVec2> places;
+        for (const NamedControl& control : controls())
+            if (control.in_sight && column.holds(middle_of(control.at)) && control.key.starts_with("/"))
+                places.push_back(middle_of(control.at));
+        CHECK(places.size() > 5);
+        for (const ImVec2 at : places) {
+            drag(at, {at.x + 60, at.y});
+            click(at);
+            frames(1);
+        }
+        CHECK(scene() == edited);
+    }
+
+    Scene b, edited;
+};
+
+}  // namespace
+
+TEST_CASE("while B is looked at, each click is explained of B, whose numbers cannot be edited",
+          "[ui][window][compare]") {
+    StoredWindow bench;
+    bench.click(bench.at_share(0.5, 0.5));
+    bench.frames(2);
+    REQUIRE(bench.state.explanation->at.lights.size() == 1);
+    bench.key(Key::B);
+    bench.frames(2);
+    bench.check_explains_b();
+    bench.click(bench.at_share(0.45, 0.45));
+    bench.frames(2);
+    bench.check_explains_b();
+    CHECK(bench.state.explanation->x == bench.state.asked.x);
+    bench.check_column_edits_nothing();
+    CHECK_FALSE(is_explained(bench.state));
+    bench.key(Key::B);
+    bench.frames(2);
+    CHECK(bench.state.explanation->at.lights.size() == 1);
+    CHECK(is_explained(bench.state));
+    CHECK(bench.scene() == bench.edited);
+}
+
+TEST_CASE("a pixel of a part that shows B is explained of B, and its numbers edit nothing",
+          "[ui][window][compare]") {
+    StoredWindow bench;
+    set_parts(bench.state.views.compare.choice, {{}, {Variant::Kind::Stored, 0}});
+    bench.key(Key::C);
+    bench.frames(2);
+    bench.click(bench.at_share(0.55, 0.5));
+    bench.frames(2);
+    bench.check_explains_b();
+    bench.check_column_edits_nothing();
+    bench.click(bench.at_share(0.45, 0.5));
+    bench.frames(2);
+    CHECK(bench.state.explanation->at.lights.size() == 1);
+    CHECK(is_explained(bench.state));
+}
+
+TEST_CASE("of B no light is taken hold of, and the edited scene's lights do not lie over it",
+          "[ui][window][compare]") {
+    StoredWindow bench;
+    const ImVec2 bulb = bench.at_pixel(bench.handle_pixel(0));
+    bench.move(bulb);
+    REQUIRE(bench.state.viewport.hovered_grip.kind == GripKind::Light);
+    bench.key(Key::B);
+    bench.frames(2);
+    bench.drag(bulb, {bulb.x + 80, bulb.y + 40});
+    CHECK(bench.scene().lights == bench.edited.lights);
+    bench.key(Key::H);  // a light follows the cursor
+    CHECK(bench.state.viewport.gesture == Gesture::None);
+}
+
+TEST_CASE("in a frozen picture nothing is taken hold of, and its pixel keeps the numbers of its scene",
+          "[ui][window][lecture]") {
+    StoredWindow bench;
+    bench.scene() = bench.b;
+    bench.frames(2);
+    bench.click(bench.at_share(0.5, 0.5));
+    bench.frames(2);
+    bench.key(Key::F8);
+    bench.scene() = bench.edited;
+    bench.frames(2);
+    bench.check_explains_b();
+    bench.check_column_edits_nothing();
+    for (double y = 0.1; y < 0.95; y += 0.1)
+        for (double x = 0.1; x < 0.95; x += 0.1) {
+            const ImVec2 from = bench.at_share(x, y);
+            bench.drag(from, {from.x + 30, from.y + 20});
+        }
+    CHECK(bench.scene() == bench.edited);
+    const ImVec2 middle = bench.at_share(0.5, 0.5);
+    bench.drag(middle, {middle.x + 30, middle.y}, 1);
+    ImGui::GetIO().MouseWheel = 2;
+    bench.frames(1);
+    CHECK(bench.scene() == bench.edited);
+}
+
+TEST_CASE("a copy and a command of a picture are of the scene that it shows", "[ui][window]") {
+    const TemporaryDirectory folder;
+    StoredWindow bench;
+    std::string clipboard;
+    ImGuiIO& io = ImGui::GetIO();
+    io.ClipboardUserData = &clipboard;
+    io.SetClipboardTextFn = [](void* to, const char* text) { *static_cast<std::string*>(to) = text; };
+    const auto exported = [&] {
+        const std::string path = folder.path("shown.pfm");
+        begin_export(bench.state, {bench.state.rendered->size, 1}, path);
+        while (bench.state.exporting.job) bench.frames(1);
+        bench.frames(2);
+        return std::get<Picture>(read_pfm(path)).linear;
+    };
+    const auto drawn = [&](const Scene& scene) {
+        Renderer renderer(1);
+        return renderer.render(scene, bench.state.rendered->size, true).linear;
+    };
+    const auto check_shows = [&](const Scene& scene) {
+        const std::vector<float> mine = exported(), right = drawn(scene);
+        REQUIRE(mine.size() == right.size());
+        CHECK((mine == right));  // many thousands are not to be printed
+        copy_render_command(bench.state, {bench.state.rendered->size, 1}, "a.png");
+    };
+    REQUIRE_FALSE(save_file(bench.state.editor, folder.path("own.json")));
+    check_shows(bench.edited);
+    CHECK(clipboard.find("/lights") == std::string::npos);
+    bench.key(Key::B);
+    bench.frames(2);
+    check_shows(bench.b);
+    CHECK(clipboard.find("/lights") != std::string::npos);  // the file has another list of them
+    bench.key(Key::F8);
+    bench.key(Key::B);
+    bench.frames(2);
+    check_shows(bench.b);
+    CHECK(clipboard.find("/lights") != std::string::npos);  // the file has another list of them
+}
+
+TEST_CASE("the light that matters is told of the part under the cursor", "[ui][window][compare]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    set_parts(bench.state.views.compare.choice,
+              {variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
+    bench.key(Key::C);
+    bench.frames(2);
+    const PictureSize size = bench.state.rendered->size;
+    Scene flat = bench.scene();
+    flat.shading.mode = ShadingMode::Flat;
+    Renderer alone(1);
+    (void)alone.render(flat, size);
+    int told = 0, other = 0;
+    for (int y = size.height / 4; y < 3 * size.height / 4; y += 12)
+        for (int x = size.width / 4; x < size.width / 2 - 10; x += 12) {
+            bench.move(bench.at_pixel({x + 0.5, y + 0.5}));
+            const auto main = main_light(alone.explain(x, y));
+            const auto& shown = bench.state.viewport.main_light;
+            if (!main || !shown) continue;
+            ++told;
+            CHECK(shown->light == main->light);
+            CHECK(shown->share == main->share);
+            const auto smooth = main_light(bench.state.renderer->explain(x, y));
+            other += smooth && smooth->share != main->share ? 1 : 0;
+        }
+    CHECK(told > 20);
+    CHECK(other > 10);
+}
+
+TEST_CASE("a colour is predicted of the edited scene alone, whatever is compared", "[ui][window][lesson]") {
+    StoredWindow bench;
+    set_parts(bench.state.views.compare.choice, {{}, {Variant::Kind::Stored, 0}});
+    bench.key(Key::C);
+    bench.frames(2);
+    bench.click(bench.at_share(0.55, 0.5));
+    bench.frames(2);
+    bench.key(Key::Q);
+    bench.frames(3);
+    CHECK_FALSE(bench.state.views.compare.choice.on);
+    REQUIRE(bench.state.predict.stage == PredictStage::Change);
+    Renderer alone(1);
+    (void)alone.render(bench.edited, bench.state.rendered->size);
+    CHECK(bench.state.predict.before == alone.explain(bench.state.asked.x, bench.state.asked.y).byte);
+}
+
+TEST_CASE("cells of the grid that stay are asked, and exported, as they are shown, and stay under a hand",
+          "[ui][window][grid]") {
+    HeadlessWindow bench({1280, 1000});
+    bench.frames(2);
+    test::ask(bench, InspectorTab::Grid);
+    bench.state.views.grid.solo = GridCell{1, 1};
+    bench.frames(3);
+    const auto alone = [&] { return with_cells(bench.scene(), {GridCell{1, 1}}); };
+    const auto check_asked = [&] {
+        Renderer renderer(1);
+        (void)renderer.render(alone(), bench.state.rendered->size);
+        REQUIRE(bench.state.explanation);
+        CHECK(bench.state.explanation->sum == renderer.explain(bench.state.asked.x, bench.state.asked.y).sum);
+    };
+    CHECK(bench.state.rendered_scene == alone());
+    check_asked();
+    bench.click(bench.at_pixel(glm::dvec2(bench.state.asked) + glm::dvec2(-40.5, 20.5)));
+    bench.frames(2);
+    check_asked();
+    CHECK(shown_scene(bench.state) == alone());
+    const ImVec2 bulb = bench.at_pixel(bench.handle_pixel(1));
+    bench.move(bulb);
+    bench.button(true);
+    for (int i = 1; i <= 6; ++i) {
+        const glm::vec4 before = bench.scene().lights[1].position;
+        bench.move({bulb.x + 6 * float(i), bulb.y});
+        CHECK(bench.state.rendered_scene.lights[0].diffuse ==
+              glm::vec3(0));  // never the whole scene for a frame
+        if (i > 2) CHECK(bench.scene().lights[1].position != before);
+    }
+    bench.button(false);
+    bench.state.viewport.probe.reset();
+    bench.frames(2);
+    CHECK_FALSE(bench.state.explanation.has_value());
+}
