@@ -9,6 +9,7 @@
 
 #include "app/failure.h"
 #include "models/io/file.h"
+#include "models/io/files_read.h"
 #include "models/memory_limit.h"
 
 namespace glint {
@@ -147,19 +148,9 @@ void require_writable(const std::string& out) {
     if (const auto problem = why_not_writable(out)) throw Failure{ExitStatus::Impossible, *problem};
 }
 
-void require_other_file(const std::string& out, const std::vector<std::string>& files) {
-    const std::string replaced = replaced_file(out);
-    for (const std::string& file : files)
-        if (!replaced.empty() && replaced == replaced_file(file))
-            throw wrong_usage("-o", out + " is the file that is read, which would be lost", "another name");
-}
-
-std::vector<std::string> scene_files(const SceneArguments& arguments, const SceneDocument& document) {
-    std::vector<std::string> files{arguments.file};
-    for (const Object& o : document.scene.objects)
-        if (const auto* mesh = std::get_if<MeshFile>(&o.source))
-            files.push_back(path_from(document.mesh_dir, mesh->path));
-    return files;
+void require_not_read(const std::string& out, const std::string& option) {
+    if (was_read(out))
+        throw wrong_usage(option, out + " is the file that is read, which would be lost", "another name");
 }
 
 bool takes_png(const std::string& out) {

@@ -58,11 +58,8 @@ void require_file(const SceneArguments& arguments);
 /// Throws the Failure of an output file that could not be written when the work is done; "-" can.
 void require_writable(const std::string& out);
 
-/// Throws the Failure of an output that would replace one of the files it is made from.
-void require_other_file(const std::string& out, const std::vector<std::string>& files);
-/// The files that a scene was read from: FILE, and those of its meshes.
-[[nodiscard]] std::vector<std::string> scene_files(const SceneArguments& arguments,
-                                                   const SceneDocument& document);
+/// Throws the Failure of an output, of that option, that would replace a file which was read for it.
+void require_not_read(const std::string& out, const std::string& option = "-o");
 
 /// True for an output that is written as PNG: "-", a name that ends in .png, and a device or pipe whose name
 /// has no extension.

@@ -56,7 +56,6 @@ void require_one_picture_for_a_sheet(const DiagnoseArguments& arguments) {
             "one PICTURE, or --format html");
     require_png_file(arguments.out);
     require_writable(arguments.out);
-    require_other_file(arguments.out, arguments.pictures);
 }
 
 /// The diagnoses of all pictures, in their order; the sheet of the only one, where it is asked for, is put
@@ -79,6 +78,7 @@ std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments, c
     for (const std::string& path : arguments.pictures) {
         if (many) progress->at(all.size() + 1);
         Picture picture = take(read_picture(path));
+        require_not_read(arguments.out);
         const MemoryShare share(memory_need(MemoryUse::Pixels, picture_memory(picture.size)));
         const Picture wrong = as_shown(std::move(picture), document.scene.display);
         Diagnosis found = glint::diagnose(document, wrong, options);
@@ -154,7 +154,7 @@ Outcome diagnose(const DiagnoseArguments& arguments) {
                   "a picture of the scene that another program drew");
     require_one_picture_for_a_sheet(arguments);
     const SceneDocument document = open_scene(arguments.scene);
-    require_other_file(arguments.out, scene_files(arguments.scene, document));
+    require_not_read(arguments.out);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
     outcome.output = formatted(diagnose_all(arguments, document, outcome), arguments, document);
     return outcome;

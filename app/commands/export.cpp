@@ -21,7 +21,7 @@ Outcome export_scene(const ExportArguments& arguments) {
     if (lower_extension(arguments.out) != ".glb")
         throw wrong_usage("-o", arguments.out + " has another extension", ".glb");
     const SceneDocument document = open_scene(arguments.scene);
-    require_other_file(arguments.out, scene_files(arguments.scene, document));
+    require_not_read(arguments.out);
     const std::string name =
         with_invalid_replaced(std::filesystem::path(arguments.scene.file).stem().string());
     Result<GltfWritten> made = glb_of(document.scene, name);

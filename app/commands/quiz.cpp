@@ -49,7 +49,9 @@ Outcome quiz(const QuizArguments& arguments) {
     if (arguments.out != "-") require_writable(arguments.out);
     const Lesson lesson = inventory(arguments);
     LessonRunner runner(arguments.threads);
-    (void)take(write_file(arguments.out, take(quiz_html(runner, lesson, arguments.key))));
+    const std::string page = take(quiz_html(runner, lesson, arguments.key));
+    require_not_read(arguments.out);
+    (void)take(write_file(arguments.out, page));
     return {};
 }
 

@@ -80,6 +80,7 @@ void require_apart(const RenderArguments& arguments, const Scene& scene) {
     for (const std::string& name : buffer_names(scene)) {
         const std::string path = buffer_path(arguments, name), replaced = replaced_file(path);
         if (replaced.empty()) continue;
+        require_not_read(path, "--buffers");
         if (replaced == picture)
             throw wrong_usage("-o", arguments.out + " is also where the buffer " + name + " goes",
                               "another name");
@@ -92,12 +93,12 @@ void require_apart(const RenderArguments& arguments, const Scene& scene) {
 
 /// Refuses a picture in place of a file of its scene. One that carries the scene may replace the one that it
 /// was read from.
-void require_scene_kept(const RenderArguments& arguments, PictureFormat format,
-                        const SceneDocument& document) {
-    std::vector<std::string> files = scene_files(arguments.scene, document);
+void require_scene_kept(const RenderArguments& arguments, PictureFormat format) {
+    const std::string& scene = arguments.scene.file;
     const bool carries = format == PictureFormat::Png && !arguments.no_scene;
-    if (carries && lower_extension(files.front()) == ".png") files.erase(files.begin());
-    require_other_file(arguments.out, files);
+    if (carries && lower_extension(scene) == ".png" && replaced_file(arguments.out) == replaced_file(scene))
+        return;
+    require_not_read(arguments.out);
 }
 
 void add_buffers(Outcome& outcome, const RenderArguments& arguments, const Renderer& renderer,
@@ -122,7 +123,7 @@ Outcome render(const RenderArguments& arguments) {
     require_writable(arguments.out);
     if (!arguments.buffers.empty()) require_writable(buffer_path(arguments, "sum"));
     const SceneDocument document = open_scene(arguments.scene);
-    require_scene_kept(arguments, format, document);
+    require_scene_kept(arguments, format);
     require_apart(arguments, document.scene);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 

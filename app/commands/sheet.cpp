@@ -82,7 +82,7 @@ Outcome sheet(const SheetArguments& arguments) {
     require_fitting(rows, columns, arguments.cell, font);
     require_writable(arguments.out);
     const SceneDocument document = open_scene(arguments.scene);
-    require_other_file(arguments.out, scene_files(arguments.scene, document));
+    require_not_read(arguments.out);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 
     const PictureSize size = sheet_size(rows, columns, arguments.cell, font);

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "models/io/descriptor.h"
+#include "models/io/files_read.h"
 #include "models/memory_limit.h"
 #include "models/progress.h"
 
@@ -69,6 +70,7 @@ Result<std::string> read_regular(const std::string& path, std::size_t max_bytes,
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.number() < 0 || ::fstat(file.number(), &status) != 0) return cannot_read(path, errno);
     if (auto problem = why_not_readable(path, status)) return *problem;
+    note_read(path);
     return read_all(file.number(), path, max_bytes, static_cast<std::size_t>(status.st_size), check);
 }
 

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "tests/support/catch.h"
+#include "tests/support/gltf_triangle.h"
 #include "tests/support/program.h"
 
 using namespace glint;
@@ -328,6 +329,43 @@ TEST_CASE("a sheet, a picture, a difference or an export does not replace a file
         directory.file("of_model.json", R"({"glint": 1, "objects": [{"mesh": {"file": "model.glb"}}]})");
     const std::string scene_link = directory.path("scene.png");
     std::filesystem::create_symlink(scene, scene_link);
+    const std::string lesson = directory.file("lesson.html", R"(# Mine
+
+```lesson
+topic: Own
+scene: scene.json
+size: 32x32
+```
+
+## One
+
+```predict choice
+question: What is one and one?
+option: two
+if: 1 + 1 = 2
+option: three
+if: 1 + 1 = 3
+```
+
+```exercise
+vary: x = 1, 2
+question: What is twice {x}?
+i = info
+answer: 2 * {x}
+tolerance: 0.01
+```
+)");
+    const std::string buffer = directory.file("triangle.bin", std::string(36, '\0'));
+    const std::string gltf =
+        directory.file("t.gltf", gltf_triangle::changed("data:application/octet-stream;base64,"
+                                                        "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA",
+                                                        "triangle.bin"));
+    const std::string buffer_link = directory.path("link.glb"),
+                      picture_link = directory.path("of_buffer.png");
+    std::filesystem::create_symlink(buffer, buffer_link);
+    std::filesystem::create_symlink(buffer, picture_link);
+    std::filesystem::create_directory(directory.path("buffers"));
+    std::filesystem::create_symlink(scene, directory.path("buffers/sum.pfm"));
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{"compare", a, b, "-o", a},
           {"compare", b, a, "-o", link},
@@ -337,15 +375,22 @@ TEST_CASE("a sheet, a picture, a difference or an export does not replace a file
           {"render", scene, "-o", scene_link},
           {"sheet", a, "--rows", "/display/exposure=1", "--cols", "/camera/eye/0=1", "-o", link},
           {"export", of_model, "-o", model},
+          {"lessons", lesson, "-o", lesson},
+          {"exercise", lesson, "-o", lesson},
+          {"quiz", "--of", lesson, "-o", lesson},
+          {"export", gltf, "-o", buffer_link},
+          {"render", gltf, "-o", picture_link},
+          {"render", scene, "-o", directory.path("c.pfm"), "--buffers", directory.path("buffers")},
           {"export", model, "-o", model}}) {
-        const std::string before = bytes_of(arguments.back());
+        const bool of_buffers = arguments.back() == directory.path("buffers");
+        const std::string lost = of_buffers ? scene : arguments.back(), before = bytes_of(lost);
         CAPTURE(arguments);
         const Ended ended = run_glint(arguments);
         CAPTURE(ended.err);
         CHECK(ended.status == 2);
         CHECK(ended.err.find("is the file that is read, which would be lost; expected another name") !=
               std::string::npos);
-        CHECK(bytes_of(arguments.back()) == before);
+        CHECK(bytes_of(lost) == before);
     }
     must({"render", a, "-o", a, "--size", "32x24"});  // a picture carries its scene on
     CHECK(run_glint({"info", a}).status == 0);
