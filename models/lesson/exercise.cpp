@@ -107,7 +107,11 @@ Exercise read_exercise(const SourceBlock& block) {
     exercise.line = block.line;
     std::vector<double> first;
     for (const BlockLine* line : block.all("vary")) {
-        exercise.variables.push_back(read_variable(*line));
+        Exercise::Variable variable = read_variable(*line);
+        for (const Exercise::Variable& other : exercise.variables)
+            if (other.name == variable.name)
+                fail_at(line->line, in_quotes(variable.name) + " varies already", "another name");
+        exercise.variables.push_back(std::move(variable));
         first.push_back(exercise.variables.back().values.front());
     }
     if (first.empty()) fail_at(block.line, "the exercise varies nothing", "a line vary:");

@@ -100,7 +100,8 @@ JsonValue extreme(const Values& v, bool (*before)(double, double)) {
 JsonValue part(const Values& v) {
     const auto size = static_cast<double>(as_list(v[0]).size());
     const double from = as_number(v[1]), to = as_number(v[2]);
-    if (!(from >= 0 && to >= from && to < size))
+    const bool whole = std::floor(from) == from && std::floor(to) == to;
+    if (!(whole && from >= 0 && to >= from && to < size))
         throw ExpressionProblem{"part() is asked for what the list does not have", "0 to its last place"};
     const auto begin = v[0].elements().begin();
     return JsonValue(JsonValue::Elements(begin + static_cast<std::ptrdiff_t>(from),

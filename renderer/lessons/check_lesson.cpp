@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "models/fields/scene_numbers.h"
 
 namespace glint {
 namespace {
@@ -38,15 +41,18 @@ class Checker {
         tried_on_ = document_;
         const Result<RightAnswer> right = right_answer(runner_, document_, lesson_, p);
         if (const Problem* problem = problem_of(right)) return text_of(problem);
-        const auto& [value, tolerance] = std::get<RightAnswer>(right);
+        const double tolerance = std::get<RightAnswer>(right).tolerance;
         if (p.kind == PredictionKind::Choice) return wrong_mistake(p);
         if (!(tolerance > 0))
             return "the tolerance is " + JsonValue(tolerance).text() + "; expected more than 0";
-        return wrong_form(p, value);
+        const Result<NamedValues> run = runner_.answers(document_, lesson_, p.runs);
+        if (const Problem* problem = problem_of(run)) return text_of(problem);
+        return wrong_term(p, std::get<NamedValues>(run));
     }
 
     Shortfall operator()(const Task& task) {
         if (task.solution.empty()) return "no solution is given; expected lines solution:";
+        if (Shortfall wrong = wrong_control(task, tried_on_.scene)) return wrong;
         Shortfall before = done(task, tried_on_, false);
         if (before) return before;
         const Result<SceneDocument> solved = LessonRunner::with(tried_on_, task.solution, lesson_, task.line);
@@ -99,19 +105,29 @@ class Checker {
         return {};
     }
 
-    static Shortfall wrong_form(const Prediction& p, const JsonValue& value) {
-        if (p.kind == PredictionKind::Number) {
-            if (value.is_number() && std::isfinite(value.number())) return {};
-            return "the answer is " + value.text() + "; expected a number";
+    /// Checks that the run of `explain` on which the answer stands has the field to which a window leads.
+    static Shortfall wrong_term(const Prediction& p, const NamedValues& values) {
+        const auto explains = [](const LessonRun& run) { return run.kind == RunKind::Explain; };
+        const auto run = std::find_if(p.runs.begin(), p.runs.end(), explains);
+        if (p.term.empty() || run == p.runs.end()) return {};
+        const Result<Expression> field = Expression::parse(run->name + "." + p.term);
+        if (const Problem* problem = problem_of(field)) return "term: " + *text_of(problem);
+        const Result<JsonValue> value = std::get<Expression>(field).value(values);
+        if (const Problem* problem = problem_of(value)) return "term: " + *text_of(problem);
+        return {};
+    }
+
+    /// Checks that there is something to move behind each pointer.
+    static Shortfall wrong_control(const Task& task, const Scene& scene) {
+        const std::vector<SceneNumber> numbers = numbers_of(scene);
+        for (const std::string& control : task.controls) {
+            const auto is_of = [&](const SceneNumber& n) {
+                return n.pointer == control || n.pointer.starts_with(control + "/");
+            };
+            if (std::none_of(numbers.begin(), numbers.end(), is_of))
+                return "control: the scene has no number at " + control;
         }
-        const int along = std::max(std::abs(p.to.x - p.from.x), std::abs(p.to.y - p.from.y)) + 1;
-        const int count = p.kind == PredictionKind::Click ? 2 : p.kind == PredictionKind::Colour ? 3 : along;
-        const JsonValue::Elements& list = value.elements();
-        const bool numbers = std::all_of(list.begin(), list.end(), [](const JsonValue& v) {
-            return v.is_number() && std::isfinite(v.number());
-        });
-        if (numbers && static_cast<int>(list.size()) == count) return {};
-        return fmt::format("the answer has {} values; expected {} numbers", list.size(), count);
+        return {};
     }
 
     LessonRunner& runner_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/json/json_reader.h"
 #include "renderer/inspect/answers/answers.h"
 #include "renderer/inspect/answers/reflectance_answers.h"
 #include "renderer/inspect/explain/explain_format.h"
@@ -146,6 +147,26 @@ Result<Picture> LessonRunner::picture(const SceneDocument& document, const Lesso
     return renderer_.render(std::get<SceneDocument>(changed).scene, size, false, samples);
 }
 
+namespace {
+
+/// What the answer to a question of this kind has to be, where `value` is not that.
+std::optional<std::string> form_missed(const Prediction& p, const JsonValue& value, PictureSize size) {
+    const auto is_number = [](const JsonValue& v) { return v.is_number() && std::isfinite(v.number()); };
+    if (p.kind == PredictionKind::Number) return is_number(value) ? std::nullopt : std::optional("a number");
+    const int along = std::max(std::abs(p.to.x - p.from.x), std::abs(p.to.y - p.from.y)) + 1;
+    const int count = p.kind == PredictionKind::Click ? 2 : p.kind == PredictionKind::Colour ? 3 : along;
+    const JsonValue::Elements& list = value.elements();
+    if (std::ssize(list) != count || !std::all_of(list.begin(), list.end(), is_number))
+        return fmt::format("a list of {} numbers", count);
+    if (p.kind != PredictionKind::Click) return std::nullopt;
+    const double x = list[0].number(), y = list[1].number();
+    if (x < 0 || y < 0 || x >= size.width || y >= size.height)
+        return fmt::format("a pixel of {}x{}", size.width, size.height);
+    return std::nullopt;
+}
+
+}  // namespace
+
 Result<RightAnswer> right_answer(LessonRunner& runner, const SceneDocument& document, const Lesson& lesson,
                                  const Prediction& p) {
     const Result<NamedValues> run = runner.answers(document, lesson, p.runs);
@@ -156,7 +177,10 @@ Result<RightAnswer> right_answer(LessonRunner& runner, const SceneDocument& docu
         const Result<double> tolerance = p.tolerance.number(values);
         if (const Problem* problem = problem_of(value)) return in_lesson(*problem, lesson, p.line);
         if (const Problem* problem = problem_of(tolerance)) return in_lesson(*problem, lesson, p.line);
-        return RightAnswer{std::get<JsonValue>(std::move(value)), std::get<double>(tolerance)};
+        const auto& found = std::get<JsonValue>(value);
+        if (const auto form = form_missed(p, found, lesson.size))
+            return problem_at(lesson, p.line, "the answer is " + shortened(found.text()), *form);
+        return RightAnswer{found, std::get<double>(tolerance)};
     }
     std::optional<std::size_t> right;
     for (std::size_t i = 0; i < p.options.size(); ++i) {

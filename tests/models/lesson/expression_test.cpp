@@ -122,6 +122,8 @@ TEST_CASE("an expression says what is wrong with it", "[lesson][bad-input]") {
     CHECK(problem_with("a.list[3]") ==
           "\"a.list[3]\": there is no element 3.0 of a list of 3; expected 0 to 2");
     CHECK(problem_with("a.list[0.5]").find("no element 0.5") != std::string::npos);
+    CHECK(problem_with("part(a.list, 0.5, 1)").find("part() is asked for what the list does not have") !=
+          std::string::npos);
     CHECK(problem_with("a.list + [1]").find("lists of 3 and of 1 values meet") != std::string::npos);
     CHECK(problem_with("a.word + 1").find("is not a number") != std::string::npos);
     CHECK(problem_with("cos()").find("is given 0 values") != std::string::npos);

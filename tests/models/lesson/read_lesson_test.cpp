@@ -231,6 +231,8 @@ TEST_CASE("an error in a lesson is one line with the number of its line", "[less
     CHECK(with_edit("falls_under: missing_pi", "falls_under: missing_p") ==
           "l.md:76: \"missing_p\" is not a mistake; expected \"missing_pi\"");
     CHECK(with_edit("vary: deg = 10 to 30 step 10", "vary: deg = 10 to 30 step -1").starts_with("l.md:80: "));
+    CHECK(with_edit("vary: deg = 10 to 30 step 10", "vary: deg = 10 to 30 step 10\nvary: deg = 1") ==
+          "l.md:81: \"deg\" varies already; expected another name");
     CHECK(with_edit("closed: k * cos(deg)", "closed: k * cos(dag)") ==
           "l.md:87: \"dag\" is not known; expected \"deg\"");
     CHECK(with_edit("{2 * deg}", "{2 * dag}") ==

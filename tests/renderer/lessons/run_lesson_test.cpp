@@ -106,9 +106,25 @@ TEST_CASE("what falls short of a prediction, a task and an exercise is told", "[
         std::string::npos);
     CHECK(why("predict number\nquestion: ?" + run + "answer: 1\ntolerance: 0").find("more than 0") !=
           std::string::npos);
+    CHECK(why("predict click\nquestion: ?" + run + "answer: e.sum\ntolerance: 1")
+              .find("expected a list of 2 numbers") != std::string::npos);
     CHECK(
-        why("predict click\nquestion: ?" + run + "answer: e.sum\ntolerance: 1").find("expected 2 numbers") !=
+        why("predict click\nquestion: ?\nanswer: [32, 4]\ntolerance: 1").find("expected a pixel of 32x32") !=
         std::string::npos);
+    CHECK(
+        why("predict click\nquestion: ?\nanswer: [4, -1]\ntolerance: 1").find("expected a pixel of 32x32") !=
+        std::string::npos);
+    CHECK(why("predict click\nquestion: ?\nanswer: [31, 0]\ntolerance: 1").empty());
+    CHECK(why("predict sketch\nquestion: ?\nalong: 0,0 1,0\nanswer: [[1, 2], [3, 4]]\ntolerance: 1")
+              .find("]]; expected a list of 2 numbers") != std::string::npos);
+    CHECK(why("predict number\nquestion: ?" + run + "term: lights[7].][(z\nanswer: 1\ntolerance: 1")
+              .find("term: ") == 0);
+    CHECK(why("predict number\nquestion: ?" + run + "term: lights[7].n_dot_l\nanswer: 1\ntolerance: 1")
+              .find("no element 7") != std::string::npos);
+    CHECK(why("predict number\nquestion: ?" + run + "term: lights[0].n_dot_l\nanswer: 1\ntolerance: 1")
+              .empty());
+    CHECK(why("try\ndrag: it\ncontrol: /foo/bar" + run + "done: e.sum[0] > 1\nsolution: /display/exposure=9")
+              .find("no number at /foo/bar") != std::string::npos);
     CHECK(why("predict choice\nquestion: ?" + run + "option: a\nif: true\noption: b\nif: e.hit")
               .find("a second option is right") != std::string::npos);
     CHECK(why("predict choice\nquestion: ?" + run + "option: a\nif: false\noption: b\nif: not e.hit")
@@ -126,6 +142,25 @@ TEST_CASE("what falls short of a prediction, a task and an exercise is told", "[
     CHECK(why("claim\nsays: ?\ne = explain --pixel 1,1 --set /lights/7/intensity=1\ncheck: e.hit")
               .find("is past the end") != std::string::npos);
     CHECK(why("claim\nsays: ?\nl = lobe --object 3\ncheck: true").find("no object 3") != std::string::npos);
+}
+
+TEST_CASE(
+    "an answer of another kind than its question is told with its line, in whatever is made of the lesson",
+    "[lesson][bad-input]") {
+    for (const char* const block :
+         {"predict number\nquestion: ?\nanswer: [1, 2]\ntolerance: 1",
+          "predict number\nquestion: ?\nanswer: true\ntolerance: 1",
+          "predict click\nquestion: ?\nanswer: [[1], [2]]\ntolerance: 1",
+          "predict colour\nquestion: ?\nanswer: [\"a\", \"b\", \"c\"]\ntolerance: 1"}) {
+        const Bench bench("```" + std::string(block) + "\n```\n");
+        LessonRunner runner(1);
+        const Result<std::string> page = handout_html(runner, bench.lesson, true);
+        const Problem* problem = problem_of(page);
+        CAPTURE(block);
+        REQUIRE(problem != nullptr);
+        CHECK(problem->text().find("01-plate.md:9: the answer is ") != std::string::npos);
+        CHECK_FALSE(bench.checked().at(0).holds);
+    }
 }
 
 TEST_CASE("a scene that cannot be set is a problem with the lesson's line", "[lesson][bad-input]") {
