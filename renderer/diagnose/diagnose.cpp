@@ -4,6 +4,8 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 #include "models/memory_limit.h"
 #include "renderer/diagnose/display_finding.h"
@@ -58,6 +60,24 @@ bool is_exact(const Judged& best) {
     return best.is_believed && !best.change.soft && best.score.residual() < rounding;
 }
 
+/// Levels between the darkest and the brightest pixel, of the channel in which they are farthest apart.
+int spread_of(const Picture& picture) {
+    std::array<std::uint8_t, 3> low{255, 255, 255}, high{};
+    for (std::size_t i = 0; i < picture.size.pixels(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            low[c] = std::min(low[c], picture.rgba[4 * i + c]);
+            high[c] = std::max(high[c], picture.rgba[4 * i + c]);
+        }
+    return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+}
+
+/// Whether the picture has one colour, which many mistakes give and a program that draws nothing, and the
+/// right one has not.
+bool shows_nothing(const Picture& wrong, const Picture& right) {
+    constexpr int rounding = 1, clearly = 8;
+    return spread_of(wrong) <= rounding && spread_of(right) > clearly;
+}
+
 Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, const DiagnosisOptions& options) {
     Diagnosis d;
     d.size = wrong.size;
@@ -68,6 +88,11 @@ Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, cons
     const auto compared = std::count(kinds.begin(), kinds.end(), PixelKind::Surface);
     if (static_cast<std::uint64_t>(compared) < fewest_compared) {
         d.why = "the scene shows no surface of some size in a picture of this size";
+        return d;
+    }
+    if (shows_nothing(wrong, right)) {
+        d.why = fmt::format("it is of one colour, ({}, {}, {}): nothing is drawn, or nothing lit",
+                            wrong.rgba[0], wrong.rgba[1], wrong.rgba[2]);
         return d;
     }
     const Exhibit clean(wrong, right, kinds);

@@ -55,9 +55,30 @@ class Expected {
     Ground ground_;
 };
 
-/// Returns whether the pixel is unlike what is explained.
+/// Whether a softened picture would differ around a pixel, and the wrong one hardly does: between neighbours
+/// that are far apart anything finds room, but their softening leaves a share of the contrast between them.
+bool lacks_contrast(const Exhibit& e, const DisplayChange& change, const std::array<ByteRange, 3>& explained,
+                    glm::ivec2 at) {
+    constexpr float far_apart = 48, least_share = 1.0f / 6;  // levels; of the contrast
+    const PictureSize size = e.right.size;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const float contrast = explained[c].high - explained[c].low;
+        if (contrast < far_apart) continue;
+        int low = 255, high = 0;
+        for (int y = std::max(at.y - 1, 0); y <= std::min(at.y + 1, size.height - 1); ++y)
+            for (int x = std::max(at.x - 1, 0); x <= std::min(at.x + 1, size.width - 1); ++x) {
+                const int level = mine_at(e.wrong, change, x, y)[c];
+                low = std::min(low, level);
+                high = std::max(high, level);
+            }
+        if (static_cast<float>(high - low) < least_share * contrast) return true;
+    }
+    return false;
+}
+
+/// Returns whether the pixel is unlike what is explained. `misses`: it is, though its colour has room.
 bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std::array<ByteRange, 3>& right,
-               Rgb mine, glm::ivec2 at) {
+               Rgb mine, glm::ivec2 at, bool misses) {
     float off = 0, off_right = 0, told = 0;
     for (std::size_t c = 0; c < 3; ++c) {
         const float d = explained[c].distance(mine[c]), d_right = right[c].distance(mine[c]);
@@ -67,7 +88,8 @@ bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std:
         row.excess += double(excess_of(d));
         row.squares += double(d) * double(d);
     }
-    const bool is_wrong = off_right > visible_levels, is_unlike = off > visible_levels;
+    const bool is_wrong = off_right > visible_levels, is_unlike = misses || off > visible_levels;
+    if (misses) row.excess += double(excess_of(off + 2 * visible_levels));
     ++row.compared;
     row.unlike += is_unlike ? 1 : 0;
     row.wrong += is_wrong ? 1 : 0;
@@ -152,8 +174,10 @@ Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
         const int y = row * step + step / 2;
         for (int x = 0; x < size.width; ++x) {
             if (e.kinds[size.index(x, y)] != PixelKind::Surface) continue;
-            const bool is_unlike = add_pixel(rows[static_cast<std::size_t>(row)], explained.at(x, y),
-                                             right.at(x, y), mine_at(e.wrong, change, x, y), {x, y});
+            const std::array<ByteRange, 3> expected = explained.at(x, y);
+            const bool misses = change.soft && lacks_contrast(e, change, expected, {x, y});
+            const bool is_unlike = add_pixel(rows[static_cast<std::size_t>(row)], expected, right.at(x, y),
+                                             mine_at(e.wrong, change, x, y), {x, y}, misses);
             if (step == 1) unlike[size.index(x, y)] = is_unlike ? 1 : 0;
         }
     });

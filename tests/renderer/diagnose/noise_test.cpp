@@ -27,10 +27,6 @@ Picture noisy(Picture picture, double deviation, unsigned seed) {
     return picture;
 }
 
-SceneDocument shipped(const std::string& name) {
-    return std::get<SceneDocument>(open_document(std::string(GLINT_SOURCE_DIR) + "/assets/scenes/" + name));
-}
-
 }  // namespace
 
 TEST_CASE("noise is measured, and what a clean picture shows is none", "[diagnose]") {

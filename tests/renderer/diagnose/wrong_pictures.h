@@ -18,6 +18,11 @@ namespace glint::test {
 
 inline constexpr PictureSize diagnosed_size{160, 120};
 
+/// A scene that comes with the program, by its file's name.
+inline SceneDocument shipped(const std::string& name) {
+    return std::get<SceneDocument>(open_document(std::string(GLINT_SOURCE_DIR) + "/assets/scenes/" + name));
+}
+
 /// Two or three objects under one to four lights, as a student's first scenes are.
 inline SceneDocument diagnosed_scene(unsigned seed) {
     std::mt19937 random(seed);

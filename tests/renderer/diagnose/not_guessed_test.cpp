@@ -1,0 +1,98 @@
+// Pictures that no mistake made: of one colour, of another scene in flat colours, cut off or darkened in
+// part. A diagnosis does not guess.
+#include "renderer/diagnose/diagnose.h"
+#include "renderer/diagnose/search/noise.h"
+#include "tests/renderer/diagnose/wrong_pictures.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+Picture right_of(const SceneDocument& document, PictureSize size) {
+    Renderer renderer(1);
+    return renderer.render(document.scene, size);
+}
+
+void fill(Picture& picture, std::uint8_t level) {
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+        if (i % 4 != 3) picture.rgba[i] = level;
+}
+
+/// A disc of one colour before the colour of the scene's background.
+Picture disc(PictureSize size, std::uint8_t level) {
+    Picture picture{size, std::vector<std::uint8_t>(4 * size.pixels(), 255), {}};
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const bool inside = (x - size.width / 2) * (x - size.width / 2) + (y - 30) * (y - 30) < 400;
+            const Rgb colour = inside ? Rgb{level, level, level} : Rgb{26, 26, 31};
+            for (std::size_t c = 0; c < 3; ++c) picture.rgba[4 * picture.pixel(x, y) + c] = colour[c];
+        }
+    return picture;
+}
+
+Diagnosis diagnosed(const SceneDocument& document, const Picture& picture) {
+    return diagnose(document, picture, {false, 1, {}});
+}
+
+}  // namespace
+
+TEST_CASE("a picture of one colour is not comparable, unless the scene has one, too", "[diagnose]") {
+    for (const char* const name : {"sun", "bulb", "cosine-law", "mach-bands"}) {
+        const SceneDocument document = shipped(name + std::string(".json"));
+        Picture picture = right_of(document, {160, 120});
+        for (const int level : {0, 1, 128, 255}) {
+            fill(picture, static_cast<std::uint8_t>(level));
+            const Diagnosis d = diagnosed(document, picture);
+            INFO(name << ", " << level);
+            CHECK(d.verdict == Verdict::NotComparable);
+            CHECK(d.why.find("it is of one colour, (" + std::to_string(level) + ", ") == 0);
+        }
+        picture.rgba[4 * 5000] = 60;  // one pixel is another
+        CHECK(diagnosed(document, picture).why.find("one colour") == std::string::npos);
+    }
+    SceneDocument dark = shipped("sun.json");
+    dark.scene.lights.clear();
+    dark.scene.global_ambient = dark.scene.display.background = glm::vec3(0);
+    Picture picture = right_of(dark, {160, 120});
+    fill(picture, 0);
+    CHECK(diagnosed(dark, picture).verdict == Verdict::NoMistake);
+}
+
+TEST_CASE("a picture of two flat colours has no noise, and is not a mistake of another scene", "[diagnose]") {
+    for (const char* const name : {"sun", "every-term", "still-life"}) {
+        const SceneDocument document = shipped(name + std::string(".json"));
+        const Picture right = right_of(document, {320, 180});
+        for (const int level : {40, 50, 70, 109, 200}) {
+            const Picture picture = disc({320, 180}, static_cast<std::uint8_t>(level));
+            INFO(name << ", " << level);
+            CHECK(noise_of(picture, right) == 0);
+            const Verdict verdict = diagnosed(document, picture).verdict;
+            CHECK((verdict == Verdict::NotComparable || verdict == Verdict::NotInCatalogue));
+        }
+    }
+}
+
+TEST_CASE("a small picture that is cut off or darkened in part is not a mistake in fine detail, softened",
+          "[diagnose]") {
+    for (const char* const name : {"classic-materials", "shininess-grid", "phong-and-blinn-exponents"}) {
+        const SceneDocument document = shipped(name + std::string(".json"));
+        const Picture right = right_of(document, {240, 180});
+        const auto check = [&](const char* what, const auto& change) {
+            Picture picture = right;
+            for (int y = 0; y < 180; ++y)
+                for (int x = 0; x < 240; ++x)
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        std::uint8_t& level = picture.rgba[4 * picture.pixel(x, y) + c];
+                        level = static_cast<std::uint8_t>(change(level, x, y));
+                    }
+            INFO(name << ", " << what);
+            CHECK(diagnosed(document, picture).verdict != Verdict::Mistake);
+        };
+        check("cut off at 200", [](int level, int, int) { return std::min(level, 200); });
+        check("cut off at 150", [](int level, int, int) { return std::min(level, 150); });
+        check("its right half darkened", [](int level, int x, int) { return x < 120 ? level : level / 2; });
+        check("in stripes", [](int level, int, int y) { return y / 8 % 2 == 0 ? level : level * 3 / 4; });
+    }
+}
