@@ -300,6 +300,21 @@ TEST_CASE("two mistakes of one formula are written as we make them, in every lan
         compare(language, scenes);
 }
 
+TEST_CASE("of a face and the same face the other way round the first one shows, in every language",
+          "[programs]") {
+    const TemporaryDirectory folder;
+    const std::string mesh =
+        folder.file("twice.obj", "v -1.1 -0.9 0.3\nv 1.2 -1 -0.4\nv 0.1 1.3 0.2\nf 1 2 3\nf 3 2 1\n");
+    Scene scene = std::get<SceneDocument>(open_document(mesh)).scene;
+    scene.camera.eye = {0.7f, 0.4f, 4};
+    scene.lights.resize(1);
+    scene.lights[0].kind = LightKind::Directional;
+    scene.lights[0].position = {0.3f, 0.5f, 1, 0};
+    scene.objects[0].normals.source = NormalSource::Facet;
+    for (const Language language : {Language::Cpp, Language::Glsl, Language::Python})
+        compare(language, {{"twice", scene}});
+}
+
 TEST_CASE("without a reflection model a program makes no mistake of lighting", "[programs]") {
     Scene scene = test::telling_scene();
     scene.shading.reflection = Reflection::None;

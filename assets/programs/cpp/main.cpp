@@ -299,6 +299,8 @@ struct Seen {
     double weight[3] = {};  // of the triangle's corners, correct under perspective
 };
 std::vector<Seen> seen(width * height);
+// Two faces in one plane come out so far apart by rounding: of them the first one shows.
+constexpr double same_depth = 1e-12;
 Clip clip_of(vec3 p) {
     static const mat4 m = clip_from_view();
     return {row(m, 0, p, 1), row(m, 1, p, 1), row(m, 2, p, 1), row(m, 3, p, 1)};
@@ -367,7 +369,7 @@ void rasterise(int object, int triangle) {
             //@if cull.front
             if (!s.back) continue;
             //@end
-            if (s.depth < seen[y * width + x].depth) seen[y * width + x] = s;
+            if (s.depth < seen[y * width + x].depth - same_depth) seen[y * width + x] = s;
         }
 }
 
