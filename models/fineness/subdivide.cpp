@@ -1,6 +1,8 @@
 // Subdivision: C. Loop, "Smooth Subdivision Surfaces Based on Triangles", 1987; E. Catmull and J. Clark,
 // "Recursively generated B-spline surfaces on arbitrary topological meshes", 1978.
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "models/fineness/fineness.h"
 #include "models/fineness/half_edges.h"
@@ -19,11 +21,30 @@ using OpenMesh::Subdivider::Uniform::LoopT;
 OpenMesh::Vec3d double_place(const glm::vec3& v) { return {double(v.x), double(v.y), double(v.z)}; }
 glm::vec3 float_place(const OpenMesh::Vec3d& v) { return {float(v[0]), float(v[1]), float(v[2])}; }
 
+/// Where a step of the cubic B-spline that both schemes' boundaries are carries the boundary's vertices: from
+/// v between a and b to (a + 6 v + b) / 8. OpenMesh 9.0 does so in Loop's scheme; in Catmull's and Clark's it
+/// takes (a + 4 v + b) / 6, which is where such steps end.
+template <class HalfEdges> auto boundary_places(const HalfEdges& mesh) {
+    std::vector<std::pair<OpenMesh::VertexHandle, OpenMesh::Vec3d>> places;
+    for (const auto v : mesh.vertices()) {
+        if (!mesh.is_boundary(v)) continue;
+        const auto out = mesh.halfedge_handle(v);  // of a vertex on a boundary it runs along it
+        if (!out.is_valid()) continue;
+        const auto a = mesh.to_vertex_handle(out),
+                   b = mesh.from_vertex_handle(mesh.prev_halfedge_handle(out));
+        places.emplace_back(v, (mesh.point(a) + 6.0 * mesh.point(v) + mesh.point(b)) / 8.0);
+    }
+    return places;
+}
+
 /// One step at a time, as a load may be ended between two.
 template <class Subdivider, class HalfEdges> void subdivide(HalfEdges& mesh, int times) {
     for (int step = 0; step < times; ++step) {
         report_or_leave(LoadStage::Building, mesh.n_faces());
+        const auto boundary = boundary_places(mesh);
         Subdivider()(mesh, 1);
+        for (const auto& [vertex, place] : boundary)
+            mesh.set_point(vertex, place);  // a step keeps its vertices' numbers
     }
 }
 

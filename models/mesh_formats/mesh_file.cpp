@@ -74,6 +74,18 @@ std::string_view without_mark(std::string_view extension, const FileBlock& first
     return is_binary ? first.bytes : text;
 }
 
+/// A channel below 0 would take light away.
+void raise_colors_to_black(Mesh& mesh) {
+    std::size_t below = 0;
+    for (glm::vec3& color : mesh.colors) {
+        if (color.r >= 0 && color.g >= 0 && color.b >= 0) continue;
+        color = glm::max(color, glm::vec3(0));
+        ++below;
+    }
+    warn(mesh.warnings, below, "vertex has a colour with a channel below 0, which is taken as 0",
+         "vertices have colours with a channel below 0, which is taken as 0");
+}
+
 Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::string_view bytes,
                          const std::string& path, int part) {
     const Format* format = format_of(path);
@@ -86,6 +98,7 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
     return mesh_of(path, [&]() -> Result<Mesh> {
         Mesh mesh = format->read(without_mark(format->extension, {bytes, 0, bytes.size()}), path);
         if (mesh.face_count() == 0) return Problem{path, "", "the mesh has no faces", "at least one", 0};
+        raise_colors_to_black(mesh);
         require_room_for_triangles(mesh);
         finish_mesh(mesh);
         const auto time = std::chrono::steady_clock::now() - start;

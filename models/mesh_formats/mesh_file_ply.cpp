@@ -66,6 +66,7 @@ template <class Rows> class PlyBody {
         if (element.has_part_of_three(PlyRole::Red))
             warn(mesh_.warnings, element.count, "vertex has a part of a colour only, which is ignored",
                  "vertices have a part of a colour only, which is ignored");
+        std::size_t beyond_type = 0;
         mesh_.positions.reserve(std::min(element.count, rows_.bytes_left() / 3));
         std::array<float, 11> value{};  // by role
         const auto three = [&value](PlyRole first) {
@@ -80,8 +81,15 @@ template <class Rows> class PlyBody {
             mesh_.positions.push_back(three(PlyRole::X));
             vertex_read(mesh_);
             if (normals) mesh_.normals.push_back(three(PlyRole::Nx));
-            if (scale != 0) mesh_.colors.push_back(scale * three(PlyRole::Red));
+            if (scale == 0) return;
+            const glm::vec3 color = scale * three(PlyRole::Red);
+            const bool beyond = scale < 1 && (color.r > 1 || color.g > 1 || color.b > 1);
+            beyond_type += beyond ? 1 : 0;
+            mesh_.colors.push_back(beyond ? glm::min(color, glm::vec3(1)) : color);
         });
+        warn(mesh_.warnings, beyond_type,
+             "vertex has a colour beyond its type, which is taken as the largest",
+             "vertices have colours beyond their type, which are taken as the largest");
         if (normals) mesh_.given_normals = GivenNormals::File;
     }
 

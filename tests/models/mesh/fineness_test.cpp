@@ -7,6 +7,7 @@
 #include <set>
 
 #include "models/mesh/normals.h"
+#include "models/mesh_formats/mesh_file.h"
 #include "models/primitives/primitives.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
@@ -104,6 +105,34 @@ TEST_CASE("subdividing triangles makes four of each, and Euler's formula goes on
         CHECK(is_closed(fine));
         CHECK(euler(fine) == 2);
         CHECK(fine.given_triangles == 80);
+    }
+}
+
+TEST_CASE("a boundary is subdivided as a cubic B-spline, whatever lies within it: two such borders meet",
+          "[fineness]") {
+    // A patch's outline, and the same cut into triangles.
+    const std::string outline = "v 0 0 0\nv 2 0 1\nv 3 2 0\nv 1 3 0.5\nv -1 1.5 0\n";
+    const Mesh polygon = std::get<Mesh>(parse_mesh(outline + "f 1 2 3 4 5\n", "a.obj")),
+               triangles = std::get<Mesh>(parse_mesh(outline + "f 1 2 3\nf 1 3 4\nf 1 4 5\n", "b.obj"));
+    std::vector<glm::dvec3> curve;
+    for (const glm::vec3& p : polygon.positions) curve.emplace_back(p);
+    for (int times = 1; times <= 3; ++times) {
+        // One step of the curve, by hand: a vertex (1 6 1) / 8, an edge (1 1) / 2.
+        std::vector<glm::dvec3> next;
+        const std::size_t n = curve.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            const glm::dvec3 before = curve[(i + n - 1) % n], here = curve[i], after = curve[(i + 1) % n];
+            next.push_back((before + 6.0 * here + after) / 8.0);
+            next.push_back((here + after) / 2.0);
+        }
+        curve = next;
+        for (const Mesh& mesh : {refined(polygon, {0, times}), refined(triangles, {0, times})})
+            for (const glm::dvec3& p : curve) {
+                double nearest = 1e9;
+                for (const glm::vec3& q : mesh.positions)
+                    nearest = std::min(nearest, glm::distance(p, glm::dvec3(q)));
+                CHECK(nearest < 1e-6);
+            }
     }
 }
 

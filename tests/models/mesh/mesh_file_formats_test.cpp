@@ -89,6 +89,27 @@ TEST_CASE("normals and colours that are not whole or not numbers are told of", "
     }
 }
 
+TEST_CASE("a colour below 0, or beyond what its type holds, is taken as the nearest, with a warning",
+          "[mesh_file]") {
+    const auto ply = [](const std::string& type, const std::string& color) {
+        std::string text = ply_head;
+        text.insert(text.find("element face"),
+                    "property " + type + " red\nproperty " + type + " green\nproperty " + type + " blue\n");
+        return read_text("c.ply", text + "0 0 0 " + color + "\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n");
+    };
+    const Mesh bytes = ply("uchar", "300 51 -5"), floats = ply("float", "-1 2 0.5");
+    CHECK(bytes.colors[0].r == 1);
+    CHECK(bytes.colors[0].g == Approx(0.2));
+    CHECK(bytes.colors[0].b == 0);
+    CHECK(bytes.warnings == Warnings{"1 vertex has a colour beyond its type, which is taken as the largest",
+                                     "1 vertex has a colour with a channel below 0, which is taken as 0"});
+    CHECK(floats.colors[0] == glm::vec3(0, 2, 0.5f));  // a float may be brighter than white
+    CHECK(floats.warnings == Warnings{"1 vertex has a colour with a channel below 0, which is taken as 0"});
+    const Mesh obj = read_text("c.obj", "v 0 0 0 -1 0 0\nv 1 0 0 0 -2 3\nv 0 1 0 1 1 1\nf 1 2 3\n");
+    CHECK(obj.colors == std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 3}, {1, 1, 1}});
+    CHECK(obj.warnings == Warnings{"2 vertices have colours with a channel below 0, which is taken as 0"});
+}
+
 TEST_CASE("a PLY header takes time in step with its names, and holds no more than real ones do",
           "[mesh_file][ply]") {
     const auto header = [](int count, const std::string& kind) {

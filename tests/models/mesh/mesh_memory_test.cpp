@@ -101,8 +101,7 @@ TEST_CASE("no primitive has more triangles than are counted on, nor many fewer",
             if (detail > info_of(primitive).max_detail) continue;
             CAPTURE(names[i], detail);
             const std::size_t triangles = make_primitive(primitive, detail).triangles.size();
-            const std::uint64_t most =
-                info_of(primitive).max_triangles(static_cast<std::uint64_t>(detail));
+            const std::uint64_t most = info_of(primitive).max_triangles(static_cast<std::uint64_t>(detail));
             CHECK(most >= triangles);
             CHECK(most <= 2 * triangles + 256);
         }
