@@ -118,6 +118,7 @@ struct UiState {
     // Of the probe, in the scene that rests on the screen or in that of a comparison's part.
     std::optional<Explanation> explanation;
     std::optional<OtherScene> asked_other;   // that scene, where it is not the edited one
+    Variant asked_part;                      // of a comparison; Edited where none is asked
     ItemCounts explained;                    // of it: `explanation` names lights and objects by number
     glm::ivec2 asked{0};                     // the pixel of the whole picture that `explanation` is about
     PictureSize asked_size, explained_size;  // of the whole picture, and of `rendered`, when it was explained

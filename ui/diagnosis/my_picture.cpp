@@ -13,6 +13,7 @@
 #include "models/memory_limit.h"
 #include "renderer/diagnose/search/undone.h"
 #include "renderer/image/image_file.h"
+#include "ui/lessons/lesson.h"
 #include "ui/ui.h"
 #include "ui/views/fitted_picture.h"
 #include "ui/widgets/widgets.h"
@@ -141,6 +142,9 @@ bool is_bare_picture(const std::string& path) {
 }
 
 void bring_picture(UiState& state, const std::string& path) {
+    if (is_held(state))
+        return state.notifications.add(Tone::Warning,
+                                       "The lesson asks first: answer, and drop the picture then");
     MyPictureState& mine = state.mine;
     leave(mine.reading, mine.left_readings);
     const Display display = state.editor.scene().display;

@@ -150,6 +150,10 @@ std::string shell_word(const std::string& text) {
     return word + "'";
 }
 
+std::string file_word(const std::string& path) {
+    return shell_word(path.starts_with('-') && path != "-" ? "./" + path : path);
+}
+
 std::string render_command_text(const SceneDocument& document, const Scene& in_file, PictureSize size,
                                 int samples, const std::string& out) {
     std::error_code failed;
@@ -160,7 +164,7 @@ std::string render_command_text(const SceneDocument& document, const Scene& in_f
     if (has_file) {
         base = in_file;
         shown = with_mesh_paths_from(document.scene, document.mesh_dir, directory_of(document.path));
-        command = "glint render " + shell_word(named_from_here(document.path));
+        command = "glint render " + file_word(named_from_here(document.path));
     } else {
         shown = with_absolute_meshes(document.scene, document.mesh_dir);
         command = R"(echo '{"glint": 1}' | glint render -)";
@@ -173,7 +177,7 @@ std::string render_command_text(const SceneDocument& document, const Scene& in_f
     append_sets(command, *Json::parse(scene_text(base)), *Json::parse(scene_text(shown)), "");
     command += fmt::format(" --size {}x{}", size.width, size.height);
     if (samples > 1) command += fmt::format(" --samples {}", samples);
-    return command + " -o " + shell_word(out);
+    return command + " -o " + file_word(out);
 }
 
 }  // namespace glint

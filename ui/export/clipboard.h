@@ -22,6 +22,8 @@ namespace glint {
 
 /// The text as one word of a POSIX shell: as it is when that is safe, else in single quotes.
 [[nodiscard]] std::string shell_word(const std::string& text);
+/// A path as a word that is not an option: "./-a.json".
+[[nodiscard]] std::string file_word(const std::string& path);
 
 /// `glint render FILE --set … --size WxH -o OUT` for a POSIX shell in the working directory: what differs
 /// from the file stands in --set. `in_file`: the scene as the document's file has it. A document without a

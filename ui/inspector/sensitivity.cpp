@@ -187,6 +187,14 @@ void progress(const SensitivityState& job) {
                         : "Moving every number of the scene a little, and looking at the pixel.");
 }
 
+/// The edited scene under the setting of the part of a comparison that was asked; a stored B is not edited.
+SceneDocument asked_document(const UiState& state) {
+    SceneDocument document = state.editor.document;
+    if (state.asked_part.kind != Variant::Kind::Stored)
+        document.scene = scene_under(state.asked_part, document.scene, nullptr);
+    return document;
+}
+
 }  // namespace
 
 void sensitivity_tab(UiState& state, const PictureView& view) {
@@ -194,7 +202,7 @@ void sensitivity_tab(UiState& state, const PictureView& view) {
         return inspector_empty_state(
             "Here every number of the scene is sorted by how much it matters there.");
     SensitivityState& job = state.sensitivity;
-    poll_sensitivity(job, state.editor.document, view.map.size, state.asked);
+    poll_sensitivity(job, asked_document(state), view.map.size, state.asked);
     if (!job.current) progress(job);
     if (!job.shown) {
         if (job.current)

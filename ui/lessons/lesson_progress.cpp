@@ -145,8 +145,12 @@ CourseProgress with_changes(CourseProgress kept, const CourseProgress& before, c
 void keep_progress(UiState& state, double patience) {
     constexpr double ask_again = 0.02;  // seconds
     LessonState& lesson = state.lesson;
-    if (!lesson.course || lesson.lecturer || state.persistence.folder.empty()) return;
-    if (lesson.progress == lesson.written) return;
+    if (!lesson.course || lesson.lecturer || lesson.progress == lesson.written) return;
+    const char* const answers = "What is answered and done here";
+    if (state.persistence.folder.empty()) {
+        if (const auto& why = state.persistence.no_folder) tell_not_kept(state, answers, *why);
+        return;
+    }
     const FolderLock lock(state.persistence.folder, patience);
     if (!lock.held()) return redraw_within(ask_again);
     const Course& course = *lesson.course;
@@ -155,7 +159,8 @@ void keep_progress(UiState& state, double patience) {
     const std::optional<CourseProgress> kept = read_progress(record, course);
     record =
         progress_json(course, kept ? with_changes(*kept, lesson.written, lesson.progress) : lesson.progress);
-    (void)write_file_at_once(file_of(state), json_text(records));
+    const Result<std::monostate> written = write_file_at_once(file_of(state), json_text(records));
+    if (const Problem* problem = problem_of(written)) tell_not_kept(state, answers, *problem);
     lesson.written = lesson.progress;
 }
 

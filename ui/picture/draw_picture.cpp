@@ -80,12 +80,14 @@ void explain_asked(UiState& state, const PictureView& view) {
     state.asked_size = whole;
     state.explained_size = drawn;
     state.asked_other = state.resting;
+    state.asked_part = {};
     state.explained = item_counts(state.rendered_scene);
 }
 
 /// What shows until the user ends it, whatever is edited.
 std::optional<OtherScene> resting_scene(const UiState& state) {
     if (state.lecture.frozen) return OtherScene{*state.lecture.frozen, "the frozen picture"};
+    if (state.animate.frame) return OtherScene{*state.animate.frame, "the animation at this moment"};
     if (state.inspector.instead && state.inspector.instead_rests)
         return OtherScene{*state.inspector.instead, "the cells that are shown"};
     const CompareChoice& compare = state.views.compare.choice;

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "models/io/file.h"
+#include "models/io/utf8.h"
 #include "models/json/json_value.h"
 
 namespace glint {
@@ -55,7 +56,7 @@ std::optional<Copy> read_copy(const std::string& path) {
     if (of == nullptr || !of->is_string() || scene == nullptr || !scene->is_object()) return {};
     const JsonValue* stamp = json.find("file");
     const bool stamped = stamp != nullptr && stamp->is_string();
-    return Copy{of->string(), *scene,
+    return Copy{unescaped_bytes(of->string()), *scene,
                 stamped ? stamp_of(stamp->string()).value_or(FileStamp{}) : FileStamp{}};
 }
 
@@ -119,8 +120,8 @@ std::string autosave_text(const SceneDocument& document, const std::string& fold
     const bool named = !document.path.empty() && document.path != "-";
     const std::string path = named ? fs::absolute(document.path, failed).string() : "";
     const Scene scene = with_mesh_paths_from(document.scene, document.mesh_dir, folder);
-    return fmt::format("{{\"path\": {},\n\"file\": \"{}\",\n\"scene\": {}}}\n", JsonValue(path).text(),
-                       stamp_text(document.stamp), scene_text(scene));
+    return fmt::format("{{\"path\": {},\n\"file\": \"{}\",\n\"scene\": {}}}\n",
+                       JsonValue(escaped_bytes(path)).text(), stamp_text(document.stamp), scene_text(scene));
 }
 
 /// What a folder holds; nothing where it cannot be read. The library's own iterator ends the program where

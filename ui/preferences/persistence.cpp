@@ -23,6 +23,8 @@ namespace fs = std::filesystem;
 constexpr double seconds_between_copies = 5, seconds_of_rest = 1, seconds_between_asking = 0.02;
 constexpr std::size_t longest_memory = 1 << 16;
 
+constexpr const char* kept_views_words = "Kept views";
+
 std::string file_in(const Persistence& memory, const char* name) {
     return (fs::path(memory.folder) / name).string();
 }
@@ -32,10 +34,12 @@ std::string text_of(const Persistence& memory, const char* name) {
     return problem_of(text) == nullptr ? std::get<std::string>(text) : "";
 }
 
-/// What cannot be remembered is not worth a word: nothing that the user made is lost. True when it was
-/// written.
-bool write(const Persistence& memory, const char* name, const std::string& text) {
-    return problem_of(write_file_at_once(file_in(memory, name), text)) == nullptr;
+/// Why it was not written. Of most that cannot be remembered this is not worth a word: nothing that the user
+/// made is lost.
+std::optional<Problem> write(const Persistence& memory, const char* name, const std::string& text) {
+    const Result<std::monostate> written = write_file_at_once(file_in(memory, name), text);
+    const Problem* problem = problem_of(written);
+    return problem == nullptr ? std::nullopt : std::optional(*problem);
 }
 
 /// The file to open again: a lesson's, as long as what it shows was not saved under a name.
@@ -59,7 +63,8 @@ bool note_recent(UiState& state, double patience = 0) {
 }
 
 /// Views that other windows have kept stay. False when one of them writes for longer than `patience` seconds.
-bool write_preferences(Persistence& memory, double patience = 0) {
+bool write_preferences(UiState& state, double patience = 0) {
+    Persistence& memory = state.persistence;
     if (memory.preferences == memory.written) return true;
     const FolderLock lock(memory.folder, patience);
     if (!lock.held()) return false;
@@ -69,7 +74,11 @@ bool write_preferences(Persistence& memory, double patience = 0) {
         all.views.kept = with_changed_views(read_preferences(text).views.kept, memory.written.views.kept,
                                             memory.preferences.views.kept);
     memory.tried = memory.preferences;
-    if (write(memory, "window.json", preferences_text(all))) memory.written = memory.preferences;
+    const std::optional<Problem> failed = write(memory, "window.json", preferences_text(all));
+    if (!failed)
+        memory.written = memory.preferences;
+    else if (memory.preferences.views.kept != memory.written.views.kept)
+        tell_not_kept(state, kept_views_words, *failed);
     return true;
 }
 
@@ -91,7 +100,7 @@ void note_preferences(UiState& state) {
     if (memory.preferences == memory.written || memory.preferences == memory.tried) return;
     const double rest = memory.preferences_changed + seconds_of_rest - time;
     if (rest > 0) return redraw_within(rest);
-    if (!write_preferences(memory)) redraw_within(seconds_between_asking);
+    if (!write_preferences(state)) redraw_within(seconds_between_asking);
 }
 
 /// Says that the copy failed, once until a copy could be written again.
@@ -178,6 +187,11 @@ std::string state_folder() {
     return (fs::path(home) / ".local" / "state" / "glint").string();
 }
 
+void tell_not_kept(UiState& state, const std::string& what, const Problem& why) {
+    if (std::exchange(state.persistence.told_not_kept, true)) return;
+    state.notifications.add(Tone::Warning, fmt::format("{} cannot be remembered: {}", what, why.text()));
+}
+
 void begin_persistence(UiState& state, const std::string& folder) {
     Persistence& memory = state.persistence;
     memory.no_folder = why_no_folder(folder);
@@ -192,8 +206,10 @@ void begin_persistence(UiState& state, const std::string& folder) {
 }
 
 void poll_persistence(UiState& state) {
-    if (state.persistence.no_folder && state.editor.unsaved())
-        tell_failed_autosave(state, *state.persistence.no_folder);
+    if (const auto& why = state.persistence.no_folder) {
+        if (state.editor.unsaved()) tell_failed_autosave(state, *why);
+        if (!state.kept_views.empty()) tell_not_kept(state, kept_views_words, *why);
+    }
     if (state.persistence.folder.empty()) return;
     if (!note_recent(state)) redraw_within(seconds_between_asking);
     note_preferences(state);
@@ -225,7 +241,7 @@ void end_persistence(UiState& state) {
     if (memory.folder.empty()) return;
     drop_autosave(state);
     (void)note_recent(state, patience_at_end);
-    (void)write_preferences(memory, patience_at_end);
+    (void)write_preferences(state, patience_at_end);
 }
 
 bool keep_unsaved_work(UiState& state) {

@@ -77,6 +77,7 @@ struct Persistence {
     double autosaved_at = -1e9;            // ImGui's time
     std::future<Result<std::monostate>> autosave_writing;
     bool autosave_failed = false;           // and the user was told so
+    bool told_not_kept = false;             // that what was asked to be kept is not
     std::vector<OrphanedAutosave> orphans;  // by windows that are gone: offered one by one
 
     /// Whether the copy is of `scene`.
@@ -88,6 +89,9 @@ struct Persistence {
 /// $XDG_STATE_HOME/glint, else ~/.local/state/glint; empty when there is neither.
 /// Source: XDG Base Directory Specification 0.8 (a relative path is to be ignored).
 [[nodiscard]] std::string state_folder();
+
+/// Says once in a window that something which the user counts on cannot be kept: "What is answered".
+void tell_not_kept(UiState& state, const std::string& what, const Problem& why);
 
 /// Reads what is remembered in `folder`, making it if need be. Before the first frame. Where there is no such
 /// folder nothing is remembered, and the first unsaved edit says that it is not kept.

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "models/io/utf8.h"
 #include "models/json/json_value.h"
 #include "ui/preferences/persistence.h"
 
@@ -31,13 +32,14 @@ std::vector<std::string> read_recent_files(const std::string& text) {
     std::vector<std::string> paths;
     const JsonValue json = JsonValue::parse(text).value_or(JsonValue());
     for (const JsonValue& item : json.elements())
-        if (item.is_string()) add(paths, item.string());
+        if (item.is_string()) add(paths, unescaped_bytes(item.string()));
     return paths;
 }
 
 std::string recent_files_text(const std::vector<std::string>& paths) {
-    // A path need not be UTF-8; then it stands with a replacement, is not found again, and falls out.
-    return json_text(JsonValue(paths));
+    JsonValue::Elements escaped;  // a path need not be UTF-8
+    for (const std::string& path : paths) escaped.emplace_back(escaped_bytes(path));
+    return json_text(JsonValue(escaped));
 }
 
 std::vector<std::string> with_recent_file(std::vector<std::string> paths, const std::string& path) {

@@ -234,8 +234,8 @@ void place_card(ScopeState& scope, PictureSize size) {
 std::string profile_command_line(const ScopeState& scope, const std::string& path, PictureSize size) {
     const glm::ivec2 from = pixel_of(scope.from, size), to = pixel_of(scope.to, size);
     return fmt::format("glint profile {} --size {}x{} --from {},{} --to {},{}",
-                       path.empty() ? "scene.json" : shell_word(path), size.width, size.height, from.x,
-                       from.y, to.x, to.y);
+                       path.empty() ? "scene.json" : file_word(path), size.width, size.height, from.x, from.y,
+                       to.x, to.y);
 }
 
 std::vector<ScopeEdge> edges_along(const std::vector<ProfileSample>& samples) {

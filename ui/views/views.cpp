@@ -65,6 +65,7 @@ void ask_part(UiState& state) {
     state.explanation = renderer->explain(pixel.x, pixel.y);
     const int part = part_of(compare, pixel, state.displayed->size);
     const Variant setting = compare.choice.parts[static_cast<std::size_t>(part)];
+    state.asked_part = setting;
     Scene asked = scene_under(setting, state.rendered_scene, compare.choice.stored.get());
     state.explained = item_counts(asked);
     // Another setting of the edited scene has its numbers.

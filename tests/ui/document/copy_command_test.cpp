@@ -9,6 +9,7 @@
 #include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
 #include "ui/commands/command.h"
+#include "ui/export/clipboard.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -116,6 +117,13 @@ TEST_CASE("the command of a shipped scene is short, and relative to where one st
     fs::current_path(before);
     CHECK(bench.clipboard.find("glint render assets/scenes/sun.json --size ") == 0);
     CHECK(bench.clipboard.size() < 90);
+}
+
+TEST_CASE("a file whose name begins as an option does is named by a path", "[export]") {
+    CHECK(file_word("-a.json") == "./-a.json");
+    CHECK(file_word("-") == "-");  // standard input or output
+    CHECK(file_word("a-b.json") == "a-b.json");
+    CHECK(file_word("- b.json") == "'./- b.json'");
 }
 
 TEST_CASE("in a narrow picture the command sets the field that the window shows, and nothing else",

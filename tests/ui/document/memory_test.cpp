@@ -84,6 +84,8 @@ TEST_CASE("the list of recent files takes nothing but whole paths, each once", "
     CHECK(with_recent_file(paths, "/x/../f35")[0] == "/f35");
     CHECK(with_recent_file(paths, "-") == paths);
     CHECK(read_recent_files(recent_files_text(paths)) == paths);
+    paths = {"/n\xff.json", "/B\u00e4lle.json", "/\xC3"};  // names are bytes
+    CHECK(read_recent_files(recent_files_text(paths)) == paths);
 }
 
 TEST_CASE("settings are read back equal, and from nonsense what makes sense is taken", "[ui][memory]") {
@@ -337,6 +339,29 @@ TEST_CASE("where there is no state folder the first edit is told that no copy of
     }
 }
 
+TEST_CASE("a view that is kept and cannot be remembered is told of, once", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    const std::string in_the_way = folder.file("file", "a file"), vanishing = folder.path("state");
+    for (const bool vanishes : {false, true}) {
+        HeadlessWindow bench;
+        begin_persistence(bench.state, vanishes ? vanishing : in_the_way);
+        bench.frames(2);
+        if (vanishes) {
+            std::filesystem::remove_all(vanishing);
+            (void)folder.file("state", "a file in its place");
+        }
+        bench.frames(200);
+        CHECK(notes_with(bench, "cannot be remembered") == 0);
+        bench.key(Key::U, false, true);
+        bench.frames(200);
+        CHECK(notes_with(bench, "Kept views cannot be remembered: ") == 1);
+        bench.scene().camera.eye.x += 1;
+        bench.key(Key::U, false, true);
+        bench.frames(200);
+        CHECK(notes_with(bench, "cannot be remembered") == 1);
+    }
+}
+
 TEST_CASE("a window that cannot go on leaves its newest work behind", "[ui][memory]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
@@ -470,6 +495,18 @@ TEST_CASE("a copy finds its meshes, wherever the scene stands", "[ui][memory]") 
     REQUIRE(problem_of(again) == nullptr);
     CHECK(std::get<SceneDocument>(again).path == path);
     CHECK(std::get<SceneDocument>(again).scene.objects[0].mesh->face_count() == 1);
+}
+
+TEST_CASE("a copy knows its file's name byte for byte", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    SceneDocument document = first_scene();
+    for (const char* const name : {"n\xff.json", "B\u00e4lle.json"}) {
+        document.path = folder.path(name);
+        const auto again =
+            open_autosave(folder.file("1-0.autosave", autosave_text(document, folder.path(""))));
+        REQUIRE(problem_of(again) == nullptr);
+        CHECK(std::get<SceneDocument>(again).path == document.path);
+    }
 }
 
 TEST_CASE("what is not a copy is passed over", "[ui][memory]") {

@@ -98,18 +98,25 @@ TEST_CASE("a picked object that is deleted is not picked any more, in the same f
     CHECK_FALSE(bench.state.viewport.pivot.has_value());
 }
 
-TEST_CASE("the columns say nothing of a scene that is gone, while a preview shows", "[ui][other]") {
+TEST_CASE("while an animation plays, the column is of its scene, whatever the edited one has",
+          "[ui][other]") {
     HeadlessWindow bench({1280, 500});
     take_scene(bench.state, three_objects());
     bench.frames(2);
     bench.click(middle(bench));
     bench.frames(1);
     REQUIRE(bench.state.explanation->object_index == 2);
-    const Scene shown = bench.scene();
+    Scene played = bench.scene();
+    played.lights[0].intensity = 0.5f;
     bench.scene().objects.resize(1);
-    bench.state.animate.frame = shown;
+    bench.state.animate.frame = played;
     bench.frames(1);
-    CHECK_FALSE(bench.state.explanation.has_value());
+    Renderer alone(1);
+    (void)alone.render(played, bench.state.rendered->size);
+    REQUIRE(bench.state.explanation.has_value());
+    CHECK(bench.state.explanation->sum == alone.explain(bench.state.asked.x, bench.state.asked.y).sum);
+    CHECK(asked_scene(bench.state) == played);
+    CHECK_FALSE(is_explained(bench.state));
 }
 
 TEST_CASE("the palette names the lights that there are", "[ui][other]") {

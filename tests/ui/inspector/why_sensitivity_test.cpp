@@ -140,3 +140,24 @@ TEST_CASE("the panel of strokes and tones sets each of its keys, one step each",
         REQUIRE(bench.scene() == start);
     }
 }
+
+TEST_CASE("in a part of a comparison the numbers are of that part's picture", "[ui][window][compare]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    set_parts(bench.state.views.compare.choice,
+              {variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
+    bench.key(Key::C);
+    test::ask(bench, InspectorTab::Sensitivity, {0.4, 0.5});
+    REQUIRE(wait_for_numbers(bench));
+    CHECK(bench.state.explanation->mode == ShadingMode::Flat);
+    Scene flat = bench.scene();
+    flat.shading.mode = ShadingMode::Flat;
+    CHECK(bench.state.sensitivity.shown_scene == flat);
+    // Exposure multiplies the pixel: it moves by as much as its sum.
+    const auto exposure =
+        std::find_if(bench.state.sensitivity.rank.begin(), bench.state.sensitivity.rank.end(),
+                     [](const Sensitivity& s) { return s.pointer == "/display/exposure"; });
+    REQUIRE(exposure != bench.state.sensitivity.rank.end());
+    const glm::vec3 sum = bench.state.explanation->sum;
+    CHECK(exposure->effect.x == Approx(sum.x).epsilon(1e-3));
+}

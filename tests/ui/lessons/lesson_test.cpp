@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "models/io/file.h"
+#include "renderer/image/image_file.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/lesson_window.h"
 #include "tests/support/program.h"
@@ -252,6 +253,34 @@ TEST_CASE("progress is kept with every answer, and a lesson goes on where it was
     REQUIRE(bench.state.lessons.beside[4].record);
     CHECK(bench.state.lessons.beside[4].record->score.locked == 1);
     CHECK(bench.state.lessons.beside[4].record->at == 1);
+}
+
+TEST_CASE("answers that cannot be kept are told of, once", "[ui][window][lesson]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench({1280, 1000});
+    begin_persistence(bench.state, folder.file("state", "a file in its place"));
+    bench.frames(2);
+    test::drop(bench, test::shipped_lesson("05-lambert"));
+    CHECK_FALSE(says(bench, "cannot be remembered"));
+    bench.key(Key::PageDown);
+    bench.frames(3);
+    CHECK(says(bench, "What is answered and done here cannot be remembered: "));
+    bench.state.notifications.list.clear();
+    bench.click(bench.control("Show it without"));
+    bench.frames(3);
+    CHECK_FALSE(says(bench, "cannot be remembered"));
+}
+
+TEST_CASE("a picture that is dropped while a lesson asks does not cover what is asked about",
+          "[ui][window][lesson]") {
+    const TemporaryDirectory folder;
+    LambertWindow bench;
+    const Picture picture = *bench.state.rendered;
+    test::drop(bench, folder.file("mine.png", png_bytes(picture, "")));
+    bench.frames(20);
+    CHECK_FALSE(bench.state.mine.shown);
+    CHECK_FALSE(bench.state.mine.reading);
+    CHECK(says(bench, "The lesson asks first"));
 }
 
 TEST_CASE("what another window has answered of the same lesson stays", "[ui][window][lesson]") {
