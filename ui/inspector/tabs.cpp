@@ -191,10 +191,11 @@ void tab_bar(InspectorState& inspector) {
 void draw_beside_other(UiState& state, const InspectorTabInfo& info, const PictureView& view) {
     const char* const which = state.asked_other->name;
     if (!info.is_of_asked) {
-        wrapped_dim(fmt::format("The pixel is of {}. What follows is of the edited scene.", which));
+        if (state.explanation)
+            wrapped_dim(fmt::format("The pixel is of {}. What follows is of the edited scene.", which));
         return info.draw(state, view);
     }
-    wrapped_dim(fmt::format("Numbers of {}: not to be edited.", which));
+    if (state.explanation) wrapped_dim(fmt::format("Numbers of {}: not to be edited.", which));
     ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, 1);  // they are there to be read
     ImGui::BeginDisabled();
     info.draw(state, view);

@@ -199,8 +199,11 @@ void picture_overlay(UiState& state, const Layout& layout) {
         draw_tools(list, state, view);
         draw_point_vectors(list, state, view);
         first_hints(state, view);
+        const ImVec2 corner = view.origin + px(10) * ImVec2(1, 1);
         if (state.lecture.frozen)
-            badge(list, view.origin + px(10) * ImVec2(1, 1), "Frozen (" + keys_of(CommandId::Freeze) + ")");
+            badge(list, corner, "Frozen (" + keys_of(CommandId::Freeze) + ")");
+        else if (state.views.compare.choice.shows_stored)
+            badge(list, corner, "B is shown (" + keys_of(CommandId::ShowB) + ")");
     }
     draw_pen(list, state.lecture.pen, view);
     list.PopClipRect();

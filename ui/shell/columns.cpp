@@ -8,6 +8,7 @@
 #include "ui/fields/panels.h"
 #include "ui/inspector/tabs.h"
 #include "ui/lessons/lesson_parts.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/area.h"
 #include "ui/widgets/fonts.h"
@@ -124,7 +125,7 @@ std::string caption_of(const UiState& state) {
     if (!state.layout.caption || state.layout.hides_all) return {};
     // The lesson says what is to be said of its scene: in its column, or here where that is hidden.
     if (state.lesson.course) return state.layout.hides_columns ? lesson_caption(state) : std::string();
-    return state.editor.scene().about;
+    return shown_scene(state).about;
 }
 
 float height_of(const std::string& text, float width) {

@@ -104,11 +104,6 @@ void views_bar(UiState& state) {
         state, "Dots", CommandId::LitDots,
         "A dot at each place that the equation is evaluated at, thinned, and how often it is in a frame");
     compare_controls(state.views.compare);
-    if (state.views.compare.choice.shows_stored) {
-        coloured(theme().warning, "B is shown");
-        tooltip("B is shown", "The stored scene, through the edited scene's camera", "",
-                keys_of(CommandId::ShowB));
-    }
     ImGui::PopFont();
 }
 
