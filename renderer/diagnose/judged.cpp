@@ -88,7 +88,7 @@ bool encodes_and_decodes(const Judged& j) {
 /// Whether an explanation supposes more at the display than that of no mistake does, and shows the same.
 bool undoes_itself(const Exhibit& exhibit, const Judged& j, const Judged& none) {
     if (encodes_and_decodes(j)) return true;
-    if (j.is_believed || j.change.count() <= none.change.count()) return false;
+    if (j.change.count() + static_cast<int>(j.mistakes.size()) <= none.change.count()) return false;
     if (way_turned(j.change) != way_turned(none.change) || j.change.red_blue != none.change.red_blue)
         return false;
     const ByteRanges ranges = byte_ranges(j.change), right = byte_ranges(none.change);
@@ -181,7 +181,8 @@ std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhi
     for (Judged& j : all) {
         j.is_right = j.mistakes.empty() || look_alike(exhibit, j.drawing, right);
         const bool may_be = j.score.fits() && !encodes_and_decodes(j);
-        j.is_believed = may_be && (j.is_right || j.cost < all.front().cost);
+        const bool is_better = j.cost < all.front().cost && j.score.comes_nearer();
+        j.is_believed = may_be && (j.is_right || (is_better && !undoes_itself(exhibit, j, all.front())));
     }
     std::stable_sort(all.begin(), all.end(), [](const Judged& a, const Judged& b) {
         return a.is_believed != b.is_believed ? a.is_believed : a.cost < b.cost;

@@ -154,8 +154,11 @@ std::string file_word(const std::string& path) {
     return shell_word(path.starts_with('-') && path != "-" ? "./" + path : path);
 }
 
-std::string render_command_text(const SceneDocument& document, const Scene& in_file, PictureSize size,
-                                int samples, const std::string& out) {
+namespace {
+
+/// "glint VERB FILE --set … --size WxH": the beginning of a command about what a picture of that size shows.
+std::string command_of_shown(const char* verb, const SceneDocument& document, const Scene& in_file,
+                             PictureSize size) {
     std::error_code failed;
     const bool has_file =
         !document.path.empty() && document.path != "-" && fs::is_regular_file(document.path, failed);
@@ -164,10 +167,10 @@ std::string render_command_text(const SceneDocument& document, const Scene& in_f
     if (has_file) {
         base = in_file;
         shown = with_mesh_paths_from(document.scene, document.mesh_dir, directory_of(document.path));
-        command = "glint render " + file_word(named_from_here(document.path));
+        command = fmt::format("glint {} {}", verb, file_word(named_from_here(document.path)));
     } else {
         shown = with_absolute_meshes(document.scene, document.mesh_dir);
-        command = R"(echo '{"glint": 1}' | glint render -)";
+        command = fmt::format(R"(echo '{{"glint": 1}}' | glint {} -)", verb);
     }
     // What is written about a scene draws nothing. What the window shows, and a picture that it wrote, is
     // fitted.
@@ -175,9 +178,22 @@ std::string render_command_text(const SceneDocument& document, const Scene& in_f
     shown.camera.projection = fitted(shown.camera.projection, {size.width, size.height, true});
     if (document.fitted_to) base.camera.projection = fitted(base.camera.projection, *document.fitted_to);
     append_sets(command, *Json::parse(scene_text(base)), *Json::parse(scene_text(shown)), "");
-    command += fmt::format(" --size {}x{}", size.width, size.height);
+    return command + fmt::format(" --size {}x{}", size.width, size.height);
+}
+
+}  // namespace
+
+std::string render_command_text(const SceneDocument& document, const Scene& in_file, PictureSize size,
+                                int samples, const std::string& out) {
+    std::string command = command_of_shown("render", document, in_file, size);
     if (samples > 1) command += fmt::format(" --samples {}", samples);
     return command + " -o " + file_word(out);
+}
+
+std::string profile_command_text(const SceneDocument& document, const Scene& in_file, PictureSize size,
+                                 glm::ivec2 from, glm::ivec2 to) {
+    return command_of_shown("profile", document, in_file, size) +
+           fmt::format(" --from {},{} --to {},{}", from.x, from.y, to.x, to.y);
 }
 
 }  // namespace glint

@@ -2,6 +2,7 @@
 // Copies pictures and commands out of the window. GLFW's clipboard holds text only, so a tool of the desktop
 // takes the pictures.
 
+#include <glm/vec2.hpp>
 #include <string>
 #include <vector>
 
@@ -30,5 +31,9 @@ namespace glint {
 /// file, or whose file is gone, is set whole on an empty scene from standard input. `samples`: 1, 2, 4 or 8.
 [[nodiscard]] std::string render_command_text(const SceneDocument& document, const Scene& in_file,
                                               PictureSize size, int samples, const std::string& out);
+/// `glint profile FILE --set … --size WxH --from X,Y --to X,Y`, as above. `from`, `to`: pixels of that
+/// picture.
+[[nodiscard]] std::string profile_command_text(const SceneDocument& document, const Scene& in_file,
+                                               PictureSize size, glm::ivec2 from, glm::ivec2 to);
 
 }  // namespace glint

@@ -91,25 +91,6 @@ SceneDocument shown_document(const UiState& state) {
     return document;
 }
 
-/// Returns the shorter command: a new scene may have begun as the default scene, which has a file.
-std::string shortest_command(const UiState& state, const ExportOptions& options, const std::string& out) {
-    const SceneDocument document = shown_document(state);
-    const auto command = [&](const SceneDocument& of, const Scene& in_file) {
-        return render_command_text(of, in_file, options.size, options.samples, out);
-    };
-    std::string own = command(document, state.editor.saved);
-    if (!document.path.empty() || state.shipped_scenes.empty()) return own;
-    const std::string first = (fs::path(state.shipped_scenes) / "default.json").string();
-    const Result<std::string> text = read_file(first, std::size_t{1} << 20);
-    if (problem_of(text) != nullptr) return own;
-    const Result<Scene> scene = parse_scene(std::get<std::string>(text), first);
-    if (problem_of(scene) != nullptr) return own;
-    SceneDocument as_first = document;
-    as_first.path = first;
-    std::string from_first = command(as_first, std::get<Scene>(scene));
-    return from_first.size() < own.size() ? from_first : own;
-}
-
 /// Draws the shown scene aside into a picture file for `path`, whose bytes `deliver` puts where they go.
 void begin_picture(UiState& state, const ExportOptions& options, const std::string& path,
                    const std::function<Result<std::string>(const std::string& bytes)>& deliver) {
@@ -126,6 +107,21 @@ void begin_picture(UiState& state, const ExportOptions& options, const std::stri
 }
 
 }  // namespace
+
+std::string shortest_command(const UiState& state, const CommandText& text) {
+    const SceneDocument document = shown_document(state);
+    std::string own = text(document, state.editor.saved);
+    if (!document.path.empty() || state.shipped_scenes.empty()) return own;
+    const std::string first = (fs::path(state.shipped_scenes) / "default.json").string();
+    const Result<std::string> read = read_file(first, std::size_t{1} << 20);
+    if (problem_of(read) != nullptr) return own;
+    const Result<Scene> scene = parse_scene(std::get<std::string>(read), first);
+    if (problem_of(scene) != nullptr) return own;
+    SceneDocument as_first = document;
+    as_first.path = first;
+    std::string from_first = text(as_first, std::get<Scene>(scene));
+    return from_first.size() < own.size() ? from_first : own;
+}
 
 Scene as_shown(Scene scene, PictureSize size) {
     size.keeps_width = true;
@@ -172,7 +168,9 @@ void begin_copy(UiState& state) {
 
 void copy_render_command(UiState& state, const ExportOptions& options, const std::string& out) {
     const std::string name = fs::path(out).filename().string();
-    const std::string command = shortest_command(state, options, name);
+    const std::string command = shortest_command(state, [&](const SceneDocument& of, const Scene& in_file) {
+        return render_command_text(of, in_file, options.size, options.samples, name);
+    });
     ImGui::SetClipboardText(command.c_str());
     state.notifications.add(
         Tone::Done,

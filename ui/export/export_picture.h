@@ -1,6 +1,7 @@
 #pragma once
 // Pictures out of the window: at a chosen size and number of samples into a file, or onto the clipboard.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,11 +44,17 @@ struct ExportState {
 [[nodiscard]] Result<std::string> picture_file(const SceneDocument& document, const ExportOptions& options,
                                                const std::string& path, int threads);
 
+/// The words of a command about a document, whose file has the scene `in_file`.
+using CommandText = std::function<std::string(const SceneDocument& document, const Scene& in_file)>;
+/// `text` of the open document with the scene that the picture shows: the shorter of two, as a new scene may
+/// have begun as the default scene, which has a file.
+[[nodiscard]] std::string shortest_command(const UiState& state, const CommandText& text);
+
 /// Draws and writes in the background; a notification says when it is done.
 void begin_export(UiState& state, const ExportOptions& options, const std::string& path);
 /// Copies the picture as it is shown onto the clipboard, in the background.
 void begin_copy(UiState& state);
-/// Copies the command line that draws the edited scene with these options into the file `out`.
+/// Copies the command line that draws the shown scene with these options into the file `out`.
 void copy_render_command(UiState& state, const ExportOptions& options, const std::string& out);
 /// Copies the command line with the options of the scene's last export, or for the picture as it is shown if
 /// there was none. Precondition: the picture is drawn.

@@ -102,12 +102,10 @@ bool is_of_its_scene(const UiState& state) {
 }
 
 /// Under a preview of a moment the explanation stays that of the picture before. One of another size may lack
-/// its pixel: a frozen picture explains it again, and of others it is gone until they end.
+/// its pixel: it is gone until the preview ends.
 void follow_size(UiState& state, const PictureView& view) {
     const bool same = state.asked_size == view.map.size && state.explained_size == state.rendered->size;
-    if (!state.explanation || same) return;
-    if (state.lecture.frozen) return explain_asked(state, view);
-    state.explanation.reset();
+    if (!same) state.explanation.reset();
 }
 
 }  // namespace
@@ -218,9 +216,8 @@ void draw_picture(UiState& state, const PictureView& view) {
         if (moves && changed) state.pace.drawn_at = size == view.map.size ? 1 : state.pace.divisor;
     }
     if (!is_of_its_scene(state)) state.explanation.reset();
-    if (state.lecture.frozen && !state.asked_other) state.asked_other = state.resting;
     const bool passes = preview && !(state.resting && state.resting->scene == *preview);
-    if (state.lecture.frozen || passes) return follow_size(state, view);
+    if (passes) return follow_size(state, view);
     if (!preview) state.editor.before.reset();
     if (!preview && !(state.edited_drawn == shown)) state.edited_drawn = shown;
     explain_asked(state, view);

@@ -125,12 +125,27 @@ void use_tools(UiState& state, const PictureView& view, const UiInput& input) {
     if (under != &hand_tool) state.viewport.touched |= ImGui::IsAnyMouseDown();
 }
 
+/// How often the equation is evaluated: of a comparison in the part under the mouse, else in the first one.
+std::string evaluations_under(const UiState& state, const PictureView& view) {
+    const CompareState& compare = state.views.compare;
+    const std::vector<DrawnPart> parts = drawn_parts(compare, *state.renderer, view.map.size);
+    const glm::ivec2 pixel = nearest_pixel(view.map.size, view.to_pixel(ImGui::GetIO().MousePos));
+    const auto holds = [pixel](const DrawnPart& part) { return part.rect.holds(pixel); };
+    const auto under = std::find_if(parts.begin(), parts.end(), holds);
+    if (parts.empty()) return {};
+    const DrawnPart& part = under != parts.end() ? *under : parts.front();
+    const Scene scene = scene_under(part.variant, state.rendered_scene, compare.choice.stored.get());
+    const std::string text = evaluations_text(*part.renderer, scene);
+    return parts.size() == 1 ? text : label_of(part.variant) + ": " + text;
+}
+
 /// Draws what the tools show over the picture, but for the pen's lines.
 void draw_tools(ImDrawList& list, UiState& state, const PictureView& view) {
     if (is_held(state)) return lesson_tool.draw(list, state, view);  // there is nothing to take hold of
     hand_tool.draw(list, state, view);
     magnifier_tool.draw(list, state, view);
-    draw_lit_dots(list, state.views.lit, *state.renderer, state.rendered_scene, view);
+    draw_lit_dots(list, state.views.lit, view);
+    draw_evaluations(list, state.views.lit, evaluations_under(state, view));
     compare_tool.draw(list, state, view);
     draw_debug_view_legend(list, state.views.debug_view, state.rendered_scene, view,
                            probe_pixel(state.viewport, view.map.size));

@@ -103,4 +103,20 @@ const Renderer* part_renderer(const CompareState& state, glm::ivec2 pixel, Pictu
     return part < state.drawn_by.size() ? state.drawn_by[part] : nullptr;
 }
 
+std::vector<DrawnPart> drawn_parts(const CompareState& state, const Renderer& drawn, PictureSize size) {
+    if (part_of(state, {0, 0}, size) < 0) return {{&drawn, {{0, 0}, {size.width, size.height}}, {}}};
+    const CompareChoice& choice = state.choice;
+    const int length = length_of(choice, size);
+    std::vector<DrawnPart> parts;
+    for (int i = 0; i < static_cast<int>(choice.parts.size()); ++i) {
+        const Variant variant = choice.parts[static_cast<std::size_t>(i)];
+        if (variant.kind == Variant::Kind::Mine && choice.mine) continue;
+        const int first = first_of(choice, i, length), end = first_of(choice, i + 1, length);
+        const PartRect rect = choice.stacked ? PartRect{{0, first}, {size.width, end}}
+                                             : PartRect{{first, 0}, {end, size.height}};
+        parts.push_back({state.drawn_by[static_cast<std::size_t>(i)], rect, variant});
+    }
+    return parts;
+}
+
 }  // namespace glint

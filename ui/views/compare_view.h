@@ -67,6 +67,22 @@ inline constexpr int max_gain = 64;
 /// shows the edited scene.
 [[nodiscard]] bool lacks_stored(const CompareChoice& choice, Variant variant);
 [[nodiscard]] bool lacks_picture(const CompareChoice& choice, Variant variant);
+
+/// Pixels of a picture, from `low` to before `high`.
+struct PartRect {
+    glm::ivec2 low{0}, high{0};
+    [[nodiscard]] bool holds(glm::ivec2 p) const {
+        return p.x >= low.x && p.y >= low.y && p.x < high.x && p.y < high.y;
+    }
+};
+
+/// A part of the picture that shows a scene, and who drew it.
+struct DrawnPart {
+    const Renderer* renderer = nullptr;
+    PartRect rect;
+    Variant variant;  // Edited where it is the whole picture
+};
+
 /// What stands over a part in the picture: its variant's label, or that this lacks what it shows.
 [[nodiscard]] std::string part_label(const CompareChoice& choice, std::size_t part);
 
@@ -112,6 +128,11 @@ const Picture& compose(CompareState& state, const DrawnScene& drawn);
 /// The renderer that drew pixel (x, y) of the composed picture; null when that is the drawn scene's renderer,
 /// or nothing.
 [[nodiscard]] const Renderer* part_renderer(const CompareState& state, glm::ivec2 pixel, PictureSize size);
+
+/// The parts of the composed picture that show scenes, or the whole picture, which `drawn` drew, where there
+/// are none.
+[[nodiscard]] std::vector<DrawnPart> drawn_parts(const CompareState& state, const Renderer& drawn,
+                                                 PictureSize size);
 
 /// Draws into the current line what the row above the picture says and sets of a comparison; nothing while
 /// none is on.

@@ -37,13 +37,13 @@ void add_once(std::vector<LitDot>& dots, std::set<std::array<float, 6>>& known, 
 
 }  // namespace
 
-std::vector<LitDot> lit_dots(const Renderer& renderer, PictureSize size, int across) {
+std::vector<LitDot> lit_dots(const Renderer& renderer, PictureSize size, int across, const PartRect& rect) {
     std::vector<LitDot> dots;
     std::set<std::array<float, 6>> known;
     const int step = std::max(size.width / std::max(across, 1), 1);
     for (int y = step / 2; y < size.height; y += step)
         for (int x = step / 2; x < size.width; x += step) {
-            if (renderer.object_at(x, y) < 0) continue;
+            if (!rect.holds({x, y}) || renderer.object_at(x, y) < 0) continue;
             const Explanation e = renderer.explain(x, y);
             if (!e.lit_per_corner) add_once(dots, known, e.at);
             for (const ExplainedCorner& corner : e.corners)
@@ -52,11 +52,15 @@ std::vector<LitDot> lit_dots(const Renderer& renderer, PictureSize size, int acr
     return dots;
 }
 
-void update_lit_dots(LitDotsState& state, const Renderer& renderer, PictureSize size, std::uint64_t serial) {
-    if (state.dots || state.needles)
-        (void)state.found.of(serial, [&] { return lit_dots(renderer, size, columns); });
-    else
-        state.found.forget();
+void update_lit_dots(LitDotsState& state, const std::vector<DrawnPart>& parts, PictureSize size,
+                     std::uint64_t serial) {
+    if (!state.dots && !state.needles) return state.found.forget();
+    (void)state.found.of(serial, [&] {
+        std::vector<PartDots> found;
+        for (const DrawnPart& part : parts)
+            found.push_back({part.rect, lit_dots(*part.renderer, size, columns, part.rect)});
+        return found;
+    });
 }
 
 std::string evaluations_text(const Renderer& renderer, const Scene& scene) {
@@ -101,24 +105,29 @@ void draw_needle(ImDrawList& list, const PictureView& view, const LitDot& dot, c
 
 }  // namespace
 
-void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const Renderer& renderer, const Scene& scene,
-                   const PictureView& view) {
+void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const PictureView& view) {
     if (state.found.value() == nullptr) return;
-    for (const LitDot& dot : *state.found.value()) {
-        const OnScreen foot = project(view.map, dot.place);
-        if (!foot.in_front) continue;
-        if (state.needles) draw_needle(list, view, dot, foot);
-        if (!state.dots) continue;
-        const ImVec2 at = view.to_window(foot.pixel);
-        const glm::vec3 c = glm::min(dot.color, glm::vec3(1));
-        list.AddCircleFilled(at, px(3.4f), to_u32({1, 1, 1, 1}, 0.9f), 10);
-        list.AddCircleFilled(at, px(2.4f), to_u32({c.x, c.y, c.z, 1}), 10);
+    for (const PartDots& part : *state.found.value()) {
+        list.PushClipRect(view.to_window(part.rect.low), view.to_window(part.rect.high), true);
+        for (const LitDot& dot : part.dots) {
+            const OnScreen foot = project(view.map, dot.place);
+            if (!foot.in_front) continue;
+            if (state.needles) draw_needle(list, view, dot, foot);
+            if (!state.dots) continue;
+            const ImVec2 at = view.to_window(foot.pixel);
+            const glm::vec3 c = glm::min(dot.color, glm::vec3(1));
+            list.AddCircleFilled(at, px(3.4f), to_u32({1, 1, 1, 1}, 0.9f), 10);
+            list.AddCircleFilled(at, px(2.4f), to_u32({c.x, c.y, c.z, 1}), 10);
+        }
+        list.PopClipRect();
     }
+}
+
+void draw_evaluations(ImDrawList& list, const LitDotsState& state, const std::string& text) {
     if (!state.dots) return;
     ImGui::PushFont(fonts().small);
     const ImVec2 corner{list.GetClipRectMax().x, list.GetClipRectMin().y};
-    list_control("evaluations", "",
-                 badge(list, corner + px(10) * ImVec2(-1, 1), evaluations_text(renderer, scene), {1, 0}));
+    list_control("evaluations", text.c_str(), badge(list, corner + px(10) * ImVec2(-1, 1), text, {1, 0}));
     ImGui::PopFont();
 }
 

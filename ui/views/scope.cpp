@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "models/saturate.h"
-#include "ui/export/clipboard.h"
 #include "ui/picture/tool.h"
 #include "ui/ui.h"
 #include "ui/widgets/parts.h"
@@ -229,13 +228,6 @@ void place_card(ScopeState& scope, PictureSize size) {
     if (sharpest == scope.samples.end()) return;
     scope.card_at = (glm::dvec2(sharpest->pixel) + 0.5) / glm::dvec2(size.width, size.height);
     scope.card_at.x += scope.card_size.x / 2;
-}
-
-std::string profile_command_line(const ScopeState& scope, const std::string& path, PictureSize size) {
-    const glm::ivec2 from = pixel_of(scope.from, size), to = pixel_of(scope.to, size);
-    return fmt::format("glint profile {} --size {}x{} --from {},{} --to {},{}",
-                       path.empty() ? "scene.json" : file_word(path), size.width, size.height, from.x, from.y,
-                       to.x, to.y);
 }
 
 std::vector<ScopeEdge> edges_along(const std::vector<ProfileSample>& samples) {

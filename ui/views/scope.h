@@ -55,10 +55,6 @@ void update_scope(ScopeState& scope, const Renderer& renderer, const Picture& pi
 /// Lays the card on the right of the sharpest bend of the line, its edge on the pixel of the bend.
 void place_card(ScopeState& scope, PictureSize size);
 
-/// The command that prints what the panel shows: quoted for a shell. `path`: of the scene, or empty.
-[[nodiscard]] std::string profile_command_line(const ScopeState& scope, const std::string& path,
-                                               PictureSize size);
-
 /// Where along the line, between two samples, another triangle is seen.
 struct ScopeEdge {
     double position = 0;       // as ProfileSample::position

@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include "ui/commands/command.h"
+#include "ui/export/clipboard.h"
+#include "ui/export/export_picture.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/area.h"
@@ -15,11 +17,13 @@ namespace glint {
 namespace {
 
 void copy_profile_command(UiState& state) {
-    const std::string& path = state.editor.document.path;
-    ImGui::SetClipboardText(profile_command_line(state.views.scope, path, state.rendered->size).c_str());
-    const bool saved = !path.empty() && !state.editor.unsaved();
-    state.notifications.add(Tone::Done, saved ? "Copied the command of this scan line"
-                                              : "Copied. The command reads the scene's file: save it first");
+    const PictureSize size = state.rendered->size;
+    const ScopeState& scope = state.views.scope;
+    const std::string command = shortest_command(state, [&](const SceneDocument& of, const Scene& in_file) {
+        return profile_command_text(of, in_file, size, pixel_of(scope.from, size), pixel_of(scope.to, size));
+    });
+    ImGui::SetClipboardText(command.c_str());
+    state.notifications.add(Tone::Done, "The command that prints these numbers is on the clipboard");
 }
 
 /// The picture that shows: the drawn one, or what is composed of it.
@@ -57,7 +61,7 @@ void update_shown(UiState& state) {
 
 /// Lets the renderer of the picked pixel's part explain it.
 void ask_part(UiState& state) {
-    if (!state.explanation || !(state.rendered_scene == state.editor.scene())) return;
+    if (!state.explanation || !(state.rendered_scene == shown_scene(state))) return;
     const CompareState& compare = state.views.compare;
     const glm::ivec2 pixel{state.explanation->x, state.explanation->y};
     const Renderer* renderer = part_renderer(compare, pixel, state.displayed->size);
@@ -69,7 +73,10 @@ void ask_part(UiState& state) {
     Scene asked = scene_under(setting, state.rendered_scene, compare.choice.stored.get());
     state.explained = item_counts(asked);
     // Another setting of the edited scene has its numbers.
-    if (setting.kind == Variant::Kind::Stored) state.asked_other = {std::move(asked), name_of_stored};
+    if (setting.kind == Variant::Kind::Stored)
+        state.asked_other = {std::move(asked), name_of_stored};
+    else if (state.resting)
+        state.asked_other = {std::move(asked), state.resting->name};
 }
 
 /// A button that runs a command and shows whether it is on.
@@ -126,7 +133,9 @@ void update_views(UiState& state) {
     const bool readable = !state.displayed->linear.empty() && state.displayed->size == state.rendered->size;
     update_scope(state.views.scope, *state.renderer, readable ? *state.displayed : *state.rendered);
     ask_part(state);
-    update_lit_dots(state.views.lit, *state.renderer, state.rendered->size, state.picture_serial);
+    const PictureSize size = state.rendered->size;
+    update_lit_dots(state.views.lit, drawn_parts(state.views.compare, *state.renderer, size), size,
+                    state.picture_serial);
 }
 
 void views_windows(UiState& state, const Layout& layout) {

@@ -46,23 +46,33 @@ struct LitDot {
     glm::vec3 color{0};             // what the equation gives there, linear
 };
 
-struct LitDotsState {
-    bool dots = false, needles = false;
-    Kept<std::uint64_t, std::vector<LitDot>> found;  // in the picture of this serial
+/// The dots of a part of the picture.
+struct PartDots {
+    PartRect rect;
+    std::vector<LitDot> dots;
 };
 
-/// The places at which the equation was evaluated for pixels of a grid of about `across` columns over the
-/// last picture: each corner or face's point once.
-[[nodiscard]] std::vector<LitDot> lit_dots(const Renderer& renderer, PictureSize size, int across);
+struct LitDotsState {
+    bool dots = false, needles = false;
+    Kept<std::uint64_t, std::vector<PartDots>> found;  // in the picture of this serial
+};
+
+/// The places at which the equation was evaluated for pixels within `rect`, of a grid of about `across`
+/// columns over the renderer's last picture: each corner or face's point once.
+[[nodiscard]] std::vector<LitDot> lit_dots(const Renderer& renderer, PictureSize size, int across,
+                                           const PartRect& rect);
 
 /// Looks for the dots again when the picture is another.
-void update_lit_dots(LitDotsState& state, const Renderer& renderer, PictureSize size, std::uint64_t serial);
+void update_lit_dots(LitDotsState& state, const std::vector<DrawnPart>& parts, PictureSize size,
+                     std::uint64_t serial);
 
 /// "corners: 5 321 × 4 lights = 21 284 evaluations a frame".
 [[nodiscard]] std::string evaluations_text(const Renderer& renderer, const Scene& scene);
 
-void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const Renderer& renderer, const Scene& scene,
-                   const PictureView& view);
+void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const PictureView& view);
+/// Draws how often the equation is evaluated, in the picture's corner: evaluations_text() of one of its
+/// parts.
+void draw_evaluations(ImDrawList& list, const LitDotsState& state, const std::string& text);
 
 /// What the shown picture is made from, beside the drawn one; it is composed again when this changes.
 struct ShownFrom {

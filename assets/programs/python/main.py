@@ -453,8 +453,7 @@ def weights_at(c, x, y):
     return weights, np.where(w > 0, over(z, w), 2.0), e.sum(0) < 0
 
 placed_objects = [placed(o) for o in objects]
-depths = np.ones((height, width))  # -1 at the near plane, 1 at the far one
-same_depth = 1e-12  # so far apart two faces in one plane come out by rounding: of them the first one shows
+depths = np.ones((height, width))  # -1 at the near plane, 1 at the far one; 1e-12 is rounding, of two in one plane
 seen_object, seen_triangle = np.full((height, width), -1), np.zeros((height, width), int)
 ndc_x, ndc_y = 2 * (np.arange(width) + 0.5) / width - 1, 1 - 2 * (np.arange(height) + 0.5) / height
 
@@ -476,7 +475,7 @@ def rasterise(number, o):
     for t in np.flatnonzero((x0 <= x1) & (y0 <= y1)):
         box = slice(y0[t], y1[t] + 1), slice(x0[t], x1[t] + 1)
         weights, depth, back = weights_at(c[:, t, :, None, None], ndc_x[box[1]], ndc_y[box[0]][:, None])
-        inside = (weights >= 0).all(0) & (weights.sum(0) > 0.5) & (depth >= -1) & (depth < depths[box] - same_depth)
+        inside = (weights >= 0).all(0) & (weights.sum(0) > 0.5) & (depth >= -1) & (depth < depths[box] - 1e-12)
         #@if cull.back
         inside &= back == o.mirrored
         #@end

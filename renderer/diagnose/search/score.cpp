@@ -88,12 +88,19 @@ bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std:
         row.excess += double(excess_of(d));
         row.squares += double(d) * double(d);
     }
+    float apart = 0, apart_right = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        apart = std::max(apart, std::abs(explained[c].middle - static_cast<float>(mine[c])));
+        apart_right = std::max(apart_right, std::abs(right[c].middle - static_cast<float>(mine[c])));
+    }
     const bool is_wrong = off_right > visible_levels, is_unlike = misses || off > visible_levels;
     if (misses) row.excess += double(excess_of(off + 2 * visible_levels));
     ++row.compared;
     row.unlike += is_unlike ? 1 : 0;
     row.wrong += is_wrong ? 1 : 0;
     row.explained += is_wrong && !is_unlike ? 1 : 0;
+    row.off += is_wrong ? double(apart) : 0;
+    row.off_right += is_wrong ? double(apart_right) : 0;
     if (told > static_cast<float>(row.told_best)) {
         row.told_best = static_cast<int>(told);
         row.pixel = at;
@@ -107,6 +114,8 @@ void add(Score& all, const Score& row) {
     all.wrong += row.wrong;
     all.explained += row.explained;
     all.excess += row.excess;
+    all.off += row.off;
+    all.off_right += row.off_right;
     all.squares += row.squares;
     if (row.told_best <= all.told_best) return;
     all.told_best = row.told_best;
@@ -121,6 +130,11 @@ double Score::residual() const {
 
 double Score::share_explained() const {
     return wrong == 0 ? 1 : static_cast<double>(explained) / static_cast<double>(wrong);
+}
+
+bool Score::comes_nearer() const {
+    constexpr double share = 0.5;
+    return off <= share * off_right;
 }
 
 bool Score::fits() const {

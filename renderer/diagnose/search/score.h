@@ -35,18 +35,23 @@ struct Exhibit {
 };
 
 struct Score {
-    std::uint64_t compared = 0;   // pixels
-    std::uint64_t unlike = 0;     // that differ by more than visible_levels in some channel
-    std::uint64_t solid = 0;      // of those that are unlike, those whose four neighbours are so too
-    std::uint64_t wrong = 0;      // that differ so from the right picture
-    std::uint64_t explained = 0;  // of these, those that the explanation shows
-    double excess = 0;            // sum of excess_of()
-    double squares = 0;           // sum of the squares of the differences in levels, channel by channel
-    int told_best = 0;            // levels by which `pixel` speaks for the explanation
+    std::uint64_t compared = 0;     // pixels
+    std::uint64_t unlike = 0;       // that differ by more than visible_levels in some channel
+    std::uint64_t solid = 0;        // of those that are unlike, those whose four neighbours are so too
+    std::uint64_t wrong = 0;        // that differ so from the right picture
+    std::uint64_t explained = 0;    // of these, those that the explanation shows
+    double excess = 0;              // sum of excess_of()
+    double squares = 0;             // sum of the squares of the differences in levels, channel by channel
+    double off = 0, off_right = 0;  // sums over the wrong pixels of what a drawing itself is off: the
+                                    // explanation's, the right one
+    int told_best = 0;              // levels by which `pixel` speaks for the explanation
     glm::ivec2 pixel{0};  // of the scene's picture: where the explanation is told best from the right one
 
     [[nodiscard]] double residual() const;  // RMS in levels
     [[nodiscard]] double share_explained() const;
+    /// Whether the explanation's drawing itself comes nearer to the wrong pixels than the right one does, and
+    /// not only the room that noise and softness leave around it.
+    [[nodiscard]] bool comes_nearer() const;
     /// Whether the explanation shows the whole picture, but for what rounding and edges leave.
     [[nodiscard]] bool fits() const;
     /// Whether so few pixels are unlike that it can.

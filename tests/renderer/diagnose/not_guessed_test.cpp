@@ -1,5 +1,8 @@
 // Pictures that no mistake made: of one colour, of another scene in flat colours, cut off or darkened in
 // part. A diagnosis does not guess.
+#include <algorithm>
+#include <cmath>
+
 #include "renderer/diagnose/diagnose.h"
 #include "renderer/diagnose/search/noise.h"
 #include "tests/renderer/diagnose/wrong_pictures.h"
@@ -94,5 +97,59 @@ TEST_CASE("a small picture that is cut off or darkened in part is not a mistake 
         check("cut off at 150", [](int level, int, int) { return std::min(level, 150); });
         check("its right half darkened", [](int level, int x, int) { return x < 120 ? level : level / 2; });
         check("in stripes", [](int level, int, int y) { return y / 8 % 2 == 0 ? level : level * 3 / 4; });
+    }
+}
+
+namespace {
+
+/// The channel of a picture between its pixels, bilinear; beyond its border as at the border.
+double between(const Picture& picture, double x, double y, std::size_t channel) {
+    const auto at = [&](int u, int v) {
+        u = std::clamp(u, 0, picture.size.width - 1);
+        v = std::clamp(v, 0, picture.size.height - 1);
+        return double(picture.rgba[4 * picture.pixel(u, v) + channel]);
+    };
+    const int u = static_cast<int>(std::floor(x)), v = static_cast<int>(std::floor(y));
+    const double s = x - u, t = y - v;
+    return (1 - t) * ((1 - s) * at(u, v) + s * at(u + 1, v)) +
+           t * ((1 - s) * at(u, v + 1) + s * at(u + 1, v + 1));
+}
+
+/// A picture whose every channel is what `level(x, y, channel)` says, rounded and clamped.
+template <class Level> Picture picture_of(PictureSize size, const Level& level) {
+    Picture picture{size, std::vector<std::uint8_t>(4 * size.pixels(), 255), {}};
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                picture.rgba[4 * picture.pixel(x, y) + c] =
+                    static_cast<std::uint8_t>(std::clamp(std::lround(level(x, y, c)), 0L, 255L));
+    return picture;
+}
+
+}  // namespace
+
+TEST_CASE("a right picture that was enlarged or sharpened is not a mistake", "[diagnose]") {
+    for (const char* const name :
+         {"given-normals", "classic-materials", "sun", "default", "bulb", "glossy-ball"}) {
+        const SceneDocument document = shipped(name + std::string(".json"));
+        const Picture right = right_of(document, {320, 180});
+        const auto check = [&](const char* what, const Picture& picture) {
+            INFO(name << ", " << what);
+            CHECK(diagnosed(document, picture).verdict != Verdict::Mistake);
+        };
+        for (const int percent : {150, 200})
+            check("enlarged",
+                  picture_of({320 * percent / 100, 180 * percent / 100}, [&](int x, int y, std::size_t c) {
+                      return between(right, (x + 0.5) * 100 / percent - 0.5, (y + 0.5) * 100 / percent - 0.5,
+                                     c);
+                  }));
+        for (const double amount : {0.8, 1.5})
+            check("sharpened", picture_of(right.size, [&](int x, int y, std::size_t c) {
+                      double around = 0;
+                      for (int v = -1; v <= 1; ++v)
+                          for (int u = -1; u <= 1; ++u) around += between(right, x + u, y + v, c) / 9;
+                      const double here = between(right, x, y, c);
+                      return here + amount * (here - around);
+                  }));
     }
 }

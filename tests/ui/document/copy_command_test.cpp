@@ -1,9 +1,11 @@
 // The command that draws what was exported.
 #include <fmt/core.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <string>
 
+#include "models/json/json_value.h"
 #include "renderer/image/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
@@ -40,6 +42,16 @@ void open_scene(HeadlessWindow& bench, const std::string& name) {
     REQUIRE(problem_of(document) == nullptr);
     take_document(bench.state.editor, std::get<SceneDocument>(std::move(document)));
     bench.frames(2);
+}
+
+/// What a shell's command prints.
+std::string printed_by(const std::string& command) {
+    std::FILE* pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    std::string printed;
+    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) printed += static_cast<char>(c);
+    CHECK(pclose(pipe) == 0);
+    return printed;
 }
 
 }  // namespace
@@ -117,6 +129,29 @@ TEST_CASE("the command of a shipped scene is short, and relative to where one st
     fs::current_path(before);
     CHECK(bench.clipboard.find("glint render assets/scenes/sun.json --size ") == 0);
     CHECK(bench.clipboard.size() < 90);
+}
+
+TEST_CASE(
+    "the scope's command prints the numbers that the scope shows, of a scene that was edited and turned",
+    "[ui][window][export][scope]") {
+    Bench bench;
+    open_scene(bench, "still-life.json");
+    bench.scene().lights[0].intensity = 0.3f;
+    bench.scene().camera.eye.x += 0.5f;
+    bench.key(Key::P);
+    bench.frames(3);
+    REQUIRE(bench.state.views.scope.open);
+    bench.click(bench.control("Copy as command"));
+    bench.frames(1);
+    REQUIRE(bench.clipboard.find("glint profile ") == 0);
+    const JsonValue printed =
+        JsonValue::parse(printed_by(GLINT_PROGRAM + bench.clipboard.substr(5) + " --format json")).value();
+    const auto& samples = bench.state.views.scope.samples;
+    const JsonValue::Elements& intensity = printed.find("intensity")->elements();
+    REQUIRE(intensity.size() == samples.size());
+    CHECK(samples.size() > 300);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        CHECK(intensity[i].number() == Approx(samples[i].intensity).margin(2e-5));
 }
 
 TEST_CASE("a file whose name begins as an option does is named by a path", "[export]") {

@@ -260,3 +260,55 @@ TEST_CASE("cells of the grid that stay are asked, and exported, as they are show
     bench.frames(2);
     CHECK_FALSE(bench.state.explanation.has_value());
 }
+
+TEST_CASE("a part is explained as it shows B, a frozen or a played scene, under the part's own setting",
+          "[ui][window][compare]") {
+    StoredWindow bench;
+    set_parts(bench.state.views.compare.choice,
+              {variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
+    const auto check_explains = [&](Scene scene, ShadingMode mode) {
+        scene.shading.mode = mode;
+        Renderer alone(1);
+        (void)alone.render(scene, bench.state.rendered->size);
+        REQUIRE(bench.state.explanation.has_value());
+        const glm::ivec2 at = bench.state.asked;
+        CHECK(bench.state.explanation->mode == mode);
+        CHECK(bench.state.explanation->sum == alone.explain(at.x, at.y).sum);
+        const Picture& shown = *bench.state.displayed;
+        for (std::size_t c = 0; c < 3; ++c)
+            CHECK(bench.state.explanation->byte[c] == shown.rgba[4 * shown.pixel(at.x, at.y) + c]);
+    };
+    bench.key(Key::C);
+    bench.key(Key::B);
+    bench.frames(2);
+    bench.click(bench.at_share(0.45, 0.5));
+    bench.frames(2);
+    check_explains(bench.b, ShadingMode::Flat);
+    CHECK(asked_scene(bench.state).shading.mode == ShadingMode::Flat);
+    bench.click(bench.at_share(0.55, 0.5));
+    bench.frames(2);
+    check_explains(bench.b, ShadingMode::Phong);
+    bench.key(Key::B);
+    bench.click(bench.at_share(0.45, 0.5));
+    bench.frames(2);
+    check_explains(bench.edited, ShadingMode::Flat);
+    Scene played = bench.edited;
+    played.lights[0].intensity = 1;
+    bench.state.animate.frame = played;
+    bench.frames(1);
+    check_explains(played, ShadingMode::Flat);
+    bench.frames(1);
+    bench.key(Key::F8);
+    bench.scene().lights.clear();
+    bench.frames(2);
+    check_explains(bench.edited, ShadingMode::Flat);
+    bench.key(Key::C);
+    bench.frames(2);
+    check_explains(bench.edited, bench.edited.shading.mode);
+    bench.key(Key::C);
+    bench.frames(2);
+    check_explains(bench.edited, ShadingMode::Flat);
+    bench.state.viewport.probe.reset();
+    bench.frames(2);
+    CHECK_FALSE(bench.state.explanation.has_value());
+}

@@ -151,7 +151,7 @@ TEST_CASE("dots: flat shading is evaluated at faces' points, Gouraud at corners,
     Renderer renderer(1);
     scene.shading.mode = ShadingMode::Gouraud;
     renderer.render(scene, size);
-    const std::vector<LitDot> corners = lit_dots(renderer, size, 160);
+    const std::vector<LitDot> corners = lit_dots(renderer, size, 160, {{0, 0}, {160, 120}});
     // Every pixel asked: then each corner that was lit is found, once.
     const std::uint64_t sources = 3 + 4;  // an area light counts as its samples
     const std::uint64_t lit = renderer.stats().evaluations / sources;
@@ -159,11 +159,11 @@ TEST_CASE("dots: flat shading is evaluated at faces' points, Gouraud at corners,
     CHECK(double(corners.size()) > 0.6 * double(lit));
     scene.shading.mode = ShadingMode::Flat;
     renderer.render(scene, size);
-    const std::vector<LitDot> faces = lit_dots(renderer, size, 160);
+    const std::vector<LitDot> faces = lit_dots(renderer, size, 160, {{0, 0}, {160, 120}});
     CHECK(faces.size() == renderer.stats().evaluations / sources);
     scene.shading.mode = ShadingMode::Phong;
     renderer.render(scene, size);
-    CHECK(lit_dots(renderer, size, 160).size() == renderer.stats().shaded_pixels);
+    CHECK(lit_dots(renderer, size, 160, {{0, 0}, {160, 120}}).size() == renderer.stats().shaded_pixels);
     for (const LitDot& dot : faces) CHECK(glm::length(dot.normal) == Approx(1));
 }
 
@@ -174,7 +174,7 @@ TEST_CASE("dots: the counter is the renderer's", "[ui][window][dots]") {
     bench.key(Key::N);
     bench.frames(2);
     REQUIRE(bench.state.views.lit.found.value() != nullptr);
-    CHECK(bench.state.views.lit.found.value()->size() > 100);
+    CHECK(bench.state.views.lit.found.value()->at(0).dots.size() > 100);
     const std::string text = evaluations_text(*bench.state.renderer, bench.state.rendered_scene);
     CHECK(text.find(std::to_string(bench.state.renderer->stats().evaluations)) != std::string::npos);
     CHECK(text.find("pixels × 2 lights") != std::string::npos);
@@ -182,4 +182,40 @@ TEST_CASE("dots: the counter is the renderer's", "[ui][window][dots]") {
     bench.key(Key::N);
     bench.frames(1);
     CHECK(bench.state.views.lit.found.value() == nullptr);
+}
+
+TEST_CASE(
+    "dots: each part of a comparison has those of its own picture, and the count is that of the part under "
+    "the mouse",
+    "[ui][window][dots][compare]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    set_parts(bench.state.views.compare.choice,
+              {variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
+    bench.key(Key::C);
+    bench.key(Key::J);
+    bench.frames(2);
+    const PictureSize size = bench.state.rendered->size;
+    const auto* found = bench.state.views.lit.found.value();
+    REQUIRE(found != nullptr);
+    REQUIRE(found->size() == 2);
+    CHECK(found->at(0).rect.high.x == found->at(1).rect.low.x);
+    Scene flat = bench.scene();
+    flat.shading.mode = ShadingMode::Flat;
+    Renderer of_flat(1);
+    (void)of_flat.render(flat, size);
+    const std::vector<LitDot> expected = lit_dots(of_flat, size, 40, found->at(0).rect),
+                              smooth = lit_dots(*bench.state.renderer, size, 40, found->at(1).rect);
+    REQUIRE(found->at(0).dots.size() == expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) CHECK(found->at(0).dots[i].place == expected[i].place);
+    CHECK(found->at(1).dots.size() == smooth.size());
+    const auto told = [&](double share) {
+        bench.move(bench.at_pixel({share * size.width, 40.5}));
+        bench.frames(1);
+        for (const NamedControl& control : bench.controls())
+            if (control.name == "evaluations") return std::string(control.key);
+        return std::string();
+    };
+    CHECK(told(0.25) == "Flat shading: " + evaluations_text(of_flat, flat));
+    CHECK(told(0.75) == "Phong shading: " + evaluations_text(*bench.state.renderer, bench.scene()));
 }

@@ -167,16 +167,6 @@ TEST_CASE("pointing at the scope's panel takes the sample under the cursor", "[u
     CHECK(scope.hovered == -1);
 }
 
-TEST_CASE("the scope's command names the picture's pixels and quotes the path", "[ui][scope]") {
-    ScopeState scope;
-    scope.from = {0, 0.5};
-    scope.to = {1, 0.5};
-    CHECK(profile_command_line(scope, "/tmp/a b.json", {640, 480}) ==
-          "glint profile '/tmp/a b.json' --size 640x480 --from 0,240 --to 639,240");
-    CHECK(profile_command_line(scope, "it's.json", {2, 2}) ==
-          "glint profile 'it'\\''s.json' --size 2x2 --from 0,1 --to 1,1");
-}
-
 TEST_CASE("the grey card lies beside the sharpest bend and leaves the picture alone", "[ui][window][scope]") {
     HeadlessWindow bench;
     with_line(bench);
