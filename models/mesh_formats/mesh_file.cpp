@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <functional>
+#include <glm/common.hpp>
 #include <new>
 #include <optional>
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <glm/common.hpp>
 
 #include "models/mesh_formats/mesh_reader.h"
 #include "models/mesh_formats/ply_header.h"

@@ -129,15 +129,15 @@ template <class Level> Picture picture_of(PictureSize size, const Level& level) 
 }  // namespace
 
 TEST_CASE("a right picture that was enlarged or sharpened is not a mistake", "[diagnose]") {
-    for (const char* const name :
-         {"given-normals", "classic-materials", "sun", "default", "bulb", "glossy-ball"}) {
+    for (const char* const name : {"given-normals", "classic-materials", "sun", "default", "bulb",
+                                   "glossy-ball", "mach-bands", "red-light-on-green"}) {
         const SceneDocument document = shipped(name + std::string(".json"));
         const Picture right = right_of(document, {320, 180});
         const auto check = [&](const char* what, const Picture& picture) {
             INFO(name << ", " << what);
             CHECK(diagnosed(document, picture).verdict != Verdict::Mistake);
         };
-        for (const int percent : {150, 200})
+        for (const int percent : {150, 200, 300})
             check("enlarged",
                   picture_of({320 * percent / 100, 180 * percent / 100}, [&](int x, int y, std::size_t c) {
                       return between(right, (x + 0.5) * 100 / percent - 0.5, (y + 0.5) * 100 / percent - 0.5,
