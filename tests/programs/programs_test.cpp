@@ -10,6 +10,7 @@
 #include "tests/support/asset_scenes.h"
 #include "tests/support/catch.h"
 #include "tests/support/mistake_scenes.h"
+#include "tests/support/program.h"
 #include "tests/support/scenes.h"
 
 using namespace glint;

@@ -69,7 +69,8 @@ void show_answer(UiState& state, PictureAnswer answer) {
     mine.current = true;
 }
 
-BroughtPicture brought(const std::string& path, std::shared_ptr<const Picture> file, const Display& display) {
+BroughtPicture brought(const std::string& path, const std::shared_ptr<const Picture>& file,
+                       const Display& display) {
     if (!file->rgba.empty()) return {path, file, file, display};
     return {path, file, std::make_shared<const Picture>(as_shown(*file, display)), display};
 }

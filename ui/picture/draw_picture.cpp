@@ -180,7 +180,7 @@ const Scene& asked_scene(const UiState& state) {
 }
 
 bool is_out_of_hand(const UiState& state) {
-    return state.lecture.frozen || state.views.compare.choice.shows_stored;
+    return state.lecture.frozen || state.animate.frame || state.views.compare.choice.shows_stored;
 }
 
 const Scene& shown_scene(const UiState& state) {

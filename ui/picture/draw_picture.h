@@ -78,7 +78,7 @@ inline constexpr const char* name_of_stored = "B, the stored scene";
 [[nodiscard]] Scene& asked_scene(UiState& state);
 [[nodiscard]] const Scene& asked_scene(const UiState& state);
 
-/// Whether the picture shows a scene that a hand in it does not edit: a frozen one, or B.
+/// Whether the picture shows a scene that a hand in it does not edit: a frozen one, one that plays, or B.
 [[nodiscard]] bool is_out_of_hand(const UiState& state);
 
 /// The scene that the picture shows, previews of a moment aside: what is copied or exported of it.

@@ -176,6 +176,20 @@ const Renderer* renderer_under(const UiState& state, const ViewportFrame& frame)
     return part_renderer(compare, pixel, state.displayed->size);
 }
 
+/// Whether highlights and terminators of the edited scene are seen under the cursor: not in cells of the
+/// grid, in false colours, or in a part that shows another model or scene.
+bool shows_effects(const UiState& state, const ViewportFrame& frame) {
+    if (state.resting || state.displayed == nullptr) return false;
+    if (state.views.debug_view.set.choice.view != DebugView::Picture) return false;
+    const CompareState& compare = state.views.compare;
+    const int part =
+        part_of(compare, nearest_pixel(frame.view.map.size, cursor_px(frame)), state.displayed->size);
+    if (part < 0) return !compare.choice.on;  // of a difference it is neither
+    const Variant::Kind kind = compare.choice.parts[static_cast<std::size_t>(part)].kind;
+    return kind == Variant::Kind::Edited || kind == Variant::Kind::Mode ||
+           kind == Variant::Kind::Interpolation;
+}
+
 /// The mouse belongs to the light that follows it, wherever it is.
 bool hover_with_effect(ViewportState& state, const ViewportFrame& frame) {
     state.hovered = ImGui::IsItemHovered();
@@ -203,6 +217,7 @@ bool hand_hover(ToolFrame& tool) {
     // With Alt nothing but the camera is taken hold of; of another scene than the edited one nothing can be.
     const bool takes_hold = state.hovered && !ImGui::GetIO().KeyAlt && !is_out_of_hand(tool.state);
     state.hovered_grip = takes_hold ? grip_under(frame, cursor_px(frame)) : Grip{};
+    if (!state.hovered_grip.is_mark() && !shows_effects(tool.state, frame)) state.hovered_grip = {};
     ViewportFrame seen = frame;
     seen.renderer = renderer_under(tool.state, frame);
     find_main_light(state, seen, cursor_px(frame));
@@ -215,6 +230,12 @@ bool hand_hover(ToolFrame& tool) {
 int hand_press(ToolFrame& tool) {
     ViewportState& state = tool.state.viewport;
     if (tool.state.lecture.frozen && state.gesture == Gesture::None) return not_taken;
+    // What a lesson plays goes on until a hand comes, which may want what moves there.
+    if (tool.state.animate.frame && !tool.state.animate.open &&
+        ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        tool.state.animate.playing = false;
+        return not_taken;
+    }
     ViewportFrame frame = viewport_frame(tool.state, tool.view);
     if (state.gesture == Gesture::Effect) {
         end_effect(state, frame.scene);

@@ -215,7 +215,8 @@ std::string first_reading(const std::vector<Reading>& readings, const std::vecto
                 return std::abs(glm::length(p.mine) - glm::length(p.ours)) <= near;
             });
             if (length == Length::Ignored && !is_unit) words += ", not of length 1";
-            return words;
+            // They differ, or nobody had asked.
+            return words == "ours" ? "ours but for small differences" : words;
         }
     return {};
 }

@@ -83,6 +83,10 @@ bool says(const std::string& found, const std::string& words) {
 
 TEST_CASE("right buffers agree", "[diagnose][check]") {
     CHECK(found_in("normal", [](glm::dvec3 n) { return n; }) == "nothing");
+    for (const double off : {0.005, -0.005})  // seen, and too little to be another reading
+        CHECK(found_in("position", [off](glm::dvec3 p) { return p + off; }) ==
+              "ours but for small differences");
+    CHECK(found_in("position", [](glm::dvec3 p) { return p + 0.2; }).empty());
 }
 
 TEST_CASE("vectors in another frame are named by the transform that is missing", "[diagnose][check]") {

@@ -312,3 +312,66 @@ TEST_CASE("a part is explained as it shows B, a frozen or a played scene, under 
     bench.frames(2);
     CHECK_FALSE(bench.state.explanation.has_value());
 }
+
+TEST_CASE("of a scene that plays nothing is taken hold of, and a press ends what a lesson plays",
+          "[ui][window]") {
+    for (const bool in_panel : {false, true}) {
+        HeadlessWindow bench({1280, 1000});
+        bench.frames(2);
+        AnimateState& animate = bench.state.animate;
+        animate.animation = {Motion::Turntable, "", 0, 0, 48};
+        animate.open = in_panel;
+        animate.playing = true;
+        bench.frames(3);
+        REQUIRE(animate.frame);
+        const Scene before = bench.scene();
+        const ImVec2 bulb = bench.at_pixel(bench.handle_pixel(1));
+        bench.move(bulb);
+        CHECK_FALSE(bench.state.viewport.hovered_grip);
+        bench.drag(bulb, {bulb.x + 80, bulb.y + 30});
+        CHECK(bench.scene().lights == before.lights);
+        CHECK(animate.playing == in_panel);
+        animate.playing = false;
+        bench.scene().camera = before.camera;
+        bench.frames(3);
+        bench.drag(bulb, {bulb.x + 80, bulb.y + 30});
+        CHECK_FALSE(bench.scene().lights == before.lights);
+    }
+}
+
+TEST_CASE("a highlight is taken hold of where it is seen, and not where another picture hides it",
+          "[ui][window]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const PictureSize size = bench.state.rendered->size;
+    const auto found = [&] {
+        int highlights = 0;
+        for (int y = size.height / 4; y < 3 * size.height / 4; y += 5)
+            for (int x = size.width / 4; x < size.width / 2 - 10; x += 5) {
+                bench.move(bench.at_pixel({x, y}));
+                highlights += bench.state.viewport.hovered_grip.kind == GripKind::Highlight ? 1 : 0;
+            }
+        return highlights;
+    };
+    const int seen = found();
+    CHECK(seen > 3);
+    bench.state.inspector.tab = InspectorTab::Grid;
+    bench.state.views.grid.solo = GridCell{0, 1};
+    bench.frames(3);
+    CHECK(found() == 0);
+    bench.state.views.grid.solo.reset();
+    bench.frames(3);
+    CHECK(found() == seen);
+    CompareChoice& compare = bench.state.views.compare.choice;
+    set_parts(compare, {variant_of(Reflection::Lambert), {}});
+    bench.key(Key::C);
+    bench.frames(2);
+    CHECK(found() == 0);
+    set_parts(compare, {variant_of(ShadingMode::Gouraud), {}});
+    bench.frames(2);
+    CHECK(found() == seen);
+    bench.key(Key::C);
+    bench.state.views.debug_view.set.choice.view = DebugView::Normal;
+    bench.frames(2);
+    CHECK(found() == 0);
+}
