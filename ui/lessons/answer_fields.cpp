@@ -1,5 +1,6 @@
 // The ways to answer a question, one a kind; and the answer beside the right one.
 #include <fmt/core.h>
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>

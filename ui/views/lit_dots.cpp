@@ -57,6 +57,7 @@ void update_lit_dots(LitDotsState& state, const std::vector<DrawnPart>& parts, P
     if (!state.dots && !state.needles) return state.found.forget();
     (void)state.found.of(serial, [&] {
         std::vector<PartDots> found;
+        found.reserve(parts.size());
         for (const DrawnPart& part : parts)
             found.push_back({part.rect, lit_dots(*part.renderer, size, columns, part.rect)});
         return found;
