@@ -70,9 +70,9 @@ void update_lit_dots(LitDotsState& state, const std::vector<DrawnPart>& parts, P
 [[nodiscard]] std::string evaluations_text(const Renderer& renderer, const Scene& scene);
 
 void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const PictureView& view);
-/// Draws how often the equation is evaluated, in the picture's corner: evaluations_text() of one of its
-/// parts.
-void draw_evaluations(ImDrawList& list, const LitDotsState& state, const std::string& text);
+/// Draws how often the equation is evaluated (evaluations_text()) in the picture's corner, below the labels
+/// of a comparison.
+void draw_evaluations(ImDrawList& list, const LitDotsState& state, const std::string& text, bool compares);
 
 /// What the shown picture is made from, beside the drawn one; it is composed again when this changes.
 struct ShownFrom {
