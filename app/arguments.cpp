@@ -153,6 +153,11 @@ void require_not_read(const std::string& out, const std::string& option) {
         throw wrong_usage(option, out + " is the file that is read, which would be lost", "another name");
 }
 
+void write_output(const std::string& out, std::string_view bytes) {
+    require_not_read(out);
+    (void)take(write_file(out, bytes));
+}
+
 bool takes_png(const std::string& out) {
     if (out == "-" || lower_extension(out) == ".png") return true;
     const std::filesystem::path path = out;

@@ -61,6 +61,9 @@ void require_writable(const std::string& out);
 /// Throws the Failure of an output, of that option, that would replace a file which was read for it.
 void require_not_read(const std::string& out, const std::string& option = "-o");
 
+/// Writes what a command made to `-o`, which may not be a file that was read for it. Throws Failure.
+void write_output(const std::string& out, std::string_view bytes);
+
 /// True for an output that is written as PNG: "-", a name that ends in .png, and a device or pipe whose name
 /// has no extension.
 [[nodiscard]] bool takes_png(const std::string& out);

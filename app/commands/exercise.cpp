@@ -45,8 +45,7 @@ Outcome exercise(const ExerciseArguments& arguments) {
         take(exercise_sheets(runner, lesson, static_cast<std::uint64_t>(arguments.seed), arguments.count));
     const std::string text = extension == ".tex" ? exercises_tex(lesson, sheets)
                                                  : exercises_html(lesson, sheets, picture_of(runner, lesson));
-    require_not_read(arguments.out);
-    (void)take(write_file(arguments.out, text));
+    write_output(arguments.out, text);
     return {};
 }
 

@@ -116,8 +116,7 @@ Outcome hand_out(const LessonsArguments& arguments) {
     const Lesson lesson = open_lesson(arguments.names[0]);
     LessonRunner runner(arguments.threads);
     const std::string page = take(handout_html(runner, lesson, arguments.key));
-    require_not_read(arguments.out);
-    (void)take(write_file(arguments.out, page));
+    write_output(arguments.out, page);
     return {};
 }
 

@@ -49,9 +49,7 @@ Outcome quiz(const QuizArguments& arguments) {
     if (arguments.out != "-") require_writable(arguments.out);
     const Lesson lesson = inventory(arguments);
     LessonRunner runner(arguments.threads);
-    const std::string page = take(quiz_html(runner, lesson, arguments.key));
-    require_not_read(arguments.out);
-    (void)take(write_file(arguments.out, page));
+    write_output(arguments.out, take(quiz_html(runner, lesson, arguments.key)));
     return {};
 }
 

@@ -9,6 +9,7 @@
 #include "app/commands/command.h"
 #include "app/progress.h"
 #include "models/io/file.h"
+#include "models/json/json_pointer.h"
 #include "models/memory_limit.h"
 #include "models/scene_file/scene_file.h"
 #include "renderer/image/image_file.h"
@@ -32,9 +33,7 @@ SheetAxis axis_of(const std::string& option, const std::string& text) {
 }
 
 /// True when setting `outer` overwrites what was set at `inner` before.
-bool overwrites(const std::string& outer, const std::string& inner) {
-    return inner == outer || inner.starts_with(outer + "/");
-}
+bool overwrites(const std::string& outer, const std::string& inner) { return is_within(inner, outer); }
 
 /// Throws if the columns overwrite the rows' parameter: a column's value is set after its row's, so the row's
 /// label would name what is not drawn.

@@ -8,6 +8,7 @@
 
 #include "models/fields/scene_fields.h"
 #include "models/io/utf8.h"
+#include "models/json/json_pointer.h"
 #include "models/scene_file/read_scene.h"
 
 namespace glint {
@@ -192,9 +193,8 @@ void apply_assignments(Json& document, const std::vector<Assignment>& assignment
 }
 
 bool is_assigned(const std::string& pointer, const std::vector<Assignment>& assignments) {
-    return std::any_of(assignments.begin(), assignments.end(), [&](const Assignment& a) {
-        return pointer == a.pointer || pointer.starts_with(a.pointer + "/");
-    });
+    return std::any_of(assignments.begin(), assignments.end(),
+                       [&](const Assignment& a) { return is_within(pointer, a.pointer); });
 }
 
 }  // namespace glint

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <new>
 #include <optional>
 #include <string>
@@ -45,7 +44,8 @@ class PngReader {
             throw std::bad_alloc();
         }
         png_set_read_fn(png_, &rest_, take);
-        // Of what is not the picture only the colour that is transparent is looked at.
+        // Of what is not the picture only the colour that is transparent is looked at: the bytes of a picture
+        // are compared as they are stored, whatever the file says about their encoding.
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_AS_DEFAULT,
                                     reinterpret_cast<png_const_bytep>("tRNS"), 1);
@@ -104,24 +104,6 @@ Problem not_a_png(std::string_view bytes, const std::string& path) {
     return unreadable(path, "cannot be read as a PNG");
 }
 
-/// Removes what a file says about its colours' encoding, by which libpng would change them: the bytes of a
-/// picture are compared as they are stored. All that stands before the first IDAT (PNG specification, 5.6).
-void drop_color_chunks(std::string& bytes) {
-    constexpr std::size_t signature = 8, frame = 12;  // frame: length, type and checksum of a chunk
-    std::size_t at = signature, kept = signature;
-    while (at + frame <= bytes.size()) {
-        const std::size_t length = frame + png_get_uint_32(reinterpret_cast<png_const_bytep>(&bytes[at]));
-        const std::string_view type(&bytes[at + 4], 4);
-        if (type == "IDAT" || length > bytes.size() - at) break;
-        if (type != "gAMA" && type != "cHRM" && type != "iCCP" && type != "sRGB") {
-            std::memmove(&bytes[kept], &bytes[at], length);
-            kept += length;
-        }
-        at += length;
-    }
-    if (kept < at) bytes.erase(kept, at - kept);
-}
-
 /// Checks the first block before the rest of the file is read.
 std::optional<Problem> check_first_block(const FileBlock& block, const std::string& path,
                                          MemoryShare& share) {
@@ -139,11 +121,10 @@ std::optional<Problem> check_first_block(const FileBlock& block, const std::stri
 Result<Picture> read_png(const std::string& path) {
     MemoryShare share;
     const auto check = [&](const FileBlock& block) { return check_first_block(block, path, share); };
-    auto file = read_file(path, max_png_bytes, check);
+    const auto file = read_file(path, max_png_bytes, check);
     if (const Problem* problem = problem_of(file)) return *problem;
-    std::string& bytes = std::get<std::string>(file);
+    const std::string& bytes = std::get<std::string>(file);
     if (bytes.empty()) return unreadable(path, "is empty");
-    drop_color_chunks(bytes);
 
     try {
         PngReader png(bytes);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "models/fields/scene_numbers.h"
+#include "models/json/json_pointer.h"
 
 namespace glint {
 namespace {
@@ -45,9 +46,7 @@ class Checker {
         if (p.kind == PredictionKind::Choice) return wrong_mistake(p);
         if (!(tolerance > 0))
             return "the tolerance is " + JsonValue(tolerance).text() + "; expected more than 0";
-        const Result<NamedValues> run = runner_.answers(document_, lesson_, p.runs);
-        if (const Problem* problem = problem_of(run)) return text_of(problem);
-        return wrong_term(p, std::get<NamedValues>(run));
+        return wrong_term(p);
     }
 
     Shortfall operator()(const Task& task) {
@@ -106,13 +105,15 @@ class Checker {
     }
 
     /// Checks that the run of `explain` on which the answer stands has the field to which a window leads.
-    static Shortfall wrong_term(const Prediction& p, const NamedValues& values) {
+    Shortfall wrong_term(const Prediction& p) {
         const auto explains = [](const LessonRun& run) { return run.kind == RunKind::Explain; };
         const auto run = std::find_if(p.runs.begin(), p.runs.end(), explains);
         if (p.term.empty() || run == p.runs.end()) return {};
         const Result<Expression> field = Expression::parse(run->name + "." + p.term);
         if (const Problem* problem = problem_of(field)) return "term: " + *text_of(problem);
-        const Result<JsonValue> value = std::get<Expression>(field).value(values);
+        const Result<NamedValues> values = runner_.answers(document_, lesson_, {*run});
+        if (const Problem* problem = problem_of(values)) return text_of(problem);
+        const Result<JsonValue> value = std::get<Expression>(field).value(std::get<NamedValues>(values));
         if (const Problem* problem = problem_of(value)) return "term: " + *text_of(problem);
         return {};
     }
@@ -121,9 +122,7 @@ class Checker {
     static Shortfall wrong_control(const Task& task, const Scene& scene) {
         const std::vector<SceneNumber> numbers = numbers_of(scene);
         for (const std::string& control : task.controls) {
-            const auto is_of = [&](const SceneNumber& n) {
-                return n.pointer == control || n.pointer.starts_with(control + "/");
-            };
+            const auto is_of = [&](const SceneNumber& n) { return is_within(n.pointer, control); };
             if (std::none_of(numbers.begin(), numbers.end(), is_of))
                 return "control: the scene has no number at " + control;
         }

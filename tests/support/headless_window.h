@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "tests/support/catch.h"
@@ -88,6 +89,13 @@ class HeadlessWindow {
         UiInput input;
         input.presses.push_back({key, ctrl, shift, false});
         return frame(input);
+    }
+
+    /// Begins a comparison of these parts.
+    void compare(std::vector<Variant> parts) {
+        set_parts(state.views.compare.choice, std::move(parts));
+        (void)key(Key::C);
+        frames(2);
     }
 
     /// Frames until nothing is being loaded any more.

@@ -202,7 +202,10 @@ void sensitivity_tab(UiState& state, const PictureView& view) {
         return inspector_empty_state(
             "Here every number of the scene is sorted by how much it matters there.");
     SensitivityState& job = state.sensitivity;
-    poll_sensitivity(job, asked_document(state), view.map.size, state.asked);
+    if (state.asked_part == Variant{})
+        poll_sensitivity(job, state.editor.document, view.map.size, state.asked);
+    else
+        poll_sensitivity(job, asked_document(state), view.map.size, state.asked);
     if (!job.current) progress(job);
     if (!job.shown) {
         if (job.current)

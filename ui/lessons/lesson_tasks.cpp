@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "models/fields/scene_numbers.h"
+#include "models/json/json_pointer.h"
 #include "ui/inspector/equation/words.h"
 #include "ui/lessons/lesson_parts.h"
 #include "ui/lessons/lesson_progress.h"
@@ -109,7 +110,7 @@ void task_fields(UiState& state, const Task& task) {
     int shown = 0;
     for (const SceneNumber& number : numbers_of(scene)) {
         const auto holds_it = [&number](const std::string& control) {
-            return number.pointer == control || number.pointer.starts_with(control + "/");
+            return is_within(number.pointer, control);
         };
         if (std::none_of(task.controls.begin(), task.controls.end(), holds_it)) continue;
         if (++shown > most_numbers) return;

@@ -95,9 +95,7 @@ void switch_prediction(UiState& state) {
     if (state.predict.stage != PredictStage::Off) return end_prediction(state);
     state.layout.right = state.left_shows_inspector = true;
     state.layout.hides_columns = false;
-    state.views.compare.choice.on =
-        false;  // what is predicted is the colour in the picture of the edited scene
-    state.views.compare.choice.shows_stored = false;
+    show_edited_alone(state);
     if (is_explained(state) && state.viewport.probe)
         stop_picture(state);
     else

@@ -160,14 +160,13 @@ void freeze(UiState& state) {
 }
 
 std::optional<Scene> preview_of(const UiState& state) {
-    if (state.lecture.frozen) return state.lecture.frozen;
-    if (state.animate.frame) return state.animate.frame;
+    const bool takes_turn = !state.lecture.frozen && !state.animate.frame;
     // Under the mouse not before an edit has been drawn and explained: the numbers beside the preview are
     // those of the scene.
     const bool explains_shown = state.inspector.instead_rests || state.edited_drawn == state.editor.scene();
-    if (state.inspector.instead && explains_shown) return state.inspector.instead;
-    const std::optional<OtherScene> stored = resting_scene(state);
-    return stored ? std::optional(stored->scene) : std::nullopt;
+    if (takes_turn && state.inspector.instead && explains_shown) return state.inspector.instead;
+    std::optional<OtherScene> resting = resting_scene(state);
+    return resting ? std::optional(std::move(resting->scene)) : std::nullopt;
 }
 
 bool is_explained(const UiState& state) { return !state.asked_other && is_of_its_scene(state); }

@@ -63,8 +63,8 @@ void picture_took(FramePace& pace, int divisor, double ms);
 void freeze(UiState& state);
 
 /// Returns the scene that the next picture shows in place of the edited one, with its meshes; nothing of it
-/// reaches the history or a file, and `explanation` stays what it was. The first that wants one wins: what is
-/// frozen, what is animated, what the mouse points at in the column, B.
+/// reaches the history or a file. The first that wants one wins: what is frozen, what is animated, what the
+/// mouse points at in the column, B.
 [[nodiscard]] std::optional<Scene> preview_of(const UiState& state);
 
 /// Where numbers of B are told.
@@ -85,8 +85,8 @@ inline constexpr const char* name_of_stored = "B, the stored scene";
 [[nodiscard]] const Scene& shown_scene(const UiState& state);
 
 /// Draws what shows (the edited scene or a preview) if it, or the size, is not that of the last picture; then
-/// asks the edited scene about the probe. While a hand moves something, a picture that would take too long is
-/// a smaller one.
+/// asks about the probe, unless what shows is a preview of a moment. While a hand moves something, a picture
+/// that would take too long is a smaller one.
 void draw_picture(UiState& state, const PictureView& view);
 
 /// Learns how long the pictures of this frame took, those of a comparison's parts included. After

@@ -145,7 +145,8 @@ void draw_tools(ImDrawList& list, UiState& state, const PictureView& view) {
     hand_tool.draw(list, state, view);
     magnifier_tool.draw(list, state, view);
     draw_lit_dots(list, state.views.lit, view);
-    draw_evaluations(list, state.views.lit, evaluations_under(state, view), state.views.compare.choice.on);
+    if (state.views.lit.dots)
+        draw_evaluations(list, evaluations_under(state, view), state.views.compare.choice.on);
     compare_tool.draw(list, state, view);
     draw_debug_view_legend(list, state.views.debug_view, state.rendered_scene, view,
                            probe_pixel(state.viewport, view.map.size));

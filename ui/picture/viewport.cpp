@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/orbit.h"
@@ -163,31 +164,35 @@ ViewportFrame viewport_frame(UiState& state, const PictureView& view) {
             state.viewport.gizmo, state.viewport.pivot};
 }
 
+/// The part of a comparison under the cursor; nothing where no parts are shown.
+std::optional<Variant> variant_under(const UiState& state, const ViewportFrame& frame) {
+    const CompareState& compare = state.views.compare;
+    if (state.displayed == nullptr) return {};
+    const glm::ivec2 pixel = nearest_pixel(frame.view.map.size, cursor_px(frame));
+    const int part = part_of(compare, pixel, state.displayed->size);
+    if (part < 0) return {};
+    return compare.choice.parts[static_cast<std::size_t>(part)];
+}
+
 /// What drew the picture under the cursor, which may be a part of a comparison; null where its lights are not
 /// those of the edited scene.
 const Renderer* renderer_under(const UiState& state, const ViewportFrame& frame) {
     if (is_out_of_hand(state) || frame.renderer == nullptr || state.displayed == nullptr) return nullptr;
-    const CompareState& compare = state.views.compare;
+    const std::optional<Variant> part = variant_under(state, frame);
+    if (!part) return frame.renderer;
+    if (part->kind == Variant::Kind::Stored || part->kind == Variant::Kind::Mine) return nullptr;
     const glm::ivec2 pixel = nearest_pixel(frame.view.map.size, cursor_px(frame));
-    const int part = part_of(compare, pixel, state.displayed->size);
-    if (part < 0) return frame.renderer;
-    const Variant::Kind kind = compare.choice.parts[static_cast<std::size_t>(part)].kind;
-    if (kind == Variant::Kind::Stored || kind == Variant::Kind::Mine) return nullptr;
-    return part_renderer(compare, pixel, state.displayed->size);
+    return part_renderer(state.views.compare, pixel, state.displayed->size);
 }
 
 /// Whether highlights and terminators of the edited scene are seen under the cursor: not in cells of the
-/// grid, in false colours, or in a part that shows another model or scene.
+/// grid, in false colours, in a difference, or in a part that shows another model or scene.
 bool shows_effects(const UiState& state, const ViewportFrame& frame) {
-    if (state.resting || state.displayed == nullptr) return false;
-    if (state.views.debug_view.set.choice.view != DebugView::Picture) return false;
-    const CompareState& compare = state.views.compare;
-    const int part =
-        part_of(compare, nearest_pixel(frame.view.map.size, cursor_px(frame)), state.displayed->size);
-    if (part < 0) return !compare.choice.on;  // of a difference it is neither
-    const Variant::Kind kind = compare.choice.parts[static_cast<std::size_t>(part)].kind;
-    return kind == Variant::Kind::Edited || kind == Variant::Kind::Mode ||
-           kind == Variant::Kind::Interpolation;
+    if (state.resting || state.views.debug_view.set.choice.view != DebugView::Picture) return false;
+    const std::optional<Variant> part = variant_under(state, frame);
+    if (!part) return !state.views.compare.choice.on && state.displayed != nullptr;
+    return part->kind == Variant::Kind::Edited || part->kind == Variant::Kind::Mode ||
+           part->kind == Variant::Kind::Interpolation;
 }
 
 /// The mouse belongs to the light that follows it, wherever it is.
@@ -213,7 +218,6 @@ bool hand_hover(ToolFrame& tool) {
     state.asked = false;
     if (state.gesture == Gesture::Effect) return hover_with_effect(state, frame);
     state.hovered = tool.over;
-    // With Alt nothing but the camera is taken hold of.
     // With Alt nothing but the camera is taken hold of; of another scene than the edited one nothing can be.
     const bool takes_hold = state.hovered && !ImGui::GetIO().KeyAlt && !is_out_of_hand(tool.state);
     state.hovered_grip = takes_hold ? grip_under(frame, cursor_px(frame)) : Grip{};

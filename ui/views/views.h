@@ -72,7 +72,7 @@ void update_lit_dots(LitDotsState& state, const std::vector<DrawnPart>& parts, P
 void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const PictureView& view);
 /// Draws how often the equation is evaluated (evaluations_text()) in the picture's corner, below the labels
 /// of a comparison.
-void draw_evaluations(ImDrawList& list, const LitDotsState& state, const std::string& text, bool compares);
+void draw_evaluations(ImDrawList& list, const std::string& text, bool compares);
 
 /// What the shown picture is made from, beside the drawn one; it is composed again when this changes.
 struct ShownFrom {

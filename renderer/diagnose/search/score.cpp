@@ -79,7 +79,7 @@ bool lacks_contrast(const Exhibit& e, const DisplayChange& change, const std::ar
 /// Returns whether the pixel is unlike what is explained. `misses`: it is, though its colour has room.
 bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std::array<ByteRange, 3>& right,
                Rgb mine, glm::ivec2 at, bool misses) {
-    float off = 0, off_right = 0, told = 0;
+    float off = 0, off_right = 0, told = 0, apart = 0, apart_right = 0;
     for (std::size_t c = 0; c < 3; ++c) {
         const float d = explained[c].distance(mine[c]), d_right = right[c].distance(mine[c]);
         off = std::max(off, d);
@@ -87,9 +87,6 @@ bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std:
         told += d_right - 2 * d;
         row.excess += double(excess_of(d));
         row.squares += double(d) * double(d);
-    }
-    float apart = 0, apart_right = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
         apart = std::max(apart, std::abs(explained[c].middle - static_cast<float>(mine[c])));
         apart_right = std::max(apart_right, std::abs(right[c].middle - static_cast<float>(mine[c])));
     }

@@ -90,9 +90,7 @@ TEST_CASE("while B is looked at, each click is explained of B, whose numbers can
 TEST_CASE("a pixel of a part that shows B is explained of B, and its numbers edit nothing",
           "[ui][window][compare]") {
     StoredWindow bench;
-    set_parts(bench.state.views.compare.choice, {{}, {Variant::Kind::Stored, 0}});
-    bench.key(Key::C);
-    bench.frames(2);
+    bench.compare({{}, {Variant::Kind::Stored, 0}});
     bench.click(bench.at_share(0.55, 0.5));
     bench.frames(2);
     bench.check_explains_b();
@@ -183,10 +181,7 @@ TEST_CASE("a copy and a command of a picture are of the scene that it shows", "[
 TEST_CASE("the light that matters is told of the part under the cursor", "[ui][window][compare]") {
     HeadlessWindow bench;
     bench.frames(2);
-    set_parts(bench.state.views.compare.choice,
-              {variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
-    bench.key(Key::C);
-    bench.frames(2);
+    bench.compare({variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
     const PictureSize size = bench.state.rendered->size;
     Scene flat = bench.scene();
     flat.shading.mode = ShadingMode::Flat;
@@ -211,9 +206,7 @@ TEST_CASE("the light that matters is told of the part under the cursor", "[ui][w
 
 TEST_CASE("a colour is predicted of the edited scene alone, whatever is compared", "[ui][window][lesson]") {
     StoredWindow bench;
-    set_parts(bench.state.views.compare.choice, {{}, {Variant::Kind::Stored, 0}});
-    bench.key(Key::C);
-    bench.frames(2);
+    bench.compare({{}, {Variant::Kind::Stored, 0}});
     bench.click(bench.at_share(0.55, 0.5));
     bench.frames(2);
     bench.key(Key::Q);
@@ -264,8 +257,7 @@ TEST_CASE("cells of the grid that stay are asked, and exported, as they are show
 TEST_CASE("a part is explained as it shows B, a frozen or a played scene, under the part's own setting",
           "[ui][window][compare]") {
     StoredWindow bench;
-    set_parts(bench.state.views.compare.choice,
-              {variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
+    bench.compare({variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
     const auto check_explains = [&](Scene scene, ShadingMode mode) {
         scene.shading.mode = mode;
         Renderer alone(1);
@@ -278,7 +270,6 @@ TEST_CASE("a part is explained as it shows B, a frozen or a played scene, under 
         for (std::size_t c = 0; c < 3; ++c)
             CHECK(bench.state.explanation->byte[c] == shown.rgba[4 * shown.pixel(at.x, at.y) + c]);
     };
-    bench.key(Key::C);
     bench.key(Key::B);
     bench.frames(2);
     bench.click(bench.at_share(0.45, 0.5));
@@ -362,12 +353,9 @@ TEST_CASE("a highlight is taken hold of where it is seen, and not where another 
     bench.state.views.grid.solo.reset();
     bench.frames(3);
     CHECK(found() == seen);
-    CompareChoice& compare = bench.state.views.compare.choice;
-    set_parts(compare, {variant_of(Reflection::Lambert), {}});
-    bench.key(Key::C);
-    bench.frames(2);
+    bench.compare({variant_of(Reflection::Lambert), {}});
     CHECK(found() == 0);
-    set_parts(compare, {variant_of(ShadingMode::Gouraud), {}});
+    set_parts(bench.state.views.compare.choice, {variant_of(ShadingMode::Gouraud), {}});
     bench.frames(2);
     CHECK(found() == seen);
     bench.key(Key::C);

@@ -144,9 +144,7 @@ TEST_CASE("the panel of strokes and tones sets each of its keys, one step each",
 TEST_CASE("in a part of a comparison the numbers are of that part's picture", "[ui][window][compare]") {
     HeadlessWindow bench;
     bench.frames(2);
-    set_parts(bench.state.views.compare.choice,
-              {variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
-    bench.key(Key::C);
+    bench.compare({variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
     test::ask(bench, InspectorTab::Sensitivity, {0.4, 0.5});
     REQUIRE(wait_for_numbers(bench));
     CHECK(bench.state.explanation->mode == ShadingMode::Flat);

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "models/json/json_pointer.h"
 #include "models/json/json_reader.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/numbers/expression.h"
@@ -237,7 +238,7 @@ void draw_number(ImGuiID id, const ImRect& frame, float value, const NumberInput
 /// Whether type_into() asked for it; it is asked once.
 bool is_awaited(const std::string& pointer) {
     if (awaited.frame != ImGui::GetFrameCount() || pointer.empty()) return false;
-    if (pointer != awaited.pointer && !pointer.starts_with(awaited.pointer + "/")) return false;
+    if (!is_within(pointer, awaited.pointer)) return false;
     awaited = {};
     return true;
 }
