@@ -31,11 +31,12 @@ class NewDirectory {
         const fs::file_status found = fs::status(path, error);
         if (fs::exists(found)) {
             if (!fs::is_directory(found)) throw refused("is not a directory");
-            if (!fs::is_empty(path, error) || error) throw refused(error ? error.message() : "is not empty");
+            if (!fs::is_empty(path, error) || error)
+                throw refused(error ? reason(error.value()) : "is not empty");
             return;
         }
         made_ = fs::create_directory(path, error);
-        if (!made_) throw refused("cannot be made: " + error.message());
+        if (!made_) throw refused("cannot be made: " + reason(error.value()));
     }
     ~NewDirectory() {
         std::error_code ignored;

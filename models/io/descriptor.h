@@ -6,9 +6,9 @@
 
 #include <cerrno>
 #include <string>
-#include <system_error>
 #include <utility>
 
+#include "models/io/file.h"
 #include "models/problem.h"
 
 namespace glint {
@@ -31,26 +31,6 @@ class Descriptor {
   private:
     int number_;
 };
-
-/// The reason in lower case, as it stands inside a line.
-inline std::string reason(int error) {
-    switch (error) {
-    case ENOENT:
-        return "no such file or directory";
-    case EACCES:
-        return "permission denied";
-    case ELOOP:
-        return "a loop of symbolic links";
-    case EISDIR:
-        return "is a directory";
-    case ENOSPC:
-        return "no space left on the device";
-    case EPIPE:
-        return "the reader of the pipe has gone";
-    default:
-        return std::generic_category().message(error);
-    }
-}
 
 /// "PATH: cannot VERB: the reason; expected ...".
 inline Problem cannot(const char* verb, const std::string& path, int error, const char* expected) {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <new>
 #include <sstream>
+#include <system_error>
 
 #include "models/io/descriptor.h"
 #include "models/io/files_read.h"
@@ -81,6 +82,24 @@ Result<std::string> read_standard_input(std::size_t max_bytes, const CheckBlock&
 }
 
 }  // namespace
+
+std::string reason(int error) {
+    switch (error) {
+    case ELOOP:
+        return "a loop of symbolic links";
+    case ENOSPC:
+        return "no space left on the device";
+    case EPIPE:
+        return "the reader of the pipe has gone";
+    default:
+        break;
+    }
+    std::string words = std::generic_category().message(error);
+    const bool is_acronym = words.size() > 1 && words[1] >= 'A' && words[1] <= 'Z';  // as RPC and NFS
+    if (!words.empty() && words[0] >= 'A' && words[0] <= 'Z' && !is_acronym)
+        words[0] = static_cast<char>(words[0] - 'A' + 'a');
+    return words;
+}
 
 std::string lower_extension(const std::string& path) {
     std::string extension = std::filesystem::path(path).extension().string();

@@ -18,6 +18,9 @@ namespace glint {
 /// none.
 [[nodiscard]] std::string lower_extension(const std::string& path);
 
+/// The system's words for an errno, as they stand inside a line: "no such file or directory".
+[[nodiscard]] std::string reason(int error);
+
 /// A part of a file as it comes in: `bytes` from `at` on, of a file of `size` bytes (0 for standard input).
 struct FileBlock {
     std::string_view bytes;

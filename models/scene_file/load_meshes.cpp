@@ -29,7 +29,7 @@ std::string why_no_file(const std::string& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (status.type() == fs::file_type::not_found) return "no such file";
-    if (!fs::exists(status)) return error.message();
+    if (!fs::exists(status)) return reason(error.value());
     if (fs::is_directory(status)) return "it is a directory";
     return fs::is_regular_file(status) ? "" : "it is a device or a pipe";
 }

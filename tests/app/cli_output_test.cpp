@@ -124,6 +124,18 @@ TEST_CASE("of a file that is not there it is said that it is not there, whatever
           std::string::npos);
 }
 
+TEST_CASE("the system's reason stands in lower case inside a line", "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string there = directory.file("there.json", R"({"glint": 1})");
+    const auto reason_for = [](const std::string& path) {
+        const std::string err = run_glint({"info", path}).err;
+        return err.substr(0, err.find("; expected"))
+            .substr(std::string("glint: error: ").size() + path.size());
+    };
+    CHECK(reason_for(directory.path(std::string(300, 'x') + ".json")) == ": cannot read: file name too long");
+    CHECK(reason_for(there + "/below.json") == ": cannot read: not a directory");
+}
+
 TEST_CASE("of several files for the window one that is not there is named before it opens",
           "[cli][bad-input]") {
     const TemporaryDirectory directory;

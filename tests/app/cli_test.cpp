@@ -251,7 +251,7 @@ TEST_CASE("a file that may not grow any more is an error, and no part of it stay
                                   "; (ulimit -f 64; '" GLINT_PROGRAM "' render '" + scene + "' -o '" + out +
                                       "' --size 320x240; exit $?) 2>&1");
     CHECK(ended.status == 1);
-    CHECK(ended.out.find("glint: error: " + out + ": cannot write: File too large") != std::string::npos);
+    CHECK(ended.out.find("glint: error: " + out + ": cannot write: file too large") != std::string::npos);
     CHECK(directory.names() == std::vector<std::string>{"scene.json"});
 }
 

@@ -51,10 +51,11 @@ void recent_menu(UiState& state) {
     std::string chosen;
     for (const std::string& path : recent) {
         const std::filesystem::path file(path);
-        const std::string label = file.filename().string() + "##" + path;
+        const std::string name = whole_label(file.filename().string());
+        const std::string label = name + "##" + path;
         if (ImGui::MenuItem(label.c_str())) chosen = path;
         list_control(path.c_str(), "", last_item());
-        tooltip(file.filename().string().c_str(), file.parent_path().string().c_str());
+        tooltip(name.c_str(), file.parent_path().string().c_str());
     }
     ImGui::EndMenu();
     if (!chosen.empty()) begin_pending(state, Pending::What::Open, chosen);

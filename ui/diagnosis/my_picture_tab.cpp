@@ -201,7 +201,7 @@ void nothing_brought(UiState& state) {
     const std::string& path = state.mine.path;
     if (path.empty()) return;
     const std::string again =
-        fmt::format("Compare {} again", std::filesystem::path(path).filename().string());
+        whole_label(fmt::format("Compare {} again", std::filesystem::path(path).filename().string()));
     if (ImGui::Button(again.c_str())) bring_picture(state, path);
     tooltip(again.c_str(), "The picture that was compared last");
 }

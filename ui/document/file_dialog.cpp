@@ -167,7 +167,7 @@ bool entry_list(FileDialog& dialog) {
     const float line = ImGui::GetTextLineHeight();
     for (const FolderEntry& entry : dialog.entries) {
         const ImVec2 low = ImGui::GetCursorScreenPos();
-        const std::string label = "      " + entry.name + "##entry";
+        const std::string label = whole_label("      " + entry.name);
         if (ImGui::Selectable(label.c_str(), entry.name == dialog.name,
                               ImGuiSelectableFlags_AllowDoubleClick)) {
             const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);

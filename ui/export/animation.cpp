@@ -76,9 +76,10 @@ void choose_number(AnimateState& animate, const Scene& scene) {
     const auto found = matching(scene, animate.search);
     for (const SceneNumber& number : found) {
         const std::string words = words_for(scene, number.pointer);
-        const std::string label = fmt::format("{}  =  {:.5g}##{}", words, number.value, number.pointer);
+        const std::string label =
+            fmt::format("{}  =  {:.5g}##{}", whole_label(words), number.value, number.pointer);
         const bool chosen = ImGui::Selectable(label.c_str(), number.pointer == animation.pointer);
-        tooltip(words.c_str(), number.help, "", number.pointer);
+        tooltip(whole_label(words).c_str(), number.help, "", number.pointer);
         if (!chosen) continue;
         animation.pointer = number.pointer;
         animate.number = words;

@@ -91,7 +91,8 @@ std::string mesh_label(const MeshSource& source) {
 /// Drop-down of all primitives and, at its end, of files.
 bool source_field(Object& object, const std::string& pointer, ObjectRequests& requests) {
     ImGui::SetNextItemWidth(label_cell("Mesh"));
-    if (!ImGui::BeginCombo("##mesh", mesh_label(object.source).c_str(), ImGuiComboFlags_HeightLarge)) {
+    if (!ImGui::BeginCombo("##mesh", whole_label(mesh_label(object.source)).c_str(),
+                           ImGuiComboFlags_HeightLarge)) {
         tooltip("Mesh", "The shape: one that needs no file, or a file", "", pointer + "/mesh");
         return false;
     }

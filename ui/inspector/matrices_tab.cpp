@@ -80,8 +80,9 @@ void light_rows(UiState& state) {
         const bool world = light.space == LightSpace::World;
         const CarriedLight both = carried(light, scene.camera, scene.shading.mistakes);
         ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Selectable(
-                fmt::format("{}, given in {} coordinates", light.name, world ? "world" : "camera").c_str()))
+        const std::string words =
+            fmt::format("{}, given in {} coordinates", light.name, world ? "world" : "camera");
+        if (ImGui::Selectable(whole_label(words).c_str()))
             state.editor.selection = {Selection::Kind::Light, static_cast<int>(i)};
         tooltip("Light", "Click: its panel", "", fmt::format("/lights/{}/position", i));
         row("world", four_numbers(both.world));

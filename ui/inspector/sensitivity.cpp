@@ -170,7 +170,7 @@ void owners(UiState& state, const char* title, const std::vector<std::string>& p
     }
     for (const auto& [named, words] : lines) {
         ImGui::PushID(named.owner.c_str());
-        if (ImGui::Selectable(named.owner.c_str())) state.editor.selection = named.selection;
+        if (ImGui::Selectable(whole_label(named.owner).c_str())) state.editor.selection = named.selection;
         ImGui::PopID();
         ImGui::Indent(px(12));
         small_dim(words.empty() ? "does not show at this pixel" : words);

@@ -218,7 +218,7 @@ void picture_overlay(UiState& state, const Layout& layout) {
         const ImVec2 corner = view.origin + px(10) * ImVec2(1, 1);
         if (state.lecture.frozen)
             badge(list, corner, "Frozen (" + keys_of(CommandId::Freeze) + ")");
-        else if (state.views.compare.choice.shows_stored)
+        else if (state.resting && state.resting->name == std::string_view(name_of_stored))
             badge(list, corner, "B is shown (" + keys_of(CommandId::ShowB) + ")");
     }
     draw_pen(list, state.lecture.pen, view);

@@ -98,11 +98,11 @@ bool small_chosen_button(const char* label, bool chosen) {
 bool light_combo(const char* id, int& light, const std::vector<Light>& lights) {
     const int count = static_cast<int>(lights.size());
     light = std::clamp(light, 0, count - 1);
-    const auto name = [&](int i) { return lights[static_cast<std::size_t>(i)].name.c_str(); };
-    if (!ImGui::BeginCombo(id, name(light))) return true;
+    const auto name = [&](int i) { return whole_label(lights[static_cast<std::size_t>(i)].name); };
+    if (!ImGui::BeginCombo(id, name(light).c_str())) return true;
     for (int i = 0; i < count; ++i) {
         ImGui::PushID(i);
-        if (ImGui::Selectable(name(i), i == light)) light = i;
+        if (ImGui::Selectable(name(i).c_str(), i == light)) light = i;
         ImGui::PopID();
     }
     ImGui::EndCombo();

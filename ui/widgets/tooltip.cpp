@@ -84,6 +84,16 @@ float place_tooltip() {
 
 }  // namespace
 
+std::string whole_label(const std::string& name) {
+    std::string label;
+    for (const char c : name) {
+        // A carriage return is a letter to what looks for "##", and is not drawn.
+        if (c == '#' && !label.empty() && label.back() == '#') label += '\r';
+        label += c;
+    }
+    return label;
+}
+
 void redraw_within(double seconds) { earliest_redraw = std::min(earliest_redraw, seconds); }
 void reset_next_redraw() { earliest_redraw = std::numeric_limits<double>::infinity(); }
 double next_redraw() { return earliest_redraw; }

@@ -33,13 +33,16 @@ std::string range_text(const Real& kind, float initial) {
 }
 
 void number_tooltip(const char* label, const Real& kind, float initial, const Help& help) {
-    tooltip(label, help.what,
-            range_text(kind, initial) +
-                "\nDrag (Shift: fine, Ctrl: steps) · Click: type, 2*pi or +0.1 too · Right click: menu",
-            help.pointer);
+    const char* const hand =
+        is_read_only()
+            ? ""
+            : "\nDrag (Shift: fine, Ctrl: steps) · Click: type, 2*pi or +0.1 too · Right click: menu";
+    tooltip(label, help.what, range_text(kind, initial) + hand, help.pointer);
 }
 
 }  // namespace
+
+bool is_read_only() { return (GImGui->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0; }
 
 bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
     return ImGui::InvisibleButton(id, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)}, flags);

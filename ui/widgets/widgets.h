@@ -51,11 +51,17 @@ struct Help {
 /// (range and default; the key). Empty ones are left out.
 void tooltip(const char* title, const char* what, const std::string& range = "", const std::string& key = "");
 
+/// A user's name or a path as ImGui draws it whole: of a label it leaves out what follows "##".
+[[nodiscard]] std::string whole_label(const std::string& name);
+
 /// Asks for another frame within `seconds`, e.g. when a tooltip is due. next_redraw() is the earliest asked
 /// for since reset_next_redraw(); infinity when none was.
 void redraw_within(double seconds);
 void reset_next_redraw();
 [[nodiscard]] double next_redraw();
+
+/// Whether what is drawn now is only to be read: it stands between ImGui's BeginDisabled() and EndDisabled().
+[[nodiscard]] bool is_read_only();
 
 /// A rectangle that takes the mouse and draws nothing, for a control that draws itself; true when it was
 /// clicked. At least one unit wide and high however little room there is: ImGui ends the program over an

@@ -86,6 +86,39 @@ TEST_CASE("a field's tooltip stays in its column and leaves the picture free", "
     CHECK(seen > 10);
 }
 
+TEST_CASE("a number of B, which cannot be edited, does not say how it is edited", "[ui][window][tooltip]") {
+    HeadlessWindow bench({1280, 1000});
+    bench.frames(2);
+    bench.key(Key::B, true);
+    bench.scene().lights[0].name = "edited";
+    bench.state.inspector.tab = InspectorTab::Equation;
+    bench.click(bench.at_pixel(
+        glm::dvec2(bench.state.rendered->size.width, bench.state.rendered->size.height) / 2.0));
+    bench.frames(2);
+    const auto height_of_tooltip = [&] {
+        bench.move({5, 795});
+        bench.frames(2);
+        bench.move(test::in_column(bench, "/objects/0/material/diffuse/0"));
+        wait(bench);
+        REQUIRE(shown_tooltip() != nullptr);
+        return shown_tooltip()->Size.y;
+    };
+    const float edited = height_of_tooltip();
+    bench.key(Key::B);
+    bench.frames(2);
+    CHECK(height_of_tooltip() < edited - 10);
+}
+
+TEST_CASE("a name is drawn whole, also what follows two hashes", "[ui][window]") {
+    HeadlessWindow bench;
+    bench.frames(1);
+    for (const char* name : {"key", "#", "key ## red", "##", "###1", "a##b###c####"}) {
+        const std::string label = whole_label(name);
+        CHECK(ImGui::FindRenderedTextEnd(label.c_str()) == label.c_str() + label.size());
+        CHECK(ImGui::CalcTextSize(label.c_str(), nullptr, true).x == ImGui::CalcTextSize(name).x);
+    }
+}
+
 TEST_CASE("a menu says why an item is grey", "[ui][window][tooltip]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Camera, 0};

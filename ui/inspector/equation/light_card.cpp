@@ -193,7 +193,7 @@ void sample_rows(const ExplainedLight& area, int channel) {
 bool name_row(UiState& state, const ExplainedLight& explained, const Light& light) {
     ImGui::Dummy({0, px(3)});
     light_icon(light);
-    if (ImGui::Selectable(fmt::format("      {}", light.name).c_str()))
+    if (ImGui::Selectable(whole_label("      " + light.name).c_str()))
         state.editor.selection = {Selection::Kind::Light, explained.index};
     const bool pointed = is_pointed_at();
     tooltip("Light", "Rest here: this light alone. Click: its panel");

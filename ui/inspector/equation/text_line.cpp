@@ -186,8 +186,7 @@ bool TextLine::edit(const NumberHandle& handle, const ImVec4& colour, float down
                                      {n.help, n.pointer}, width);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);
-    const bool can = (GImGui->CurrentItemFlags & ImGuiItemFlags_Disabled) == 0;
-    if (can) dotted_line(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), to_u32(colour, 0.8f));
+    if (!is_read_only()) dotted_line(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), to_u32(colour, 0.8f));
     return changed;
 }
 

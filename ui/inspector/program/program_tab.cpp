@@ -238,7 +238,7 @@ void program_tab(UiState& state, const PictureView& view) {
         const int object = item_of(groups[i].about, "/objects/");
         bool changed = false;
         ImGui::PushID(static_cast<int>(i));
-        if (fold(groups[i].title.c_str(), is_open_at_first(state, groups[i]))) {
+        if (fold(whole_label(groups[i].title).c_str(), is_open_at_first(state, groups[i]))) {
             if (object >= 0)
                 changed = draw_object(state, written_scene, object, written[static_cast<std::size_t>(object)],
                                       groups[i].calls);
