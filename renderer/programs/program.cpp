@@ -68,13 +68,18 @@ std::optional<Problem> missing_in(Language language, const Scene& scene) {
     };
     const auto missing = lacks(language);
     if (missing == needs.end()) return std::nullopt;
-    std::string able;
-    for (const Language other : enumerators<Language>)
-        if (lacks(other) == needs.end())
+    std::string able, in_part;  // those that can draw the scene, and one that lacks something else
+    for (const Language other : enumerators<Language>) {
+        const auto lacking = lacks(other);
+        if (lacking == needs.end())
             able += (able.empty() ? "--language " : " or ") + std::string(name_of(other));
+        else if (in_part.empty() && can(other, *missing))
+            in_part = fmt::format("a scene without it, or --language {} and one without {}", name_of(other),
+                                  lacking->pointer);
+    }
+    if (able.empty()) able = in_part.empty() ? "a scene without it: no language can" : in_part;
     return Problem{"", missing->pointer,
-                   fmt::format("{}, which {} cannot do", missing->what, name_of(language)),
-                   able.empty() ? "a scene without it: no language can" : able};
+                   fmt::format("{}, which {} cannot do", missing->what, name_of(language)), able};
 }
 
 /// Names for a comment of any language: no control characters, no sign that continues a line or ends a

@@ -331,4 +331,14 @@ TEST_CASE("without a reflection model a program makes no mistake of lighting", "
           "/shading/mistakes/culled_by_light: a light that nothing is lit by leaves faces out, which cpp "
           "cannot "
           "do; expected a scene without it: no language can");
+    // What one language lacks another has, but that one lacks something else.
+    scene.shading.reflection = Reflection::Phong;
+    scene.shading.power_table = 16;
+    scene.shading.mistakes = {.culled_by_light = true};
+    const auto both = write_program({scene, small, ""}, Language::Cpp);
+    REQUIRE(problem_of(both) != nullptr);
+    CHECK(problem_of(both)->text() ==
+          "/shading/power_table: powers are looked up in a table, which cpp cannot do; expected a scene "
+          "without "
+          "it, or --language glsl and one without /shading/mistakes/culled_by_light");
 }

@@ -21,30 +21,48 @@ namespace {
 using Vec = Vec3<float>;
 using std::numbers::pi;
 
-/// The integral of value(v) n.v over the hemisphere of v, by the midpoint rule around the axis of the lobe:
-/// samples are dense near the axis, as a smooth surface needs, and in each half-plane through it they reach
-/// exactly to the horizon, where the integrand breaks off.
-glm::dvec3 over_hemisphere(glm::dvec3 axis, const std::function<glm::dvec3(glm::vec3)>& value) {
-    constexpr int around = 128, outward = 512;
+/// The integral of value(d) over the directions d within horizon(side) radians of `axis`, by the midpoint
+/// rule: samples are dense near the axis, as a smooth surface needs, and at the horizon, near which a lobe of
+/// grazing light is steep. In each half-plane, that of axis and `side`, they reach exactly to it.
+glm::dvec3 around_axis(glm::dvec3 axis, const std::function<double(glm::dvec3 side)>& horizon,
+                       const std::function<glm::dvec3(glm::dvec3 d)>& value) {
+    constexpr int around = 256, outward = 256;
     const glm::dvec3 across(0, 1, 0), along = glm::cross(across, axis);
     glm::dvec3 sum(0);
     for (int i = 0; i < around; ++i) {
         const double azimuth = 2 * pi * (i + 0.5) / around;
         const glm::dvec3 side = std::cos(azimuth) * along + std::sin(azimuth) * across;
-        // n.v = axis.z cos(polar) + side.z sin(polar) falls to 0 here:
-        const double horizon = std::atan2(side.z, axis.z) + pi / 2;
+        const double end = horizon(side);
         for (int j = 0; j < outward; ++j) {
-            const double t = (j + 0.5) / outward, polar = horizon * t * t * t;
-            const glm::dvec3 v = std::cos(polar) * axis + std::sin(polar) * side;
-            sum += value(glm::vec3(v)) * (v.z * std::sin(polar) * horizon * 3 * t * t);
+            const double t = (j + 0.5) / outward, polar = end * t * t * t * (4 - 3 * t);
+            const glm::dvec3 d = std::cos(polar) * axis + std::sin(polar) * side;
+            sum += value(d) * (std::sin(polar) * end * 12 * t * t * (1 - t));
         }
     }
     return sum * (2 * pi / (around * outward));
 }
 
-glm::dvec3 lobe_axis(const Reflector& reflector, double light_deg) {
-    const bool back = info_of(reflector.reflection).peak == HighlightPeak::Light;
-    return glm::normalize(glm::dvec3(in_plane(back ? -light_deg : light_deg)));
+/// The integral of value(v) n.v over the hemisphere of v. A lobe about the half vector is narrower across the
+/// plane of incidence than along it, the more the lower the light stands; about n, its half vectors are
+/// round.
+glm::dvec3 over_hemisphere(const Reflector& reflector, double light_deg,
+                           const std::function<glm::dvec3(glm::vec3 v)>& value) {
+    const ReflectionInfo& model = info_of(reflector.reflection);
+    if (model.uses_h) {
+        const glm::dvec3 l = glm::normalize(glm::dvec3(in_plane(-light_deg)));
+        // v = 2 (l.h) h - l, and n.v = l.z cos(2 polar) + l.side sin(2 polar) falls to 0 here:
+        const auto horizon = [&](glm::dvec3 side) { return std::atan2(l.z, -glm::dot(l, side)) / 2; };
+        return around_axis({0, 0, 1}, horizon, [&](glm::dvec3 h) {
+            const double l_dot_h = glm::dot(l, h);
+            const glm::dvec3 v = 2 * l_dot_h * h - l;
+            return value(glm::vec3(v)) * (v.z * 4 * l_dot_h);  // dv = 4 l.h dh
+        });
+    }
+    const bool back = model.peak == HighlightPeak::Light;
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(in_plane(back ? -light_deg : light_deg)));
+    // n.v = axis.z cos(polar) + side.z sin(polar) falls to 0 here:
+    const auto horizon = [&](glm::dvec3 side) { return std::atan2(side.z, axis.z) + pi / 2; };
+    return around_axis(axis, horizon, [&](glm::dvec3 v) { return value(glm::vec3(v)) * v.z; });
 }
 
 /// A direction with n.v in [0.05, 1], any azimuth.
@@ -91,13 +109,13 @@ std::vector<LobeSample> lobe_slice(const Reflector& reflector, double light_deg,
 
 glm::dvec3 specular_energy(const Reflector& reflector, double light_deg) {
     const glm::vec3 l = in_plane(-light_deg);
-    return over_hemisphere(lobe_axis(reflector, light_deg),
+    return over_hemisphere(reflector, light_deg,
                            [&](glm::vec3 v) { return glm::dvec3(reflected(reflector, l, v).specular); });
 }
 
 glm::dvec3 directional_albedo(const Reflector& reflector, double light_deg) {
     const glm::vec3 l = in_plane(-light_deg);
-    return over_hemisphere(lobe_axis(reflector, light_deg),
+    return over_hemisphere(reflector, light_deg,
                            [&](glm::vec3 v) { return glm::dvec3(brdf(reflector, l, v)); });
 }
 
@@ -135,30 +153,43 @@ namespace {
 constexpr int bins = 18;
 constexpr double bin_deg = 90.0 / bins;
 
-/// Density of directions l into which facets bounce a ray from v.
-double bounced_density(double alpha, glm::dvec3 v, glm::dvec3 l) {
-    const glm::dvec3 h = glm::normalize(v + l);
-    const double v_dot_h = glm::dot(v, h);
-    if (!(v_dot_h > 0) || !(h.z > 0)) return 0;
-    const Vec3<float> at{static_cast<float>(h.x), static_cast<float>(h.y), static_cast<float>(h.z)};
-    const float d = d_ggx<float>({0, 0, 1}, at, static_cast<float>(alpha));
-    return static_cast<double>(d) * h.z / (4 * v_dot_h);
+/// The share of facets, seen as n sees them, whose normals lie within a step of angles about n.
+double share_of_facets(double alpha, double polar, double polar_step, double azimuth_step) {
+    const Vec3<float> h{static_cast<float>(std::sin(polar)), 0, static_cast<float>(std::cos(polar))};
+    const auto d = static_cast<double>(d_ggx<float>({0, 0, 1}, h, static_cast<float>(alpha)));
+    return d * std::cos(polar) * std::sin(polar) * polar_step * azimuth_step;
 }
 
-/// The integral of bounced_density over the directions between two angles from n.
-double expected_share(double alpha, glm::dvec3 v, double from_deg, double to_deg) {
-    constexpr int steps = 64, around = 360;
-    double sum = 0;
-    for (int i = 0; i < steps; ++i) {
-        const double polar = (from_deg + (to_deg - from_deg) * (i + 0.5) / steps) * pi / 180;
-        for (int j = 0; j < around; ++j) {
-            const double azimuth = 2 * pi * (j + 0.5) / around;
-            const glm::dvec3 l(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
+/// Spreads a share evenly over the angles between two directions, where these are above the horizon.
+void spread(std::vector<LobeBin>& lobe, double share, double a_deg, double b_deg) {
+    const double low = std::min(a_deg, b_deg), width = std::max(std::abs(a_deg - b_deg), 1e-9);
+    for (auto i = static_cast<std::size_t>(low / bin_deg); i < lobe.size(); ++i) {
+        const double from = std::max(lobe[i].from_deg, low), to = std::min(lobe[i].to_deg, low + width);
+        if (to <= from) break;
+        lobe[i].expected += share * (to - from) / width;
+    }
+}
+
+/// Adds to each bin the integral of D(h) (n.h) / (4 v.h) over the directions l in it, as that of D(h) (n.h)
+/// over their half vectors: dl = 4 v.h dh. Steps are dense where D is large, however smooth the surface is.
+void add_expected(std::vector<LobeBin>& lobe, double alpha, glm::dvec3 v) {
+    constexpr int outward = 512, around = 360;  // half of the way round: left of v it is as right of it
+    const auto polar_at = [alpha](double t) { return std::atan2(alpha * t, 1 - t); };
+    for (int j = 0; j < around; ++j) {
+        const double azimuth = pi * (j + 0.5) / around;
+        const auto out_deg = [&](double polar) {
+            const glm::dvec3 h(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
                                std::cos(polar));
-            sum += bounced_density(alpha, v, l) * std::sin(polar);
+            return std::acos(std::clamp(2 * glm::dot(v, h) * h.z - v.z, -1.0, 1.0)) * 180 / pi;
+        };
+        double polar = 0, out = out_deg(0);
+        for (int i = 0; i < outward; ++i) {
+            const double next = polar_at((i + 1.0) / outward), middle = polar_at((i + 0.5) / outward);
+            const double next_out = out_deg(next);
+            spread(lobe, 2 * share_of_facets(alpha, middle, next - polar, pi / around), out, next_out);
+            polar = next, out = next_out;
         }
     }
-    return sum * (2 * pi / around) * ((to_deg - from_deg) * pi / 180 / steps);
 }
 
 }  // namespace
@@ -175,8 +206,8 @@ std::vector<LobeBin> facet_lobe(double roughness, double view_deg, int rays, std
     for (std::size_t i = 0; i < bins; ++i) {
         lobe[i].from_deg = bin_deg * static_cast<double>(i);
         lobe[i].to_deg = lobe[i].from_deg + bin_deg;
-        lobe[i].expected = expected_share(ggx_alpha(roughness), v, lobe[i].from_deg, lobe[i].to_deg);
     }
+    add_expected(lobe, ggx_alpha(roughness), v);
     std::mt19937 random(seed);
     for (int i = 0; i < rays; ++i) {
         const glm::dvec3 h = sampled_normal(roughness, random);

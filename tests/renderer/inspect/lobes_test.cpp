@@ -134,6 +134,34 @@ TEST_CASE("lobe: Cook-Torrance's albedo is that of the table, and never above 1"
         }
 }
 
+TEST_CASE("lobe: a grazing light is measured as an integral over the viewer's directions has it",
+          "[lobes][energy]") {
+    // By a program of its own: 4000 x 4000 directions v, dense at the horizon and at the plane of incidence.
+    const double cook_torrance[][4] = {{88, 0.979876, 0.893369, 0.949353},
+                                       {89, 0.937209, 0.924960, 0.971168},
+                                       {89.5, 0.894263, 0.957117, 0.983951}};
+    const float roughness[] = {0.08f, 0.2f, 0.5f};
+    for (const auto& row : cook_torrance)
+        for (std::size_t i = 0; i < 3; ++i) {
+            INFO("light at " << row[0] << ", roughness " << roughness[i]);
+            const Reflector r = mirror_like(Reflection::CookTorrance, 0, roughness[i]);
+            CHECK(directional_albedo(r, row[0]).x == Approx(row[i + 1]).margin(1e-4));
+        }
+    const double blinn_phong[][3] = {{80, 0.011715342, 7.6226244e-05},
+                                     {89, 0.0028992136, 1.2636533e-06},
+                                     {89.9, 0.002418946, 3.0757831e-07}};
+    for (const auto& [deg, at_100, at_10000] : blinn_phong) {
+        INFO("light at " << deg);
+        CHECK(specular_energy(mirror_like(Reflection::BlinnPhong, 100), deg).x ==
+              Approx(at_100).epsilon(5e-4));
+        CHECK(specular_energy(mirror_like(Reflection::BlinnPhong, 10000), deg).x ==
+              Approx(at_10000).epsilon(5e-4));
+    }
+    // The smoothest, a mirror but for Smith's 2 / (1 + sqrt(1 + a^2 tan^2)) each way, a = 0.001 at 60
+    // degrees.
+    CHECK(directional_albedo(mirror_like(Reflection::CookTorrance, 0, 0), 60).x == Approx(1).margin(1e-5));
+}
+
 TEST_CASE("lobe: BRDFs may be read backwards; the slides' Phong as f / n.l may not", "[lobes][reciprocity]") {
     CHECK(reciprocity_error(matt(Reflection::Lambert)) < 1e-5);
     CHECK(reciprocity_error(matt(Reflection::OrenNayar, 30)) < 1e-4);
