@@ -65,6 +65,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     close_left_modal(state);
     // Whatever has changed the scene since the last frame.
     state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
+    follow_items(state);
     ImGui::PushFont(fonts().body);
     begin_views(state);
     state.layout.lesson = state.lesson.course != nullptr || state.match.on;
@@ -75,6 +76,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     left_column(state, layout, picture_view(layout.centre, state));
     shortcuts_sheet(state);
     palette(state, input);
+    follow_items(state);
     hold_lesson(state);
     const PictureView view = picture_view(layout.centre, state);
     draw_picture(state, view);

@@ -37,12 +37,22 @@ template <class HalfEdges> auto boundary_places(const HalfEdges& mesh) {
     return places;
 }
 
+/// At least the six that a new vertex has. OpenMesh 9.0 makes the weights of Loop's scheme for up to 49 of
+/// them beforehand, and would read what lies behind those for more.
+template <class HalfEdges> std::size_t most_neighbours(const HalfEdges& mesh) {
+    std::size_t most = 6;
+    for (const auto v : mesh.vertices()) most = std::max<std::size_t>(most, mesh.valence(v));
+    return most;
+}
+
 /// One step at a time, as a load may be ended between two.
 template <class Subdivider, class HalfEdges> void subdivide(HalfEdges& mesh, int times) {
+    Subdivider subdivider;
+    if constexpr (requires { subdivider.init_weights(); }) subdivider.init_weights(most_neighbours(mesh) + 1);
     for (int step = 0; step < times; ++step) {
         report_or_leave(LoadStage::Building, mesh.n_faces());
         const auto boundary = boundary_places(mesh);
-        Subdivider()(mesh, 1);
+        subdivider(mesh, 1);
         for (const auto& [vertex, place] : boundary)
             mesh.set_point(vertex, place);  // a step keeps its vertices' numbers
     }

@@ -12,8 +12,13 @@ namespace {
 
 /// Puts the scene of a step in hand.
 void take_step(Editor& editor, const Scene& scene) {
-    editor.document.scene = scene;
-    editor.selection = valid_selection(editor.selection, scene);
+    const Scene before = std::exchange(editor.document.scene, scene);
+    Selection& selection = editor.selection;
+    int place = selection.index;
+    if (selection.kind == Selection::Kind::Light) place = place_in(before.lights, scene.lights, place);
+    if (selection.kind == Selection::Kind::Object) place = place_in(before.objects, scene.objects, place);
+    if (place >= 0) selection.index = place;
+    selection = valid_selection(selection, scene);
 }
 
 }  // namespace

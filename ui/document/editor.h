@@ -11,6 +11,7 @@
 #include "models/problem.h"
 #include "models/scene/scene.h"
 #include "models/scene_file/scene_file.h"
+#include "ui/document/follow_items.h"
 #include "ui/document/scene_edit.h"
 
 namespace glint {
@@ -87,7 +88,8 @@ struct Editor {
     ViewHistory views;
     bool edits_camera = false;  // the camera's numbers are being edited: that is an edit, not a look
     Selection selection;
-    std::unique_ptr<Editor> before;  // what was in hand, until this document has been drawn; then null
+    std::optional<FollowedItems> followed;  // nothing until the scene was drawn first
+    std::unique_ptr<Editor> before;         // what was in hand, until this document has been drawn; then null
 
     [[nodiscard]] Scene& scene() { return document.scene; }
     [[nodiscard]] const Scene& scene() const { return document.scene; }

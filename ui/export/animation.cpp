@@ -59,13 +59,7 @@ void forget_number_that_is_gone(UiState& state) {
     const std::string words = is_there ? words_for(scene, animate.animation.pointer) : "";
     if (animate.number.empty()) animate.number = words;
     if (is_there && words == animate.number) return;
-    const std::string gone = animate.number.empty() ? animate.animation.pointer : animate.number;
-    animate.number.clear();
-    animate.animation.pointer.clear();
-    animate.refused.clear();
-    if (animate.animation.motion != Motion::PingPong) return;
-    animate.playing = false;
-    state.notifications.tell("Animate: there is no “" + gone + "” any more");
+    forget_number(state);
 }
 
 void choose_number(AnimateState& animate, const Scene& scene) {
@@ -168,6 +162,17 @@ void animate_panel(UiState& state) {
     ImGui::End();
     ImGui::PopStyleVar(2);
     if (!animate.open) animate.playing = false;
+}
+
+void forget_number(UiState& state) {
+    AnimateState& animate = state.animate;
+    const std::string gone = animate.number.empty() ? animate.animation.pointer : animate.number;
+    animate.number.clear();
+    animate.animation.pointer.clear();
+    animate.refused.clear();
+    if (animate.animation.motion != Motion::PingPong) return;
+    animate.playing = false;
+    state.notifications.tell("Animate: there is no “" + gone + "” any more");
 }
 
 void poll_animation(UiState& state) {

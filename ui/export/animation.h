@@ -46,7 +46,7 @@ struct AnimateState {
     bool open = false, playing = false;
     std::optional<Scene> frame;  // while it plays: what the next picture shows
     Animation animation;
-    std::string search;                     // for the number that shall move
+    std::string search;  // for the number that shall move
     std::string number;  // Animation::pointer in words when it was chosen: "Bulb: intensity"; empty: not yet
     int frames_a_second = 25;               // 1 to 50: GIF counts hundredths of a second
     double began = 0;                       // ImGui's time at frame 0
@@ -56,6 +56,10 @@ struct AnimateState {
 
 /// The panel, while it is open.
 void animate_panel(UiState& state);
+
+/// Leaves the number that goes to and fro, which the scene does not have any more, and says so where it
+/// played.
+void forget_number(UiState& state);
 
 /// Once a frame: what plays is shown in the next one; what is being written goes on.
 void poll_animation(UiState& state);

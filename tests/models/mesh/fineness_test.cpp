@@ -108,6 +108,27 @@ TEST_CASE("subdividing triangles makes four of each, and Euler's formula goes on
     }
 }
 
+TEST_CASE("however many triangles meet at a vertex, Loop's weights carry it", "[fineness]") {
+    // The tip of a double pyramid over a polygon of n corners at height 0. Loop 1987: of the tip (64 - b)/64
+    // stay and b/64 come from the corners' mean, b = 40 - (3 + 2 cos(2 pi / n))^2.
+    for (const std::uint32_t n : {3u, 6u, 49u, 50u, 51u, 64u, 300u, 4096u}) {
+        std::vector<glm::vec3> places{{0, 1, 0}, {0, -1, 0}};
+        std::vector<std::vector<std::uint32_t>> faces;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const double turn = 2 * M_PI * i / n;
+            places.emplace_back(std::sin(turn), 0, std::cos(turn));
+            const std::uint32_t here = 2 + i, next = 2 + (i + 1) % n;
+            faces.push_back({0, here, next});
+            faces.push_back({1, next, here});
+        }
+        INFO(n << " neighbours");
+        const Mesh fine = refined(make_mesh(places, faces), {0, 1});
+        const double turned = 3 + 2 * std::cos(2 * M_PI / n);
+        CHECK(reach(fine, {0, 1, 0}) == Approx((24 + turned * turned) / 64));
+        CHECK(reach(fine, {0, -1, 0}) == Approx((24 + turned * turned) / 64));
+    }
+}
+
 TEST_CASE("a boundary is subdivided as a cubic B-spline, whatever lies within it: two such borders meet",
           "[fineness]") {
     // A patch's outline, and the same cut into triangles.

@@ -1,0 +1,111 @@
+// What names a light or an object by its place, after others came or went before it.
+#include "ui/document/follow_items.h"
+
+#include <random>
+
+#include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+/// Three lights that are all called "Light", of intensities 1, 2 and 3; the first one is selected.
+void take_three(HeadlessWindow& bench) {
+    bench.frames(1);
+    Scene& scene = bench.scene();
+    scene.lights.assign(3, scene.lights[0]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        scene.lights[i].name = "Light";
+        scene.lights[i].intensity = 1 + static_cast<float>(i);
+    }
+    bench.frames(2);
+    bench.state.editor.selection = {Selection::Kind::Light, 0};
+}
+
+}  // namespace
+
+TEST_CASE("an item is found in the list by what stayed around it, and where it has gone, is not", "[ui]") {
+    std::mt19937 random(1);
+    for (int round = 0; round < 2000; ++round) {
+        std::vector<int> before(1 + random() % 8);
+        for (std::size_t i = 0; i < before.size(); ++i) before[i] = static_cast<int>(i);
+        std::vector<int> after = before;
+        const auto place = static_cast<std::ptrdiff_t>(random() % before.size());
+        const int count = static_cast<int>(1 + random() % 3);  // of neighbours that come or go
+        if (random() % 2 == 0)
+            after.insert(after.begin() + place, static_cast<std::size_t>(count), 99);
+        else
+            after.erase(after.begin() + place,
+                        after.begin() + std::min(place + count, std::ptrdiff_t(after.size())));
+        for (int i = 0; i < static_cast<int>(before.size()); ++i) {
+            const auto found = std::find(after.begin(), after.end(), i);
+            CHECK(place_in(before, after, i) ==
+                  (found == after.end() ? -1 : static_cast<int>(found - after.begin())));
+        }
+    }
+    CHECK(place_in(std::vector{1, 2, 3}, std::vector{7, 8, 9}, 1) == 1);  // edited, each in its place
+}
+
+TEST_CASE("what is shown of a light stays its own when the one before it goes, comes back, or another comes",
+          "[ui][window]") {
+    HeadlessWindow bench;
+    take_three(bench);
+    bench.state.views.debug_view.set.choice.light = 1;
+    bench.state.views.grid.solo = GridCell{1, 2};
+    bench.state.views.grid.muted = {{-1, 1}, {0, 0}, {2, 1}};
+    bench.state.animate.animation.motion = Motion::PingPong;
+    bench.state.animate.animation.pointer = "/lights/1/intensity";
+    bench.frames(2);
+    const auto check_second = [&](int place) {
+        CHECK(bench.state.views.debug_view.set.choice.light == place);
+        CHECK(bench.state.views.grid.solo == GridCell{place, 2});
+        CHECK(bench.state.animate.animation.pointer == "/lights/" + std::to_string(place) + "/intensity");
+        CHECK(bench.scene().lights[static_cast<std::size_t>(place)].intensity == 2);
+        CHECK(bench.state.notifications.list.empty());
+    };
+    run_command(bench.state, test::command_named("Delete"));
+    bench.frames(2);
+    check_second(0);
+    CHECK(bench.state.views.grid.muted == std::vector<GridCell>{{-1, 1}, {1, 1}});
+    bench.state.editor.selection = {Selection::Kind::Light, 1};
+    run_command(bench.state, test::command_named("Undo"));
+    bench.frames(2);
+    check_second(1);
+    CHECK(bench.state.editor.selection == Selection{Selection::Kind::Light, 2});  // the same light
+    bench.state.editor.selection = {Selection::Kind::Light, 0};
+    run_command(bench.state, test::command_named("Duplicate"));
+    bench.frames(2);
+    check_second(2);
+}
+
+TEST_CASE("the number that goes to and fro goes with its light, though others are called the same",
+          "[ui][window][animate]") {
+    HeadlessWindow bench;
+    take_three(bench);
+    bench.state.animate.animation.motion = Motion::PingPong;
+    bench.state.animate.animation.pointer = "/lights/1/intensity";
+    bench.state.editor.selection = {Selection::Kind::Light, 1};
+    bench.frames(2);
+    run_command(bench.state, test::command_named("Delete"));
+    bench.frames(2);
+    CHECK(bench.state.animate.animation.pointer.empty());
+    CHECK(bench.state.notifications.list.back().text == "Animate: there is no “Light: intensity” any more");
+}
+
+TEST_CASE("a number of an object goes with it when one before it is deleted", "[ui][window][animate]") {
+    HeadlessWindow bench;
+    bench.frames(1);
+    Scene& scene = bench.scene();
+    scene.objects.resize(2, scene.objects[0]);
+    scene.objects[1].transform.translate.x = 3;
+    bench.state.animate.animation.motion = Motion::PingPong;
+    bench.state.animate.animation.pointer = "/objects/1/transform/translate/0";
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    bench.frames(2);
+    run_command(bench.state, test::command_named("Delete"));
+    bench.frames(2);
+    CHECK(bench.state.animate.animation.pointer == "/objects/0/transform/translate/0");
+    CHECK(bench.state.notifications.list.empty());
+}

@@ -1,0 +1,76 @@
+#include "ui/document/follow_items.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+#include <string_view>
+
+#include "ui/export/animation.h"
+#include "ui/ui.h"
+
+namespace glint {
+namespace {
+
+/// The pointer with the place of the item moved, where it leads into that list; empty where the item has
+/// gone.
+template <class Item>
+std::string followed(const std::string& pointer, std::string_view list, const std::vector<Item>& before,
+                     const std::vector<Item>& after) {
+    if (!pointer.starts_with(list)) return pointer;
+    int index = 0;
+    const char* const end = pointer.data() + pointer.size();
+    const auto [rest, error] = std::from_chars(pointer.data() + list.size(), end, index);
+    if (error != std::errc() || index >= static_cast<int>(before.size())) return pointer;
+    const int place = place_in(before, after, index);
+    return place < 0 ? "" : std::string(list) + std::to_string(place) + std::string(rest, end);
+}
+
+template <class Item>
+void follow_number(UiState& state, std::string_view list, const std::vector<Item>& before,
+                   const std::vector<Item>& after) {
+    const std::string& pointer = state.animate.animation.pointer;
+    const std::string place = followed(pointer, list, before, after);
+    if (place.empty() && !pointer.empty())
+        forget_number(state);
+    else
+        state.animate.animation.pointer = place;
+}
+
+void follow_lights(UiState& state, const std::vector<Light>& before) {
+    const std::vector<Light>& after = state.editor.scene().lights;
+    const auto is_one = [&before](int light) {
+        return light >= 0 && light < static_cast<int>(before.size());
+    };
+    const auto follow = [&](int& light) {
+        if (!is_one(light)) return true;
+        const int place = place_in(before, after, light);
+        if (place >= 0) light = place;
+        return place >= 0;
+    };
+    (void)follow(state.views.debug_view.set.choice.light);  // where it has gone, its neighbour's
+    TermGridState& grid = state.views.grid;
+    if (grid.solo && !follow(grid.solo->light)) grid.solo.reset();
+    std::erase_if(grid.muted, [&](GridCell& cell) { return !follow(cell.light); });
+    auto& marked = state.inspector.marked;
+    if (marked && !follow(marked->light)) marked.reset();
+    follow_number(state, "/lights/", before, after);
+}
+
+}  // namespace
+
+void follow_items(UiState& state) {
+    const Scene& scene = state.editor.scene();
+    std::optional<FollowedItems>& known = state.editor.followed;
+    if (!known) known.emplace(FollowedItems{scene.lights, scene.objects});
+    if (known->lights != scene.lights) {
+        if (known->lights.size() != scene.lights.size()) follow_lights(state, known->lights);
+        known->lights = scene.lights;
+    }
+    if (known->objects != scene.objects) {
+        if (known->objects.size() != scene.objects.size())
+            follow_number(state, "/objects/", known->objects, scene.objects);
+        known->objects = scene.objects;
+    }
+}
+
+}  // namespace glint
