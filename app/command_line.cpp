@@ -93,6 +93,8 @@ std::vector<Command> named_commands() {
 
 Outcome run_command_line(const Arguments& arguments) {
     const std::size_t at = first_word(arguments);
+    // What follows an unknown option is its value as likely as a word of its own: the option is named first.
+    const bool may_be_value = at > 0 && arguments[at - 1].starts_with('-') && arguments[at - 1].find('=') == std::string::npos;
     if (at < arguments.size()) {
         for (const Command& command : named_commands()) {
             if (command.name != arguments[at]) continue;
@@ -100,7 +102,7 @@ Outcome run_command_line(const Arguments& arguments) {
             rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(at));
             return run(command, rest);
         }
-        refuse_unknown_command(arguments[at]);
+        if (!may_be_value) refuse_unknown_command(arguments[at]);
     }
     return run(window_command(), arguments);
 }

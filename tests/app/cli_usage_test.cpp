@@ -38,6 +38,8 @@ TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-i
     const std::vector<WrongUsage> table{
         {{"rendr", "a", "-o", "b"},
          "rendr: neither a command nor a file; expected render or another that glint --help lists"},
+        {{"--size", "10x10"},
+         "--size: unknown option of glint; expected --set or another that glint --help lists"},
         {{""}, "FILE: is empty; expected a scene, a mesh, or - for a scene on standard input"},
         {{"render"}, "FILE: is missing; expected a scene, a mesh, or - for a scene on standard input"},
         {{"render", scene},

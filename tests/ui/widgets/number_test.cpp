@@ -19,7 +19,7 @@ using test::HeadlessWindow;
 namespace {
 
 /// Places in ImGui's io.KeysDown that this test gives to keys.
-constexpr int enter_key = 1, escape_key = 2, tab_key = 3;
+constexpr int enter_key = 1, escape_key = 2, tab_key = 3, backspace_key = 4;
 
 /// A window whose selected light's intensity stands in the panel, with a clipboard of its own.
 struct Bench : HeadlessWindow {
@@ -28,6 +28,7 @@ struct Bench : HeadlessWindow {
         io.KeyMap[ImGuiKey_Enter] = enter_key;
         io.KeyMap[ImGuiKey_Escape] = escape_key;
         io.KeyMap[ImGuiKey_Tab] = tab_key;
+        io.KeyMap[ImGuiKey_Backspace] = backspace_key;
         io.ClipboardUserData = &clipboard;
         io.SetClipboardTextFn = [](void* to, const char* text) { *static_cast<std::string*>(to) = text; };
         io.GetClipboardTextFn = [](void* from) { return static_cast<std::string*>(from)->c_str(); };
@@ -299,6 +300,16 @@ TEST_CASE("what is not a number leaves the number alone and says so in one line"
     CHECK(bench.intensity() == 0.5f);
     CHECK(bench.last_note().find("3*(") != std::string::npos);
     CHECK(bench.last_note().find('\n') == std::string::npos);
+}
+
+TEST_CASE("a field that was emptied keeps its number and says so", "[ui][window][numbers]") {
+    Bench bench;
+    bench.click(bench.field());
+    bench.tap(backspace_key);  // all of it is selected
+    bench.tap(enter_key);
+    CHECK(bench.intensity() == 0.5f);
+    CHECK(bench.last_note() ==
+          "There is no number in the field, which takes 1023 characters at most. It keeps 0.5");
 }
 
 TEST_CASE("a long calculation is calculated to its end, and one that fills the field is not a number",

@@ -92,8 +92,13 @@ bool end_typing(float& value, const Range& range) {
     const Typing typing = hand.typing;
     hand = {};
     const std::string text = typing.text.data();
-    if (text.empty() || text == typing.began_with) return assign(value, double(typing.before), range);
+    if (text == typing.began_with) return assign(value, double(typing.before), range);
     const Calculated found = calculated_typing(typing);
+    if (text.empty()) {  // emptied, or with more pasted into it than it takes
+        say(fmt::format("There is no number in the field, which takes {} characters at most. It keeps {}",
+                        longest_text - 1, exact_text(typing.before)));
+        return assign(value, double(typing.before), range);
+    }
     if (!found.problem.empty()) {
         refused_text = text;
         say(fmt::format("“{}” is not a number: {}. The field keeps {}", shortened(text), found.problem,
