@@ -56,12 +56,6 @@ struct PlacedPicture {
     bool operator==(const PlacedPicture&) const = default;
 };
 
-/// A scene that is shown in place of the edited one, and what it is called in a sentence.
-struct OtherScene {
-    Scene scene;
-    const char* name = "";
-};
-
 /// Everything that the window remembers from frame to frame, beside ImGui's own context and what ui/widgets
 /// keeps of the current one: the theme and scale applied last (theme.cpp), the fonts loaded last (fonts.cpp);
 /// the item on which the pointer rests, the earliest frame asked for, and the list in which tests find

@@ -27,27 +27,30 @@ namespace {
 
 constexpr std::array tabs{
     InspectorTabInfo{InspectorTab::Equation, "Equation",
-                     "The lighting equation at the picked pixel, with its numbers", equation_tab, true, true},
+                     "The lighting equation at the picked pixel, with its numbers", equation_tab,
+                     TabScene::Asked, true},
     InspectorTabInfo{InspectorTab::Vectors, "Vectors",
-                     "n, l, v, r and h at the picked point, and the facet's own normal", vectors_tab, true,
-                     true},
+                     "n, l, v, r and h at the picked point, and the facet's own normal", vectors_tab,
+                     TabScene::Asked, true},
     InspectorTabInfo{InspectorTab::Models, "Models",
-                     "The same pixel under flat, facet, Gouraud and Phong shading", models_tab, false, true},
+                     "The same pixel under flat, facet, Gouraud and Phong shading", models_tab,
+                     TabScene::Edited, true},
     InspectorTabInfo{InspectorTab::Mistakes, "Mistakes", "Mistakes that are really made, each a switch",
-                     mistakes_tab, false, true},
+                     mistakes_tab, TabScene::Edited, true},
     InspectorTabInfo{InspectorTab::MyPicture, "My picture",
                      "What is wrong in a picture of this scene that your own program drew", my_picture_tab},
     InspectorTabInfo{InspectorTab::Program, "Program",
                      "The calls by which OpenGL draws this scene, every number to be dragged", program_tab},
     InspectorTabInfo{InspectorTab::Plots, "Plots",
-                     "Falloff, highlight, cone, lobes and microfacets as curves", plots_tab, true},
+                     "Falloff, highlight, cone, lobes and microfacets as curves", plots_tab, TabScene::Asked},
     InspectorTabInfo{InspectorTab::Grid, "Light × term",
-                     "Every term of every light as a small picture: alone, or left out", term_grid_tab},
+                     "Every term of every light as a small picture: alone, or left out", term_grid_tab,
+                     TabScene::Shown},
     InspectorTabInfo{InspectorTab::Sensitivity, "Sensitivity",
                      "What matters here: every number, sorted by how much the pixel moves with it",
                      sensitivity_tab},
     InspectorTabInfo{InspectorTab::Matrices, "Matrices", "View, its inverse, projection, and what they carry",
-                     matrices_tab, true},
+                     matrices_tab, TabScene::Asked},
     InspectorTabInfo{InspectorTab::Outside, "From outside",
                      "The eye, its view volume and the lights, seen from outside", outside_tab},
 };
@@ -190,12 +193,11 @@ void tab_bar(InspectorState& inspector) {
 /// Draws a tab while what was asked is of another scene than the edited one.
 void draw_beside_other(UiState& state, const InspectorTabInfo& info, const PictureView& view) {
     const char* const which = state.asked_other->name;
-    if (!info.is_of_asked) {
-        if (state.explanation)
-            wrapped_dim(fmt::format("The pixel is of {}. What follows is of the edited scene.", which));
-        return info.draw(state, view);
-    }
-    if (state.explanation) wrapped_dim(fmt::format("Numbers of {}: not to be edited.", which));
+    if (info.scene == TabScene::Edited)
+        wrapped_dim(fmt::format("The {} is of {}. What follows is of the edited scene.",
+                                state.explanation ? "pixel" : "picture", which));
+    if (info.scene != TabScene::Asked) return info.draw(state, view);
+    wrapped_dim(fmt::format("Numbers of {}: not to be edited.", which));
     ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, 1);  // they are there to be read
     ImGui::BeginDisabled();
     info.draw(state, view);

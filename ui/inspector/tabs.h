@@ -22,15 +22,20 @@ struct PictureView;
 /// Seconds that the scene has stood still before something is measured or drawn beside the window.
 inline constexpr double stillness = 0.25;
 
+/// The scene that a tab is about.
+enum class TabScene {
+    Edited,
+    Asked,  // asked_scene(), whose numbers cannot be edited where it is not the edited one
+    Shown   // what rests on the screen; the tab says so itself
+};
+
 /// A tab: what it is called, what its tooltip says, and what draws it below the tab bar.
 struct InspectorTabInfo {
     InspectorTab tab;
     const char* label;
     const char* what;
     void (*draw)(UiState&, const PictureView&);
-    /// Its numbers are those of asked_scene(), which cannot be edited where it is not the edited scene. The
-    /// others are about the edited scene.
-    bool is_of_asked = false;
+    TabScene scene = TabScene::Edited;
     bool is_first = false;  // it stands in the bar, not behind More
 };
 

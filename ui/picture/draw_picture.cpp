@@ -69,6 +69,8 @@ PictureSize size_for_memory(FramePace& pace, PictureSize paced, PictureSize full
 /// screen.
 void explain_asked(UiState& state, const PictureView& view) {
     state.explanation.reset();
+    state.asked_other = state.resting;
+    state.asked_part = {};
     const auto asked = asked_pixel(state, view);
     if (!asked) return;
     const PictureSize whole = view.map.size, drawn = state.rendered->size;
@@ -79,21 +81,15 @@ void explain_asked(UiState& state, const PictureView& view) {
     state.asked = *asked;
     state.asked_size = whole;
     state.explained_size = drawn;
-    state.asked_other = state.resting;
-    state.asked_part = {};
     state.explained = item_counts(state.rendered_scene);
 }
 
 /// What shows until the user ends it, whatever is edited.
 std::optional<OtherScene> resting_scene(const UiState& state) {
-    if (state.lecture.frozen) return OtherScene{*state.lecture.frozen, "the frozen picture"};
-    if (state.animate.frame) return OtherScene{*state.animate.frame, "the animation at this moment"};
-    if (state.inspector.instead && state.inspector.instead_rests)
+    const bool takes_turn = !state.lecture.frozen && !state.animate.frame;
+    if (takes_turn && state.inspector.instead && state.inspector.instead_rests)
         return OtherScene{*state.inspector.instead, "the cells that are shown"};
-    const CompareChoice& compare = state.views.compare.choice;
-    if (!compare.shows_stored) return {};
-    return OtherScene{scene_under({Variant::Kind::Stored, 0}, state.editor.scene(), compare.stored.get()),
-                      name_of_stored};
+    return resting_below_cells(state);
 }
 
 /// Whether `explanation` names lights and objects by numbers that the scene has which it is about.
@@ -176,6 +172,15 @@ Scene& asked_scene(UiState& state) {
 }
 const Scene& asked_scene(const UiState& state) {
     return state.asked_other ? state.asked_other->scene : state.editor.scene();
+}
+
+std::optional<OtherScene> resting_below_cells(const UiState& state) {
+    if (state.lecture.frozen) return OtherScene{*state.lecture.frozen, "the frozen picture"};
+    if (state.animate.frame) return OtherScene{*state.animate.frame, "the animation at this moment"};
+    const CompareChoice& compare = state.views.compare.choice;
+    if (!compare.shows_stored) return {};
+    return OtherScene{scene_under({Variant::Kind::Stored, 0}, state.editor.scene(), compare.stored.get()),
+                      name_of_stored};
 }
 
 bool is_out_of_hand(const UiState& state) {

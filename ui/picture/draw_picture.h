@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "models/scene/scene.h"
 #include "renderer/picture.h"
 #include "renderer/renderer.h"
 #include "ui/commands/keys.h"
@@ -12,6 +13,12 @@
 namespace glint {
 
 struct UiState;
+
+/// A scene that is shown in place of the edited one, and what it is called in a sentence.
+struct OtherScene {
+    Scene scene;
+    const char* name = "";
+};
 
 // Keeps a drag fluent: if a full picture takes too long, smaller ones are drawn while something moves, and
 // the full one as soon as it rests. A state machine of its own: milliseconds in, a divisor out.
@@ -77,6 +84,10 @@ inline constexpr const char* name_of_stored = "B, the stored scene";
 /// The scene that `explanation` is about. What is changed in one that is not the edited scene is lost.
 [[nodiscard]] Scene& asked_scene(UiState& state);
 [[nodiscard]] const Scene& asked_scene(const UiState& state);
+
+/// The scene that rests on the screen in place of the edited one while no cells of Light × term are kept
+/// there.
+[[nodiscard]] std::optional<OtherScene> resting_below_cells(const UiState& state);
 
 /// Whether the picture shows a scene that a hand in it does not edit: a frozen one, one that plays, or B.
 [[nodiscard]] bool is_out_of_hand(const UiState& state);

@@ -155,7 +155,11 @@ std::string title_of(const DebugViewState& state, const Scene& scene) {
 void light_choice(DebugViewState& state, const Scene& scene) {
     if (state.set.choice.view != DebugView::NDotL || scene.lights.empty()) return;
     ImGui::SetNextItemWidth(px(86));
-    (void)light_combo("##debug_view_light", state.set.choice.light, scene.lights);
+    int& light = state.set.choice.light;  // of the edited scene, which may have more
+    int shown = std::min(light, static_cast<int>(scene.lights.size()) - 1);
+    const int before = shown;
+    (void)light_combo("##debug_view_light", shown, scene.lights);
+    if (shown != before) light = shown;
     tooltip("Light", "Whose n·l is shown; it may be off");
     ImGui::SameLine(0, px(4));
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ui/inspector/inspector.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
@@ -211,7 +212,11 @@ void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size)
 
 void term_grid_tab(UiState& state, const PictureView& view) {
     TermGridState& grid = state.views.grid;
-    const Scene& scene = state.editor.scene();
+    if (state.lecture.frozen || state.animate.frame)
+        return wrapped_dim("While the picture is frozen, or an animation plays, no term is shown alone.");
+    const std::optional<OtherScene> other = resting_below_cells(state);
+    const Scene& scene = other ? other->scene : state.editor.scene();
+    if (other) small_dim(fmt::format("Of {}.", other->name));
     update_term_grid(grid, scene, view.map.size);
     sum_note(scene);
     const float gap = px(4), width = (ImGui::GetContentRegionAvail().x - px(10)) / 3;
@@ -228,7 +233,9 @@ void term_grid_tab(UiState& state, const PictureView& view) {
         if (cell_button(grid, cell, width)) pointed = cell;
     }
     std::vector<GridCell> shown;
-    const std::optional<GridCell> alone = pointed ? pointed : grid.solo;
+    std::optional<GridCell> alone = grid.solo;
+    if (alone && alone->light >= static_cast<int>(scene.lights.size())) alone.reset();  // B may have fewer
+    if (pointed) alone = pointed;
     for (const GridCell cell : grid_cells(scene))
         if (alone ? cell == *alone : !is_among(grid.muted, cell)) shown.push_back(cell);
     if (alone || !grid.muted.empty()) show_instead(state, with_cells(scene, shown), "", !pointed);

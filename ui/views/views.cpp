@@ -93,7 +93,7 @@ void command_button(UiState& state, const char* label, CommandId id, const char*
 
 void views_bar(UiState& state) {
     ImGui::PushFont(fonts().small);
-    if (debug_view_controls(state.views.debug_view, state.editor.scene()))
+    if (debug_view_controls(state.views.debug_view, shown_scene(state)))
         state.views.compare.choice.on = false;  // they take each other's place
     command_button(state, "Over-range", CommandId::OverRange,
                    "Stripes over pixels whose colour exceeds 1 in a channel and is cut off");

@@ -103,7 +103,7 @@ TEST_CASE("a right picture has no mistake, whatever happened to it at the displa
     CHECK(100 * right >= 99 * all);
 }
 
-TEST_CASE("a picture of another scene is in no catalogue, or not comparable", "[diagnose]") {
+TEST_CASE("a picture of another scene is in no catalogue, or not comparable", "[diagnose][release]") {
     int all = 0, refused = 0;
     for (unsigned seed = 1; seed <= scenes(20); ++seed) {
         const SceneDocument document = diagnosed_scene(300 + seed);

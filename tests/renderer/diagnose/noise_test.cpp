@@ -40,7 +40,7 @@ TEST_CASE("noise is measured, and what a clean picture shows is none", "[diagnos
     CHECK(noise_of(grey, grey) == 0);
 }
 
-TEST_CASE("a right picture with noise has no mistake", "[diagnose]") {
+TEST_CASE("a right picture with noise has no mistake", "[diagnose][release]") {
     for (const char* name : {"sun.json", "still-life.json", "default.json"}) {
         const SceneDocument document = shipped(name);
         const Picture right = picture_under(document.scene, {});

@@ -63,7 +63,8 @@ TEST_CASE("a picture of one colour is not comparable, unless the scene has one, 
     CHECK(diagnosed(dark, picture).verdict == Verdict::NoMistake);
 }
 
-TEST_CASE("a picture of two flat colours has no noise, and is not a mistake of another scene", "[diagnose]") {
+TEST_CASE("a picture of two flat colours has no noise, and is not a mistake of another scene",
+          "[diagnose][release]") {
     for (const char* const name : {"sun", "every-term", "still-life"}) {
         const SceneDocument document = shipped(name + std::string(".json"));
         const Picture right = right_of(document, {320, 180});
@@ -78,7 +79,7 @@ TEST_CASE("a picture of two flat colours has no noise, and is not a mistake of a
 }
 
 TEST_CASE("a small picture that is cut off or darkened in part is not a mistake in fine detail, softened",
-          "[diagnose]") {
+          "[diagnose][release]") {
     for (const char* const name : {"classic-materials", "shininess-grid", "phong-and-blinn-exponents"}) {
         const SceneDocument document = shipped(name + std::string(".json"));
         const Picture right = right_of(document, {240, 180});
@@ -128,7 +129,7 @@ template <class Level> Picture picture_of(PictureSize size, const Level& level) 
 
 }  // namespace
 
-TEST_CASE("a right picture that was enlarged or sharpened is not a mistake", "[diagnose]") {
+TEST_CASE("a right picture that was enlarged or sharpened is not a mistake", "[diagnose][release]") {
     for (const char* const name : {"given-normals", "classic-materials", "sun", "default", "bulb",
                                    "glossy-ball", "mach-bands", "red-light-on-green"}) {
         const SceneDocument document = shipped(name + std::string(".json"));

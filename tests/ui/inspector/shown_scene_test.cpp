@@ -363,3 +363,24 @@ TEST_CASE("a highlight is taken hold of where it is seen, and not where another 
     bench.frames(2);
     CHECK(found() == 0);
 }
+
+TEST_CASE("while B is looked at, n·l is that of a light of B, and the cells are B's",
+          "[ui][window][compare]") {
+    StoredWindow bench;
+    bench.key(Key::B);
+    DebugViewChoice& choice = bench.state.views.debug_view.set.choice;
+    choice = {.view = DebugView::NDotL, .light = 1};  // the edited scene has one light
+    bench.state.inspector.tab = InspectorTab::Grid;
+    bench.frames(3);
+    CHECK(choice.light == 1);
+    CHECK(bench.state.views.grid.drawn_of == bench.b);
+    bench.state.views.grid.solo = GridCell{1, 1};
+    bench.frames(3);
+    const auto cell_of = [](const Scene& scene) { return with_cells(scene, {{1, 1}}); };
+    CHECK(bench.state.rendered_scene == cell_of(bench.b));
+    bench.key(Key::B);
+    bench.frames(3);
+    CHECK(choice.light == 1);
+    CHECK(bench.state.views.grid.drawn_of == bench.edited);
+    CHECK(bench.state.rendered_scene == bench.edited);  // it has no such cell
+}

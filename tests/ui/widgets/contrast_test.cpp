@@ -155,7 +155,8 @@ std::size_t check_controls(HeadlessWindow& bench, Checked& checked) {
 
 }  // namespace
 
-TEST_CASE("every control can be read in all its states, in all themes", "[ui][window][contrast][long]") {
+TEST_CASE("every control can be read in all its states, in all themes",
+          "[ui][window][contrast][long][release]") {
     const bool light = GENERATE(false, true), projector = GENERATE(false, true);
     HeadlessWindow bench({1600, 1000});
     apply_theme(projector ? projector_theme(!light) : light ? light_theme() : dark_theme(), 1);
