@@ -46,8 +46,9 @@ namespace glint {
 struct Pending {
     enum class What { Nothing, New, Open, Recover, Match, Page, Quit };
     What what = What::Nothing;
-    std::string path;     // to open; of the copy to take up; the seed of a match
-    bool asking = false;  // the question is on the screen; else the changes are being saved
+    std::string path;          // to open; of the copy to take up; the seed of a match
+    std::size_t left_out = 0;  // files that were dropped with that one
+    bool asking = false;       // the question is on the screen; else the changes are being saved
 };
 
 /// Where the picture goes, in the window: to all of `picture`, cut off at `room`.

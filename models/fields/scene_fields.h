@@ -257,8 +257,10 @@ template <Of<Shading> S, class Visit> void fields(S& s, Visit&& visit) {
               "v points to the eye; off: v = (0, 0, 1) in camera coordinates everywhere, as if seen from far "
               "away"},
           Switch{}, s.local_viewer);
-    visit(Row{"cull", "Cull", "Which side is left out, by the triangles' winding on the screen"}, OneOf{},
-          s.cull);
+    visit(Row{"cull", "Cull",
+              "Which side is left out, by the triangles' winding on the screen, a mirrored object's the "
+              "other way round"},
+          OneOf{}, s.cull);
     visit(Row{"rules", "Rules of", "Whose rules the equation follows"}, OneOf{}, s.rules);
     visit(Row{"terms", "Terms of the equation", "Off: the term is left out of the sum"}.undone_as("Terms"),
           Group{}, s.terms);

@@ -58,8 +58,10 @@ using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>
 /// Empty for streams, pipes and devices, which nobody replaces, and for what cannot be written.
 [[nodiscard]] std::string replaced_file(const std::string& path);
 
-/// Writes several files as write_file() does, but lets them appear together: an error before the last one is
-/// written leaves none of them.
+/// Writes several files as write_file() does, but lets them appear together: an error leaves none of them,
+/// each old file where it was (where the file system can exchange two files; else an error of a rename leaves
+/// those before it), and of the signals that can be caught none ends the process between two. What has gone
+/// into a pipe or a device stays there.
 class FilesTogether {
   public:
     FilesTogether();
@@ -74,6 +76,7 @@ class FilesTogether {
 
   private:
     struct Staged;
+    [[nodiscard]] static Staged* change_places(const std::vector<Staged*>& files, int& error);
     std::vector<Staged> files_;
 };
 

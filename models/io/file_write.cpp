@@ -242,17 +242,35 @@ Result<std::monostate> FilesTogether::add(const std::string& path, std::string b
     return std::monostate{};
 }
 
+/// Puts all of them in their places; the one that cannot be, with its `error`, and then none of them.
+FilesTogether::Staged* FilesTogether::change_places(const std::vector<Staged*>& files, int& error) {
+    const NoEndBetween no_end_between;
+    for (auto at = files.begin(); at != files.end(); ++at) {
+        error = (*at)->file->change_places((*at)->target.path);
+        if (error == 0) continue;
+        for (auto changed = at; changed != files.begin();) {
+            --changed;
+            (*changed)->file->take_back((*changed)->target.path);
+        }
+        return *at;
+    }
+    return nullptr;
+}
+
 Result<std::monostate> FilesTogether::put_in_place() {
     int error = 0;
     for (const Staged& staged : files_) {
         if (staged.target.straight) error = write_straight_through(staged.target, staged.bytes);
         if (error != 0) return cannot_write(staged.path, error);
     }
-    for (Staged& staged : files_) {
-        if (staged.file) error = glint::put_in_place(*staged.file, staged.target);
-        if (error != 0) return cannot_write(staged.path, error);
-    }
-    files_.clear();
+    std::vector<Staged*> staged;
+    for (Staged& each : files_)
+        if (each.file) staged.push_back(&each);
+    if (staged.size() == 1)
+        return written(staged[0]->path, glint::put_in_place(*staged[0]->file, staged[0]->target));
+    if (const Staged* const refused = change_places(staged, error)) return cannot_write(refused->path, error);
+    for (const Staged* each : staged) sync_directory_of(each->target.path);
+    files_.clear();  // and what was there before
     return std::monostate{};
 }
 

@@ -36,28 +36,33 @@ struct Known {
 };
 std::array<Known, 64> known;  // as many as are written at once; more are not known to the handler
 std::atomic<bool> ending{false};
-static_assert(std::atomic<Slot>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+std::atomic<int> between{0};  // NoEndBetween that live
+static_assert(std::atomic<Slot>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
+              std::atomic<int>::is_always_lock_free);
 
 [[noreturn]] void wait_for_the_end() {
     for (;;) ::pause();
 }
 
-/// While it lives, no handler of ours runs on this thread: a handler that waits for a file that this thread
-/// opens would wait for ever.
+/// From here on no handler of ours runs on this thread: one that waits for what this thread does would wait
+/// for ever. Returns the signals that were kept off before.
+sigset_t keep_signals_off() {
+    sigset_t signals, before;
+    sigemptyset(&signals);
+    for (const int number : ending_signals) sigaddset(&signals, number);
+    pthread_sigmask(SIG_BLOCK, &signals, &before);
+    return before;
+}
+
 class NoEndHere {
   public:
-    NoEndHere() {
-        sigset_t signals;
-        sigemptyset(&signals);
-        for (const int number : ending_signals) sigaddset(&signals, number);
-        pthread_sigmask(SIG_BLOCK, &signals, &before_);
-    }
+    NoEndHere() : before_(keep_signals_off()) {}
     ~NoEndHere() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
     NoEndHere(const NoEndHere&) = delete;
     NoEndHere& operator=(const NoEndHere&) = delete;
 
   private:
-    sigset_t before_{};
+    sigset_t before_;
 };
 
 /// Claims a slot for this path, with the state Opening; -1 when none is left or the path is too long.
@@ -193,7 +198,8 @@ Temporary::Temporary(Temporary&& other) noexcept
       lock_(std::exchange(other.lock_, -1)),
       error_(other.error_),
       slot_(std::exchange(other.slot_, -1)),
-      is_there_(std::exchange(other.is_there_, false)) {}
+      is_there_(std::exchange(other.is_there_, false)),
+      change_(other.change_) {}
 
 Temporary::~Temporary() {
     if (is_there_) ::unlink(path_.c_str());
@@ -218,10 +224,45 @@ int Temporary::put_in_place(const std::string& target) {
     return 0;
 }
 
+int Temporary::change_places(const std::string& target) {
+    struct stat status {};
+    const int refused = ::lstat(target.c_str(), &status) == 0 ? 0 : errno;
+    if (refused == 0 && S_ISREG(status.st_mode)) {
+        if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0) {
+            change_ = Change::Exchanged;
+            return 0;
+        }
+        if (errno != EINVAL && errno != ENOSYS) return errno;
+    }
+    const int error = put_in_place(target);
+    if (error == 0 && refused == ENOENT) change_ = Change::Alone;
+    return error;
+}
+
+void Temporary::take_back(const std::string& target) {
+    if (change_ == Change::Exchanged)
+        (void)::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE);
+    if (change_ == Change::Alone) ::unlink(target.c_str());
+    change_ = Change::None;
+}
+
+NoEndBetween::NoEndBetween() : before_(keep_signals_off()) {
+    ++between;
+    if (ending) {
+        --between;
+        wait_for_the_end();
+    }
+}
+
+NoEndBetween::~NoEndBetween() {
+    --between;
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
 void remove_temporaries() {
     ending = true;
     constexpr int tries = 200, wait_ms = 5;  // a file system that hangs must not keep a process from ending
-    for (int i = 0; i < tries && any_opening(); ++i) ::poll(nullptr, 0, wait_ms);
+    for (int i = 0; i < tries && (any_opening() || between > 0); ++i) ::poll(nullptr, 0, wait_ms);
     for (const Known& k : known)
         if (k.slot == Slot::There) ::unlink(k.path.data());
 }

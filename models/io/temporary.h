@@ -3,6 +3,7 @@
 // process, no such file stays for long: its own destructor removes it, a signal's handler does, and what a
 // killed process has left is removed by the next one that writes in the same directory.
 
+#include <signal.h>
 #include <sys/types.h>
 
 #include <string>
@@ -32,6 +33,10 @@ class Temporary {
     int close();
     /// Renames it to `target`. 0, or an errno.
     int put_in_place(const std::string& target);
+    /// Does so, but keeps the file that was there until the end of this object: take_back() brings it back.
+    /// On a file system that cannot exchange two files the old one is gone.
+    int change_places(const std::string& target);
+    void take_back(const std::string& target);
 
   private:
     bool make(const std::string& path, mode_t mode);
@@ -39,7 +44,21 @@ class Temporary {
     std::string path_;
     int descriptor_ = -1, lock_ = -1, error_ = 0;
     int slot_ = -1;          // where the signal handler finds it; -1 when there was no room
-    bool is_there_ = false;  // the file, under its own name
+    bool is_there_ = false;  // the file, or the one that it has changed places with, under its own name
+    enum class Change { None, Exchanged, Alone } change_ = Change::None;  // Alone: nothing was there
+};
+
+/// While it lives, none of the signals below ends the process: what is renamed meanwhile is renamed as a
+/// whole. For a moment: after a second the process ends all the same.
+class NoEndBetween {
+  public:
+    NoEndBetween();
+    ~NoEndBetween();
+    NoEndBetween(const NoEndBetween&) = delete;
+    NoEndBetween& operator=(const NoEndBetween&) = delete;
+
+  private:
+    sigset_t before_{};
 };
 
 /// Removes every Temporary of this process. Only for a process that ends now: threads that still write wait

@@ -215,6 +215,12 @@ int rename(const char* from, const char* to) {
     return fails(Kind::Rename) ? -1 : int(::syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
 }
 
+int renameat2(int from_directory, const char* from, int to_directory, const char* to, unsigned flags) {
+    log_line("rename %s %s\n", from, to);
+    return fails(Kind::Rename) ? -1
+                               : int(::syscall(SYS_renameat2, from_directory, from, to_directory, to, flags));
+}
+
 int unlink(const char* path) {
     log_line("unlink %s\n", path);
     return fails(Kind::Unlink) ? -1 : int(::syscall(SYS_unlinkat, AT_FDCWD, path, 0));

@@ -43,8 +43,10 @@ template <LightEffect effect> void follow_by_effect(UiState& state) {
     begin_effect(state.viewport, state.editor.scene(), state.editor.selection, effect);
 }
 
+constexpr const char* is_of_another = "The picture shows another scene than the one that is edited";
+
 std::string unless_light(const UiState& state) {
-    if (is_out_of_hand(state)) return "The picture shows another scene than the one that is edited";
+    if (is_out_of_hand(state)) return is_of_another;
     return unless(!state.editor.scene().lights.empty(), "The scene has no light");
 }
 
@@ -224,6 +226,7 @@ std::vector<WindowCommand> edit_commands() {
              },
          .why_disabled =
              [](const UiState& s) {
+                 if (is_out_of_hand(s)) return std::string(is_of_another);
                  return unless(light_that_matters(s).has_value(),
                                "No light adds anything under the cursor, nor at a picked point");
              },

@@ -106,8 +106,8 @@ void say_what_failed(UiState& state, const std::exception& error) {
 
 }  // namespace
 
-void begin_pending(UiState& state, Pending::What what, const std::string& path) {
-    state.pending = {what, path, state.editor.unsaved()};
+void begin_pending(UiState& state, Pending::What what, const std::string& path, std::size_t left_out) {
+    state.pending = {what, path, left_out, state.editor.unsaved()};
     if (!state.pending.asking) finish_pending(state);
 }
 
@@ -143,6 +143,7 @@ void finish_pending(UiState& state) {
     }
     if (now.what == Pending::What::Recover) recover_autosave(state, now.path);
     if (now.what == Pending::What::Open) begin_open(state, now.path);
+    if (now.left_out > 0) state.notifications.add(Tone::Warning, only_first_of_several);
     if (now.what == Pending::What::Page) turn_page(state, std::atoi(now.path.c_str()));
     if (now.what == Pending::What::Match) begin_match(state, std::strtoull(now.path.c_str(), nullptr, 10));
 }

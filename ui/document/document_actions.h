@@ -10,8 +10,12 @@
 
 namespace glint {
 
-/// Opens the file `path`, begins anew or quits, asking first when changes are not saved.
-void begin_pending(UiState& state, Pending::What what, const std::string& path = {});
+inline constexpr const char* only_first_of_several = "Several files were dropped: only the first is opened";
+
+/// Opens the file `path`, begins anew or quits, asking first when changes are not saved. `left_out`: files
+/// that were dropped with that one, and are not opened; that is said when it is.
+void begin_pending(UiState& state, Pending::What what, const std::string& path = {},
+                   std::size_t left_out = 0);
 /// Goes on with what waited, after the answer or after saving.
 void finish_pending(UiState& state);
 /// Makes `document` the open one. Everything about the scene before is dropped: gesture, probe, explanation,

@@ -179,8 +179,10 @@ void poll_document(UiState& state) {
     if (same_description(state.editor.scene(), loading.scene_then) || !state.editor.unsaved())
         return take_loaded(state, std::move(document));
     // Work went on while it was loading: it is not thrown away unasked.
-    state.pending = loading.recovery ? Pending{Pending::What::Recover, loading.recovery->autosave, true}
-                                     : Pending{Pending::What::Open, loading.path, true};
+    state.pending =
+        loading.recovery
+            ? Pending{.what = Pending::What::Recover, .path = loading.recovery->autosave, .asking = true}
+            : Pending{.what = Pending::What::Open, .path = loading.path, .asking = true};
     loading.loaded = std::move(document);
 }
 

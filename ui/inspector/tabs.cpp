@@ -110,7 +110,8 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
                                   at.x + room, what.data(), what.data() + what.size(), nullptr);
         ImGui::SameLine(0, px(12));
         coloured(is_plain_front(explanation) ? theme().dim_text : theme().warning, side);
-        tooltip("Side", "Front: its corners run counter-clockwise on the screen",
+        tooltip("Side",
+                "Front: its corners run counter-clockwise on the screen, a mirrored object's clockwise",
                 "Here: " + side_words(explanation));
     } else {
         dim_text("background");

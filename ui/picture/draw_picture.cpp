@@ -151,8 +151,10 @@ const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size) {
 }
 
 void freeze(UiState& state) {
+    // Of B, or of what plays, nothing is selected.
+    state.lecture.frozen_selection =
+        is_out_of_hand(state) ? Selection{} : valid_selection(state.editor.selection, state.rendered_scene);
     state.lecture.frozen = state.rendered_scene;
-    state.lecture.frozen_selection = valid_selection(state.editor.selection, state.rendered_scene);
 }
 
 std::optional<Scene> preview_of(const UiState& state) {

@@ -93,7 +93,8 @@ void draw_picked(ImDrawList& list, const PictureView& view, const Renderer& rend
 void magnify(PictureView& view, const Rect& area, const MagnifierState& magnifier) {
     if (magnifier.zoom <= 1) return;
     const float plain = view.units_per_pixel;
-    view.units_per_pixel = plain * static_cast<float>(magnifier.zoom);
+    const float type = std::max(std::ceil(px(1) / plain - 0.01f), 1.0f);  // whole, so that squares are sharp
+    view.units_per_pixel = plain * type * static_cast<float>(magnifier.zoom);
     const auto place = [&](float low, float high, double share, int pixels) {
         const float length = static_cast<float>(pixels) * view.units_per_pixel;
         const float wanted = (low + high) / 2 - static_cast<float>(share) * length;

@@ -114,7 +114,8 @@ void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds
         [low = low, high = high](auto& p) {
             [[maybe_unused]] const float near_before = p.near;
             if (high > p.far) p.far = static_cast<float>(high * 1.5);
-            // A near plane at the eye would waste all of the depth's precision; one that is there already stays.
+            // A near plane at the eye would waste all of the depth's precision; one that is there already
+            // stays.
             if (low < p.near) p.near = std::min(p.near, static_cast<float>(std::max(low / 2, p.far * 1e-4)));
             // The window of a frustum lies on its near plane: it shrinks with it, or the angle would change.
             if constexpr (requires { p.left; }) {

@@ -215,10 +215,13 @@ void picture_overlay(UiState& state, const Layout& layout) {
         draw_tools(list, state, view);
         draw_point_vectors(list, state, view);
         first_hints(state, view);
-        const ImVec2 corner = view.origin + px(10) * ImVec2(1, 1);
+        // Below the label of a comparison's first part.
+        const float above = state.views.compare.choice.on ? small_text_height() + px(16) : px(10);
+        const ImVec2 corner = view.origin + ImVec2(px(10), above);
+        const bool is_moment = state.inspector.instead && !state.inspector.instead_rests;
         if (state.lecture.frozen)
             badge(list, corner, "Frozen (" + keys_of(CommandId::Freeze) + ")");
-        else if (state.resting && state.resting->name == std::string_view(name_of_stored))
+        else if (!is_moment && state.resting && state.resting->name == std::string_view(name_of_stored))
             badge(list, corner, "B is shown (" + keys_of(CommandId::ShowB) + ")");
     }
     draw_pen(list, state.lecture.pen, view);

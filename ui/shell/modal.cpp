@@ -212,12 +212,10 @@ void dialogs(UiState& state, const UiInput& input) {
 void take_dropped(UiState& state, const UiInput& input) {
     if (input.dropped.empty()) return;
     const std::string& path = input.dropped.front();
-    if (is_bare_picture(path))
-        bring_picture(state, path);
-    else
-        begin_pending(state, Pending::What::Open, path);
-    if (input.dropped.size() > 1)
-        state.notifications.add(Tone::Warning, "Several files were dropped; the first was opened");
+    const std::size_t left_out = input.dropped.size() - 1;
+    if (!is_bare_picture(path)) return begin_pending(state, Pending::What::Open, path, left_out);
+    bring_picture(state, path);
+    if (left_out > 0) state.notifications.add(Tone::Warning, only_first_of_several);
 }
 
 }  // namespace glint

@@ -26,7 +26,9 @@ struct UiState;
 // its number in it. Lecture: "Gouraud Shading" (scanlines), "Shading Artifacts" (silhouettes).
 
 struct MagnifierState {
-    int zoom = 1;            // 1, 2, 4 ... 64: window pixels a pixel
+    // 1, 2, 4 ... 64: window pixels a pixel; where type is larger, as many times as many as there is room for
+    // it.
+    int zoom = 1;
     glm::dvec2 centre{0.5};  // what lies in the middle, as a share of the picture's size
 };
 inline constexpr int max_zoom = 64, usual_zoom = 32;

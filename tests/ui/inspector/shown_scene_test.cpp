@@ -77,6 +77,8 @@ TEST_CASE("while B is looked at, each click is explained of B, whose numbers can
     bench.click(bench.at_share(0.45, 0.45));
     bench.frames(2);
     bench.check_explains_b();
+    CHECK(why_disabled(bench.state, command(CommandId::SelectMainLight)) ==
+          "The picture shows another scene than the one that is edited");
     CHECK(bench.state.explanation->x == bench.state.asked.x);
     bench.check_column_edits_nothing();
     CHECK_FALSE(is_explained(bench.state));

@@ -127,6 +127,21 @@ TEST_CASE("big pixels enlarge about the pixel under the cursor and draw nothing 
     CHECK(bench.state.views.magnifier.zoom == 1);
 }
 
+TEST_CASE("big pixels have room for their numbers on a display of any scale", "[ui][window][magnify]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.key(Key::M);
+    for (const float scale : {1.0f, 1.25f, 1.5f, 2.0f, 2.5f}) {
+        apply_theme(dark_theme(), scale);
+        bench.frames(2);
+        const Layout layout = lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1);
+        const PictureView view = picture_view(layout.centre, bench.state);
+        INFO("scale " << scale << ": a pixel is " << view.units_per_pixel << " wide");
+        CHECK(view.units_per_pixel >= px(26));  // as draw_number() needs it
+        CHECK(std::fmod(view.units_per_pixel, 1.0f) == 0);
+    }
+}
+
 TEST_CASE("magnified, a place goes to the window and back, and the picture covers its room",
           "[ui][magnify]") {
     PictureView plain;

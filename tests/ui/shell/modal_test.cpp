@@ -92,6 +92,31 @@ TEST_CASE(
     CHECK(modal_of(bench.state) == Modal::None);
 }
 
+TEST_CASE("of several files it is said that one is opened when it is, and not when it is not",
+          "[ui][modal]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.scene().shading.mode = ShadingMode::Flat;
+    bench.frames(2);
+    UiInput drop;
+    drop.dropped = {"other.json", "third.obj"};
+    const auto says_so = [&bench] {
+        const auto& list = bench.state.notifications.list;
+        return std::any_of(list.begin(), list.end(),
+                           [](const Notification& n) { return n.text == only_first_of_several; });
+    };
+    (void)bench.frame(drop);
+    bench.frames(2);
+    REQUIRE(modal_of(bench.state) == Modal::Unsaved);
+    CHECK_FALSE(says_so());
+    bench.key(Key::Escape);
+    bench.frames(2);
+    CHECK_FALSE(says_so());
+    bench.state.editor.saved = bench.scene();
+    (void)bench.frame(drop);
+    CHECK(says_so());
+}
+
 TEST_CASE("the Enter that answers one dialog does not answer the next", "[ui][modal]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;

@@ -196,7 +196,8 @@ bool name_row(UiState& state, const ExplainedLight& explained, const Light& ligh
     if (ImGui::Selectable(whole_label("      " + light.name).c_str()))
         state.editor.selection = {Selection::Kind::Light, explained.index};
     const bool pointed = is_pointed_at();
-    tooltip("Light", "Rest here: this light alone. Click: its panel");
+    tooltip("Light",
+            is_read_only() ? "Of the scene that is shown" : "Rest here: this light alone. Click: its panel");
     return pointed;
 }
 
