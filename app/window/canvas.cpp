@@ -60,13 +60,33 @@ void Canvas::fill(const PixelRect& rect, const ImVec4& color) {
     gl().disable(scissor_test);
 }
 
+namespace {
+
+struct Span {
+    int from_low, from_high, to_low, to_high;
+};
+
+/// The whole pixels, of `count` that lie between low and high, that cover part_low to part_high. Where each
+/// is as many of the canvas's pixels as every other only these, since drivers refuse lengths of some 50,000;
+/// else all.
+Span covering(int count, int low, int high, int part_low, int part_high) {
+    const int each = (high - low) / count;
+    if (each < 1 || each * count != high - low) return {0, count, low, high};
+    const int first = (part_low - low) / each, last = (part_high - low + each - 1) / each;
+    return {first, last, low + first * each, low + last * each};
+}
+
+}  // namespace
+
 void Canvas::scale(const Picture& picture, const PixelRect& to, const PixelRect& part) {
     small_.upload(picture);
+    const Span x = covering(picture.size.width, to.left, to.right, part.left, part.right);
+    const Span y = covering(picture.size.height, to.top, to.bottom, part.top, part.bottom);
     gl().bind_framebuffer(read_framebuffer, small_.framebuffer());
     bind();
     set_scissor(part);
-    gl().blit_framebuffer(0, 0, picture.size.width, picture.size.height, to.left, to.top, to.right, to.bottom,
-                          color_buffer_bit, nearest);
+    gl().blit_framebuffer(x.from_low, y.from_low, x.from_high, y.from_high, x.to_low, y.to_low, x.to_high,
+                          y.to_high, color_buffer_bit, nearest);
     gl().disable(scissor_test);
 }
 
