@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "models/io/file.h"
 #include "models/memory_limit.h"
 #include "ui/diagnosis/my_picture.h"
 #include "ui/shell/modal.h"
@@ -154,20 +155,17 @@ std::string offered_name(const UiState& state, const char* ending) {
     return std::filesystem::path(path).replace_extension(ending).string();
 }
 
-namespace {
-
-/// Whether the open scene is one of those that come with the program: they stay as they are.
-bool is_shipped(const UiState& state) {
+bool is_among_shipped(const UiState& state, const std::string& path) {
+    if (state.shipped_scenes.empty()) return false;
     std::error_code failed;
-    const std::filesystem::path folder = std::filesystem::path(state.editor.document.path).parent_path();
-    return !state.shipped_scenes.empty() && state.editor.has_scene_file() &&
-           std::filesystem::equivalent(folder.empty() ? "." : folder, state.shipped_scenes, failed);
+    const std::string replaced = replaced_file(path);  // wherever links lead
+    const std::filesystem::path folder =
+        std::filesystem::path(replaced.empty() ? path : replaced).parent_path();
+    return std::filesystem::equivalent(folder.empty() ? "." : folder, state.shipped_scenes, failed);
 }
 
-}  // namespace
-
 bool save(UiState& state) {
-    if (is_shipped(state)) {
+    if (state.editor.has_scene_file() && is_among_shipped(state, state.editor.document.path)) {
         // Where the examples are nothing of the user's belongs: it is offered where the program was started.
         const std::filesystem::path name = std::filesystem::path(state.editor.document.path).filename();
         state.files.ask(FilePurpose::SaveScene, name.string());

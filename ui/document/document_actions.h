@@ -12,6 +12,10 @@ namespace glint {
 
 inline constexpr const char* only_first_of_several = "Several files were dropped: only the first is opened";
 
+/// Whether a file of that path lies, links followed, in the folder of the scenes that come with the program:
+/// they stay as they are, and nothing of the user's belongs there.
+[[nodiscard]] bool is_among_shipped(const UiState& state, const std::string& path);
+
 /// Opens the file `path`, begins anew or quits, asking first when changes are not saved. `left_out`: files
 /// that were dropped with that one, and are not opened; that is said when it is.
 void begin_pending(UiState& state, Pending::What what, const std::string& path = {},

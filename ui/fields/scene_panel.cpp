@@ -96,7 +96,7 @@ bool light_row(Scene& scene, int index, Selection& selection) {
     ImGui::PushID(index);
     bool edited = false;
     if (item_row(icon_of(light.kind), to_u32(legible(colour_of(light)), light.enabled ? 1 : 0.4f),
-                 light.name.c_str(), selection == row, px(8), 2 * size))
+                 whole_label(light.name).c_str(), selection == row, px(8), 2 * size))
         selection = row;
     const bool structural = row_menu(scene, selection, row);
     if (!structural) {
@@ -159,8 +159,8 @@ bool object_row(Scene& scene, int index, Selection& selection) {
     const Selection row{Selection::Kind::Object, index};
     Object& object = scene.objects[static_cast<std::size_t>(index)];
     ImGui::PushID(static_cast<int>(max_lights) + index);
-    if (item_row(Icon::Object, to_u32(theme().dim_text, object.visible ? 1 : 0.4f), object.name.c_str(),
-                 selection == row, px(8), ImGui::GetFrameHeight()))
+    if (item_row(Icon::Object, to_u32(theme().dim_text, object.visible ? 1 : 0.4f),
+                 whole_label(object.name).c_str(), selection == row, px(8), ImGui::GetFrameHeight()))
         selection = row;
     bool edited = row_menu(scene, selection, row);
     if (!edited)

@@ -11,6 +11,7 @@
 #include "ui/widgets/icons.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
@@ -152,7 +153,7 @@ std::string gesture_hint(const ViewportState& state, const Scene& scene) {
     if (!state.main_light || static_cast<std::size_t>(state.main_light->light) >= scene.lights.size())
         return looks + " · F: frame";
     return fmt::format("{}: {:.0f} % of the light here ({} selects it) · {}",
-                       scene.lights[static_cast<std::size_t>(state.main_light->light)].name,
+                       whole_label(scene.lights[static_cast<std::size_t>(state.main_light->light)].name),
                        100 * state.main_light->share, keys_of(CommandId::SelectMainLight), looks);
 }
 

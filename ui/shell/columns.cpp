@@ -64,9 +64,9 @@ std::string selected_title(const Scene& scene, const Selection& selection) {
     case Selection::Kind::Camera:
         return "Camera";
     case Selection::Kind::Light:
-        return scene.lights[index].name;
+        return whole_label(scene.lights[index].name);
     case Selection::Kind::Object:
-        return scene.objects[index].name;
+        return whole_label(scene.objects[index].name);
     case Selection::Kind::Shading:
         return "Shading";
     case Selection::Kind::Display:

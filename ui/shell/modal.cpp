@@ -93,6 +93,11 @@ void use_file(UiState& state, const std::string& path) {
     case FilePurpose::ExportPicture:
         return begin_export(state, state.exporting.options, path);
     case FilePurpose::SaveScene:
+        if (is_among_shipped(state, path)) {
+            state.files.ask(FilePurpose::SaveScene, std::filesystem::path(path).filename().string());
+            return state.notifications.add(
+                Problem{path, "", "is in the folder of Glint's examples", "a folder of your own"});
+        }
         if (const auto problem = save_file(state.editor, path)) {
             state.pending = {};
             return state.notifications.add(*problem);

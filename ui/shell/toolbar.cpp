@@ -99,6 +99,7 @@ void switches(UiState& state, const Rect& area) {
     reflection_switch(shading, right_end - ImGui::GetCursorScreenPos().x - terms - history - 2 * gap);
     ImGui::SameLine(0, gap);
     term_switches(shading.terms);
+    if (ImGui::GetItemRectMax().x + px(2) > right_end - history) return;  // the keys and the menu do the same
     ImGui::SetCursorScreenPos({right_end - history, y});
     history_button(state, CommandId::Undo, Icon::Undo, state.editor.history.undo_name());
     ImGui::SameLine(0, px(2));

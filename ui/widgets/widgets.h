@@ -51,7 +51,8 @@ struct Help {
 /// (range and default; the key). Empty ones are left out.
 void tooltip(const char* title, const char* what, const std::string& range = "", const std::string& key = "");
 
-/// A user's name or a path as ImGui draws it whole: of a label it leaves out what follows "##".
+/// A user's name or a path as ImGui draws it whole and on one line: of a label it leaves out what follows
+/// "##".
 [[nodiscard]] std::string whole_label(const std::string& name);
 
 /// Asks for another frame within `seconds`, e.g. when a tooltip is due. next_redraw() is the earliest asked

@@ -227,3 +227,38 @@ TEST_CASE("what was asked of one scene is not answered for another that comes in
         CHECK(modal_of(bench.state) == Modal::Files);
     }
 }
+
+TEST_CASE("an example is not saved over: not through a link to it, and not by its name", "[ui][save]") {
+    const TemporaryDirectory folder;
+    std::filesystem::create_directory(folder.path("shipped"));
+    const std::string text = scene_text(test::busy_scene());
+    const std::string example = folder.file("shipped/example.json", text), link = folder.path("link.json");
+    std::filesystem::create_symlink(example, link);
+    HeadlessWindow bench;
+    bench.state.shipped_scenes = folder.path("shipped");
+    open(bench, link);
+    edit(bench, 0.75f);
+    // The name is given before the field for it has the keyboard, which would put its own back.
+    const auto answer_with = [&bench](const std::string& in, const char* name) {
+        bench.state.files.folder = in;
+        bench.state.files.name = name;
+        bench.frames(2);
+        bench.key(Key::Enter);
+        bench.frames(2);
+    };
+    (void)save(bench.state);
+    REQUIRE(bench.state.files.open);  // a name of one's own is asked for
+    answer_with(folder.path("shipped"), "example.json");
+    bench.key(Key::Enter);  // it may be replaced
+    bench.frames(1);
+    CHECK(bytes_of(example) == text);
+    CHECK(bench.state.notifications.list.back().text ==
+          example + ": is in the folder of Glint's examples; expected a folder of your own");
+    REQUIRE(bench.state.files.open);
+    bench.key(Key::Escape);
+    bench.frames(2);
+    (void)save(bench.state);
+    answer_with(folder.path(), "mine.json");
+    CHECK(intensity_in(folder.path("mine.json")) == 0.75f);
+    CHECK(bytes_of(example) == text);
+}

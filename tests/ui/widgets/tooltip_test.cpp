@@ -117,6 +117,7 @@ TEST_CASE("a name is drawn whole, also what follows two hashes", "[ui][window]")
         CHECK(ImGui::FindRenderedTextEnd(label.c_str()) == label.c_str() + label.size());
         CHECK(ImGui::CalcTextSize(label.c_str(), nullptr, true).x == ImGui::CalcTextSize(name).x);
     }
+    CHECK(whole_label("two\nlines\tand\rmore") == "two lines and more");
 }
 
 TEST_CASE("a menu says why an item is grey", "[ui][window][tooltip]") {

@@ -101,10 +101,11 @@ void light_buttons(UiState& state, const ExplainedPoint& point, const ExplainedL
     ImGui::PushFont(fonts().small);
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     for (const ExplainedLight& light : point.lights) {
+        const std::string name = whole_label(light.name);
         if (&light != &point.lights.front())
-            same_line_if_fits(ImGui::CalcTextSize(light.name.c_str()).x + px(14), px(4), right);
+            same_line_if_fits(ImGui::CalcTextSize(name.c_str()).x + px(14), px(4), right);
         ImGui::PushID(light.index);
-        if (chosen_button(light.name.c_str(), light.index == chosen.index))
+        if (chosen_button(name.c_str(), light.index == chosen.index))
             state.editor.selection = {Selection::Kind::Light, light.index};
         if (is_pointed_at()) state.inspector.pointed_light = light.index;
         ImGui::PopID();
