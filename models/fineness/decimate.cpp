@@ -232,8 +232,9 @@ Mesh decimated(const Mesh& mesh, std::size_t triangles) {
     if (out.face_count() > triangles)
         out.warnings.push_back(
             fmt::format("{} triangles are left, not {}: boundaries and places where edges of three faces and "
-                        "more meet keep their shape, and no face turns over",
-                        out.face_count(), triangles));
+                        "more meet keep their shape, vertices with more than {} faces around them stay, and "
+                        "no face turns over or becomes a needle",
+                        out.face_count(), triangles, most_around));
     return out;
 }
 

@@ -32,8 +32,8 @@ inline constexpr std::size_t max_faces_around = 8192;
 /// Decimation cuts polygons into triangles and removes vertices, least quadric error first (Garland and
 /// Heckbert 1997); the others keep their position to the bit. A boundary keeps its shape: only its vertices
 /// on a straight line are removed. Vertices where three or more faces meet at an edge, or two fans meet,
-/// stay. No triangle turns over. Where too few vertices can be removed, a warning says how many triangles are
-/// left.
+/// stay, and so do vertices with more than 48 faces around them. No triangle turns over. Where too few
+/// vertices can be removed, a warning says how many triangles are left.
 ///
 /// Subdivision is Loop's where all faces are triangles (each gives 4), else Catmull's and Clark's (a polygon
 /// of n corners gives n quads). Where three or more faces meet at an edge, or two fans at a vertex, the faces

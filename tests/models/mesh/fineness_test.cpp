@@ -239,6 +239,26 @@ TEST_CASE("a decimated closed surface stays closed, and near the one it was", "[
     CHECK(furthest < 0.02);  // its tube has a radius of 0.25
 }
 
+TEST_CASE("a vertex with more than 48 faces around it stays, and a warning says so", "[fineness]") {
+    for (const std::uint32_t n : {48u, 49u}) {  // a fan over a round boundary, on which nothing is straight
+        std::vector<glm::vec3> places{{0, 0.5f, 0}};
+        std::vector<std::vector<std::uint32_t>> faces;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const double turn = 2 * M_PI * i / n;
+            places.emplace_back(std::sin(turn), 0, std::cos(turn));
+            faces.push_back({0, 1 + i, 1 + (i + 1) % n});
+        }
+        const Mesh coarse = refined(make_mesh(places, faces), {static_cast<int>(n) - 2, 0});
+        CHECK(coarse.face_count() == (n == 48 ? 46 : 49));
+        const bool says_so =
+            std::any_of(coarse.warnings.begin(), coarse.warnings.end(), [](const std::string& w) {
+                return w.starts_with("49 triangles are left, not 47: ") &&
+                       w.find("vertices with more than 48 faces around them stay") != std::string::npos;
+            });
+        CHECK(says_so == (n == 49));
+    }
+}
+
 TEST_CASE("decimating keeps a boundary, but for vertices on its straight parts", "[fineness]") {
     // Two sides are parabolas, two are straight.
     const Mesh bent = height_field(20, [](float x, float) { return x * x; });
