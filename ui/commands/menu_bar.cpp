@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -52,7 +53,7 @@ void recent_menu(UiState& state) {
     for (const std::string& path : recent) {
         const std::filesystem::path file(path);
         const std::string name = whole_label(file.filename().string());
-        const std::string label = name + "##" + path;
+        const std::string label = fmt::format("{}##{}", name, path);
         if (ImGui::MenuItem(label.c_str())) chosen = path;
         list_control(path.c_str(), "", last_item());
         tooltip(name.c_str(), file.parent_path().string().c_str());

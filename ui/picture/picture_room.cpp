@@ -14,6 +14,7 @@
 #include "ui/ui.h"
 #include "ui/views/debug_view_legend.h"
 #include "ui/views/views.h"
+#include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/widgets.h"
