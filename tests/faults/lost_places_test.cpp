@@ -89,7 +89,7 @@ TEST_CASE("in a folder that may not be written saving says so and the work is ke
     bench.press_save();
     stop();
     CHECK(bytes_of(bench.path) == bench.old_text);
-    bench.check_nothing_is_lost("Read-only file system");
+    bench.check_nothing_is_lost("read-only file system");
 }
 
 TEST_CASE("where the folder has gone saving says so, and saves again when it is back", "[faults][ui]") {
