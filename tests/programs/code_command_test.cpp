@@ -68,7 +68,7 @@ TEST_CASE("what glint code cannot do is one line, and leaves no file", "[program
     refused(run_glint({"code", "-", "--language", "cpp"}, ball), 2, "-o: is missing; expected ");
     refused(code(ball, "cpp", file), 1, file + ": is not a directory; expected ");
     refused(code(ball, "cpp", folder.path()), 1, folder.path() + ": is not empty; expected ");
-    refused(code(ball, "cpp", folder.path("a/b")), 1, folder.path("a/b") + ": cannot be made: No such file");
+    refused(code(ball, "cpp", folder.path("a/b")), 1, folder.path("a/b") + ": cannot be made: no such file");
     refused(code(ball, "cpp", "/proc/glint"), 1, "/proc/glint: cannot be made: ");
     refused(code(ball, "cpp", folder.path("new"), {"--set", "/npr/creases=true"}), 1,
             "-: /npr: silhouettes or creases are drawn, which cpp cannot do; expected a scene without it");
