@@ -94,7 +94,8 @@ std::vector<Command> named_commands() {
 Outcome run_command_line(const Arguments& arguments) {
     const std::size_t at = first_word(arguments);
     // What follows an unknown option is its value as likely as a word of its own: the option is named first.
-    const bool may_be_value = at > 0 && arguments[at - 1].starts_with('-') && arguments[at - 1].find('=') == std::string::npos;
+    const bool may_be_value =
+        at > 0 && arguments[at - 1].starts_with('-') && arguments[at - 1].find('=') == std::string::npos;
     if (at < arguments.size()) {
         for (const Command& command : named_commands()) {
             if (command.name != arguments[at]) continue;

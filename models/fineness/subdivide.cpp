@@ -37,8 +37,8 @@ template <class HalfEdges> auto boundary_places(const HalfEdges& mesh) {
     return places;
 }
 
-/// At least the six that a new vertex has. OpenMesh 9.0 makes the weights of Loop's scheme for up to 49 of
-/// them beforehand, and would read what lies behind those for more.
+/// Returns the most that a vertex has, and at least the six of a new one. OpenMesh 9.0 makes the weights of
+/// Loop's scheme for up to 49 of them beforehand, and would read what lies behind those for more.
 template <class HalfEdges> std::size_t most_neighbours(const HalfEdges& mesh) {
     std::size_t most = 6;
     for (const auto v : mesh.vertices()) most = std::max<std::size_t>(most, mesh.valence(v));

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <ctime>
 #include <filesystem>
+#include <set>
 
 #include "models/io/descriptor.h"
 #include "models/io/file.h"
@@ -159,18 +160,22 @@ int fill(Temporary& file, std::string_view bytes, const std::optional<struct sta
 /// The mode of the temporary file of `target`: until it has the old file's permissions, only we may read it.
 mode_t first_mode(const Target& target) { return target.old ? 0600 : 0666; }
 
-/// Puts the directory's entry for `path` on the disk, so that a new name outlives a loss of power. Where that
-/// cannot be done (some file systems do not know it) the file is in its place all the same.
-void sync_directory_of(const std::string& path) {
+/// "." where the path names none.
+std::string directory_of_target(const std::string& path) {
     const std::string directory = path.substr(0, path.rfind('/') + 1);
-    const Descriptor opened(
-        ::open(directory.empty() ? "." : directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    return directory.empty() ? "." : directory;
+}
+
+/// Puts a directory's entries on the disk, so that a new name outlives a loss of power. Where that cannot be
+/// done (some file systems do not know it) the file is in its place all the same.
+void sync_directory(const std::string& directory) {
+    const Descriptor opened(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (opened.number() >= 0) (void)::fsync(opened.number());
 }
 
 int put_in_place(Temporary& file, const Target& target) {
     const int error = file.put_in_place(target.path);
-    if (error == 0) sync_directory_of(target.path);
+    if (error == 0) sync_directory(directory_of_target(target.path));
     return error;
 }
 
@@ -204,8 +209,7 @@ std::optional<Problem> why_not_writable(const std::string& path) {
     const Target target = target_of(path);
     int error = target.error;
     if (error == 0 && !target.straight) {
-        const std::string directory = target.path.substr(0, target.path.rfind('/') + 1);
-        if (::access(directory.empty() ? "." : directory.c_str(), W_OK | X_OK) != 0) error = errno;
+        if (::access(directory_of_target(target.path).c_str(), W_OK | X_OK) != 0) error = errno;
     }
     if (error != 0) return cannot_write(path, error);
     return std::nullopt;
@@ -242,7 +246,8 @@ Result<std::monostate> FilesTogether::add(const std::string& path, std::string b
     return std::monostate{};
 }
 
-/// Puts all of them in their places; the one that cannot be, with its `error`, and then none of them.
+/// Puts all of them in their places and returns null; or none, and returns the one that was refused, and why
+/// in `error`.
 FilesTogether::Staged* FilesTogether::change_places(const std::vector<Staged*>& files, int& error) {
     const NoEndBetween no_end_between;
     for (auto at = files.begin(); at != files.end(); ++at) {
@@ -268,8 +273,10 @@ Result<std::monostate> FilesTogether::put_in_place() {
         if (each.file) staged.push_back(&each);
     if (staged.size() == 1)
         return written(staged[0]->path, glint::put_in_place(*staged[0]->file, staged[0]->target));
+    std::set<std::string> directories;  // from here on nothing asks for memory before all are in place
+    for (const Staged* each : staged) directories.insert(directory_of_target(each->target.path));
     if (const Staged* const refused = change_places(staged, error)) return cannot_write(refused->path, error);
-    for (const Staged* each : staged) sync_directory_of(each->target.path);
+    for (const std::string& directory : directories) sync_directory(directory);
     files_.clear();  // and what was there before
     return std::monostate{};
 }

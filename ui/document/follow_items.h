@@ -18,7 +18,7 @@ struct FollowedItems {
     std::vector<Object> objects;
 };
 
-/// Where the item at `index` of `before` is in `after`, or -1 where it has gone. What is alike at the
+/// Returns where the item at `index` of `before` is in `after`, or -1 where it has gone. What is alike at the
 /// beginning and at the end has stayed; between lies what came or went. In a list as long as before each item
 /// keeps its place.
 template <class Item>

@@ -84,10 +84,13 @@ void explain_asked(UiState& state, const PictureView& view) {
     state.explained = item_counts(state.rendered_scene);
 }
 
+/// Whether what the column shows in place of the scene comes before what is below: nothing is frozen or
+/// plays.
+bool has_turn(const UiState& state) { return !state.lecture.frozen && !state.animate.frame; }
+
 /// What shows until the user ends it, whatever is edited.
 std::optional<OtherScene> resting_scene(const UiState& state) {
-    const bool takes_turn = !state.lecture.frozen && !state.animate.frame;
-    if (takes_turn && state.inspector.instead && state.inspector.instead_rests)
+    if (has_turn(state) && state.inspector.instead && state.inspector.instead_rests)
         return OtherScene{*state.inspector.instead, "the cells that are shown"};
     return resting_below_cells(state);
 }
@@ -158,11 +161,10 @@ void freeze(UiState& state) {
 }
 
 std::optional<Scene> preview_of(const UiState& state) {
-    const bool takes_turn = !state.lecture.frozen && !state.animate.frame;
     // Under the mouse not before an edit has been drawn and explained: the numbers beside the preview are
     // those of the scene.
     const bool explains_shown = state.inspector.instead_rests || state.edited_drawn == state.editor.scene();
-    if (takes_turn && state.inspector.instead && explains_shown) return state.inspector.instead;
+    if (has_turn(state) && state.inspector.instead && explains_shown) return state.inspector.instead;
     std::optional<OtherScene> resting = resting_scene(state);
     return resting ? std::optional(std::move(resting->scene)) : std::nullopt;
 }

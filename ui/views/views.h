@@ -26,8 +26,7 @@ struct UiState;
 // its number in it. Lecture: "Gouraud Shading" (scanlines), "Shading Artifacts" (silhouettes).
 
 struct MagnifierState {
-    // 1, 2, 4 ... 64: window pixels a pixel; where type is larger, as many times as many as there is room for
-    // it.
+    // 1, 2, 4 ... 64: window pixels a pixel, times the scale of the type, rounded up.
     int zoom = 1;
     glm::dvec2 centre{0.5};  // what lies in the middle, as a share of the picture's size
 };

@@ -24,6 +24,16 @@ void take_three(HeadlessWindow& bench) {
     bench.state.editor.selection = {Selection::Kind::Light, 0};
 }
 
+/// Deletes what is selected while that number goes to and fro.
+void delete_while_it_goes(HeadlessWindow& bench, const char* number, const Selection& selection) {
+    bench.state.animate.animation.motion = Motion::PingPong;
+    bench.state.animate.animation.pointer = number;
+    bench.state.editor.selection = selection;
+    bench.frames(2);
+    run_command(bench.state, test::command_named("Delete"));
+    bench.frames(2);
+}
+
 }  // namespace
 
 TEST_CASE("an item is found in the list by what stayed around it, and where it has gone, is not", "[ui]") {
@@ -84,12 +94,7 @@ TEST_CASE("the number that goes to and fro goes with its light, though others ar
           "[ui][window][animate]") {
     HeadlessWindow bench;
     take_three(bench);
-    bench.state.animate.animation.motion = Motion::PingPong;
-    bench.state.animate.animation.pointer = "/lights/1/intensity";
-    bench.state.editor.selection = {Selection::Kind::Light, 1};
-    bench.frames(2);
-    run_command(bench.state, test::command_named("Delete"));
-    bench.frames(2);
+    delete_while_it_goes(bench, "/lights/1/intensity", {Selection::Kind::Light, 1});
     CHECK(bench.state.animate.animation.pointer.empty());
     CHECK(bench.state.notifications.list.back().text == "Animate: there is no “Light: intensity” any more");
 }
@@ -100,12 +105,7 @@ TEST_CASE("a number of an object goes with it when one before it is deleted", "[
     Scene& scene = bench.scene();
     scene.objects.resize(2, scene.objects[0]);
     scene.objects[1].transform.translate.x = 3;
-    bench.state.animate.animation.motion = Motion::PingPong;
-    bench.state.animate.animation.pointer = "/objects/1/transform/translate/0";
-    bench.state.editor.selection = {Selection::Kind::Object, 0};
-    bench.frames(2);
-    run_command(bench.state, test::command_named("Delete"));
-    bench.frames(2);
+    delete_while_it_goes(bench, "/objects/1/transform/translate/0", {Selection::Kind::Object, 0});
     CHECK(bench.state.animate.animation.pointer == "/objects/0/transform/translate/0");
     CHECK(bench.state.notifications.list.empty());
 }
