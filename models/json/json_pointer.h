@@ -1,6 +1,8 @@
 #pragma once
 // JSON pointers, as those of a scene's numbers. Source: RFC 6901.
 
+#include <charconv>
+#include <optional>
 #include <string_view>
 
 namespace glint {
@@ -8,6 +10,24 @@ namespace glint {
 /// Whether a pointer is `outer` or leads to something within it: "/lights/0/position/1" within "/lights/0".
 [[nodiscard]] inline bool is_within(std::string_view pointer, std::string_view outer) {
     return pointer.starts_with(outer) && (pointer.size() == outer.size() || pointer[outer.size()] == '/');
+}
+
+/// An item of a list, and the rest of the pointer behind it.
+struct ListItem {
+    int place = 0;
+    std::string_view rest;
+};
+
+/// Returns the item of `list` that a pointer leads to or into: 3 and "/position" for "/lights/3/position" in
+/// "/lights/"; nothing where it leads elsewhere. Whether the list has so many items is not asked.
+[[nodiscard]] inline std::optional<ListItem> item_in(std::string_view pointer, std::string_view list) {
+    if (!pointer.starts_with(list)) return {};
+    const char* const end = pointer.data() + pointer.size();
+    ListItem item;
+    const auto [rest, error] = std::from_chars(pointer.data() + list.size(), end, item.place);
+    if (error != std::errc() || item.place < 0 || (rest != end && *rest != '/')) return {};
+    item.rest = {rest, static_cast<std::size_t>(end - rest)};
+    return item;
 }
 
 }  // namespace glint

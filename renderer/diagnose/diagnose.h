@@ -23,7 +23,8 @@ struct DisplayFinding {
     DisplayChange change;
     std::optional<Rgb> background;  // where it is another than the scene's, as the picture shows it
     bool smooth_edges = false;      // silhouettes are anti-aliased
-    glm::vec2 shift{0};  // pixels to the right and down by which it is displaced; 0 where it is not
+    glm::vec2 shift{0};     // pixels to the right and down by which it is displaced; 0 where it is not
+    bool smoothed = false;  // within surfaces, too, and no shift is the reason
 };
 
 struct Candidate {

@@ -26,7 +26,7 @@ JsonValue display_json(const DisplayFinding& display) {
     if (display.background) json["background"] = rgb_json(*display.background);
     if (display.shift != glm::vec2(0)) json["shift"] = JsonValue{display.shift.x, display.shift.y};
     if (display.smooth_edges) json["smooth_edges"] = true;
-    if (c.soft) json["smoothed"] = true;
+    if (display.smoothed) json["smoothed"] = true;
     return json;
 }
 

@@ -145,7 +145,7 @@ std::string display_text(const DisplayFinding& display) {
                                     display.shift.y));
     if (display.smooth_edges)
         words.emplace_back("smooth edges");
-    else if (c.soft && display.shift == glm::vec2(0))
+    else if (display.smoothed)
         words.emplace_back("smoothed");
     return fmt::format("{}", fmt::join(words, "; "));
 }

@@ -135,6 +135,7 @@ DisplayFinding display_finding(const Exhibit& e, const Picture& drawn, const Dis
     for (int i = 0; i < 2; ++i)
         if (std::abs(shift[i]) < least) shift[i] = 0;
     finding.shift = shift;
+    finding.smoothed = shift == glm::vec2(0);
     return finding;
 }
 

@@ -1,10 +1,13 @@
 #include "ui/document/follow_items.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <charconv>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "models/json/json_pointer.h"
 #include "ui/export/animation.h"
 #include "ui/ui.h"
 
@@ -16,13 +19,10 @@ namespace {
 template <class Item>
 std::string followed(const std::string& pointer, std::string_view list, const std::vector<Item>& before,
                      const std::vector<Item>& after) {
-    if (!pointer.starts_with(list)) return pointer;
-    int index = 0;
-    const char* const end = pointer.data() + pointer.size();
-    const auto [rest, error] = std::from_chars(pointer.data() + list.size(), end, index);
-    if (error != std::errc() || index >= static_cast<int>(before.size())) return pointer;
-    const int place = place_in(before, after, index);
-    return place < 0 ? "" : std::string(list) + std::to_string(place) + std::string(rest, end);
+    const std::optional<ListItem> item = item_in(pointer, list);
+    if (!item || item->place >= static_cast<int>(before.size())) return pointer;
+    const int place = place_in(before, after, item->place);
+    return place < 0 ? "" : fmt::format("{}{}{}", list, place, item->rest);
 }
 
 template <class Item>

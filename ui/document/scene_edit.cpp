@@ -9,6 +9,7 @@
 
 #include "models/fields/choices.h"
 #include "models/io/utf8.h"
+#include "models/json/json_pointer.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/picture/screen.h"
 
@@ -56,6 +57,14 @@ void aim(Light& light, glm::vec3 place, glm::vec3 middle, float radius) {
 }
 
 }  // namespace
+
+std::optional<Selection> selection_in(std::string_view pointer) {
+    if (const auto light = item_in(pointer, "/lights/"))
+        return Selection{Selection::Kind::Light, light->place};
+    if (const auto object = item_in(pointer, "/objects/"))
+        return Selection{Selection::Kind::Object, object->place};
+    return {};
+}
 
 Selection valid_selection(const Selection& selection, const Scene& scene) {
     Selection valid = selection;

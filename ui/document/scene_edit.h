@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "models/scene/scene.h"
 
@@ -21,6 +22,9 @@ struct Selection {
 [[nodiscard]] inline int selected_light(const Selection& selection) {
     return selection.kind == Selection::Kind::Light ? selection.index : -1;
 }
+
+/// The light or object that a pointer leads to or into, if there is one.
+[[nodiscard]] std::optional<Selection> selection_in(std::string_view pointer);
 
 /// The numbers of lights and objects. While these stay, an index of one stands for one that exists.
 struct ItemCounts {

@@ -1,7 +1,7 @@
 #include "ui/lessons/lesson.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <optional>
 
 #include "ui/document/document_actions.h"
 #include "ui/lessons/lesson_parts.h"
@@ -60,14 +60,9 @@ void select_for_tasks(UiState& state) {
     for (const StationPart& part : state.lesson.station().after) {
         if (part.task == nullptr) continue;
         for (const std::string& pointer : part.task->controls) {
-            int index = 0;
-            if (std::sscanf(pointer.c_str(), "/lights/%d", &index) == 1)
-                state.editor.selection = {Selection::Kind::Light, index};
-            else if (std::sscanf(pointer.c_str(), "/objects/%d", &index) == 1)
-                state.editor.selection = {Selection::Kind::Object, index};
-            else
-                continue;
-            state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
+            const std::optional<Selection> item = selection_in(pointer);
+            if (!item) continue;
+            state.editor.selection = valid_selection(*item, state.editor.scene());
             // The gizmo would hide what is looked at; it is needed only if the object itself is to move.
             if (pointer.find("/transform") == std::string::npos) state.viewport.gizmo = GizmoMode::None;
             return;

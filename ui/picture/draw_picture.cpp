@@ -84,9 +84,21 @@ void explain_asked(UiState& state, const PictureView& view) {
     state.explained = item_counts(state.rendered_scene);
 }
 
+/// What shows in place of the edited scene, apart from what the column shows.
+enum class Resting { Nothing, Frozen, Moment, Stored };
+
+Resting resting_of(const UiState& state) {
+    if (state.lecture.frozen) return Resting::Frozen;
+    if (state.animate.frame) return Resting::Moment;
+    return state.views.compare.choice.shows_stored ? Resting::Stored : Resting::Nothing;
+}
+
 /// Whether what the column shows in place of the scene comes before what is below: nothing is frozen or
 /// plays.
-bool has_turn(const UiState& state) { return !state.lecture.frozen && !state.animate.frame; }
+bool has_turn(const UiState& state) {
+    const Resting resting = resting_of(state);
+    return resting == Resting::Nothing || resting == Resting::Stored;
+}
 
 /// What shows until the user ends it, whatever is edited.
 std::optional<OtherScene> resting_scene(const UiState& state) {
@@ -179,17 +191,22 @@ const Scene& asked_scene(const UiState& state) {
 }
 
 std::optional<OtherScene> resting_below_cells(const UiState& state) {
-    if (state.lecture.frozen) return OtherScene{*state.lecture.frozen, "the frozen picture"};
-    if (state.animate.frame) return OtherScene{*state.animate.frame, "the animation at this moment"};
-    const CompareChoice& compare = state.views.compare.choice;
-    if (!compare.shows_stored) return {};
-    return OtherScene{scene_under({Variant::Kind::Stored, 0}, state.editor.scene(), compare.stored.get()),
-                      name_of_stored};
+    switch (resting_of(state)) {
+    case Resting::Frozen:
+        return OtherScene{*state.lecture.frozen, "the frozen picture"};
+    case Resting::Moment:
+        return OtherScene{*state.animate.frame, "the animation at this moment"};
+    case Resting::Stored:
+        return OtherScene{scene_under({Variant::Kind::Stored, 0}, state.editor.scene(),
+                                      state.views.compare.choice.stored.get()),
+                          name_of_stored};
+    case Resting::Nothing:
+        break;
+    }
+    return {};
 }
 
-bool is_out_of_hand(const UiState& state) {
-    return state.lecture.frozen || state.animate.frame || state.views.compare.choice.shows_stored;
-}
+bool is_out_of_hand(const UiState& state) { return resting_of(state) != Resting::Nothing; }
 
 const Scene& shown_scene(const UiState& state) {
     return state.resting ? state.resting->scene : state.editor.scene();

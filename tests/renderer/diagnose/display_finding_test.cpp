@@ -43,6 +43,31 @@ Picture shifted(const Picture& picture) {
     return moved;
 }
 
+/// Each pixel the mean of its 3 x 3.
+Picture blurred(const Picture& picture) {
+    Picture soft = picture;
+    for (int y = 1; y + 1 < picture.size.height; ++y)
+        for (int x = 1; x + 1 < picture.size.width; ++x)
+            for (std::size_t c = 0; c < 3; ++c) {
+                int sum = 4;
+                for (int v = y - 1; v <= y + 1; ++v)
+                    for (int u = x - 1; u <= x + 1; ++u)
+                        sum += int{picture.rgba[4 * picture.pixel(u, v) + c]};
+                soft.rgba[4 * picture.pixel(x, y) + c] = static_cast<std::uint8_t>(sum / 9);
+            }
+    return soft;
+}
+
+/// Every pixel is that of its left neighbour.
+Picture one_to_the_right(const Picture& picture) {
+    Picture moved = picture;
+    for (int y = 0; y < picture.size.height; ++y)
+        for (int x = 1; x < picture.size.width; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                moved.rgba[4 * picture.pixel(x, y) + c] = picture.rgba[4 * picture.pixel(x - 1, y) + c];
+    return moved;
+}
+
 }  // namespace
 
 TEST_CASE("turning over and exchanging colours is found", "[diagnose]") {
@@ -93,6 +118,20 @@ TEST_CASE("another background, smooth edges and half a pixel's shift are found",
     const DisplayFinding moved = finding_of(document, shifted(right));
     CHECK(moved.shift.x == Approx(0.5).margin(0.15));
     CHECK(moved.shift.y == Approx(0.5).margin(0.15));
+    CHECK_FALSE(moved.smoothed);
+}
+
+TEST_CASE("a picture that is moved by a whole pixel is shifted, and one that is blurred is smoothed",
+          "[diagnose]") {
+    const SceneDocument document = bright_scene();
+    const Picture right = picture_under(document.scene, {});
+    const Diagnosis moved = diagnose(document, one_to_the_right(right), {false, 1, {}});
+    CHECK(moved.display.shift.x == Approx(1).margin(0.3));
+    CHECK(moved.display.shift.y == 0);
+    CHECK_FALSE(moved.display.smoothed);
+    const DisplayFinding soft = finding_of(document, blurred(right));
+    CHECK(soft.smoothed);
+    CHECK(soft.shift == glm::vec2(0));
 }
 
 TEST_CASE("a picture at another aspect is not comparable, and which aspect is said", "[diagnose]") {

@@ -15,6 +15,16 @@ TEST_CASE("as many lights are added as a scene may have, and not one more", "[ui
     CHECK(scene.lights.size() == max_lights);
 }
 
+TEST_CASE("a pointer into a light or an object names it, and no other pointer does", "[ui][edit]") {
+    using Kind = Selection::Kind;
+    CHECK(selection_in("/lights/3") == Selection{Kind::Light, 3});
+    CHECK(selection_in("/lights/12/position/1") == Selection{Kind::Light, 12});
+    CHECK(selection_in("/objects/0/transform/0/scale") == Selection{Kind::Object, 0});
+    for (const char* none : {"", "/camera/eye/0", "/lights", "/lights/", "/lights/-", "/lights/-1",
+                             "/lights/1x", "/lights/99999999999", "/objects/x/0", "lights/0"})
+        CHECK(selection_in(none) == std::nullopt);
+}
+
 TEST_CASE("a copy stands behind what it copies and is selected", "[ui][edit]") {
     Scene scene;
     for (const char* name : {"A", "B", "C"}) scene.lights.emplace_back().name = name;

@@ -3,8 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <string_view>
+#include <optional>
 
+#include "models/json/json_pointer.h"
 #include "models/scene/mistakes.h"
 #include "renderer/inspect/explain/printed_number.h"
 #include "renderer/programs/gl_calls.h"
@@ -24,25 +25,18 @@
 namespace glint {
 namespace {
 
-/// Returns which light or object a group begins with ("/lights/3", "/objects/0/material"); -1 if it is not
-/// one of `list`.
-int item_of(std::string_view pointer, std::string_view list) {
-    if (!pointer.starts_with(list)) return -1;
-    return std::atoi(std::string(pointer.substr(list.size())).c_str());
-}
-
 /// What a call sets is lit up in the picture: a light shines alone, an object glows.
 void light_up(UiState& state, const std::string& about) {
     constexpr glm::vec3 glow{0.3f, 0.22f, 0};
     Scene scene = state.editor.scene();
-    if (const int light = item_of(about, "/lights/"); light >= 0)
-        return show_instead(state, with_light_alone(scene, light),
-                            scene.lights[static_cast<std::size_t>(light)].name + " alone");
+    if (const auto light = item_in(about, "/lights/"))
+        return show_instead(state, with_light_alone(scene, light->place),
+                            scene.lights[static_cast<std::size_t>(light->place)].name + " alone");
     if (about == "/global_ambient")
         return show_instead(state, with_term_alone(scene, Symbol::Ambient), "Ambient light alone");
-    const int index = item_of(about, "/objects/");
-    if (index < 0) return;
-    Object& object = scene.objects[static_cast<std::size_t>(index)];
+    const auto item = item_in(about, "/objects/");
+    if (!item) return;
+    Object& object = scene.objects[static_cast<std::size_t>(item->place)];
     object.material.emission += glow;
     scene.shading.terms.emission = true;
     show_instead(state, scene, object.name);
@@ -201,10 +195,7 @@ void wrong_space_notes(UiState& state) {
 }
 
 bool is_open_at_first(const UiState& state, const GlCallGroup& group) {
-    const Selection& chosen = state.editor.selection;
-    return group.about.empty() ||
-           (chosen.kind == Selection::Kind::Light && item_of(group.about, "/lights/") == chosen.index) ||
-           (chosen.kind == Selection::Kind::Object && item_of(group.about, "/objects/") == chosen.index);
+    return group.about.empty() || selection_in(group.about) == state.editor.selection;
 }
 
 void copy_button(UiState& state, const std::vector<GlCallGroup>& groups) {
@@ -231,17 +222,17 @@ void program_tab(UiState& state, const PictureView& view) {
     }
     std::vector<GlCallGroup> groups = gl_calls(written_scene);
     for (GlCallGroup& group : groups)
-        if (const int object = item_of(group.about, "/objects/"); object >= 0)
-            put_in_order(group.calls, written[static_cast<std::size_t>(object)].order);
+        if (const auto object = item_in(group.about, "/objects/"))
+            put_in_order(group.calls, written[static_cast<std::size_t>(object->place)].order);
     copy_button(state, groups);
     for (std::size_t i = 0; i < groups.size(); ++i) {
-        const int object = item_of(groups[i].about, "/objects/");
+        const std::optional<ListItem> object = item_in(groups[i].about, "/objects/");
         bool changed = false;
         ImGui::PushID(static_cast<int>(i));
         if (fold(whole_label(groups[i].title).c_str(), is_open_at_first(state, groups[i]))) {
-            if (object >= 0)
-                changed = draw_object(state, written_scene, object, written[static_cast<std::size_t>(object)],
-                                      groups[i].calls);
+            if (object)
+                changed = draw_object(state, written_scene, object->place,
+                                      written[static_cast<std::size_t>(object->place)], groups[i].calls);
             else
                 for (const GlCall& call : groups[i].calls) (void)draw_call(state, state.editor.scene(), call);
             if (groups[i].about.empty()) {
@@ -251,8 +242,8 @@ void program_tab(UiState& state, const PictureView& view) {
         }
         ImGui::PopID();
         if (changed) {
-            const auto index = static_cast<std::size_t>(object);
-            keep_written(object, written[index], state.editor.scene().objects[index].transform);
+            const auto index = static_cast<std::size_t>(object->place);
+            keep_written(object->place, written[index], state.editor.scene().objects[index].transform);
         }
     }
 }
