@@ -131,6 +131,7 @@ template <class Visit> class NumberWalk {
             NumberWalk below = *this;
             below.descend(token);
             below.add_word(names[static_cast<std::size_t>(i)]);
+            below.is_w_ = i == 3;
             below.number(component_of(kind), component_of(kind), v[i], initial[i]);
         }
     }
@@ -141,7 +142,8 @@ template <class Visit> class NumberWalk {
         visit_(std::move(n), kind, x);
     }
     [[nodiscard]] SceneNumber described(const Real& kind, double value, double initial, bool is_whole) const {
-        return {pointer_, words_, value, initial, kind, help_, is_whole, moves_faces_, applies_, nullptr};
+        return {pointer_, words_,       value,    initial, kind,   help_,
+                is_whole, moves_faces_, applies_, is_w_,   nullptr};
     }
 
     Visit& visit_;
@@ -149,16 +151,18 @@ template <class Visit> class NumberWalk {
     std::size_t depth_ = 0;
     std::string pointer_, words_;
     const char* help_ = "";
-    bool moves_faces_ = true, applies_ = true;
+    bool moves_faces_ = true, applies_ = true, is_w_ = false;
 };
 
 template <class AnyScene, class Visit> void walk(AnyScene& scene, const Tokens* only, Visit visit) {
     NumberWalk<Visit>(visit, only).members(scene);
 }
 
-/// Sets a number unless its kind forbids the value.
+/// Sets a number unless its kind forbids the value. What is a float is within an end that is rounded to one.
 std::optional<Violation> assign(const Real& kind, float& to, double value) {
-    if (!kind.range.contains(value) || !kind.range.contains(static_cast<float>(value)))
+    const auto rounded = static_cast<float>(value);
+    const bool contained = kind.range.contains(rounded) && (value == rounded || kind.range.contains(value));
+    if (!contained)
         return Violation{"", fmt::format("{} is out of range", value), std::string(kind.range.words)};
     to = static_cast<float>(value);
     return std::nullopt;
@@ -208,7 +212,12 @@ std::optional<Problem> set_number(Scene& scene, const std::string& pointer, doub
         return problem(pointer, {"", "there is no such number", "the pointer of a number of the scene"});
     if (violation) return problem(pointer, *std::move(violation));
     if (const auto found = violation_of(changed)) return problem(found->at, *found);
-    for (Light& light : changed.lights) light.position = divided_by_w(light.position);
+    for (std::size_t i = 0; i < changed.lights.size(); ++i) {
+        glm::vec4& position = changed.lights[i].position;
+        if (auto found = violation_of_division(position))
+            return problem(fmt::format("/lights/{}{}", i, found->at), *std::move(found));
+        position = divided_by_w(position);
+    }
     for (std::size_t i = 0; i < changed.objects.size(); ++i)
         if (changed.objects[i].source != scene.objects[i].source) changed.objects[i].mesh = nullptr;
     scene = std::move(changed);

@@ -22,7 +22,9 @@ struct SceneNumber {
     const char* help = "";    // its field's words
     bool is_whole = false;    // a count: samples, the detail of a shape
     bool moves_faces = true;  // false: it decides how a pixel is lit, never which face it shows
-    bool applies = true;     // false: without effect at the moment, as the cone of a light that is not a spot
+    bool applies = true;  // false: without effect at the moment, as the cone of a light that is not a spot
+    bool is_w = false;    // of a position, which is divided by it at once: a field for it would not keep what
+                          // is typed
     float* place = nullptr;  // where it stands, valid while the scene's lists do not change; null for a
                              // count, and where the scene was const
 };

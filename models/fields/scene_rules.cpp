@@ -74,6 +74,16 @@ std::optional<Violation> violation_of_w(LightKind kind, double w) {
                      fmt::format("w {} 0 for {} {} light", is_direction ? '=' : '>', article, name_of(kind))};
 }
 
+std::optional<Violation> violation_of_division(const glm::dvec4& position) {
+    for (int i = 0; i < 3 && position.w != 0; ++i) {
+        const double divided = position[i] / position.w;
+        if (!any_number.contains(static_cast<float>(divided)))
+            return Violation{"/position", fmt::format("divided by w it is {}", divided),
+                             std::string(any_number.words)};
+    }
+    return std::nullopt;
+}
+
 std::optional<Violation> violation_of(const Light& light) {
     if (auto found = violation_of_w(light.kind, light.position.w)) return found;
     if (light.position.w == 0 && glm::vec3(light.position) == glm::vec3(0))

@@ -26,6 +26,8 @@ inline constexpr double parallel_sine = 1e-6;
 [[nodiscard]] std::optional<Violation> violation_of(const Light& light);
 /// Requires w = 0 for a directional light and w > 0 for a light with a position.
 [[nodiscard]] std::optional<Violation> violation_of_w(LightKind kind, double w);
+/// Requires that the position divided by its w is within what a position may be.
+[[nodiscard]] std::optional<Violation> violation_of_division(const glm::dvec4& position);
 /// Requires a scale without a zero.
 [[nodiscard]] std::optional<Violation> violation_of(const Object& object);
 /// Returns the first violation of its camera, its lights and its objects, with the pointer into the scene.

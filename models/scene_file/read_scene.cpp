@@ -48,9 +48,7 @@ glm::vec4 read_homogeneous(const Node& node, const Homogeneous& kind) {
     const double w = p.size() == 4 ? p[3] : (kind.is_direction() ? 0 : 1);
     if (const auto found = violation_of_w(kind.kind, w)) node.fail(found->what, found->expected);
     const glm::dvec4 position(p[0], p[1], p[2], w);
-    for (int i = 0; i < 3 && w != 0; ++i)
-        if (!(std::abs(position[i] / w) <= max_number))
-            node.fail(fmt::format("divided by w it is {}", position[i] / w), std::string(any_number.words));
+    if (const auto found = violation_of_division(position)) node.fail(found->what, found->expected);
     return divided_by_w(position);
 }
 

@@ -19,6 +19,7 @@ struct QuizAnswers {
     bool after = false;  // the lessons; else before them
     std::vector<std::optional<std::size_t>>
         options;  // of each question, from 0; nothing where none was taken
+    bool operator==(const QuizAnswers&) const = default;
 };
 
 /// The answers as JSON, in the form in which the page saves them and read_answers() reads them.

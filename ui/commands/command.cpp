@@ -72,7 +72,7 @@ std::string keys_of_value(std::string_view value) {
 }
 
 std::string why_disabled(const UiState& state, const WindowCommand& command) {
-    if (is_held(state) && !command.quiet) return "First answer the lesson's question";
+    if (is_held(state) && !command.quiet) return why_held;
     return command.why_disabled == nullptr ? std::string() : command.why_disabled(state);
 }
 
@@ -106,6 +106,7 @@ void run_keys(UiState& state, const UiInput& input) {
         if (press.key == Key::Escape && !number_in_hand()) escape(state);
         if (busy || state.palette.open || modal_of(state) != Modal::None) continue;
         if (ImGui::GetIO().WantTextInput && is_for_text(press)) continue;
+        if (answer_by_key(state, press)) continue;
         const auto has_key = [&press](const WindowCommand& command) {
             return std::find(command.keys.begin(), command.keys.end(), press) != command.keys.end();
         };
@@ -115,13 +116,14 @@ void run_keys(UiState& state, const UiInput& input) {
             const auto& list = state.notifications.list;
             return std::any_of(list.begin(), list.end(), [](const Notification& n) { return n.of_key; });
         };
-        if (is_one_letter(press))
-            std::erase_if(state.notifications.list, [](const Notification& n) { return n.of_key; });
+        // What is pressed by mistake says what it did, and whatever does nothing says why.
+        const bool tells = is_one_letter(press) || !why_disabled(state, *found).empty();
+        if (tells) std::erase_if(state.notifications.list, [](const Notification& n) { return n.of_key; });
         const ItemCounts before = item_counts(state.editor.scene());
         run_command(state, *found);
         // An open field or colour picker is one of an item by its number: from now on it would be another's.
         if (item_counts(state.editor.scene()) != before) let_go_of_fields();
-        if (is_one_letter(press) && !told()) tell(state, *found, press);  // some say it better themselves
+        if (tells && !told()) tell(state, *found, press);  // some say it better themselves
     }
 }
 

@@ -276,7 +276,8 @@ std::vector<WindowCommand> hand_commands() {
          .keys = {{Key::K, ctrl}},
          .menu = Menu::Edit,
          .run = open_palette,
-         .id = CommandId::Palette},
+         .id = CommandId::Palette,
+         .quiet = true},
     };
 }
 

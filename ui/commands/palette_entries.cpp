@@ -143,6 +143,7 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
     Entries entries;
     add_commands(entries, state);
     add_recent(entries, state);
+    const std::size_t of_the_scene = entries.size();
     add_fields(entries, state);
     add_settings(entries, state);
     add_mistakes(entries, state);
@@ -150,6 +151,8 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
     add_items(entries, state);
     add_tabs(entries);
     add_presets(entries, state);
+    if (is_held(state))
+        for (std::size_t i = of_the_scene; i < entries.size(); ++i) entries[i].refused = why_held;
     add_scenes(entries, state);
     return entries;
 }

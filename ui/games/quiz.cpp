@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "models/io/file.h"
-#include "renderer/lessons/quiz.h"
 #include "ui/lessons/lesson_parts.h"
 #include "ui/lessons/prose.h"
 #include "ui/shell/modal.h"
@@ -62,6 +61,54 @@ Result<QuizPages> read_pages(const std::string& path, LoadProgress& progress) {
     return quiz;
 }
 
+std::string kept_file(const UiState& state) {
+    return (std::filesystem::path(state.persistence.folder) / "quiz.json").string();
+}
+
+QuizAnswers answers_of(const QuizState& quiz) { return {quiz.after, quiz.taken}; }
+std::string answers_text(const QuizState& quiz) {
+    return json_text(answers_json(quiz.pages->lesson, answers_of(quiz)));
+}
+
+/// What was answered in a window before, as far as it fits these questions; goes on at the first that was
+/// not.
+void recall_answers(UiState& state) {
+    constexpr std::size_t longest_file = 1 << 16;
+    QuizState& quiz = state.quiz;
+    quiz.taken.assign(quiz.pages->pages.size(), {});
+    quiz.kept = answers_of(quiz);
+    if (state.persistence.folder.empty()) return;
+    const Result<std::string> text = read_file(kept_file(state), longest_file);
+    if (problem_of(text) != nullptr) return;
+    const Result<QuizAnswers> read =
+        read_answers(quiz.pages->lesson, std::get<std::string>(text), kept_file(state));
+    const auto* answers = std::get_if<QuizAnswers>(&read);
+    if (answers == nullptr || answers->options.size() != quiz.taken.size()) return;
+    quiz.kept = *answers;
+    quiz.after = answers->after;
+    quiz.taken = answers->options;
+    const auto first = std::find(quiz.taken.begin(), quiz.taken.end(), std::nullopt);
+    quiz.at = static_cast<std::size_t>(first - quiz.taken.begin());
+}
+
+void keep_answers(UiState& state) {
+    QuizState& quiz = state.quiz;
+    if (answers_of(quiz) == quiz.kept) return;
+    quiz.kept = answers_of(quiz);
+    const char* const answers = "What is answered here";
+    if (state.persistence.folder.empty()) {
+        if (const auto& why = state.persistence.no_folder) tell_not_kept(state, answers, *why);
+        return;
+    }
+    const auto written = write_file_at_once(kept_file(state), answers_text(quiz));
+    if (const Problem* problem = problem_of(written)) tell_not_kept(state, answers, *problem);
+}
+
+void begin_quiz_again(QuizState& quiz) {
+    quiz.taken.assign(quiz.taken.size(), {});
+    quiz.at = 0;
+}
+
 void take_pages(UiState& state) {
     QuizState& quiz = state.quiz;
     Result<QuizPages> read = quiz.loading->take();
@@ -72,7 +119,7 @@ void take_pages(UiState& state) {
     }
     quiz.pages = std::get<QuizPages>(std::move(read));
     const std::vector<QuizPage>& pages = quiz.pages->pages;
-    quiz.taken.assign(pages.size(), {});
+    recall_answers(state);
     if (pages.empty()) return;
     quiz.sheet.reset(pages.front().picture.size, 4, static_cast<int>(pages.size()));
     for (std::size_t i = 0; i < pages.size(); ++i) quiz.sheet.put(static_cast<int>(i), pages[i].picture);
@@ -119,6 +166,18 @@ void last_page(UiState& state) {
     small_dim("The file has no name in it but the one that you give it.");
 }
 
+void answer_by_key(QuizState& quiz, KeyPress press) {
+    if (press.ctrl || press.alt || press.shift) return;
+    const std::vector<QuizPage>& pages = quiz.pages->pages;
+    const auto letter = static_cast<std::size_t>(press.key);  // A is 0
+    if (quiz.at < pages.size() && letter < pages[quiz.at].options.size())
+        quiz.taken[quiz.at] = letter;
+    else if (press.key == Key::Enter || press.key == Key::PageDown)
+        quiz.at = std::min(quiz.at + 1, pages.size());
+    else if (press.key == Key::PageUp && quiz.at > 0)
+        --quiz.at;
+}
+
 void ways_on(QuizState& quiz) {
     const std::size_t count = quiz.pages->pages.size();
     ImGui::Separator();
@@ -126,14 +185,19 @@ void ways_on(QuizState& quiz) {
     ImGui::BeginDisabled(quiz.at == 0);
     if (ImGui::Button("‹ Back##quiz", {width, 0})) --quiz.at;
     ImGui::EndDisabled();
-    tooltip("Question before", "");
+    tooltip("Question before", "PgUp does it, too");
+    if (count_taken(quiz) > 0) {
+        ImGui::SameLine();
+        if (ImGui::Button("Begin again##quiz")) begin_quiz_again(quiz);
+        tooltip("Begin again", "At the first question, with nothing answered");
+    }
     const std::string place = quiz.at < count ? fmt::format("{} of {}", quiz.at + 1, count) : "the end";
     ImGui::SameLine((right - ImGui::CalcTextSize(place.c_str()).x) / 2);
     dim_text(place.c_str());
     if (quiz.at >= count) return;
     ImGui::SameLine(right - width);
     if (chosen_button("Next ›##quiz", quiz.taken[quiz.at].has_value(), width)) ++quiz.at;
-    tooltip("Next question", "");
+    tooltip("Next question", "PgDn and Enter do it, too");
 }
 
 }  // namespace
@@ -147,7 +211,7 @@ void open_quiz(UiState& state) {
         [path = state.lesson.inventory](LoadProgress& progress) { return read_pages(path, progress); });
 }
 
-void quiz_dialog(UiState& state) {
+void quiz_dialog(UiState& state, const UiInput& input) {
     QuizState& quiz = state.quiz;
     if (quiz.loading && quiz.loading->done()) take_pages(state);
     if (quiz.loading) redraw_within(0.05);
@@ -162,6 +226,8 @@ void quiz_dialog(UiState& state) {
     if (!quiz.pages) {
         dim_text("The pictures are drawn …");
     } else {
+        if (!ImGui::IsWindowAppearing())
+            for (const KeyPress& press : input.presses) answer_by_key(quiz, press);
         ImGui::PushID(static_cast<int>(quiz.at));  // each page its own place of scrolling
         ImGui::BeginChild("##page", {0, -ImGui::GetFrameHeightWithSpacing() - px(8)});
         if (quiz.at < quiz.pages->pages.size())
@@ -171,16 +237,17 @@ void quiz_dialog(UiState& state) {
         ImGui::EndChild();
         ImGui::PopID();
         ways_on(quiz);
+        keep_answers(state);
     }
     if (!quiz.open || state.files.open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 
 void save_answers(UiState& state, const std::string& path) {
-    const QuizState& quiz = state.quiz;
-    const auto written =
-        write_file_at_once(path, json_text(answers_json(quiz.pages->lesson, {quiz.after, quiz.taken})));
+    const auto written = write_file_at_once(path, answers_text(state.quiz));
     if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
+    std::error_code not_there;
+    if (!state.persistence.folder.empty()) std::filesystem::remove(kept_file(state), not_there);
     state.notifications.add(Tone::Done,
                             fmt::format("Saved {}", std::filesystem::path(path).filename().string()));
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The concept inventory in the window: a picture and four options a question, before the lessons or after
-// them, and the answers as a file that `glint quiz` counts.
+// them, and the answers as a file that `glint quiz` counts. Until they are saved they are kept beside the
+// window's other memory, for the next window to go on.
 
 #include <cstddef>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "models/lesson/lesson.h"
+#include "renderer/lessons/quiz.h"
 #include "renderer/picture.h"
 #include "ui/document/job.h"
 #include "ui/widgets/picture_sheet.h"
@@ -16,6 +18,7 @@
 namespace glint {
 
 struct UiState;
+struct UiInput;
 
 struct QuizPage {
     std::string title;
@@ -34,15 +37,16 @@ struct QuizState {
     std::unique_ptr<Job<QuizPages>> loading;
     std::optional<QuizPages> pages;
     std::vector<std::optional<std::size_t>> taken;  // an option for each page, from 0
+    QuizAnswers kept;                               // as they are on the disk
     std::size_t at = 0;                             // pages.size(): the end
     PictureSheet sheet;
 };
 
-/// Opens the dialog; answers that were given in this window are still there.
+/// Opens the dialog; answers that were given and not saved are still there.
 void open_quiz(UiState& state);
-/// Draws it. Precondition: it is open.
-void quiz_dialog(UiState& state);
-/// Writes the answers; what is wrong is a notification.
+/// Draws it. Keys: the letter of an option takes it, Enter and PgDn go on, PgUp goes back.
+void quiz_dialog(UiState& state, const UiInput& input);
+/// Writes the answers, and ends keeping them for another window; what is wrong is a notification.
 void save_answers(UiState& state, const std::string& path);
 
 }  // namespace glint

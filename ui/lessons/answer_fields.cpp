@@ -33,7 +33,7 @@ bool number_answer(LessonState& lesson, const Prediction& question) {
         ImGui::TextUnformatted(question.unit.c_str());
     }
     ImGui::PopFont();
-    if (!lesson.typed.empty() && !can_lock(lesson)) small_dim(calculated(lesson.typed, 0).problem);
+    if (!lesson.typed.empty() && !can_lock(lesson)) small_dim(why_no_answer(lesson));
     return entered;
 }
 
@@ -49,7 +49,10 @@ void choice_answer(LessonState& lesson, const Prediction& question) {
 void sketch_answer(LessonState& lesson, const Prediction& question) {
     small_dim("Draw the curve with the mouse, along the line from A to B in the picture.");
     sketch_plot(lesson, question, lesson.chosen, nullptr);
-    if (lesson.chosen != JsonValue() && ImGui::SmallButton("Wipe")) lesson.chosen = {};
+    if (lesson.chosen == JsonValue()) return;
+    const bool wipes = ImGui::SmallButton("Wipe");
+    tooltip("Wipe", "The curve goes, to be drawn anew");
+    if (wipes) lesson.chosen = {};
 }
 
 /// Whose answer it is, in a row of two; a large figure under a small word.
@@ -174,7 +177,8 @@ void answer_fields(UiState& state, const StationQuestion& question) {
     ImGui::BeginDisabled(!can);
     const bool locked = main_button("Lock it in");
     ImGui::EndDisabled();
-    tooltip("Lock it in", can ? "It stands then, and the answer is shown" : "Answer first");
+    tooltip("Lock it in",
+            can ? "It stands then, and the answer is shown (Enter)" : why_no_answer(lesson).c_str());
     if (can && (locked || entered)) return lock_in(state);
     ImGui::SameLine(0, px(12));
     ImGui::PushStyleColor(ImGuiCol_Button, {0, 0, 0, 0});

@@ -52,7 +52,7 @@ void put_all_away(UiState& state) {
 void forget_input(LessonState& lesson) {
     lesson.typed.clear();
     lesson.chosen = {};
-    lesson.sketched = glm::dvec2(-1);
+    lesson.sketched.reset();
 }
 
 /// The item that the first task's hand is to move is selected: its handles show.
@@ -184,15 +184,35 @@ void begin_again(UiState& state) {
     arrive(state);
 }
 
-bool can_lock(const LessonState& lesson) {
+std::string why_no_answer(const LessonState& lesson) {
     const auto open = open_question(lesson);
-    if (!open) return false;
+    if (!open) return "Nothing is asked";
     const Prediction& question = *lesson.station().questions[*open].asks;
-    if (question.kind == PredictionKind::Number) return calculated(lesson.typed, 0).problem.empty();
-    if (question.kind != PredictionKind::Sketch) return lesson.chosen != JsonValue();
+    const bool is_number = question.kind == PredictionKind::Number;
+    if (is_number ? lesson.typed.empty() : lesson.chosen == JsonValue()) return "Answer first";
+    if (is_number) return calculated(lesson.typed, 0).problem;
+    if (question.kind != PredictionKind::Sketch) return {};
     const JsonValue::Elements& values = lesson.chosen.elements();
-    return values.size() == sketch_length(question) &&
-           std::all_of(values.begin(), values.end(), [](const JsonValue& v) { return v.is_number(); });
+    const bool whole =
+        values.size() == sketch_length(question) &&
+        std::all_of(values.begin(), values.end(), [](const JsonValue& v) { return v.is_number(); });
+    return whole ? "" : "The curve has gaps: draw it from A, at the left edge, to B, at the right one";
+}
+
+bool can_lock(const LessonState& lesson) { return why_no_answer(lesson).empty(); }
+
+bool answer_by_key(UiState& state, KeyPress press) {
+    LessonState& lesson = state.lesson;
+    const auto open = open_question(lesson);
+    if (!open || lesson.lecturer || press.ctrl || press.alt || press.shift) return false;
+    if (press.key == Key::Enter && can_lock(lesson)) {
+        lock_in(state);
+        return true;
+    }
+    const auto letter = static_cast<std::size_t>(press.key);  // A is 0
+    if (letter >= lesson.station().questions[*open].asks->options.size()) return false;
+    lesson.chosen = JsonValue(letter);
+    return true;
 }
 
 void lock_in(UiState& state) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "models/scene/camera.h"
+#include "ui/commands/keys.h"
 #include "ui/document/job.h"
 #include "ui/lessons/course.h"
 
@@ -39,7 +40,7 @@ struct LessonState {
     // The answer that is being given to the first open question:
     std::string typed;                     // of a number
     JsonValue chosen;                      // of all other kinds; null: none yet
-    glm::dvec2 sketched{-1};               // where the hand was on a sketch: (number of the value, value)
+    std::optional<glm::dvec2> sketched;    // where the hand was on a sketch: (number of the value, value)
     std::unique_ptr<LessonRunner> runner;  // of `watching`: it keeps what it drew
     std::unique_ptr<Job<WatchedTasks>> watching;
     std::optional<WatchedTasks> watched;  // the last answer
@@ -60,6 +61,7 @@ void leave_lesson(UiState& state);
 [[nodiscard]] std::optional<std::size_t> open_question(const LessonState& lesson);
 /// Whether such a question holds the picture: then nothing of it can be changed or asked.
 [[nodiscard]] bool is_held(const UiState& state);
+inline constexpr const char* why_held = "First answer the lesson's question";
 
 /// Goes `steps` stations on, or back if negative, and shows the scene there. At the ends it says so. Asks
 /// first where the scene in hand was saved under a name and has changes that were not.
@@ -71,8 +73,13 @@ void page_lesson(UiState& state, int steps);
 /// Begins the lesson at its first station again, with nothing answered.
 void begin_again(UiState& state);
 
+/// Why what is given to the open question is no answer yet; empty where it is one.
+[[nodiscard]] std::string why_no_answer(const LessonState& lesson);
 /// Whether what is given to the open question is an answer.
 [[nodiscard]] bool can_lock(const LessonState& lesson);
+/// Answers the open question by a key: the letter of an option takes it, Enter locks in what is given. False
+/// where the key is for something else.
+bool answer_by_key(UiState& state, KeyPress press);
 /// Makes the given answer final; after the station's last one, the answers are revealed.
 void lock_in(UiState& state);
 /// Shows all answers of the station; what was not locked in counts as not answered.

@@ -44,13 +44,15 @@ double top_of(const JsonValue* right) {
 }
 
 void draw_with_hand(LessonState& lesson, const Prediction& question, const PlotArea& area) {
-    if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-        lesson.sketched = glm::dvec2(-1);
-        return;
-    }
-    const glm::dvec2 at = area.value(ImGui::GetIO().MousePos);
-    const bool begins = lesson.sketched.x < 0;
-    sketch(lesson.chosen, sketch_length(question), begins ? at : lesson.sketched, at);
+    if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) return lesson.sketched.reset();
+    const ImVec2 hand = ImGui::GetIO().MousePos;
+    glm::dvec2 at = area.value(hand);
+    at.y = std::clamp(at.y, area.y.low, area.y.high);  // what is drawn can be seen
+    // A hand that comes so near to an end means it.
+    const float near_an_end = px(10);
+    if (hand.x < area.rect.low.x + near_an_end) at.x = area.x.low;
+    if (hand.x > area.rect.high.x - near_an_end) at.x = area.x.high;
+    sketch(lesson.chosen, sketch_length(question), lesson.sketched.value_or(at), at);
     lesson.sketched = at;
 }
 
@@ -76,15 +78,22 @@ OptionColours colours_of(OptionLook look, bool hovered) {
     return {};
 }
 
-/// A ring, filled when it is taken; the right one has a tick.
-void option_mark(ImDrawList& list, ImVec2 middle, OptionLook look, const OptionColours& colours) {
-    const float radius = px(7);
+/// A ring around the key that takes the option, filled when it is taken; the right one has a tick.
+void option_mark(ImDrawList& list, ImVec2 middle, OptionLook look, const OptionColours& colours,
+                 const std::string& letter) {
+    const float radius = px(8);
     const ImU32 ink = to_u32(colours.rim);
     list.AddCircle(middle, radius, look == OptionLook::Open ? to_u32(theme().dim_text) : ink, 0, px(1.5f));
     const bool taken =
         look == OptionLook::Taken || look == OptionLook::TakenRight || look == OptionLook::TakenWrong;
-    if (taken) list.AddCircleFilled(middle, radius - px(3), ink);
-    if (look != OptionLook::Right && look != OptionLook::TakenRight) return;
+    if (taken) list.AddCircleFilled(middle, radius - px(2.5f), ink);
+    if (look != OptionLook::Right && look != OptionLook::TakenRight) {
+        ImGui::PushFont(fonts().small);
+        const ImVec2 low = middle - 0.5f * ImGui::CalcTextSize(letter.c_str());
+        list.AddText(low, to_u32(taken ? theme().panel : theme().dim_text), letter.c_str());
+        ImGui::PopFont();
+        return;
+    }
     const ImVec2 foot = middle + ImVec2(px(-1), px(4));
     const ImU32 tick = to_u32(taken ? theme().panel : colours.rim);
     list.AddLine(foot - ImVec2(px(3), px(3)), foot, tick, px(2));
@@ -121,7 +130,7 @@ bool option_card(const std::string& letter, const std::string& text, OptionLook 
     const ImVec2 end = low + ImVec2(width, high);
     list.AddRectFilled(low, end, to_u32(colours.ground), px(5));
     list.AddRect(low, end, to_u32(colours.rim), px(5), 0, px(look == OptionLook::Open ? 1 : 1.5f));
-    option_mark(list, low + ImVec2(px(16), high / 2), look, colours);
+    option_mark(list, low + ImVec2(px(16), high / 2), look, colours, letter);
     prose_at(list, low + ImVec2(left, pad), room, text, colours.ink);
     return clicked && can;
 }

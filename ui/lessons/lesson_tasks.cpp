@@ -112,13 +112,14 @@ void task_fields(UiState& state, const Task& task) {
         const auto holds_it = [&number](const std::string& control) {
             return is_within(number.pointer, control);
         };
-        if (std::none_of(task.controls.begin(), task.controls.end(), holds_it)) continue;
+        if (number.is_w || std::none_of(task.controls.begin(), task.controls.end(), holds_it)) continue;
         if (++shown > most_numbers) return;
         ImGui::PushID(number.pointer.c_str());
         double value = 0;
         if (field_of(number, named_number(number.pointer, scene).what.c_str(), value)) {
             state.editor.edits_camera |= number.pointer.starts_with("/camera");
-            if (const auto problem = set_number(scene, number.pointer, value)) say(problem->what);
+            if (const auto problem = set_number(scene, number.pointer, value))
+                refuse_edit(problem->what + "; expected " + problem->expected);
         }
         ImGui::PopID();
     }

@@ -205,7 +205,7 @@ void dialogs(UiState& state, const UiInput& input) {
         lessons_dialog(state);
         break;
     case Modal::Quiz:
-        quiz_dialog(state);
+        quiz_dialog(state, input);
         break;
     }
     if (modal_of(state) != modal) redraw_within(0);  // the next one, or what lay below

@@ -115,7 +115,8 @@ TEST_CASE("a number set in place is a number set in the text", "[fields]") {
     scene.lights.push_back(sun);
     const SceneDocument document{scene, "s.json", "", {}};
     for (const SceneNumber& number : numbers_of(scene)) {
-        for (const double value : {-1e31, -2.0, 0.0, 0.25, 1.0, 4.0, 45.0, 100.0, 180.0, 5000.0, 1e29}) {
+        for (const double value :
+             {-1e31, -2.0, 0.0, 1e-40, 1e-20, 0.25, 1.0, 4.0, 45.0, 100.0, 180.0, 5000.0, 1e29, 1e30}) {
             INFO(number.pointer << " = " << value);
             Scene set = scene;
             const std::optional<Problem> refused = set_number(set, number.pointer, value);
@@ -126,6 +127,14 @@ TEST_CASE("a number set in place is a number set in the text", "[fields]") {
             CHECK(set == (refused ? scene : std::get<Scene>(read)));
         }
     }
+}
+
+TEST_CASE("the largest number that a field shows can be set", "[fields]") {
+    Scene scene = everything();
+    const auto largest = static_cast<double>(1e30f);  // a little more than 1e30
+    REQUIRE(largest > 1e30);
+    CHECK(set_number(scene, "/lights/0/position/0", largest) == std::nullopt);
+    CHECK(scene.lights[0].position.x == 1e30f);
 }
 
 TEST_CASE("a number that the scene has not cannot be set", "[fields]") {

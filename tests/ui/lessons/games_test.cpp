@@ -192,6 +192,64 @@ TEST_CASE("the game is played by its buttons: hint, target beside, again, anothe
     CHECK_FALSE(bench.state.views.compare.choice.on);
 }
 
+namespace {
+
+/// Opens the quiz of a window that keeps its memory in `folder`.
+void open_quiz_in(HeadlessWindow& bench, const std::string& folder) {
+    begin_persistence(bench.state, folder);
+    bench.state.lesson.inventory = std::string(GLINT_SOURCE_DIR) + "/assets/inventory.md";
+    bench.frames(2);
+    test::command_named("Quiz: what do you believe about lighting?").run(bench.state);
+    do {
+        (void)bench.frame();
+        std::this_thread::yield();
+    } while (!bench.state.quiz.pages);
+    bench.frames(2);
+}
+
+}  // namespace
+
+TEST_CASE("the quiz is answered by keys, and the next window goes on with it until its answers are saved",
+          "[ui][window][quiz][long]") {
+    using Taken = std::vector<std::optional<std::size_t>>;
+    const TemporaryDirectory folder;
+    {
+        HeadlessWindow bench({1280, 1000});
+        open_quiz_in(bench, folder.path("state"));
+        (void)bench.key(Key::B);
+        (void)bench.key(Key::Enter);
+        (void)bench.key(Key::E);  // there are four options
+        (void)bench.key(Key::PageDown);
+        (void)bench.key(Key::D);
+        (void)bench.key(Key::PageUp);
+        (void)bench.key(Key::PageUp);
+        (void)bench.key(Key::PageUp);
+        CHECK(bench.state.quiz.at == 0);
+        (void)bench.key(Key::A);
+    }
+    {
+        HeadlessWindow bench({1280, 1000});
+        open_quiz_in(bench, folder.path("state"));
+        QuizState& quiz = bench.state.quiz;
+        CHECK(quiz.at == 1);  // the first without an answer
+        CHECK(Taken(quiz.taken.begin(), quiz.taken.begin() + 4) == Taken{0, {}, 3, {}});
+        quiz.after = true;
+        bench.frames(1);
+        save_answers(bench.state, folder.path("answers.json"));
+        bench.frames(2);
+    }
+    HeadlessWindow bench({1280, 1000});
+    open_quiz_in(bench, folder.path("state"));
+    CHECK(bench.state.quiz.taken == Taken(24));
+    CHECK_FALSE(bench.state.quiz.after);
+    bench.click(bench.control(bench.state.quiz.pages->pages[0].options[2]));
+    CHECK(bench.state.quiz.taken[0] == 2u);
+    bench.click(bench.control("Next question"));
+    bench.click(bench.control("Begin again"));
+    CHECK(bench.state.quiz.at == 0);
+    CHECK(bench.state.quiz.taken == Taken(24));
+}
+
 TEST_CASE("the quiz is answered in the window, and what it saves is counted by glint quiz",
           "[ui][window][quiz][long]") {
     const std::string inventory = std::string(GLINT_SOURCE_DIR) + "/assets/inventory.md";

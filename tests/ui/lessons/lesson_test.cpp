@@ -85,6 +85,105 @@ TEST_CASE("an answer is right within the question's tolerance, and typed as a ca
     CHECK(is_right(bench.lesson().station().questions[0], bench.lesson().given()[0]));
 }
 
+TEST_CASE("a choice is answered by its letter and Enter, and the palette opens while a question waits",
+          "[ui][window][lesson]") {
+    HeadlessWindow bench({1280, 1000});
+    bench.frames(2);
+    test::drop(bench, test::shipped_lesson("05-lambert"));
+    LessonState& lesson = bench.state.lesson;
+    const auto asks_for_choice = [&] {
+        return open_question(lesson) && test::asked(bench).asks->kind == PredictionKind::Choice;
+    };
+    while (!asks_for_choice()) {
+        (void)bench.key(Key::PageDown);
+        bench.frames(3);
+    }
+    const Scene held = bench.scene();
+    (void)bench.key(Key::K, true);
+    bench.frames(2);
+    REQUIRE(bench.state.palette.open);
+    test::type(bench, "exposure");
+    bench.frames(2);
+    (void)bench.key(Key::Enter);
+    bench.frames(2);
+    CHECK(says(bench, "First answer the lesson's question"));
+    CHECK(bench.scene() == held);
+    (void)bench.key(Key::Escape);
+    bench.frames(2);
+    (void)bench.key(Key::Enter);  // nothing is chosen yet
+    REQUIRE(asks_for_choice());
+    (void)bench.key(Key::B);
+    CHECK(lesson.chosen == JsonValue(1));
+    CHECK_FALSE(bench.state.views.compare.choice.shows_stored);
+    (void)bench.key(Key::C);
+    CHECK(lesson.chosen == JsonValue(2));
+    const std::size_t open = *open_question(lesson);
+    (void)bench.key(Key::Enter);
+    CHECK(lesson.given()[open].value == JsonValue(2));
+    CHECK(lesson.given()[open].locked);
+    bench.state.notifications.list.clear();
+    (void)bench.key(Key::Z, true);
+}
+
+TEST_CASE("a curve that is drawn from edge to edge is whole, and what is drawn can be seen",
+          "[ui][window][lesson]") {
+    HeadlessWindow bench({1280, 1000});
+    bench.frames(2);
+    test::drop(bench, test::shipped_lesson("15-mach-bands"));
+    LessonState& lesson = bench.state.lesson;
+    const auto asks_for_curve = [&] {
+        return open_question(lesson) && test::asked(bench).asks->kind == PredictionKind::Sketch;
+    };
+    while (!asks_for_curve()) {
+        (void)bench.key(Key::PageDown);
+        bench.frames(3);
+    }
+    const Rect plot = bench.area_of("Sketch");
+    const float middle = (plot.low.y + plot.high.y) / 2;
+    bench.drag({plot.low.x + 30, middle}, {plot.high.x - 30, middle});
+    CHECK(why_no_answer(lesson).find("gaps") != std::string::npos);
+    (void)bench.key(Key::Enter);
+    REQUIRE(asks_for_curve());
+    bench.click(bench.control("Wipe"));
+    // Begun beside the plot, and far above it at the end.
+    bench.drag({plot.low.x - 6, middle}, {plot.high.x - 6, plot.low.y - 200});
+    CHECK(can_lock(lesson));
+    for (const JsonValue& value : lesson.chosen.elements()) CHECK(value.number() <= 1.08);
+    CHECK(lesson.chosen.elements().back().number() == Approx(1.08));
+}
+
+TEST_CASE("a lesson's fields of a light take what its panel takes, and have none for w",
+          "[ui][window][lesson]") {
+    const TemporaryDirectory folder;
+    REQUIRE(problem_of(write_file(folder.path("ball.json"),
+                                  R"({"glint": 1, "lights": [{"position": [1, 2, 3]}]})")) == nullptr);
+    HeadlessWindow bench({1280, 1000});
+    bench.frames(2);
+    test::drop(bench, folder.file("w.md", own_lesson("```try\ndrag: the light\ncontrol: /lights/0/position\n"
+                                                     "e = explain --pixel 16,16\n"
+                                                     "done: e.pixel[0] > 99\n"
+                                                     "solution: /lights/0/position=[0,0,9]\n```\n")));
+    REQUIRE(bench.state.lesson.course);
+    const auto type_into_x = [&](const char* letters) {
+        bench.state.notifications.list.clear();
+        bench.click(bench.control("/lights/0/position/0"));
+        bench.frames(2);
+        for (; *letters != 0; ++letters) bench.type(std::string(1, *letters).c_str());
+        bench.click({2, 998});
+        bench.frames(3);
+    };
+    for (const NamedControl& control : bench.controls()) CHECK(control.key != "/lights/0/position/3");
+    type_into_x("25");
+    CHECK(bench.scene().lights[0].position == glm::vec4(25, 2, 3, 1));
+    type_into_x("1e30");
+    CHECK(bench.state.notifications.list.empty());
+    CHECK(bench.scene().lights[0].position == glm::vec4(1e30f, 2, 3, 1));
+    type_into_x("1e31");
+    CHECK(bench.scene().lights[0].position == glm::vec4(1e30f, 2, 3, 1));
+    CHECK(bench.state.notifications.list.size() == 1);
+    CHECK(says(bench, "1e+31 is out of range"));
+}
+
 TEST_CASE("the answer can be looked at without a prediction, which is noted", "[ui][window][lesson]") {
     LambertWindow bench;
     bench.click(bench.control("Show it without"));

@@ -1,6 +1,7 @@
 // Every number of the window, typed digit by digit: what stands there on the way is in the scene, too.
 #include <imgui.h>
 
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,9 @@ class Typist {
         first_ = bench_.scene();
     }
 
-    /// Types "0", "." and "5" into every number that the panel of `selection` and `tab` show.
-    void type_into_all(const Selection& selection, InspectorTab tab) {
+    /// Types `letters`, one by one, into every number that the panel of `selection` and `tab` show.
+    void type_into_all(const Selection& selection, InspectorTab tab, const std::string& letters = "0.5") {
+        letters_ = letters;
         bench_.state.editor.selection = selection;
         bench_.state.inspector.tab = tab;
         bench_.frames(3);
@@ -61,7 +63,7 @@ class Typist {
         bench_.frames(2);
         const bool types = number_in_hand() && ImGui::GetIO().WantTextInput;
         if (types)
-            for (const char* const letter : {"0", ".", "5"}) bench_.type(letter);
+            for (const char letter : letters_) bench_.type(std::string(1, letter).c_str());
         bench_.click({2, height - 2});
         bench_.frames(2);
         bench_.wait_for_loads();
@@ -76,7 +78,8 @@ class Typist {
         CHECK(same_description(std::get<Scene>(read), bench_.scene()));
         const auto number = number_at(bench_.scene(), shown.key);
         const bool is_told = !bench_.state.notifications.list.empty();
-        if (number && !number->is_whole) CHECK((is_told || number->value == 0.5));
+        if (number && !number->is_whole)
+            CHECK((is_told || static_cast<float>(number->value) == std::strtof(letters_.c_str(), nullptr)));
         while (undo(bench_.state.editor)) {
         }
         bench_.wait_for_loads();
@@ -95,6 +98,7 @@ class Typist {
     static constexpr float height = 1500;
     HeadlessWindow bench_{{900, height}};
     Scene first_;
+    std::string letters_;
     int typed_ = 0;
 };
 
@@ -121,4 +125,19 @@ TEST_CASE("each number that is typed digit by digit stands in the scene at last,
     typist.type_into_all({Selection::Kind::Display, 0}, InspectorTab::Vectors);
     typed += typist.typed();
     CHECK(typed > 120);
+}
+
+TEST_CASE("whatever is typed into a number, the scene can be saved and opened again",
+          "[ui][window][numbers]") {
+    Scene scene = test::busy_scene();
+    for (Light& light : scene.lights) light.enabled = true;
+    Typist typist(scene);
+    for (const char* const letters : {"0", "-1", "1e-44", "1e30", "1e31"}) {
+        CAPTURE(letters);
+        for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i)
+            typist.type_into_all({Selection::Kind::Light, i}, InspectorTab::Program, letters);
+        typist.type_into_all({Selection::Kind::Object, 0}, InspectorTab::Program, letters);
+        typist.type_into_all({Selection::Kind::Camera, 0}, InspectorTab::Equation, letters);
+    }
+    CHECK(typist.typed() > 400);
 }
