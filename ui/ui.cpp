@@ -33,6 +33,14 @@ void give_tiny_corners_segments() {
 }
 
 /// One step when nothing has the scene in hand any more.
+/// After all that may have edited the scene, before it is drawn or kept as a step.
+void keep_scene_valid(UiState& state) {
+    const std::optional<Problem> problem = take_back_invalid(state.editor);
+    if (!problem) return;
+    let_go_of_fields();
+    state.notifications.add(Tone::Warning, "Not possible: " + problem->text());
+}
+
 void remember(UiState& state, bool in_hand) {
     if (in_hand || ImGui::IsAnyItemActive() || awaits_mesh(state)) return;
     remember_step(state.editor, state.viewport.wheel_goes_on);
@@ -76,6 +84,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     left_column(state, layout, picture_view(layout.centre, state));
     shortcuts_sheet(state);
     palette(state, input);
+    keep_scene_valid(state);
     follow_items(state);
     hold_lesson(state);
     const PictureView view = picture_view(layout.centre, state);
@@ -97,6 +106,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     step_wedge(state.lecture.wedge);
     dialogs(state, input);  // after every window: ui/shell/modal.h
     if (const std::string said = take_said(); !said.empty()) state.notifications.add(Tone::Done, said);
+    keep_scene_valid(state);
     remember(state, in_hand);
     poll_persistence(state);
     poll_lesson(state);

@@ -34,22 +34,70 @@ std::optional<Violation> violation_of(const AreaShape& area) {
     return Violation{"", "edge_u and edge_v span no area", "two edges that are neither zero nor parallel"};
 }
 
-class RangeCheck {
-  public:
-    explicit RangeCheck(bool& passed) : passed_(passed) {}
-    void operator()(const Row&, const Real& kind, float x) const { passed_ &= kind.range.contains(x); }
-    void operator()(const Row&, const Vector&, const glm::vec3& v) const {
-        for (int i = 0; i < 3; ++i) passed_ &= any_number.contains(v[i]);
-    }
-    void operator()(const Row&, const OneProjection&, const Projection& p) const { fields(p, *this); }
-
-  private:
-    bool& passed_;
-};
-
 std::optional<Violation> below(std::string at, std::optional<Violation> violation) {
     if (violation) violation->at = std::move(at) + violation->at;
     return violation;
+}
+
+/// Finds the first number of a struct, and of those in it, that its kind does not allow. Lists are passed
+/// over.
+class RangeSearch {
+  public:
+    template <class T> static std::optional<Violation> in(const T& value) {
+        std::optional<Violation> found;
+        fields(value, [&found](const Row& row, const auto& kind, const auto& member) {
+            if (found) return;
+            found = at(kind, member);
+            if (found) found->at = fmt::format("/{}{}", row.key, found->at);
+        });
+        return found;
+    }
+
+  private:
+    using Found = std::optional<Violation>;
+
+    static Found at(const Real& kind, float x) {
+        if (kind.range.contains(x)) return {};
+        return Violation{"", fmt::format("{} is out of range", x), std::string(kind.range.words)};
+    }
+    static Found at(const Count& kind, int n) {
+        if (kind.contains(n)) return {};
+        return Violation{"", fmt::format("{} is out of range", n), words_of(kind)};
+    }
+    template <class Kind, int size> static Found parts(const Kind& kind, const glm::vec<size, float>& v) {
+        for (int i = 0; i < size; ++i)
+            if (Found found = at(component_of(kind), v[i]))
+                return below(fmt::format("/{}", i), std::move(found));
+        return {};
+    }
+    static Found at(const Colour& kind, const glm::vec3& v) { return parts(kind, v); }
+    static Found at(const Vector& kind, const glm::vec3& v) { return parts(kind, v); }
+    static Found at(const Homogeneous& kind, const glm::vec4& v) { return parts(kind, v); }
+    template <class T> static Found at(const Group&, const T& value) { return in(value); }
+    static Found at(const OneProjection&, const Projection& projection) {
+        return std::visit([](const auto& p) { return in(p); }, projection);
+    }
+    static Found at(const OneMesh&, const MeshSource& source) {
+        return std::visit([](const auto& s) { return in(s); }, source);
+    }
+    template <class Kind, class T> static Found at(const Kind&, const T&) { return {}; }
+};
+
+template <class T> std::optional<Violation> any_violation_of(const T& value) {
+    if (auto found = violation_of(value)) return found;
+    return violation_of_ranges(value);
+}
+
+/// What is wrong in an item that is new or another than before.
+template <class Item>
+std::optional<Violation> violation_in(const char* list, const std::vector<Item>& valid,
+                                      const std::vector<Item>& now) {
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if (i < valid.size() && now[i] == valid[i]) continue;
+        if (auto found = any_violation_of(now[i]))
+            return below(fmt::format("/{}/{}", list, i), std::move(found));
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -114,10 +162,16 @@ std::optional<Violation> violation_of(const Scene& scene) {
     return std::nullopt;
 }
 
-bool is_within_ranges(const Camera& camera) {
-    bool passed = true;
-    fields(camera, RangeCheck(passed));
-    return passed;
+std::optional<Violation> violation_of_ranges(const Camera& camera) { return RangeSearch::in(camera); }
+std::optional<Violation> violation_of_ranges(const Light& light) { return RangeSearch::in(light); }
+std::optional<Violation> violation_of_ranges(const Object& object) { return RangeSearch::in(object); }
+std::optional<Violation> violation_of_ranges(const Scene& scene) { return RangeSearch::in(scene); }
+
+std::optional<Violation> violation_since(const Scene& valid, const Scene& now) {
+    if (auto found = violation_of(now.camera)) return below("/camera", std::move(found));
+    if (auto found = violation_of_ranges(now)) return found;
+    if (auto found = violation_in("lights", valid.lights, now.lights)) return found;
+    return violation_in("objects", valid.objects, now.objects);
 }
 
 glm::vec4 divided_by_w(glm::dvec4 position) {

@@ -33,8 +33,16 @@ inline constexpr double parallel_sine = 1e-6;
 /// Returns the first violation of its camera, its lights and its objects, with the pointer into the scene.
 [[nodiscard]] std::optional<Violation> violation_of(const Scene& scene);
 
-/// True when each number of the camera is within the range of its field.
-[[nodiscard]] bool is_within_ranges(const Camera& camera);
+/// Returns the first number that is not within the range of its field; of a scene one of its own, not of its
+/// lights and objects.
+[[nodiscard]] std::optional<Violation> violation_of_ranges(const Camera& camera);
+[[nodiscard]] std::optional<Violation> violation_of_ranges(const Light& light);
+[[nodiscard]] std::optional<Violation> violation_of_ranges(const Object& object);
+[[nodiscard]] std::optional<Violation> violation_of_ranges(const Scene& scene);
+
+/// Why a scene file could not hold `now`, if it could not: a condition or a range that is not met. Of lights
+/// and objects those alone are asked that differ from the ones of `valid`, which is such a scene.
+[[nodiscard]] std::optional<Violation> violation_since(const Scene& valid, const Scene& now);
 
 /// Returns a light's homogeneous position as the renderer wants it: unchanged if w = 0, else divided by w, so
 /// that w = 1.

@@ -166,7 +166,7 @@ GltfCamera camera_from(const Node& node, const Node& at, const glm::dmat4& world
     camera.up = glm::vec3(up);
     camera.target = target_of(camera.eye, -back, 1);
     std::optional<Violation> wrong = violation_of(camera);
-    if (!is_within_ranges(camera)) wrong = Violation{"", "its place is beyond 1e30", ""};
+    if (violation_of_ranges(camera)) wrong = Violation{"", "its place is beyond 1e30", ""};
     if (wrong)
         node.fail("no camera can stand there: " + wrong->what,
                   "axes that have a length, at a place within 1e30");

@@ -99,7 +99,7 @@ void frame_camera(Scene& scene, int object) {
     camera.target = glm::vec3(sphere->center);
     camera.eye = glm::vec3(sphere->center + distance * back);
     camera.projection = with_planes(camera.projection, distance, sphere->radius);
-    if (is_within_ranges(camera) && !violation_of(camera)) scene.camera = camera;
+    if (!violation_of_ranges(camera) && !violation_of(camera)) scene.camera = camera;
 }
 
 std::vector<Light> default_lights() {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "models/fields/scene_rules.h"
 #include "models/io/file.h"
 #include "models/mesh/mesh_memory.h"
 
@@ -56,6 +57,17 @@ std::optional<Problem> save_file(Editor& editor, std::string path) {
 bool changed_by_another(const Editor& editor) {
     const FileStamp now = file_stamp(editor.document.path);
     return now.exists() && now != editor.document.stamp;
+}
+
+std::optional<Problem> take_back_invalid(Editor& editor) {
+    if (editor.valid == editor.scene()) return {};
+    if (editor.valid)
+        if (auto found = violation_since(*editor.valid, editor.scene())) {
+            take_step(editor, *editor.valid);
+            return Problem{"", found->at, std::move(found->what), std::move(found->expected)};
+        }
+    editor.valid = editor.scene();
+    return {};
 }
 
 std::optional<Problem> settle(Editor& editor) {

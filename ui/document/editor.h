@@ -88,6 +88,7 @@ struct Editor {
     ViewHistory views;
     bool edits_camera = false;  // the camera's numbers are being edited: that is an edit, not a look
     Selection selection;
+    std::optional<Scene> valid;             // the scene as it last was one that a file can hold
     std::optional<FollowedItems> followed;  // nothing until the scene was drawn first
     std::unique_ptr<Editor> before;         // what was in hand, until this document has been drawn; then null
 
@@ -112,6 +113,11 @@ void take_document(Editor& editor, SceneDocument document);
 /// Whether the document's file is there and is not the one that was opened or saved last: saving would write
 /// over what another program, or another window, has put there.
 [[nodiscard]] bool changed_by_another(const Editor& editor);
+
+/// Takes back what makes the scene one that no file could hold, and returns what it was: a number beyond its
+/// field's range, a condition that is broken. Whatever edits the scene, it can be saved, copied and
+/// recovered.
+[[nodiscard]] std::optional<Problem> take_back_invalid(Editor& editor);
 
 /// Loads meshes that an edit left unloaded. On a problem the scene returns to the history's newest step.
 [[nodiscard]] std::optional<Problem> settle(Editor& editor);

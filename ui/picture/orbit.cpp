@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "models/fields/scene_rules.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/screen.h"
@@ -15,14 +16,15 @@ namespace glint {
 namespace {
 
 constexpr double closest = 1e-4, farthest = 1e7;  // eye to target, scene units
+constexpr double closest_share = 1e-4;  // of the farthest coordinate: below it floats turn the view direction
 constexpr double pole_margin = std::numbers::pi / 180;
 
 bool usable(const Camera& camera) {
+    const glm::vec3 reach = glm::max(glm::abs(camera.eye), glm::abs(camera.target));
+    const double away = std::max({double(reach.x), double(reach.y), double(reach.z)});
     const double distance = target_depth(camera);
-    const auto inside = [](glm::vec3 v) {
-        return glm::all(glm::lessThan(glm::abs(v), glm::vec3(float(farthest) * 10)));
-    };
-    return distance > closest && distance < farthest && inside(camera.eye) && inside(camera.target);
+    return distance > std::max(closest, closest_share * away) && distance < farthest &&
+           away < farthest * 10 && !violation_of(camera);
 }
 
 /// Depths of the nearest and farthest corner of a box in front of a camera.
@@ -80,14 +82,16 @@ void orbit(Camera& camera, glm::dvec2 motion_px, PictureSize size) {
     const double polar =
         std::clamp(from_pole - motion_px.y * turn, pole_margin, std::numbers::pi - pole_margin);
     const glm::dvec3 outward = std::cos(yaw) * level + std::sin(yaw) * side;
-    camera.eye =
+    Camera turned = camera;
+    turned.eye =
         glm::vec3(glm::dvec3(camera.target) + radius * (std::cos(polar) * up + std::sin(polar) * outward));
+    if (!violation_of(turned)) camera = turned;
 }
 
 void pan(Camera& camera, glm::dvec2 from_px, glm::dvec2 to_px, double depth, PictureSize size) {
     const ScreenMap map = screen_map(camera, size);
     const Camera moved = shifted(camera, unproject(map, from_px, depth) - unproject(map, to_px, depth));
-    if (usable(moved)) camera = moved;
+    if (usable(moved) || !usable(camera)) camera = moved;
 }
 
 void dolly(Camera& camera, glm::dvec2 cursor_px, double depth, double factor, PictureSize size) {
@@ -103,7 +107,7 @@ void dolly(Camera& camera, glm::dvec2 cursor_px, double depth, double factor, Pi
         moved.eye = glm::vec3(anchor + factor * (glm::dvec3(camera.eye) - anchor));
         moved.target = glm::vec3(anchor + factor * (glm::dvec3(camera.target) - anchor));
     }
-    if (usable(moved)) camera = moved;
+    if (usable(moved) || !usable(camera)) camera = moved;
 }
 
 void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds) {

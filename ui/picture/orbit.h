@@ -22,7 +22,8 @@ void pan(Camera& camera, glm::dvec2 from_px, glm::dvec2 to_px, double depth, Pic
 
 /// Scales the way from eye and target to what shows at `cursor_px`, `depth` in front of the camera, by
 /// `factor` (below 1: closer); that place stays under the cursor. Orthographic: scales the height of the
-/// view. Does nothing where the camera would come closer than float can tell, or farther than 1e7.
+/// view. Does nothing where the camera would come closer to its target than floats can tell, or farther than
+/// 1e7.
 void dolly(Camera& camera, glm::dvec2 cursor_px, double depth, double factor, PictureSize size);
 
 /// Depth of the target in front of the camera: where pan and dolly hold on when the cursor is on the

@@ -137,6 +137,29 @@ TEST_CASE("the largest number that a field shows can be set", "[fields]") {
     CHECK(scene.lights[0].position.x == 1e30f);
 }
 
+TEST_CASE("what a scene file could not hold is found in the scene, and nothing else is", "[fields]") {
+    const Scene valid = everything();
+    constexpr float inf = std::numeric_limits<float>::infinity();
+    int refused = 0;
+    for (const SceneNumber& number : numbers_of(valid)) {
+        if (number.is_whole) continue;
+        for (const float value :
+             {inf, -inf, std::nanf(""), -1e31f, -1.0f, 0.0f, 0.5f, 95.0f, 180.0f, 1e30f, 1e31f}) {
+            INFO(number.pointer << " = " << value);
+            Scene changed = valid;
+            *number_at(changed, number.pointer)->place = value;
+            const std::optional<Violation> found = violation_since(valid, changed);
+            const Result<Scene> read = parse_scene(scene_text(changed), "s.json");
+            CHECK(found.has_value() == (problem_of(read) != nullptr));
+            if (!found) continue;
+            ++refused;
+            CHECK(number.pointer.starts_with(found->at));
+        }
+    }
+    CHECK(refused > 300);
+    CHECK_FALSE(violation_since(valid, valid));
+}
+
 TEST_CASE("a number that the scene has not cannot be set", "[fields]") {
     Scene scene = everything();
     const Scene before = scene;

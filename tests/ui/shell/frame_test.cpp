@@ -273,6 +273,72 @@ TEST_CASE("the wheel moves closer, and quick notches are one step", "[ui][window
     CHECK(bench.scene() == before);
 }
 
+TEST_CASE("wherever the wheel goes, the view can be saved, and all can be framed again", "[ui][window]") {
+    HeadlessWindow bench({1400, 900});
+    bench.frames(2);
+    const auto turn = [&](ImVec2 at, float way, int times) {
+        bench.move(at);
+        for (int i = 0; i < times; ++i) {
+            ImGui::GetIO().MouseWheel = way;
+            (void)bench.frame();
+        }
+    };
+    const Camera start = bench.scene().camera;
+    for (const ImVec2 at : {ImVec2(600, 300), ImVec2(420, 700)}) {
+        turn({600, 400}, -1, 120);
+        turn(at, 1, 500);
+        const auto read = parse_scene(scene_text(bench.scene()), "wheel.json");
+        if (const Problem* problem = problem_of(read)) FAIL(problem->text());
+        CHECK(bench.state.notifications.list.empty());
+        (void)bench.key(Key::F, false, true);
+        bench.frames(2);
+        REQUIRE(bench.state.rendered != nullptr);
+        const auto& explained = bench.state.rendered->rgba;
+        CHECK(std::any_of(explained.begin(), explained.end(),
+                          [](std::uint8_t byte) { return byte > 100 && byte < 255; }));
+        CHECK(glm::length(bench.scene().camera.eye) < 100);
+    }
+    CHECK(bench.scene().camera.up == start.up);
+}
+
+TEST_CASE("an edit that no scene file could hold is taken back, and it is said what it was", "[ui][window]") {
+    HeadlessWindow bench;
+    SceneDocument document = first_scene();
+    document.scene.lights[1].position = {1e30f, 1e30f, 1e30f, 1};
+    take_document(bench.state.editor, document);
+    bench.frames(2);
+    const auto is_told = [&](const std::string& what) {
+        const auto& list = bench.state.notifications.list;
+        return std::any_of(list.begin(), list.end(),
+                           [&](const Notification& n) { return n.text.find(what) != std::string::npos; });
+    };
+    const Scene before = bench.scene();
+    bench.state.editor.selection = {Selection::Kind::Light, 1};
+    bench.scene().lights[1].position.x = std::numeric_limits<float>::infinity();
+    bench.frames(2);
+    CHECK(bench.scene() == before);
+    CHECK(is_told(
+        "Not possible: /lights/1/position/0: inf is out of range; expected a number within -1e30 and 1e30"));
+    CHECK(bench.state.editor.selection == Selection{Selection::Kind::Light, 1});
+    CHECK_FALSE(bench.state.editor.history.can_undo());
+    // Beyond, where a copy would stand.
+    (void)bench.key(Key::D, true);
+    bench.frames(2);
+    for (const Light& light : bench.scene().lights) CHECK(std::isfinite(light.position.x));
+    const auto read = parse_scene(scene_text(bench.scene()), "copy.json");
+    CHECK(problem_of(read) == nullptr);
+    // A condition between numbers.
+    const Scene now = bench.scene();
+    bench.scene().camera.target = bench.scene().camera.eye;
+    bench.frames(2);
+    CHECK(bench.scene() == now);
+    CHECK(is_told("/camera: eye and target are the same point"));
+    // An edit beside it is none of it.
+    bench.scene().lights[0].intensity = 2;
+    bench.frames(2);
+    CHECK(bench.scene().lights[0].intensity == 2);
+}
+
 TEST_CASE("number keys choose the shading, letters switch terms", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
