@@ -96,10 +96,7 @@ int say_what_ended_it(const char* before = "") noexcept {
 void finish(Outcome& outcome) {
     if (!outcome.output.empty()) outcome.put_aside("-", std::move(outcome.output));
     if (!outcome.files) return;
-    auto written = outcome.files->put_in_place();
-    if (Problem* problem = std::get_if<Problem>(&written); problem != nullptr && problem->file == "-")
-        problem->file = "standard output";
-    (void)take(std::move(written));
+    (void)take(outcome.files->put_in_place());
 }
 
 int run(const std::vector<std::string>& arguments) {

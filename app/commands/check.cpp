@@ -63,7 +63,8 @@ Warnings unknown_pictures(const std::string& directory, std::vector<std::string>
                         more > 0 ? fmt::format(" and {} more", more) : "")};
 }
 
-std::vector<PixelBuffer> read_buffers(const std::string& directory, const Scene& scene) {
+/// `share` takes what those need that are read.
+std::vector<PixelBuffer> read_buffers(const std::string& directory, const Scene& scene, MemoryShare& share) {
     std::vector<PixelBuffer> buffers;
     const std::vector<std::string> names = checked_buffers(scene);
     for (const std::string& name : names) {
@@ -71,6 +72,7 @@ std::vector<PixelBuffer> read_buffers(const std::string& directory, const Scene&
         if (file.empty()) continue;
         buffers.push_back({name, take(read_picture(file))});
         const PictureSize size = buffers.front().picture.size;
+        share.set(memory_need(MemoryUse::Pixels, buffers_memory(size, buffers.size())));
         if (buffers.back().picture.size != size)
             throw Failure{ExitStatus::Impossible,
                           {file, "", "has another size than " + buffers.front().name,
@@ -91,10 +93,10 @@ Outcome check(const CheckArguments& arguments) {
     if (!std::filesystem::is_directory(arguments.directory, ignored))
         throw wrong_usage("DIR", arguments.directory + " is not a directory", expected);
     const SceneDocument document = open_scene(arguments.scene);
-    const std::vector<PixelBuffer> buffers = read_buffers(arguments.directory, document.scene);
+    MemoryShare share;
+    const std::vector<PixelBuffer> buffers = read_buffers(arguments.directory, document.scene, share);
     const PictureSize size = buffers.front().picture.size;
-    const MemoryShare share(
-        memory_need(MemoryUse::Pixels, buffers_memory(size, buffers.size() + buffers_at_once(size))));
+    share.set(memory_need(MemoryUse::Pixels, buffers_memory(size, buffers.size() + buffers_at_once(size))));
     const BufferCheck found = check_buffers(document, buffers, arguments.scene.threads);
     if (found.compared == 0)
         throw Failure{ExitStatus::Impossible,

@@ -9,6 +9,7 @@
 #include "app/commands/command.h"
 #include "models/fields/choices.h"
 #include "models/io/file.h"
+#include "models/io/temporary.h"
 #include "renderer/programs/program.h"
 
 namespace glint {
@@ -23,36 +24,23 @@ struct CodeArguments {
     std::string out;  // a directory
 };
 
-/// A directory that is made unless it is there, and that goes again where nothing is put in it.
-class NewDirectory {
-  public:
-    explicit NewDirectory(const std::string& path) : path_(path) {
-        std::error_code error;
-        const fs::file_status found = fs::status(path, error);
-        if (fs::exists(found)) {
-            if (!fs::is_directory(found)) throw refused("is not a directory");
-            if (!fs::is_empty(path, error) || error)
-                throw refused(error ? reason(error.value()) : "is not empty");
-            return;
-        }
-        made_ = fs::create_directory(path, error);
-        if (!made_) throw refused("cannot be made: " + reason(error.value()));
+/// Makes a directory unless it is there. Null where it is, and is empty.
+std::unique_ptr<NewDirectory> new_directory(const std::string& path) {
+    const auto refused = [&path](const std::string& what) {
+        return Failure{ExitStatus::Impossible, {path, "", what, "a new or an empty directory"}};
+    };
+    std::error_code error;
+    const fs::file_status found = fs::status(path, error);
+    if (fs::exists(found)) {
+        if (!fs::is_directory(found)) throw refused("is not a directory");
+        if (!fs::is_empty(path, error) || error)
+            throw refused(error ? reason(error.value()) : "is not empty");
+        return nullptr;
     }
-    ~NewDirectory() {
-        std::error_code ignored;
-        if (made_ && !kept_) fs::remove(path_, ignored);  // only where it is empty
-    }
-    NewDirectory(const NewDirectory&) = delete;
-    NewDirectory& operator=(const NewDirectory&) = delete;
-    void keep() { kept_ = true; }
-
-  private:
-    [[nodiscard]] Failure refused(const std::string& what) const {
-        return {ExitStatus::Impossible, {path_, "", what, "a new or an empty directory"}};
-    }
-    std::string path_;
-    bool made_ = false, kept_ = false;
-};
+    auto made = std::make_unique<NewDirectory>(path);
+    if (made->error() != 0) throw refused("cannot be made: " + reason(made->error()));
+    return made;
+}
 
 /// The scene's name for the first line of the program.
 std::string name_of_scene(const std::string& file) {
@@ -70,12 +58,12 @@ Outcome code(const CodeArguments& arguments) {
         {document.scene, arguments.size, name_of_scene(arguments.scene.file)}, *arguments.language);
     if (auto* problem = std::get_if<Problem>(&program)) problem->file = arguments.scene.file;
     const std::vector<ProgramFile> files = take(std::move(program));
-    NewDirectory directory(arguments.out);
+    const std::unique_ptr<NewDirectory> made = new_directory(arguments.out);
     FilesTogether together;
     for (const ProgramFile& file : files)
         (void)take(together.add((fs::path(arguments.out) / file.name).string(), file.text));
     (void)take(together.put_in_place());
-    directory.keep();
+    if (made) made->keep();
     return {{}, document.warnings, ExitStatus::Done};
 }
 

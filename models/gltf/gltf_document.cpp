@@ -120,7 +120,7 @@ std::string bytes_at(const Node& node, const std::string& path) {
     const std::string file = (fs::path(path).parent_path() / unescaped_uri(node, uri)).string();
     Result<std::string> read = read_file(file, largest_file);
     if (const Problem* problem = problem_of(read))
-        node.fail(fmt::format("{}: {}", in_quotes(uri), problem->what), "a file that can be read");
+        node.fail(fmt::format("{}: {}", in_quotes(uri), problem->what), problem->expected);
     return std::get<std::string>(std::move(read));
 }
 

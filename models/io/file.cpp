@@ -43,7 +43,7 @@ Problem too_long(const std::string& path, std::size_t max_bytes) {
 
 /// `guess`: the size that the system tells, which the file may pass while it is read.
 Result<std::string> read_all(int descriptor, const std::string& path, std::size_t max_bytes,
-                             std::size_t guess, const CheckBlock& check) {
+                             std::size_t guess, const CheckBlock& check, MemoryShare& share) {
     if (guess > max_bytes) return too_long(path, max_bytes);
     std::string bytes;
     std::array<char, 1 << 16> block;  // NOLINT: filled by read
@@ -56,14 +56,19 @@ Result<std::string> read_all(int descriptor, const std::string& path, std::size_
         if (read.size() > max_bytes - bytes.size()) return too_long(path, max_bytes);
         if (check)
             if (auto problem = check({read, bytes.size(), guess})) return *problem;
-        if (bytes.empty()) bytes.reserve(std::max(guess, read.size()));
+        if (read.size() > bytes.capacity() - bytes.size()) {
+            const std::size_t room = std::max({guess, bytes.size() + read.size(), 2 * bytes.size()});
+            share.set(memory_need(MemoryUse::Files, room));
+            bytes.reserve(room);
+        }
         bytes.append(read);
         if (!report_progress(LoadStage::Reading, bytes.size(), guess))
             return Problem{path, "", cancelled_words, ""};
     }
 }
 
-Result<std::string> read_regular(const std::string& path, std::size_t max_bytes, const CheckBlock& check) {
+Result<std::string> read_regular(const std::string& path, std::size_t max_bytes, const CheckBlock& check,
+                                 MemoryShare& share) {
     struct stat status {};
     if (const int error = ask_status(path, status)) return cannot_read(path, error);
     // Asked before opening, which would wait at a pipe and may do things to a device; and again after.
@@ -72,13 +77,13 @@ Result<std::string> read_regular(const std::string& path, std::size_t max_bytes,
     if (file.number() < 0 || ::fstat(file.number(), &status) != 0) return cannot_read(path, errno);
     if (auto problem = why_not_readable(path, status)) return *problem;
     note_read(path);
-    return read_all(file.number(), path, max_bytes, static_cast<std::size_t>(status.st_size), check);
+    return read_all(file.number(), path, max_bytes, static_cast<std::size_t>(status.st_size), check, share);
 }
 
-Result<std::string> read_standard_input(std::size_t max_bytes, const CheckBlock& check) {
+Result<std::string> read_standard_input(std::size_t max_bytes, const CheckBlock& check, MemoryShare& share) {
     static std::atomic<bool> was_read = false;
     if (was_read.exchange(true)) return Problem{"-", "", "standard input was read already", "it once"};
-    return read_all(STDIN_FILENO, "-", max_bytes, 0, check);
+    return read_all(STDIN_FILENO, "-", max_bytes, 0, check, share);
 }
 
 }  // namespace
@@ -114,10 +119,13 @@ std::optional<Problem> why_not_there(const std::string& path, const char* expect
     return std::nullopt;
 }
 
-Result<std::string> read_file(const std::string& path, std::size_t max_bytes, const CheckBlock& check) {
+Result<std::string> read_file(const std::string& path, std::size_t max_bytes, const CheckBlock& check,
+                              MemoryShare* share) {
+    MemoryShare own;
+    MemoryShare& taken = share == nullptr ? own : *share;
     try {
-        if (path == "-") return read_standard_input(max_bytes, check);
-        return read_regular(path, max_bytes, check);
+        if (path == "-") return read_standard_input(max_bytes, check, taken);
+        return read_regular(path, max_bytes, check, taken);
     } catch (const Refused& refused) {
         return memory_problem(refused, path);
     } catch (const std::bad_alloc&) {

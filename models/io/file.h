@@ -14,6 +14,8 @@
 
 namespace glint {
 
+class MemoryShare;
+
 /// The extension that tells a file's format: with its dot and in lower case, ".png"; empty where the name has
 /// none.
 [[nodiscard]] std::string lower_extension(const std::string& path);
@@ -31,9 +33,11 @@ struct FileBlock {
 using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>;
 
 /// The bytes of a regular file, or of standard input for "-", once. A directory, a device, a pipe, a missing
-/// file, one longer than `max_bytes` (of which nothing is read) or one that `check` refuses is a problem.
+/// file, one longer than `max_bytes` (of which nothing is read), one that `check` refuses or one that does
+/// not fit into memory (memory_limit.h) is a problem. `share` takes what the bytes need, before it is
+/// reserved, for a caller that keeps them; else it is given back when they are read.
 [[nodiscard]] Result<std::string> read_file(const std::string& path, std::size_t max_bytes,
-                                            const CheckBlock& check = {});
+                                            const CheckBlock& check = {}, MemoryShare* share = nullptr);
 
 /// Why the system finds nothing at `path`, links followed; nothing when it finds something, of whatever kind.
 [[nodiscard]] std::optional<Problem> why_not_there(const std::string& path, const char* expected);

@@ -22,7 +22,7 @@ namespace {
 constexpr mode_t permission_bits = 07777;
 
 Problem cannot_write(const std::string& path, int error) {
-    return cannot("write", path, error, "a place that can be written");
+    return cannot("write", path == "-" ? "standard output" : path, error, "a place that can be written");
 }
 
 /// Writing to a pipe that nobody reads sends SIGPIPE, whose default is to end the process without a word.

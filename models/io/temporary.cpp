@@ -28,7 +28,8 @@ namespace {
 
 constexpr std::array ending_signals{SIGHUP, SIGINT, SIGQUIT, SIGTERM};
 
-/// A file that a signal handler may have to remove. Only the thread that claims a slot writes its path.
+/// A file or a directory that a signal handler may have to remove. Only the thread that claims a slot writes
+/// its path.
 enum class Slot { Free, Opening, There };
 struct Known {
     std::atomic<Slot> slot{Slot::Free};
@@ -246,6 +247,28 @@ void Temporary::take_back(const std::string& target) {
     change_ = Change::None;
 }
 
+NewDirectory::NewDirectory(const std::string& path) : path_(path) {
+    constexpr mode_t all_permissions = 0777;  // the umask is taken off
+    const NoEndHere no_end;
+    slot_ = claim_slot(path);
+    error_ = ::mkdir(path.c_str(), all_permissions) == 0 ? 0 : errno;
+    goes_ = error_ == 0;
+    set_slot(slot_, goes_ ? Slot::There : Slot::Free);
+}
+
+NewDirectory::~NewDirectory() {
+    if (!goes_) return;
+    const NoEndHere no_end;
+    ::rmdir(path_.c_str());
+    set_slot(slot_, Slot::Free);
+}
+
+void NewDirectory::keep() {
+    if (!goes_) return;
+    set_slot(slot_, Slot::Free);
+    goes_ = false;
+}
+
 NoEndBetween::NoEndBetween() : before_(keep_signals_off()) {
     ++between;
     if (ending) {
@@ -265,6 +288,8 @@ void remove_temporaries() {
     for (int i = 0; i < tries && (any_opening() || between > 0); ++i) ::poll(nullptr, 0, wait_ms);
     for (const Known& k : known)
         if (k.slot == Slot::There) ::unlink(k.path.data());
+    for (const Known& k : known)  // where it is an empty directory
+        if (k.slot == Slot::There) ::rmdir(k.path.data());
 }
 
 void remove_temporaries_on_signals() {

@@ -48,6 +48,25 @@ class Temporary {
     enum class Change { None, Exchanged, Alone } change_ = Change::None;  // Alone: nothing was there
 };
 
+/// A directory that is made, and that goes again unless it is kept: by its own destructor or by a signal's
+/// handler, where it is empty.
+class NewDirectory {
+  public:
+    explicit NewDirectory(const std::string& path);
+    ~NewDirectory();
+    NewDirectory(const NewDirectory&) = delete;
+    NewDirectory& operator=(const NewDirectory&) = delete;
+
+    /// 0, or the errno that kept it from being made.
+    [[nodiscard]] int error() const { return error_; }
+    void keep();
+
+  private:
+    std::string path_;
+    int slot_ = -1, error_ = 0;
+    bool goes_ = false;
+};
+
 /// While it lives, none of the signals below ends the process: what is renamed meanwhile is renamed as a
 /// whole. For a moment: after a second the process ends all the same.
 class NoEndBetween {
@@ -61,8 +80,9 @@ class NoEndBetween {
     sigset_t before_{};
 };
 
-/// Removes every Temporary of this process. Only for a process that ends now: threads that still write wait
-/// for that. Calls nothing but async-signal-safe functions.
+/// Removes every Temporary of this process, and every NewDirectory that is empty and not kept. Only for a
+/// process that ends now: threads that still write wait for that. Calls nothing but async-signal-safe
+/// functions.
 void remove_temporaries();
 
 /// From here on SIGHUP, SIGINT, SIGQUIT and SIGTERM remove the temporaries and then do what they do by

@@ -74,7 +74,7 @@ float TextCursor::unusual_number() {
 std::string quoted_word(std::string_view word) {
     constexpr std::size_t longest = 24;  // bytes: of any number that is written without waste
     if (word.size() <= longest && on_one_line(word) == word) return fmt::format("\"{}\"", word);
-    return fmt::format("a word of {} bytes", word.size());
+    return fmt::format("a word of {} byte{}", word.size(), word.size() == 1 ? "" : "s");
 }
 
 }  // namespace glint

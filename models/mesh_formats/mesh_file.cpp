@@ -144,7 +144,6 @@ class MeshCheck {
   public:
     explicit MeshCheck(const std::string& path) : path_(path) {}
 
-    /// Throws Refused where the file does not fit.
     std::optional<Problem> operator()(const FileBlock& block) {
         const Format* format = format_of(path_);
         if (format == nullptr) return {};  // said when it is parsed
@@ -154,7 +153,6 @@ class MeshCheck {
                 if (const Problem* problem = problem_of(tried)) return *problem;
             }
             text_ = is_text_mesh(format->extension, block);
-            share_.set(memory_need(MemoryUse::Files, block.size));
         }
         if (text_ && is_hole(block))
             return Problem{path_, "", fmt::format("from byte {} on there are only zeros", block.at), "text",
@@ -165,7 +163,6 @@ class MeshCheck {
   private:
     const std::string& path_;
     bool text_ = false;
-    MemoryShare share_;
 };
 
 }  // namespace
@@ -180,7 +177,8 @@ Result<Mesh> read_mesh(const std::string& path, int part) {
         return part_of(std::get<GltfFile>(file), path, part);
     }
     MeshCheck check(path);
-    const Result<std::string> bytes = read_file(path, largest_file, std::ref(check));
+    MemoryShare share;
+    const Result<std::string> bytes = read_file(path, largest_file, std::ref(check), &share);
     if (const Problem* problem = problem_of(bytes)) return *problem;
     return parse_since(start, std::get<std::string>(bytes), path, part);
 }

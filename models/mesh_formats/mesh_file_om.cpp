@@ -65,6 +65,7 @@ class OmReader {
         mesh_.first_corner.push_back(0);
         if (face_chunk_ && version_ < version_2) add_polygons(*face_chunk_);
         if (face_chunk_ && version_ >= version_2) add_loops(*face_chunk_);
+        if (deleted_faces_) mesh_.warnings.emplace_back("faces that are marked as deleted are left out");
         return std::move(mesh_);
     }
 
@@ -157,6 +158,7 @@ class OmReader {
             if (header.entity() == Chunk::Entity_Face) once(face_chunk_);
             return;
         }
+        if (header.type() == Chunk::Type_Status && header.entity() == Chunk::Entity_Face) once(face_status_);
         if (header.entity() != Chunk::Entity_Vertex) return;
         const bool three = header.dimensions() == 3;
         const bool floats = header.is_float() && header.size_code() == Chunk::Float_32 && three;
@@ -192,6 +194,14 @@ class OmReader {
             mesh_.colors.push_back(glm::vec3(natural(at, 1), natural(at + 1, 1), natural(at + 2, 1)) / 255.f);
     }
 
+    /// OpenMesh marks a face that is deleted, and leaves it in the file until its garbage is collected.
+    bool is_deleted(std::size_t face) {
+        if (!face_status_ || (natural(face_status_->at + 4 * face, 4) & OpenMesh::Attributes::DELETED) == 0)
+            return false;
+        deleted_faces_ = true;
+        return true;
+    }
+
     void add_corner(std::int64_t vertex) {
         if (vertex < 0 || static_cast<std::size_t>(vertex) >= vertices_)
             fail_in_face(fmt::format("vertex index {} is out of range", vertex),
@@ -212,6 +222,10 @@ class OmReader {
                 corners = natural(at, 2);
                 at += 2;
             }
+            if (is_deleted(f)) {
+                at += corners * size;
+                continue;
+            }
             for (; corners > 0; --corners, at += size)
                 add_corner(static_cast<std::int64_t>(natural(at, size)));
             close_face(mesh_, file_);
@@ -224,6 +238,7 @@ class OmReader {
         std::vector<char> walked(halfedge_chunk_ ? 2 * edges_ : 0, 0);  // each belongs to one face only
         const std::size_t size = chunk.header.integer_bytes();
         for (std::size_t f = 0; f < faces_; ++f) {
+            if (is_deleted(f)) continue;
             const std::int64_t first = integer(chunk.at + f * size, size);
             std::int64_t half = first;
             do {
@@ -254,8 +269,8 @@ class OmReader {
     char kind_ = 'P';
     unsigned version_ = 0;
     std::size_t vertices_ = 0, faces_ = 0, edges_ = 0;
-    std::optional<Data> positions_, normals_, colors_, face_chunk_, halfedge_chunk_;
-    bool other_normals_ = false, other_colors_ = false;
+    std::optional<Data> positions_, normals_, colors_, face_chunk_, halfedge_chunk_, face_status_;
+    bool other_normals_ = false, other_colors_ = false, deleted_faces_ = false;
 };
 
 }  // namespace

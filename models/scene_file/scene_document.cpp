@@ -22,8 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t max_png_bytes = std::size_t{4} << 30;  // 16384 x 16384 pixels that nothing compresses
-constexpr const char* known_extensions =
-    "a scene (.json, .png, .gltf, .glb) or a mesh (.obj, .ply, .off, .stl, .om)";
 
 /// Meshes that are loaded are shared where their source stays.
 void take_meshes(Scene& scene, const std::vector<Object>& loaded) {
@@ -139,12 +137,10 @@ Result<SceneDocument> open_by_extension(const std::string& path, const std::vect
     if (is_gltf_path(path)) return open_gltf_scene(path, assignments);
     if (is_mesh_path(path)) return open_mesh(path, assignments);
     if (!path.empty())
-        if (auto problem = why_not_there(path, known_extensions))
-            return *problem;  // not that its name is wrong
+        if (auto problem = why_not_there(path, opened_files)) return *problem;  // not that its name is wrong
     std::error_code error;
-    if (fs::is_directory(path, error)) return Problem{path, "", "is a directory", known_extensions};
-    return Problem{path, "", extension.empty() ? "has no extension" : "has another extension",
-                   known_extensions};
+    if (fs::is_directory(path, error)) return Problem{path, "", "is a directory", opened_files};
+    return Problem{path, "", extension.empty() ? "has no extension" : "has another extension", opened_files};
 }
 
 /// The directory without links and dots, as far as it exists; the working directory when it is empty. Where

@@ -58,6 +58,10 @@ struct SceneDocument {
 [[nodiscard]] Result<Warnings> load_meshes(Scene& scene, const std::string& file,
                                            const std::string& mesh_dir);
 
+/// What open_document() opens, for "expected ...".
+inline constexpr const char* opened_files =
+    "a scene (.json, .png, .gltf, .glb) or a mesh (.obj, .ply, .off, .stl, .om)";
+
 /// Anything `glint FILE` takes: a scene (.json), a picture that Glint wrote (.png), a mesh (.obj .ply .off
 /// .stl .om; framed, with two default lights, one in world, one in camera coordinates), or "-" (a scene on
 /// standard input). Meshes are loaded.

@@ -138,7 +138,8 @@ Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path
 }  // namespace
 
 Result<Picture> read_pfm(const std::string& path) {
-    const auto file = read_file(path, max_linear_bytes);
+    MemoryShare share;
+    const auto file = read_file(path, max_linear_bytes, {}, &share);
     if (const Problem* problem = problem_of(file)) return *problem;
     const std::string& bytes = std::get<std::string>(file);
     const auto heading = pfm_heading(std::string_view(bytes).substr(0, 256));
@@ -153,10 +154,9 @@ Result<Picture> read_pfm(const std::string& path) {
     const std::size_t first =
         heading->end + (has_line_end && bytes.size() - heading->end > pixel_bytes ? 1 : 0);
     if (bytes.size() - first < pixel_bytes) return unreadable(path, "ends too early", "a PFM");
-    if (bytes.size() - first > pixel_bytes)
-        return unreadable(
-            path, fmt::format("has {} bytes after its last pixel", bytes.size() - first - pixel_bytes),
-            "a PFM");
+    if (const std::size_t more = bytes.size() - first - pixel_bytes; more > 0)
+        return unreadable(path, fmt::format("has {} byte{} after its last pixel", more, more == 1 ? "" : "s"),
+                          "a PFM");
     try {
         Picture picture = empty_linear(heading->width, heading->height);
         const bool little = heading->scale < 0;
@@ -172,7 +172,8 @@ Result<Picture> read_pfm(const std::string& path) {
 }
 
 Result<Picture> read_exr(const std::string& path) {
-    const auto file = read_file(path, max_linear_bytes);
+    MemoryShare share;
+    const auto file = read_file(path, max_linear_bytes, {}, &share);
     if (const Problem* problem = problem_of(file)) return *problem;
     try {
         return read_exr_bytes(std::get<std::string>(file), path);

@@ -105,14 +105,12 @@ Problem not_a_png(std::string_view bytes, const std::string& path) {
 }
 
 /// Checks the first block before the rest of the file is read.
-std::optional<Problem> check_first_block(const FileBlock& block, const std::string& path,
-                                         MemoryShare& share) {
+std::optional<Problem> check_first_block(const FileBlock& block, const std::string& path) {
     constexpr std::size_t signature_bytes = 8;
     if (block.at > 0) return {};
     const auto* first = reinterpret_cast<png_const_bytep>(block.bytes.data());
     if (png_sig_cmp(first, 0, std::min(signature_bytes, block.bytes.size())) != 0)
         return not_a_png(block.bytes, path);
-    share.set(memory_need(MemoryUse::Files, block.size));
     return {};
 }
 
@@ -120,8 +118,8 @@ std::optional<Problem> check_first_block(const FileBlock& block, const std::stri
 
 Result<Picture> read_png(const std::string& path) {
     MemoryShare share;
-    const auto check = [&](const FileBlock& block) { return check_first_block(block, path, share); };
-    const auto file = read_file(path, max_png_bytes, check);
+    const auto check = [&](const FileBlock& block) { return check_first_block(block, path); };
+    const auto file = read_file(path, max_png_bytes, check, &share);
     if (const Problem* problem = problem_of(file)) return *problem;
     const std::string& bytes = std::get<std::string>(file);
     if (bytes.empty()) return unreadable(path, "is empty");

@@ -91,8 +91,10 @@ bool is_title(const JsonValue& told, const std::string& title) {
     return told.is_string() && words(told.string()) == words(title);
 }
 
-double share_of(std::size_t part, std::size_t whole) {
-    return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+/// Null where nobody was asked.
+JsonValue share_of(std::size_t part, std::size_t whole) {
+    if (whole == 0) return {};
+    return static_cast<double>(part) / static_cast<double>(whole);
 }
 
 /// How often each option was taken, by those before or those after.
@@ -212,10 +214,11 @@ Result<JsonValue> quiz_statistics(LessonRunner& runner, const Lesson& lesson,
                         {"right_after", share_of(after[right], people[1])},
                         {"options", options}});
     }
-    const double before = share_of(right_answers[0], people[0] * questions.size()),
-                 after = share_of(right_answers[1], people[1] * questions.size());
+    const JsonValue before = share_of(right_answers[0], people[0] * questions.size()),
+                    after = share_of(right_answers[1], people[1] * questions.size());
     JsonValue gain;  // null where there is nothing to compare, or to gain
-    if (people[0] > 0 && people[1] > 0 && before < 1) gain = (after - before) / (1 - before);
+    if (before.is_number() && after.is_number() && before.number() < 1)
+        gain = (after.number() - before.number()) / (1 - before.number());
     return JsonValue{{"quiz", lesson.title},
                      {"people", {{"before", people[0]}, {"after", people[1]}}},
                      {"right", {{"before", before}, {"after", after}}},

@@ -1,5 +1,7 @@
 #include "ui/document/loading.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <utility>
@@ -186,6 +188,16 @@ void poll_document(UiState& state) {
     loading.loaded = std::move(document);
 }
 
+/// Opens a scene or a mesh. What else a window takes is named where it is neither.
+Result<SceneDocument> opened(const std::string& path) {
+    Result<SceneDocument> result = open_document(path);
+    if (auto* problem = std::get_if<Problem>(&result);
+        problem != nullptr && problem->expected == opened_files)
+        problem->expected = fmt::format(
+            "{}, a lesson (.md) or a picture that another program drew (.png, .pfm, .exr)", opened_files);
+    return result;
+}
+
 /// Begins to load a document, in place of the one that was being loaded.
 void begin_document(UiState& state, const std::string& path, const std::string& name, LoadJob::Work work,
                     std::optional<Recovery> recovery) {
@@ -218,7 +230,7 @@ void begin_open(UiState& state, const std::string& path) {
         return take_loaded(state, *std::exchange(loading.loaded, std::nullopt));
     const std::string name = fs::path(path).filename().string();
     if (!is_lesson_file(path))
-        return begin_document(state, path, name, [path](LoadProgress&) { return open_document(path); }, {});
+        return begin_document(state, path, name, [path](LoadProgress&) { return opened(path); }, {});
     const auto course = std::make_shared<std::shared_ptr<const Course>>();
     const auto work = [path, course](LoadProgress&) -> Result<SceneDocument> {
         Result<std::shared_ptr<const Course>> opened = open_course(path);

@@ -19,6 +19,7 @@
 #include "ui/document/document_actions.h"
 #include "ui/fields/field_panel.h"
 #include "ui/inspector/equation/words.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -65,9 +66,11 @@ void forget_number_that_is_gone(UiState& state) {
 void choose_number(AnimateState& animate, const Scene& scene) {
     Animation& animation = animate.animation;
     ImGui::SetNextItemWidth(label_cell("Number"));
-    ImGui::InputTextWithHint("##search", "type a part of its name: roughness, intensity …", &animate.search);
+    ImGui::InputTextWithHint("##search", "a part of its name: roughness …", &animate.search);
     tooltip("Number", "What goes to and fro");
     const auto found = matching(scene, animate.search);
+    if (found.empty() && !animate.search.empty())
+        wrapped_dim(fmt::format("No number of the scene is called “{}”", animate.search));
     for (const SceneNumber& number : found) {
         const std::string words = words_for(scene, number.pointer);
         const std::string label =

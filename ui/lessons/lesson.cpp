@@ -24,6 +24,7 @@ void set_scene(UiState& state, const Scene& scene) {
     let_go_of_fields();
     remember_step(editor, false);
     editor.scene() = scene;
+    editor.followed.reset();  // its lights are others, not those before that came or went
     editor.document.path.clear();
     editor.document.stamp = {};
     editor.edits_camera = true;
@@ -43,6 +44,8 @@ void put_all_away(UiState& state) {
     views.lit.dots = views.lit.needles = false;
     state.animate.playing = state.animate.open = false;
     state.animate.frame.reset();
+    state.animate.animation.pointer.clear();
+    state.animate.number.clear();
     state.lecture.frozen.reset();
     state.inspector.instead.reset();
     ask_about(state.viewport, {});

@@ -51,11 +51,12 @@ bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
 float label_cell(const char* label) {
     const float label_width = px(88);
     const float left = ImGui::GetCursorPosX();
+    const char* const end = ImGui::FindRenderedTextEnd(label);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, theme().dim_text);
-    ImGui::TextUnformatted(label, ImGui::FindRenderedTextEnd(label));
+    ImGui::TextUnformatted(label, end);
     ImGui::PopStyleColor();
-    ImGui::SameLine(left + label_width, 0);
+    ImGui::SameLine(left + std::max(label_width, ImGui::CalcTextSize(label, end).x + px(6)), 0);
     return ImGui::GetContentRegionAvail().x;
 }
 

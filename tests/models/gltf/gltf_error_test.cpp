@@ -47,7 +47,7 @@ TEST_CASE("a hostile glTF file is one line that says where and what", "[gltf]") 
                   "below, or a data URI");
     check("data:application/octet-stream;base64,", "there/is/none.bin\", \"x\": \"",
           "t.gltf: /buffers/0/uri: \"there/is/none.bin\": cannot read: no such file or directory; "
-          "expected a file that can be read");
+          "expected a regular file that can be read");
     check("\"mesh\": 0", "\"mesh\": 1",
           "t.gltf: /nodes/0/mesh: 1 of \"meshes\" is not there; expected 0 to 0");
     check("\"mesh\": 0", "\"mesh\": 0, \"children\": [0]",

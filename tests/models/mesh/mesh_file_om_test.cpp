@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <set>
 #include <sstream>
 
 #include "models/mesh_formats/mesh_file.h"
@@ -74,6 +75,29 @@ TEST_CASE("an OM that OpenMesh wrote keeps polygons, normals and colours", "[mes
         if (attributes) CHECK(mesh.colors[9].g == Approx(0.2));
         CHECK(mesh.warnings.empty());
     }
+}
+
+TEST_CASE("faces that OpenMesh has marked as deleted are not part of an OM's mesh", "[mesh_file][om]") {
+    struct Traits : OpenMesh::DefaultTraits {
+        VertexAttributes(OpenMesh::Attributes::Status);
+        HalfedgeAttributes(OpenMesh::Attributes::Status | OpenMesh::Attributes::PrevHalfedge);
+        EdgeAttributes(OpenMesh::Attributes::Status);
+        FaceAttributes(OpenMesh::Attributes::Status);
+    };
+    OpenMesh::PolyMesh_ArrayKernelT<Traits> strip;
+    std::vector<OpenMesh::VertexHandle> v;
+    for (int i = 0; i < 8; ++i) v.push_back(strip.add_vertex({float(i / 2), float(i % 2), 0}));
+    for (std::size_t i = 0; i < 6; i += 2) strip.add_face(v[i], v[i + 2], v[i + 3], v[i + 1]);
+    strip.delete_face(strip.face_handle(1), false);
+    using OpenMesh::IO::Options;
+    omlog().disconnect(std::clog);
+    std::ostringstream stream;
+    REQUIRE(OpenMesh::IO::write_mesh(strip, stream, ".om", Options(Options::Binary) + Options::Status));
+    const Mesh mesh = read_text("m.om", stream.str());
+    REQUIRE(mesh.face_count() == 2);
+    const auto left = mesh.corners_of(1);  // the third of those that were made
+    CHECK(std::set<std::uint32_t>(left.begin(), left.end()) == std::set<std::uint32_t>{4, 5, 6, 7});
+    CHECK(mesh.warnings == Warnings{"faces that are marked as deleted are left out"});
 }
 
 TEST_CASE("an OM is read with vertex indices (version 1) and with half-edges (version 2)",

@@ -130,6 +130,21 @@ TEST_CASE("of a mesh without normals it is said that they are averaged, where it
     CHECK_FALSE(said());
 }
 
+TEST_CASE("of a file of another kind it is said what a window takes, lessons and pictures too",
+          "[ui][loading]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(1);
+    UiInput input;
+    input.dropped = {folder.file("mine.jpg", "x")};
+    (void)bench.frame(input);
+    bench.wait_for_loads();
+    REQUIRE(bench.state.notifications.list.size() == 1);
+    const std::string& text = bench.state.notifications.list[0].text;
+    for (const char* const kind : {".json", ".om", ".md", ".pfm", ".exr"})
+        CHECK(text.find(kind) != std::string::npos);
+}
+
 TEST_CASE("Escape ends a load, and what it would have brought is dropped", "[ui][loading]") {
     HeadlessWindow bench;
     bench.frames(2);

@@ -520,6 +520,34 @@ TEST_CASE("what a lesson plays of a light that is gone is told, and nothing play
     CHECK(says(bench, "there is no “/lights/0/position/0” any more"));
 }
 
+TEST_CASE("each page plays what it says, whatever the page before played and whoever added a light",
+          "[ui][window][lesson]") {
+    HeadlessWindow bench({1280, 1000});
+    bench.frames(2);
+    test::drop(bench, test::shipped_lesson("03-falloff"));
+    const auto& station = [&]() -> const Station& { return bench.state.lesson.station(); };
+    const auto turn = [&](Key key) {
+        (void)bench.key(key);
+        bench.frames(3);
+        if (!open_question(bench.state.lesson)) return;
+        reveal_unanswered(bench.state);
+        bench.frames(3);
+    };
+    while (station().reveal == nullptr || station().reveal->play.empty()) turn(Key::PageDown);
+    CHECK(bench.state.animate.playing);
+    bench.state.notifications.list.clear();
+    turn(Key::PageDown);
+    CHECK_FALSE(says(bench, "any more"));
+    (void)bench.key(Key::L);
+    bench.frames(2);
+    bench.state.notifications.list.clear();
+    turn(Key::PageUp);
+    bench.frames(2);
+    CHECK(bench.state.animate.playing);
+    CHECK(bench.state.animate.animation.pointer == station().reveal->play);
+    CHECK_FALSE(says(bench, "any more"));
+}
+
 TEST_CASE("another scene ends the lesson, and so does its cross", "[ui][window][lesson]") {
     LambertWindow bench;
     bench.click(bench.control("Leave"));
