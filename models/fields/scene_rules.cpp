@@ -88,6 +88,14 @@ template <class T> std::optional<Violation> any_violation_of(const T& value) {
     return violation_of_ranges(value);
 }
 
+/// In a scene in memory a position has been divided by its w.
+std::optional<Violation> any_violation_of(const Light& light) {
+    if (auto found = any_violation_of<Light>(light)) return found;
+    if (light.position.w == 0 || light.position.w == 1) return std::nullopt;
+    return Violation{"/position/3", fmt::format("w is {}", light.position.w),
+                     "1, the position divided by it"};
+}
+
 /// What is wrong in an item that is new or another than before.
 template <class Item>
 std::optional<Violation> violation_in(const char* list, const std::vector<Item>& valid,

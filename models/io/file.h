@@ -44,11 +44,11 @@ using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>
 
 /// Writes beside the target and renames into place, so that a crash or a full disk leaves the old file whole.
 /// The old file's permission bits are kept, and its owner and group where the system lets us (where it does
-/// not, the group gets no more than all others have); until then nobody else can read what is written. A
-/// symbolic link stays, and what it names is replaced; further hard links to the old file keep the old bytes.
-/// A target that is not a regular file (a pipe, a device) is written straight through; "-" is standard
-/// output, and so is /dev/stdout. A reader that has gone is a problem, not a signal. On failure nothing is
-/// left behind and the problem names the path and the reason.
+/// not, members of the new group and all others may do what both could before); until then nobody else can
+/// read what is written. A symbolic link stays, and what it names is replaced; further hard links to the old
+/// file keep the old bytes. A target that is not a regular file (a pipe, a device) is written straight
+/// through; "-" is standard output, and so is /dev/stdout. A reader that has gone is a problem, not a signal.
+/// On failure nothing is left behind and the problem names the path and the reason.
 [[nodiscard]] Result<std::monostate> write_file(const std::string& path, std::string_view bytes);
 
 /// Does what write_file() does, but takes a pipe for a problem: a window must not wait until somebody reads.

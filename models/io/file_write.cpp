@@ -132,7 +132,8 @@ int write_straight_through(const Target& target, std::string_view bytes) {
 }
 
 /// Gives a file the owner, group and permission bits of an older one, as far as the system lets us. If the
-/// group cannot be kept, it gets the permissions of all others, because its members are other people.
+/// group cannot be kept, those of the new one were among all others before, and those of the old one now are:
+/// both may do what the old file let group and others do.
 int take_after(int descriptor, const struct stat& old) {
     struct stat now {};
     if (::fstat(descriptor, &now) != 0) return errno;
@@ -143,7 +144,10 @@ int take_after(int descriptor, const struct stat& old) {
     }
     mode_t mode = old.st_mode & permission_bits;
     if (now.st_uid != old.st_uid) mode &= ~mode_t{S_ISUID};
-    if (now.st_gid != old.st_gid) mode = (mode & ~mode_t{S_ISGID | S_IRWXG}) | (mode & mode_t{S_IRWXO}) << 3;
+    if (now.st_gid != old.st_gid) {
+        const mode_t both = mode >> 3 & mode & mode_t{S_IRWXO};
+        mode = (mode & ~mode_t{S_ISGID | S_IRWXG | S_IRWXO}) | both << 3 | both;
+    }
     return ::fchmod(descriptor, mode) != 0 ? errno : 0;
 }
 

@@ -16,6 +16,7 @@
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -118,14 +119,22 @@ std::optional<pid_t> maker_of(std::string_view name) {
 /// then the lock decides.
 bool is_gone(pid_t maker) { return maker == ::getpid() || (::kill(maker, 0) != 0 && errno == ESRCH); }
 
+/// Whether nothing was written for long: its maker has locked it long since, if it lives. A process of that id
+/// may then be another one, and the lock decides.
+bool is_old(const struct stat& file) {
+    constexpr time_t seconds = 60;
+    return file.st_mtim.tv_sec + seconds < ::time(nullptr);
+}
+
 /// Removes a file that a process has left behind, if it is this user's and nobody holds its lock.
-void remove_if_left(int directory, const char* name) {
+void remove_if_left(int directory, const char* name, pid_t maker) {
     const int file = ::openat(directory, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (file < 0) return;
     struct stat opened {
     }, named{};
     const bool left = ::fstat(file, &opened) == 0 && S_ISREG(opened.st_mode) &&
-                      opened.st_uid == ::geteuid() && ::flock(file, LOCK_EX | LOCK_NB) == 0 &&
+                      (is_gone(maker) || is_old(opened)) && opened.st_uid == ::geteuid() &&
+                      ::flock(file, LOCK_EX | LOCK_NB) == 0 &&
                       ::fstatat(directory, name, &named, AT_SYMLINK_NOFOLLOW) == 0 &&
                       opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
     if (left) ::unlinkat(directory, name, 0);
@@ -141,7 +150,7 @@ void remove_all_left(const std::string& directory) {
     if (entries == nullptr) return;
     while (const dirent* entry = ::readdir(entries)) {
         const std::optional<pid_t> maker = maker_of(entry->d_name);
-        if (maker && is_gone(*maker)) remove_if_left(::dirfd(entries), entry->d_name);
+        if (maker) remove_if_left(::dirfd(entries), entry->d_name, *maker);
     }
     ::closedir(entries);
 }

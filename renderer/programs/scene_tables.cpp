@@ -220,6 +220,17 @@ std::string lights_text(const std::vector<Light>& lights, Language language, con
     return text + list_of("Light", "lights", names, language);
 }
 
+/// Whether a library that the program includes may have a function or a macro of that name: those are written
+/// in small letters (free), in capitals (NULL, RAND_MAX), or begin with OpenGL's.
+bool may_be_a_library_name(const std::string& name) {
+    const auto is_in = [](char low, char high) {
+        return [low, high](char c) { return c >= low && c <= high; };
+    };
+    const bool small = std::any_of(name.begin(), name.end(), is_in('a', 'z'));
+    const bool capital = std::any_of(name.begin(), name.end(), is_in('A', 'Z'));
+    return !small || !capital || name.starts_with("GL") || name.starts_with("gl");
+}
+
 }  // namespace
 
 std::string Identifiers::of(const std::string& name, const std::string& otherwise) {
@@ -233,6 +244,7 @@ std::string Identifiers::of(const std::string& name, const std::string& otherwis
     while (!base.empty() && base.back() == '_') base.pop_back();
     if (base.empty()) base = otherwise;
     if (std::isdigit(static_cast<unsigned char>(base[0])) != 0) base = otherwise + "_" + base;
+    if (base.find(otherwise) == std::string::npos && may_be_a_library_name(base)) base += "_" + otherwise;
     std::string unique = base;
     for (int i = 2; !taken_.insert(unique).second; ++i) unique = fmt::format("{}_{}", base, i);
     return unique;

@@ -15,7 +15,8 @@ namespace glint {
 class Identifiers {
   public:
     explicit Identifiers(Flags taken) : taken_(std::move(taken)) {}
-    /// ASCII letters, digits and single underscores, beginning with a letter: "Left lamp" is Left_lamp.
+    /// ASCII letters, digits and single underscores, beginning with a letter: "Left lamp" is Left_lamp. What
+    /// a library may have defined ends in `otherwise`: "log" is log_light.
     [[nodiscard]] std::string of(const std::string& name, const std::string& otherwise);
 
   private:

@@ -45,8 +45,9 @@ TEST_CASE("a program's names are the scene's, as far as the language takes them"
     const TemporaryDirectory folder;
     REQUIRE(code(ball, "cpp", folder.path("new")).status == 0);
     const std::string text = bytes_of(folder.path("new/main.cpp"));
-    for (const char* line : {"const Light for_2 = ", "const Light light_9_lamps = ", "const Light light_9 = ",
-                             "const Object main_2 = ", "const Object int_2 = "}) {
+    for (const char* line :
+         {"const Light for_light = ", "const Light light_9_lamps = ", "const Light light_9 = ",
+          "const Object main_object = ", "const Object int_object = "}) {
         INFO(line);
         CHECK(text.find(line) != std::string::npos);
     }

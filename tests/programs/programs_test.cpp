@@ -236,7 +236,8 @@ void compare(Language language, const std::vector<std::pair<std::string, Scene>>
     Comparison comparison;
     for (const auto& [name, scene] : scenes) {
         INFO(name);
-        REQUIRE(can(scene, language));
+        const auto program = write_program({scene, small, "scene"}, language);
+        if (const Problem* problem = problem_of(program)) FAIL(problem->text());
         comparison.add(name, scene, small, language);
     }
     report(comparison, language);
@@ -298,6 +299,29 @@ TEST_CASE("two mistakes of one formula are written as we make them, in every lan
         {"cosine", scene_with({&Mistakes::no_clamp_of_cosine, &Mistakes::absolute_cosine})},
         {"normals", scene_with({&Mistakes::normals_left_in_world, &Mistakes::normals_as_points})}};
     for (const Language language : {Language::Cpp, Language::Glsl, Language::Python})
+        compare(language, scenes);
+}
+
+TEST_CASE("a program compiles whatever of its libraries a light or an object is called", "[programs]") {
+    const std::vector<std::string> names{
+        "NULL",     "EOF",          "stdin",    "stdout", "printf",     "malloc",   "exp",
+        "log",      "pow",          "abs",      "sqrt",   "rand",       "div",      "signgam",
+        "INFINITY", "NAN",          "HUGE_VAL", "M_PI_2", "BUFSIZ",     "SEEK_SET", "random",
+        "RAND_MAX", "EXIT_FAILURE", "va_list",  "remove", "rename",     "system",   "getenv",
+        "tolower",  "errno",        "isnan",    "GLint",  "GLFWwindow", "glFlush",  "glm",
+        "std",      "np",           "print",    "len",    "class",      "Teapot"};
+    constexpr std::size_t at_once = 10;  // a program has so many lines at most
+    std::vector<std::pair<std::string, Scene>> scenes;
+    for (std::size_t first = 0; first < names.size(); first += at_once) {
+        Scene scene = fixed_function_scene(4);
+        scene.lights.resize(1);
+        scene.lights[0].name = "free";
+        const std::size_t end = std::min(first + at_once, names.size());
+        scene.objects.assign(end - first, scene.objects[0]);
+        for (std::size_t i = first; i < end; ++i) scene.objects[i - first].name = names[i];
+        scenes.emplace_back(names[first], scene);
+    }
+    for (const Language language : {Language::Cpp, Language::Gl1, Language::Glsl, Language::Python})
         compare(language, scenes);
 }
 

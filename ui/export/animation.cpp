@@ -187,7 +187,7 @@ void poll_animation(UiState& state) {
     const double frame = (ImGui::GetTime() - animate.began) * animate.frames_a_second;
     Result<Scene> scene = scene_at(state.editor.document, animate.animation, static_cast<int>(frame));
     if (const Problem* problem = problem_of(scene)) {
-        animate.refused = problem->text();
+        animate.refused = problem->what + "; expected " + problem->expected;
         animate.playing = false;
         if (!animate.open) state.notifications.add(*problem);  // a lesson plays without the panel
         return;

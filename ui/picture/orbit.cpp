@@ -100,7 +100,7 @@ void dolly(Camera& camera, glm::dvec2 cursor_px, double depth, double factor, Pi
     Camera moved = camera;
     if (auto* flat = std::get_if<Orthographic>(&moved.projection)) {
         const double height = flat->height * factor;
-        if (height < closest || height > farthest) return;
+        if (factor < 1 ? height < closest : height > farthest) return;
         flat->height = static_cast<float>(height);
         moved = shifted(moved, anchor - unproject(screen_map(moved, size), cursor_px, depth));
     } else {

@@ -11,6 +11,7 @@
 #include "ui/document/document_actions.h"
 #include "ui/export/animation.h"
 #include "ui/ui.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -22,7 +23,14 @@ bool pressed(const UiInput& input, Key key) {
                        [key](const KeyPress& p) { return p.key == key; });
 }
 
-void unsaved_question(UiState& state, bool enter) {
+/// What keys answer, below the buttons.
+void key_words(const char* words) {
+    ImGui::Dummy({0, px(2)});
+    small_dim(words);
+}
+
+void unsaved_question(UiState& state, const UiInput& input) {
+    const bool enter = pressed(input, Key::Enter);
     if (!begin_question("Unsaved changes##question")) return;
     ImGui::TextUnformatted(fmt::format("{} has changes that are not saved.", state.editor.title()).c_str());
     ImGui::Dummy({px(380), px(6)});
@@ -31,35 +39,38 @@ void unsaved_question(UiState& state, bool enter) {
         if (save(state)) finish_pending(state);
     }
     ImGui::SameLine();
-    if (ImGui::Button("Don't save", {px(110), 0})) finish_pending(state);
+    if (ImGui::Button("Don't save", {px(110), 0}) || enter_answers(pressed(input, Key::D)))
+        finish_pending(state);
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {px(110), 0})) state.pending = {};
+    key_words("Enter: save  ·  D: don't save  ·  Esc: cancel");
     if (!state.pending.asking) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 
 /// Enter chooses nothing here: every answer but Cancel gives something up or needs a name.
-void changed_question(UiState& state) {
+void changed_question(UiState& state, const UiInput& input) {
     if (!begin_question("Changed by another##question")) return;
     const std::string title = state.editor.title();
     ImGui::TextUnformatted(
         fmt::format("{} was changed by another program since it was opened here.", title).c_str());
     ImGui::Dummy({px(460), px(6)});
-    const auto answer = [&state](const char* name, const char* what) {
-        const bool chosen = ImGui::Button(name, {px(110), 0});
+    const auto answer = [&](const char* name, const char* what, Key key) {
+        const bool chosen = ImGui::Button(name, {px(110), 0}) || enter_answers(pressed(input, key));
         tooltip(name, what);
         state.asks_overwrite = state.asks_overwrite && !chosen;
         return chosen;
     };
-    if (answer("Overwrite", "What the other program wrote is lost") && save_over(state))
+    if (answer("Overwrite", "What the other program wrote is lost", Key::O) && save_over(state))
         finish_pending(state);
     ImGui::SameLine();
-    if (answer("Save as…", "Under another name: both are kept"))
+    if (answer("Save as…", "Under another name: both are kept", Key::S))
         state.files.ask(FilePurpose::SaveScene, offered_name(state, ".json"));
     ImGui::SameLine();
-    if (answer("Reload", "What was changed here since the last saving is lost")) reload(state);
+    if (answer("Reload", "What was changed here since the last saving is lost", Key::R)) reload(state);
     ImGui::SameLine();
-    if (answer("Cancel", "Nothing is saved")) state.pending = {};
+    if (answer("Cancel", "Nothing is saved", Key::Escape)) state.pending = {};
+    key_words("O: overwrite  ·  S: save as  ·  R: reload  ·  Esc: cancel");
     if (!state.asks_overwrite) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
@@ -187,10 +198,10 @@ void dialogs(UiState& state, const UiInput& input) {
     case Modal::None:
         break;
     case Modal::Unsaved:
-        unsaved_question(state, enter);
+        unsaved_question(state, input);
         break;
     case Modal::Changed:
-        changed_question(state);
+        changed_question(state, input);
         break;
     case Modal::Files:
         if (const auto path = draw_file_dialog(state.files, enter)) use_file(state, *path);

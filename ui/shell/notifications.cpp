@@ -54,9 +54,11 @@ float draw_one(const Notification& note, int index, ImVec2 low_right, float top,
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(low_right.y - top, px(40))});
     ImGui::SetNextWindowBgAlpha(0.95f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
-    // What a dialog did is read in front of it, and clicks go through to it.
+    // What a dialog did is read in front of it, and clicks go through to it. What was said before it opened
+    // would cover its buttons.
     const double left = note.since + seconds_over_dialog - ImGui::GetTime();
-    const bool over_dialog = ImGui::GetTopMostPopupModal() != nullptr && left > 0;
+    const bool over_dialog = ImGui::GetTopMostPopupModal() != nullptr && left > 0 &&
+                             note.frame > GImGui->OpenPopupStack.front().OpenFrameCount;
     if (over_dialog) redraw_within(left);
     ImGui::Begin(id.c_str(), nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -97,7 +99,7 @@ void Notifications::add(Tone tone, const std::string& whole) {
     const double now = ImGui::GetTime(), until = now + seconds_shown(tone);
     const auto same = [&text](const Notification& note) { return note.text == text; };
     list.erase(std::remove_if(list.begin(), list.end(), same), list.end());
-    list.push_back({tone, text, until, false, now});
+    list.push_back({tone, text, until, false, now, ImGui::GetFrameCount()});
     if (list.size() > max_at_once) list.erase(list.begin());
 }
 

@@ -19,6 +19,7 @@ struct Notification {
     double until = 0;     // ImGui's time; infinity: until closed
     bool of_key = false;  // what a key did: the next key's takes its place
     double since = 0;     // ImGui's time
+    int frame = 0;        // ImGui's count of frames then
 };
 
 struct Notifications {
@@ -34,7 +35,7 @@ struct Notifications {
 };
 
 /// Draws them upwards from the corner `low_right` to `top`, newest at the bottom, and drops those whose time
-/// is over. In front of a dialog, which may have caused them, they stand for some seconds.
+/// is over. In front of a dialog, those that came while it was open stand for some seconds.
 void draw_notifications(Notifications& notifications, ImVec2 low_right, float top, float max_width);
 
 }  // namespace glint

@@ -1,6 +1,7 @@
 #include "models/io/file.h"
 
 #include <fcntl.h>
+#include <grp.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -218,6 +219,39 @@ TEST_CASE("owner and group of the old file are kept where the system lets us", "
     CHECK(status.st_uid == somebody);
     CHECK(status.st_gid == some_group);
     CHECK((status.st_mode & 07777) == 04750);
+}
+
+TEST_CASE("where the group cannot be kept nobody may do more than before", "[file]") {
+    if (::geteuid() != 0) return;  // only root may become somebody
+    constexpr uid_t somebody = 4242;
+    constexpr gid_t old_group = 4343, new_group = 4444;
+    // By hand: what both group and others may.
+    for (const auto& [before, after] : {std::pair<mode_t, mode_t>{0606, 0600},
+                                        {0602, 0600},
+                                        {0640, 0600},
+                                        {0664, 0644},
+                                        {0646, 0644},
+                                        {0755, 0755}}) {
+        const Place place;
+        const std::string file = place / "a";
+        REQUIRE(problem_of(write_file(file, "old")) == nullptr);
+        REQUIRE(::chown(file.c_str(), somebody, old_group) == 0);
+        REQUIRE(::chmod(file.c_str(), before) == 0);
+        REQUIRE(::chmod(std::filesystem::path(file).parent_path().c_str(), 0777) == 0);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const bool became =
+                ::setgroups(0, nullptr) == 0 && ::setgid(new_group) == 0 && ::setuid(somebody) == 0;
+            ::_exit(became && problem_of(write_file(file, "new")) == nullptr ? 0 : 1);
+        }
+        int status = -1;
+        REQUIRE(::waitpid(child, &status, 0) == child);
+        REQUIRE(status == 0);
+        struct stat found {};
+        REQUIRE(::stat(file.c_str(), &found) == 0);
+        CHECK(found.st_gid == new_group);
+        CHECK((found.st_mode & 07777) == after);
+    }
 }
 
 TEST_CASE("the directory is put on the disk when the new file is in its place", "[file]") {

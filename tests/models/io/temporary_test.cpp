@@ -133,10 +133,15 @@ TEST_CASE("what a killed process left is removed by the next that writes there, 
     // Left: by a process that is gone, or by an earlier one of our own number.
     (void)directory.file(temporary_name(gone, "0"), "half");
     (void)directory.file(temporary_name(::getpid(), "4000000000"), "half");
+    // And by a process whose number another one has by now: nothing was written for more than a minute.
+    const std::string old = directory.file(temporary_name(::getppid(), "1"), "half");
+    timespec long_ago[2] = {{::time(nullptr) - 120, 0}, {::time(nullptr) - 120, 0}};
+    REQUIRE(::utimensat(AT_FDCWD, old.c_str(), long_ago, 0) == 0);
     // Not left: held by a process that we cannot see, of a process that lives, of another name or kind.
     const std::string held = directory.file(temporary_name(gone, "1"), "being written elsewhere");
     const int holder = ::open(held.c_str(), O_RDONLY | O_CLOEXEC);
     REQUIRE(::flock(holder, LOCK_EX | LOCK_NB) == 0);
+    REQUIRE(::utimensat(AT_FDCWD, held.c_str(), long_ago, 0) == 0);
     kept.push_back(temporary_name(gone, "1"));
     for (const std::string& name :
          {temporary_name(::getppid(), "0"), temporary_name(gone, ""), temporary_name(gone, "x"),

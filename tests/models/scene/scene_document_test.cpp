@@ -197,8 +197,7 @@ TEST_CASE("a file of another kind is a problem that lists the kinds", "[scene_do
         REQUIRE(problem_of(write_file(place / name, "x")) == nullptr);
     }
     std::filesystem::create_symlink(place / "loop", place / "loop");
-    CHECK(problem_at(place / "loop") ==
-          place / "loop: cannot read: a loop of symbolic links" + expected);
+    CHECK(problem_at(place / "loop") == place / "loop: cannot read: a loop of symbolic links" + expected);
     CHECK(problem_at(place / "a.txt") == place / "a.txt: has another extension" + expected);
     CHECK(problem_at(place / "name") == place / "name: has no extension" + expected);
     CHECK(problem_at(place / "deep") == place / "deep: is a directory" + expected);

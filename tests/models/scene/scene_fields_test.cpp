@@ -150,6 +150,10 @@ TEST_CASE("what a scene file could not hold is found in the scene, and nothing e
             *number_at(changed, number.pointer)->place = value;
             const std::optional<Violation> found = violation_since(valid, changed);
             const Result<Scene> read = parse_scene(scene_text(changed), "s.json");
+            if (number.is_w && value > 0) {
+                CHECK(found.has_value());  // the reader divides by it; in the scene it has been divided
+                continue;
+            }
             CHECK(found.has_value() == (problem_of(read) != nullptr));
             if (!found) continue;
             ++refused;

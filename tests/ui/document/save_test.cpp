@@ -43,12 +43,13 @@ void write_as_another(const std::string& path, float intensity) {
 }
 
 /// Clicks along the buttons of the question, from the left, until one has answered it.
-void answer(HeadlessWindow& bench, int button) {
-    const ImGuiWindow* question = ImGui::FindWindowByName("Changed by another##question");
-    REQUIRE(question != nullptr);
-    const float width = 110 + ImGui::GetStyle().ItemSpacing.x;
-    bench.click({question->Pos.x + ImGui::GetStyle().WindowPadding.x + 20 + float(button) * width,
-                 question->Pos.y + question->Size.y - ImGui::GetStyle().WindowPadding.y - 8});
+/// By the mouse, or by its letter.
+void answer(HeadlessWindow& bench, const char* button, std::optional<Key> letter = {}) {
+    REQUIRE(modal_of(bench.state) == Modal::Changed);
+    if (letter)
+        (void)bench.key(*letter);
+    else
+        bench.click(bench.control(button));
     bench.frames(2);
 }
 
@@ -92,7 +93,7 @@ TEST_CASE("a file that nobody else has changed is saved without a question, agai
 
 TEST_CASE("what another program wrote is overwritten only when that is said", "[ui][save]") {
     Clash clash;
-    answer(clash.bench, 0);
+    answer(clash.bench, "Overwrite");
     CHECK(intensity_in(clash.path) == 0.25f);
     CHECK_FALSE(clash.bench.state.editor.unsaved());
     edit(clash.bench, 0.75f);
@@ -103,7 +104,7 @@ TEST_CASE("what another program wrote is overwritten only when that is said", "[
 TEST_CASE("a scene whose file was changed can be saved elsewhere", "[ui][save]") {
     Clash clash;
     std::filesystem::create_directory(clash.folder.path("mine"));
-    answer(clash.bench, 1);
+    answer(clash.bench, "Save as…", Key::S);
     CHECK(modal_of(clash.bench.state) == Modal::Files);
     clash.bench.state.files.folder = clash.folder.path("mine");
     clash.bench.key(Key::Enter);
@@ -113,7 +114,7 @@ TEST_CASE("a scene whose file was changed can be saved elsewhere", "[ui][save]")
 
 TEST_CASE("a file that was changed can be read again", "[ui][save]") {
     Clash clash;
-    answer(clash.bench, 2);
+    answer(clash.bench, "Reload", Key::R);
     clash.bench.wait_for_loads();
     CHECK(clash.bench.scene().lights[0].intensity == 0.5f);
     CHECK_FALSE(clash.bench.state.editor.unsaved());

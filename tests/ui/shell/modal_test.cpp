@@ -169,6 +169,25 @@ TEST_CASE("the Enter that chooses in the palette does not answer the dialog that
     }
 }
 
+TEST_CASE("the questions about unsaved work are answered by keys", "[ui][window]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    const auto ask_to_quit = [&] {
+        bench.scene().lights[0].intensity += 1;
+        bench.frames(2);
+        (void)bench.key(Key::Q, true);
+        bench.frames(2);
+        REQUIRE(bench.state.pending.asking);
+    };
+    ask_to_quit();
+    (void)bench.key(Key::Escape);
+    bench.frames(2);
+    CHECK_FALSE(bench.state.pending.asking);
+    ask_to_quit();
+    CHECK(bench.key(Key::D).quit);
+}
+
 TEST_CASE("a notification is in front of the dialog that it comes from, and lets clicks through",
           "[ui][modal][notifications]") {
     HeadlessWindow bench;

@@ -19,7 +19,7 @@ using test::HeadlessWindow;
 namespace {
 
 /// Places in ImGui's io.KeysDown that this test gives to keys.
-constexpr int enter_key = 1, escape_key = 2, tab_key = 3, backspace_key = 4;
+constexpr int enter_key = 1, escape_key = 2, tab_key = 3, backspace_key = 4, paste_key = 5;
 
 /// A window whose selected light's intensity stands in the panel, with a clipboard of its own.
 struct Bench : HeadlessWindow {
@@ -129,6 +129,47 @@ TEST_CASE("a number too long for its field is shown with a power of ten", "[ui][
     CHECK(shown_text(-123456.5f, kind) == "-123456.50");
     CHECK(shown_text(-1234567.5f, kind) == "-1.23457e+06");
     CHECK(shown_text(1e30f, kind) == "1e+30");
+}
+
+TEST_CASE("in a narrow field a number has fewer digits, and its power of ten stays", "[ui][numbers]") {
+    const HeadlessWindow bench;
+    ImGui::NewFrame();
+    Real kind;
+    kind.format = "%.2f";
+    const float room = ImGui::CalcTextSize("-1.3e+30").x;
+    for (const float value : {1.3250011e30f, -8.9794e29f, 1555487.25f, -30066.05f, 0.25f, 1e-20f}) {
+        const std::string text = fitting_text(value, kind, room);
+        CAPTURE(text);
+        CHECK(ImGui::CalcTextSize(text.c_str()).x <= room);
+        CHECK(std::strtof(text.c_str(), nullptr) == Approx(value).epsilon(0.05).margin(0.01));
+    }
+    CHECK(fitting_text(0.25f, kind, room) == "0.25");
+    ImGui::EndFrame();
+}
+
+TEST_CASE("lines that are pasted together are not one number", "[ui][window][numbers]") {
+    Bench bench;
+    ImGui::GetIO().KeyMap[ImGuiKey_V] = paste_key;
+    const auto paste_over = [&](const char* text) {
+        bench.clipboard = text;
+        bench.click(bench.field());
+        bench.frames(1);
+        ImGui::GetIO().KeyCtrl = true;
+        bench.tap(paste_key);
+        ImGui::GetIO().KeyCtrl = false;
+        bench.tap(enter_key);
+    };
+    paste_over("0.75\n");
+    CHECK(bench.intensity() == 0.75f);
+    CHECK(bench.last_note().empty());
+    paste_over("1\n2\r\n3");
+    CHECK(bench.intensity() == 0.75f);
+    CHECK(bench.last_note().find("is not a number") != std::string::npos);
+    bench.right_click(bench.field());
+    bench.click(bench.control("Paste"));
+    bench.frames(2);
+    CHECK(bench.intensity() == 0.75f);
+    CHECK(bench.last_note().find('\n') == std::string::npos);
 }
 
 TEST_CASE("a plain click on a number types, and what is typed is one step of undo", "[ui][window][numbers]") {

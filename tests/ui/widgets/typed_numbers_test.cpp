@@ -96,7 +96,7 @@ class Typist {
     }
 
     static constexpr float height = 1500;
-    HeadlessWindow bench_{{900, height}};
+    HeadlessWindow bench_{{1280, height}};
     Scene first_;
     std::string letters_;
     int typed_ = 0;

@@ -32,6 +32,13 @@ float handle_width(const NumberHandle& handle) {
     return width + 2 * px(padding_x) + px(2);
 }
 
+void draw_mark_around(const Rect& area) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 low = area.low - px(1) * ImVec2(4, 1), high = area.high + px(1) * ImVec2(4, 1);
+    list.AddRect({std::max(low.x, list.GetClipRectMin().x + px(1)), low.y}, high, to_u32(theme().accent),
+                 px(4), 0, px(2));
+}
+
 void dotted_line(ImVec2 low, ImVec2 high, ImU32 colour) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const int dots = saturated_int((high.x - low.x - px(4)) / px(3));
@@ -98,6 +105,7 @@ TextLine& TextLine::code(const std::string& text, const ImVec4& colour) {
 }
 TextLine& TextLine::number(const std::string& text, const ImVec4& colour) {
     piece(text, colour, fonts().figures, 0);
+    if (!measures_ && mark_ && !marks_result_) end_mark(last_item());
     menu_of(text);
     return *this;
 }
@@ -128,16 +136,32 @@ QuantityMark::QuantityMark(std::optional<Quantity> quantity, bool scrolls) {
 QuantityMark::~QuantityMark() { marked.reset(); }
 
 TextLine& TextLine::symbol(Quantity quantity) {
+    const ImVec2 begin{x_, y_};
     letters(quantity);
     if (measures_ || marked != quantity) return *this;
     marked.reset();
-    const Rect letter = last_item();
-    const ImVec2 low = letter.low - px(1) * ImVec2(is_cosine(quantity) ? 22 : 5, 2);
-    ImGui::GetWindowDrawList()->AddRect(low, letter.high + px(1) * ImVec2(54, 2), to_u32(theme().accent),
-                                        px(4), 0, px(2));
-    list_control("Marked number", row_of(quantity).letter, letter);
+    const Rect last = last_item();  // of a cosine its second letter
+    const bool went_on = last.low.y > begin.y + px(2);
+    mark_ = Rect{{went_on ? left_ + indent_ : begin.x, last.low.y}, last.high};
+    marks_result_ = quantity == Quantity::AmbientTerm || quantity == Quantity::DiffuseTerm ||
+                    quantity == Quantity::SpecularTerm || quantity == Quantity::Result ||
+                    quantity == Quantity::WarmShare;
+    list_control("Marked number", row_of(quantity).letter, *mark_);
     if (marked_scrolls) ImGui::SetScrollHereY(0.4f);
     return *this;
+}
+
+TextLine::~TextLine() {
+    if (mark_) draw_mark_around(*mark_);
+}
+
+/// Around the letter and its value, together where they stand side by side.
+void TextLine::end_mark(const Rect& value) {
+    const Rect letter = *mark_;
+    mark_.reset();
+    if (!marks_result_ && value.low.y == letter.low.y) return draw_mark_around({letter.low, value.high});
+    draw_mark_around(letter);
+    draw_mark_around(value);
 }
 
 void TextLine::letters(Quantity quantity) {
@@ -202,6 +226,7 @@ void TextLine::result(const std::string& text, const ImVec4& colour) {
     if (x_ + px(3) + width > right_) y_ += height();
     x_ = right_ - width;
     number(text, colour);
+    if (mark_) end_mark(last_item());
 }
 
 }  // namespace glint

@@ -28,6 +28,9 @@ class TextLine {
   public:
     /// Begins at the cursor; lines after the first are indented by `indent` logical pixels.
     explicit TextLine(float indent = 14);
+    ~TextLine();
+    TextLine(const TextLine&) = delete;
+    TextLine& operator=(const TextLine&) = delete;
 
     TextLine& plain(const std::string& text);
     TextLine& plain(const std::string& text, const ImVec4& colour);
@@ -73,11 +76,14 @@ class TextLine {
 
     void menu_of(const std::string& number);
     void letters(Quantity quantity);
+    void end_mark(const Rect& value);
 
     float x_, y_, left_, right_, indent_;
     std::string line_;
     int numbers_ = 0;
-    bool measures_ = false;  // nothing is drawn: only x_ goes on
+    bool measures_ = false;      // nothing is drawn: only x_ goes on
+    std::optional<Rect> mark_;   // the letter of the marked quantity, until its value is drawn
+    bool marks_result_ = false;  // and that is the line's result
 };
 
 }  // namespace glint

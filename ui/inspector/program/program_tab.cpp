@@ -108,17 +108,20 @@ Rect draw_call(UiState& state, Scene& scene, const GlCall& call) {
     std::string_view punctuation;  // behind the number before, on its line: ", " or "));"
     for (std::size_t i = 0; i < call.pieces.size(); ++i) {
         const CallPiece& piece = call.pieces[i];
-        if (piece.pointer.empty()) {
+        NumberHandle number;
+        if (!piece.pointer.empty()) number = number_handle(scene, piece.pointer);
+        // A position is divided by its w at once: whatever was typed there would be 1 again.
+        if (piece.pointer.empty() || number.number.is_w) {
             words(line, std::string_view(piece.text).substr(punctuation.size()),
                   call.is_remark ? theme().warning : theme().dim_text);
             punctuation = {};
             continue;
         }
         if (i + 1 < call.pieces.size()) punctuation = first_word(call.pieces[i + 1].text);
-        NumberHandle number = number_handle(scene, piece.pointer);
         number.number.kind.format = decimal_format(number.number.value, std::max(decimals_of(piece.text), 1));
         line.together([&] {
-            (void)line.handle(number, theme().text);
+            const bool edited = line.handle(number, theme().text);
+            state.editor.edits_camera |= edited && piece.pointer.starts_with("/camera");
             line.code(std::string(punctuation), theme().dim_text);
         });
     }

@@ -13,6 +13,7 @@
 #include "models/json/json_reader.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/numbers/expression.h"
+#include "ui/widgets/numbers/pasted_line.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -128,6 +129,7 @@ ImRect frame_for_typing(const ImRect& frame) {
 bool type_text(ImGuiID id, const ImRect& frame, const char* label, float& value, const Range& range) {
     hand.frame = ImGui::GetFrameCount();
     bool edited = false;
+    const PasteInOneLine pasted;
     const bool wrong = !hand.typing.problem.empty() || !hand.typing.refused.empty();
     if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, theme().error);
     if (ImGui::TempInputText(frame, id, label, hand.typing.text.data(), int(longest_text),
@@ -235,7 +237,7 @@ void draw_number(ImGuiID id, const ImRect& frame, float value, const NumberInput
     // On the ground of what is pointed at not every colour of a term can be read.
     const bool plain = hovered || held;
     ImGui::PushStyleColor(ImGuiCol_Text, plain ? theme().text : ImGui::GetStyleColorVec4(ImGuiCol_Text));
-    const std::string text = shown_text(value, input.kind);
+    const std::string text = fitting_text(value, input.kind, frame.GetWidth() - px(2));
     ImGui::RenderTextClipped(frame.Min, frame.Max, text.c_str(), nullptr, nullptr, {0.5f, 0.5f});
     ImGui::PopStyleColor();
 }

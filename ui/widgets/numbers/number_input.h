@@ -35,6 +35,9 @@ bool assign(float& value, double wanted, const Range& range);
 /// typed: the shortest text that reads back as the same float.
 [[nodiscard]] std::string shown_text(float value, const Real& kind);
 [[nodiscard]] std::string exact_text(float value);
+/// shown_text(), or with as many digits as fit into `width` in the current font: what is cut off at its end
+/// reads as another number.
+[[nodiscard]] std::string fitting_text(float value, const Real& kind, float width);
 
 struct NumberInput {
     const Real& kind;

@@ -58,6 +58,14 @@ std::string shown_text(float value, const Real& kind) {
     return text;
 }
 
+std::string fitting_text(float value, const Real& kind, float width) {
+    std::string text = shown_text(value, kind);
+    constexpr int most_digits = 6;
+    for (int digits = most_digits; digits > 0 && ImGui::CalcTextSize(text.c_str()).x > width; --digits)
+        text = fmt::format("{:.{}g}", value, digits);
+    return text;
+}
+
 std::string exact_text(float value) { return fmt::format("{}", value); }
 
 }  // namespace glint
