@@ -73,6 +73,10 @@ class HeaderReader {
             if (keyword == "comment" || keyword == "obj_info") continue;
             if (keyword == "format") {
                 format = read_format(cursor_);
+                const std::string_view version = cursor_.word();
+                if (!version.empty() && version != "1.0")
+                    cursor_.fail(
+                        fmt::format("{} is not a version of PLY that is known", quoted_word(version)), "1.0");
             } else if (keyword == "element") {
                 read_element();
             } else if (keyword == "property") {

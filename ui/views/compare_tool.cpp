@@ -161,13 +161,22 @@ std::string compare_hint(const UiState& ui) {
 /// What the picture shows, which without a word is black.
 void difference_caption(ImDrawList& list, const CompareState& state, const PictureView& view) {
     const CompareChoice& choice = state.choice;
-    std::string text =
+    std::string what =
         fmt::format("|{} − {}|", label_of(choice.parts.front()), label_of(choice.parts.back()));
-    if (choice.gain > 1) text += fmt::format(" × {}", choice.gain);
-    text += state.numbers.differing_pixels == 0
-                ? ": no pixel differs"
-                : fmt::format(": at most {} of 255, black where they agree", state.numbers.max_error);
+    if (choice.gain > 1) what += fmt::format(" × {}", choice.gain);
+    const std::string most = state.numbers.differing_pixels == 0
+                                 ? "no pixel differs"
+                                 : fmt::format("at most {} of 255", state.numbers.max_error);
+    const char* const black = state.numbers.differing_pixels == 0 ? "" : ", black where they agree";
     ImGui::PushFont(fonts().small);
+    // Over a narrow picture with fewer words.
+    const float room = float(view.map.size.width) * view.units_per_pixel - px(20);
+    std::string text = most;
+    for (const std::string& longer : {what + ": " + most + black, what + ": " + most})
+        if (ImGui::CalcTextSize(longer.c_str()).x <= room) {
+            text = longer;
+            break;
+        }
     (void)badge(list, view.top() + ImVec2(0, px(8)), text, {0.5f, 0});
     ImGui::PopFont();
 }

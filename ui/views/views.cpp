@@ -91,26 +91,36 @@ void command_button(UiState& state, const char* label, CommandId id, const char*
     ImGui::SameLine(0, px(4));
 }
 
+/// While pictures are compared their controls come first: where they would not fit, the buttons go that the
+/// menu View has, too.
 void views_bar(UiState& state) {
+    float& whole_width = state.views.bar_width;
+    const float begin = ImGui::GetCursorScreenPos().x;
+    const bool is_whole = !state.views.compare.choice.on || whole_width <= ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(fonts().small);
     if (debug_view_controls(state.views.debug_view, shown_scene(state)))
         state.views.compare.choice.on = false;  // they take each other's place
-    command_button(state, "Over-range", CommandId::OverRange,
-                   "Stripes over pixels whose colour exceeds 1 in a channel and is cut off");
-    command_button(
-        state, "Scope", CommandId::Scope,
-        "Intensity along a line over the picture, with its first and second difference: Mach bands in "
-        "numbers");
+    if (is_whole) {
+        command_button(state, "Over-range", CommandId::OverRange,
+                       "Stripes over pixels whose colour exceeds 1 in a channel and is cut off");
+        command_button(
+            state, "Scope", CommandId::Scope,
+            "Intensity along a line over the picture, with its first and second difference: Mach bands in "
+            "numbers");
+    }
     command_button(state, "Compare", CommandId::Compare,
                    "Flat, Gouraud and Phong, or any settings, side by side under lines to drag");
-    command_button(
-        state, "Pixels", CommandId::Magnify,
-        "Each pixel as a square with its number in it: 0 to 255, red, green and blue where there is room. "
-        "Ctrl+wheel zooms, the right button moves");
-    command_button(
-        state, "Dots", CommandId::LitDots,
-        "A dot at each place that the equation is evaluated at, thinned, and how often it is in a frame");
+    if (is_whole) {
+        command_button(
+            state, "Pixels", CommandId::Magnify,
+            "Each pixel as a square with its number in it: 0 to 255, red, green and blue where there is "
+            "room. Ctrl+wheel zooms, the right button moves");
+        command_button(
+            state, "Dots", CommandId::LitDots,
+            "A dot at each place that the equation is evaluated at, thinned, and how often it is in a frame");
+    }
     compare_controls(state.views.compare);
+    if (is_whole) whole_width = ImGui::GetCursorScreenPos().x - begin;
     ImGui::PopFont();
 }
 

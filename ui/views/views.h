@@ -96,6 +96,7 @@ struct ViewsState {
     // What the shown picture was made from:
     ShownFrom shown_from;
     std::uint64_t shown_serial = 0;  // UiState::picture_serial then
+    float bar_width = 0;             // of the row of buttons when it was whole last
 };
 
 /// Shows one quantity in place of the picture. It and a comparison take each other's place.

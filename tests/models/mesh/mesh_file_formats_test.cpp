@@ -144,6 +144,8 @@ TEST_CASE("a malformed PLY is answered with what was expected", "[mesh_file][ply
     check_all({
         {"m.ply", "solid", ":1: this is not a PLY file; expected \"ply\" as its first word"},
         {"m.ply", "ply\n", ":2: the header does not end; expected \"end_header\""},
+        {"m.ply", "ply\nformat ascii 2.0\nend_header\n",
+         ":2: \"2.0\" is not a version of PLY that is known; expected 1.0"},
         {"m.ply", "ply\nend_header\n", ":2: the header names no format; expected \"format ascii 1.0\", say"},
         {"m.ply", "ply\nformat text 1.0\n",
          ":2: \"text\" is not a format of a PLY file; expected ascii, binary_little_endian or "
