@@ -250,6 +250,20 @@ TEST_CASE("glint check names the first buffer that differs", "[cli][buffers][che
     CHECK(answer["differs"]["found"] == "ours times 2");
 }
 
+TEST_CASE("glint check refuses the buffer that does not fit beside those it has read",
+          "[cli][buffers][check]") {
+    const Files files;
+    const TemporaryDirectory buffers;
+    const std::string heading = "PF\n2048 2048\n-1.0\n";
+    for (const char* const name : {"position.pfm", "depth.pfm"}) {  // zeros that take no disk
+        const std::string file = buffers.file(name, heading);
+        std::filesystem::resize_file(file, heading.size() + 12 * 2048 * 2048);
+    }
+    const Ended ended = run_glint({"check", files.scene, buffers.path(""), "--memory", "130M"});
+    CHECK(ended.status != 0);
+    CHECK(ended.err.find("depth.pfm: this needs 144.0 MiB of memory") != std::string::npos);
+}
+
 TEST_CASE("glint check says that there is nothing to compare rather than that nothing differs",
           "[cli][buffers][check]") {
     const Files files;

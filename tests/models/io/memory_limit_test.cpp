@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <new>
 
+#include "models/io/file.h"
 #include "tests/support/catch.h"
 #include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
@@ -84,6 +85,34 @@ TEST_CASE("less may always be asked for, whatever the limit has become", "[memor
     MemoryShare share(memory_need(MemoryUse::Files, 10 * mib));
     const MemoryLimit limit(2 * mib);
     CHECK_NOTHROW(share.set(memory_need(MemoryUse::Files, 9 * mib)));
+}
+
+TEST_CASE("a file that does not fit into memory is refused after its first block, and its share goes",
+          "[memory]") {
+    const TemporaryDirectory folder;
+    const std::string large = folder.file("large", "x");
+    std::filesystem::resize_file(large, 64 * mib);  // a hole takes no disk
+    const MemoryLimit room(32 * mib);
+    const std::uint64_t left = memory_left();
+    std::size_t blocks = 0;
+    const auto read = read_file(large, gib, [&blocks](const FileBlock&) {
+        ++blocks;
+        return std::optional<Problem>();
+    });
+    REQUIRE(problem_of(read) != nullptr);
+    CHECK(problem_of(read)->text().starts_with(large + ": this needs 64.0 MiB of memory"));
+    CHECK(blocks == 1);
+    CHECK(memory_left() == left);
+    // One that fits is the caller's while it holds the share.
+    std::filesystem::resize_file(large, 16 * mib);
+    {
+        MemoryShare share;
+        CHECK(problem_of(read_file(large, gib, {}, &share)) == nullptr);
+        CHECK(memory_left() == left - 16 * mib);
+    }
+    CHECK(memory_left() == left);
+    CHECK(problem_of(read_file(large, gib)) == nullptr);
+    CHECK(memory_left() == left);
 }
 
 TEST_CASE("the memory of a control group is the least of it and those around it", "[memory]") {

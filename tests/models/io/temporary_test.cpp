@@ -82,6 +82,39 @@ TEST_CASE("a signal that ends the process removes what it was writing, and the s
     }
 }
 
+TEST_CASE("a new directory goes again while it is empty, by a signal too, unless it is kept",
+          "[file][temporary]") {
+    const TemporaryDirectory directory;
+    const std::string made = directory.path("made");
+    {
+        const NewDirectory empty(made);
+        CHECK(empty.error() == 0);
+        CHECK(directory.names() == std::vector<std::string>{"made"});
+        CHECK(NewDirectory(made).error() == EEXIST);
+    }
+    CHECK(directory.names().empty());
+    const int status = status_of_child([&] {
+        ::signal(SIGTERM, SIG_DFL);
+        remove_temporaries_on_signals();
+        const NewDirectory empty(made);
+        const Temporary inside(made + "/a", 0600);
+        ::raise(SIGTERM);
+    });
+    CHECK(WIFSIGNALED(status));
+    CHECK(directory.names().empty());
+    {
+        const NewDirectory full(made);
+        REQUIRE(problem_of(write_file(made + "/a", "x")) == nullptr);
+    }
+    CHECK(bytes_of(made + "/a") == "x");
+    const std::string kept = directory.path("kept");
+    {
+        NewDirectory empty(kept);
+        empty.keep();
+    }
+    CHECK(fs::is_directory(kept));
+}
+
 TEST_CASE("a signal that comes to another thread removes it too, and nothing is begun any more",
           "[file][temporary]") {
     const TemporaryDirectory directory;
