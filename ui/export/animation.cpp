@@ -106,10 +106,12 @@ void write_buttons(UiState& state) {
     }
     const bool possible = animate.refused.empty();
     ImGui::BeginDisabled(!possible);
-    if (ImGui::Button(animate.playing ? "Stop" : "Play", {px(90), 0})) {
+    const char* const play = animate.playing ? "Stop" : "Play";
+    if (ImGui::Button(play, {px(90), 0})) {
         animate.playing = !animate.playing;
         animate.began = ImGui::GetTime();
     }
+    tooltip(play, "The scene stays as it is: only the picture shows what moves");
     ImGui::SameLine();
     if (ImGui::Button("Write frames…", {px(130), 0}))
         state.files.ask(FilePurpose::SaveFrames, offered_name(state, ".gif"));

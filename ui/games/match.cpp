@@ -84,6 +84,7 @@ void begin_match(UiState& state, std::uint64_t seed) {
     take_scene(state, std::move(document));
     MatchState& match = state.match;
     match.compare_before = state.views.compare.choice;
+    put_all_away(state);
     match.task = std::move(task);
     match.seed = seed;
     if (!match.renderer) match.renderer = std::make_unique<Renderer>(1);
@@ -96,7 +97,6 @@ void begin_match(UiState& state, std::uint64_t seed) {
     match.hint.clear();
     match.on = true;
     state.lesson.shows_scene = state.left_shows_inspector = false;
-    state.views.debug_view.set = {};
     show_beside(state, false);
 }
 

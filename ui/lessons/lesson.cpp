@@ -34,24 +34,6 @@ void set_scene(UiState& state, const Scene& scene) {
     editor.selection = valid_selection(editor.selection, scene);
 }
 
-/// Closes whatever is shown in place of the picture or over it: the lesson does not speak of it.
-void put_all_away(UiState& state) {
-    ViewsState& views = state.views;
-    views.compare.choice.on = views.compare.choice.shows_stored = false;
-    views.debug_view.set = {};
-    views.scope.open = views.scope.armed = false;
-    views.magnifier = {};
-    views.lit.dots = views.lit.needles = false;
-    state.animate.playing = state.animate.open = false;
-    state.animate.frame.reset();
-    state.animate.animation.pointer.clear();
-    state.animate.number.clear();
-    state.lecture.frozen.reset();
-    state.inspector.instead.reset();
-    ask_about(state.viewport, {});
-    state.explanation.reset();
-}
-
 void forget_input(LessonState& lesson) {
     lesson.typed.clear();
     lesson.chosen = {};
@@ -116,6 +98,23 @@ bool has_own_file_unsaved(const UiState& state) {
 }
 
 }  // namespace
+
+void put_all_away(UiState& state) {
+    ViewsState& views = state.views;
+    views.compare.choice.on = views.compare.choice.shows_stored = false;
+    views.debug_view.set = {};
+    views.scope.open = views.scope.armed = false;
+    views.magnifier = {};
+    views.lit.dots = views.lit.needles = false;
+    state.animate.playing = state.animate.open = false;
+    state.animate.frame.reset();
+    state.animate.animation.pointer.clear();
+    state.animate.number.clear();
+    state.lecture.frozen.reset();
+    state.inspector.instead.reset();
+    ask_about(state.viewport, {});
+    state.explanation.reset();
+}
 
 void begin_lesson(UiState& state, std::shared_ptr<const Course> course) {
     LessonState& lesson = state.lesson;

@@ -51,6 +51,9 @@ struct LessonState {
     [[nodiscard]] const std::vector<GivenAnswer>& given() const { return progress.given[progress.station]; }
 };
 
+/// Closes whatever is shown in place of the picture or over it, for a scene that is about something else.
+void put_all_away(UiState& state);
+
 /// Opens the lesson's column where it was left. Precondition: Course::document is the open document, as
 /// take_scene() makes it.
 void begin_lesson(UiState& state, std::shared_ptr<const Course> course);

@@ -80,7 +80,11 @@ bool cancel_loading(UiState& state) {
 }
 
 bool close_shortcuts(UiState& state) { return std::exchange(state.shows_shortcuts, false); }
-bool close_animate(UiState& state) { return std::exchange(state.animate.open, false); }
+bool close_animate(UiState& state) {
+    if (!state.animate.open) return false;
+    state.animate.open = state.animate.playing = false;
+    return true;
+}
 bool close_wedge(UiState& state) { return std::exchange(state.lecture.wedge.open, false); }
 bool show_panels(UiState& state) { return std::exchange(state.layout.hides_all, false); }
 

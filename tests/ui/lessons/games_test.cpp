@@ -152,6 +152,30 @@ TEST_CASE("what a game compares is not remembered for the next window", "[ui][wi
     CHECK(views_to_remember(bench.state) == before);
 }
 
+TEST_CASE("a game puts away what was shown before it, and Escape ends what plays", "[ui][window][match]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const auto play = [&] {
+        if (!bench.state.animate.open) run_command(bench.state, test::command_named("Animate: turntable, numbers to and fro…"));
+        bench.frames(2);
+        bench.state.animate.animation.motion = Motion::Turntable;
+        bench.click(bench.control("Play"));
+        bench.frames(2);
+        REQUIRE(bench.state.animate.playing);
+    };
+    play();
+    (void)bench.key(Key::Escape);
+    bench.frames(2);
+    CHECK_FALSE(bench.state.animate.open);
+    CHECK_FALSE(bench.state.animate.playing);
+    CHECK_FALSE(bench.state.animate.frame);
+    play();
+    begin_match(bench.state, 3);
+    bench.frames(3);
+    CHECK_FALSE(bench.state.animate.playing);
+    CHECK(bench.state.rendered_scene == bench.scene());
+}
+
 TEST_CASE("another stored scene is not the target beside it", "[ui][window][match]") {
     HeadlessWindow bench({1280, 1000});
     open_game(bench, 2);
