@@ -75,7 +75,8 @@ void revealed_panel(UiState& state) {
     if (!predict.answer) return small_dim("The picture is drawn.");
     const JsonValue answer = json_of(*predict.answer);
     colour_row("You said", predict.mine);
-    colour_row("It is", answer);
+    const bool still = state.explanation && state.explanation->byte == *predict.answer;
+    colour_row(still ? "It is" : "It was", answer);  // after a further edit
     const double off = 255 * how_far(PredictionKind::Colour, predict.mine, answer);
     constexpr double levels_hardly_seen = 8;
     const std::string words = fmt::format("{:.0f} of 255 levels apart at most", off);

@@ -48,6 +48,11 @@ TEST_CASE("a picked pixel stands still while the scene changes, and shows then w
     (void)bench.control("You said");
     (void)bench.control("It is");
     CHECK(test::window_named("Equation") != nullptr);
+    // From the next edit on it is what it was.
+    bench.scene().global_ambient = {1, 1, 1};
+    bench.frames(3);
+    CHECK(*bench.state.predict.answer == std::array<int, 3>{0, 0, 0});
+    (void)bench.control("It was");
 }
 
 TEST_CASE("Esc, the key itself and another scene give a prediction up", "[ui][window][lesson]") {
