@@ -15,6 +15,10 @@ namespace glint {
 /// The display finding in words, joined by "; "; empty when nothing was found.
 [[nodiscard]] std::string display_text(const DisplayFinding& display);
 
+/// The share of the wrong pixels that a candidate explains, in whole per cent, rounded down: what is too few
+/// does not read as enough.
+[[nodiscard]] int explained_percent(const Candidate& candidate);
+
 /// The diagnosis as text of at most five lines that ends with a newline, and as JSON. `scene` is the one that
 /// was diagnosed.
 [[nodiscard]] std::string diagnosis_text(const Diagnosis& diagnosis, const Scene& scene);

@@ -72,7 +72,7 @@ std::string html_row(const DiagnosedPicture& p) {
     if (!row[3].empty()) words += fmt::format("<br>looks the same: <code>{}</code>", html_escaped(row[3]));
     if (!row[8].empty()) words += fmt::format("<br>{}", html_escaped(row[8]));
     const std::string share =
-        row[4].empty() ? "" : fmt::format("{:.0f} %", 100 * p.diagnosis.candidates[0].explained);
+        row[4].empty() ? "" : fmt::format("{} %", explained_percent(p.diagnosis.candidates[0]));
     return fmt::format(
         "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td><code>{}</code></td></"
         "tr>\n",

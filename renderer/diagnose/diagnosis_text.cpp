@@ -44,10 +44,10 @@ std::string verdict_line(const Diagnosis& d) {
 
 std::string candidate_lines(const Candidate& c) {
     std::string text = fmt::format(
-        "It explains {:.0f} % of the wrong pixels and leaves {:.2f} levels. At {},{} your picture has {}; "
+        "It explains {} % of the wrong pixels and leaves {:.2f} levels. At {},{} your picture has {}; "
         "right is "
         "{}, with the mistake {}.\n",
-        100 * c.explained, c.residual, c.pixel.x, c.pixel.y, text_of(c.mine), text_of(c.reference),
+        explained_percent(c), c.residual, c.pixel.x, c.pixel.y, text_of(c.mine), text_of(c.reference),
         text_of(c.as_mistaken));
     if (!c.also.empty()) text += "In this scene these look the same: " + names_of(c.also) + ".\n";
     return text;
@@ -83,9 +83,8 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
                             100 * t.explained);
     }
     if (!d.candidates.empty())
-        text += fmt::format("Nearest is {}, which explains {:.0f} % of the wrong pixels: too few.\n",
-                            name_of(d.candidates.front().mistakes),
-                            std::floor(100 * d.candidates.front().explained));
+        text += fmt::format("Nearest is {}, which explains {} % of the wrong pixels: too few.\n",
+                            name_of(d.candidates.front().mistakes), explained_percent(d.candidates.front()));
     return text;
 }
 
@@ -153,6 +152,10 @@ std::string display_text(const DisplayFinding& display) {
 std::string experiment_text(const std::optional<Experiment>& experiment) {
     return experiment ? "To tell them apart, " + experiment_line(*experiment)
                       : "No change that is tried tells them apart by more than a level.\n";
+}
+
+int explained_percent(const Candidate& candidate) {
+    return static_cast<int>(std::floor(100 * candidate.explained));
 }
 
 std::string diagnosis_text(const Diagnosis& d, const Scene& scene) {
