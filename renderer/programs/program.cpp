@@ -195,7 +195,7 @@ Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
             {"beta", number_in_program(s.npr.beta)},
             // What is 1 or never changes is not written.
             {"clear_color", clear_call(s.display, flags)},
-            {"window_title", Identifiers({}).of(of.name, "scene")},
+            {"window_title", in_letters(of.name, "scene")},
             {"const_n", flags.contains("wrong.no_normals_given") || flags.contains("wrong.some_faces_flipped")
                             ? ""
                             : "const "},
@@ -217,6 +217,10 @@ Result<std::vector<ProgramFile>> write_program(const ProgramOf& of, Language lan
     Flags flags = flags_of(of.scene);
     const ModelText model = model_text(of.scene.shading, flags.contains("terms.diffuse"), language, "    ");
     flags.insert(model.uses.begin(), model.uses.end());
+    // A highlight is tested for its side.
+    if (flags.contains("uses.S") && flags.contains("clamped_highlight") &&
+        !flags.contains("wrong.specular_behind_surface"))
+        flags.insert("uses.n_l");
     if (language == Language::Glsl)
         flags.insert("shader");  // which takes the samples of an area light itself
     for (const char* of_light : {"uses.l", "uses.n_l", "uses.l_v", "uses.S", "light.spot", "light.area"})

@@ -233,7 +233,7 @@ bool may_be_a_library_name(const std::string& name) {
 
 }  // namespace
 
-std::string Identifiers::of(const std::string& name, const std::string& otherwise) {
+std::string in_letters(const std::string& name, const std::string& otherwise) {
     std::string base;
     for (const char c : name) {
         const bool usable =
@@ -244,6 +244,11 @@ std::string Identifiers::of(const std::string& name, const std::string& otherwis
     while (!base.empty() && base.back() == '_') base.pop_back();
     if (base.empty()) base = otherwise;
     if (std::isdigit(static_cast<unsigned char>(base[0])) != 0) base = otherwise + "_" + base;
+    return base;
+}
+
+std::string Identifiers::of(const std::string& name, const std::string& otherwise) {
+    std::string base = in_letters(name, otherwise);
     if (base.find(otherwise) == std::string::npos && may_be_a_library_name(base)) base += "_" + otherwise;
     std::string unique = base;
     for (int i = 2; !taken_.insert(unique).second; ++i) unique = fmt::format("{}_{}", base, i);

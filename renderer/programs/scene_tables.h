@@ -11,12 +11,14 @@
 
 namespace glint {
 
+/// ASCII letters, digits and single underscores, beginning with a letter: "Left lamp" is Left_lamp.
+[[nodiscard]] std::string in_letters(const std::string& name, const std::string& otherwise);
+
 /// Identifiers for names of a scene, each used once and none of the words in `taken` (a program's own).
 class Identifiers {
   public:
     explicit Identifiers(Flags taken) : taken_(std::move(taken)) {}
-    /// ASCII letters, digits and single underscores, beginning with a letter: "Left lamp" is Left_lamp. What
-    /// a library may have defined ends in `otherwise`: "log" is log_light.
+    /// in_letters(). What a library may have defined ends in `otherwise`: "log" is log_light.
     [[nodiscard]] std::string of(const std::string& name, const std::string& otherwise);
 
   private:

@@ -325,6 +325,17 @@ TEST_CASE("a program compiles whatever of its libraries a light or an object is 
         compare(language, scenes);
 }
 
+TEST_CASE("a program has no variable that tones in place of light leave unused", "[programs]") {
+    std::vector<std::pair<std::string, Scene>> scenes;
+    for (const Reflection reflection : {Reflection::BlinnPhong, Reflection::Retro}) {
+        Scene scene = scene_with({&Mistakes::specular_behind_surface});
+        scene.npr.cool_to_warm = true;
+        scene.shading.reflection = reflection;
+        scenes.emplace_back("tones", scene);
+    }
+    compare(Language::Cpp, scenes);
+}
+
 TEST_CASE("of a face and the same face the other way round the first one shows, in every language",
           "[programs]") {
     const TemporaryDirectory folder;

@@ -11,6 +11,12 @@ constexpr int impossible = -1'000'000;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
+/// Whether a typed letter is the one at text[at]; x also where "×" ends there, which no keyboard has.
+bool is_typed(char typed, std::string_view text, std::size_t at) {
+    if (lower(typed) == lower(text[at])) return true;
+    return lower(typed) == 'x' && at > 0 && text.substr(at - 1, 2) == "×";
+}
+
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c & 0x80) != 0;
 }
@@ -48,7 +54,7 @@ class Alignment {
                 before = best_[i - 1][j - 1];
                 before_at = static_cast<int>(j) - 1;
             }
-            if (lower(word_[i]) != lower(text_[j])) continue;
+            if (!is_typed(word_[i], text_, j)) continue;
             const int here = per_letter + (starts_word(text_, j) ? at_word_start : 0);
             if (i == 0) {
                 best_[i][j] = here;

@@ -137,7 +137,7 @@ vec3 share_of(const Light& light, const Material& m, const Point& at) {
     //@if wrong.unnormalized_light&needs.l
     l = to_light;
     //@end
-    //@if uses.n_l|uses.S
+    //@if uses.n_l
     const double n_l = dot(at.n, l);
     //@end
     //@if uses.n_v

@@ -223,7 +223,7 @@ def share_of(light, m, p, n, v):
     #@if wrong.unnormalized_light&needs.l
     l = to_light
     #@end
-    #@if uses.n_l|uses.S
+    #@if uses.n_l
     n_l = dot(n, l)
     #@end
     #@if uses.n_v

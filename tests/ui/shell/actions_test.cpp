@@ -152,6 +152,8 @@ TEST_CASE("words match by their letters in order, beginnings of words first", "[
     CHECK_FALSE(fuzzy_match("as", "").has_value());
     CHECK(fuzzy_match("PHONG", "Phong shading").has_value());
     CHECK(fuzzy_match("shading ph", "Phong shading").has_value());
+    CHECK(fuzzy_match("light x term", "Why: Light × term").has_value());
+    CHECK_FALSE(fuzzy_match("light x term", "Why: Light and term").has_value());
     CHECK(fuzzy_match("sa", "Save as…")->bytes == std::vector<int>{0, 1});
     CHECK(fuzzy_match("ca", "Creases: all")->bytes == std::vector<int>{0, 9});
     CHECK(fuzzy_match("gs", "Gouraud shading")->score > fuzzy_match("gs", "Highlights lost")->score);
