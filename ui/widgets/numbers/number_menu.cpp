@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/problem.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/named_controls.h"
 #include "ui/widgets/numbers/expression.h"
