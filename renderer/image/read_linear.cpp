@@ -69,7 +69,8 @@ std::optional<PfmHeading> pfm_heading(std::string_view bytes) {
     heading.channels = words[0] == "PF" ? 3 : words[0] == "Pf" ? 1 : 0;
     const bool numbers = read_number(words[1], heading.width) && read_number(words[2], heading.height) &&
                          read_number(words[3], heading.scale);
-    if (!numbers || heading.channels == 0 || heading.scale == 0) return std::nullopt;
+    if (!numbers || heading.channels == 0 || heading.scale == 0 || !std::isfinite(heading.scale))
+        return std::nullopt;
     return heading;
 }
 
@@ -117,6 +118,15 @@ Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path
     const bool grey = channels.findChannel("R") == nullptr;
     if (grey && channels.findChannel("Y") == nullptr)
         return unreadable(path, "has neither the channels R, G, B nor Y", "an OpenEXR");
+    for (const char* const chroma : {"RY", "BY", "X", "Z"})
+        if (grey && channels.findChannel(chroma) != nullptr)
+            return Problem{path, "", fmt::format("has the channel {} beside Y and no R, G, B", chroma),
+                           "the channels R, G, B, or Y alone for grey"};
+    for (const char* const name : {"R", "G", "B", "Y"})
+        if (const Imf::Channel* channel = channels.findChannel(name);
+            channel != nullptr && (channel->xSampling != 1 || channel->ySampling != 1))
+            return Problem{path, "", fmt::format("has not every pixel in its channel {}", name),
+                           "channels that are not subsampled"};
     Picture picture = empty_linear(width, height);
     const std::size_t pixel = 3 * sizeof(float), row = pixel * static_cast<std::size_t>(width);
     const auto before =

@@ -30,10 +30,11 @@ Problem in_exercise(Problem problem, const Lesson& lesson, const Exercise& exerc
     return problem;
 }
 
-/// Writes the answer with as many digits as are meaningful within the tolerance.
+/// Writes the answer with as many digits as are meaningful within the tolerance: by the formula, where there
+/// is one, since what is measured at a pixel has fewer.
 std::string answer_text(const PosedQuestion& q) {
     const int digits = q.tolerance > 0 ? static_cast<int>(std::ceil(-std::log10(q.tolerance))) + 1 : 4;
-    const double answer = std::abs(q.answer) < 1e-12 ? 0 : q.answer;
+    const double exact = q.closed.value_or(q.answer), answer = std::abs(exact) < 1e-12 ? 0 : exact;
     return fmt::format("{:.{}f}{}{}", answer, std::min(std::max(digits, 0), 9), q.unit.empty() ? "" : " ",
                        q.unit);
 }

@@ -1,5 +1,6 @@
 #pragma once
-// Exercises with numbers drawn by a seed, and their keys, which the engine computes.
+// Exercises with numbers drawn by a seed, and their keys, which the engine computes, or an exercise's formula
+// that it has been held against.
 
 #include <cstdint>
 #include <optional>

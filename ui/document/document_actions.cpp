@@ -129,6 +129,7 @@ void take_scene(UiState& state, SceneDocument document) {
     state.viewport.pivot.reset();
     state.viewport.hovered_grip = {};
     state.explanation.reset();
+    state.sensitivity.forget();
     state.mesh_for_object = -1;
     state.palette.open = false;
 }

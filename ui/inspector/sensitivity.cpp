@@ -135,8 +135,11 @@ void number_row(UiState& state, const Sensitivity& number, double most) {
     const NamedNumber named = named_number(number.pointer, state.sensitivity.shown_scene);
     const float line = ImGui::GetTextLineHeight();
     ImGui::PushID(number.pointer.c_str());
-    if (ImGui::Selectable("##row", false, 0, {ImGui::GetContentRegionAvail().x, line + px(5)}))
-        state.editor.selection = named.selection;
+    const bool clicked =
+        ImGui::Selectable("##row", false, 0, {ImGui::GetContentRegionAvail().x, line + px(5)});
+    // Until it is measured again another may have that place.
+    const NamedNumber now = named_number(number.pointer, state.editor.scene());
+    if (clicked && now.owner == named.owner) state.editor.selection = named.selection;
     const auto [low, high] = last_item();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto share = static_cast<float>(largest(number.effect) / std::max(most, 1e-30));

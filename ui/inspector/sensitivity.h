@@ -57,6 +57,12 @@ struct SensitivityState {
     std::vector<Sensitivity> rank;  // of `shown`
     Scene shown_scene;              // that `shown` is of: its pointers are of this scene
     bool current = false;           // `shown` is of the scene and pixel as they are
+
+    /// Another scene is in hand: its lights and objects are others.
+    void forget() {
+        shown.reset();
+        current = false;
+    }
 };
 
 }  // namespace glint

@@ -24,6 +24,7 @@ void set_scene(UiState& state, const Scene& scene) {
     let_go_of_fields();
     remember_step(editor, false);
     editor.scene() = scene;
+    state.sensitivity.forget();
     editor.followed.reset();  // its lights are others, not those before that came or went
     editor.document.path.clear();
     editor.document.stamp = {};

@@ -151,12 +151,13 @@ struct Limits {
 
 /// Every number and switch of the preferences, once: its name in the file, its member, and its range.
 template <class P, class Visit> void preference_fields(P& p, const Visit& visit) {
-    constexpr Limits column{least_column_width, max_column_width}, window{0, 16384};
+    constexpr Limits column{least_column_width, max_column_width}, why{least_why_width, max_column_width},
+        window{0, 16384};
     visit("scene_column", p.layout.left);
     visit("why_column", p.layout.right);
     visit("scene_width", p.layout.left_width, column);
     visit("lesson_width", p.layout.lesson_width, column);
-    visit("why_width", p.layout.right_width, column);
+    visit("why_width", p.layout.right_width, why);
     visit("caption", p.layout.caption);
     visit("scope_height", p.layout.scope_height, Limits{80, 1000});
     visit("width", p.width, window);

@@ -78,8 +78,8 @@ namespace {
 
 /// An edge at `x`. Unlike the columns it comes to the front, where it takes the mouse. `outwards`: 1 when a
 /// drag to the right makes its column wider, -1 when a drag to the left.
-void edge(const char* id, float x, const Rect& column, float outwards, float initial, float& width,
-          float scale) {
+void edge(const char* id, float x, const Rect& column, float outwards, float initial, float least,
+          float& width, float scale) {
     const float reach = 3 * scale;
     ImGui::SetNextWindowPos({x - reach, column.low.y});
     ImGui::SetNextWindowSize({2 * reach, column.size().y});
@@ -100,7 +100,7 @@ void edge(const char* id, float x, const Rect& column, float outwards, float ini
         const float wanted = outwards > 0 ? ImGui::GetIO().MousePos.x - column.low.x
                                           : column.high.x - ImGui::GetIO().MousePos.x;
         if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1))
-            width = std::clamp(wanted / scale, least_column_width, max_column_width);
+            width = std::clamp(wanted / scale, least, max_column_width);
     }
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) width = initial;
     ImGui::End();
@@ -112,11 +112,11 @@ void column_edges(LayoutState& state, const Layout& layout, float scale) {
     const LayoutState initial;
     if (layout.has_left)
         edge("##left edge", layout.left.high.x, layout.left, 1,
-             state.lesson ? initial.lesson_width : initial.left_width,
+             state.lesson ? initial.lesson_width : initial.left_width, least_column_width,
              state.lesson ? state.lesson_width : state.left_width, scale);
     if (layout.has_right)
-        edge("##right edge", layout.right.low.x, layout.right, -1, initial.right_width, state.right_width,
-             scale);
+        edge("##right edge", layout.right.low.x, layout.right, -1, initial.right_width, least_why_width,
+             state.right_width, scale);
 }
 
 }  // namespace glint

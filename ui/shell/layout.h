@@ -48,6 +48,7 @@ inline constexpr float three_column_width = 1100;
     return window.x < three_column_width * scale;
 }
 inline constexpr float top_height = 38, status_height = 26, views_height = 30;
-inline constexpr float least_column_width = 220, max_column_width = 700;
+// Narrower, numbers would be cut off: three in a row, or the three channels of WHY's table.
+inline constexpr float least_column_width = 260, least_why_width = 310, max_column_width = 700;
 
 }  // namespace glint

@@ -4,11 +4,13 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfInputFile.h>
+#include <ImfOutputFile.h>
 
 #include <cstring>
 
 #include "renderer/image/image_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/program.h"
 
 using namespace glint;
 
@@ -30,7 +32,40 @@ class Source : public Imf::IStream {
     std::size_t at_ = 0;
 };
 
+/// An EXR of 4 x 4 zeros with these channels, each a number for every `step` pixels across and down.
+std::string file_with(const TemporaryDirectory& directory,
+                      const std::vector<std::pair<const char*, int>>& channels) {
+    Imf::Header header(4, 4);
+    for (const auto& [name, step] : channels)
+        header.channels().insert(name, Imf::Channel(Imf::FLOAT, step, step));
+    std::vector<float> zeros(16);
+    Imf::FrameBuffer frame;
+    for (const auto& [name, step] : channels)
+        frame.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(zeros.data()), 4, 16, step, step));
+    std::string path = directory.path("channels.exr");
+    Imf::OutputFile file(path.c_str(), header);
+    file.setFrameBuffer(frame);
+    file.writePixels(4);
+    return path;
+}
+
 }  // namespace
+
+TEST_CASE("an EXR of colours that are not red, green and blue, or not of every pixel, is a problem",
+          "[image][bad-input]") {
+    const TemporaryDirectory directory;
+    const auto what = [&](const std::vector<std::pair<const char*, int>>& channels) {
+        const auto read = read_exr(file_with(directory, channels));
+        const Problem* problem = problem_of(read);
+        return problem == nullptr ? "" : problem->what;
+    };
+    CHECK(what({{"R", 1}, {"G", 1}, {"B", 1}}).empty());
+    CHECK(what({{"Y", 1}}).empty());
+    CHECK(what({{"R", 1}, {"Z", 1}}).empty());  // a depth beside colours
+    CHECK(what({{"Y", 1}, {"RY", 2}, {"BY", 2}}) == "has the channel RY beside Y and no R, G, B");
+    CHECK(what({{"X", 1}, {"Y", 1}, {"Z", 1}}) == "has the channel X beside Y and no R, G, B");
+    CHECK(what({{"R", 1}, {"G", 2}, {"B", 2}}) == "has not every pixel in its channel G");
+}
 
 TEST_CASE("an EXR holds every number of the picture times the exposure, first row on top", "[image]") {
     Picture picture;

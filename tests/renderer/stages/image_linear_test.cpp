@@ -1,4 +1,6 @@
 // PFM and OpenEXR are read back, and what is not such a file is told in one line.
+#include <fmt/core.h>
+
 #include <limits>
 
 #include "renderer/image/image_file.h"
@@ -68,7 +70,9 @@ TEST_CASE("what is neither a PFM nor an EXR is a problem", "[image][bad-input]")
     const std::string pfm = pfm_bytes(six_pixels(), 1), exr = exr_bytes(six_pixels(), 1);
     check_problem(read_pfm(directory.file("a.pfm", "")), "does not begin as a PFM");
     check_problem(read_pfm(directory.file("a.pfm", "P6\n3 2\n255\n")), "does not begin as a PFM");
-    check_problem(read_pfm(directory.file("a.pfm", "PF\n3 2\n0\n")), "does not begin as a PFM");
+    for (const char* const scale : {"0", "nan", "-nan", "inf", "-inf", "1e-400"})
+        check_problem(read_pfm(directory.file("a.pfm", fmt::format("PF\n3 2\n{}\n", scale) + pfm.substr(12))),
+                      "does not begin as a PFM");
     check_problem(read_pfm(directory.file("a.pfm", "PF\n0 2\n-1\n")), "size out of range");
     check_problem(read_pfm(directory.file("a.pfm", "PF\n99999 2\n-1\n")), "size out of range");
     check_problem(read_pfm(directory.file("a.pfm", pfm.substr(0, pfm.size() - 1))), "ends too early");

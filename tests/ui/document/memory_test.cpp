@@ -89,7 +89,7 @@ TEST_CASE("the list of recent files takes nothing but whole paths, each once", "
 }
 
 TEST_CASE("settings are read back equal, and from nonsense what makes sense is taken", "[ui][memory]") {
-    Preferences settings{false,      {true, false, false, false, 300, 401.5f, false, 222}, 1111, 777, true,
+    Preferences settings{false,      {true, false, false, false, 300, 401.5f, false, 333}, 1111, 777, true,
                          odd_views()};
     CHECK(read_preferences(preferences_text(settings)) == settings);
     CHECK(read_preferences("") == Preferences());

@@ -6,6 +6,7 @@
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
+#include "ui/document/document_actions.h"
 #include "ui/fields/panels.h"
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/sensitivity.h"
@@ -84,6 +85,11 @@ TEST_CASE("until it is measured again the numbers keep the names of what they we
     bench.frames(1);
     REQUIRE_FALSE(bench.state.sensitivity.current);
     CHECK(is_listed("Ball: move y"));
+    // Of another document none is shown.
+    take_scene(bench.state, first_scene());
+    bench.frames(2);
+    CHECK_FALSE(bench.state.sensitivity.shown);
+    CHECK_FALSE(is_listed("Ball: move y"));
 }
 
 TEST_CASE("numbers are ranked by what a usual move of each does, not by their units", "[ui][why]") {
