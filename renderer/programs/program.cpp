@@ -87,6 +87,8 @@ std::optional<Problem> missing_in(Language language, const Scene& scene) {
 std::string for_comment(const std::string& text) {
     std::string out = on_one_line(text);
     std::replace(out.begin(), out.end(), '\\', '/');
+    for (std::size_t at = out.find("??"); at != out.npos; at = out.find("??", at))
+        out.insert(at + 1, " ");  // a C compiler takes "??/" for a backslash
     return out;
 }
 

@@ -187,6 +187,11 @@ void poll_animation(UiState& state) {
     animate.frame.reset();
     if (!animate.playing) return;
     const double frame = (ImGui::GetTime() - animate.began) * animate.frames_a_second;
+    if (animate.animation.motion == Motion::PingPong && animate.animation.pointer.empty()) {
+        animate.refused = "No number is chosen: click one of the list";
+        animate.playing = false;
+        return;
+    }
     Result<Scene> scene = scene_at(state.editor.document, animate.animation, static_cast<int>(frame));
     if (const Problem* problem = problem_of(scene)) {
         animate.refused = problem->what + "; expected " + problem->expected;

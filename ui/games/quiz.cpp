@@ -70,20 +70,27 @@ std::string answers_text(const QuizState& quiz) {
     return json_text(answers_json(quiz.pages->lesson, answers_of(quiz)));
 }
 
-/// What was answered in a window before, as far as it fits these questions; goes on at the first that was
-/// not.
-void recall_answers(UiState& state) {
+/// What is kept, as far as it fits these questions.
+std::optional<QuizAnswers> kept_answers(const UiState& state) {
     constexpr std::size_t longest_file = 1 << 16;
-    QuizState& quiz = state.quiz;
-    quiz.taken.assign(quiz.pages->pages.size(), {});
-    quiz.kept = answers_of(quiz);
-    if (state.persistence.folder.empty()) return;
+    const QuizState& quiz = state.quiz;
+    if (state.persistence.folder.empty()) return {};
     const Result<std::string> text = read_file(kept_file(state), longest_file);
-    if (problem_of(text) != nullptr) return;
+    if (problem_of(text) != nullptr) return {};
     const Result<QuizAnswers> read =
         read_answers(quiz.pages->lesson, std::get<std::string>(text), kept_file(state));
     const auto* answers = std::get_if<QuizAnswers>(&read);
-    if (answers == nullptr || answers->options.size() != quiz.taken.size()) return;
+    if (answers == nullptr || answers->options.size() != quiz.pages->pages.size()) return {};
+    return *answers;
+}
+
+/// What was answered in a window before; goes on at the first question that was not.
+void recall_answers(UiState& state) {
+    QuizState& quiz = state.quiz;
+    quiz.taken.assign(quiz.pages->pages.size(), {});
+    quiz.kept = answers_of(quiz);
+    const std::optional<QuizAnswers> answers = kept_answers(state);
+    if (!answers) return;
     quiz.kept = *answers;
     quiz.after = answers->after;
     quiz.taken = answers->options;
@@ -92,15 +99,26 @@ void recall_answers(UiState& state) {
 }
 
 void keep_answers(UiState& state) {
+    constexpr double ask_again = 0.02;  // seconds
     QuizState& quiz = state.quiz;
-    if (answers_of(quiz) == quiz.kept) return;
-    quiz.kept = answers_of(quiz);
+    const QuizAnswers now = answers_of(quiz);
+    if (now == quiz.kept) return;
     const char* const answers = "What is answered here";
     if (state.persistence.folder.empty()) {
+        quiz.kept = now;
         if (const auto& why = state.persistence.no_folder) tell_not_kept(state, answers, *why);
         return;
     }
-    const auto written = write_file_at_once(kept_file(state), answers_text(quiz));
+    const FolderLock lock(state.persistence.folder, 0);
+    if (!lock.held()) return redraw_within(ask_again);
+    // What another window has answered stays.
+    QuizAnswers all = kept_answers(state).value_or(quiz.kept);
+    for (std::size_t i = 0; i < now.options.size(); ++i)
+        if (now.options[i] != quiz.kept.options[i]) all.options[i] = now.options[i];
+    all.after = now.after;
+    quiz.kept = now;
+    const auto written =
+        write_file_at_once(kept_file(state), json_text(answers_json(quiz.pages->lesson, all)));
     if (const Problem* problem = problem_of(written)) tell_not_kept(state, answers, *problem);
 }
 

@@ -22,9 +22,13 @@ JsonValue json_of(const std::array<int, 3>& colour) {
     return {colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0};
 }
 
-/// What is predicted is a colour of the edited scene: no part of a comparison, and not B's.
+/// What is predicted is a colour of the edited scene: no part of a comparison, and not what is frozen, plays
+/// or is B.
 void show_edited_alone(UiState& state) {
     state.views.compare.choice.on = state.views.compare.choice.shows_stored = false;
+    state.animate.playing = false;
+    state.animate.frame.reset();
+    state.lecture.frozen.reset();
 }
 
 void stop_picture(UiState& state) {

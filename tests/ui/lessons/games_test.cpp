@@ -156,7 +156,8 @@ TEST_CASE("a game puts away what was shown before it, and Escape ends what plays
     HeadlessWindow bench;
     bench.frames(2);
     const auto play = [&] {
-        if (!bench.state.animate.open) run_command(bench.state, test::command_named("Animate: turntable, numbers to and fro…"));
+        if (!bench.state.animate.open)
+            run_command(bench.state, test::command_named("Animate: turntable, numbers to and fro…"));
         bench.frames(2);
         bench.state.animate.animation.motion = Motion::Turntable;
         bench.click(bench.control("Play"));
@@ -259,6 +260,18 @@ TEST_CASE("the quiz is answered by keys, and the next window goes on with it unt
         CHECK(Taken(quiz.taken.begin(), quiz.taken.begin() + 4) == Taken{0, {}, 3, {}});
         quiz.after = true;
         bench.frames(1);
+        // Another window answers meanwhile: both stay.
+        QuizAnswers other{true, quiz.taken};
+        other.options[9] = 1;
+        REQUIRE(problem_of(write_file(folder.path("state") + "/quiz.json",
+                                      json_text(answers_json(quiz.pages->lesson, other)))) == nullptr);
+        (void)bench.key(Key::C);
+        const auto both =
+            read_answers(quiz.pages->lesson,
+                         std::get<std::string>(read_file(folder.path("state") + "/quiz.json", 10000)), "");
+        REQUIRE(problem_of(both) == nullptr);
+        CHECK(std::get<QuizAnswers>(both).options[1] == 2u);
+        CHECK(std::get<QuizAnswers>(both).options[9] == 1u);
         save_answers(bench.state, folder.path("answers.json"));
         bench.frames(2);
     }

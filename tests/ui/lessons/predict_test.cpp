@@ -73,3 +73,19 @@ TEST_CASE("Esc, the key itself and another scene give a prediction up", "[ui][wi
     bench.state.pending.asking = false;
     bench.frames(2);
 }
+
+TEST_CASE("a prediction begins whatever is frozen or plays", "[ui][window][lesson]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.state.animate.animation.motion = Motion::Turntable;
+    bench.state.animate.playing = true;
+    bench.frames(3);
+    REQUIRE(bench.state.animate.frame);
+    switch_prediction(bench.state);
+    bench.frames(2);
+    CHECK_FALSE(bench.state.animate.frame);
+    REQUIRE(bench.state.predict.stage == PredictStage::Pick);
+    bench.click(bench.at_pixel({200, 300}));
+    bench.frames(3);
+    CHECK(bench.state.predict.stage == PredictStage::Change);
+}
