@@ -136,7 +136,7 @@ MeshFiles mesh_files(const Scene& scene) {
         if (file.empty()) {
             const std::string source = source_name(o.source);  // several objects of one glTF file
             const std::string stem = std::filesystem::path(source).stem().string();
-            file = names.of(is_gltf_path(source) ? o.name : stem, "mesh") + ".mesh";
+            file = names.once(in_letters(is_gltf_path(source) ? o.name : stem, "mesh")) + ".mesh";
             out.files.push_back({file, mesh_text(o, scene.shading.mistakes)});
         }
         out.of_object.push_back(file);

@@ -250,6 +250,10 @@ std::string in_letters(const std::string& name, const std::string& otherwise) {
 std::string Identifiers::of(const std::string& name, const std::string& otherwise) {
     std::string base = in_letters(name, otherwise);
     if (base.find(otherwise) == std::string::npos && may_be_a_library_name(base)) base += "_" + otherwise;
+    return once(base);
+}
+
+std::string Identifiers::once(const std::string& base) {
     std::string unique = base;
     for (int i = 2; !taken_.insert(unique).second; ++i) unique = fmt::format("{}_{}", base, i);
     return unique;

@@ -20,6 +20,8 @@ class Identifiers {
     explicit Identifiers(Flags taken) : taken_(std::move(taken)) {}
     /// in_letters(). What a library may have defined ends in `otherwise`: "log" is log_light.
     [[nodiscard]] std::string of(const std::string& name, const std::string& otherwise);
+    /// `base`, or base_2 and so on where it was used.
+    [[nodiscard]] std::string once(const std::string& base);
 
   private:
     Flags taken_;
