@@ -56,12 +56,8 @@ Result<SceneDocument> open_scene(const std::string& path, const std::vector<Assi
     return document_of(std::get<std::string>(text), path, assignments);
 }
 
-/// The size to which the picture's scene is fitted; nothing where it is not.
-std::optional<PictureSize> fitted_size(const std::string& png, const std::string& path) {
-    constexpr std::size_t longest = 16;
-    const Result<std::string> text = png_text(png, png_field_keyword, longest, path);
-    if (problem_of(text) != nullptr) return {};
-    const auto& words = std::get<std::string>(text);
+/// "640x716"; nothing where it is anything else.
+std::optional<PictureSize> fitted_size_of(const std::string& words) {
     PictureSize size{0, 0, true};
     const char* end = words.data() + words.size();
     const auto width = std::from_chars(words.data(), end, size.width);
@@ -73,21 +69,30 @@ std::optional<PictureSize> fitted_size(const std::string& png, const std::string
     return size;
 }
 
+/// Notes the size to which the picture's scene is fitted, if it is.
+void take_fitted_size(SceneDocument& document, const std::string& png) {
+    constexpr std::size_t longest = 16;
+    const Result<std::string> text = png_text(png, png_field_keyword, longest, document.path);
+    if (problem_of(text) != nullptr) return;
+    document.fitted_to = fitted_size_of(std::get<std::string>(text));
+    if (!document.fitted_to)
+        document.warnings.push_back(fmt::format("{}: its chunk {} is no size, and is ignored",
+                                                on_one_line(document.path), png_field_keyword));
+}
+
 Result<SceneDocument> open_picture(const std::string& path, const std::vector<Assignment>& assignments) {
     MemoryShare share;
-    const auto check = [&share, &path](const FileBlock& block) -> std::optional<Problem> {
+    const auto check = [&path](const FileBlock& block) -> std::optional<Problem> {
         if (block.at > 0) return {};
-        if (auto problem = why_no_png(block.bytes, path)) return problem;
-        share.set(memory_need(MemoryUse::Files, block.size));
-        return {};
+        return why_no_png(block.bytes, path);
     };
-    const Result<std::string> bytes = read_file(path, max_png_bytes, check);
+    const Result<std::string> bytes = read_file(path, max_png_bytes, check, &share);
     if (const Problem* problem = problem_of(bytes)) return *problem;
     const auto& png = std::get<std::string>(bytes);
     const Result<std::string> text = png_text(png, png_scene_keyword, max_json_bytes, path);
     if (const Problem* problem = problem_of(text)) return *problem;
     Result<SceneDocument> opened = document_of(std::get<std::string>(text), path, assignments);
-    if (auto* document = std::get_if<SceneDocument>(&opened)) document->fitted_to = fitted_size(png, path);
+    if (auto* document = std::get_if<SceneDocument>(&opened)) take_fitted_size(*document, png);
     return opened;
 }
 

@@ -161,11 +161,48 @@ TEST_CASE("a picture that is damaged anywhere is a problem and never a crash", "
     CHECK(problem_of(png_text(whole, png_scene_keyword, 11, "p.png")) != nullptr);  // one byte too long
 }
 
-TEST_CASE("text is taken up to the bytes asked for and no more, compressed or not", "[scene_document]") {
-    const auto number = [](std::uint32_t n) {
+namespace {
+
+/// A chunk of a PNG: its length, type and bytes, and the sum of those.
+std::string chunk_of(const std::string& type_and_bytes) {
+    const auto number = [](std::size_t n) {
         return std::string{static_cast<char>(n >> 24), static_cast<char>(n >> 16), static_cast<char>(n >> 8),
                            static_cast<char>(n)};
     };
+    const auto sum = crc32(0, reinterpret_cast<const Bytef*>(type_and_bytes.data()),
+                           static_cast<uInt>(type_and_bytes.size()));
+    return number(type_and_bytes.size() - 4) + type_and_bytes + number(sum);
+}
+
+}  // namespace
+
+TEST_CASE("a size that a picture claims to be fitted to and is none is told of and ignored",
+          "[scene_document]") {
+    const Place place;
+    const std::string picture = picture_with(R"({"glint": 1, "objects": [{}]})");
+    const std::size_t end = picture.size() - 12;  // the last chunk is empty
+    for (const auto& [words, is_size] : {std::pair<std::string, bool>{"640x716", true},
+                                         {"-1x5", false},
+                                         {"0x0", false},
+                                         {"640", false},
+                                         {"640x716x", false},
+                                         {"1x16385", false}}) {
+        CAPTURE(words);
+        const std::string field =
+            chunk_of("iTXt" + std::string(png_field_keyword) + std::string(5, '\0') + words);
+        const std::string file = place / "field.png";
+        REQUIRE(problem_of(write_file(file, picture.substr(0, end) + field + picture.substr(end))) ==
+                nullptr);
+        const Result<SceneDocument> opened = open_document(file);
+        REQUIRE(problem_of(opened) == nullptr);
+        const auto& document = std::get<SceneDocument>(opened);
+        CHECK(document.fitted_to.has_value() == is_size);
+        CHECK(document.warnings ==
+              (is_size ? Warnings{} : Warnings{file + ": its chunk glint-field is no size, and is ignored"}));
+    }
+}
+
+TEST_CASE("text is taken up to the bytes asked for and no more, compressed or not", "[scene_document]") {
     std::string deflated(64, ' ');
     uLongf length = deflated.size();
     const std::string text = "twelve bytes";
@@ -178,10 +215,7 @@ TEST_CASE("text is taken up to the bytes asked for and no more, compressed or no
         const std::string chunk = "iTXt" + std::string(png_scene_keyword) + '\0' +
                                   (compressed ? '\1' : '\0') + std::string(3, '\0') +
                                   (compressed ? deflated : text);
-        const auto sum = static_cast<std::uint32_t>(
-            crc32(0, reinterpret_cast<const Bytef*>(chunk.data()), static_cast<uInt>(chunk.size())));
-        const std::string png =
-            "\x89PNG\r\n\x1a\n" + number(static_cast<std::uint32_t>(chunk.size() - 4)) + chunk + number(sum);
+        const std::string png = "\x89PNG\r\n\x1a\n" + chunk_of(chunk);
         CHECK(std::get<std::string>(png_text(png, png_scene_keyword, 12, "p.png")) == text);
         CHECK(problem_of(png_text(png, png_scene_keyword, 11, "p.png")) != nullptr);
     }
