@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/io/file.h"
 #include "models/json/json_reader.h"
 #include "renderer/inspect/answers/answers.h"
 #include "renderer/inspect/answers/reflectance_answers.h"
@@ -72,6 +73,9 @@ LessonRunner::LessonRunner(int threads, std::vector<Assignment> always)
 
 Result<SceneDocument> LessonRunner::open(const Lesson& lesson) {
     if (opened_.path != lesson.scene || opened_.path.empty()) {
+        if (const auto missing = why_not_there(lesson.scene, "a scene that can be read"))
+            return Problem{lesson.path, "", fmt::format("its scene {}: {}", lesson.scene, missing->what),
+                           missing->expected};
         Result<SceneDocument> opened = open_document(lesson.scene);
         if (problem_of(opened) != nullptr) return opened;
         opened_ = std::get<SceneDocument>(std::move(opened));

@@ -77,7 +77,10 @@ TEST_CASE("an error in a lesson is one line on standard error", "[cli][lesson][b
     CHECK(ended.out.empty());
     CHECK(ended.err == "glint: error: " + path + ":12: \"e.hits =\" ends too early; expected a value\n");
     const std::string other = directory.file("m.md", lesson_text("none.json", "e.hit"));
-    CHECK(run_glint({"lessons", "--check", other}).err.find("none.json: cannot read") != std::string::npos);
+    const std::string missing = run_glint({"lessons", "--check", other}).err;
+    CHECK(missing.starts_with("glint: error: " + other + ": its scene "));
+    CHECK(missing.find("none.json: cannot read: no such file or directory; expected a scene") !=
+          std::string::npos);
 }
 
 TEST_CASE("glint lessons and glint exercise write pages", "[cli][lesson]") {
