@@ -32,7 +32,6 @@ void give_tiny_corners_segments() {
     ImGui::GetDrawListSharedData()->CircleSegmentCounts[0] = IM_DRAWLIST_ARCFAST_SAMPLE_MAX;
 }
 
-/// One step when nothing has the scene in hand any more.
 /// After all that may have edited the scene, before it is drawn or kept as a step.
 void keep_scene_valid(UiState& state) {
     const std::optional<Problem> problem = take_back_invalid(state.editor);
@@ -41,6 +40,7 @@ void keep_scene_valid(UiState& state) {
     state.notifications.add(Tone::Warning, "Not possible: " + problem->text());
 }
 
+/// Makes one step when nothing has the scene in hand any more.
 void remember(UiState& state, bool in_hand) {
     if (in_hand || ImGui::IsAnyItemActive() || awaits_mesh(state)) return;
     remember_step(state.editor, state.viewport.wheel_goes_on);

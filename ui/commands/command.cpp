@@ -17,9 +17,7 @@ namespace glint {
 namespace {
 
 /// A letter or a digit alone: easily pressed by mistake.
-bool is_one_letter(KeyPress press) {
-    return !press.ctrl && !press.alt && !press.shift && press.key <= Key::Digit4;
-}
+bool is_one_letter(KeyPress press) { return press.is_alone() && press.key <= Key::Digit4; }
 
 /// What a key did, or why it did nothing: "Specular: off (S)".
 void tell(UiState& state, const WindowCommand& command, KeyPress press) {

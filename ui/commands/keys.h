@@ -40,6 +40,7 @@ struct KeyPress {
     Key key = Key::Other;
     bool ctrl = false, shift = false, alt = false;
     bool operator==(const KeyPress&) const = default;
+    [[nodiscard]] bool is_alone() const { return !ctrl && !shift && !alt; }
 };
 /// Writes it as the window does: "Ctrl+Shift+Z", "pad 5", "?".
 [[nodiscard]] std::string text_of(KeyPress press);

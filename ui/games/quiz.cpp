@@ -61,13 +61,11 @@ Result<QuizPages> read_pages(const std::string& path, LoadProgress& progress) {
     return quiz;
 }
 
-std::string kept_file(const UiState& state) {
-    return (std::filesystem::path(state.persistence.folder) / "quiz.json").string();
-}
+std::string kept_file(const UiState& state) { return state.persistence.file("quiz.json"); }
 
 QuizAnswers answers_of(const QuizState& quiz) { return {quiz.after, quiz.taken}; }
-std::string answers_text(const QuizState& quiz) {
-    return json_text(answers_json(quiz.pages->lesson, answers_of(quiz)));
+std::string text_of(const QuizState& quiz, const QuizAnswers& answers) {
+    return json_text(answers_json(quiz.pages->lesson, answers));
 }
 
 /// What is kept, as far as it fits these questions.
@@ -104,11 +102,7 @@ void keep_answers(UiState& state) {
     const QuizAnswers now = answers_of(quiz);
     if (now == quiz.kept) return;
     const char* const answers = "What is answered here";
-    if (state.persistence.folder.empty()) {
-        quiz.kept = now;
-        if (const auto& why = state.persistence.no_folder) tell_not_kept(state, answers, *why);
-        return;
-    }
+    if (!can_keep(state, answers)) return;
     const FolderLock lock(state.persistence.folder, 0);
     if (!lock.held()) return redraw_within(ask_again);
     // What another window has answered stays.
@@ -117,8 +111,7 @@ void keep_answers(UiState& state) {
         if (now.options[i] != quiz.kept.options[i]) all.options[i] = now.options[i];
     all.after = now.after;
     quiz.kept = now;
-    const auto written =
-        write_file_at_once(kept_file(state), json_text(answers_json(quiz.pages->lesson, all)));
+    const auto written = write_file_at_once(kept_file(state), text_of(quiz, all));
     if (const Problem* problem = problem_of(written)) tell_not_kept(state, answers, *problem);
 }
 
@@ -185,11 +178,11 @@ void last_page(UiState& state) {
 }
 
 void answer_by_key(QuizState& quiz, KeyPress press) {
-    if (press.ctrl || press.alt || press.shift) return;
+    if (!press.is_alone()) return;
     const std::vector<QuizPage>& pages = quiz.pages->pages;
-    const auto letter = static_cast<std::size_t>(press.key);  // A is 0
-    if (quiz.at < pages.size() && letter < pages[quiz.at].options.size())
-        quiz.taken[quiz.at] = letter;
+    const std::size_t options = quiz.at < pages.size() ? pages[quiz.at].options.size() : 0;
+    if (const auto option = option_of_key(press, options))
+        quiz.taken[quiz.at] = option;
     else if (press.key == Key::Enter || press.key == Key::PageDown)
         quiz.at = std::min(quiz.at + 1, pages.size());
     else if (press.key == Key::PageUp && quiz.at > 0)
@@ -262,7 +255,7 @@ void quiz_dialog(UiState& state, const UiInput& input) {
 }
 
 void save_answers(UiState& state, const std::string& path) {
-    const auto written = write_file_at_once(path, answers_text(state.quiz));
+    const auto written = write_file_at_once(path, text_of(state.quiz, answers_of(state.quiz)));
     if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
     std::error_code not_there;
     if (!state.persistence.folder.empty()) std::filesystem::remove(kept_file(state), not_there);

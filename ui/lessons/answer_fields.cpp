@@ -33,7 +33,7 @@ bool number_answer(LessonState& lesson, const Prediction& question) {
         ImGui::TextUnformatted(question.unit.c_str());
     }
     ImGui::PopFont();
-    if (!lesson.typed.empty() && !can_lock(lesson)) small_dim(why_no_answer(lesson));
+    if (const std::string why = why_no_answer(lesson); !lesson.typed.empty() && !why.empty()) small_dim(why);
     return entered;
 }
 
@@ -173,12 +173,12 @@ void answer_fields(UiState& state, const StationQuestion& question) {
         break;
     }
     ImGui::Dummy({0, px(3)});
-    const bool can = can_lock(lesson);
+    const std::string why = why_no_answer(lesson);
+    const bool can = why.empty();
     ImGui::BeginDisabled(!can);
     const bool locked = main_button("Lock it in");
     ImGui::EndDisabled();
-    tooltip("Lock it in",
-            can ? "It stands then, and the answer is shown (Enter)" : why_no_answer(lesson).c_str());
+    tooltip("Lock it in", can ? "It stands then, and the answer is shown (Enter)" : why.c_str());
     if (can && (locked || entered)) return lock_in(state);
     ImGui::SameLine(0, px(12));
     ImGui::PushStyleColor(ImGuiCol_Button, {0, 0, 0, 0});

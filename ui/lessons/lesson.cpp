@@ -207,15 +207,14 @@ bool can_lock(const LessonState& lesson) { return why_no_answer(lesson).empty();
 bool answer_by_key(UiState& state, KeyPress press) {
     LessonState& lesson = state.lesson;
     const auto open = open_question(lesson);
-    if (!open || lesson.lecturer || press.ctrl || press.alt || press.shift) return false;
-    if (press.key == Key::Enter && can_lock(lesson)) {
+    if (!open || lesson.lecturer) return false;
+    if (press == KeyPress{Key::Enter} && can_lock(lesson)) {
         lock_in(state);
         return true;
     }
-    const auto letter = static_cast<std::size_t>(press.key);  // A is 0
-    if (letter >= lesson.station().questions[*open].asks->options.size()) return false;
-    lesson.chosen = JsonValue(letter);
-    return true;
+    const auto option = option_of_key(press, lesson.station().questions[*open].asks->options.size());
+    if (option) lesson.chosen = JsonValue(*option);
+    return option.has_value();
 }
 
 void lock_in(UiState& state) {

@@ -106,6 +106,11 @@ std::string letter_of_option(std::size_t index) {
     return std::string(1, static_cast<char>('A' + index % 26));
 }
 
+std::optional<std::size_t> option_of_key(KeyPress press, std::size_t options) {
+    const auto index = static_cast<std::size_t>(press.key);  // A is 0
+    return press.is_alone() && index < options ? std::optional(index) : std::nullopt;
+}
+
 std::string answer_text(double value, const std::string& unit) {
     const double rounded = std::abs(value) < 5e-5 ? 0 : value;
     return fmt::format("{:.4g}{}{}", rounded, unit.empty() || unit == "%" ? "" : " ", unit);

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <optional>
 #include <string>
 
 #include "ui/lessons/lesson.h"
@@ -16,6 +17,8 @@ enum class OptionLook { Open, Taken, Right, TakenRight, TakenWrong, Other };
 bool option_card(const std::string& letter, const std::string& text, OptionLook look);
 /// "A", "B" and so on.
 [[nodiscard]] std::string letter_of_option(std::size_t index);
+/// Returns which of so many options a key takes: the one with its letter, pressed alone.
+[[nodiscard]] std::optional<std::size_t> option_of_key(KeyPress press, std::size_t options);
 
 /// A button that is the next thing to do: on the accent's ground, as wide as its words or as `width`.
 bool main_button(const char* label, float width = 0);

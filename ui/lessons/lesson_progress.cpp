@@ -16,9 +16,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t longest_file = std::size_t{1} << 20;
 const char* const skipped_word = "skipped";
 
-std::string file_of(const UiState& state) {
-    return (fs::path(state.persistence.folder) / "lessons.json").string();
-}
+std::string file_of(const UiState& state) { return state.persistence.file("lessons.json"); }
 
 JsonValue json_of(const GivenAnswer& given) {
     if (given.skipped) return skipped_word;
@@ -147,10 +145,7 @@ void keep_progress(UiState& state, double patience) {
     LessonState& lesson = state.lesson;
     if (!lesson.course || lesson.lecturer || lesson.progress == lesson.written) return;
     const char* const answers = "What is answered and done here";
-    if (state.persistence.folder.empty()) {
-        if (const auto& why = state.persistence.no_folder) tell_not_kept(state, answers, *why);
-        return;
-    }
+    if (!can_keep(state, answers)) return;
     const FolderLock lock(state.persistence.folder, patience);
     if (!lock.held()) return redraw_within(ask_again);
     const Course& course = *lesson.course;

@@ -25,19 +25,15 @@ constexpr std::size_t longest_memory = 1 << 16;
 
 constexpr const char* kept_views_words = "Kept views";
 
-std::string file_in(const Persistence& memory, const char* name) {
-    return (fs::path(memory.folder) / name).string();
-}
-
 std::string text_of(const Persistence& memory, const char* name) {
-    const Result<std::string> text = read_file(file_in(memory, name), longest_memory);
+    const Result<std::string> text = read_file(memory.file(name), longest_memory);
     return problem_of(text) == nullptr ? std::get<std::string>(text) : "";
 }
 
 /// Why it was not written. Of most that cannot be remembered this is not worth a word: nothing that the user
 /// made is lost.
 std::optional<Problem> write(const Persistence& memory, const char* name, const std::string& text) {
-    const Result<std::monostate> written = write_file_at_once(file_in(memory, name), text);
+    const Result<std::monostate> written = write_file_at_once(memory.file(name), text);
     const Problem* problem = problem_of(written);
     return problem == nullptr ? std::nullopt : std::optional(*problem);
 }
@@ -185,6 +181,14 @@ std::string state_folder() {
     const char* home = std::getenv("HOME");
     if (home == nullptr || !fs::path(home).is_absolute()) return {};
     return (fs::path(home) / ".local" / "state" / "glint").string();
+}
+
+std::string Persistence::file(const char* name) const { return (fs::path(folder) / name).string(); }
+
+bool can_keep(UiState& state, const std::string& what) {
+    const Persistence& memory = state.persistence;
+    if (memory.folder.empty() && memory.no_folder) tell_not_kept(state, what, *memory.no_folder);
+    return !memory.folder.empty();
 }
 
 void tell_not_kept(UiState& state, const std::string& what, const Problem& why) {

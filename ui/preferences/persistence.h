@@ -80,6 +80,8 @@ struct Persistence {
     bool told_not_kept = false;             // that what was asked to be kept is not
     std::vector<OrphanedAutosave> orphans;  // by windows that are gone: offered one by one
 
+    /// The path of a file in the folder. Precondition: there is one.
+    [[nodiscard]] std::string file(const char* name) const;
     /// Whether the copy is of `scene`.
     [[nodiscard]] bool has_copy_of(const Scene& scene) const {
         return autosaved_scene && same_description(*autosaved_scene, scene);
@@ -92,6 +94,9 @@ struct Persistence {
 
 /// Says once in a window that something which the user counts on cannot be kept: "What is answered".
 void tell_not_kept(UiState& state, const std::string& what, const Problem& why);
+/// Whether there is a folder to keep something in that the user counts on; where one was asked for and there
+/// is none, says so.
+[[nodiscard]] bool can_keep(UiState& state, const std::string& what);
 
 /// Reads what is remembered in `folder`, making it if need be. Before the first frame. Where there is no such
 /// folder nothing is remembered, and the first unsaved edit says that it is not kept.

@@ -42,6 +42,17 @@ bool says(const HeadlessWindow& bench, const std::string& part) {
                        [&](const Notification& n) { return n.text.find(part) != std::string::npos; });
 }
 
+bool asks_for(const HeadlessWindow& bench, PredictionKind kind) {
+    return open_question(bench.state.lesson) && test::asked(bench).asks->kind == kind;
+}
+/// Turns the lesson's pages until one asks for such an answer.
+void turn_to(HeadlessWindow& bench, PredictionKind kind) {
+    while (!asks_for(bench, kind)) {
+        (void)bench.key(Key::PageDown);
+        bench.frames(3);
+    }
+}
+
 /// A lesson of one's own, with that block in its only step.
 std::string own_lesson(const std::string& block) {
     return "# Mine\n\n```lesson\ntopic: Own\nscene: ball.json\nsize: 32x32\n```\n\n## One\n\n" + block;
@@ -91,17 +102,15 @@ TEST_CASE("a choice is answered by its letter and Enter, and the palette opens w
     bench.frames(2);
     test::drop(bench, test::shipped_lesson("05-lambert"));
     LessonState& lesson = bench.state.lesson;
-    const auto asks_for_choice = [&] {
-        return open_question(lesson) && test::asked(bench).asks->kind == PredictionKind::Choice;
-    };
-    while (!asks_for_choice()) {
-        (void)bench.key(Key::PageDown);
-        bench.frames(3);
-    }
+    turn_to(bench, PredictionKind::Choice);
     const Scene held = bench.scene();
+    (void)bench.key(Key::Z, true);
+    CHECK(says(bench, "First answer the lesson's question (Ctrl+Z)"));
+    bench.state.notifications.list.clear();
     (void)bench.key(Key::K, true);
     bench.frames(2);
     REQUIRE(bench.state.palette.open);
+    CHECK_FALSE(says(bench, "First answer"));
     test::type(bench, "exposure");
     bench.frames(2);
     (void)bench.key(Key::Enter);
@@ -111,7 +120,7 @@ TEST_CASE("a choice is answered by its letter and Enter, and the palette opens w
     (void)bench.key(Key::Escape);
     bench.frames(2);
     (void)bench.key(Key::Enter);  // nothing is chosen yet
-    REQUIRE(asks_for_choice());
+    REQUIRE(asks_for(bench, PredictionKind::Choice));
     (void)bench.key(Key::B);
     CHECK(lesson.chosen == JsonValue(1));
     CHECK_FALSE(bench.state.views.compare.choice.shows_stored);
@@ -121,8 +130,6 @@ TEST_CASE("a choice is answered by its letter and Enter, and the palette opens w
     (void)bench.key(Key::Enter);
     CHECK(lesson.given()[open].value == JsonValue(2));
     CHECK(lesson.given()[open].locked);
-    bench.state.notifications.list.clear();
-    (void)bench.key(Key::Z, true);
 }
 
 TEST_CASE("a curve that is drawn from edge to edge is whole, and what is drawn can be seen",
@@ -131,19 +138,13 @@ TEST_CASE("a curve that is drawn from edge to edge is whole, and what is drawn c
     bench.frames(2);
     test::drop(bench, test::shipped_lesson("15-mach-bands"));
     LessonState& lesson = bench.state.lesson;
-    const auto asks_for_curve = [&] {
-        return open_question(lesson) && test::asked(bench).asks->kind == PredictionKind::Sketch;
-    };
-    while (!asks_for_curve()) {
-        (void)bench.key(Key::PageDown);
-        bench.frames(3);
-    }
+    turn_to(bench, PredictionKind::Sketch);
     const Rect plot = bench.area_of("Sketch");
     const float middle = (plot.low.y + plot.high.y) / 2;
     bench.drag({plot.low.x + 30, middle}, {plot.high.x - 30, middle});
     CHECK(why_no_answer(lesson).find("gaps") != std::string::npos);
     (void)bench.key(Key::Enter);
-    REQUIRE(asks_for_curve());
+    REQUIRE(asks_for(bench, PredictionKind::Sketch));
     bench.click(bench.control("Wipe"));
     // Begun beside the plot, and far above it at the end.
     bench.drag({plot.low.x - 6, middle}, {plot.high.x - 6, plot.low.y - 200});
