@@ -284,12 +284,19 @@ TEST_CASE("wherever the wheel goes, the view can be saved, and all can be framed
         }
     };
     const Camera start = bench.scene().camera;
+    const auto view_direction = [&] {
+        const Camera& camera = bench.scene().camera;
+        return glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.eye));
+    };
+    const glm::dvec3 ahead = view_direction();
     for (const ImVec2 at : {ImVec2(600, 300), ImVec2(420, 700)}) {
         turn({600, 400}, -1, 120);
         turn(at, 1, 500);
         const auto read = parse_scene(scene_text(bench.scene()), "wheel.json");
         if (const Problem* problem = problem_of(read)) FAIL(problem->text());
         CHECK(bench.state.notifications.list.empty());
+        // Coming closer turns nobody's head, but by what floats lose far away.
+        CHECK(glm::length(view_direction() - ahead) < 0.01);
         (void)bench.key(Key::F, false, true);
         bench.frames(2);
         REQUIRE(bench.state.rendered != nullptr);
