@@ -46,6 +46,17 @@ void remember(UiState& state, bool in_hand) {
     remember_step(state.editor, state.viewport.wheel_goes_on);
 }
 
+/// Whether a window that is as large as what it holds came to hold something else: it takes its size in the
+/// next frame.
+bool a_window_changes_size() {
+    const ImVector<ImGuiWindow*>& all = ImGui::GetCurrentContext()->Windows;
+    return std::any_of(all.begin(), all.end(), [](const ImGuiWindow* window) {
+        const ImVec2 holds = window->DC.CursorMaxPos - window->DC.CursorStartPos;
+        return window->Active && (window->Flags & ImGuiWindowFlags_AlwaysAutoResize) != 0 &&
+               (IM_FLOOR(holds.x) != window->ContentSize.x || IM_FLOOR(holds.y) != window->ContentSize.y);
+    });
+}
+
 UiRequests requests(UiState& state) {
     UiRequests wants;
     const Course* course = state.lesson.course.get();
@@ -112,6 +123,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     poll_lesson(state);
     poll_animation(state);
     ImGui::PopFont();
+    if (a_window_changes_size()) redraw_within(0);
     return requests(state);
 }
 

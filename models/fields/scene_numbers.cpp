@@ -162,13 +162,12 @@ template <class AnyScene, class Visit> void walk(AnyScene& scene, const Tokens* 
 std::optional<Violation> assign(const Real& kind, float& to, double value) {
     const auto rounded = static_cast<float>(value);
     const bool contained = kind.range.contains(rounded) && (value == rounded || kind.range.contains(value));
-    if (!contained)
-        return Violation{"", fmt::format("{} is out of range", value), std::string(kind.range.words)};
+    if (!contained) return out_of_range(value, std::string(kind.range.words));
     to = static_cast<float>(value);
     return std::nullopt;
 }
 std::optional<Violation> assign(const Count& kind, int& to, double value) {
-    if (!kind.contains(value)) return Violation{"", fmt::format("{} is out of range", value), words_of(kind)};
+    if (!kind.contains(value)) return out_of_range(value, words_of(kind));
     to = static_cast<int>(value);
     return std::nullopt;
 }

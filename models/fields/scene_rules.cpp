@@ -58,11 +58,11 @@ class RangeSearch {
 
     static Found at(const Real& kind, float x) {
         if (kind.range.contains(x)) return {};
-        return Violation{"", fmt::format("{} is out of range", x), std::string(kind.range.words)};
+        return out_of_range(x, std::string(kind.range.words));
     }
     static Found at(const Count& kind, int n) {
         if (kind.contains(n)) return {};
-        return Violation{"", fmt::format("{} is out of range", n), words_of(kind)};
+        return out_of_range(n, words_of(kind));
     }
     template <class Kind, int size> static Found parts(const Kind& kind, const glm::vec<size, float>& v) {
         for (int i = 0; i < size; ++i)

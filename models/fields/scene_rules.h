@@ -3,8 +3,11 @@
 // breaks them and the window lets no scene break them, so that every saved scene opens again
 // (docs/interface.md, "The scene file").
 
+#include <fmt/core.h>
+
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "models/scene/scene.h"
 
@@ -15,6 +18,10 @@ struct Violation {
     std::string at;  // JSON pointer below the value: "/spot/direction"; empty for the value itself
     std::string what, expected;
 };
+
+template <class Number> [[nodiscard]] Violation out_of_range(Number number, std::string expected) {
+    return {"", fmt::format("{} is out of range", number), std::move(expected)};
+}
 
 /// Directions whose sine of the angle between them is below this count as parallel: a float keeps seven
 /// digits.

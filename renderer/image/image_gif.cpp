@@ -1,7 +1,11 @@
 #include <gif_lib.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -16,6 +20,26 @@ int append(GifFileType* file, const GifByteType* bytes, int count) {
     static_cast<std::string*>(file->UserData)
         ->append(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(count));
     return count;
+}
+
+/// A picture as numbers of its colours.
+struct Indexed {
+    std::unordered_map<std::uint32_t, GifByteType> number_of;
+    std::vector<GifByteType> index;  // of each pixel
+};
+
+/// A picture of no more colours than a GIF can hold, each of them as it is; of more, nothing.
+std::optional<Indexed> exactly(const Picture& picture, std::size_t pixels) {
+    Indexed out;
+    out.index.resize(pixels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const std::uint8_t* const rgb = &picture.rgba[4 * i];
+        const std::uint32_t colour = rgb[0] << 16 | rgb[1] << 8 | rgb[2];
+        if (out.number_of.size() == colours && !out.number_of.contains(colour)) return {};
+        out.index[i] =
+            out.number_of.try_emplace(colour, static_cast<GifByteType>(out.number_of.size())).first->second;
+    }
+    return out;
 }
 
 struct FreeMap {
@@ -62,7 +86,8 @@ struct GifWriter::Encoder {
         check(EGifPutExtension(file, GRAPHICS_EXT_FUNC_CODE, sizeof block, block));
     }
 
-    void frame(const Picture& picture) {
+    /// The nearest of 256 colours that are chosen for the picture.
+    std::vector<GifByteType> quantised(const Picture& picture, ColorMapObject& map) {
         const std::size_t count = size.pixels();
         std::vector<GifByteType> red(count), green(count), blue(count), index(count);
         for (std::size_t i = 0; i < count; ++i) {
@@ -70,12 +95,27 @@ struct GifWriter::Encoder {
             green[i] = picture.rgba[4 * i + 1];
             blue[i] = picture.rgba[4 * i + 2];
         }
-        const ColorMap map(GifMakeMapObject(colours, nullptr));
         int used = colours;
+        check(GifQuantizeBuffer(static_cast<unsigned>(size.width), static_cast<unsigned>(size.height), &used,
+                                red.data(), green.data(), blue.data(), index.data(), map.Colors));
+        return index;
+    }
+
+    void frame(const Picture& picture) {
+        const ColorMap map(GifMakeMapObject(colours, nullptr));
         failed |= !map;
         if (failed) return;
-        check(GifQuantizeBuffer(static_cast<unsigned>(size.width), static_cast<unsigned>(size.height), &used,
-                                red.data(), green.data(), blue.data(), index.data(), map->Colors));
+        std::vector<GifByteType> index;
+        // The library's choice tells 32 steps of a channel apart, which greys need not suffer.
+        if (auto exact = exactly(picture, size.pixels())) {
+            for (const auto& [colour, number] : exact->number_of)
+                map->Colors[number] = {static_cast<GifByteType>(colour >> 16),
+                                       static_cast<GifByteType>(colour >> 8),
+                                       static_cast<GifByteType>(colour)};
+            index = std::move(exact->index);
+        } else {
+            index = quantised(picture, *map);
+        }
         delay();
         check(EGifPutImageDesc(file, 0, 0, size.width, size.height, false, map.get()));
         for (int y = 0; y < size.height && !failed; ++y)

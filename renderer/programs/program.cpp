@@ -211,9 +211,8 @@ Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
             {"const_v", flags.contains("wrong.view_reversed") ? "" : "const "}};
 }
 
-}  // namespace
-
-Result<std::vector<ProgramFile>> write_program(const ProgramOf& of, Language language) {
+/// The files of a program, of however many lines.
+Result<std::vector<ProgramFile>> files_of(const ProgramOf& of, Language language) {
     if (auto problem = missing_in(language, of.scene)) return *problem;
     const LanguageTexts texts = texts_of(language);
     Flags flags = flags_of(of.scene);
@@ -241,12 +240,39 @@ Result<std::vector<ProgramFile>> write_program(const ProgramOf& of, Language lan
     std::vector<ProgramFile> files;
     for (const LanguageTexts::File& file : texts.files)
         files.push_back({std::string(file.name), filled(file.text, flags, values)});
+    files.insert(files.end(), meshes.files.begin(), meshes.files.end());
+    return files;
+}
+
+/// How many lines the program of `files` has, where they are more than the language may have.
+std::optional<std::size_t> too_many_lines(const std::vector<ProgramFile>& files, Language language) {
     const std::string& program = files.front().text;
     const auto lines = static_cast<std::size_t>(std::count(program.begin(), program.end(), '\n'));
-    if (texts.most_lines > 0 && lines > texts.most_lines)
-        return Problem{"", "", fmt::format("the program would have {} lines", lines),
-                       fmt::format("at most {}: fewer lights and objects", texts.most_lines)};
-    files.insert(files.end(), meshes.files.begin(), meshes.files.end());
+    const std::size_t most = texts_of(language).most_lines;
+    return most > 0 && lines > most ? std::optional(lines) : std::nullopt;
+}
+
+/// "fewer lights and objects, or --language python": the ways to a program that is short enough.
+std::string shorter_ways(const ProgramOf& of) {
+    std::string ways = "fewer lights and objects";
+    for (const Language other : enumerators<Language>) {
+        const auto files = files_of(of, other);
+        if (problem_of(files) == nullptr && !too_many_lines(std::get<0>(files), other))
+            ways += ", or --language " + std::string(name_of(other));
+    }
+    return ways;
+}
+
+}  // namespace
+
+Result<std::vector<ProgramFile>> write_program(const ProgramOf& of, Language language) {
+    auto files = files_of(of, language);
+    if (problem_of(files) != nullptr) return files;
+    if (const auto lines = too_many_lines(std::get<0>(files), language)) {
+        files = {};  // meshes are large
+        return Problem{"", "", fmt::format("the program would have {} lines", *lines),
+                       fmt::format("at most {}: {}", texts_of(language).most_lines, shorter_ways(of))};
+    }
     return files;
 }
 

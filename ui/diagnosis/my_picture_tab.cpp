@@ -85,7 +85,7 @@ void progress(MyPictureState& mine) {
     small_dim(mine.settled
                   ? "Nobody looks for the mistake now."
                   : "The scene is drawn right and under every mistake, and held against the picture.");
-    if (mine.answer) small_dim("Below is what was found before the scene changed.");
+    if (mine.answer) small_dim("Below is what the search before found.");
 }
 
 /// The answer in large letters, and what was taken away; in whole sentences where no mistake explains it.

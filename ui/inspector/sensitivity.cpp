@@ -8,6 +8,7 @@
 #include <cmath>
 #include <exception>
 #include <glm/common.hpp>
+#include <iterator>
 
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/tabs.h"
@@ -56,9 +57,8 @@ double largest(glm::dvec3 v) { return std::max({std::abs(v.x), std::abs(v.y), st
 
 std::vector<Sensitivity> ranked(const Sensitivities& sensitivities) {
     std::vector<Sensitivity> rank;
-    for (const Sensitivity& number : sensitivities.numbers)
-        if (!number.pointer.ends_with("/position/3"))  // nobody moves a light by its w
-            rank.push_back(number);
+    std::copy_if(sensitivities.numbers.begin(), sensitivities.numbers.end(), std::back_inserter(rank),
+                 [](const Sensitivity& number) { return !number.is_w; });
     std::stable_sort(rank.begin(), rank.end(), [](const Sensitivity& a, const Sensitivity& b) {
         return largest(a.effect) > largest(b.effect);
     });

@@ -11,6 +11,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/area.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -76,16 +77,22 @@ void step_wedge(WedgeState& wedge) {
     ImGui::PushFont(fonts().title);
     ImGui::TextUnformatted("Step wedge");
     ImGui::PopFont();
-    ImGui::SameLine(0, px(12));
-    dim_text("Each patch differs from its ground by so many of 255 steps");
     ImGui::SameLine(window.x - px(100));
     if (ImGui::Button("Close", {px(88), 0})) wedge.open = false;
-    const float words = ImGui::GetTextLineHeightWithSpacing() + px(10);
-    const float height = ImGui::GetContentRegionAvail().y / float(wedge.rows.size()) - words;
+    wrapped_dim("Each patch differs from its ground by so many of 255 steps");
+    const float wrap = ImGui::GetContentRegionAvail().x;
+    const auto words_height = [wrap](const WedgeRow& row) {
+        return ImGui::CalcTextSize(wedge_words(row).c_str(), nullptr, false, wrap).y;
+    };
+    float room = ImGui::GetContentRegionAvail().y;
+    for (const WedgeRow& row : wedge.rows)
+        room -= words_height(row) + ImGui::GetStyle().ItemSpacing.y + px(10);
     for (WedgeRow& row : wedge.rows) {
         ImGui::PushID(row.name);
-        patches(row, std::max(height, px(20)));
+        patches(row, std::max(room / float(wedge.rows.size()), px(20)));
+        ImGui::PushTextWrapPos(0);
         ImGui::TextUnformatted(wedge_words(row).c_str());
+        ImGui::PopTextWrapPos();
         ImGui::Dummy({0, px(2)});
         ImGui::PopID();
     }

@@ -38,9 +38,9 @@ inline constexpr int pen_colour_count = 5;
 
 void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view);
 
-/// Draws the pen's colours, the way back and the sponge, at the picture's upper edge, while the pen is in
-/// hand.
-void pen_bar(PenState& pen, const PictureView& view);
+/// Draws the pen's colours, the way back and the sponge, at the upper edge of `picture`, the part of it
+/// that is in sight, while the pen is in hand.
+void pen_bar(PenState& pen, const Rect& picture);
 
 // The wedge's patches differ little from their ground: a projector, in its room, tells only some apart.
 

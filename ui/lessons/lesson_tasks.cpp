@@ -65,6 +65,12 @@ void take_watched(UiState& state) {
         done[i] = done[i] || lesson.watched->done[i];
 }
 
+/// What a hand or a field moves is to be seen: what the lesson plays ends. The panel Animate has its own
+/// button.
+void end_motion(UiState& state) {
+    if (!state.animate.open) state.animate.playing = false;
+}
+
 }  // namespace
 
 void poll_lesson(UiState& state) {
@@ -74,7 +80,7 @@ void poll_lesson(UiState& state) {
     if (lesson.watching) redraw_within(look_again);
     if (!lesson.course) return;
     keep_progress(state);
-    if (!state.animate.open && state.viewport.gesture != Gesture::None) state.animate.playing = false;
+    if (state.viewport.gesture != Gesture::None) end_motion(state);
     const bool asks = !open_question(lesson) && !tasks_of(lesson.station()).empty();
     if (!asks || lesson.watching || awaits_mesh(state)) return;
     if (lesson.watched && lesson.watched->station == lesson.progress.station &&
@@ -117,6 +123,7 @@ void task_fields(UiState& state, const Task& task) {
         ImGui::PushID(number.pointer.c_str());
         double value = 0;
         if (field_of(number, named_number(number.pointer, scene).what.c_str(), value)) {
+            end_motion(state);
             state.editor.edits_camera |= number.pointer.starts_with("/camera");
             if (const auto problem = set_number(scene, number.pointer, value))
                 refuse_edit(problem->what + "; expected " + problem->expected);

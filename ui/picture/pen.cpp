@@ -86,9 +86,9 @@ void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view) {
     }
 }
 
-void pen_bar(PenState& pen, const PictureView& view) {
+void pen_bar(PenState& pen, const Rect& picture) {
     if (!pen.on) return;
-    ImGui::SetNextWindowPos(view.top() + ImVec2(0, px(8)), ImGuiCond_Always, {0.5f, 0});
+    ImGui::SetNextWindowPos(picture.top() + ImVec2(0, px(8)), ImGuiCond_Always, {0.5f, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(8));
     ImGui::Begin("##pen", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |

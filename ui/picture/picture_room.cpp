@@ -23,15 +23,16 @@ namespace glint {
 namespace {
 
 /// Says what can be done: in one line, or in three where the picture is too narrow for that.
-void first_hints(const UiState& state, const PictureView& view) {
+void first_hints(ImDrawList& list, const UiState& state) {
     const bool covered = !state.notifications.list.empty();
     if (covered || state.viewport.touched || state.views.debug_view.set.choice.view != DebugView::Picture)
         return;
     const char* text =
         "Drag a light or a highlight   ·   Click a pixel to ask why   ·   Drag elsewhere to orbit";
-    if (ImGui::CalcTextSize(text).x + px(40) > view.end().x - view.origin.x)
+    const Rect shown = clip_area(list);
+    if (ImGui::CalcTextSize(text).x + px(40) > shown.size().x)
         text = "Drag a light or a highlight\nClick a pixel to ask why\nDrag elsewhere to orbit";
-    badge(*ImGui::GetWindowDrawList(), {view.top().x, view.end().y - px(18)}, text, {0.5f, 1});
+    badge(list, {shown.middle().x, shown.high.y - px(18)}, text, {0.5f, 1});
 }
 
 /// Fills what of the room the picture leaves free.
@@ -219,20 +220,23 @@ void picture_overlay(UiState& state, const Layout& layout) {
     if (!state.layout.hides_all) {
         draw_tools(list, state, view);
         draw_point_vectors(list, state, view);
-        first_hints(state, view);
+        first_hints(list, state);
         // Below the label of a comparison's first part.
         const float above = state.views.compare.choice.on ? small_text_height() + px(16) : px(10);
-        const ImVec2 corner = view.origin + ImVec2(px(10), above);
+        const ImVec2 corner = clip_area(list).low + ImVec2(px(10), above);
         const bool is_moment = state.inspector.instead && !state.inspector.instead_rests;
+        std::string other;
         if (state.lecture.frozen)
-            badge(list, corner, "Frozen (" + keys_of(CommandId::Freeze) + ")");
+            other = "Frozen (" + keys_of(CommandId::Freeze) + ")";
         else if (!is_moment && state.resting && state.resting->name == std::string_view(name_of_stored))
-            badge(list, corner, "B is shown (" + keys_of(CommandId::ShowB) + ")");
+            other = "B is shown (" + keys_of(CommandId::ShowB) + ")";
+        if (!other.empty()) list_control("Other scene", other, badge(list, corner, other));
     }
     draw_pen(list, state.lecture.pen, view);
+    const Rect in_sight = clip_area(list);
     list.PopClipRect();
     ImGui::End();
-    pen_bar(state.lecture.pen, view);
+    pen_bar(state.lecture.pen, in_sight);
     // Over a clean picture only what needs an eye is said.
     if (state.layout.hides_all)
         std::erase_if(state.notifications.list, [](const Notification& n) { return n.tone == Tone::Done; });

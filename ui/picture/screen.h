@@ -75,9 +75,8 @@ struct PictureView {
     }
     /// Where a place in the world shows, which must lie in front of the eye.
     [[nodiscard]] ImVec2 shown(glm::dvec3 world) const { return to_window(project(map, world).pixel); }
-    /// The window's place of the picture's far corner, and of the middle of its upper edge.
+    /// The window's place of the picture's far corner.
     [[nodiscard]] ImVec2 end() const { return to_window({map.size.width, map.size.height}); }
-    [[nodiscard]] ImVec2 top() const { return to_window({map.size.width / 2.0, 0}); }
     /// The picture's pixels that `units` of the design take.
     [[nodiscard]] double pixels(float units) const;
 };

@@ -88,7 +88,7 @@ void draw_hand_note(ImDrawList& list, const ViewportState& state, const Viewport
                           : resting ? note_of(state.hovered_grip, frame.scene)
                                     : note_of(state.held, frame.scene);
     const bool is_mark = !effect && (resting ? state.hovered_grip : state.held.grip).is_mark();
-    draw_note(list, frame.view, ImGui::GetIO().MousePos, note, is_mark ? std::nullopt : object_under(frame));
+    draw_note(list, ImGui::GetIO().MousePos, note, is_mark ? std::nullopt : object_under(frame));
 }
 
 /// The line from a light to what it is being aimed at.

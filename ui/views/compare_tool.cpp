@@ -159,7 +159,7 @@ std::string compare_hint(const UiState& ui) {
 }
 
 /// What the picture shows, which without a word is black.
-void difference_caption(ImDrawList& list, const CompareState& state, const PictureView& view) {
+void difference_caption(ImDrawList& list, const CompareState& state) {
     const CompareChoice& choice = state.choice;
     std::string what =
         fmt::format("|{} − {}|", label_of(choice.parts.front()), label_of(choice.parts.back()));
@@ -170,14 +170,15 @@ void difference_caption(ImDrawList& list, const CompareState& state, const Pictu
     const char* const black = state.numbers.differing_pixels == 0 ? "" : ", black where they agree";
     ImGui::PushFont(fonts().small);
     // Over a narrow picture with fewer words.
-    const float room = float(view.map.size.width) * view.units_per_pixel - px(20);
+    const Rect area = clip_area(list);
+    const float room = area.size().x - px(20);
     std::string text = most;
     for (const std::string& longer : {what + ": " + most + black, what + ": " + most})
         if (ImGui::CalcTextSize(longer.c_str()).x <= room) {
             text = longer;
             break;
         }
-    (void)badge(list, view.top() + ImVec2(0, px(8)), text, {0.5f, 0});
+    (void)badge(list, area.top() + ImVec2(0, px(8)), text, {0.5f, 0});
     ImGui::PopFont();
 }
 
@@ -190,7 +191,7 @@ void draw_compare(ImDrawList& list, UiState& ui, const PictureView& view) {
         for (int i = 0; i < static_cast<int>(state.choice.parts.size()); ++i)
             draw_label(list, state, i, view);
     }
-    if (state.choice.difference) difference_caption(list, state, view);
+    if (state.choice.difference) difference_caption(list, state);
     settings_popup(state);
 }
 

@@ -216,7 +216,8 @@ void draw_debug_view_legend(ImDrawList& list, const DebugViewState& state, const
     const float line = small_text_height() + px(3);
     const ImVec2 size{legend_width(state),
                       px(14) + line * float(1 + readings.size()) + (has_bar ? px(32) : 0) + samples};
-    const ImVec2 low{view.origin.x + px(8), view.end().y - px(8) - size.y};
+    const Rect area = clip_area(list);
+    const ImVec2 low{area.low.x + px(8), area.high.y - px(8) - size.y};
     badge_ground(list, {low, low + size});
     ImVec2 at = low + px(1) * ImVec2(10, 6);
     plot_text(list, at, theme().text, title_of(state, scene));

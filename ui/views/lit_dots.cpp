@@ -126,7 +126,8 @@ void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const PictureVie
 
 void draw_evaluations(ImDrawList& list, const std::string& text, bool compares) {
     ImGui::PushFont(fonts().small);
-    const ImVec2 corner{list.GetClipRectMax().x, list.GetClipRectMin().y + (compares ? px(28) : 0)};
+    const Rect area = clip_area(list);
+    const ImVec2 corner{area.high.x, area.low.y + (compares ? px(28) : 0)};
     list_control("evaluations", text.c_str(), badge(list, corner + px(10) * ImVec2(-1, 1), text, {1, 0}));
     ImGui::PopFont();
 }

@@ -24,6 +24,8 @@ struct Rect {
     }
     [[nodiscard]] ImVec2 size() const { return high - low; }
     [[nodiscard]] ImVec2 middle() const { return (low + high) / 2; }
+    /// The middle of the upper edge.
+    [[nodiscard]] ImVec2 top() const { return {middle().x, low.y}; }
     /// The edges low and left are part of it, those high and right are not.
     [[nodiscard]] bool holds(ImVec2 at) const {
         return at.x >= low.x && at.x < high.x && at.y >= low.y && at.y < high.y;
@@ -33,6 +35,11 @@ struct Rect {
 /// Whether they have a part in common; edges that touch are none.
 [[nodiscard]] inline bool overlap(const Rect& a, const Rect& b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+/// Where a list draws now: of a magnified picture what does not lie behind the columns.
+[[nodiscard]] inline Rect clip_area(const ImDrawList& list) {
+    return {list.GetClipRectMin(), list.GetClipRectMax()};
 }
 
 /// Where the item drawn last lies.

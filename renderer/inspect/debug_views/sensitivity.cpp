@@ -116,7 +116,8 @@ Slope clear_slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& m
 void measure(Sensitivities& s, PixelProbe& probe, const PinnedScene& pinned, const glm::dvec3& now,
              const SceneNumber& moved) {
     const Slope found = clear_slope(probe, now, moved);
-    Sensitivity number{pinned.pointer_in_whole(moved.pointer), moved.value, found.change, found.one_sided};
+    Sensitivity number{pinned.pointer_in_whole(moved.pointer), moved.value, found.change, found.one_sided,
+                       moved.is_w};
     if (found.is_fixed) {
         s.fixed.push_back(number.pointer);
         return;

@@ -20,6 +20,7 @@ struct Sensitivity {
     double value = 0;        // what it is now
     glm::dvec3 change{0};    // of the pixel (linear RGB times exposure) for each unit of the number
     bool one_sided = false;  // the number can move in one direction only (it is at the end of its range)
+    bool is_w = false;       // of a position: nobody moves a light by it
     double move = 0;         // usual_move(), below 0 where the number can only become less
     glm::dvec3 effect{0};    // what the pixel gains when the number moves so far
 };

@@ -146,6 +146,16 @@ TEST_CASE("sensitivity: what moves faces is drawn anew: the change is that betwe
     }
 }
 
+TEST_CASE("sensitivity: a number that is the w of a position says so", "[sensitivity]") {
+    SceneDocument document = balls();
+    document.scene.lights[0].kind = LightKind::Point;
+    document.scene.lights[0].position = {2, 3, 4, 1};
+    std::vector<std::string> w;
+    for (const Sensitivity& number : of_pixel(document, 30, 20).numbers)
+        if (number.is_w) w.push_back(number.pointer);
+    CHECK(w == std::vector<std::string>{"/lights/0/position/3"});
+}
+
 TEST_CASE("sensitivity: what has no effect is named, and what cannot move a little", "[sensitivity]") {
     const Sensitivities s = of_pixel(balls(), 30, 20);
     for (const char* zero : {"/lights/0/falloff/quadratic", "/lights/0/spot/cutoff_deg", "/objects/1",

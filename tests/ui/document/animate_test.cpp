@@ -31,6 +31,40 @@ Scene at(const SceneDocument& document, const Animation& animation, int frame) {
     return std::get<Scene>(std::move(scene));
 }
 
+std::string written(GifWriter& gif) {
+    auto bytes = gif.finish();
+    REQUIRE(problem_of(bytes) == nullptr);
+    return std::get<std::string>(std::move(bytes));
+}
+
+/// The frames of a GIF, as the library reads them.
+struct GifRead {
+    explicit GifRead(std::string bytes) : rest(std::move(bytes)) {
+        int error = 0;
+        file = DGifOpen(&rest, read, &error);
+        REQUIRE(file != nullptr);
+        REQUIRE(DGifSlurp(file) == GIF_OK);
+    }
+    GifRead(const GifRead&) = delete;
+    GifRead& operator=(const GifRead&) = delete;
+    ~GifRead() {
+        int error = 0;
+        DGifCloseFile(file, &error);
+    }
+    [[nodiscard]] GifColorType colour(int frame, int pixel) const {
+        const SavedImage& image = file->SavedImages[frame];
+        return image.ImageDesc.ColorMap->Colors[image.RasterBits[pixel]];
+    }
+    static int read(GifFileType* from, GifByteType* to, int count) {
+        auto& rest = *static_cast<std::string*>(from->UserData);
+        const auto taken = rest.copy(reinterpret_cast<char*>(to), static_cast<std::size_t>(count));
+        rest.erase(0, taken);
+        return static_cast<int>(taken);
+    }
+    std::string rest;
+    GifFileType* file = nullptr;
+};
+
 }  // namespace
 
 TEST_CASE("a turntable goes once round, at one distance and height, and begins with the scene itself",
@@ -85,33 +119,42 @@ TEST_CASE("a GIF holds every frame at its size and time, and repeats", "[image]"
         picture.rgba.assign(5 * 3 * 4, static_cast<std::uint8_t>(40 * frame));
         CHECK(gif.add(picture));
     }
-    const auto written = gif.finish();
-    REQUIRE(problem_of(written) == nullptr);
-    std::string bytes = std::get<std::string>(written);
+    const std::string bytes = written(gif);
     CHECK(bytes.substr(0, 6) == "GIF89a");
     CHECK(bytes.find("NETSCAPE2.0") != std::string::npos);
-    const auto read = [](GifFileType* file, GifByteType* to, int count) {
-        auto& rest = *static_cast<std::string*>(file->UserData);
-        const auto taken = rest.copy(reinterpret_cast<char*>(to), static_cast<std::size_t>(count));
-        rest.erase(0, taken);
-        return static_cast<int>(taken);
-    };
-    int error = 0;
-    GifFileType* file = DGifOpen(&bytes, read, &error);
-    REQUIRE(file != nullptr);
-    REQUIRE(DGifSlurp(file) == GIF_OK);
-    REQUIRE(file->ImageCount == 3);
-    CHECK(file->SWidth == 5);
-    CHECK(file->SHeight == 3);
+    const GifRead read(bytes);
+    REQUIRE(read.file->ImageCount == 3);
+    CHECK(read.file->SWidth == 5);
+    CHECK(read.file->SHeight == 3);
     for (int frame = 0; frame < 3; ++frame) {
         GraphicsControlBlock control;
-        REQUIRE(DGifSavedExtensionToGCB(file, frame, &control) == GIF_OK);
+        REQUIRE(DGifSavedExtensionToGCB(read.file, frame, &control) == GIF_OK);
         CHECK(control.DelayTime == 7);
-        const SavedImage& image = file->SavedImages[frame];
-        const GifColorType colour = image.ImageDesc.ColorMap->Colors[image.RasterBits[7]];
-        CHECK(std::abs(int(colour.Red) - 40 * frame) <= 8);  // its palette has 5 bits a channel
+        CHECK(read.colour(frame, 7).Red == 40 * frame);
     }
-    DGifCloseFile(file, &error);
+}
+
+TEST_CASE("a GIF keeps 256 colours of a frame to the last bit, and of 257 what is near", "[image]") {
+    Picture picture;
+    picture.size = {257, 1};
+    for (int i = 0; i < 257; ++i) {
+        const auto grey = static_cast<std::uint8_t>(std::min(i, 255));
+        picture.rgba.insert(picture.rgba.end(), {grey, grey, grey, 255});
+    }
+    GifWriter gif(picture.size, 7);
+    CHECK(gif.add(picture));
+    picture.rgba[4 * 256] = 0;  // one more, cyan
+    CHECK(gif.add(picture));
+    const GifRead read(written(gif));
+    int exact = 0;
+    for (int i = 0; i < 256; ++i) {
+        const GifColorType same = read.colour(0, i), near = read.colour(1, i);
+        exact += same.Red == i && same.Green == i && same.Blue == i;
+        CHECK(std::abs(int(near.Red) - i) <= 8);  // this palette has 5 bits a channel
+    }
+    CHECK(exact == 256);
+    CHECK(read.colour(1, 256).Red <= 8);
+    CHECK(read.colour(1, 256).Blue >= 247);
 }
 
 TEST_CASE("a name that ends in .gif is one file, in capitals too", "[ui][animate]") {
@@ -162,6 +205,18 @@ TEST_CASE("numbered frames are asked about before they are replaced", "[ui][wind
     CHECK(bench.state.files.open);
     CHECK_FALSE(bench.state.animate.job);
     CHECK(bytes_of(folder.path("turn-0007.png")) == "precious");
+}
+
+TEST_CASE("a line more in a panel is drawn at once with the room that it takes", "[ui][window][animate]") {
+    HeadlessWindow bench;
+    bench.state.animate.open = true;
+    bench.frames(10);
+    CHECK(bench.frame().sleep_s > 0);
+    const ImVec2 before = bench.area_of("Play").low;
+    bench.state.animate.refused = "A line\nand one more";
+    CHECK(bench.frame().sleep_s == 0);
+    CHECK(bench.frame().sleep_s > 0);
+    CHECK(bench.area_of("Play").low.y > before.y);
 }
 
 TEST_CASE("what plays is shown and leaves the scene and its history alone", "[ui][animate]") {

@@ -101,6 +101,7 @@ TEST_CASE("numbers are ranked by what a usual move of each does, not by their un
     };
     measured.numbers = {number("/lights/0/position/3", 9, 9), number("/lights/0/intensity", 0.5, 0.2),
                         number("/objects/0/material/shininess", 0.02, -0.3)};
+    measured.numbers[0].is_w = true;
     const auto rank = ranked(measured);
     REQUIRE(rank.size() == 2);
     CHECK(rank[0].pointer == "/objects/0/material/shininess");

@@ -153,33 +153,63 @@ TEST_CASE("a curve that is drawn from edge to edge is whole, and what is drawn c
     CHECK(lesson.chosen.elements().back().number() == Approx(1.08));
 }
 
+namespace {
+
+/// A window at a lesson whose task moves a light, with fields for its position.
+struct LightWindow : HeadlessWindow {
+    LightWindow() : HeadlessWindow({1280, 1000}) {
+        REQUIRE(problem_of(write_file(folder.path("ball.json"),
+                                      R"({"glint": 1, "lights": [{"position": [1, 2, 3]}]})")) == nullptr);
+        frames(2);
+        test::drop(*this,
+                   folder.file("w.md", own_lesson("```try\ndrag: the light\ncontrol: /lights/0/position\n"
+                                                  "e = explain --pixel 16,16\n"
+                                                  "done: e.pixel[0] > 99\n"
+                                                  "solution: /lights/0/position=[0,0,9]\n```\n")));
+        REQUIRE(state.lesson.course);
+    }
+    void type_into_x(const char* letters) {
+        state.notifications.list.clear();
+        click(control("/lights/0/position/0"));
+        frames(2);
+        for (; *letters != 0; ++letters) type(std::string(1, *letters).c_str());
+        click({2, 998});
+        frames(3);
+    }
+    TemporaryDirectory folder;
+};
+
+}  // namespace
+
+TEST_CASE("what is typed into a lesson's field is seen: what the lesson plays ends", "[ui][window][lesson]") {
+    LightWindow bench;
+    const auto play = [&] {
+        bench.state.animate.animation = {Motion::PingPong, "/lights/0/position/1", 0, 9, 75};
+        bench.state.animate.playing = true;
+        bench.frames(2);
+    };
+    play();
+    CHECK(bench.state.animate.playing);
+    bench.type_into_x("25");
+    CHECK(bench.state.rendered_scene == bench.scene());
+    CHECK(bench.scene().lights[0].position == glm::vec4(25, 2, 3, 1));
+    bench.state.animate.open = true;  // there a button ends it
+    play();
+    bench.type_into_x("7");
+    CHECK(bench.scene().lights[0].position == glm::vec4(7, 2, 3, 1));
+    CHECK(bench.state.animate.playing);
+}
+
 TEST_CASE("a lesson's fields of a light take what its panel takes, and have none for w",
           "[ui][window][lesson]") {
-    const TemporaryDirectory folder;
-    REQUIRE(problem_of(write_file(folder.path("ball.json"),
-                                  R"({"glint": 1, "lights": [{"position": [1, 2, 3]}]})")) == nullptr);
-    HeadlessWindow bench({1280, 1000});
-    bench.frames(2);
-    test::drop(bench, folder.file("w.md", own_lesson("```try\ndrag: the light\ncontrol: /lights/0/position\n"
-                                                     "e = explain --pixel 16,16\n"
-                                                     "done: e.pixel[0] > 99\n"
-                                                     "solution: /lights/0/position=[0,0,9]\n```\n")));
-    REQUIRE(bench.state.lesson.course);
-    const auto type_into_x = [&](const char* letters) {
-        bench.state.notifications.list.clear();
-        bench.click(bench.control("/lights/0/position/0"));
-        bench.frames(2);
-        for (; *letters != 0; ++letters) bench.type(std::string(1, *letters).c_str());
-        bench.click({2, 998});
-        bench.frames(3);
-    };
+    LightWindow bench;
     for (const NamedControl& control : bench.controls()) CHECK(control.key != "/lights/0/position/3");
-    type_into_x("25");
+    bench.type_into_x("25");
     CHECK(bench.scene().lights[0].position == glm::vec4(25, 2, 3, 1));
-    type_into_x("1e30");
+    bench.type_into_x("1e30");
     CHECK(bench.state.notifications.list.empty());
     CHECK(bench.scene().lights[0].position == glm::vec4(1e30f, 2, 3, 1));
-    type_into_x("1e31");
+    bench.type_into_x("1e31");
     CHECK(bench.scene().lights[0].position == glm::vec4(1e30f, 2, 3, 1));
     CHECK(bench.state.notifications.list.size() == 1);
     CHECK(says(bench, "1e+31 is out of range"));

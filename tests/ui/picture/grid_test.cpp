@@ -142,6 +142,23 @@ TEST_CASE("big pixels have room for their numbers on a display of any scale", "[
     }
 }
 
+TEST_CASE("what lies in a corner of the picture lies in the corner that is seen of big pixels",
+          "[ui][window][magnify]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.key(Key::F8);
+    bench.frames(2);
+    const Rect room = lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).centre;
+    const Rect before = bench.area_of("Other scene");
+    bench.key(Key::M);
+    bench.frames(2);
+    const Rect now = bench.area_of("Other scene");
+    CHECK(bench.state.views.magnifier.zoom > 4);
+    CHECK(length_of(now.low - room.low) <= length_of(before.low - room.low));
+    CHECK(room.holds(now.low));
+    CHECK(room.holds(now.high));
+}
+
 TEST_CASE("magnified, a place goes to the window and back, and the picture covers its room",
           "[ui][magnify]") {
     PictureView plain;

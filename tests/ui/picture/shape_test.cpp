@@ -118,12 +118,21 @@ TEST_CASE("a panel's corners and edges follow the cursor, its middle stays", "[u
             CHECK(glm::length(after.area.edge_v - v * light.area.edge_v) < 1e-3f);
             CHECK(after.position == light.position);
         }
-        // Past the middle an edge stays, however short: the scene file wants an area.
-        const ShapeGrip edge{ShapePart::Edge, 0, {1, 0}, panel_of(light, stage.view.map)->point({1, 0})};
-        const glm::dvec3 past = panel_of(light, stage.view.map)->point({-1, 0});
-        const Light thin =
-            dragged_shape({light, edge, stage.pixel(edge.place)}, stage.view, stage.pixel(past), false);
+        const auto dragged_to = [&](const ShapeGrip& grip, glm::dvec2 at) {
+            const glm::dvec3 to = panel_of(light, stage.view.map)->point(at);
+            return dragged_shape({light, grip, stage.pixel(grip.place)}, stage.view, stage.pixel(to), false);
+        };
+        const auto grip_at = [&](ShapePart part, glm::dvec2 at) {
+            return ShapeGrip{part, 0, at, panel_of(light, stage.view.map)->point(at)};
+        };
+        // In the middle an edge stays, however short: the scene file wants an area.
+        const Light thin = dragged_to(grip_at(ShapePart::Edge, {1, 0}), {0, 0});
         CHECK(glm::length(thin.area.edge_u) > 0);
+        CHECK(glm::length(thin.area.edge_u) < 0.01f * glm::length(light.area.edge_u));
+        // Past the middle the panel grows again, and shines to where it shone.
+        const Light turned = dragged_to(grip_at(ShapePart::Corner, {1, -1}), {-1.5, 0.5});
+        CHECK(glm::length(turned.area.edge_u - 1.5f * light.area.edge_u) < 1e-3f);
+        CHECK(glm::length(turned.area.edge_v - 0.5f * light.area.edge_v) < 1e-3f);
     }
 }
 

@@ -105,15 +105,15 @@ struct CornerMark {
     ImVec2 way;  // unit, from the picked point; (0, 0) where the corner is in the picture
 };
 
-CornerMark mark_of(const PictureView& view, const ExplainedCorner& corner, ImVec2 picked) {
+CornerMark mark_of(const PictureView& view, const Rect& shown, const ExplainedCorner& corner, ImVec2 picked) {
     const glm::dvec3 world(corner.at.point.world);
     const OnScreen place = project(view.map, world);
-    if (place.in_front && is_inside(view.map.size, place.pixel)) return {view.to_window(place.pixel), {}};
+    if (place.in_front && shown.holds(view.to_window(place.pixel))) return {view.to_window(place.pixel), {}};
     const glm::dvec3 in_view(view.map.view_from_world * glm::dvec4(world, 1));
     ImVec2 way = place.in_front ? view.to_window(place.pixel) - picked
                                 : ImVec2(float(in_view.x), float(-in_view.y));  // it is behind the eye
     way = way / std::max(length_of(way), 1e-6f);
-    const ImVec2 low = view.origin + px(1) * ImVec2(28, 28), high = view.end() - px(1) * ImVec2(28, 14);
+    const ImVec2 low = shown.low + px(1) * ImVec2(28, 28), high = shown.high - px(1) * ImVec2(28, 14);
     const auto room = [](float from, float along, float least, float most) {
         if (std::abs(along) < 1e-6f) return std::numeric_limits<float>::max();
         return std::max(((along > 0 ? most : least) - from) / along, 0.0f);
@@ -135,7 +135,8 @@ void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& 
     if (!explanation.lit_per_corner || explanation.corners.size() < 2) return;
     const ImVec2 middle = view.to_window(glm::dvec2(picked) + 0.5);
     std::vector<CornerMark> marks;
-    for (const ExplainedCorner& corner : explanation.corners) marks.push_back(mark_of(view, corner, middle));
+    for (const ExplainedCorner& corner : explanation.corners)
+        marks.push_back(mark_of(view, clip_area(list), corner, middle));
     ImVec2 low = marks.front().at, high = low;
     for (const CornerMark& mark : marks) {
         low = {std::min(low.x, mark.at.x), std::min(low.y, mark.at.y)};
@@ -161,7 +162,7 @@ void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& 
 void draw_point_vectors(ImDrawList& list, const UiState& state, const PictureView& view) {
     const InspectorState& column = state.inspector;
     if (!column.preview_name.empty())  // nobody shall take what is shown for the scene
-        badge(list, view.top() + ImVec2(0, px(10)), column.preview_name, {0.5f, 0});
+        badge(list, clip_area(list).top() + ImVec2(0, px(10)), column.preview_name, {0.5f, 0});
     if (!state.explanation || !state.explanation->hit) return;
     if (column.shows_facet) draw_facet(list, state, view);
     if (!column.shows_vectors || state.explanation->reflection == Reflection::None) return;

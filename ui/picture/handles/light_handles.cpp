@@ -180,13 +180,13 @@ namespace {
 
 /// The upper left corner of a note of `size` for a hand at `at`: beside what is to stay clear, where one of
 /// its four sides has room; else beside the hand.
-ImVec2 note_corner(const PictureView& view, ImVec2 at, ImVec2 size, const std::optional<Rect>& clear) {
-    const ImVec2 away = px(1) * ImVec2(20, 18), end = view.end(), edge = px(4) * ImVec2(1, 1);
+ImVec2 note_corner(const Rect& picture, ImVec2 at, ImVec2 size, const std::optional<Rect>& clear) {
+    const ImVec2 away = px(1) * ImVec2(20, 18), end = picture.high, edge = px(4) * ImVec2(1, 1);
     ImVec2 beside = at + away;
     if (beside.x + size.x > end.x - edge.x) beside.x = at.x - away.x - size.x;
     if (beside.y + size.y > end.y - edge.y) beside.y = at.y - away.y - size.y;
     if (!clear || !overlap(*clear, {beside, beside + size})) return beside;
-    const ImVec2 low = view.origin + edge, high = end - edge - size;
+    const ImVec2 low = picture.low + edge, high = end - edge - size;
     const ImVec2 middle = ImClamp(at - size / 2, low, high);
     const float gap = px(8);
     const ImVec2 sides[] = {{clear->high.x + gap, middle.y},
@@ -203,15 +203,14 @@ ImVec2 note_corner(const PictureView& view, ImVec2 at, ImVec2 size, const std::o
 
 }  // namespace
 
-void draw_note(ImDrawList& list, const PictureView& view, ImVec2 at, const HandNote& note,
-               const std::optional<Rect>& clear) {
+void draw_note(ImDrawList& list, ImVec2 at, const HandNote& note, const std::optional<Rect>& clear) {
     ImGui::PushFont(fonts().small);
     const ImVec2 head = ImGui::CalcTextSize(note.title.c_str());
     ImGui::PushFont(fonts().figures);
     const ImVec2 body = ImGui::CalcTextSize(note.numbers.c_str());
     const ImVec2 pad = px(1) * ImVec2(8, 5);
     const ImVec2 size = ImVec2(std::max(head.x, body.x), head.y + body.y) + 2 * pad;
-    const ImVec2 low = note_corner(view, at, size, clear);
+    const ImVec2 low = note_corner(clip_area(list), at, size, clear);
     badge_ground(list, {low, low + size});
     list_control("Note at the hand", "", {low, low + size});
     list.AddText(low + pad + ImVec2(0, head.y), to_u32(theme().text), note.numbers.c_str());

@@ -55,8 +55,7 @@ void draw_light_disc(ImDrawList& list, ImVec2 at, float radius, const Light& lig
 
 /// A note beside the cursor: a title and lines of figures, kept inside the picture and, where there is room,
 /// off `clear`, the part of the window in which the hand sees what it does.
-void draw_note(ImDrawList& list, const PictureView& view, ImVec2 at, const HandNote& note,
-               const std::optional<Rect>& clear);
+void draw_note(ImDrawList& list, ImVec2 at, const HandNote& note, const std::optional<Rect>& clear);
 
 // A light has a shape beside its position: a spot's cone, a panel's rectangle. These pure functions say where
 // it is in the world, what of it can be dragged, and what a drag makes of it.

@@ -55,8 +55,9 @@ Light with_edges(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_
                  vv = glm::dot(panel->v, panel->v), det = uu * vv - uv * uv;
     const double wu = glm::dot(way, panel->u), wv = glm::dot(way, panel->v);
     const double a = (wu * vv - wv * uv) / det, b = (wv * uu - wu * uv) / det;
+    // Past the middle it is the opposite corner that is under the cursor.
     const auto scaled = [&](glm::vec3 edge, double share) {
-        double length = double(glm::length(edge)) * std::max(share, least_edge);
+        double length = double(glm::length(edge)) * std::max(std::abs(share), least_edge);
         if (snap) length = std::max(std::round(length / view.snap_step), 1.0) * view.snap_step;
         return glm::vec3(glm::normalize(glm::dvec3(edge)) * length);
     };
