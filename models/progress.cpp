@@ -4,17 +4,23 @@ namespace glint {
 namespace {
 
 thread_local LoadProgress* listening = nullptr;
+thread_local bool is_part = false;
 
 }  // namespace
 
 ProgressScope::ProgressScope(LoadProgress& progress) { listening = &progress; }
 ProgressScope::~ProgressScope() { listening = nullptr; }
 
+PartOfProgress::PartOfProgress() { is_part = true; }
+PartOfProgress::~PartOfProgress() { is_part = false; }
+
 bool report_progress(LoadStage stage, std::uint64_t done, std::uint64_t total) {
     if (listening == nullptr) return true;
-    listening->stage = stage;
-    listening->done = done;
-    listening->total = total;
+    if (!is_part) {
+        listening->stage = stage;
+        listening->done = done;
+        listening->total = total;
+    }
     return !listening->cancelled;
 }
 

@@ -26,6 +26,16 @@ class ProgressScope {
     ProgressScope& operator=(const ProgressScope&) = delete;
 };
 
+/// While it lives, loads on this thread tell nothing, but end when they shall: they are parts of what counts
+/// something else, such as frames. They do not nest.
+class PartOfProgress {
+  public:
+    PartOfProgress();
+    ~PartOfProgress();
+    PartOfProgress(const PartOfProgress&) = delete;
+    PartOfProgress& operator=(const PartOfProgress&) = delete;
+};
+
 /// Tells how far this thread's load has come. False when it shall end: then give up with cancelled_words.
 [[nodiscard]] bool report_progress(LoadStage stage, std::uint64_t done, std::uint64_t total = 0);
 

@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "models/mesh/topology.h"
 #include "renderer/shade/lighting.h"
 #include "renderer/surface/surface.h"
 #include "renderer/visibility/binning.h"
@@ -15,8 +16,6 @@ namespace {
 
 // Bytes of an object, whatever its mesh: its geometry, materials and jobs.
 constexpr std::uint64_t bytes_an_object = 4096;
-// Bytes of a triangle whose edges are looked for: OpenMesh's half-edges meanwhile, then ours.
-constexpr std::uint64_t bytes_of_edges = 200;
 // Bytes of a normal that is averaged: its sum in doubles meanwhile.
 constexpr std::uint64_t bytes_of_sum = 48;
 // Bytes of a point that is lit for several pixels: position and normal, what it is, its colour.
@@ -91,7 +90,7 @@ class ObjectsMemory {
         need[MemoryUse::Tiles] += bytes_to_bin(triangles, tiles);
         if (meshes_.insert(&mesh).second)
             need[MemoryUse::Objects] +=
-                3 * triangles * sizeof(std::uint32_t) + (edges ? triangles * bytes_of_edges : 0);
+                3 * triangles * sizeof(std::uint32_t) + (edges ? triangles * bytes_of_topology : 0);
         const NormalOptions& o = object.normals;
         if (!options_.insert({&mesh, o.source, o.weighting, o.crease_deg}).second) return;
         need[MemoryUse::Objects] +=
@@ -99,7 +98,7 @@ class ObjectsMemory {
         if (normals.averaged)
             max_meanwhile_ =
                 std::max(max_meanwhile_, normals.normals * bytes_of_sum +
-                                             (o.crease_deg < 180 ? triangles * bytes_of_edges : 0));
+                                             (o.crease_deg < 180 ? triangles * bytes_of_topology : 0));
     }
 
     /// The bytes of corners or faces that may be lit, each with its normal as it is and reversed; few are

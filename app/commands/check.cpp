@@ -26,8 +26,13 @@ struct CheckArguments {
 
 /// Whether something has that name, be it a link that leads nowhere, of which reading says so.
 bool is_there(const std::string& path) {
-    std::error_code ignored;
-    return std::filesystem::symlink_status(path, ignored).type() != std::filesystem::file_type::not_found;
+    std::error_code failed;
+    const std::filesystem::file_type type = std::filesystem::symlink_status(path, failed).type();
+    if (type == std::filesystem::file_type::none)
+        throw Failure{
+            ExitStatus::Impossible,
+            {path, "", "cannot be looked for: " + reason(failed.value()), "a directory that can be read"}};
+    return type != std::filesystem::file_type::not_found;
 }
 
 /// The file of that buffer, .pfm or .exr; empty where there is none.

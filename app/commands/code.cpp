@@ -10,6 +10,7 @@
 #include "models/fields/choices.h"
 #include "models/io/file.h"
 #include "models/io/temporary.h"
+#include "renderer/programs/mesh_text.h"
 #include "renderer/programs/program.h"
 
 namespace glint {
@@ -54,14 +55,20 @@ Outcome code(const CodeArguments& arguments) {
                           fmt::format("{}", fmt::join(names_of<Language>(), ", ")));
     require_given(arguments.out, "-o", "a new or an empty directory");
     const SceneDocument document = open_scene(arguments.scene);
-    Result<std::vector<ProgramFile>> program = write_program(
+    Result<Program> written = write_program(
         {document.scene, arguments.size, name_of_scene(arguments.scene.file)}, *arguments.language);
-    if (auto* problem = std::get_if<Problem>(&program)) problem->file = arguments.scene.file;
-    const std::vector<ProgramFile> files = take(std::move(program));
+    if (auto* problem = std::get_if<Problem>(&written)) problem->file = arguments.scene.file;
+    const Program program = take(std::move(written));
     const std::unique_ptr<NewDirectory> made = new_directory(arguments.out);
     FilesTogether together;
-    for (const ProgramFile& file : files)
-        (void)take(together.add((fs::path(arguments.out) / file.name).string(), file.text));
+    const auto add = [&](const std::string& name, std::string text) {
+        (void)take(together.add((fs::path(arguments.out) / name).string(), std::move(text)));
+    };
+    for (const ProgramFile& file : program.texts) add(file.name, file.text);
+    for (const ProgramMesh& mesh : program.meshes) {  // one at a time: they are long
+        MemoryShare share;
+        add(mesh.name, mesh_text(mesh.object, document.scene.shading.mistakes, share));
+    }
     (void)take(together.put_in_place());
     if (made) made->keep();
     return {{}, document.warnings, ExitStatus::Done};

@@ -22,6 +22,25 @@ void say_whole(const Scene& scene, Warnings& w) {
         w.emplace_back("the ambient light is left out, which glTF does not have");
 }
 
+/// What decides how faces are drawn and lit, but for the model, and has no words in glTF.
+void say_shading(const Scene& scene, Warnings& w) {
+    const Shading &now = scene.shading, read;
+    std::string names;
+    const auto add = [&names](bool differs, const char* name) {
+        if (differs) names += std::string(names.empty() ? "" : ", ") + name;
+    };
+    add(now.mode != read.mode, "mode");
+    add(now.interpolation != read.interpolation, "interpolation");
+    add(now.local_viewer != read.local_viewer, "local_viewer");
+    add(now.cull != read.cull, "cull");
+    add(now.terms != read.terms, "terms");
+    add(now.power_table != read.power_table, "power_table");
+    add(now.mistakes != read.mistakes, "mistakes");
+    if (!names.empty()) w.push_back("glTF has no words for these of /shading, which are left out: " + names);
+    if (scene.npr.cool_to_warm || scene.npr.silhouettes || scene.npr.creases)
+        w.emplace_back("cool-to-warm shading and strokes are left out, which glTF does not have");
+}
+
 void say_lights(const GltfUnsaid& unsaid, Warnings& w) {
     warn(w, unsaid.off, "light that is off is left out", "lights that are off are left out");
     warn(w, unsaid.areas, "area light is left out", "area lights are left out");
@@ -80,6 +99,7 @@ Warnings said(const GltfUnsaid& unsaid, const Scene& scene) {
     Warnings w;
     say_camera(unsaid, w);
     say_whole(scene, w);
+    say_shading(scene, w);
     if (scene.shading.reflection == Reflection::CookTorrance)
         warn(w, unsaid.materials, "material has colours that no metal has: its diffuse colour is kept",
              "materials have colours that no metal has: their diffuse colours are kept");

@@ -31,6 +31,9 @@ struct Topology {
     }
 };
 
+/// Bytes of a triangle that make_topology() needs: OpenMesh's half-edges meanwhile, then ours.
+inline constexpr std::uint64_t bytes_of_topology = 200;
+
 /// Finds the edges. Degenerate polygons are included; a side from a vertex to itself is not an edge. Time:
 /// about linear (n log n in what OpenMesh cannot hold).
 [[nodiscard]] Topology make_topology(const Mesh& mesh);

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <string>
 
 #include "models/mesh/normals.h"
 
@@ -45,12 +47,33 @@ std::vector<glm::vec3> normals_as_read(const Object& object, const CornerNormals
     return normals;
 }
 
+/// The digits of the whole numbers below `count`.
+std::uint64_t digits(std::uint64_t count) { return std::to_string(count).size(); }
+
+/// At most so many bytes has the text of a mesh with so many normals.
+std::uint64_t longest_text(const Mesh& mesh, std::size_t normals) {
+    constexpr std::uint64_t line = 3 * 16;  // three numbers such as -1.17549435e-38, and what parts them
+    const std::uint64_t corners = mesh.corner_position.size(), faces = mesh.face_count(),
+                        triangles = mesh.triangles.size();
+    const std::uint64_t index = digits(std::max(mesh.positions.size(), normals));
+    return line * (mesh.positions.size() + normals + mesh.colors.size()) + corners * (2 * index + 3) +
+           faces * (digits(corners) + 1) + triangles * (digits(faces) + 3 * digits(corners) + 4) +
+           200;  // heads
+}
+
 }  // namespace
 
-std::string mesh_text(const Object& object, const Mistakes& mistakes) {
+std::string mesh_text(const Object& object, const Mistakes& mistakes, MemoryShare& share) {
     const Mesh& mesh = *object.mesh;
+    const std::uint64_t a_corner =
+        2 * sizeof(glm::vec3) + sizeof(std::uint32_t);  // its normal, twice, and its index
+    const std::uint64_t corners = mesh.corner_position.size();
+    share.set(memory_need(MemoryUse::Output, corners * a_corner));
     const CornerNormals normals = corner_normals(mesh, object.normals);
     std::string text;
+    const std::uint64_t longest = longest_text(mesh, normals.normals.size());
+    share.set(memory_need(MemoryUse::Output, 2 * sizeof(glm::vec3) * normals.normals.size() + longest));
+    text.reserve(longest);
     auto out = std::back_inserter(text);
     add_vectors(text, "positions", mesh.positions);
     add_vectors(text, "normals", normals_as_read(object, normals, mistakes));

@@ -9,12 +9,13 @@
 
 #include <string>
 
+#include "models/memory_limit.h"
 #include "models/scene/scene.h"
 
 namespace glint {
 
-/// The mesh of an object with its normals, which the mistakes in reading normals change. Precondition:
-/// loaded.
-[[nodiscard]] std::string mesh_text(const Object& object, const Mistakes& mistakes);
+/// The mesh of an object with its normals, which the mistakes in reading normals change. `share` takes the
+/// memory for the text before it is made; Refused when that does not fit. Precondition: loaded.
+[[nodiscard]] std::string mesh_text(const Object& object, const Mistakes& mistakes, MemoryShare& share);
 
 }  // namespace glint

@@ -13,7 +13,6 @@
 
 #include "models/fields/choices.h"
 #include "models/gltf/gltf.h"
-#include "renderer/programs/mesh_text.h"
 #include "renderer/programs/model_text.h"
 #include "renderer/programs/scene_flags.h"
 #include "renderer/programs/scene_tables.h"
@@ -60,26 +59,12 @@ bool can(Language language, const Need& need) {
     return false;
 }
 
-/// Why the language cannot draw the scene, if it cannot.
-std::optional<Problem> missing_in(Language language, const Scene& scene) {
+/// The first of what the scene needs that the language cannot do.
+std::optional<Need> lacking_in(Language language, const Scene& scene) {
     const std::vector<Need> needs = needs_of(scene);
-    const auto lacks = [&needs](Language l) {
-        return std::find_if(needs.begin(), needs.end(), [l](const Need& n) { return !can(l, n); });
-    };
-    const auto missing = lacks(language);
-    if (missing == needs.end()) return std::nullopt;
-    std::string able, in_part;  // those that can draw the scene, and one that lacks something else
-    for (const Language other : enumerators<Language>) {
-        const auto lacking = lacks(other);
-        if (lacking == needs.end())
-            able += (able.empty() ? "--language " : " or ") + std::string(name_of(other));
-        else if (in_part.empty() && can(other, *missing))
-            in_part = fmt::format("a scene without it, or --language {} and one without {}", name_of(other),
-                                  lacking->pointer);
-    }
-    if (able.empty()) able = in_part.empty() ? "a scene without it: no language can" : in_part;
-    return Problem{"", missing->pointer,
-                   fmt::format("{}, which {} cannot do", missing->what, name_of(language)), able};
+    const auto lacking =
+        std::find_if(needs.begin(), needs.end(), [&](const Need& need) { return !can(language, need); });
+    return lacking == needs.end() ? std::nullopt : std::optional(*lacking);
 }
 
 /// Names for a comment of any language: no control characters, no sign that continues a line or ends a
@@ -122,7 +107,7 @@ Flags words_of(std::string_view text) {
 
 /// The mesh files of shown() objects: objects of one mesh and one kind of normals share a file.
 struct MeshFiles {
-    std::vector<ProgramFile> files;
+    std::vector<ProgramMesh> files;
     std::vector<std::string> of_object;
 };
 MeshFiles mesh_files(const Scene& scene) {
@@ -137,17 +122,17 @@ MeshFiles mesh_files(const Scene& scene) {
             const std::string source = source_name(o.source);  // several objects of one glTF file
             const std::string stem = std::filesystem::path(source).stem().string();
             file = names.once(in_letters(is_gltf_path(source) ? o.name : stem, "mesh")) + ".mesh";
-            out.files.push_back({file, mesh_text(o, scene.shading.mistakes)});
+            out.files.push_back({file, o});
         }
         out.of_object.push_back(file);
     }
     return out;
 }
 
-std::string wrapped(const std::vector<ProgramFile>& files, const std::string& comment) {
+std::string wrapped(const std::vector<ProgramMesh>& files, const std::string& comment) {
     std::string text;
     std::size_t column = 60;
-    for (const ProgramFile& file : files) {
+    for (const ProgramMesh& file : files) {
         if (column + file.name.size() > 100) {
             if (!text.empty()) text.pop_back();
             text += "\n" + comment + " ";
@@ -211,9 +196,8 @@ Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
             {"const_v", flags.contains("wrong.view_reversed") ? "" : "const "}};
 }
 
-/// The files of a program, of however many lines.
-Result<std::vector<ProgramFile>> files_of(const ProgramOf& of, Language language) {
-    if (auto problem = missing_in(language, of.scene)) return *problem;
+/// The program, of however many lines. Precondition: the language lacks nothing that the scene needs.
+Program program_of(const ProgramOf& of, Language language) {
     const LanguageTexts texts = texts_of(language);
     Flags flags = flags_of(of.scene);
     const ModelText model = model_text(of.scene.shading, flags.contains("terms.diffuse"), language, "    ");
@@ -226,7 +210,7 @@ Result<std::vector<ProgramFile>> files_of(const ProgramOf& of, Language language
         flags.insert("shader");  // which takes the samples of an area light itself
     for (const char* of_light : {"uses.l", "uses.n_l", "uses.l_v", "uses.S", "light.spot", "light.area"})
         if (flags.contains(of_light)) flags.insert("needs.l");
-    const MeshFiles meshes = mesh_files(of.scene);
+    MeshFiles meshes = mesh_files(of.scene);
     Values values = values_of(of, language, flags);
     values["model"] = model.text;
     values["mesh_files"] = wrapped(meshes.files, std::string(texts.comment));
@@ -237,43 +221,60 @@ Result<std::vector<ProgramFile>> files_of(const ProgramOf& of, Language language
     values["lights"] = tables.lights;
     values["objects"] = tables.objects;
 
-    std::vector<ProgramFile> files;
+    Program program{{}, std::move(meshes.files)};
     for (const LanguageTexts::File& file : texts.files)
-        files.push_back({std::string(file.name), filled(file.text, flags, values)});
-    files.insert(files.end(), meshes.files.begin(), meshes.files.end());
-    return files;
+        program.texts.push_back({std::string(file.name), filled(file.text, flags, values)});
+    return program;
 }
 
-/// How many lines the program of `files` has, where they are more than the language may have.
-std::optional<std::size_t> too_many_lines(const std::vector<ProgramFile>& files, Language language) {
-    const std::string& program = files.front().text;
-    const auto lines = static_cast<std::size_t>(std::count(program.begin(), program.end(), '\n'));
+/// How many lines the program has, where they are more than the language may have.
+std::optional<std::size_t> too_many_lines(const Program& program, Language language) {
+    const std::string& text = program.texts.front().text;
+    const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
     const std::size_t most = texts_of(language).most_lines;
     return most > 0 && lines > most ? std::optional(lines) : std::nullopt;
 }
 
-/// "fewer lights and objects, or --language python": the ways to a program that is short enough.
-std::string shorter_ways(const ProgramOf& of) {
-    std::string ways = "fewer lights and objects";
+/// "--language cpp or python": those in which the scene can be written; empty where none is.
+std::string languages_for(const ProgramOf& of) {
+    std::string able;
+    for (const Language language : enumerators<Language>)
+        if (!lacking_in(language, of.scene) && !too_many_lines(program_of(of, language), language))
+            able += (able.empty() ? "--language " : " or ") + std::string(name_of(language));
+    return able;
+}
+
+constexpr const char* smaller_scene = "fewer lights and objects";
+
+/// What to do where a language lacks what the scene needs.
+std::string ways_around(const ProgramOf& of, const Need& need) {
+    if (std::string able = languages_for(of); !able.empty()) return able;
+    std::string in_part;  // a language that has this, but lacks something else
     for (const Language other : enumerators<Language>) {
-        const auto files = files_of(of, other);
-        if (problem_of(files) == nullptr && !too_many_lines(std::get<0>(files), other))
-            ways += ", or --language " + std::string(name_of(other));
+        const std::optional<Need> lacking = lacking_in(other, of.scene);
+        if (!lacking) return fmt::format("{}, and --language {}", smaller_scene, name_of(other));
+        if (in_part.empty() && can(other, need))
+            in_part = fmt::format("a scene without it, or --language {} and one without {}", name_of(other),
+                                  lacking->pointer);
     }
-    return ways;
+    return in_part.empty() ? "a scene without it: no language can" : in_part;
 }
 
 }  // namespace
 
-Result<std::vector<ProgramFile>> write_program(const ProgramOf& of, Language language) {
-    auto files = files_of(of, language);
-    if (problem_of(files) != nullptr) return files;
-    if (const auto lines = too_many_lines(std::get<0>(files), language)) {
-        files = {};  // meshes are large
+Result<Program> write_program(const ProgramOf& of, Language language) {
+    if (const std::optional<Need> need = lacking_in(language, of.scene))
+        return Problem{"", need->pointer,
+                       fmt::format("{}, which {} cannot do", need->what, name_of(language)),
+                       ways_around(of, *need)};
+    Program program = program_of(of, language);
+    if (const auto lines = too_many_lines(program, language)) {
+        const std::string able = languages_for(of);
         return Problem{"", "", fmt::format("the program would have {} lines", *lines),
-                       fmt::format("at most {}: {}", texts_of(language).most_lines, shorter_ways(of))};
+                       fmt::format("at most {}: {}{}", texts_of(language).most_lines, smaller_scene,
+                                   able.empty() ? "" : ", or " + able)};
     }
-    return files;
+    return program;
 }
 
 }  // namespace glint

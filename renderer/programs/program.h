@@ -30,9 +30,19 @@ constexpr Choice choice_of(Language language) {
 }
 
 struct ProgramFile {
-    std::string name;  // of the file, without a folder
+    std::string name;  // without a folder
     std::string text;
-    bool operator==(const ProgramFile&) const = default;
+};
+
+/// A mesh that the program reads: mesh_text() of the object under the scene's mistakes, which can be long.
+struct ProgramMesh {
+    std::string name;  // of its file
+    Object object;
+};
+
+struct Program {
+    std::vector<ProgramFile> texts;  // the program itself first
+    std::vector<ProgramMesh> meshes;
 };
 
 /// What the program is of: the scene with its meshes loaded, the picture's size, and the scene's name for the
@@ -43,9 +53,9 @@ struct ProgramOf {
     std::string name;
 };
 
-/// The files of a program that draws the scene: the program itself first, then what belongs to it. Compiled
+/// The files of a program that draws the scene. Compiled
 /// or run as its first comment says, it gives the picture of `glint render`. Problem (without a file): what
 /// the language cannot do; `expected` names the languages that can.
-[[nodiscard]] Result<std::vector<ProgramFile>> write_program(const ProgramOf& of, Language language);
+[[nodiscard]] Result<Program> write_program(const ProgramOf& of, Language language);
 
 }  // namespace glint

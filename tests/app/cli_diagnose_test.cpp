@@ -331,6 +331,23 @@ TEST_CASE("glint check refuses bad input in one line", "[cli][check][bad-input]"
     check(buffers.path(""), 1, position + ": ");
 }
 
+TEST_CASE("glint check says of a directory in which it may not look that it may not",
+          "[cli][check][bad-input]") {
+    const Files files;
+    const TemporaryDirectory folder;
+    // That the system refuses whoever asks: the names of files in it are longer than a path may be.
+    constexpr std::size_t longest_path = 4095, longest_name = 255;
+    std::string deep = folder.path("d");
+    while (deep.size() + 12 < longest_path)
+        deep += "/" + std::string(std::min(longest_name, longest_path - deep.size() - 12), 'd');
+    std::filesystem::create_directories(deep);
+    const Ended ended = run_glint({"check", files.scene, deep});
+    CHECK(ended.status == 1);
+    CHECK(ended.err.starts_with("glint: error: " + folder.path("d")));
+    CHECK(ended.err.ends_with(
+        "cannot be looked for: file name too long; expected a directory that can be read\n"));
+}
+
 TEST_CASE("glint check passes over no buffer that cannot be read and over no second one of a name",
           "[cli][buffers][check][bad-input]") {
     const Files files;

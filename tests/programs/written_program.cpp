@@ -9,6 +9,7 @@
 #include <regex>
 #include <stdexcept>
 
+#include "renderer/programs/mesh_text.h"
 #include "tests/support/program.h"
 
 namespace glint::programs {
@@ -100,18 +101,22 @@ void read_pictures(Drawn& drawn, const TemporaryDirectory& folder, PictureSize s
 
 Drawn build_and_run(const ProgramOf& of, Language language) {
     const TemporaryDirectory folder;
-    const auto files = std::get<std::vector<ProgramFile>>(write_program(of, language));
+    const auto program = std::get<Program>(write_program(of, language));
+    const std::string& text = program.texts.front().text;
     Drawn drawn;
-    for (const ProgramFile& file : files) {
+    for (const ProgramFile& file : program.texts) {
         (void)folder.file(file.name, file.text);
-        if (!file.name.ends_with(".mesh")) drawn.text += file.text;
+        drawn.text += file.text;
     }
-    std::string build = line_after(files.front().text, "build offscreen");
+    MemoryShare share;
+    for (const ProgramMesh& mesh : program.meshes)
+        (void)folder.file(mesh.name, mesh_text(mesh.object, of.scene.shading.mistakes, share));
+    std::string build = line_after(text, "build offscreen");
     replace(build, "-O2", "-O1 -Wall -Wextra -Werror");
     static QuickerBuild quicker_build;
-    build += quicker_build.options(files.front().text, build);
+    build += quicker_build.options(text, build);
     if (!runs(build, folder, drawn.failure) ||
-        !runs(line_after(files.front().text, "run offscreen"), folder, drawn.failure)) {
+        !runs(line_after(text, "run offscreen"), folder, drawn.failure)) {
         drawn.failure += " (failed: " + of.name + ")";
         return drawn;
     }

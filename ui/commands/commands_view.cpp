@@ -48,7 +48,7 @@ void switch_b(UiState& state) {
 
 void store_b(UiState& state) {
     CompareChoice& choice = state.views.compare.choice;
-    choice.stored = std::make_shared<const Scene>(state.editor.scene());
+    choice.stored = std::make_shared<const Scene>(as_made(state, state.editor.scene()));
     choice.shows_stored = false;
     state.notifications.add(Tone::Done, "Stored as B: press " + keys_of(CommandId::ShowB) + " to look at it");
 }

@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +14,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/text/text_field.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -216,7 +216,7 @@ void palette(UiState& state, const UiInput& input) {
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav);
     if (palette.takes_keyboard) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::InputTextWithHint("##text", "What would you like to do?", &palette.text)) palette.chosen = 0;
+    if (text_field("##text", "What would you like to do?", palette.text)) palette.chosen = 0;
     const int decided = entry_list(palette, input);
     const bool left = !palette.takes_keyboard && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
     const bool entered = std::any_of(input.presses.begin(), input.presses.end(),

@@ -2,12 +2,15 @@
 
 #include <filesystem>
 
+#include "models/fields/choices.h"
 #include "models/io/file.h"
 #include "models/scene/mistakes.h"
 #include "ui/commands/command.h"
 #include "ui/commands/menus.h"
 #include "ui/commands/palette_rows.h"
 #include "ui/document/document_actions.h"
+#include "ui/document/loading.h"
+#include "ui/export/animation.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
 #include "ui/inspector/tabs.h"
@@ -119,9 +122,34 @@ void add_open(Entries& entries, std::string name, std::string group, const std::
 void add_recent(Entries& entries, const UiState& state) {
     for (const std::string& path : state.persistence.recent) {
         const std::filesystem::path file(path);
-        add_open(entries, fmt::format("Open {}", file.filename().string()), file.parent_path().string(),
-                 path);
+        add_open(entries, fmt::format("Open recent: {}", file.filename().string()),
+                 file.parent_path().string(), path);
     }
+}
+
+/// What the offer to recover unsaved work asks, while it stands.
+void add_answers_of_copy(Entries& entries, const UiState& state) {
+    if (state.persistence.orphans.empty()) return;
+    const std::string title = state.persistence.orphans.front().title;
+    const auto add = [&](const std::string& name, CopyAnswer answer) {
+        entries.push_back({name, "Copy of unsaved work", "", "", [answer](UiState& s) {
+                               if (!s.persistence.orphans.empty()) answer_copy(s, answer);
+                           }});
+    };
+    add(fmt::format("Recover the copy of {}", title), CopyAnswer::Recover);
+    add(fmt::format("Discard the copy of {}", title), CopyAnswer::Discard);
+    add(fmt::format("Not now: keep the copy of {} for the next start", title), CopyAnswer::NotNow);
+}
+
+void add_animation(Entries& entries, const UiState& state) {
+    const AnimateState& animate = state.animate;
+    for (const Motion motion : enumerators<Motion>)
+        entries.push_back({fmt::format("Animate: {}", choice_of(motion).label), "Animation", "", "",
+                           [motion](UiState& s) { begin_animation(s, motion); }});
+    const std::string refused = animate.job ? "Frames are being written" : animate.refused;
+    entries.push_back({animate.playing ? "Stop the animation" : "Play the animation", "Animation", "",
+                       refused, switch_playing});
+    entries.push_back({"Write the animation's frames…", "Animation", "", refused, ask_for_frames});
 }
 
 void add_scenes(Entries& entries, const UiState& state) {
@@ -142,6 +170,8 @@ void add_scenes(Entries& entries, const UiState& state) {
 std::vector<PaletteEntry> palette_entries(const UiState& state) {
     Entries entries;
     add_commands(entries, state);
+    add_answers_of_copy(entries, state);
+    add_animation(entries, state);
     add_recent(entries, state);
     const std::size_t of_the_scene = entries.size();
     add_fields(entries, state);

@@ -113,7 +113,7 @@ void begin_pending(UiState& state, Pending::What what, const std::string& path, 
 }
 
 void take_scene(UiState& state, SceneDocument document) {
-    if (document.path != state.editor.document.path) {  // another scene
+    if (document.path.empty() || document.path != state.editor.document.path) {  // another scene
         put_picture_away(state);
         lay_level(state.views.scope);
     }
@@ -185,15 +185,19 @@ bool save(UiState& state) {
     return save_over(state);
 }
 
-bool save_over(UiState& state) {
-    if (const auto problem = save_file(state.editor, state.editor.document.path)) {
+bool save_as(UiState& state, const std::string& path) {
+    if (const auto problem = save_file(state.editor, path, as_made(state, state.editor.scene()))) {
         state.notifications.add(*problem);
         state.pending = {};
         return false;
     }
-    state.notifications.add(Tone::Done, fmt::format("Saved {}", state.editor.title()));
+    const char* const awaited =
+        awaits_mesh(state) ? ", with the mesh as it was: the new one is being built" : "";
+    state.notifications.add(Tone::Done, fmt::format("Saved {}{}", state.editor.title(), awaited));
     return true;
 }
+
+bool save_over(UiState& state) { return save_as(state, state.editor.document.path); }
 
 void reload(UiState& state) {
     state.pending = {};

@@ -32,6 +32,8 @@ void take_scene(UiState& state, SceneDocument document);
 bool save(UiState& state);
 /// Saves whatever is in the file. True when it is saved now.
 bool save_over(UiState& state);
+/// Saves to that file and says what came of it. True when it is saved now.
+bool save_as(UiState& state, const std::string& path);
 /// Opens the document's file again, giving up what is not saved.
 void reload(UiState& state);
 

@@ -42,14 +42,16 @@ void take_document(Editor& editor, SceneDocument document) {
     editor = std::move(next);
 }
 
-std::optional<Problem> save_file(Editor& editor, std::string path) {
+std::optional<Problem> save_file(Editor& editor, std::string path, const Scene& scene) {
     if (lower_extension(path) != ".json") path += ".json";
     // The copy in hand keeps its mesh paths: they and the history's stay relative to where it was opened.
-    Result<SceneDocument> written = save_document(editor.document, path);
+    SceneDocument saved = editor.document;
+    saved.scene = scene;
+    Result<SceneDocument> written = save_document(saved, path);
     if (const Problem* problem = problem_of(written)) return *problem;
     editor.document.path = path;
     editor.document.stamp = std::get<SceneDocument>(written).stamp;
-    editor.saved = editor.document.scene;
+    editor.saved = std::move(saved.scene);
     editor.saved_edited_camera = editor.history.edited_camera();
     return {};
 }

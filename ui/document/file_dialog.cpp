@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cctype>
@@ -14,6 +13,7 @@
 #include "models/mesh_formats/mesh_file.h"
 #include "ui/shell/modal.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/text/text_field.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -134,7 +134,7 @@ void folder_line(FileDialog& dialog) {
     tooltip("Up", "To the folder that holds this one");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::InputText("##folder", &dialog.folder, ImGuiInputTextFlags_EnterReturnsTrue))
+    if (text_field("##folder", "", dialog.folder, ImGuiInputTextFlags_EnterReturnsTrue))
         go_to(dialog, dialog.folder);
 }
 
@@ -252,7 +252,7 @@ std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
     bool decided = entry_list(dialog);
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-px(180));
-    if (ImGui::InputTextWithHint("##name", "name or path", &dialog.name)) dialog.asks_overwrite = false;
+    if (text_field("##name", "name or path", dialog.name)) dialog.asks_overwrite = false;
     ImGui::SameLine();
     decided |=
         ImGui::Button(dialog.asks_overwrite ? "Replace" : say.button, {px(84), 0}) || enter_answers(enter);

@@ -282,6 +282,26 @@ bool awaits_mesh(const UiState& state) {
                        [](const AwaitedMesh& a) { return a.mesh_before != nullptr; });
 }
 
+Scene as_made(const UiState& state, Scene scene) {
+    const Scene& present = state.editor.history.present();
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        Object& object = scene.objects[i];
+        for (const AwaitedMesh& awaited : state.loading.awaited)
+            if (waits(object, awaited)) object.source = awaited.before;
+        // Edited in this very frame: it will be awaited in the next.
+        if (object.mesh || is_quick(object.source) || i >= present.objects.size()) continue;
+        object.source = present.objects[i].source;
+        object.mesh = present.objects[i].mesh;
+    }
+    return scene;
+}
+
+SceneDocument document_as_made(const UiState& state) {
+    SceneDocument document = state.editor.document;
+    document.scene = as_made(state, std::move(document.scene));
+    return document;
+}
+
 void cancel_loads(UiState& state) {
     give_up_meshes(state);
     leave(state.loading, state.loading.meshes);

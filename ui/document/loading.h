@@ -59,11 +59,23 @@ void poll_loads(UiState& state);
 /// Whether an object waits for its mesh: no undo step yet.
 [[nodiscard]] bool awaits_mesh(const UiState& state);
 
+/// `scene`, which is the edited one or shares its objects, with the mesh that is seen for each that is still
+/// awaited: it opens again, and its picture is the one that is seen. What is saved, exported or kept
+/// meanwhile.
+[[nodiscard]] Scene as_made(const UiState& state, Scene scene);
+/// The open document so.
+[[nodiscard]] SceneDocument document_as_made(const UiState& state);
+
 /// Ends all loads; the scene is as before them.
 void cancel_loads(UiState& state);
 
 /// Draws the bar that says what is being loaded, over the middle of the picture's upper edge.
 void loading_panel(UiState& state, const Rect& picture);
+
+/// Opens the first copy of unsaved work that a crash left, deletes it, or asks again at the next start.
+/// Precondition: there is one.
+enum class CopyAnswer { Recover, Discard, NotNow };
+void answer_copy(UiState& state, CopyAnswer answer);
 
 /// Offers to recover the work that a crash interrupted, at the same place, while nothing is being loaded.
 void recovery_panel(UiState& state, const Rect& picture);

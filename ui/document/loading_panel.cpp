@@ -11,6 +11,8 @@
 #include "ui/document/loading.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -108,6 +110,15 @@ bool is_shown_to_others(const UiState& state) {
 
 }  // namespace
 
+void answer_copy(UiState& state, CopyAnswer answer) {
+    auto& left = state.persistence.orphans;
+    if (answer == CopyAnswer::Recover)
+        return begin_pending(state, Pending::What::Recover, left.front().lock.path());
+    std::error_code failed;
+    if (answer == CopyAnswer::Discard) std::filesystem::remove(left.front().lock.path(), failed);
+    left.erase(left.begin());
+}
+
 void recovery_panel(UiState& state, const Rect& picture) {
     auto& left = state.persistence.orphans;
     if (left.empty() || state.pending.asking || state.loading.active() || is_shown_to_others(state)) return;
@@ -126,11 +137,11 @@ void recovery_panel(UiState& state, const Rect& picture) {
     ImGui::SameLine();
     const bool later = ImGui::Button("Not now", {px(110), 0});
     tooltip("Not now", "Asks again at the next start");
+    small_dim(fmt::format("{}: recover, discard, not now", keys_of(CommandId::Palette)));
     end_over_picture();
-    std::error_code failed;
-    if (discard) std::filesystem::remove(left.front().lock.path(), failed);
-    if (discard || later) left.erase(left.begin());
-    if (open) begin_pending(state, Pending::What::Recover, left.front().lock.path());
+    if (open) return answer_copy(state, CopyAnswer::Recover);
+    if (discard) return answer_copy(state, CopyAnswer::Discard);
+    if (later) answer_copy(state, CopyAnswer::NotNow);
 }
 
 }  // namespace glint

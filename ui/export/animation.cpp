@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +19,7 @@
 #include "ui/fields/field_panel.h"
 #include "ui/inspector/equation/words.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/text/text_field.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -66,8 +66,10 @@ void forget_number_that_is_gone(UiState& state) {
 void choose_number(AnimateState& animate, const Scene& scene) {
     Animation& animation = animate.animation;
     ImGui::SetNextItemWidth(label_cell("Number"));
-    ImGui::InputTextWithHint("##search", "a part of its name: roughness …", &animate.search);
-    tooltip("Number", "What goes to and fro");
+    if (std::exchange(animate.takes_keys, false)) ImGui::SetKeyboardFocusHere();
+    const bool entered = text_field("##search", "a part of its name: roughness …", animate.search,
+                                    ImGuiInputTextFlags_EnterReturnsTrue);
+    tooltip("Number", "What goes to and fro; Enter takes the first");
     const auto found = matching(scene, animate.search);
     if (found.empty() && !animate.search.empty())
         wrapped_dim(fmt::format("No number of the scene is called “{}”", animate.search));
@@ -75,7 +77,8 @@ void choose_number(AnimateState& animate, const Scene& scene) {
         const std::string words = words_for(scene, number.pointer);
         const std::string label =
             fmt::format("{}  =  {:.5g}##{}", whole_label(words), number.value, number.pointer);
-        const bool chosen = ImGui::Selectable(label.c_str(), number.pointer == animation.pointer);
+        const bool chosen = ImGui::Selectable(label.c_str(), number.pointer == animation.pointer) ||
+                            (entered && &number == &found.front());
         tooltip(whole_label(words).c_str(), number.help, "", number.pointer);
         if (!chosen) continue;
         animation.pointer = number.pointer;
@@ -107,14 +110,10 @@ void write_buttons(UiState& state) {
     const bool possible = animate.refused.empty();
     ImGui::BeginDisabled(!possible);
     const char* const play = animate.playing ? "Stop" : "Play";
-    if (ImGui::Button(play, {px(90), 0})) {
-        animate.playing = !animate.playing;
-        animate.began = ImGui::GetTime();
-    }
+    if (ImGui::Button(play, {px(90), 0})) switch_playing(state);
     tooltip(play, "The scene stays as it is: only the picture shows what moves");
     ImGui::SameLine();
-    if (ImGui::Button("Write frames…", {px(130), 0}))
-        state.files.ask(FilePurpose::SaveFrames, offered_name(state, ".gif"));
+    if (ImGui::Button("Write frames…", {px(130), 0})) ask_for_frames(state);
     tooltip("Write frames",
             "As PNG files, one a frame, or as one GIF: by the name's ending. A GIF has 256 colours "
             "a frame, so gradients get steps that are not in the picture",
@@ -137,6 +136,21 @@ Scene turned(Scene scene, double angle) {
 }
 
 }  // namespace
+
+void begin_animation(UiState& state, Motion motion) {
+    state.animate.open = true;
+    state.animate.animation.motion = motion;
+    state.animate.takes_keys = motion == Motion::PingPong;
+    state.animate.refused.clear();
+}
+
+void switch_playing(UiState& state) {
+    state.animate.playing = !state.animate.playing;
+    state.animate.open |= state.animate.playing;
+    state.animate.began = ImGui::GetTime();
+}
+
+void ask_for_frames(UiState& state) { state.files.ask(FilePurpose::SaveFrames, offered_name(state, ".gif")); }
 
 void animate_panel(UiState& state) {
     AnimateState& animate = state.animate;

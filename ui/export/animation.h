@@ -46,7 +46,8 @@ struct AnimateState {
     bool open = false, playing = false;
     std::optional<Scene> frame;  // while it plays: what the next picture shows
     Animation animation;
-    std::string search;  // for the number that shall move
+    std::string search;       // for the number that shall move
+    bool takes_keys = false;  // the search shall get the keyboard
     std::string number;  // Animation::pointer in words when it was chosen: "Bulb: intensity"; empty: not yet
     int frames_a_second = 25;               // 1 to 50: GIF counts hundredths of a second
     double began = 0;                       // ImGui's time at frame 0
@@ -56,6 +57,14 @@ struct AnimateState {
 
 /// The panel, while it is open.
 void animate_panel(UiState& state);
+
+/// Opens the panel with that motion; for a number's the keyboard is in the search for it, where Enter takes
+/// the first.
+void begin_animation(UiState& state, Motion motion);
+/// Plays, or ends playing.
+void switch_playing(UiState& state);
+/// Asks where the frames shall be written.
+void ask_for_frames(UiState& state);
 
 /// Leaves the number that goes to and fro, which the scene does not have any more, and says so where it
 /// played.

@@ -84,10 +84,10 @@ void size_rows(UiState& state, ExportOptions& options) {
     }
 }
 
-/// The open document with the scene that the picture shows.
+/// The open document with the scene that the picture shows, as it shows it.
 SceneDocument shown_document(const UiState& state) {
     SceneDocument document = state.editor.document;
-    document.scene = shown_scene(state);
+    document.scene = as_made(state, shown_scene(state));
     return document;
 }
 

@@ -34,6 +34,7 @@ std::optional<Problem> for_each_frame(const FrameJob& job, LoadProgress& progres
         if (!report_progress(LoadStage::Reading, std::uint64_t(frame), std::uint64_t(job.animation.frames)) ||
             progress.cancelled)
             return Problem{job.path, "", "writing was cancelled", ""};
+        const PartOfProgress meshes;  // of a frame whose fineness is animated
         const Result<Scene> scene = scene_at(job.document, job.animation, frame);
         if (const Problem* problem = problem_of(scene)) return *problem;
         const auto& shown = std::get<Scene>(scene);
@@ -78,7 +79,7 @@ Result<std::string> write_gif(const FrameJob& job, LoadProgress& progress) {
 
 void begin_frames(UiState& state, const std::string& path, PictureSize size, int samples) {
     AnimateState& animate = state.animate;
-    const FrameJob job{state.editor.document,
+    const FrameJob job{document_as_made(state),
                        animate.animation,
                        path,
                        size,

@@ -135,7 +135,8 @@ void match_column(UiState& state) {
     hint(match, match.asked_of);
     ImGui::Dummy({0, px(4)});
     const CompareChoice& choice = state.views.compare.choice;
-    const bool beside = choice.on && choice.stored && *choice.stored == match.task.target;
+    const bool beside = choice.on && choice.stored && *choice.stored == match.task.target &&
+                        choice.parts.back().kind == Variant::Kind::Stored;
     if (chosen_button("Target beside it", beside)) show_beside(state, !beside);
     tooltip("Target beside it", "Half of the picture is the target, behind a line to drag");
     ImGui::SameLine(0, px(8));

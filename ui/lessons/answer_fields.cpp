@@ -1,7 +1,6 @@
 // The ways to answer a question, one a kind; and the answer beside the right one.
 #include <fmt/core.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include "ui/widgets/named_controls.h"
 #include "ui/widgets/numbers/expression.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/text/text_field.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -25,7 +25,7 @@ bool number_answer(LessonState& lesson, const Prediction& question) {
     ImGui::SetNextItemWidth(px(130));
     if (std::exchange(lesson.takes_keys, false)) ImGui::SetKeyboardFocusHere();
     const bool entered =
-        ImGui::InputTextWithHint("##answer", "a number", &lesson.typed, ImGuiInputTextFlags_EnterReturnsTrue);
+        text_field("##answer", "a number", lesson.typed, ImGuiInputTextFlags_EnterReturnsTrue);
     tooltip("Your answer", "A number, or a calculation such as 1/2 or cos(30*deg)");
     if (!question.unit.empty()) {
         ImGui::SameLine(0, px(8));

@@ -169,7 +169,7 @@ void freeze(UiState& state) {
     // Of B, or of what plays, nothing is selected.
     state.lecture.frozen_selection =
         is_out_of_hand(state) ? Selection{} : valid_selection(state.editor.selection, state.rendered_scene);
-    state.lecture.frozen = state.rendered_scene;
+    state.lecture.frozen = as_made(state, state.rendered_scene);
 }
 
 std::optional<Scene> preview_of(const UiState& state) {

@@ -142,20 +142,24 @@ void write_autosave(UiState& state) {
     memory.autosaved_at = ImGui::GetTime();
     if (!has_autosave_name(memory))
         return tell_failed_autosave(state, {memory.folder, "", "cannot be written", "a folder of your own"});
+    SceneDocument document = document_as_made(state);
+    memory.autosaved_scene = document.scene;
     // Writing waits for the disk: not here.
-    memory.autosave_writing = std::async(
-        std::launch::async,
-        [document = state.editor.document, folder = memory.folder, path = memory.autosave->path()] {
-            return write_file_at_once(path, autosave_text(document, folder));
-        });
-    memory.autosaved_scene = state.editor.scene();
+    memory.autosave_writing =
+        std::async(std::launch::async,
+                   [document = std::move(document), folder = memory.folder, path = memory.autosave->path()] {
+                       return write_file_at_once(path, autosave_text(document, folder));
+                   });
 }
 
 void note_autosave(UiState& state) {
     Persistence& memory = state.persistence;
     if (!state.editor.unsaved()) return drop_autosave(state);
     const bool ended = take_written_autosave(state);
-    if (memory.has_copy_of(state.editor.scene()) || state.viewport.gesture != Gesture::None) return;
+    const Scene& scene = state.editor.scene();
+    const bool copied =
+        awaits_mesh(state) ? memory.has_copy_of(as_made(state, scene)) : memory.has_copy_of(scene);
+    if (copied || state.viewport.gesture != Gesture::None) return;
     const double rest = memory.autosaved_at + seconds_between_copies - ImGui::GetTime();
     if (rest > 0) return redraw_within(rest);
     if (!ended) return redraw_within(0.2);
@@ -254,7 +258,7 @@ bool keep_unsaved_work(UiState& state) {
     if (memory.autosave_writing.valid()) memory.autosave_writing.wait();  // it writes the same file
     try {
         if (!has_autosave_name(memory)) return false;
-        const std::string text = autosave_text(state.editor.document, memory.folder);
+        const std::string text = autosave_text(document_as_made(state), memory.folder);
         return problem_of(write_file_at_once(memory.autosave->path(), text)) == nullptr;
     } catch (const std::bad_alloc&) {
         return false;

@@ -77,7 +77,7 @@ void changed_question(UiState& state, const UiInput& input) {
 
 void save_picture(UiState& state, const std::string& path) {
     const std::string carried =
-        carried_scene_text(state.rendered_scene, state.editor.document.mesh_dir, path);
+        carried_scene_text(as_made(state, state.rendered_scene), state.editor.document.mesh_dir, path);
     const auto written = write_file_at_once(path, png_bytes(*state.rendered, carried));
     if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
     state.notifications.add(Tone::Done,
@@ -109,12 +109,8 @@ void use_file(UiState& state, const std::string& path) {
             return state.notifications.add(
                 Problem{path, "", "is in the folder of Glint's examples", "a folder of your own"});
         }
-        if (const auto problem = save_file(state.editor, path)) {
-            state.pending = {};
-            return state.notifications.add(*problem);
-        }
-        state.notifications.add(Tone::Done, fmt::format("Saved {}", state.editor.title()));
-        return finish_pending(state);
+        if (save_as(state, path)) finish_pending(state);
+        return;
     }
 }
 

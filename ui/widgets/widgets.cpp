@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 #include <imgui.h>
 #include <imgui_internal.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "models/saturate.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/numbers/number_input.h"
+#include "ui/widgets/text/text_field.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
@@ -133,7 +133,7 @@ bool switch_field(const char* label, bool& value, const Help& help) {
 bool name_field(const char* label, std::string& name, const Help& help) {
     ImGui::PushID(label);
     ImGui::SetNextItemWidth(label_cell(label));
-    const bool changed = ImGui::InputText("##name", &name);
+    const bool changed = text_field("##name", "", name);
     const bool is_cut = ImGui::CalcTextSize(name.c_str()).x > ImGui::GetItemRectSize().x - px(12);
     tooltip(label, help.what, is_cut ? name : "", help.pointer);
     ImGui::PopID();

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
+#include <vector>
 
 #include "renderer/diagnose/check/frames.h"
 
@@ -206,18 +208,22 @@ bool gives(const Reading& reading, const std::vector<ReadPoint>& points, const C
 
 std::string first_reading(const std::vector<Reading>& readings, const std::vector<ReadPoint>& points,
                           const CheckFrames& frames, Length length) {
+    // The first is what it should be. Turned round, it comes before what may be the same by chance, as v =
+    // (0, 0, 1) turned round and taken on to clip coordinates are.
+    std::vector<std::pair<const Reading*, double>> order{{&readings.front(), 1.0}, {&readings.front(), -1.0}};
     for (const double sign : {1.0, -1.0})
-        for (const Reading& reading : readings) {
-            if (!gives(reading, points, frames, sign, length)) continue;
-            std::string words = reading.words;
-            if (sign < 0) words += ", and turned round";
-            const bool is_unit = std::all_of(points.begin(), points.end(), [](const ReadPoint& p) {
-                return std::abs(glm::length(p.mine) - glm::length(p.ours)) <= near;
-            });
-            if (length == Length::Ignored && !is_unit) words += ", not of length 1";
-            // They differ, or nobody had asked.
-            return words == "ours" ? "ours but for small differences" : words;
-        }
+        for (std::size_t i = 1; i < readings.size(); ++i) order.emplace_back(&readings[i], sign);
+    for (const auto& [reading, sign] : order) {
+        if (!gives(*reading, points, frames, sign, length)) continue;
+        std::string words = reading->words;
+        if (sign < 0) words += ", and turned round";
+        const bool is_unit = std::all_of(points.begin(), points.end(), [](const ReadPoint& p) {
+            return std::abs(glm::length(p.mine) - glm::length(p.ours)) <= near;
+        });
+        if (length == Length::Ignored && !is_unit) words += ", not of length 1";
+        // They differ, or nobody had asked.
+        return words == "ours" ? "ours but for small differences" : words;
+    }
     return {};
 }
 

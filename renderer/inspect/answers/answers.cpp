@@ -1,9 +1,12 @@
 #include "renderer/inspect/answers/answers.h"
 
+#include <algorithm>
 #include <glm/mat4x4.hpp>
 #include <map>
 
 #include "models/json/json_of_vector.h"
+#include "models/memory_limit.h"
+#include "models/mesh/topology.h"
 
 namespace glint {
 namespace {
@@ -22,6 +25,8 @@ Json number_or_null(const std::optional<double>& number) { return number ? Json(
 }  // namespace
 
 JsonValue info_json(const Mesh& mesh) {
+    const std::uint64_t triangles = std::max(mesh.triangles.size(), mesh.corner_position.size() / 3);
+    const MemoryShare share(memory_need(MemoryUse::Meshes, triangles * bytes_of_topology));
     const MeshInfo info = mesh_info(mesh);
     return {{"vertices", info.vertices},
             {"faces", info.faces},

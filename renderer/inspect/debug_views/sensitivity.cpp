@@ -81,6 +81,13 @@ struct Slope {
     bool is_fixed = false, one_sided = false, is_none = true;
 };
 
+/// Whether both are the same to the last bit, or are no numbers where the other is none.
+bool is_same(const glm::dvec3& a, const glm::dvec3& b) {
+    for (int c = 0; c < 3; ++c)
+        if (!(a[c] == b[c] || (std::isnan(a[c]) && std::isnan(b[c])))) return false;
+    return true;
+}
+
 Slope slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& moved, double h) {
     const auto less = probe.color_with(moved, moved.value - h),
                more = probe.color_with(moved, moved.value + h);
@@ -88,7 +95,7 @@ Slope slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& moved, 
     found.is_fixed = !less && !more;
     found.one_sided = !less || !more;
     found.change = (more.value_or(now) - less.value_or(now)) / (found.one_sided ? h : 2 * h);
-    found.is_none = less.value_or(now) == now && more.value_or(now) == now;
+    found.is_none = is_same(less.value_or(now), now) && is_same(more.value_or(now), now);
     return found;
 }
 

@@ -105,6 +105,36 @@ TEST_CASE("what glTF cannot say is one line a kind", "[gltf]") {
     CHECK(wrong.err == "glint: error: -o: x.obj has another extension; expected .glb\n");
 }
 
+TEST_CASE("of whatever setting reads back as another picture it is said that glTF has no words for it",
+          "[gltf]") {
+    const TemporaryDirectory folder;
+    const std::string file = folder.file("scene.json", sayable), glb = folder.path("out.glb");
+    const SceneDocument given = std::get<SceneDocument>(open_document(file));
+    std::vector<std::string> quiet, different;
+    for (const std::string set :
+         {"/about=\"\"", "/shading/mode=\"flat\"", "/shading/mode=\"facet\"", "/shading/mode=\"gouraud\"",
+          "/shading/local_viewer=false", "/shading/interpolation=\"screen\"", "/shading/cull=\"front\"",
+          "/shading/rules=\"opengl2\"", "/shading/terms/diffuse=false", "/shading/terms/specular=false",
+          "/shading/terms/emission=false", "/shading/power_table=2", "/shading/mistakes/missing_pi=true",
+          "/shading/mistakes/normals_flipped=true", "/npr/cool_to_warm=true", "/npr/silhouettes=true",
+          "/npr/creases=true", "/global_ambient=[0.2,0.2,0.2]", "/display/transfer=\"none\""}) {
+        const Ended ended = run_glint({"export", file, "-o", glb, "--set", set});
+        INFO(set << ": " << ended.err);
+        REQUIRE(ended.status == 0);
+        const Scene before = std::get<Scene>(
+            scene_variant(given, {{set.substr(0, set.find('=')), set.substr(set.find('=') + 1)}}));
+        const auto a = drawn(before), b = drawn(std::get<SceneDocument>(open_document(glb)).scene);
+        std::size_t other = 0;
+        for (std::size_t i = 0; i < a.size(); ++i) other += std::abs(a[i] - b[i]) > 1 ? 1 : 0;
+        const bool reads_back = other < a.size() / 500;
+        if (!reads_back) different.push_back(set);
+        if (ended.err.empty()) quiet.push_back(set);
+        CHECK((reads_back || !ended.err.empty()));
+    }
+    CHECK(different.size() > 8);
+    CHECK(quiet.front() == "/about=\"\"");
+}
+
 TEST_CASE("another program reads what we write", "[gltf]") {
     const TemporaryDirectory folder;
     const std::string scene = folder.file("scene.json", sayable), glb = folder.path("scene.glb");

@@ -123,6 +123,14 @@ TEST_CASE("vectors in another frame are named by the transform that is missing",
     CHECK(says(found_in("depth", [](glm::dvec3 d) { return -d; }), "turned round"));
 }
 
+TEST_CASE("a view that is the same everywhere and was turned round is so, not in clip coordinates",
+          "[diagnose][check]") {
+    SceneDocument document = torus_scene();
+    document.scene.shading.local_viewer = false;
+    CHECK(RightBuffers(document).found_in("view", [](glm::dvec3 v, const Explanation&) { return -v; }) ==
+          "ours, and turned round");
+}
+
 TEST_CASE("a term that is a multiple is named by its factor, and what nothing explains by nothing",
           "[diagnose][check]") {
     CHECK(found_in("diffuse", [](glm::dvec3 d) { return d / 4.0; }) == "ours times 0.25");

@@ -156,6 +156,26 @@ TEST_CASE("sensitivity: a number that is the w of a position says so", "[sensiti
     CHECK(w == std::vector<std::string>{"/lights/0/position/3"});
 }
 
+TEST_CASE("sensitivity: a pixel that is no number is moved by no number that leaves it so", "[sensitivity]") {
+    SceneDocument document = balls();
+    document.scene.shading.reflection = Reflection::Phong;
+    document.scene.shading.mistakes.power_zero_is_nan = true;
+    for (Object& object : document.scene.objects) object.material.shininess = 0;
+    Renderer renderer(1);
+    (void)renderer.render(document.scene, sensitive_size);
+    int found = 0;
+    for (int y = 0; y < sensitive_size.height && found == 0; ++y)
+        for (int x = 0; x < sensitive_size.width && found == 0; ++x) {
+            const Explanation e = renderer.explain(x, y);
+            if (!e.hit || !std::isnan(e.sum.x)) continue;
+            ++found;
+            const Sensitivities s = of_pixel(document, x, y);
+            CHECK(lists(s.no_effect, "/display/background/0"));
+            CHECK(s.numbers.size() < 5);  // a shininess that is not 0 makes it a number
+        }
+    CHECK(found == 1);
+}
+
 TEST_CASE("sensitivity: what has no effect is named, and what cannot move a little", "[sensitivity]") {
     const Sensitivities s = of_pixel(balls(), 30, 20);
     for (const char* zero : {"/lights/0/falloff/quadratic", "/lights/0/spot/cutoff_deg", "/objects/1",

@@ -185,6 +185,22 @@ TEST_CASE("frames are written as numbered pictures that carry their scenes", "[u
     CHECK(bench.state.notifications.list.back().text == "Wrote turn.gif with 4 frames");
 }
 
+TEST_CASE("the progress of frames counts frames, also where the meshes of each are made anew",
+          "[ui][animate]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.state.animate.animation = {Motion::PingPong, "/objects/0/mesh/detail", 8, 700, 6};
+    begin_frames(bench.state, folder.path("turn.png"), {40, 30}, 1);
+    while (bench.state.animate.job) {
+        const LoadProgress& progress = bench.state.animate.job->progress();
+        const auto total = progress.total.load();
+        CHECK((total == 0 || total == 6));
+        (void)bench.frame();
+    }
+    CHECK(folder.names().size() == 6);
+}
+
 TEST_CASE("numbered frames are asked about before they are replaced", "[ui][window][animate]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;

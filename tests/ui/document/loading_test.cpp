@@ -8,7 +8,9 @@
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
+#include "ui/commands/command.h"
 #include "ui/document/document_actions.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/preferences/persistence.h"
 
 using namespace glint;
@@ -191,6 +193,52 @@ TEST_CASE("an object from a file is added when its mesh is there", "[ui][loading
     CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, 1});
     bench.frames(2);
     CHECK(bench.state.editor.history.undo_name() == "Add Square");
+}
+
+TEST_CASE("what is kept while a mesh is built has the mesh that is seen, and opens again",
+          "[ui][loading][window]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.path("own.json");
+    HeadlessWindow bench;
+    bench.frames(2);
+    begin_persistence(bench.state, folder.path("state"));
+    REQUIRE_FALSE(save_file(bench.state.editor, path));
+    const Scene before = bench.scene();
+    bench.scene().lights[0].intensity = 0.25f;
+    bench.frames(2);
+    const Scene seen = bench.scene();
+    Gate gate;
+    bench.state.loading.meshes = gate.job(bench.state.editor.document);
+    begin_mesh(bench.state, PrimitiveMesh{Primitive::Sphere, 1000}, 0);
+    for (const bool is_noted : {false, true}) {  // as yet it has no mesh; then that of before
+        CAPTURE(is_noted);
+        if (is_noted) bench.frames(2);
+        REQUIRE(awaits_mesh(bench.state) == is_noted);
+        bench.state.editor.saved = before;
+        REQUIRE(keep_unsaved_work(bench.state));
+        const auto copy = open_autosave(bench.state.persistence.autosave->path());
+        REQUIRE(problem_of(copy) == nullptr);
+        CHECK(same_description(std::get<SceneDocument>(copy).scene, seen));
+        CHECK(save(bench.state));
+        CHECK(same_description(std::get<SceneDocument>(open_document(path)).scene, seen));
+        CHECK(bench.state.editor.unsaved());
+        run_command(bench.state, CommandId::StoreB);
+        CHECK(*bench.state.views.compare.choice.stored == seen);
+        (void)shortest_command(bench.state, [&](const SceneDocument& document, const Scene&) {
+            CHECK(document.scene == seen);
+            return std::string();
+        });
+        CHECK(document_as_made(bench.state).scene == seen);
+    }
+    CHECK(bench.state.notifications.list.front().text == "Saved own.json");
+    CHECK(bench.state.notifications.list.back().text.starts_with("Stored as B"));
+    freeze(bench.state);
+    CHECK(*bench.state.lecture.frozen == seen);
+    bench.state.lecture.frozen.reset();
+    gate.open.set_value();
+    bench.wait_for_loads();
+    CHECK(bench.scene().objects[0].mesh->face_count() == 1000 * 500);
+    CHECK(as_made(bench.state, bench.scene()) == bench.scene());
 }
 
 TEST_CASE("a mesh that cannot be read leaves the object as it was, and says why", "[ui][loading]") {

@@ -5,6 +5,7 @@
 
 #include "models/fields/scene_numbers.h"
 #include "models/io/file.h"
+#include "renderer/image/image_file.h"
 #include "renderer/lessons/quiz.h"
 #include "tests/support/lesson_window.h"
 #include "tests/support/program.h"
@@ -187,6 +188,27 @@ TEST_CASE("another stored scene is not the target beside it", "[ui][window][matc
     bench.frames(2);
     CHECK(bench.state.views.compare.choice.on);
     CHECK(*bench.state.views.compare.choice.stored == bench.state.match.task.target);
+}
+
+TEST_CASE("an own picture is not the target beside it, and goes with its game", "[ui][window][match]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench({1280, 1000});
+    open_game(bench, 2);
+    bench.click(bench.control("Target beside it"));
+    bring_picture(bench.state, folder.file("mine.png", png_bytes(bench.state.match.target, "")));
+    while (!bench.state.mine.shown) (void)bench.frame();
+    bench.frames(2);
+    bench.click(bench.control("Target beside it"));
+    bench.frames(2);
+    const CompareChoice& choice = bench.state.views.compare.choice;
+    CHECK(choice.on);
+    CHECK(choice.parts.back().kind == Variant::Kind::Stored);
+    bring_picture(bench.state, folder.path("mine.png"));
+    bench.state.editor.saved = bench.scene();
+    bench.click(bench.control("Another"));
+    bench.frames(2);
+    CHECK(bench.state.match.on);
+    CHECK_FALSE(bench.state.mine.shown);
 }
 
 TEST_CASE("the game is played by its buttons: hint, target beside, again, another, leave",

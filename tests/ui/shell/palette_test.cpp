@@ -1,13 +1,17 @@
 // Ctrl+K: what is found, in which order, and what it does.
 #include <algorithm>
+#include <filesystem>
 #include <string>
+#include <utility>
 
 #include "models/fields/choices.h"
 #include "models/fields/scene_numbers.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
+#include "tests/support/program.h"
 #include "ui/commands/menus.h"
 #include "ui/inspector/tabs.h"
+#include "ui/preferences/autosave.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -37,6 +41,50 @@ TEST_CASE("the palette finds a field of the scene first by the beginning of its 
         CHECK(entries[0].name == name);
         CHECK(entries[0].group.find("Field") == 0);
     }
+}
+
+TEST_CASE("the palette answers the offer to recover unsaved work", "[ui][palette]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    for (const auto& [text, is_kept] : {std::pair("discard", false), std::pair("not now", true)}) {
+        CAPTURE(text);
+        CHECK(found(bench.state, "copy of work").empty());
+        auto lock = AutosaveLock::take(folder.file("a.autosave", "{}"));
+        REQUIRE(lock);
+        bench.state.persistence.orphans.push_back({std::move(*lock), "work.json", "14:05"});
+        CHECK(found(bench.state, "recover").at(0).name == "Recover the copy of work.json");
+        found(bench.state, text).at(0).run(bench.state);
+        CHECK(bench.state.persistence.orphans.empty());
+        CHECK(std::filesystem::exists(folder.path("a.autosave")) == is_kept);
+        std::filesystem::remove(folder.path("a.autosave"));
+    }
+}
+
+TEST_CASE("the palette plays the animation, and leads to its number without a mouse",
+          "[ui][palette][animate]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    found(bench.state, "back and forth").at(0).run(bench.state);
+    bench.frames(4);
+    CHECK(bench.state.animate.open);
+    CHECK(ImGui::GetIO().WantTextInput);
+    bench.type("eye z");
+    constexpr int return_key = 90;
+    ImGui::GetIO().KeyMap[ImGuiKey_Enter] = return_key;
+    ImGui::GetIO().KeysDown[return_key] = true;
+    (void)bench.frame();
+    ImGui::GetIO().KeysDown[return_key] = false;
+    bench.frames(2);
+    CHECK(bench.state.animate.animation.pointer == "/camera/eye/2");
+    found(bench.state, "play the animation").at(0).run(bench.state);
+    bench.frames(2);
+    CHECK(bench.state.animate.playing);
+    found(bench.state, "stop the animation").at(0).run(bench.state);
+    CHECK_FALSE(bench.state.animate.playing);
+    found(bench.state, "write frames").at(0).run(bench.state);
+    CHECK(bench.state.files.open);
+    CHECK(bench.state.files.purpose == FilePurpose::SaveFrames);
 }
 
 TEST_CASE("the palette knows a field by another word for it", "[ui][palette]") {
