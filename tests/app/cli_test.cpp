@@ -82,7 +82,8 @@ std::array<float, 3> drawn_over(const std::array<float, 3>& shaded, const json& 
 
 }  // namespace
 
-TEST_CASE("an explanation's terms add up to the pixel of the picture, to the last bit", "[cli][explain]") {
+TEST_CASE("an explanation's terms add up to the pixel of the picture, to the last bit",
+          "[cli][explain][release]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights), pfm = directory.path("out.pfm");
     const std::string wide_strokes =

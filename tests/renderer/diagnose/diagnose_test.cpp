@@ -87,7 +87,7 @@ TEST_CASE("two mistakes at once are named together", "[diagnose][long][release]"
     CHECK(100 * named.first >= 80 * named.all);
 }
 
-TEST_CASE("a right picture has no mistake, whatever happened to it at the display", "[diagnose]") {
+TEST_CASE("a right picture has no mistake, whatever happened to it at the display", "[diagnose][release]") {
     int all = 0, right = 0;
     for (unsigned seed = 1; seed <= scenes(12); ++seed)
         for (unsigned change = 0; change < 2; ++change) {

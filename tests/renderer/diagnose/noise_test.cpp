@@ -60,7 +60,7 @@ TEST_CASE("a picture with more noise than can be judged is not comparable, and t
     CHECK(d.why.starts_with("noise of about "));
 }
 
-TEST_CASE("a mistake is named in a noisy picture", "[diagnose]") {
+TEST_CASE("a mistake is named in a noisy picture", "[diagnose][release]") {
     SceneDocument document = shipped("default.json");
     document.scene.shading.reflection = Reflection::Phong;
     for (const char* name : {"reflect_sign", "normals_left_in_world", "encoded_twice", "missing_pi"})

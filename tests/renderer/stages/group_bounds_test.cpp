@@ -58,7 +58,7 @@ bool some_in_front(const LightAt<float>& light, const Points& points) {
 
 }  // namespace
 
-TEST_CASE("bounds that are certainly behind a light hold no point in front of it", "[lighting]") {
+TEST_CASE("bounds that are certainly behind a light hold no point in front of it", "[lighting][release]") {
     Dice dice(7);
     int dark = 0, known = 0;
     for (int i = 0; i < 100000; ++i) {

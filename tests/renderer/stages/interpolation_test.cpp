@@ -93,7 +93,7 @@ TEST_CASE("more corners along straight edges leave scanline interpolation as it 
 }
 
 TEST_CASE("a vertex shared on one side only makes a step on the crossing scanline",
-          "[interpolation][lecture]") {
+          "[interpolation][lecture][release]") {
     // The slide's A..H: 8 x 8, centred, so that the shared edge x = 4 stands at 0. 801 pixels over 8.01
     // units: the sample at column 400 + 100 k is at x = k; one pixel to the left and right of 0 straddles the
     // edge.
@@ -122,7 +122,7 @@ TEST_CASE("a vertex shared on one side only makes a step on the crossing scanlin
 }
 
 TEST_CASE("on a receding quad screen interpolation differs from the correct one as worked",
-          "[interpolation]") {
+          "[interpolation][release]") {
     // A strip from w = 1 (value 0) to w = 3 (value 1): at screen shares .25, .5, .75 the values are .1, .25,
     // .5; linear on the screen they are the shares themselves.
     auto mesh = std::make_shared<Mesh>(*polygon_mesh(

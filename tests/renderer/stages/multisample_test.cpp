@@ -81,7 +81,7 @@ TEST_CASE("a tilted edge covers what its area says, within one sample a pixel", 
     CHECK(worst < 1.0 / 8);
 }
 
-TEST_CASE("inside a face several samples give the colour of one", "[multisample]") {
+TEST_CASE("inside a face several samples give the colour of one", "[multisample][release]") {
     Scene scene = busy_scene();
     for (const ShadingMode mode : {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong}) {
         scene.shading.mode = mode;

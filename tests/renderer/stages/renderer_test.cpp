@@ -32,7 +32,7 @@ double largest_difference(const Picture& a, const Picture& b) {
 
 }  // namespace
 
-TEST_CASE("the explanation of every pixel sums to the pixel, to the last bit", "[explain]") {
+TEST_CASE("the explanation of every pixel sums to the pixel, to the last bit", "[explain][release]") {
     Scene scene = busy_scene();
     Renderer renderer(2);
     for (const Rules rules : {Rules::Lecture, Rules::OpenGL2})

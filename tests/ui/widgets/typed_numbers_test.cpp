@@ -105,7 +105,7 @@ class Typist {
 }  // namespace
 
 TEST_CASE("each number that is typed digit by digit stands in the scene at last, or it is said why not",
-          "[ui][window][numbers]") {
+          "[ui][window][numbers][release]") {
     Scene scene = test::busy_scene();
     for (Light& light : scene.lights) light.enabled = true;
     int typed = 0;
