@@ -53,9 +53,9 @@ struct ProgramOf {
     std::string name;
 };
 
-/// The files of a program that draws the scene. Compiled
-/// or run as its first comment says, it gives the picture of `glint render`. Problem (without a file): what
-/// the language cannot do; `expected` names the languages that can.
+/// The files of a program that draws the scene. Compiled or run as its first comment says, it gives the
+/// picture of `glint render`. Problem (without a file): what the language cannot do, or that the program
+/// would be too long; `expected` names the languages that can.
 [[nodiscard]] Result<Program> write_program(const ProgramOf& of, Language language);
 
 }  // namespace glint

@@ -94,14 +94,18 @@ double excess_at(const DrawnProbes& drawn, const WrongProbes& wrong, const Displ
     const Ground& ground = wrong.ground(change);
     const std::vector<Rgb>& lows = change.soft ? drawn.low : drawn.at;
     const std::vector<Rgb>& highs = change.soft ? drawn.high : drawn.at;
+    const float scatter = change.scatter();
+    const std::array<std::size_t, 3> channel{changed_channel(change, 0), changed_channel(change, 1),
+                                             changed_channel(change, 2)};
     double sum = 0;
     for (std::size_t i = 0; i < mine.size() && sum <= enough; ++i) {
+        const Rgb &here = mine[i], &darkest = lows[i], &brightest = highs[i];
         const bool shows_ground = drawn.bare[i] != 0 && ground.is_known;
         for (std::size_t c = 0; c < 3; ++c) {
-            const std::size_t k = changed_channel(change, c);
-            const float low = shows_ground ? ground.levels[k] - change.scatter() : bounds.low[lows[i][c]];
-            const float high = shows_ground ? ground.levels[k] + change.scatter() : bounds.high[highs[i][c]];
-            sum += double(excess_of(levels_outside(low, high, static_cast<float>(mine[i][k]))));
+            const std::size_t k = channel[c];
+            const float low = shows_ground ? ground.levels[k] - scatter : bounds.low[darkest[c]];
+            const float high = shows_ground ? ground.levels[k] + scatter : bounds.high[brightest[c]];
+            sum += double(excess_of(levels_outside(low, high, static_cast<float>(here[k]))));
         }
     }
     return sum;

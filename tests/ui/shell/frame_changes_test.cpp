@@ -90,7 +90,7 @@ float area_of(const std::vector<Rect>& rects) {
 
 }  // namespace
 
-TEST_CASE("what a frame draws otherwise lies in the rects that changed", "[ui][frame_changes]") {
+TEST_CASE("what a frame draws otherwise lies in the rects that changed", "[ui][frame_changes][release]") {
     HeadlessWindow bench;
     FrameChanges changes;
     Watched watched({1280, 800});
