@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "models/io/utf8.h"
 #include "models/saturate.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/numbers/number_input.h"
@@ -134,6 +135,7 @@ bool name_field(const char* label, std::string& name, const Help& help) {
     ImGui::PushID(label);
     ImGui::SetNextItemWidth(label_cell(label));
     const bool changed = text_field("##name", "", name);
+    if (changed) name = with_invalid_replaced(name);  // a scene file is UTF-8, what is pasted need not be
     const bool is_cut = ImGui::CalcTextSize(name.c_str()).x > ImGui::GetItemRectSize().x - px(12);
     tooltip(label, help.what, is_cut ? name : "", help.pointer);
     ImGui::PopID();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "models/io/utf8.h"
+#include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"
@@ -52,7 +53,7 @@ struct TypingWindow : HeadlessWindow {
     std::string clipboard;
 };
 
-constexpr const char* odd_names[] = {"\xF0\x9F\x98\x80 Ground", "b\xFF\xF0\x9F\x98\x80\xF0\x9F\x98\x81z",
+constexpr const char* odd_names[] = {"\xF0\x9F\x98\x80 Ground", "b\xF0\x9F\x98\x80\xF0\x9F\x98\x81z",
                                      "\xEE\x80\x80 private", "\xE5\x9C\xB0 \xD7\xA9"};
 
 }  // namespace
@@ -94,6 +95,17 @@ TEST_CASE(
         bench.tap(v_key, true);
         CHECK(bench.name() == name + "2\xF0\x9F\x98\x82");
     }
+}
+
+TEST_CASE("a byte that is not UTF-8 is pasted into a name as U+FFFD, with which the scene can be saved",
+          "[ui][window][widgets]") {
+    TypingWindow bench;
+    bench.begin_typing();
+    bench.tap(a_key, true);
+    bench.clipboard = "Sun\xFF\xF0\x9F\x98\x80";
+    bench.tap(v_key, true);
+    CHECK(bench.name() == "Sun\xEF\xBF\xBD\xF0\x9F\x98\x80");
+    CHECK(problem_of(parse_scene(scene_text(bench.scene()), "typed.json")) == nullptr);
 }
 
 TEST_CASE("a scene is saved beside a mesh whose name has an emoji or a byte that is not UTF-8",
