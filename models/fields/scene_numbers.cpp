@@ -213,8 +213,8 @@ std::optional<Problem> set_number(Scene& scene, const std::string& pointer, doub
     if (const auto found = violation_of(changed)) return problem(found->at, *found);
     for (std::size_t i = 0; i < changed.lights.size(); ++i) {
         glm::vec4& position = changed.lights[i].position;
-        if (auto found = violation_of_division(position))
-            return problem(fmt::format("/lights/{}{}", i, found->at), *std::move(found));
+        if (const auto found = violation_of_division(position))
+            return problem(fmt::format("/lights/{}{}", i, found->at), *found);
         position = divided_by_w(position);
     }
     for (std::size_t i = 0; i < changed.objects.size(); ++i)

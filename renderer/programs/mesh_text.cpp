@@ -52,7 +52,8 @@ std::uint64_t digits(std::uint64_t count) { return std::to_string(count).size();
 
 /// At most so many bytes has the text of a mesh with so many normals.
 std::uint64_t longest_text(const Mesh& mesh, std::size_t normals) {
-    constexpr std::uint64_t line = 3 * 16;  // three numbers such as -1.17549435e-38, and what parts them
+    constexpr std::uint64_t line =
+        std::uint64_t{3} * 16;  // three numbers such as -1.17549435e-38, and what parts them
     const std::uint64_t corners = mesh.corner_position.size(), faces = mesh.face_count(),
                         triangles = mesh.triangles.size();
     const std::uint64_t index = digits(std::max(mesh.positions.size(), normals));

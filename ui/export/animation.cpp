@@ -35,13 +35,15 @@ std::string words_for(const Scene& scene, const std::string& pointer) {
     return fmt::format("{}: {}", named.owner, named.what);
 }
 
-/// The numbers that match what was typed, best first.
+/// The numbers that have an effect and match what was typed, best first.
 std::vector<SceneNumber> matching(const Scene& scene, const std::string& text) {
     const std::vector<SceneNumber> numbers = numbers_of(scene);
     std::vector<std::pair<int, std::size_t>> scored;
-    for (std::size_t i = 0; i < numbers.size(); ++i)
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (!numbers[i].applies) continue;
         if (const auto match = fuzzy_match(text, words_for(scene, numbers[i].pointer)))
             scored.emplace_back(-match->score, i);
+    }
     std::sort(scored.begin(), scored.end());
     std::vector<SceneNumber> found;
     for (const auto& [score, i] : scored) {

@@ -88,6 +88,7 @@ void begin_frames(UiState& state, const std::string& path, PictureSize size, int
                        state.renderer->stats().threads};
     const bool gif = lower_extension(path) == ".gif";
     animate.playing = false;
+    animate.open = true;  // it says how far they have come
     animate.job = std::make_unique<Job<std::string>>(
         fs::path(path).filename().string(), [job, gif](LoadProgress& progress) {
             return gif ? write_gif(job, progress) : write_pngs(job, progress);

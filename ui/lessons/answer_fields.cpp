@@ -26,6 +26,10 @@ bool number_answer(LessonState& lesson, const Prediction& question) {
     if (std::exchange(lesson.takes_keys, false)) ImGui::SetKeyboardFocusHere();
     const bool entered =
         text_field("##answer", "a number", lesson.typed, ImGuiInputTextFlags_EnterReturnsTrue);
+    if (entered && !can_lock(lesson)) {  // it is to be mended
+        lesson.takes_keys = true;
+        redraw_within(0);
+    }
     tooltip("Your answer", "A number, or a calculation such as 1/2 or cos(30*deg)");
     if (!question.unit.empty()) {
         ImGui::SameLine(0, px(8));

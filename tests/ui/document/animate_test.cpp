@@ -199,6 +199,23 @@ TEST_CASE("the progress of frames counts frames, also where the meshes of each a
         (void)bench.frame();
     }
     CHECK(folder.names().size() == 6);
+    CHECK(bench.state.animate.open);  // where it was said, whoever asked for them
+}
+
+TEST_CASE("a number without effect is not offered to be animated", "[ui][window][animate]") {
+    HeadlessWindow bench;
+    bench.scene().lights.assign(1, Light{});
+    bench.scene().lights[0].name = "Bulb";
+    bench.state.animate.search = "bulb cutoff";
+    begin_animation(bench.state, Motion::PingPong);
+    const auto offers_cutoff = [&] {
+        bench.frames(4);
+        return std::any_of(bench.controls().begin(), bench.controls().end(),
+                           [](const NamedControl& control) { return control.name == "Bulb: cone cutoff"; });
+    };
+    CHECK_FALSE(offers_cutoff());
+    bench.scene().lights[0].kind = LightKind::Spot;
+    CHECK(offers_cutoff());
 }
 
 TEST_CASE("numbered frames are asked about before they are replaced", "[ui][window][animate]") {

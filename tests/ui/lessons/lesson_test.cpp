@@ -96,6 +96,27 @@ TEST_CASE("an answer is right within the question's tolerance, and typed as a ca
     CHECK(is_right(bench.lesson().station().questions[0], bench.lesson().given()[0]));
 }
 
+TEST_CASE("a number that is none keeps the keyboard, to be mended", "[ui][window][lesson]") {
+    LambertWindow bench;
+    constexpr int return_key = 90;
+    ImGui::GetIO().KeyMap[ImGuiKey_Enter] = return_key;
+    const auto enter = [&] {
+        ImGui::GetIO().KeysDown[return_key] = true;
+        (void)bench.frame();
+        ImGui::GetIO().KeysDown[return_key] = false;
+        bench.frames(3);
+    };
+    bench.click(bench.control("Your answer"));
+    test::type(bench, "half of 1");
+    enter();
+    REQUIRE(open_question(bench.lesson()));
+    CHECK(ImGui::GetIO().WantTextInput);
+    test::type(bench, ".5");  // at its end
+    CHECK(bench.lesson().typed == "half of 1.5");
+    enter();
+    CHECK(ImGui::GetIO().WantTextInput);
+}
+
 TEST_CASE("a choice is answered by its letter and Enter, and the palette opens while a question waits",
           "[ui][window][lesson]") {
     HeadlessWindow bench({1280, 1000});
