@@ -13,6 +13,7 @@
 #include "models/scene/scene.h"
 #include "ui/document/scene_edit.h"
 #include "ui/picture/screen.h"
+#include "ui/widgets/area.h"
 
 namespace glint {
 

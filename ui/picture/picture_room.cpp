@@ -15,6 +15,7 @@
 #include "ui/views/debug_view_legend.h"
 #include "ui/views/views.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/widgets.h"

@@ -173,7 +173,8 @@ void difference_caption(ImDrawList& list, const CompareState& state) {
     const Rect area = clip_area(list);
     const float room = area.size().x - px(20);
     std::string text = most;
-    for (const std::string& longer : {what + ": " + most + black, what + ": " + most})
+    for (const std::string& longer :
+         {fmt::format("{}: {}{}", what, most, black), fmt::format("{}: {}", what, most)})
         if (ImGui::CalcTextSize(longer.c_str()).x <= room) {
             text = longer;
             break;
